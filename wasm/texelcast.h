@@ -1,0 +1,296 @@
+/* Texelcast core: the C ABI, and its manual.
+ *
+ * The one public header of the core. It is plain C, so that a WebAssembly host can call it without glue, and it is
+ * written in the order in which a program calls it:
+ *
+ *   session -> model -> target (bake) -> base picture -> images -> layers -> update -> read
+ *
+ * Rules that hold for every call:
+ *   - Structs hold 4-byte fields only, so their layout is the same in wasm32 and natively. Fill one with its
+ *     `txc_*_default` maker first, then set the fields you mean.
+ *   - Handles are ids with a generation; 0 is null. A handle used after its object was destroyed, or of another
+ *     session, gives TXC_STATUS_STALE_HANDLE and touches nothing.
+ *   - Inputs are copied before the call returns. Outputs that are pointers belong to the session and live until the
+ *     call that their comment names.
+ *   - A call that fails changes nothing, and `txc_error_detail` then says which field and which value was at fault.
+ *   - Nothing here is thread-safe: one session belongs to one thread.
+ *   - Same input, same bytes, on every machine (spec section 7).
+ *
+ * Spaces (spec section 1): model space is metres, right-handed, +Y up. Texture space has its origin at the top left;
+ * row 0 is the top row. Decal space is the box [-1/2, 1/2]^3 whose +Z points from the surface to the viewer.
+ */
+#ifndef TEXELCAST_H
+#define TEXELCAST_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#if defined(__EMSCRIPTEN__)
+#define TXC_API __attribute__((used, visibility("default")))
+#else
+#define TXC_API
+#endif
+
+#define TXC_ABI_VERSION 1u
+#define TXC_MAX_SIZE 8192u /* texels along one side of a target or an image */
+
+/* ---- Statuses ---------------------------------------------------------------------------------------------------
+ * One list; names and messages are read from the module itself (txc_status_name, txc_status_message), so that no
+ * other language keeps a copy. The names are stable: hosts may branch on them. */
+#define TXC_STATUS_LIST(X)                                                                                             \
+    X(OK, "done")                                                                                                      \
+    X(PENDING, "there is more work to do: call again")                                                                 \
+    X(BAD_ARGUMENT, "an argument is out of its range")                                                                 \
+    X(STALE_HANDLE, "the handle is null, was destroyed, or belongs to another session")                                \
+    X(OUT_OF_BUDGET, "the work would need more memory than the session's budget allows")                               \
+    X(BAD_SIZE, "a width or height is 0 or above 8192")                                                                \
+    X(NO_MODEL, "the session has no model yet")                                                                        \
+    X(BAD_MODEL, "the model's bytes are not a valid binary glTF 2.0 file")                                             \
+    X(UNSUPPORTED_MODEL, "the model needs a glTF extension that the core does not read")                               \
+    X(BAD_GEOMETRY, "the model's geometry has values that cannot be used")                                             \
+    X(NO_MATERIAL, "the model has no material with that index")                                                        \
+    X(NO_TRIANGLES, "no triangle uses that material")                                                                  \
+    X(NO_UVS, "the material's triangles have no texture coordinates, so there is no texture to paint")                 \
+    X(BAD_UVS, "the texture coordinates are not finite or too far out of range")                                       \
+    X(NOT_BAKED, "the target's bake has not finished")                                                                 \
+    X(INTERNAL, "a fault of the core itself: please report it")
+
+typedef enum TxcStatus {
+#define TXC_STATUS_ENUM(name, message) TXC_STATUS_##name,
+    TXC_STATUS_LIST(TXC_STATUS_ENUM)
+#undef TXC_STATUS_ENUM
+        TXC_STATUS_COUNT
+} TxcStatus;
+
+typedef uint32_t TxcSession;
+typedef uint32_t TxcTarget;
+typedef uint32_t TxcImage;
+typedef uint32_t TxcLayer;
+
+TXC_API uint32_t txc_abi_version(void);
+TXC_API uint32_t txc_status_count(void);
+/* Static strings, zero-terminated UTF-8, never freed. Unknown statuses give "UNKNOWN". */
+TXC_API const char* txc_status_name(uint32_t status);
+TXC_API const char* txc_status_message(uint32_t status);
+/* What exactly was wrong in the newest call that failed; "" after a call that succeeded. Lives until the next call. */
+TXC_API const char* txc_error_detail(void);
+
+/* Scratch memory for a host that must place bytes inside the module before a call. Null where there is none left. */
+TXC_API void* txc_alloc(uint32_t byte_count);
+TXC_API void txc_free(void* memory);
+
+/* ---- Session ---------------------------------------------------------------------------------------------------- */
+typedef struct TxcSessionDef {
+    uint32_t memory_budget_mib; /* what the session may hold at once, MiB; default 1024 */
+} TxcSessionDef;
+
+typedef struct TxcSessionStats {
+    uint32_t bake_count;           /* bakes finished since the session began: proves that a map is reused */
+    uint32_t projection_count;     /* layers projected since the session began */
+    uint32_t projected_texels;     /* texels that the newest update shaded */
+    uint32_t composited_texels;    /* texels that the newest update composited */
+    uint32_t memory_used_kib;      /* held now, as counted against the budget */
+    uint32_t memory_peak_kib;      /* most held at once since the session began */
+    uint32_t memory_budget_kib;
+} TxcSessionStats;
+
+TXC_API void txc_session_def_default(TxcSessionDef* def);
+TXC_API TxcStatus txc_session_create(const TxcSessionDef* def, TxcSession* out_session);
+/* Destroys the session and everything in it. */
+TXC_API TxcStatus txc_session_destroy(TxcSession session);
+TXC_API TxcStatus txc_session_stats(TxcSession session, TxcSessionStats* out_stats);
+
+/* ---- Model ------------------------------------------------------------------------------------------------------
+ * A session holds one model. Loading another one destroys the targets, maps and layers of the one before; images stay.
+ * A failed load leaves the old model as it was. */
+#define TXC_NONE 0xffffffffu
+
+typedef struct TxcModelInfo {
+    uint32_t material_count; /* the file's materials, plus one after the last if any primitive names none */
+    uint32_t triangle_count;
+    uint32_t vertex_count;
+    uint32_t has_default_material; /* 1 if the last material is glTF's implied one */
+    float bounds_min_model[3];
+    float bounds_max_model[3];
+} TxcModelInfo;
+
+typedef struct TxcMaterialInfo {
+    uint32_t paint_status;           /* TXC_STATUS_OK, or why the material cannot take decals */
+    uint32_t triangle_count;
+    uint32_t degenerate_uv_triangles; /* without area in texture space: they own no texel */
+    uint32_t out_of_range_uv_triangles; /* with a UV outside [0, 1]: they wrap */
+    uint32_t tex_coord;              /* the UV set that the base colour texture names */
+    uint32_t image;                  /* the file's image index of the base colour texture, or TXC_NONE */
+    uint32_t nearest_filter;         /* 1 if the texture's sampler magnifies with NEAREST (pixel art) */
+    float base_color_factor[4];      /* linear, as in the file */
+    float uv_min[2];
+    float uv_max[2];
+    float bounds_min_model[3];
+    float bounds_max_model[3];
+} TxcMaterialInfo;
+
+/* One mesh as a three.js BufferGeometry has it. */
+typedef struct TxcMeshDef {
+    uint32_t vertex_count;
+    uint32_t index_count; /* 0 without indices: every three vertices are a triangle */
+    uint32_t material;    /* any number below 1024; materials count up to the highest used */
+} TxcMeshDef;
+
+/* Reads a binary glTF 2.0 file (GLB; also a self-contained .gltf) without Draco or meshopt compression. The scene is
+ * gathered at rest (spec section 1). Pictures are not decoded.
+ * Errors: BAD_MODEL, UNSUPPORTED_MODEL, BAD_GEOMETRY, NO_TRIANGLES, OUT_OF_BUDGET. */
+TXC_API TxcStatus txc_model_load_glb(TxcSession session, const uint8_t* bytes, uint32_t byte_count);
+TXC_API void txc_mesh_def_default(TxcMeshDef* def);
+/* Adds raw arrays to the session's model (and starts one where there is none): positions 3 floats a vertex in model
+ * space, normals 3 floats or null (flat), uvs 2 floats or null, indices or null. Destroys the session's targets. */
+TXC_API TxcStatus txc_model_add_mesh(TxcSession session, const TxcMeshDef* def, const float* positions_model,
+                                     const float* normals_model, const float* uvs, const uint32_t* indices);
+TXC_API TxcStatus txc_model_info(TxcSession session, TxcModelInfo* out_info);
+TXC_API TxcStatus txc_material_info(TxcSession session, uint32_t material, TxcMaterialInfo* out_info);
+/* Writes the UV triangles of a material: 6 floats (u, v of three corners) for each of its triangles. `capacity` is the
+ * number of triangles that fit. BAD_ARGUMENT where it is too small. */
+TXC_API TxcStatus txc_material_uvs(TxcSession session, uint32_t material, float* out_uvs, uint32_t capacity);
+
+/* ---- Target and bake --------------------------------------------------------------------------------------------
+ * A target is one material's base colour texture at a size of your choice, with its baked local space map and its
+ * layers. The map depends on model, material, size and gutter alone: a second target of the same four, or the same
+ * target again after being destroyed, reuses it without a bake (TxcSessionStats.bake_count). */
+typedef struct TxcTargetDef {
+    uint32_t material; /* glTF material index; default 0 */
+    uint32_t width;    /* texels, 1 to 8192; default 1024 */
+    uint32_t height;
+    uint32_t gutter;     /* texels, 0 to 64; default TXC_NONE: 2 at 1024, in proportion, never less than 2 */
+    uint32_t mip_levels; /* levels that updates report: 1 (default) is the texture alone, 0 the whole chain */
+} TxcTargetDef;
+
+typedef struct TxcMapInfo {
+    uint32_t width, height, gutter;
+    uint32_t covered_texels;
+    uint32_t gutter_texels;
+    uint32_t overlapping_texels; /* covered by two triangles or more */
+    uint32_t byte_count;         /* the map at rest, all that is derived from it included */
+    uint32_t mip_levels;         /* of the target */
+    float bounds_min_model[3];   /* of the material's triangles; position views are scaled by it */
+    float bounds_max_model[3];
+} TxcMapInfo;
+
+TXC_API void txc_target_def_default(TxcTargetDef* def);
+/* Errors: NO_MODEL, NO_MATERIAL, NO_TRIANGLES, NO_UVS, BAD_UVS, BAD_SIZE, BAD_ARGUMENT, OUT_OF_BUDGET. */
+TXC_API TxcStatus txc_target_create(TxcSession session, const TxcTargetDef* def, TxcTarget* out_target);
+/* Bakes on: at least one step, then until about `work_limit` texels were visited. PENDING while there is more; OK when
+ * the map is ready (at once, where it is reused). To cancel, destroy the target. `out_progress` (may be null): 0 to 1. */
+TXC_API TxcStatus txc_target_bake(TxcSession session, TxcTarget target, uint32_t work_limit, float* out_progress);
+TXC_API TxcStatus txc_target_destroy(TxcSession session, TxcTarget target);
+TXC_API TxcStatus txc_map_info(TxcSession session, TxcTarget target, TxcMapInfo* out_info);
+
+/* Rows [row, row + row_count) of the map, top down. Empty texels are 0. `positions`: 3 floats a texel, metres, model
+ * space. `normals`: 3 floats, unit. `coverage`: 0 empty, 1 covered, 2 gutter. `overlap`: how many triangles cover the
+ * texel, capped at 255. NOT_BAKED before the bake has finished. */
+TXC_API TxcStatus txc_map_read_positions(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count, float* out);
+TXC_API TxcStatus txc_map_read_normals(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count, float* out);
+TXC_API TxcStatus txc_map_read_coverage(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count, uint8_t* out);
+TXC_API TxcStatus txc_map_read_overlap(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count, uint8_t* out);
+
+/* RGBA pictures of the map, as the paper's figure shows them; empty texels are transparent black. Positions: x, y, z of
+ * the material's bounding box as red, green, blue. Normals: (n + 1) / 2. Coverage: covered light, gutter darker.
+ * Overlap: one triangle green, two amber, more red. */
+typedef enum TxcMapView { TXC_VIEW_POSITIONS, TXC_VIEW_NORMALS, TXC_VIEW_COVERAGE, TXC_VIEW_OVERLAP, TXC_VIEW_COUNT } TxcMapView;
+TXC_API TxcStatus txc_map_view(TxcSession session, TxcTarget target, uint32_t view, uint32_t row, uint32_t row_count,
+                               uint8_t* out_rgba);
+
+/* ---- Base picture -----------------------------------------------------------------------------------------------
+ * What the layers lie on. A new target's base is the material's base colour factor (as sRGB), or white. */
+typedef enum TxcFilter { TXC_FILTER_LINEAR, TXC_FILTER_NEAREST, TXC_FILTER_COUNT } TxcFilter;
+/* RGBA, straight alpha, width x height of its own; resampled to the target's size with `filter`. */
+TXC_API TxcStatus txc_target_set_base(TxcSession session, TxcTarget target, uint32_t width, uint32_t height,
+                                      const uint8_t* rgba, uint32_t filter);
+TXC_API TxcStatus txc_target_set_base_color(TxcSession session, TxcTarget target, uint32_t red, uint32_t green,
+                                            uint32_t blue, uint32_t alpha);
+
+/* ---- Images (the decals' pictures) ------------------------------------------------------------------------------ */
+/* RGBA, sRGB, straight alpha, row 0 at the top. May be used by any layer of the session. */
+TXC_API TxcStatus txc_image_create(TxcSession session, uint32_t width, uint32_t height, const uint8_t* rgba, TxcImage* out_image);
+/* Layers that use it turn transparent; give them another image or destroy them. */
+TXC_API TxcStatus txc_image_destroy(TxcSession session, TxcImage image);
+
+/* ---- Layers ----------------------------------------------------------------------------------------------------- */
+typedef enum TxcLayerKind { TXC_LAYER_DECAL, TXC_LAYER_FILL, TXC_LAYER_KIND_COUNT } TxcLayerKind;
+typedef enum TxcProjector { TXC_PROJECTOR_PLANAR, TXC_PROJECTOR_COUNT } TxcProjector;
+typedef enum TxcBlend { TXC_BLEND_NORMAL, TXC_BLEND_COUNT } TxcBlend;
+typedef enum TxcBlendSpace { TXC_BLEND_SPACE_SRGB, TXC_BLEND_SPACE_COUNT } TxcBlendSpace;
+typedef enum TxcWrap { TXC_WRAP_NONE, TXC_WRAP_REPEAT, TXC_WRAP_COUNT } TxcWrap;
+typedef enum TxcOcclusion { TXC_OCCLUSION_SELF, TXC_OCCLUSION_NONE, TXC_OCCLUSION_COUNT } TxcOcclusion;
+
+/* The defaults are those of spec section 8. Flags are 0 or 1. */
+typedef struct TxcLayerDef {
+    uint32_t kind;        /* TxcLayerKind */
+    uint32_t image;       /* decal: its TxcImage */
+    uint32_t visible;     /* 1 */
+    float opacity;        /* 0 to 1; 1 */
+    uint32_t blend;       /* TxcBlend */
+    uint32_t blend_space; /* TxcBlendSpace */
+    uint32_t lock_alpha;  /* 0 */
+    uint32_t filter;      /* TxcFilter; linear */
+    uint32_t wrap;        /* TxcWrap; none */
+    uint32_t flip_x;      /* 0: 1 mirrors the picture left to right */
+    uint32_t flip_y;      /* 0 */
+    uint32_t backfaces;   /* 0: 1 paints texels that face away too */
+    float angle_fade_start; /* degrees, 0 to 90; 70 */
+    float angle_fade_end;   /* degrees, start to 90; 90 */
+    uint32_t occlusion;     /* TxcOcclusion; self */
+    uint32_t projector;     /* TxcProjector */
+    float position_model[3]; /* planar: the box's centre, metres */
+    float rotation[4];       /* planar: quaternion x, y, z, w; normalised by the core; not all 0 */
+    float size[3];           /* planar: full extents, metres, above 0 */
+    float color[4];          /* fill: sRGB 0 to 1, straight alpha */
+} TxcLayerDef;
+
+TXC_API void txc_layer_def_default(TxcLayerDef* def);
+/* Adds a layer on top of the target's others. */
+TXC_API TxcStatus txc_layer_create(TxcSession session, TxcTarget target, const TxcLayerDef* def, TxcLayer* out_layer);
+/* Changes any field. Only a change of image, filter, wrap, flips, culling, fade, occlusion or projector projects again;
+ * the rest recomposites. */
+TXC_API TxcStatus txc_layer_update(TxcSession session, TxcLayer layer, const TxcLayerDef* def);
+/* Puts the layer at `index` from the bottom; an index past the top is the top. */
+TXC_API TxcStatus txc_layer_move(TxcSession session, TxcLayer layer, uint32_t index);
+TXC_API TxcStatus txc_layer_destroy(TxcSession session, TxcLayer layer);
+/* Reads back what the layer was last given. */
+TXC_API TxcStatus txc_layer_def(TxcSession session, TxcLayer layer, TxcLayerDef* out_def);
+
+/* ---- Update and read --------------------------------------------------------------------------------------------- */
+typedef struct TxcRect {
+    uint32_t x, y, width, height; /* texels of its level */
+    uint32_t level;               /* 0 is the texture itself */
+    uint32_t byte_offset;         /* of the rectangle's first row in the packed bytes; rows are width * 4 bytes */
+} TxcRect;
+
+typedef struct TxcUpdate {
+    uint32_t rect_count;
+    uint32_t byte_count;
+    uint32_t projected_layers; /* that this update projected */
+    uint32_t projected_texels;
+    uint32_t composited_texels;
+} TxcUpdate;
+
+/* Projects the layers that changed, composites where they were and are, and packs the rectangles that changed since the
+ * update before (the first one: everything) for upload, RGBA, straight alpha. Rectangles of a level do not overlap. */
+TXC_API TxcStatus txc_target_update(TxcSession session, TxcTarget target, TxcUpdate* out_update);
+/* Of the newest update; they live until the target's next update or end. Null where there are none. */
+TXC_API const TxcRect* txc_target_update_rects(TxcSession session, TxcTarget target);
+TXC_API const uint8_t* txc_target_update_bytes(TxcSession session, TxcTarget target);
+
+/* Copies a rectangle of a level, as of the newest update. RGBA, straight alpha, rows packed. */
+TXC_API TxcStatus txc_target_read(TxcSession session, TxcTarget target, uint32_t level, uint32_t x, uint32_t y,
+                                  uint32_t width, uint32_t height, uint8_t* out_rgba);
+/* FNV-1a, 64 bits, over the bytes that txc_target_read would give for level 0: out_hash[0] low, out_hash[1] high. */
+TXC_API TxcStatus txc_target_hash(TxcSession session, TxcTarget target, uint32_t x, uint32_t y, uint32_t width,
+                                  uint32_t height, uint32_t* out_hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,206 @@
+/**
+ * What the engine offers to the rooms above it: plain data and one interface. The same interface is served by the
+ * worker's client (browser) and by the host itself (Node), so the page and the command line run the same engine.
+ */
+
+/** A model's bytes with the side files that its `.gltf` names (relative address to bytes). */
+export interface ModelSource {
+  /** File name as the user knows it; errors name it. */
+  readonly name: string;
+  readonly bytes: Uint8Array;
+  readonly resources?: ReadonlyMap<string, Uint8Array>;
+}
+
+export type Vec3 = readonly [number, number, number];
+export type Quaternion = readonly [number, number, number, number];
+
+/** spec.md, 3: lengths in metres, model space; rotation x, y, z, w. */
+export interface PlanarProjector {
+  readonly kind: "planar";
+  readonly position: Vec3;
+  readonly rotation: Quaternion;
+  readonly size: Vec3;
+}
+
+interface EngineLayerBase {
+  /** Unique within a design. */
+  readonly id: string;
+  /** glTF material index. */
+  readonly material: number;
+  readonly visible: boolean;
+  /** 0 to 1. */
+  readonly opacity: number;
+  readonly blend: "normal";
+  readonly blendSpace: "srgb";
+  readonly lockAlpha: boolean;
+}
+
+export interface EngineDecalLayer extends EngineLayerBase {
+  readonly type: "decal";
+  /** Key of a picture given to `setAsset`. */
+  readonly asset: string;
+  readonly filter: "linear" | "nearest";
+  readonly wrap: "none" | "repeat";
+  readonly flipX: boolean;
+  readonly flipY: boolean;
+  readonly backfaces: boolean;
+  /** Degrees, start to end, 0 to 90. */
+  readonly angleFade: readonly [number, number];
+  readonly occlusion: "self" | "none";
+  readonly projector: PlanarProjector;
+}
+
+export interface EngineFillLayer extends EngineLayerBase {
+  readonly type: "fill";
+  /** sRGB with alpha, each 0 to 1. */
+  readonly color: readonly [number, number, number, number];
+}
+
+/** A layer with every field set: the design document's defaults are already filled in. */
+export type EngineLayer = EngineDecalLayer | EngineFillLayer;
+
+export interface MaterialInfo {
+  readonly index: number;
+  /** As in the file; "" without one. */
+  readonly name: string;
+  /** Null when the material can take decals, else the status name (NO_UVS, NO_TRIANGLES, …) and what it means. */
+  readonly refusal: { readonly code: string; readonly message: string } | null;
+  readonly triangles: number;
+  readonly degenerateUvTriangles: number;
+  readonly outOfRangeUvTriangles: number;
+  readonly texCoord: number;
+  /** Pixels of the base colour picture, as its header says; null without a picture. */
+  readonly textureSize: readonly [number, number] | null;
+  readonly uvMin: readonly [number, number];
+  readonly uvMax: readonly [number, number];
+  readonly boundsMin: Vec3;
+  readonly boundsMax: Vec3;
+}
+
+export interface ModelInfo {
+  readonly name: string;
+  readonly triangles: number;
+  readonly vertices: number;
+  readonly boundsMin: Vec3;
+  readonly boundsMax: Vec3;
+  readonly materials: readonly MaterialInfo[];
+  /** The model as an uncompressed, self-contained GLB (side files packed in, Draco and meshopt undone): what a viewer can load. */
+  readonly glb: Uint8Array;
+}
+
+export interface TargetOptions {
+  readonly material: number;
+  /** Texels, 1 to 8192. Without them: the base picture's own size, 1024 x 1024 where there is none. */
+  readonly width?: number;
+  readonly height?: number;
+  /** Texels, 0 to 64; spec.md, 2 by default. */
+  readonly gutter?: number;
+  /** "model" (default): the material's own picture or colour. Else a colour, or a picture's bytes (PNG, JPEG, WebP). */
+  readonly base?: "model" | readonly [number, number, number, number] | { readonly name: string; readonly bytes: Uint8Array };
+  /** Report the whole mip chain in updates (for a GPU); default false. */
+  readonly mipmaps?: boolean;
+}
+
+export interface TargetInfo {
+  readonly material: number;
+  readonly width: number;
+  readonly height: number;
+  readonly gutter: number;
+  readonly mipLevels: number;
+  readonly coveredTexels: number;
+  readonly gutterTexels: number;
+  readonly overlappingTexels: number;
+  readonly mapBytes: number;
+  readonly boundsMin: Vec3;
+  readonly boundsMax: Vec3;
+}
+
+/** Texels of its level; `byteOffset` into the update's `bytes`, rows packed, RGBA. */
+export interface DirtyRect {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+  readonly level: number;
+  readonly byteOffset: number;
+}
+
+/** What changed in one target. `bytes` belongs to the receiver. */
+export interface TargetUpdate {
+  readonly material: number;
+  /** The revision that the design was given with in `setLayers`: tells which transform this picture shows. */
+  readonly revision: number;
+  readonly rects: readonly DirtyRect[];
+  readonly bytes: Uint8Array;
+  readonly projectedLayers: number;
+  readonly projectedTexels: number;
+  readonly compositedTexels: number;
+  /** Time the engine spent, milliseconds. */
+  readonly milliseconds: number;
+}
+
+export type MapView = "positions" | "normals" | "coverage" | "overlap";
+
+/** Straight-alpha RGBA, row 0 at the top. */
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  readonly rgba: Uint8Array;
+}
+
+export interface EngineStats {
+  readonly bakeCount: number;
+  readonly projectionCount: number;
+  readonly memoryUsedBytes: number;
+  readonly memoryPeakBytes: number;
+  readonly memoryBudgetBytes: number;
+}
+
+export interface Engine {
+  /** Loads a model in place of the one before; a failed load keeps the old one. Rejects with a TexelcastError. */
+  loadModel(source: ModelSource): Promise<ModelInfo>;
+
+  /** Decodes a decal's picture (PNG, JPEG, WebP) and keeps it under `key`; replaces one of the same key. Returns its size. */
+  setAsset(key: string, asset: { readonly name: string; readonly bytes: Uint8Array }): Promise<{ width: number; height: number }>;
+  removeAsset(key: string): Promise<void>;
+
+  /**
+   * Bakes (or reuses) the map of a material and makes its target; replaces that material's target of another size.
+   * `onProgress`: 0 to 1. An aborted signal rejects with an AbortError-like TexelcastError of code "cancelled" and
+   * leaves the old target. The first update of a target reports every texel.
+   */
+  openTarget(options: TargetOptions, onProgress?: (share: number) => void, signal?: AbortSignal): Promise<TargetInfo>;
+  closeTarget(material: number): Promise<void>;
+
+  /**
+   * All layers of all materials, bottom to top. Returns at once; updates arrive by `onUpdate`. Latest wins: a list that
+   * is still waiting when a newer one comes is dropped. Layers that refer to unknown assets or materials without an
+   * open target are kept and drawn when those appear.
+   */
+  setLayers(layers: readonly EngineLayer[], revision: number): void;
+  /** Called after each change, one call per changed target. Returns an unsubscribe function. */
+  onUpdate(listener: (update: TargetUpdate) => void): () => void;
+  /** Faults outside a call of the user's (the engine crashed, a layer was refused). */
+  onError(listener: (error: Error) => void): () => void;
+
+  /** Resolves when everything asked so far has been computed and reported. */
+  idle(): Promise<void>;
+
+  /** A map's view as a picture, for people to look at. */
+  viewMap(material: number, view: MapView): Promise<Picture>;
+  /** Six numbers (u, v of three corners) a triangle, as the model has them (may lie outside 0 to 1). */
+  uvTriangles(material: number): Promise<Float32Array>;
+  /** Texels of the target, RGBA straight alpha. */
+  readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array>;
+  /** 64-bit FNV-1a over a region's bytes, 16 hex digits; the whole target without a region. */
+  hash(material: number, region?: { x: number; y: number; width: number; height: number }): Promise<string>;
+
+  /** The finished texture as PNG. */
+  exportPng(material: number): Promise<Uint8Array>;
+  /** The model with every open target's texture inside; all else of the file stays as it was. */
+  exportGlb(): Promise<Uint8Array>;
+
+  stats(): Promise<EngineStats>;
+  /** Ends the engine; every later call rejects with code "disposed". */
+  dispose(): void;
+}
