@@ -1,0 +1,82 @@
+/** What the two views offer to the editor above them. The editor owns the design; the views only show it and report gestures. */
+import type { MapView, ModelInfo, PlanarProjector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
+
+/** A decal as the gizmo needs it. */
+export interface ViewerDecal {
+  readonly id: string;
+  readonly name: string;
+  readonly material: number;
+  readonly visible: boolean;
+  readonly locked?: boolean;
+  readonly projector: PlanarProjector;
+  /** Width / height of its picture: scaling by a corner handle keeps the box's own proportions, this is for resets. */
+  readonly aspect: number;
+}
+
+/** A gesture on the gizmo. `start` before the first change, `move` at most once a frame, `end` once; `cancel` (Escape) gives back the first projector. */
+export interface DecalGesture {
+  readonly id: string;
+  readonly kind: "slide" | "rotate" | "scale" | "depth";
+  readonly phase: "start" | "move" | "end" | "cancel";
+  readonly projector: PlanarProjector;
+}
+
+/** A point on the model under the pointer. */
+export interface SurfaceHit {
+  readonly position: Vec3;
+  /** Unit, model space, of the resting model. */
+  readonly normal: Vec3;
+  readonly material: number;
+  /** Texture coordinates of the painted UV set, wrapped to [0, 1). */
+  readonly uv: readonly [number, number];
+}
+
+export interface ModelViewerEvents {
+  gesture: DecalGesture;
+  /** The user clicked a decal (its id) or nothing (null). */
+  select: { readonly id: string | null };
+  /** The pointer moved over the model, or left it. */
+  hover: { readonly hit: SurfaceHit | null };
+  /** WebGL was lost or came back; the viewer asks for a full picture again by itself through `needsFullUpdate`. */
+  needsFullUpdate: { readonly material: number };
+}
+
+export interface ModelViewer {
+  readonly element: HTMLElement;
+  /** Shows a model and frames it. Rejects with a TexelcastError when three.js cannot load it. */
+  setModel(info: ModelInfo): Promise<void>;
+  /** Makes the GPU texture of a material's target; the material shows its own picture until the first update. */
+  bindTarget(info: TargetInfo): void;
+  /** Uploads the dirty rectangles (packed staging buffer, copyTextureToTexture, every mip level that is reported). */
+  applyUpdate(update: TargetUpdate): void;
+  setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void;
+  /** Where a new decal would go: the surface point nearest the middle of the view. Null when the model is out of view. */
+  surfaceAtCentre(): SurfaceHit | null;
+  surfaceAtPointer(clientX: number, clientY: number): SurfaceHit | null;
+  /** The decal's box laid flat on the surface at a hit, upright to the camera, of this width (metres) and aspect. */
+  projectorAt(hit: SurfaceHit, width: number, aspect: number, keep?: PlanarProjector): PlanarProjector;
+  /** Slides a decal along the surface by view-space steps (keyboard nudges), following the surface as a drag does. */
+  nudge(projector: PlanarProjector, rightMetres: number, upMetres: number): PlanarProjector;
+  frameModel(): void;
+  frameDecal(id: string): void;
+  setAnimationPlaying(playing: boolean): void;
+  readonly hasAnimation: boolean;
+  on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void;
+  /** Frames drawn, and the main-thread milliseconds of the newest upload: for tests and the status line. */
+  readonly statistics: { readonly frames: number; readonly uploadMilliseconds: number; readonly uploadedBytes: number };
+  dispose(): void;
+}
+
+/** The unfolded texture: the live target or a map view, UV outlines over it, zoom and pan. */
+export interface TextureView {
+  readonly element: HTMLElement;
+  bindTarget(info: TargetInfo, uvTriangles: Float32Array): void;
+  applyUpdate(update: TargetUpdate): void;
+  /** "texture" shows the live target; the others a picture of the map. */
+  setMode(mode: "texture" | MapView, picture?: { width: number; height: number; rgba: Uint8Array }): void;
+  setOutlinesVisible(visible: boolean): void;
+  /** Marks a texture coordinate (the 3D view's hover). */
+  setMarker(uv: readonly [number, number] | null): void;
+  resetZoom(): void;
+  dispose(): void;
+}
