@@ -1,0 +1,68 @@
+/** What an error is about, beside its message: all of it may be shown to a user. */
+export interface TexelcastErrorDetails {
+  /** The file at fault, as the user knows it. */
+  readonly subject?: string;
+  /** JSON path or argument at fault. */
+  readonly field?: string;
+  /** The value found there. */
+  readonly value?: string;
+  /** What the user can do about it. */
+  readonly hint?: string;
+  readonly cause?: unknown;
+}
+
+/** A TexelcastError as plain data: structured-cloneable, so that it can cross a worker's border. */
+export interface TexelcastErrorJson {
+  readonly code: string;
+  readonly message: string;
+  readonly subject?: string;
+  readonly field?: string;
+  readonly value?: string;
+  readonly hint?: string;
+}
+
+/**
+ * The one error type of Texelcast. `message` is a whole sentence for the user; `code` is for programs and stable: a
+ * status name of the core in lower case with dashes ("no-uvs", "bad-model", "out-of-budget", …), or one of
+ * "bad-picture", "bad-design", "unsupported", "bad-argument", "missing-file", "outside-folder", "cancelled",
+ * "disposed", "engine-crashed", "bad-container".
+ */
+export class TexelcastError extends Error {
+  readonly code: string;
+  readonly subject?: string;
+  readonly field?: string;
+  readonly value?: string;
+  readonly hint?: string;
+
+  constructor(code: string, message: string, details: TexelcastErrorDetails = {}) {
+    super(message, "cause" in details ? { cause: details.cause } : undefined);
+    // DOM code tells a cancelled call by this name alone, whatever library it came from.
+    this.name = code === "cancelled" ? "AbortError" : "TexelcastError";
+    this.code = code;
+    if (details.subject !== undefined) this.subject = details.subject;
+    if (details.field !== undefined) this.field = details.field;
+    if (details.value !== undefined) this.value = details.value;
+    if (details.hint !== undefined) this.hint = details.hint;
+  }
+
+  toJSON(): TexelcastErrorJson {
+    return {
+      code: this.code,
+      message: this.message,
+      ...(this.subject !== undefined && { subject: this.subject }),
+      ...(this.field !== undefined && { field: this.field }),
+      ...(this.value !== undefined && { value: this.value }),
+      ...(this.hint !== undefined && { hint: this.hint }),
+    };
+  }
+
+  static from(json: TexelcastErrorJson): TexelcastError {
+    return new TexelcastError(json.code, json.message, json);
+  }
+
+  /** Any thrown value as a TexelcastError; what is not one yet becomes `code` with its own message as the cause. */
+  static wrap(thrown: unknown, code: string, message: string, details: TexelcastErrorDetails = {}): TexelcastError {
+    if (thrown instanceof TexelcastError) return thrown;
+    return new TexelcastError(code, message, { ...details, cause: thrown });
+  }
+}
