@@ -1,0 +1,137 @@
+/** Random designs for property tests: everything that spec.md, 8, allows, with every field set. */
+import fc from "fast-check";
+import {
+  BLEND_MODES,
+  BLEND_SPACES,
+  type Design,
+  type DesignAsset,
+  type DesignLayer,
+  FILTERS,
+  OCCLUSIONS,
+  PICTURE_TYPES,
+  type Projector,
+  WRAPS,
+} from "../../web/editor/document/index.ts";
+
+// JSON has no -0, so a document cannot keep one.
+const finite = (min: number, max: number) =>
+  fc.double({ min, max, noNaN: true }).map((value) => (Object.is(value, -0) ? 0 : value));
+const coordinate = finite(-1e9, 1e9);
+const length = finite(1e-9, 1e9);
+const point = fc.tuple(coordinate, coordinate, coordinate);
+const rotation = fc
+  .tuple(finite(-1, 1), finite(-1, 1), finite(-1, 1), finite(-1, 1))
+  .filter((parts) => Math.hypot(...parts) > 1e-2);
+const hexDigits = fc.string({ unit: fc.constantFrom(..."0123456789abcdefABCDEF"), minLength: 8, maxLength: 8 });
+const color = fc.tuple(hexDigits, fc.boolean()).map(([digits, alpha]) => `#${alpha ? digits : digits.slice(0, 6)}`);
+
+const projector: fc.Arbitrary<Projector> = fc.oneof(
+  fc.record({
+    kind: fc.constant("planar" as const),
+    position: point,
+    rotation,
+    size: fc.tuple(length, length, length),
+  }),
+  fc.record({
+    kind: fc.constant("perspective" as const),
+    position: point,
+    rotation,
+    fov: finite(1, 179),
+    aspect: length,
+    near: finite(0.01, 1),
+    far: finite(2, 100),
+  }),
+  fc.record({
+    kind: fc.constant("cylindrical" as const),
+    position: point,
+    rotation,
+    radius: length,
+    height: length,
+    arc: finite(1, 360),
+    depth: length,
+  }),
+  fc.record({
+    kind: fc.constant("uv" as const),
+    center: fc.tuple(coordinate, coordinate),
+    size: fc.tuple(length, length),
+    angle: coordinate,
+  }),
+);
+
+const base = {
+  name: fc.string(),
+  material: fc.nat(65_535),
+  visible: fc.boolean(),
+  opacity: finite(0, 1),
+  blend: fc.constantFrom(...BLEND_MODES),
+  blendSpace: fc.constantFrom(...BLEND_SPACES),
+  lockAlpha: fc.boolean(),
+};
+const projected = {
+  backfaces: fc.boolean(),
+  angleFade: fc.tuple(finite(0, 90), finite(0, 90)).map(([a, b]): [number, number] => [Math.min(a, b), Math.max(a, b)]),
+  occlusion: fc.constantFrom(...OCCLUSIONS),
+};
+const picture = {
+  filter: fc.constantFrom(...FILTERS),
+  wrap: fc.constantFrom(...WRAPS),
+  flipX: fc.boolean(),
+  flipY: fc.boolean(),
+  projector,
+};
+
+function layers(pictures: readonly string[]): fc.Arbitrary<DesignLayer[]> {
+  const decal = fc.record({
+    type: fc.constant("decal" as const),
+    id: fc.constant(""),
+    ...base,
+    ...projected,
+    ...picture,
+    asset: fc.constantFrom(...pictures),
+  });
+  const text = fc.record({
+    type: fc.constant("text" as const),
+    id: fc.constant(""),
+    ...base,
+    ...projected,
+    ...picture,
+    text: fc.string(),
+    font: fc.constant("the font"),
+    fontSize: length,
+    color,
+    outline: fc.option(fc.record({ color, width: length })),
+  });
+  const stroke = fc.record({
+    type: fc.constant("stroke" as const),
+    id: fc.constant(""),
+    ...base,
+    ...projected,
+    brush: fc.record({ color, hardness: finite(0, 1) }),
+    dabs: fc.array(projector, { maxLength: 3 }),
+  });
+  const fill = fc.record({ type: fc.constant("fill" as const), id: fc.constant(""), ...base, color });
+  const any: fc.Arbitrary<DesignLayer> = fc.oneof(decal, text, stroke, fill);
+  const ids = fc.uniqueArray(fc.string({ minLength: 1, maxLength: 20 }), { minLength: 6, maxLength: 6 });
+  return fc
+    .tuple(fc.array(any, { maxLength: 6 }), ids)
+    .map(([list, names]) => list.map((layer, index) => ({ ...layer, id: names[index] as string })));
+}
+
+const reserved = ["__proto__", "prototype", "constructor", "the font"];
+const assetName = fc.string({ minLength: 1, maxLength: 20 }).filter((name) => !reserved.includes(name));
+const assetEntry = fc.tuple(
+  assetName,
+  fc.record({ type: fc.constantFrom(...PICTURE_TYPES), uri: fc.string({ minLength: 1 }) }),
+);
+
+export const arbitraryDesign: fc.Arbitrary<Design> = fc
+  .array(assetEntry, { minLength: 1, maxLength: 4 })
+  .chain((entries) => {
+    const assets: Record<string, DesignAsset> = {
+      ...Object.fromEntries(entries),
+      "the font": { type: "font/ttf", uri: "font.ttf" },
+    };
+    return layers(entries.map(([name]) => name)).map(
+      (list): Design => ({ format: "texelcast-design", version: 1, assets, layers: list }),
+    );
+  });

@@ -1,0 +1,314 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { type DecalLayer, emptyDesign, parseDesign, serialiseDesign } from "../../web/editor/document/index.ts";
+import { migrateDesign } from "../../web/editor/document/parse-design.ts";
+import { arbitraryDesign } from "./arbitrary-design.ts";
+
+const planar = { kind: "planar", position: [0, 1.2, 0.1], rotation: [0, 0, 0, 1], size: [0.2, 0.2, 0.1] };
+const logo = { logo: { type: "image/png", uri: "logo.png" } };
+
+function design(layers: unknown, assets: unknown = logo): Record<string, unknown> {
+  return { format: "texelcast-design", version: 1, assets, layers };
+}
+const decal = (fields: object = {}) => design([{ type: "decal", asset: "logo", projector: planar, ...fields }]);
+
+/** The error that reading the value gives. */
+function refusal(value: unknown, name = "shirt.json"): TexelcastError {
+  try {
+    parseDesign(value, name);
+  } catch (error) {
+    if (error instanceof TexelcastError) return error;
+    throw error;
+  }
+  throw new Error("the design was read without complaint");
+}
+
+describe("reading a design", () => {
+  it("gives a layer of type, asset and projector alone the defaults of the specification", () => {
+    const [layer] = parseDesign(decal(), "shirt.json").layers;
+    expect(layer).toEqual({
+      id: "layer-1",
+      type: "decal",
+      name: "logo",
+      material: 0,
+      visible: true,
+      asset: "logo",
+      opacity: 1,
+      blend: "normal",
+      blendSpace: "srgb",
+      lockAlpha: false,
+      filter: "linear",
+      wrap: "none",
+      flipX: false,
+      flipY: false,
+      backfaces: false,
+      angleFade: [70, 90],
+      occlusion: "self",
+      projector: planar,
+    });
+  });
+
+  it("reads the specification's own example, from text, with a byte order mark before it", () => {
+    const text = JSON.stringify({ ...decal({ id: "a1", name: "Logo" }) });
+    expect(parseDesign(`\ufeff${text}`).layers[0]).toMatchObject({ id: "a1", name: "Logo" });
+  });
+
+  it("takes a design without assets and layers for an empty one", () => {
+    expect(parseDesign({ format: "texelcast-design", version: 1 })).toEqual(emptyDesign());
+  });
+
+  it("makes up ids by place, and goes round those that are taken", () => {
+    const fill = { type: "fill", color: "#102030" };
+    const read = parseDesign(design([fill, { ...fill, id: "layer-1" }, fill, { ...fill, id: "layer-3" }, fill]));
+    expect(read.layers.map((layer) => layer.id)).toEqual(["layer-2", "layer-1", "layer-4", "layer-3", "layer-5"]);
+    expect(new Set(read.layers.map((layer) => layer.id)).size).toBe(5);
+  });
+
+  it("accepts a hard angle: a fade that starts and ends at 90 degrees", () => {
+    expect((parseDesign(decal({ angleFade: [90, 90] })).layers[0] as DecalLayer).angleFade).toEqual([90, 90]);
+  });
+
+  it("does not share its defaults between layers", () => {
+    const layers = parseDesign(design([decal().layers, decal().layers].flat())).layers as DecalLayer[];
+    expect(layers[0]?.angleFade).not.toBe(layers[1]?.angleFade);
+  });
+});
+
+describe("writing a design", () => {
+  it("is undone by reading, for every design", () => {
+    fc.assert(
+      fc.property(arbitraryDesign, (original) => {
+        expect(parseDesign(serialiseDesign(original))).toEqual(original);
+      }),
+      { numRuns: 200 },
+    );
+  });
+
+  it("does not hang on the order of the object's keys", () => {
+    const read = parseDesign(decal());
+    const reversed = { ...read, layers: read.layers.map((layer) => reverseKeys(layer)) };
+    expect(serialiseDesign(reversed as typeof read)).toBe(serialiseDesign(read));
+  });
+
+  it("puts coordinates on one line and leaves text alone that looks like a list", () => {
+    const text = serialiseDesign(parseDesign(decal({ name: "[ 1,  2 ]" })));
+    expect(text).toContain('"position": [0, 1.2, 0.1]');
+    expect(text).toContain('"name": "[ 1,  2 ]"');
+  });
+});
+
+const reverseKeys = (value: object): object => Object.fromEntries(Object.entries(value).reverse());
+
+describe("refusing a design", () => {
+  it("names file, place, value and what must stand there", () => {
+    const error = refusal(decal({ projector: { ...planar, size: [1, -3, 1] } }));
+    expect(error.code).toBe("bad-design");
+    expect(error.subject).toBe("shirt.json");
+    expect(error.field).toBe("layers[0].projector.size[1]");
+    expect(error.value).toBe("-3");
+    expect(error.message).toBe("layers[0].projector.size[1]: must be above 0, is -3");
+  });
+
+  it("tells all problems at once", () => {
+    const { message } = refusal(
+      design([
+        { type: "decal", asset: "logo", opacity: 2, wrap: "mirror", projector: { ...planar, position: [0, 0] } },
+      ]),
+    );
+    expect(message).toBe(
+      "layers[0].opacity: must be a number from 0 to 1, is 2; " +
+        'layers[0].wrap: must be one of "none", "repeat", is "mirror"; ' +
+        "layers[0].projector.position: must be a list of 3 numbers, is [0, 0]",
+    );
+  });
+
+  it("stops telling after twenty problems and counts the rest", () => {
+    const { message } = refusal(design(Array.from({ length: 1000 }, () => ({ type: "fill", color: "red" }))));
+    expect(message.split("; ")).toHaveLength(21);
+    expect(message).toMatch(/; and 980 more$/);
+  });
+
+  it.each<[string, unknown, string]>([
+    ["text that is not JSON", "{ format:", "the design is not valid JSON: "],
+    ["a list", [], "the design must be a JSON object, is []"],
+    ["null", null, "the design must be a JSON object, is null"],
+    ["another format", { format: "blend" }, 'format: must be "texelcast-design", is "blend"'],
+    ["no format", {}, 'format: is missing: must be "texelcast-design"'],
+    ["no version", { format: "texelcast-design" }, "version: is missing: must be 1"],
+    ["a newer version", { format: "texelcast-design", version: 2 }, "version: must be 1, is 2"],
+    ["a version as text", { format: "texelcast-design", version: "1" }, 'version: must be 1, is "1"'],
+    ["an unknown field", { ...decal(), author: "me" }, "author: is not a known field (known here: format, version, "],
+    ["an unknown layer field", decal({ blur: 3 }), "layers[0].blur: is not a known field (known here: type, id, "],
+    [
+      "an unknown projector field",
+      decal({ projector: { ...planar, fov: 3 } }),
+      "layers[0].projector.fov: is not a known",
+    ],
+    ["a field named constructor", decal({ constructor: 1 }), "layers[0].constructor: is not a known field"],
+    [
+      "a field of another layer type",
+      design([{ type: "fill", color: "#000000", asset: "logo" }]),
+      "layers[0].asset: is",
+    ],
+    ["layers that are no list", design({}), "layers: must be a list, is an object"],
+    ["a layer that is no object", design(["decal"]), 'layers[0]: must be an object, is "decal"'],
+    ["a layer without a type", design([{}]), 'layers[0].type: is missing: must be one of "decal", "text", "stroke"'],
+    [
+      "an unknown type",
+      design([{ type: "logo" }]),
+      'layers[0].type: must be one of "decal", "text", "stroke", "fill", is "',
+    ],
+    ["no projector", design([{ type: "decal", asset: "logo" }]), "layers[0].projector: is missing"],
+    [
+      "an unknown projector",
+      decal({ projector: { kind: "sphere" } }),
+      'layers[0].projector.kind: must be one of "planar"',
+    ],
+    ["no asset", design([{ type: "decal", projector: planar }]), "layers[0].asset: is missing"],
+    [
+      "an asset that is not there",
+      decal({ asset: "lago" }),
+      'layers[0].asset: must name one of the design\'s assets (there are: "logo"), is "lago"',
+    ],
+    [
+      "an asset named as a method is",
+      decal({ asset: "toString" }),
+      "layers[0].asset: must name one of the design's assets",
+    ],
+    [
+      "a rotation of zeros",
+      decal({ projector: { ...planar, rotation: [0, 0, 0, 0] } }),
+      "layers[0].projector.rotation: must not be all zeros",
+    ],
+    [
+      "a number beyond all bounds",
+      `{"format":"texelcast-design","version":1,"assets":{"logo":{"type":"image/png","uri":"a"}},"layers":[{"type":"decal","asset":"logo","projector":{"kind":"planar","position":[1e999,0,0],"rotation":[0,0,0,1],"size":[1,1,1]}}]}`,
+      "layers[0].projector.position[0]: must be a number from -1000000000 to 1000000000, is Infinity",
+    ],
+    [
+      "a number that is none",
+      decal({ opacity: Number.NaN }),
+      "layers[0].opacity: must be a number from 0 to 1, is NaN",
+    ],
+    ["a number as text", decal({ opacity: "1" }), 'layers[0].opacity: must be a number from 0 to 1, is "1"'],
+    [
+      "a size that 32 bits cannot hold",
+      decal({ projector: { ...planar, size: [1, 1, 1e-40] } }),
+      "layers[0].projector.size[2]: must be at least 1e-9, is 1e-40",
+    ],
+    [
+      "a fade that ends before it starts",
+      decal({ angleFade: [80, 70] }),
+      "layers[0].angleFade: must not end before it starts, is [80, 70]",
+    ],
+    [
+      "a fade beyond 90 degrees",
+      decal({ angleFade: [80, 100] }),
+      "layers[0].angleFade[1]: must be a number from 0 to 90 degrees, is 100",
+    ],
+    ["a material of half a number", decal({ material: 0.5 }), "layers[0].material: must be a glTF material index"],
+    ["a material below zero", decal({ material: -1 }), "layers[0].material: must be a glTF material index"],
+    ["a flag that is no flag", decal({ visible: 1 }), "layers[0].visible: must be true or false, is 1"],
+    ["null where a default could be", decal({ visible: null }), "layers[0].visible: must be true or false, is null"],
+    ["an empty id", decal({ id: "" }), 'layers[0].id: must not be empty, is ""'],
+    [
+      "a colour by name",
+      design([{ type: "fill", color: "red" }]),
+      'layers[0].color: must be a colour as "#rrggbb" or "#rrggbbaa", is "red"',
+    ],
+    ["a fill without a colour", design([{ type: "fill" }]), "layers[0].color: is missing"],
+    [
+      "an asset of another type",
+      design([], { logo: { type: "image/bmp", uri: "a" } }),
+      "assets.logo.type: must be one of",
+    ],
+    ["an asset without an address", design([], { logo: { type: "image/png" } }), "assets.logo.uri: is missing"],
+    ["assets in a list", design([], [1]), "assets: must be an object of named assets, is [1]"],
+    [
+      "a decal of a font",
+      design(decal().layers, { logo: { type: "font/ttf", uri: "a" } }),
+      'layers[0].asset: must name a picture, but that asset\'s type is "font/ttf"',
+    ],
+    ["a strange asset name", design([], { "my logo": 1 }), 'assets["my logo"]: must be an object, is 1'],
+  ])("refuses %s", (_what, value, start) => {
+    const error = refusal(value);
+    expect(error.code).toBe("bad-design");
+    expect(error.message.slice(0, start.length)).toBe(start);
+    expect(error.hint).toBeTruthy();
+  });
+
+  it("refuses two layers of one id, naming both", () => {
+    const fill = { type: "fill", color: "#000000", id: "a" };
+    expect(refusal(design([fill, fill])).message).toBe(
+      'layers[1].id: must be unique: layers[0] has the same id, is "a"',
+    );
+  });
+
+  it("tells a newer program's file from a broken one", () => {
+    expect(refusal({ format: "texelcast-design", version: 7 }).hint).toContain("update");
+    expect(refusal({ format: "texelcast-design", version: -7 }).hint).not.toContain("update");
+  });
+});
+
+describe("hostile designs", () => {
+  it("cannot reach the prototypes of objects", () => {
+    const text = `{"format":"texelcast-design","version":1,"assets":{"__proto__":{"type":"image/png","uri":"a"}}}`;
+    expect(refusal(text).message).toContain('must not name an asset "__proto__"');
+    const layer = `{"format":"texelcast-design","version":1,"layers":[{"type":"fill","color":"#000000","__proto__":{"polluted":1}}]}`;
+    expect(refusal(layer).message).toContain("layers[0].__proto__: is not a known field");
+    expect(({} as Record<string, unknown>).polluted).toBeUndefined();
+  });
+
+  it("may nest as deep as they like without harm", () => {
+    const deep = `${"[".repeat(200_000)}${"]".repeat(200_000)}`;
+    const text = `{"format":"texelcast-design","version":1,"layers":[{"type":"fill","color":${deep}}]}`;
+    expect(refusal(text).message).toBe('layers[0].color: must be a colour as "#rrggbb" or "#rrggbbaa", is a list of 1');
+  });
+
+  it("are refused by count before their items are looked at", () => {
+    const many = new Array(2_000_000).fill(0);
+    expect(refusal(design(many)).message).toBe("layers: must not hold more than 10000 layers, is a list of 2000000");
+    const long = refusal(decal({ projector: { ...planar, position: many } })).message;
+    expect(long).toBe("layers[0].projector.position: must be a list of 3 numbers, is a list of 2000000");
+  });
+
+  it("never come back whole in the message", () => {
+    const error = refusal(decal({ blend: "x".repeat(1_000_000) }));
+    expect(error.message.length).toBeLessThan(500);
+    expect(error.value?.length).toBeLessThan(100);
+  });
+
+  it("give a typed error or a design, whatever they are", () => {
+    fc.assert(
+      fc.property(
+        fc.oneof(
+          fc.jsonValue(),
+          fc.record({ format: fc.constant("texelcast-design"), version: fc.constant(1), layers: fc.jsonValue() }),
+        ),
+        (value) => {
+          try {
+            expect(parseDesign(value).format).toBe("texelcast-design");
+          } catch (error) {
+            expect(error).toBeInstanceOf(TexelcastError);
+          }
+        },
+      ),
+      { numRuns: 300 },
+    );
+  });
+});
+
+describe("older versions", () => {
+  it("are brought up step by step before they are checked", () => {
+    const migrations = new Map([
+      [-1, (old: Readonly<Record<string, unknown>>) => ({ ...old, version: 0, steps: [-1] })],
+      [0, (old: Readonly<Record<string, unknown>>) => ({ ...old, version: 1, steps: [...(old.steps as number[]), 0] })],
+    ]);
+    expect(migrateDesign({ format: "texelcast-design", version: -1 }, "old.json", migrations)).toEqual({
+      format: "texelcast-design",
+      version: 1,
+      steps: [-1, 0],
+    });
+  });
+});

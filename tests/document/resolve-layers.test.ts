@@ -1,0 +1,147 @@
+import { describe, expect, it } from "vitest";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import {
+  BLEND_MODES,
+  emptyDesign,
+  makeDecalLayer,
+  makeFillLayer,
+  parseDesign,
+  resolveLayers,
+} from "../../web/editor/document/index.ts";
+
+const planar = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] } as const;
+
+function resolve(layer: object) {
+  const assets = { logo: { type: "image/png", uri: "a" }, serif: { type: "font/ttf", uri: "b" } };
+  return resolveLayers(
+    parseDesign({ format: "texelcast-design", version: 1, assets, layers: [layer] }, "shirt.json"),
+    "shirt.json",
+  );
+}
+const decal = (fields: object = {}) => ({ type: "decal", asset: "logo", projector: planar, ...fields });
+
+function refusal(layer: object): TexelcastError {
+  try {
+    resolve(layer);
+  } catch (error) {
+    if (error instanceof TexelcastError) return error;
+    throw error;
+  }
+  throw new Error("the layer was resolved without complaint");
+}
+
+describe("resolving layers for the engine", () => {
+  it("hands a decal on with every field, its name left out", () => {
+    const [layer] = resolve(decal({ name: "Front", opacity: 0.5, flipX: true }));
+    expect(layer).toEqual({
+      id: "layer-1",
+      type: "decal",
+      material: 0,
+      visible: true,
+      asset: "logo",
+      opacity: 0.5,
+      blend: "normal",
+      blendSpace: "srgb",
+      lockAlpha: false,
+      filter: "linear",
+      wrap: "none",
+      flipX: true,
+      flipY: false,
+      backfaces: false,
+      angleFade: [70, 90],
+      occlusion: "self",
+      projector: planar,
+    });
+  });
+
+  it("turns a fill's colour into numbers, opaque unless it says otherwise", () => {
+    expect(resolve({ type: "fill", color: "#ff8000" })[0]).toMatchObject({ type: "fill", color: [1, 128 / 255, 0, 1] });
+    expect(resolve({ type: "fill", color: "#FF800033" })[0]).toMatchObject({ color: [1, 128 / 255, 0, 0.2] });
+  });
+
+  it("makes of the editor's own layers what it makes of files", () => {
+    const made = makeDecalLayer({ id: "layer-1", asset: "logo", projector: planar });
+    const assets = { logo: { type: "image/png", uri: "a" } } as const;
+    expect(resolveLayers({ ...emptyDesign(), assets, layers: [made] })).toEqual(resolve(decal()));
+    const fill = makeFillLayer({ id: "layer-1", color: "#00ff00" });
+    expect(resolveLayers({ ...emptyDesign(), layers: [fill] })).toEqual(resolve({ type: "fill", color: "#00ff00" }));
+  });
+
+  it.each(BLEND_MODES.filter((mode) => mode !== "normal"))("refuses the blend mode %s by name", (blend) => {
+    const error = refusal(decal({ blend }));
+    expect(error).toMatchObject({
+      code: "unsupported",
+      subject: "shirt.json",
+      field: "layers[0].blend",
+      value: `"${blend}"`,
+    });
+    expect(error.hint).toBe('What works there: "normal".');
+  });
+
+  it.each<[string, object, string, string]>([
+    ["blending in linear light", decal({ blendSpace: "linear" }), "layers[0].blendSpace", '"srgb"'],
+    [
+      "blending a fill in linear light",
+      { type: "fill", color: "#000000", blendSpace: "linear" },
+      "layers[0].blendSpace",
+      '"srgb"',
+    ],
+    ["erasing by a fill", { type: "fill", color: "#000000", blend: "erase" }, "layers[0].blend", '"normal"'],
+    [
+      "a perspective projector",
+      decal({
+        projector: {
+          kind: "perspective",
+          position: [0, 0, 1],
+          rotation: [0, 0, 0, 1],
+          fov: 40,
+          aspect: 1,
+          near: 0.1,
+          far: 9,
+        },
+      }),
+      "layers[0].projector.kind",
+      '"planar"',
+    ],
+    [
+      "a cylindrical projector",
+      decal({
+        projector: {
+          kind: "cylindrical",
+          position: [0, 0, 1],
+          rotation: [0, 0, 0, 1],
+          radius: 1,
+          height: 1,
+          arc: 360,
+          depth: 0.1,
+        },
+      }),
+      "layers[0].projector.kind",
+      '"planar"',
+    ],
+    [
+      "a flat stamp",
+      decal({ projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } }),
+      "layers[0].projector.kind",
+      '"planar"',
+    ],
+    [
+      "text",
+      { type: "text", text: "Ada", font: "serif", projector: planar },
+      "layers[0].type",
+      "decal and fill layers",
+    ],
+    [
+      "a stroke",
+      { type: "stroke", brush: { color: "#000000" }, dabs: [planar] },
+      "layers[0].type",
+      "decal and fill layers",
+    ],
+    ["a hidden layer all the same", decal({ visible: false, blend: "screen" }), "layers[0].blend", '"normal"'],
+  ])("refuses %s, saying what works", (_what, layer, field, works) => {
+    const error = refusal(layer);
+    expect(error.code).toBe("unsupported");
+    expect(error.field).toBe(field);
+    expect(error.hint).toBe(`What works there: ${works}.`);
+  });
+});

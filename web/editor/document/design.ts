@@ -1,0 +1,212 @@
+/**
+ * The design document: the recipe that the editor edits, files hold and the engine replays (spec.md, 8). Plain data;
+ * every type here has all its fields set, because reading a file fills in the defaults (`parseDesign`).
+ */
+import type { PlanarProjector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
+
+export const DESIGN_FORMAT = "texelcast-design";
+export const DESIGN_VERSION = 1;
+
+/** W3C Compositing and Blending Level 1, in its order, and `erase` (destination out). */
+export const BLEND_MODES = [
+  "normal",
+  "multiply",
+  "screen",
+  "overlay",
+  "darken",
+  "lighten",
+  "color-dodge",
+  "color-burn",
+  "hard-light",
+  "soft-light",
+  "difference",
+  "exclusion",
+  "hue",
+  "saturation",
+  "color",
+  "luminosity",
+  "erase",
+] as const;
+export const BLEND_SPACES = ["srgb", "linear"] as const;
+export const FILTERS = ["linear", "nearest"] as const;
+export const WRAPS = ["none", "repeat"] as const;
+export const OCCLUSIONS = ["self", "none"] as const;
+export const PICTURE_TYPES = ["image/png", "image/jpeg", "image/webp"] as const;
+export const FONT_TYPES = ["font/ttf", "font/otf"] as const;
+
+export type BlendMode = (typeof BLEND_MODES)[number];
+export type BlendSpace = (typeof BLEND_SPACES)[number];
+export type Filter = (typeof FILTERS)[number];
+export type Wrap = (typeof WRAPS)[number];
+export type Occlusion = (typeof OCCLUSIONS)[number];
+export type AssetType = (typeof PICTURE_TYPES)[number] | (typeof FONT_TYPES)[number];
+
+/** spec.md, 3: the eye looks along its own -Z; `fov` vertical, degrees; `near` and `far` metres. */
+export interface PerspectiveProjector {
+  readonly kind: "perspective";
+  readonly position: Vec3;
+  readonly rotation: Quaternion;
+  readonly fov: number;
+  readonly aspect: number;
+  readonly near: number;
+  readonly far: number;
+}
+
+/** spec.md, 3: the axis is the box's Y; lengths metres, `arc` degrees up to 360. */
+export interface CylindricalProjector {
+  readonly kind: "cylindrical";
+  readonly position: Vec3;
+  readonly rotation: Quaternion;
+  readonly radius: number;
+  readonly height: number;
+  readonly arc: number;
+  readonly depth: number;
+}
+
+/** spec.md, 3: a flat stamp in the texture; `center` and `size` in u and v, `angle` degrees clockwise. */
+export interface UvProjector {
+  readonly kind: "uv";
+  readonly center: readonly [number, number];
+  readonly size: readonly [number, number];
+  readonly angle: number;
+}
+
+export type Projector = PlanarProjector | PerspectiveProjector | CylindricalProjector | UvProjector;
+export type { PlanarProjector, Quaternion, Vec3 };
+
+/** What every layer has. */
+export interface LayerBase {
+  /** Unique within the design. */
+  readonly id: string;
+  readonly name: string;
+  /** glTF material index. */
+  readonly material: number;
+  readonly visible: boolean;
+  /** 0 to 1. */
+  readonly opacity: number;
+  readonly blend: BlendMode;
+  readonly blendSpace: BlendSpace;
+  readonly lockAlpha: boolean;
+}
+
+/** What every layer has whose paint is thrown at the surface: which texels it reaches (spec.md, 4). */
+export interface ProjectedLayer extends LayerBase {
+  readonly backfaces: boolean;
+  /** Degrees; 0 <= start <= end <= 90. */
+  readonly angleFade: readonly [number, number];
+  readonly occlusion: Occlusion;
+}
+
+/** What every layer has that projects one picture. */
+export interface PictureLayer extends ProjectedLayer {
+  readonly filter: Filter;
+  readonly wrap: Wrap;
+  readonly flipX: boolean;
+  readonly flipY: boolean;
+  readonly projector: Projector;
+}
+
+export interface DecalLayer extends PictureLayer {
+  readonly type: "decal";
+  /** Key in the design's `assets`. */
+  readonly asset: string;
+}
+
+/** A decal whose picture is written words. */
+export interface TextLayer extends PictureLayer {
+  readonly type: "text";
+  readonly text: string;
+  /** Key of a font in the design's `assets`. */
+  readonly font: string;
+  /** Height of the font's em as a share of the box's height, above 0. */
+  readonly fontSize: number;
+  /** "#rrggbb" or "#rrggbbaa". */
+  readonly color: string;
+  /** `width` as a share of the em; null without an outline. */
+  readonly outline: { readonly color: string; readonly width: number } | null;
+}
+
+/** A brush drawn over the surface: one projector for each dab, in order. */
+export interface StrokeLayer extends ProjectedLayer {
+  readonly type: "stroke";
+  /** `hardness` 0 (soft to the middle) to 1 (sharp edge). */
+  readonly brush: { readonly color: string; readonly hardness: number };
+  readonly dabs: readonly Projector[];
+}
+
+/** One colour over the whole target. */
+export interface FillLayer extends LayerBase {
+  readonly type: "fill";
+  /** "#rrggbb" or "#rrggbbaa", sRGB. */
+  readonly color: string;
+}
+
+export type DesignLayer = DecalLayer | TextLayer | StrokeLayer | FillLayer;
+
+export interface DesignAsset {
+  readonly type: AssetType;
+  /** A `data:` URI, an https address, or an address relative to the design's own place. */
+  readonly uri: string;
+}
+
+export interface Design {
+  readonly format: typeof DESIGN_FORMAT;
+  readonly version: typeof DESIGN_VERSION;
+  readonly assets: Readonly<Record<string, DesignAsset>>;
+  /** Bottom to top. */
+  readonly layers: readonly DesignLayer[];
+}
+
+/** The defaults of spec.md, 8, that do not hang on the layer's place in the list. */
+export const LAYER_DEFAULTS = {
+  material: 0,
+  visible: true,
+  opacity: 1,
+  blend: "normal",
+  blendSpace: "srgb",
+  lockAlpha: false,
+} as const;
+
+export const PROJECTED_DEFAULTS = {
+  backfaces: false,
+  angleFade: [70, 90],
+  occlusion: "self",
+} as const;
+
+export const PICTURE_DEFAULTS = {
+  filter: "linear",
+  wrap: "none",
+  flipX: false,
+  flipY: false,
+} as const;
+
+/** A design without assets and layers. */
+export function emptyDesign(): Design {
+  return { format: DESIGN_FORMAT, version: DESIGN_VERSION, assets: {}, layers: [] };
+}
+
+/** An id of the form "layer-7" that none of `taken` uses; counting starts at `start`. */
+export function freeLayerId(taken: ReadonlySet<string>, start = 1): string {
+  let number = start;
+  while (taken.has(`layer-${number}`)) number += 1;
+  return `layer-${number}`;
+}
+
+/** A decal with every field that is not given at its default. */
+export function makeDecalLayer(
+  fields: Pick<DecalLayer, "id" | "asset" | "projector"> & Partial<Omit<DecalLayer, "type">>,
+): DecalLayer {
+  return {
+    type: "decal",
+    ...LAYER_DEFAULTS,
+    ...PROJECTED_DEFAULTS,
+    ...PICTURE_DEFAULTS,
+    name: fields.asset,
+    ...fields,
+  };
+}
+
+/** A fill with every field that is not given at its default. */
+export function makeFillLayer(fields: Pick<FillLayer, "id" | "color"> & Partial<Omit<FillLayer, "type">>): FillLayer {
+  return { type: "fill", ...LAYER_DEFAULTS, name: "Fill", ...fields };
+}

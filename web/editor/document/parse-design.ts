@@ -1,0 +1,144 @@
+/** Reads a design document: text or plain data in, a `Design` with every field set out, or an error that says all. */
+import * as v from "valibot";
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { DESIGN_FORMAT, DESIGN_VERSION, type Design, type DesignLayer } from "./design.ts";
+import { type DesignPath, type DesignProblem, describeValue, designError } from "./design-problem.ts";
+import { designSchema, type ParsedDesign, type ParsedLayer } from "./design-schema.ts";
+
+/** Turns the plain data of a version into that of the version after it. May throw a TexelcastError. */
+export type Migration = (document: Readonly<Record<string, unknown>>) => Record<string, unknown>;
+
+/** By the version that they start from. Version 1 is the first, so there are none yet. */
+const MIGRATIONS: ReadonlyMap<number, Migration> = new Map();
+
+/** Reading goes on past a fault so that an author sees all of them at once, but a file of faults only is not worth it. */
+const MAX_LAYERS_WITH_PROBLEMS = 50;
+
+/**
+ * Reads a design (spec.md, 8).
+ *
+ * @param source JSON text, or the data that such text holds.
+ * @param name The file's name as the user knows it; errors name it.
+ * @throws TexelcastError "bad-design": `field` and `value` are those of the first problem, the message tells them all.
+ */
+export function parseDesign(source: unknown, name = "design"): Design {
+  const data = typeof source === "string" ? parseJson(source, name) : source;
+  const current = migrateDesign(data, name, MIGRATIONS);
+  const result = v.safeParse(designSchema, current);
+  if (!result.success) throw designError(name, problemsOf(result.issues));
+  const problems = referenceProblems(result.output);
+  if (problems.length > 0) throw designError(name, problems);
+  return complete(result.output);
+}
+
+/**
+ * Checks format and version, and brings an older version up to today's. Exported for its tests.
+ *
+ * @throws TexelcastError "bad-design" for another format, and for a version that is unknown or newer than ours.
+ */
+export function migrateDesign(data: unknown, name: string, migrations: ReadonlyMap<number, Migration>): unknown {
+  const refuse = (path: DesignPath, message: string, value: unknown, hint: string) => {
+    throw designError(name, [{ path, message, value }], hint);
+  };
+  if (typeof data !== "object" || data === null || Array.isArray(data)) {
+    refuse([], "must be a JSON object", data, 'A design begins { "format": "texelcast-design", "version": 1, … }.');
+  }
+  let document = data as Record<string, unknown>;
+  const { format } = document;
+  if (format !== DESIGN_FORMAT) {
+    refuse(["format"], `must be "${DESIGN_FORMAT}"`, format, "The file may be JSON of another program.");
+  }
+  for (;;) {
+    const { version } = document;
+    if (version === DESIGN_VERSION) return document;
+    const migration = typeof version === "number" ? migrations.get(version) : undefined;
+    if (migration === undefined) {
+      const newer = typeof version === "number" && Number.isInteger(version) && version > DESIGN_VERSION;
+      const hint = newer ? "A newer Texelcast made this design: update to open it." : "The only version is 1.";
+      refuse(["version"], `must be ${DESIGN_VERSION}`, version, hint);
+      return document;
+    }
+    document = migration(document);
+  }
+}
+
+function parseJson(text: string, name: string): unknown {
+  try {
+    // Editors on Windows may put a byte order mark first, which JSON does not allow.
+    return JSON.parse(text.startsWith("\ufeff") ? text.slice(1) : text);
+  } catch (cause) {
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new TexelcastError("bad-design", `the design is not valid JSON: ${reason}`, {
+      subject: name,
+      hint: "Open it in an editor that checks JSON; commas and quotes are the usual fault.",
+      cause,
+    });
+  }
+}
+
+function problemsOf(issues: readonly v.BaseIssue<unknown>[]): DesignProblem[] {
+  return issues.map((issue) => {
+    const path = (issue.path ?? []).map((item) => item.key as string | number);
+    const unknownField = issue.type === "strict_object" && issue.expected === "never";
+    // The value of an unknown field says nothing about the fault; its name, in the path, does.
+    return { path, message: issue.message, ...(unknownField ? {} : { value: issue.input }) };
+  });
+}
+
+/** What one layer's schema cannot see: ids that collide, and assets that are not there or of the wrong kind. */
+function referenceProblems(design: ParsedDesign): DesignProblem[] {
+  const problems: DesignProblem[] = [];
+  const firstUse = new Map<string, number>();
+  design.layers.forEach((layer, index) => {
+    if (problems.length >= MAX_LAYERS_WITH_PROBLEMS) return;
+    if (layer.id !== undefined) {
+      const first = firstUse.get(layer.id);
+      if (first === undefined) firstUse.set(layer.id, index);
+      else {
+        const message = `must be unique: layers[${first}] has the same id`;
+        problems.push({ path: ["layers", index, "id"], message, value: layer.id });
+      }
+    }
+    if (layer.type === "decal")
+      problems.push(...assetProblems(design, ["layers", index, "asset"], layer.asset, "image/"));
+    if (layer.type === "text") problems.push(...assetProblems(design, ["layers", index, "font"], layer.font, "font/"));
+  });
+  return problems;
+}
+
+function assetProblems(design: ParsedDesign, path: DesignPath, key: string, kind: "image/" | "font/"): DesignProblem[] {
+  const asset = Object.hasOwn(design.assets, key) ? design.assets[key] : undefined;
+  if (asset === undefined) {
+    const names = Object.keys(design.assets);
+    const known = names.length === 0 ? "there are none" : `there are: ${describeNames(names)}`;
+    return [{ path, message: `must name one of the design's assets (${known})`, value: key }];
+  }
+  if (asset.type.startsWith(kind)) return [];
+  const noun = kind === "image/" ? "a picture" : "a font";
+  return [{ path, message: `must name ${noun}, but that asset's type is ${describeValue(asset.type)}`, value: key }];
+}
+
+function describeNames(names: readonly string[]): string {
+  const shown = names.slice(0, 8).map((name) => describeValue(name));
+  return names.length > shown.length ? `${shown.join(", ")} and ${names.length - shown.length} more` : shown.join(", ");
+}
+
+/** Gives ids and names to the layers that have none: the same file always gets the same ones. */
+function complete(design: ParsedDesign): Design {
+  const taken = new Set(design.layers.flatMap((layer) => (layer.id === undefined ? [] : [layer.id])));
+  // Counting never goes back, so that a file which takes many such ids on purpose costs no more than its length.
+  let number = 0;
+  const layers = design.layers.map((layer, index): DesignLayer => {
+    const name = layer.name ?? defaultName(layer);
+    if (layer.id !== undefined) return { ...layer, id: layer.id, name };
+    do number = Math.max(number, index) + 1;
+    while (taken.has(`layer-${number}`));
+    return { ...layer, id: `layer-${number}`, name };
+  });
+  return { ...design, layers };
+}
+
+function defaultName(layer: ParsedLayer): string {
+  if (layer.type === "decal") return layer.asset;
+  return { text: "Text", stroke: "Stroke", fill: "Fill" }[layer.type];
+}

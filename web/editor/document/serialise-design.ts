@@ -1,0 +1,98 @@
+/** Writes a design document: the inverse of `parseDesign`. */
+import type { Design, DesignAsset, DesignLayer, Projector } from "./design.ts";
+
+/**
+ * The order in which fields are written, whatever order the editor's objects have: a saved design then changes in a
+ * version control system only where it was changed. Every field is written, defaults too, so that a file says what it
+ * means without this program's help.
+ */
+const LAYER_FIELDS = [
+  "id",
+  "type",
+  "name",
+  "material",
+  "visible",
+  "asset",
+  "text",
+  "font",
+  "fontSize",
+  "color",
+  "outline",
+  "brush",
+  "opacity",
+  "blend",
+  "blendSpace",
+  "lockAlpha",
+  "filter",
+  "wrap",
+  "flipX",
+  "flipY",
+  "backfaces",
+  "angleFade",
+  "occlusion",
+  "projector",
+  "dabs",
+] as const;
+const PROJECTOR_FIELDS = [
+  "kind",
+  "position",
+  "center",
+  "rotation",
+  "size",
+  "angle",
+  "fov",
+  "aspect",
+  "near",
+  "far",
+  "radius",
+  "height",
+  "arc",
+  "depth",
+] as const;
+const OUTLINE_FIELDS = ["color", "width"] as const;
+const BRUSH_FIELDS = ["color", "hardness"] as const;
+
+/** The design as JSON text, two spaces of indent, one line feed at the end. */
+export function serialiseDesign(design: Design): string {
+  const document = {
+    format: design.format,
+    version: design.version,
+    assets: Object.fromEntries(Object.entries(design.assets).map(([key, asset]) => [key, orderAsset(asset)])),
+    layers: design.layers.map(orderLayer),
+  };
+  return `${print(document, "")}\n`;
+}
+
+/** As JSON.stringify with an indent of two, but coordinates stand on one line, as people write them. */
+function print(value: unknown, indent: string): string {
+  if (typeof value !== "object" || value === null) return JSON.stringify(value);
+  const isList = Array.isArray(value);
+  if (isList && value.every((item) => typeof item === "number")) return `[${value.map(String).join(", ")}]`;
+  const inner = `${indent}  `;
+  const lines = isList
+    ? value.map((item) => inner + print(item, inner))
+    : Object.entries(value).map(([key, item]) => `${inner}${JSON.stringify(key)}: ${print(item, inner)}`);
+  const [open, close] = isList ? ["[", "]"] : ["{", "}"];
+  return lines.length === 0 ? open + close : `${open}\n${lines.join(",\n")}\n${indent}${close}`;
+}
+
+function pick(source: object, fields: readonly string[]): Record<string, unknown> {
+  const values = source as Record<string, unknown>;
+  return Object.fromEntries(
+    fields.filter((field) => values[field] !== undefined).map((field) => [field, values[field]]),
+  );
+}
+
+const orderAsset = (asset: DesignAsset): object => pick(asset, ["type", "uri"]);
+const orderProjector = (projector: Projector): object => pick(projector, PROJECTOR_FIELDS);
+
+function orderLayer(layer: DesignLayer): object {
+  const ordered = pick(layer, LAYER_FIELDS);
+  if (layer.type === "decal" || layer.type === "text") ordered.projector = orderProjector(layer.projector);
+  if (layer.type === "text" && layer.outline !== null) ordered.outline = pick(layer.outline, OUTLINE_FIELDS);
+  if (layer.type === "stroke") {
+    ordered.brush = pick(layer.brush, BRUSH_FIELDS);
+    ordered.dabs = layer.dabs.map(orderProjector);
+  }
+  return ordered;
+}
