@@ -1,0 +1,168 @@
+/**
+ * The C ABI of wasm/texelcast.h as TypeScript sees it: struct layouts, the enums' numbers and the functions' shapes.
+ * The header is the manual; a test reads it and compares every name, type and order with this file.
+ */
+import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
+
+export const ABI_VERSION = 1;
+/** Texels along one side of a target or an image, at most. */
+export const MAX_SIZE = 8192;
+/** TXC_NONE: "no such index", and "the default" for a gutter. */
+export const NONE = 0xffffffff;
+
+export const MapViews = { positions: 0, normals: 1, coverage: 2, overlap: 3 } as const;
+export const Filters = { linear: 0, nearest: 1 } as const;
+export const LayerKinds = { decal: 0, fill: 1 } as const;
+export const Projectors = { planar: 0 } as const;
+export const Blends = { normal: 0 } as const;
+export const BlendSpaces = { srgb: 0 } as const;
+export const Wraps = { none: 0, repeat: 1 } as const;
+export const Occlusions = { self: 0, none: 1 } as const;
+
+export const SessionDefLayout = defineStruct({ memoryBudgetMib: u32 });
+
+export const SessionStatsLayout = defineStruct({
+  bakeCount: u32,
+  projectionCount: u32,
+  projectedTexels: u32,
+  compositedTexels: u32,
+  memoryUsedKib: u32,
+  memoryPeakKib: u32,
+  memoryBudgetKib: u32,
+});
+
+export const ModelInfoLayout = defineStruct({
+  materialCount: u32,
+  triangleCount: u32,
+  vertexCount: u32,
+  hasDefaultMaterial: u32,
+  boundsMinModel: f32Array(3),
+  boundsMaxModel: f32Array(3),
+});
+
+export const MaterialInfoLayout = defineStruct({
+  paintStatus: u32,
+  triangleCount: u32,
+  degenerateUvTriangles: u32,
+  outOfRangeUvTriangles: u32,
+  texCoord: u32,
+  image: u32,
+  nearestFilter: u32,
+  baseColorFactor: f32Array(4),
+  uvMin: f32Array(2),
+  uvMax: f32Array(2),
+  boundsMinModel: f32Array(3),
+  boundsMaxModel: f32Array(3),
+});
+
+export const MeshDefLayout = defineStruct({ vertexCount: u32, indexCount: u32, material: u32 });
+
+export const TargetDefLayout = defineStruct({ material: u32, width: u32, height: u32, gutter: u32, mipLevels: u32 });
+
+export const MapInfoLayout = defineStruct({
+  width: u32,
+  height: u32,
+  gutter: u32,
+  coveredTexels: u32,
+  gutterTexels: u32,
+  overlappingTexels: u32,
+  byteCount: u32,
+  mipLevels: u32,
+  boundsMinModel: f32Array(3),
+  boundsMaxModel: f32Array(3),
+});
+
+export const LayerDefLayout = defineStruct({
+  kind: u32,
+  image: u32,
+  visible: u32,
+  opacity: f32,
+  blend: u32,
+  blendSpace: u32,
+  lockAlpha: u32,
+  filter: u32,
+  wrap: u32,
+  flipX: u32,
+  flipY: u32,
+  backfaces: u32,
+  angleFadeStart: f32,
+  angleFadeEnd: f32,
+  occlusion: u32,
+  projector: u32,
+  positionModel: f32Array(3),
+  rotation: f32Array(4),
+  size: f32Array(3),
+  color: f32Array(4),
+});
+
+export const RectLayout = defineStruct({ x: u32, y: u32, width: u32, height: u32, level: u32, byteOffset: u32 });
+
+export const UpdateLayout = defineStruct({
+  rectCount: u32,
+  byteCount: u32,
+  projectedLayers: u32,
+  projectedTexels: u32,
+  compositedTexels: u32,
+});
+
+type ValueOf<Layout> = Layout extends { readonly fields: infer Fields extends StructFields }
+  ? StructValue<Fields>
+  : never;
+export type SessionDef = ValueOf<typeof SessionDefLayout>;
+export type SessionStats = ValueOf<typeof SessionStatsLayout>;
+export type CoreModelInfo = ValueOf<typeof ModelInfoLayout>;
+export type CoreMaterialInfo = ValueOf<typeof MaterialInfoLayout>;
+export type MeshDef = ValueOf<typeof MeshDefLayout>;
+export type TargetDef = ValueOf<typeof TargetDefLayout>;
+export type MapInfo = ValueOf<typeof MapInfoLayout>;
+export type LayerDef = ValueOf<typeof LayerDefLayout>;
+export type Rect = ValueOf<typeof RectLayout>;
+export type Update = ValueOf<typeof UpdateLayout>;
+
+/** Functions of the module by name, each with how many arguments it takes: all are 32-bit numbers. */
+export const CORE_FUNCTIONS = {
+  txc_abi_version: 0,
+  txc_status_count: 0,
+  txc_status_name: 1,
+  txc_status_message: 1,
+  txc_error_detail: 0,
+  txc_alloc: 1,
+  txc_free: 1,
+  txc_session_def_default: 1,
+  txc_session_create: 2,
+  txc_session_destroy: 1,
+  txc_session_stats: 2,
+  txc_model_load_glb: 3,
+  txc_mesh_def_default: 1,
+  txc_model_add_mesh: 6,
+  txc_model_info: 2,
+  txc_material_info: 3,
+  txc_material_uvs: 4,
+  txc_target_def_default: 1,
+  txc_target_create: 3,
+  txc_target_bake: 4,
+  txc_target_destroy: 2,
+  txc_map_info: 3,
+  txc_map_read_positions: 5,
+  txc_map_read_normals: 5,
+  txc_map_read_coverage: 5,
+  txc_map_read_overlap: 5,
+  txc_map_view: 6,
+  txc_target_set_base: 6,
+  txc_target_set_base_color: 6,
+  txc_image_create: 5,
+  txc_image_destroy: 2,
+  txc_layer_def_default: 1,
+  txc_layer_create: 4,
+  txc_layer_update: 3,
+  txc_layer_move: 3,
+  txc_layer_destroy: 2,
+  txc_layer_def: 3,
+  txc_target_update: 3,
+  txc_target_update_rects: 2,
+  txc_target_update_bytes: 2,
+  txc_target_read: 8,
+  txc_target_hash: 7,
+} as const;
+
+export type CoreFunction = keyof typeof CORE_FUNCTIONS;

@@ -1,0 +1,199 @@
+/** One material's texture at a size: its baked map, its base picture and its layers. Made by `Session.createTarget`. */
+import {
+  type LayerDef,
+  LayerDefLayout,
+  type MapInfo,
+  MapInfoLayout,
+  type Rect,
+  RectLayout,
+  UpdateLayout,
+} from "./abi.ts";
+import { TexelcastError } from "./texelcast-error.ts";
+import type { CoreModule } from "./wasm-module.ts";
+
+/** A layer of the target by its handle. */
+export type LayerHandle = number & { readonly brand?: "TxcLayer" };
+
+/** What an update changed; all of it copies. */
+export interface CoreUpdate {
+  readonly rects: readonly Rect[];
+  /** The rectangles' texels packed one after another, RGBA. */
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly projectedLayers: number;
+  readonly projectedTexels: number;
+  readonly compositedTexels: number;
+}
+
+export class Target {
+  readonly #core: CoreModule;
+  readonly #session: number;
+  readonly #handle: number;
+
+  constructor(core: CoreModule, session: number, handle: number) {
+    this.#core = core;
+    this.#session = session;
+    this.#handle = handle;
+  }
+
+  destroy(): void {
+    this.#core.run("txc_target_destroy", this.#session, this.#handle);
+  }
+
+  /** Bakes on for about `workLimit` texels. `progress` is 0 to 1; `done` once the map is ready. */
+  bake(workLimit: number): { readonly done: boolean; readonly progress: number } {
+    return this.#core.withMemory(4, (out) => {
+      const pending = this.#core.run("txc_target_bake", this.#session, this.#handle, workLimit, out);
+      const progress = new Float32Array(this.#core.copyOut(out, 4).buffer)[0] ?? 0;
+      return { done: !pending, progress };
+    });
+  }
+
+  info(): MapInfo {
+    return this.#core.collectStruct(MapInfoLayout, (out) =>
+      this.#core.run("txc_map_info", this.#session, this.#handle, out),
+    );
+  }
+
+  /** Rows of the map: three floats a texel, metres, model space. */
+  readPositions(row: number, rowCount: number): Float32Array<ArrayBuffer> {
+    return new Float32Array(this.#readRows("txc_map_read_positions", row, rowCount, 12).buffer);
+  }
+
+  /** Rows of the map: three floats a texel, unit length, model space. */
+  readNormals(row: number, rowCount: number): Float32Array<ArrayBuffer> {
+    return new Float32Array(this.#readRows("txc_map_read_normals", row, rowCount, 12).buffer);
+  }
+
+  /** Rows of the map: 0 empty, 1 covered, 2 gutter. */
+  readCoverage(row: number, rowCount: number): Uint8Array<ArrayBuffer> {
+    return this.#readRows("txc_map_read_coverage", row, rowCount, 1);
+  }
+
+  /** Rows of the map: how many triangles cover the texel, capped at 255. */
+  readOverlap(row: number, rowCount: number): Uint8Array<ArrayBuffer> {
+    return this.#readRows("txc_map_read_overlap", row, rowCount, 1);
+  }
+
+  #readRows(
+    name: "txc_map_read_positions" | "txc_map_read_normals" | "txc_map_read_coverage" | "txc_map_read_overlap",
+    row: number,
+    rowCount: number,
+    bytesPerTexel: number,
+  ): Uint8Array<ArrayBuffer> {
+    this.#checkRows(row, rowCount);
+    return this.#core.collect(this.info().width * rowCount * bytesPerTexel, (out) => {
+      this.#core.run(name, this.#session, this.#handle, row, rowCount, out);
+    });
+  }
+
+  /** Rows of a view of the map (abi.ts, `MapViews`), RGBA. */
+  view(view: number, row: number, rowCount: number): Uint8Array<ArrayBuffer> {
+    this.#checkRows(row, rowCount);
+    return this.#core.collect(this.info().width * rowCount * 4, (out) => {
+      this.#core.run("txc_map_view", this.#session, this.#handle, view, row, rowCount, out);
+    });
+  }
+
+  /** Before memory is asked for: a count far out of range would name the memory, not the argument. */
+  #checkRows(row: number, rowCount: number): void {
+    const { height } = this.info();
+    if (!Number.isInteger(row) || !Number.isInteger(rowCount) || row < 0 || rowCount < 0 || row + rowCount > height) {
+      throw new TexelcastError(
+        "bad-argument",
+        `Rows ${row} to ${row + rowCount} do not lie in a map of ${height} rows.`,
+        {
+          field: "row",
+          value: `${row}, ${rowCount}`,
+        },
+      );
+    }
+  }
+
+  /** Sets what the layers lie on: RGBA, straight alpha, resampled with `filter` (abi.ts, `Filters`). */
+  setBase(width: number, height: number, rgba: Uint8Array, filter: number): void {
+    if (rgba.length !== width * height * 4) {
+      throw new TexelcastError(
+        "bad-argument",
+        `A ${width} × ${height} picture has ${width * height * 4} bytes, not ${rgba.length}.`,
+        {
+          field: "rgba",
+          value: String(rgba.length),
+        },
+      );
+    }
+    this.#core.withBytes(rgba, (pointer) => {
+      this.#core.run("txc_target_set_base", this.#session, this.#handle, width, height, pointer, filter);
+    });
+  }
+
+  /** Sets the base to one colour, each channel 0 to 255. */
+  setBaseColor(red: number, green: number, blue: number, alpha: number): void {
+    this.#core.run("txc_target_set_base_color", this.#session, this.#handle, red, green, blue, alpha);
+  }
+
+  /** Adds a layer on top; what `def` leaves out has the ABI's default. */
+  createLayer(def: Partial<LayerDef>): LayerHandle {
+    return this.#core.withStruct(LayerDefLayout, "txc_layer_def_default", def, (pointer) =>
+      this.#core.collectU32((out) => this.#core.run("txc_layer_create", this.#session, this.#handle, pointer, out)),
+    );
+  }
+
+  /** Gives a layer new values; what `def` leaves out goes back to the ABI's default. */
+  updateLayer(layer: LayerHandle, def: Partial<LayerDef>): void {
+    this.#core.withStruct(LayerDefLayout, "txc_layer_def_default", def, (pointer) => {
+      this.#core.run("txc_layer_update", this.#session, layer, pointer);
+    });
+  }
+
+  /** Puts a layer at `index` from the bottom. */
+  moveLayer(layer: LayerHandle, index: number): void {
+    this.#core.run("txc_layer_move", this.#session, layer, index);
+  }
+
+  destroyLayer(layer: LayerHandle): void {
+    this.#core.run("txc_layer_destroy", this.#session, layer);
+  }
+
+  /** What the layer was last given. */
+  layerDef(layer: LayerHandle): LayerDef {
+    return this.#core.collectStruct(LayerDefLayout, (out) =>
+      this.#core.run("txc_layer_def", this.#session, layer, out),
+    );
+  }
+
+  /** Projects and composites what changed since the update before. */
+  update(): CoreUpdate {
+    const core = this.#core;
+    const update = core.collectStruct(UpdateLayout, (out) => {
+      core.run("txc_target_update", this.#session, this.#handle, out);
+    });
+    const rects: Rect[] = [];
+    const rectPointer = core.call("txc_target_update_rects", this.#session, this.#handle);
+    for (let i = 0; i < update.rectCount; i++) {
+      rects.push(core.readStructAt(RectLayout, rectPointer + i * RectLayout.byteSize));
+    }
+    const bytesPointer = core.call("txc_target_update_bytes", this.#session, this.#handle);
+    return {
+      rects,
+      bytes: core.copyOut(bytesPointer, update.byteCount),
+      projectedLayers: update.projectedLayers,
+      projectedTexels: update.projectedTexels,
+      compositedTexels: update.compositedTexels,
+    };
+  }
+
+  /** A copy of a rectangle of a level as of the newest update, RGBA. */
+  read(level: number, x: number, y: number, width: number, height: number): Uint8Array<ArrayBuffer> {
+    return this.#core.collect(width * height * 4, (out) => {
+      this.#core.run("txc_target_read", this.#session, this.#handle, level, x, y, width, height, out);
+    });
+  }
+
+  /** 64-bit FNV-1a over a rectangle of level 0: 16 hex digits, high word first. */
+  hash(x: number, y: number, width: number, height: number): string {
+    const bytes = this.#core.collect(8, (out) => {
+      this.#core.run("txc_target_hash", this.#session, this.#handle, x, y, width, height, out);
+    });
+    return new DataView(bytes.buffer).getBigUint64(0, true).toString(16).padStart(16, "0");
+  }
+}
