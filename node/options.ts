@@ -1,0 +1,53 @@
+/** Values of options: from the words of the command line to what they mean, or commander's own error. */
+import { InvalidArgumentError } from "commander";
+import { isHexColor, parseHexColor } from "../web/editor/document/hex-color.ts";
+
+/** The core's TXC_MAX_SIZE. */
+const MAX_SIZE = 8192;
+const MAX_GUTTER = 64;
+
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** A colour, or the path of a picture. */
+export type BaseOption = readonly [number, number, number, number] | { readonly file: string };
+
+function wholeNumber(text: string, min: number, max: number): number {
+  const value = /^\d{1,9}$/.test(text) ? Number(text) : Number.NaN;
+  if (!(value >= min && value <= max)) {
+    throw new InvalidArgumentError(`It must be a whole number from ${min} to ${max}.`);
+  }
+  return value;
+}
+
+export function parseSize(text: string): Size {
+  const [width = "", height = width, ...rest] = text.toLowerCase().split("x");
+  if (rest.length > 0) throw new InvalidArgumentError('It must be one number, or two as in "2048x1024".');
+  return { width: wholeNumber(width, 1, MAX_SIZE), height: wholeNumber(height, 1, MAX_SIZE) };
+}
+
+export const parseMaterial = (text: string): number => wholeNumber(text, 0, 65_535);
+export const parseGutter = (text: string): number => wholeNumber(text, 0, MAX_GUTTER);
+
+export function parseBase(text: string): BaseOption {
+  if (text === "white") return [1, 1, 1, 1];
+  if (isHexColor(text)) return parseHexColor(text);
+  if (text.startsWith("#")) throw new InvalidArgumentError('A colour must be "#rrggbb" or "#rrggbbaa".');
+  if (text === "") throw new InvalidArgumentError("It must not be empty.");
+  return { file: text };
+}
+
+export function parseRenderOutput(text: string): { readonly file: string; readonly kind: "png" | "glb" } {
+  const kind = /\.(png|glb)$/i.exec(text)?.[1]?.toLowerCase();
+  if (kind !== "png" && kind !== "glb") {
+    throw new InvalidArgumentError("It must end in .png (the texture) or .glb (the model with it inside).");
+  }
+  return { file: text, kind };
+}
+
+export function parseFolder(text: string): string {
+  if (text === "") throw new InvalidArgumentError("It must not be empty.");
+  return text;
+}

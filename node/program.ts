@@ -1,0 +1,119 @@
+/** The commands, their options and their help. What they do is loaded when one is called, so that help comes at once. */
+import { Command, Option } from "commander";
+import packageJson from "../package.json" with { type: "json" };
+import type { BakeOptions } from "./commands/bake.ts";
+import type { InspectOptions } from "./commands/inspect.ts";
+import type { RenderOptions } from "./commands/render.ts";
+import { parseBase, parseFolder, parseGutter, parseMaterial, parseRenderOutput, parseSize } from "./options.ts";
+
+const EXIT_CODES = `
+Exit codes: 0 done, 1 a fault of Texelcast's own, 2 wrong usage, 3 an input that cannot be used or a result that cannot be written.`;
+
+const INSPECT_EXAMPLES = `
+Examples:
+  texelcast inspect mug.glb
+  texelcast inspect shoe/shoe.gltf --json > shoe.json`;
+
+const BAKE_EXAMPLES = `
+Examples:
+  texelcast bake mug.glb --out maps
+  texelcast bake avatar.glb --out maps --material 1 --size 2048 --gutter 8
+
+In Python:
+  positions = numpy.load("maps/positions.npy")   # float32, height x width x 3, metres, model space`;
+
+const RENDER_EXAMPLES = `
+Examples:
+  texelcast render mug.glb design.json --out mug-painted.glb
+  texelcast render mug.glb design.json --out print.png --size 4096
+  texelcast render shirt.glb design.json --out decals.png --material 1 --base "#ff8000"
+  texelcast render shirt.glb design.json --out shirt.png --base cloth.jpg`;
+
+/** A program that throws CommanderError instead of ending the process. */
+export function createProgram(): Command {
+  const program = new Command("texelcast")
+    .description("Paints decals into a 3D model's own texture.")
+    .version(packageJson.version, "-V, --version", "print the version")
+    .helpOption("-h, --help", "print this help")
+    .helpCommand("help [command]", "print the help of a command")
+    .addHelpText(
+      "after",
+      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}\n${EXIT_CODES}`,
+    )
+    .exitOverride()
+    .configureOutput({
+      outputError: (text, write) => write(`texelcast: ${text.replace(/^error: /, "")}`),
+    })
+    .showHelpAfterError("  `texelcast --help` and `texelcast COMMAND --help` tell the usage.");
+
+  program
+    .command("inspect")
+    .summary("tell whether a model can take decals, and how well it is unwrapped")
+    .description("Prints a model's materials, triangles, texture sizes, UV coverage and overlap, and bounds.")
+    .argument("<model>", "a .glb, or a .gltf with its side files")
+    .option("--json", "print one JSON object instead of a table")
+    .addHelpText("after", INSPECT_EXAMPLES)
+    .action(async (model: string, options: InspectOptions) => {
+      await (await import("./commands/inspect.ts")).inspect(model, options);
+    });
+
+  program
+    .command("bake")
+    .summary("write the local space texture: positions, normals, coverage, overlap")
+    .description(
+      "Bakes the local space texture of one material: for each texel, where it lies on the model and which way it faces. " +
+        "Writes positions, normals, coverage and overlap, each as a NumPy array and as a picture.",
+    )
+    .argument("<model>", "a .glb, or a .gltf with its side files")
+    .addOption(new Option("--out <dir>", "folder for the files").argParser(parseFolder).makeOptionMandatory())
+    .addOption(new Option("--material <index>", "glTF material index").argParser(parseMaterial).default(0))
+    .addOption(sizeOption("default: the material's texture, 1024 without"))
+    .addOption(
+      new Option("--gutter <texels>", "how far past the charts, 0 to 64 (default: 2 at 1024, in proportion)").argParser(
+        parseGutter,
+      ),
+    )
+    .addHelpText("after", BAKE_EXAMPLES)
+    .action(async (model: string, options: BakeOptions) => {
+      await (await import("./commands/bake.ts")).bake(model, options);
+    });
+
+  program
+    .command("render")
+    .summary("replay a design on a model: the finished texture, or the model with it inside")
+    .description(
+      "Replays a design on a model. A .png holds one material's finished texture; a .glb is the model with the textures " +
+        "of all materials that the design paints replaced, everything else of the file as it was.",
+    )
+    .argument("<model>", "a .glb, or a .gltf with its side files")
+    .argument("<design>", "a design document, JSON")
+    .addOption(new Option("--out <file>", "FILE.png or FILE.glb").argParser(parseRenderOutput).makeOptionMandatory())
+    .addOption(
+      new Option(
+        "--material <index>",
+        "glTF material index (default: 0 for .png, all that are painted for .glb)",
+      ).argParser(parseMaterial),
+    )
+    .addOption(sizeOption("default: the base picture's own, 1024 without"))
+    .addOption(
+      new Option(
+        "--base <ground>",
+        'what the layers lie on: "white", "#rrggbb" or a picture (default: the material\'s own texture or colour)',
+      ).argParser(parseBase),
+    )
+    .addHelpText("after", RENDER_EXAMPLES)
+    .action(async (model: string, design: string, options: RenderOptions) => {
+      await (await import("./commands/render.ts")).render(model, design, options);
+    });
+
+  return program;
+}
+
+const sizeOption = (what: string): Option =>
+  new Option("--size <texels>", `N or WIDTHxHEIGHT, 1 to 8192 (${what})`).argParser(parseSize);
+
+/** The first `count` examples, to stand in a list with others. */
+function withoutHeading(examples: string, count: number): string {
+  const lines = examples.split("\n").slice(2, 2 + count);
+  return `\n${lines.join("\n")}`;
+}

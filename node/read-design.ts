@@ -1,0 +1,65 @@
+/** A design from disk, and the pictures that it names. */
+import { TexelcastError } from "../web/core/texelcast-error.ts";
+import { formatPath } from "../web/editor/document/design-problem.ts";
+import { type Design, parseDesign, resolveLayers } from "../web/editor/document/index.ts";
+import type { EngineLayer } from "../web/engine/engine-api.ts";
+import { readFileBytes, resolveInFolder } from "./read-file.ts";
+
+/** JavaScript holds no longer text in one string on every platform; embedded pictures are the bulk of it. */
+const MAX_DESIGN_BYTES = 256 * 2 ** 20;
+
+export interface LoadedDesign {
+  readonly file: string;
+  readonly design: Design;
+  readonly layers: readonly EngineLayer[];
+}
+
+/** @throws TexelcastError "missing-file", "bad-design", "unsupported". */
+export async function readDesign(file: string): Promise<LoadedDesign> {
+  const bytes = await readFileBytes(file, { code: "bad-design", maxBytes: MAX_DESIGN_BYTES });
+  const design = parseDesign(decodeText(bytes, file), file);
+  return { file, design, layers: resolveLayers(design, file) };
+}
+
+/**
+ * The bytes of one of the design's pictures.
+ *
+ * @throws TexelcastError "outside-folder", "missing-file", "bad-design" for a `data:` address that is broken, and
+ * "bad-picture" for a file that cannot be read.
+ */
+export async function readAsset(
+  { file, design }: LoadedDesign,
+  key: string,
+): Promise<{ name: string; bytes: Uint8Array }> {
+  const uri = design.assets[key]?.uri ?? "";
+  const field = formatPath(["assets", key, "uri"]);
+  if (/^data:/i.test(uri)) return { name: `${file}: ${field}`, bytes: await readDataUri(uri, file, field) };
+  const target = await resolveInFolder(uri, { file, field });
+  return { name: target, bytes: await readFileBytes(target, { code: "bad-picture", namedBy: { file, field } }) };
+}
+
+async function readDataUri(uri: string, file: string, field: string): Promise<Uint8Array> {
+  try {
+    // Node's own fetch knows the format to the letter, and asks no network for it.
+    return new Uint8Array(await (await fetch(uri)).arrayBuffer());
+  } catch (cause) {
+    throw new TexelcastError("bad-design", `${field}: is not a valid data: address`, {
+      subject: file,
+      field,
+      hint: 'Write it as "data:image/png;base64,…".',
+      cause,
+    });
+  }
+}
+
+function decodeText(bytes: Uint8Array, file: string): string {
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch (cause) {
+    throw new TexelcastError("bad-design", "the design is not UTF-8 text", {
+      subject: file,
+      hint: "A design is a JSON file; give the model first and the design second.",
+      cause,
+    });
+  }
+}

@@ -1,0 +1,105 @@
+/** Writing results so that no reader, and no interruption, ever meets half a file. */
+import { randomUUID } from "node:crypto";
+import { rmSync } from "node:fs";
+import { type FileHandle, mkdir, open, rename, stat } from "node:fs/promises";
+import path from "node:path";
+import { TexelcastError } from "../web/core/texelcast-error.ts";
+
+export interface PendingFile {
+  append(bytes: Uint8Array): Promise<void>;
+}
+
+/**
+ * Files that appear under their names together, at `commit`, or not at all. Until then each is written beside its
+ * place, where a rename is one step of the file system.
+ */
+export class PendingFiles {
+  readonly #pending = new Map<string, { readonly temporary: string; readonly file: FileHandle }>();
+
+  /** Ctrl-C and kill must not leave what is half written; at any other time the system's own way of ending is fine. */
+  readonly #onSignal = (signal: NodeJS.Signals): void => {
+    this.#removeTemporaries();
+    process.removeListener("SIGINT", this.#onSignal).removeListener("SIGTERM", this.#onSignal);
+    process.kill(process.pid, signal);
+  };
+
+  /** Opens a file for writing; its folder is made where there is none. */
+  async create(target: string): Promise<PendingFile> {
+    const file = await writing(target, async () => {
+      if (this.#pending.size === 0) process.on("SIGINT", this.#onSignal).on("SIGTERM", this.#onSignal);
+      await mkdir(path.dirname(target), { recursive: true });
+      const temporary = path.join(path.dirname(target), `.texelcast-${randomUUID()}.tmp`);
+      const file = await open(temporary, "wx");
+      this.#pending.set(target, { temporary, file });
+      return file;
+    });
+    return { append: (bytes) => writing(target, () => file.appendFile(bytes)) };
+  }
+
+  /** Writes a whole file. */
+  async write(target: string, bytes: Uint8Array): Promise<void> {
+    await (await this.create(target)).append(bytes);
+  }
+
+  async commit(): Promise<void> {
+    for (const [target, { file }] of this.#pending) await writing(target, () => file.close());
+    for (const [target, { temporary }] of this.#pending) {
+      await writing(target, () => rename(temporary, target));
+      this.#pending.delete(target);
+    }
+    this.#release();
+  }
+
+  /** Removes what was not committed. Does nothing after a commit that succeeded. */
+  async discard(): Promise<void> {
+    for (const { file } of this.#pending.values()) await file.close().catch(() => {});
+    this.#removeTemporaries();
+    this.#release();
+  }
+
+  #removeTemporaries(): void {
+    for (const { temporary } of this.#pending.values()) rmSync(temporary, { force: true });
+    this.#pending.clear();
+  }
+
+  #release(): void {
+    process.removeListener("SIGINT", this.#onSignal).removeListener("SIGTERM", this.#onSignal);
+  }
+}
+
+/**
+ * Tells of an output that cannot be before the work is done that would be lost.
+ *
+ * @throws TexelcastError "cannot-write" where a folder stands in the file's place, or a file in that of its folder.
+ */
+export async function checkOutputFile(target: string): Promise<void> {
+  await checkOutputFolder(path.dirname(target));
+  const found = await stat(target).catch(() => null);
+  if (found !== null && !found.isFile()) throw cannotWrite(target, "there is a folder of that name");
+}
+
+/** As `checkOutputFile`, for a folder. */
+export async function checkOutputFolder(folder: string): Promise<void> {
+  for (let place = path.resolve(folder); ; place = path.dirname(place)) {
+    const found = await stat(place).catch(() => null);
+    if (found?.isDirectory()) return;
+    if (found !== null) throw cannotWrite(folder, `${JSON.stringify(place)} is a file, not a folder`);
+    if (place === path.dirname(place)) return;
+  }
+}
+
+async function writing<Result>(target: string, action: () => Promise<Result>): Promise<Result> {
+  try {
+    return await action();
+  } catch (cause) {
+    throw cannotWrite(target, cause instanceof Error ? cause.message : String(cause), cause);
+  }
+}
+
+function cannotWrite(target: string, why: string, cause?: unknown): TexelcastError {
+  return new TexelcastError("cannot-write", `cannot be written: ${why}`, {
+    subject: target,
+    hint: "Give --out another place, or make room there.",
+    cause,
+  });
+}
