@@ -1,0 +1,43 @@
+import { defineConfig } from "@playwright/test";
+import { findChromium } from "./scripts/bootstrap/chromium.mjs";
+
+const PORT = 4173;
+// Chromium refuses its sandbox to root, as in a container.
+const AS_ROOT = process.getuid?.() === 0;
+
+/** The built site in Chromium with software WebGL. `npm run build` first; `npm test` does. */
+export default defineConfig({
+  testDir: "tests/e2e",
+  outputDir: "build/test-results/e2e",
+  // One browser with software WebGL already uses a small machine whole.
+  workers: 1,
+  retries: 0,
+  timeout: 120_000,
+  expect: { timeout: 20_000 },
+  forbidOnly: true,
+  reporter: [["list"], ["json", { outputFile: "build/test-results/playwright.json" }]],
+  use: {
+    baseURL: `http://localhost:${PORT}/`,
+    viewport: { width: 1280, height: 800 },
+    trace: "retain-on-failure",
+    screenshot: "only-on-failure",
+    launchOptions: {
+      executablePath: findChromium() ?? undefined,
+      args: [
+        ...(AS_ROOT ? ["--no-sandbox"] : []),
+        "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader",
+        "--ignore-gpu-blocklist",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--no-first-run",
+      ],
+    },
+  },
+  webServer: {
+    command: `node node_modules/vite/bin/vite.js preview --port ${PORT} --strictPort`,
+    url: `http://localhost:${PORT}/`,
+    reuseExistingServer: false,
+  },
+});

@@ -1,0 +1,74 @@
+/**
+ * Brings a checkout to where a command can run: packages, WebAssembly module, demo assets, command line, test tools.
+ * Uses Node's built-ins alone, since it runs before `npm ci`. A run with nothing to do takes well under 300 ms.
+ *
+ *   node scripts/bootstrap.mjs start|build|cli|test|lint|bench [--quiet]
+ */
+import { pathToFileURL } from "node:url";
+import { testTools } from "./bootstrap/build-tools.mjs";
+import { chromium } from "./bootstrap/chromium.mjs";
+import { withLock } from "./bootstrap/lock.mjs";
+import { nodePackages } from "./bootstrap/node-packages.mjs";
+import { commandLine, demoAssets, wasmModule } from "./bootstrap/products.mjs";
+import { Progress } from "./bootstrap/progress.mjs";
+import { SetUpError } from "./bootstrap/set-up-error.mjs";
+
+const OLDEST_NODE = [20, 19];
+
+/** What each command needs, in the order in which it can be made. */
+const GOALS = {
+  start: [nodePackages, wasmModule, demoAssets],
+  build: [nodePackages, wasmModule, demoAssets],
+  cli: [nodePackages, wasmModule, commandLine],
+  test: [nodePackages, testTools, chromium, wasmModule, demoAssets, commandLine],
+  lint: [nodePackages, testTools],
+  bench: [nodePackages, testTools, wasmModule],
+};
+
+/**
+ * @param {keyof typeof GOALS} goal
+ * @param {{quiet?: boolean}} [options] quiet: print nothing while there is nothing to do
+ */
+export async function bootstrap(goal, { quiet = false } = {}) {
+  const start = performance.now();
+  const progress = new Progress({ quiet });
+  checkNode();
+  const steps = GOALS[goal];
+  if (!steps.every((step) => step.isFresh())) {
+    await withLock(progress, async () => {
+      for (const step of steps) await step.bringUpToDate(progress);
+    });
+  }
+  progress.end(performance.now() - start);
+}
+
+/**
+ * The same for a script: where it fails, prints why and ends the process with exit code 1.
+ * @param {keyof typeof GOALS} goal @param {{quiet?: boolean}} [options]
+ */
+export async function bootstrapOrExit(goal, options) {
+  try {
+    await bootstrap(goal, options);
+  } catch (error) {
+    const reason = error instanceof SetUpError ? error.message : error instanceof Error ? error.stack : String(error);
+    process.stderr.write(`\n${reason}\n`);
+    process.exit(1);
+  }
+}
+
+function checkNode() {
+  const [major, minor] = process.versions.node.split(".").map(Number);
+  if (major > OLDEST_NODE[0] || (major === OLDEST_NODE[0] && minor >= OLDEST_NODE[1])) return;
+  throw new SetUpError(
+    `This is Node.js ${process.versions.node}; Texelcast needs ${OLDEST_NODE.join(".")} or newer. Get it from https://nodejs.org`,
+  );
+}
+
+if (process.argv[1] && import.meta.url === pathToFileURL(process.argv[1]).href) {
+  const goal = process.argv[2];
+  if (!goal || !Object.hasOwn(GOALS, goal)) {
+    process.stderr.write(`Name what to set up for: ${Object.keys(GOALS).join(", ")}\n`);
+    process.exit(2);
+  }
+  await bootstrapOrExit(/** @type {keyof typeof GOALS} */ (goal), { quiet: process.argv.includes("--quiet") });
+}

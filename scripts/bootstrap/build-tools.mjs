@@ -1,0 +1,152 @@
+/** The programs that the C++ side needs: found, installed where that is ours to do, or asked for. */
+import { accessSync, constants, existsSync } from "node:fs";
+import { delimiter, dirname, join } from "node:path";
+import { inRoot } from "./paths.mjs";
+import { outputOf } from "./run.mjs";
+import { SetUpError } from "./set-up-error.mjs";
+import { canAptInstall, isProgram, onPath, provide } from "./system.mjs";
+
+/** @typedef {import("./system.mjs").Need} Need */
+/** @typedef {import("./progress.mjs").Progress} Progress */
+
+const OLDEST_EMSCRIPTEN = [3, 1, 6];
+const OLDEST_CMAKE = [3, 22, 0];
+/** The version whose output the sources have; others differ in small things. */
+export const CLANG_FORMAT_VERSION = 14;
+
+/** @type {Need} */
+const EMSCRIPTEN = {
+  what: `Emscripten (emcc) ${OLDEST_EMSCRIPTEN.join(".")} or newer, which compiles the C++ core to WebAssembly`,
+  debian: "emscripten",
+  brew: "emscripten",
+  choco: "emscripten",
+  note: "Any system:      https://emscripten.org/docs/getting_started/downloads.html (emsdk; then set EMSDK or PATH)",
+};
+/** @type {Need} */
+const CMAKE = {
+  what: `CMake ${OLDEST_CMAKE.slice(0, 2).join(".")} or newer`,
+  debian: "cmake",
+  brew: "cmake",
+  choco: "cmake",
+};
+/** @type {Need} */
+const NINJA = { what: "Ninja (or make)", debian: "ninja-build", brew: "ninja", choco: "ninja" };
+/** @type {Need} */
+const COMPILER = { what: "a C++20 compiler (g++ or clang++)", debian: "g++", brew: "llvm", choco: "llvm" };
+/** @type {Need} */
+const CLANG_FORMAT = {
+  what: "clang-format",
+  debian: "clang-format",
+  brew: "clang-format",
+  choco: "llvm",
+};
+/** Installed on Debian; elsewhere CMake fetches what it does not find. */
+const DEBIAN_HEADERS = [
+  { header: "/usr/include/glm/glm.hpp", debian: "libglm-dev" },
+  { header: "/usr/include/tiny_gltf.h", debian: "libtinygltf-dev" },
+  { header: "/usr/include/nlohmann/json.hpp", debian: "nlohmann-json3-dev" },
+  { header: "/usr/include/doctest/doctest.h", debian: "doctest-dev" },
+];
+
+/**
+ * Everything that compiling the core to WebAssembly needs.
+ * @param {Progress} progress
+ * @returns {Promise<NodeJS.ProcessEnv>} the environment in which CMake finds it
+ */
+export async function provideWasmTools(progress) {
+  await provide([...(findEmcc() ? [] : [EMSCRIPTEN]), ...missingCMake(), ...missingHeaders()], progress);
+  const emcc = findEmcc();
+  if (!emcc)
+    throw new SetUpError("Emscripten was installed, but emcc is not on PATH. Open a new terminal and try again.");
+  checkVersion("Emscripten", emcc, outputOf(emcc, ["--version"]), OLDEST_EMSCRIPTEN);
+  checkCMake();
+  const env = { ...process.env, PATH: [dirname(emcc), process.env.PATH].join(delimiter), ...generator() };
+  return { ...env, ...writableCache(env) };
+}
+
+/**
+ * Everything that building the core natively needs.
+ * @param {Progress} progress
+ * @returns {Promise<NodeJS.ProcessEnv>}
+ */
+export async function provideNativeTools(progress) {
+  const compiler = onPath("g++", "clang++", "c++", "cl") ? [] : [COMPILER];
+  await provide([...compiler, ...missingCMake(), ...missingHeaders()], progress);
+  checkCMake();
+  return { ...process.env, ...generator() };
+}
+
+/** @type {import("./stamps.mjs").Step} */
+export const testTools = {
+  isFresh: () => onPath("g++", "clang++", "c++", "cl") !== null && (!canAptInstall() || findClangFormat() !== null),
+  async bringUpToDate(progress) {
+    await provideNativeTools(progress);
+    // Elsewhere the lint says that it was skipped: a developer without it can still run the tests.
+    if (canAptInstall() && !findClangFormat()) await provide([CLANG_FORMAT], progress);
+  },
+};
+
+export function findClangFormat() {
+  return onPath(`clang-format-${CLANG_FORMAT_VERSION}`, "clang-format");
+}
+
+function findEmcc() {
+  const sdk = process.env.EMSDK;
+  const ours = sdk ? join(sdk, "upstream", "emscripten", process.platform === "win32" ? "emcc.bat" : "emcc") : null;
+  return ours && isProgram(ours) ? ours : onPath("emcc");
+}
+
+/** @returns {Need[]} */
+function missingCMake() {
+  return [...(onPath("cmake") ? [] : [CMAKE]), ...(onPath("ninja", "make", "mingw32-make") ? [] : [NINJA])];
+}
+
+/** @returns {Need[]} */
+function missingHeaders() {
+  if (!canAptInstall()) return [];
+  return DEBIAN_HEADERS.filter(({ header }) => !existsSync(header)).map(({ header, debian }) => ({
+    what: header,
+    debian,
+    brew: "",
+    choco: "",
+  }));
+}
+
+function checkCMake() {
+  const cmake = onPath("cmake");
+  if (cmake) checkVersion("CMake", cmake, outputOf(cmake, ["--version"]), OLDEST_CMAKE);
+}
+
+/** @param {string} name @param {string} program @param {string | null} text @param {readonly number[]} oldest */
+function checkVersion(name, program, text, oldest) {
+  const found = /(\d+)\.(\d+)\.(\d+)/.exec(text ?? "");
+  if (!found) throw new SetUpError(`${program} --version did not say its version. Is ${name} installed whole?`);
+  const version = found.slice(1).map(Number);
+  const difference = version.map((part, index) => part - oldest[index]).find((part) => part !== 0) ?? 0;
+  if (difference < 0) {
+    throw new SetUpError(`${program} is ${name} ${version.join(".")}; ${oldest.join(".")} or newer is needed.`);
+  }
+}
+
+/** Ninja where it is there; CMake's own choice otherwise (make; on Windows that would be Visual Studio, so no). */
+function generator() {
+  if (process.env.CMAKE_GENERATOR) return {};
+  if (onPath("ninja")) return { CMAKE_GENERATOR: "Ninja" };
+  return { CMAKE_GENERATOR: onPath("make") ? "Unix Makefiles" : "MinGW Makefiles" };
+}
+
+/**
+ * Emscripten builds its system libraries into its cache when they are first needed. Where that folder belongs to
+ * somebody else and is not shipped complete, ours is used.
+ * @param {NodeJS.ProcessEnv} env
+ */
+function writableCache(env) {
+  if (env.EM_CACHE || outputOf("em-config", ["FROZEN_CACHE"], env) === "True") return {};
+  const cache = outputOf("em-config", ["CACHE"], env);
+  try {
+    if (cache) accessSync(existsSync(cache) ? cache : dirname(cache), constants.W_OK);
+    return {};
+  } catch {
+    return { EM_CACHE: inRoot("build", "emscripten-cache") };
+  }
+}

@@ -1,0 +1,54 @@
+/** What the checkout builds for itself: the WebAssembly module, the demo's assets, the bundled command line. */
+import { provideWasmTools } from "./build-tools.mjs";
+import { buildPreset } from "./cmake.mjs";
+import { inRoot } from "./paths.mjs";
+import { run } from "./run.mjs";
+import { stampedStep } from "./stamps.mjs";
+
+export const wasmModule = stampedStep({
+  name: "wasm",
+  title: "the core as WebAssembly (build/wasm)",
+  inputs: ["CMakeLists.txt", "CMakePresets.json", "cmake", "wasm"],
+  outputs: ["build/wasm/texelcast.wasm"],
+  async prepare(progress) {
+    const env = await provideWasmTools(progress);
+    return () => buildPreset("wasm", "wasm", env);
+  },
+});
+
+export const demoAssets = stampedStep({
+  name: "demo",
+  title: "the demo's models and decals (build/public/demo)",
+  inputs: ["scripts/demo", "package-lock.json"],
+  outputs: ["build/public/demo/demo.json"],
+  prepare: async () => () => run(process.execPath, [inRoot("node_modules/tsx/dist/cli.mjs"), "scripts/demo/main.ts"]),
+});
+
+export const commandLine = stampedStep({
+  name: "command-line",
+  title: "the command line (build/node)",
+  inputs: ["node", "web/core", "web/engine", "web/editor/document", "package.json", "scripts/bootstrap/products.mjs"],
+  outputs: ["build/node/texelcast.mjs"],
+  prepare: async () => bundleCommandLine,
+});
+
+/**
+ * One file of our own sources. Packages stay where npm put them: several look for their .wasm beside themselves. Our own
+ * module is found at ../wasm/texelcast.wasm, as deep below build/ as the sources are below the checkout.
+ */
+async function bundleCommandLine() {
+  const { build } = await import("esbuild");
+  await build({
+    absWorkingDir: inRoot(),
+    entryPoints: ["node/cli.ts"],
+    outfile: "build/node/texelcast.mjs",
+    bundle: true,
+    packages: "external",
+    platform: "node",
+    format: "esm",
+    target: "node20",
+    sourcemap: true,
+    banner: { js: "#!/usr/bin/env node" },
+    logLevel: "silent",
+  });
+}

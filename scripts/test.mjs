@@ -1,0 +1,46 @@
+/**
+ * `npm test`: sets up, runs every kind of test, and closes with one line: `N passed, N failed[, N skipped]`.
+ * A stage that fails does not stop the ones after it.
+ *
+ *   npm test -- --only vitest            one stage, or several with commas
+ *   npm test -- --only vitest tests/core  arguments for that stage's runner
+ */
+import { parseArgs } from "node:util";
+import { seconds } from "./bootstrap/progress.mjs";
+import { bootstrapOrExit } from "./bootstrap.mjs";
+
+const { values, positionals } = parseArgs({ options: { only: { type: "string" } }, allowPositionals: true });
+
+await bootstrapOrExit("test");
+// Only now: the stages use packages.
+const { STAGES } = await import("./test/stages.mjs");
+const chosen = values.only?.split(",") ?? STAGES.map((stage) => stage.key);
+const unknown = chosen.find((key) => !STAGES.some((stage) => stage.key === key));
+if (unknown !== undefined) {
+  console.error(`There is no stage "${unknown}". Stages: ${STAGES.map((stage) => stage.key).join(", ")}`);
+  process.exit(2);
+}
+
+const total = { passed: 0, failed: 0, skipped: 0 };
+/** @type {string[]} */
+const summary = [];
+for (const stage of STAGES.filter(({ key }) => chosen.includes(key))) {
+  console.log(`\n== ${stage.title} ==`);
+  const start = performance.now();
+  const counts = await stage.run(positionals).catch((error) => {
+    console.log(error instanceof Error ? error.message : String(error));
+    return { passed: 0, failed: 1, skipped: 0 };
+  });
+  total.passed += counts.passed;
+  total.failed += counts.failed;
+  total.skipped += counts.skipped;
+  summary.push(`${line(counts).padEnd(34)}${seconds(performance.now() - start).padStart(7)}  ${stage.title}`);
+}
+console.log(`\n== Summary ==\n${summary.join("\n")}\n`);
+console.log(line(total));
+process.exitCode = total.failed > 0 || total.passed === 0 ? 1 : 0;
+
+/** @param {{passed: number, failed: number, skipped: number}} counts */
+function line({ passed, failed, skipped }) {
+  return `${passed} passed, ${failed} failed${skipped > 0 ? `, ${skipped} skipped` : ""}`;
+}

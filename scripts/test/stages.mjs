@@ -1,0 +1,90 @@
+/** The kinds of test, in the order in which they run: the quick and telling first. */
+import { rmSync } from "node:fs";
+import { join } from "node:path";
+import { provideNativeTools, provideWasmTools } from "../bootstrap/build-tools.mjs";
+import { findChromium } from "../bootstrap/chromium.mjs";
+import { buildPreset } from "../bootstrap/cmake.mjs";
+import { BUILD, inRoot } from "../bootstrap/paths.mjs";
+import { Progress } from "../bootstrap/progress.mjs";
+import { runVisibly } from "../bootstrap/run.mjs";
+import { CHECKS } from "../lint/checks.mjs";
+import { doctestCounts, playwrightCounts, vitestCounts } from "./counts.mjs";
+import { runAndShow } from "./run-and-show.mjs";
+
+/** @typedef {import("./counts.mjs").Counts} Counts */
+/** @typedef {{key: string, title: string, run: (args: readonly string[]) => Promise<Counts>}} Stage */
+
+const RESULTS = join(BUILD, "test-results");
+const EXECUTABLE = process.platform === "win32" ? "core_tests.exe" : "core_tests";
+const progress = new Progress({ quiet: true });
+
+/** @type {readonly Stage[]} */
+export const STAGES = [
+  { key: "lint", title: "Format and lint", run: lint },
+  { key: "native", title: "Core, natively", run: (args) => nativeTests("native", args) },
+  { key: "asan", title: "Core, natively, under ASan and UBSan", run: (args) => nativeTests("native-asan", args) },
+  { key: "wasm", title: "Core, in WebAssembly", run: wasmTests },
+  { key: "vitest", title: "Engine, document, command line, viewer and scripts (vitest)", run: vitest },
+  { key: "build", title: "Static site (npm run build)", run: siteBuild },
+  { key: "e2e", title: "The page in Chromium (Playwright)", run: playwright },
+];
+
+async function lint() {
+  const counts = { passed: 0, failed: 0, skipped: 0 };
+  for (const check of CHECKS) {
+    const result = await check.run({ write: false });
+    console.log(`${result.padEnd(8)}${check.name}`);
+    counts[result] += 1;
+  }
+  return counts;
+}
+
+/** @param {"native" | "native-asan"} preset @param {readonly string[]} args */
+async function nativeTests(preset, args) {
+  await buildPreset(preset, preset, await provideNativeTools(progress));
+  return doctestCounts(await runAndShow(inRoot("build", preset, EXECUTABLE), args));
+}
+
+/** @param {readonly string[]} args */
+async function wasmTests(args) {
+  await buildPreset("wasm", "wasm-tests", await provideWasmTools(progress));
+  const flags = ["--disable-warning=ExperimentalWarning", inRoot("scripts/run-core-tests.mjs")];
+  return doctestCounts(await runAndShow(process.execPath, [...flags, ...args]));
+}
+
+/** @param {readonly string[]} args */
+async function vitest(args) {
+  const report = freshReport("vitest.json");
+  const reporters = ["--reporter=default", "--reporter=json", `--outputFile.json=${report}`];
+  const exitCode = await runVisibly(process.execPath, [
+    inRoot("node_modules/vitest/vitest.mjs"),
+    "run",
+    ...reporters,
+    ...args,
+  ]);
+  return vitestCounts(report, exitCode);
+}
+
+async function siteBuild() {
+  const exitCode = await runVisibly(process.execPath, [inRoot("scripts/build.mjs")]);
+  return { passed: exitCode === 0 ? 1 : 0, failed: exitCode === 0 ? 0 : 1, skipped: 0 };
+}
+
+/** @param {readonly string[]} args */
+async function playwright(args) {
+  const report = freshReport("playwright.json");
+  const env = { ...process.env, TEXELCAST_CHROMIUM: findChromium() ?? "" };
+  const exitCode = await runVisibly(
+    process.execPath,
+    [inRoot("node_modules/@playwright/test/cli.js"), "test", ...args],
+    env,
+  );
+  return playwrightCounts(report, exitCode);
+}
+
+/** The path for a runner's report, without one of an earlier run. @param {string} name */
+function freshReport(name) {
+  const file = join(RESULTS, name);
+  rmSync(file, { force: true });
+  return file;
+}

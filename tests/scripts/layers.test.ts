@@ -1,0 +1,49 @@
+import { describe, expect, test } from "vitest";
+import { faultsOf } from "../../scripts/lint/layers.mjs";
+
+describe("the arrows between rooms", () => {
+  test("an import upward is a fault that names both rooms", () => {
+    expect(faultsOf("web/engine/host.ts", 'import { View } from "../viewer/view.ts";')).toEqual([
+      "web/engine/host.ts imports web/viewer/view.ts: web/engine may not use web/viewer",
+    ]);
+  });
+
+  test.each([
+    'import "../editor/panel.ts";',
+    'export { a } from "../editor/panel.ts";',
+    'const later = await import("../editor/panel.ts");',
+    'new Worker(new URL("../editor/panel.ts", import.meta.url));',
+    'import {\n  a,\n  type B,\n} from "../editor/panel.ts";',
+  ])("no kind of import escapes: %s", (source) => {
+    expect(faultsOf("web/core/session.ts", source)).toHaveLength(1);
+  });
+
+  test("an import downward, within a room, or of build products is free", () => {
+    const source = `
+      import { Engine } from "../engine/engine-api.ts";
+      import { parse } from "./document/parse-design.ts";
+      import { thing } from "./panels/thing.ts";
+      new URL("../../build/wasm/texelcast.wasm", import.meta.url);`;
+    expect(faultsOf("web/editor/store.ts", source)).toEqual([]);
+  });
+
+  test("the command line may use the document but not the rest of the editor", () => {
+    expect(faultsOf("node/render.ts", 'import { parse } from "../web/editor/document/parse.ts";')).toEqual([]);
+    expect(faultsOf("node/render.ts", 'import { store } from "../web/editor/store.ts";')).toHaveLength(1);
+  });
+
+  test("the document knows nothing of the editor around it", () => {
+    expect(faultsOf("web/editor/document/parse.ts", 'import { store } from "../store.ts";')).toHaveLength(1);
+  });
+
+  test("rooms that run in bare Node may not use packages that want a page", () => {
+    expect(faultsOf("web/engine/host.ts", 'import { Mesh } from "three";')).toEqual([
+      "web/engine/host.ts imports three, but web/engine must run in bare Node",
+    ]);
+    expect(faultsOf("web/viewer/view.ts", 'import { Mesh } from "three";')).toEqual([]);
+  });
+
+  test("a folder that is no room is a fault, so that a new one gets its arrows", () => {
+    expect(faultsOf("web/attic/old.ts", "")).toHaveLength(1);
+  });
+});

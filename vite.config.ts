@@ -1,0 +1,30 @@
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vite";
+
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+export default defineConfig({
+  root: here("./web/app"),
+  // Relative, so that the built site works in any folder of any host.
+  base: "./",
+  publicDir: here("./build/public"),
+  cacheDir: here("./build/.vite"),
+  server: {
+    host: "localhost",
+    port: 5173,
+    strictPort: false,
+    fs: { allow: [here(".")] },
+    watch: { ignored: ["**/build/**"] },
+  },
+  preview: { host: "localhost", port: 4173 },
+  worker: { format: "es" },
+  // They find their .wasm beside themselves, which pre-bundling would move.
+  optimizeDeps: { exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp"] },
+  build: {
+    outDir: here("./build/site"),
+    emptyOutDir: true,
+    target: "es2022",
+    // The module and the codecs stay files of their own, so that they are compiled while they stream in.
+    assetsInlineLimit: (file) => (file.endsWith(".wasm") ? false : undefined),
+  },
+});
