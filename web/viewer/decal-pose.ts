@@ -66,9 +66,7 @@ export function toLocal(pose: DecalPose, point: Vector3): Vector3 {
 export function containsPoint(pose: DecalPose, point: Vector3): boolean {
   const local = toLocal(pose, point);
   return (
-    Math.abs(local.x) <= pose.size.x / 2 &&
-    Math.abs(local.y) <= pose.size.y / 2 &&
-    Math.abs(local.z) <= pose.size.z / 2
+    Math.abs(local.x) <= pose.size.x / 2 && Math.abs(local.y) <= pose.size.y / 2 && Math.abs(local.z) <= pose.size.z / 2
   );
 }
 

@@ -1,0 +1,82 @@
+/** A model's bytes as a three.js scene, with the glTF material index of every three.js material. */
+import { type AnimationClip, type Group, type Material, Mesh, type MeshStandardMaterial } from "three";
+import { type GLTF, GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { TexelcastError } from "../core/texelcast-error.ts";
+import type { ModelInfo } from "../engine/engine-api.ts";
+
+export interface ModelScene {
+  readonly root: Group;
+  readonly animations: readonly AnimationClip[];
+  /** glTF material index to the three.js materials made of it (the loader clones some for vertex colours or flat shading). */
+  readonly materials: ReadonlyMap<number, readonly MeshStandardMaterial[]>;
+  /** Frees geometries, materials and the textures that they hold at that time. */
+  dispose(): void;
+}
+
+/** Loads `info.glb`. Rejects with a TexelcastError of code "bad-model" where three.js cannot read it. */
+export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
+  const bytes = info.glb;
+  let gltf: GLTF;
+  try {
+    const data = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
+    gltf = await new GLTFLoader().parseAsync(data, "");
+  } catch (cause) {
+    throw new TexelcastError("bad-model", `${info.name} cannot be shown: ${messageOf(cause)}`, {
+      subject: info.name,
+      hint: "Check the file in a glTF validator, or export it again as glTF 2.0.",
+      cause,
+    });
+  }
+  const materials = new Map<number, MeshStandardMaterial[]>();
+  for (const mesh of meshesOf(gltf.scene)) {
+    const material = mesh.material as MeshStandardMaterial;
+    const index = materialIndexOf(gltf, material);
+    const known = materials.get(index) ?? [];
+    if (!known.includes(material)) {
+      known.push(material);
+    }
+    materials.set(index, known);
+  }
+  return {
+    root: gltf.scene,
+    animations: gltf.animations,
+    materials,
+    dispose: () => disposeTree(gltf.scene),
+  };
+}
+
+/** Every mesh below `root`, in the scene's order. */
+export function meshesOf(root: Group): Mesh[] {
+  const meshes: Mesh[] = [];
+  root.traverse((object) => {
+    if (object instanceof Mesh) {
+      meshes.push(object);
+    }
+  });
+  return meshes;
+}
+
+/** A material that no file entry stands for is glTF's implied default: the core lists it after the file's last. */
+function materialIndexOf(gltf: GLTF, material: Material): number {
+  const reference = gltf.parser.associations.get(material) as { materials?: number } | undefined;
+  return reference?.materials ?? (gltf.parser.json.materials as unknown[] | undefined)?.length ?? 0;
+}
+
+function disposeTree(root: Group): void {
+  for (const mesh of meshesOf(root)) {
+    mesh.geometry.dispose();
+    const material = mesh.material as Material;
+    for (const value of Object.values(material)) {
+      if (value?.isTexture === true) {
+        value.dispose();
+        // GLTFLoader decodes to ImageBitmaps, which the garbage collector frees late.
+        value.source.data?.close?.();
+      }
+    }
+    material.dispose();
+  }
+}
+
+function messageOf(cause: unknown): string {
+  return cause instanceof Error ? cause.message : String(cause);
+}

@@ -1,0 +1,128 @@
+/** The model's materials and the live textures that take the place of their base colour pictures. */
+import type { MeshStandardMaterial, Texture, WebGLRenderer } from "three";
+import type { TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
+import { LiveTexture } from "./live-texture.ts";
+import type { ModelScene } from "./model-scene.ts";
+
+export interface UploadCost {
+  /** Time of the main thread. */
+  readonly milliseconds: number;
+  readonly bytes: number;
+}
+
+export class PaintedMaterials {
+  readonly #renderer: WebGLRenderer;
+  readonly #scene: ModelScene;
+  /** The model's own pictures, which live textures copy their settings from and which are freed with the model. */
+  readonly #own = new Map<MeshStandardMaterial, Texture | null>();
+  readonly #bound = new Map<number, { info: TargetInfo; live: LiveTexture }>();
+  /** Textures of targets that were replaced: shown until the new one has its first picture. */
+  readonly #retired = new Map<number, LiveTexture>();
+  /** A target's first update may arrive before its binding; without it nothing would be shown until the next full one. */
+  readonly #early = new Map<number, TargetUpdate[]>();
+
+  constructor(renderer: WebGLRenderer, scene: ModelScene) {
+    this.#renderer = renderer;
+    this.#scene = scene;
+    for (const material of [...scene.materials.values()].flat()) {
+      this.#own.set(material, material.map);
+    }
+  }
+
+  get boundMaterials(): readonly number[] {
+    return [...this.#bound.keys()];
+  }
+
+  /** A target of the same size keeps its texture; another one takes over with its first update. */
+  bind(info: TargetInfo): void {
+    const before = this.#bound.get(info.material);
+    const same =
+      before !== undefined &&
+      before.info.width === info.width &&
+      before.info.height === info.height &&
+      before.info.mipLevels === info.mipLevels;
+    if (!same) {
+      this.#retire(info.material, before?.live);
+      this.#bound.set(info.material, {
+        info,
+        live: new LiveTexture(this.#renderer, info, this.#ownTexture(info.material)),
+      });
+    }
+    const early = this.#early.get(info.material) ?? [];
+    this.#early.delete(info.material);
+    for (const update of early) {
+      this.apply(update);
+    }
+  }
+
+  apply(update: TargetUpdate): UploadCost {
+    const bound = this.#bound.get(update.material);
+    if (bound === undefined || !bound.live.fits(update)) {
+      this.#early.set(update.material, [...(this.#early.get(update.material) ?? []), update]);
+      return { milliseconds: 0, bytes: 0 };
+    }
+    const begin = performance.now();
+    const bytes = bound.live.upload(update);
+    const milliseconds = performance.now() - begin;
+    this.#show(update.material, bound.live);
+    return { milliseconds, bytes };
+  }
+
+  /** After a lost context the GPU has forgotten every texel: storage is made anew, to be filled by full updates. */
+  rebuild(): void {
+    for (const [material, { info, live }] of this.#bound) {
+      live.dispose();
+      this.#bound.set(material, { info, live: new LiveTexture(this.#renderer, info, this.#ownTexture(material)) });
+    }
+  }
+
+  dispose(): void {
+    for (const live of [...[...this.#bound.values()].map((bound) => bound.live), ...this.#retired.values()]) {
+      live.dispose();
+    }
+    for (const [material, texture] of this.#own) {
+      material.map = texture;
+    }
+    this.#bound.clear();
+    this.#retired.clear();
+    this.#early.clear();
+  }
+
+  #ownTexture(index: number): Texture | null {
+    const material = this.#scene.materials.get(index)?.[0];
+    return (material && this.#own.get(material)) ?? null;
+  }
+
+  #show(index: number, live: LiveTexture): void {
+    for (const material of this.#scene.materials.get(index) ?? []) {
+      if (material.map === live.texture) {
+        continue;
+      }
+      const hadTexture = this.#own.get(material) !== null;
+      if (material.map === null) {
+        // A map where there was none changes the shader; a swap of pictures does not.
+        material.needsUpdate = true;
+      }
+      material.map = live.texture;
+      if (!hadTexture) {
+        // The target's own base is the colour factor, so the factor would count twice.
+        material.color.setRGB(1, 1, 1);
+        material.opacity = 1;
+      }
+    }
+    this.#retired.get(index)?.dispose();
+    this.#retired.delete(index);
+  }
+
+  #retire(index: number, live: LiveTexture | undefined): void {
+    if (live === undefined) {
+      return;
+    }
+    // One that was retired but never followed by a picture is still what the material shows.
+    if (this.#retired.has(index)) {
+      live.dispose();
+    } else {
+      this.#retired.set(index, live);
+    }
+  }
+}

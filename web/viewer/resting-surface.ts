@@ -1,0 +1,190 @@
+/**
+ * The model's triangles at rest, in model space (spec.md, section 1): what picking and sliding work on. Skins and morphs
+ * are applied once, so a query costs the same on an animated figure as on a mug.
+ */
+import {
+  type BufferAttribute,
+  DoubleSide,
+  type InterleavedBufferAttribute,
+  Matrix3,
+  Matrix4,
+  type Mesh,
+  type MeshStandardMaterial,
+  type SkinnedMesh,
+  Vector2,
+  Vector3,
+} from "three";
+import { type ModelScene, meshesOf } from "./model-scene.ts";
+
+/** Flags of a triangle, to be combined. */
+export const DOUBLE_SIDED = 1;
+/** The mesh has no vertex normals: the face's own counts. */
+export const FACETED = 2;
+
+/** Indexed triangles; three numbers a vertex (two for `uvs`), metres. Normals are unit, zero in faceted meshes. */
+export interface RestingSurface {
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  /** Of the painted set, texture transform applied; zeros where the mesh has none. */
+  readonly uvs: Float32Array;
+  readonly index: Uint32Array;
+  /** glTF material index of each triangle. */
+  readonly materialOfTriangle: Uint32Array;
+  /** DOUBLE_SIDED and FACETED of each triangle. */
+  readonly flagsOfTriangle: Uint8Array;
+}
+
+type Attribute = BufferAttribute | InterleavedBufferAttribute;
+
+/** Gathers all meshes of a scene whose materials still carry the model's own textures. The scene must be at rest. */
+export function gatherRestingSurface(scene: ModelScene): RestingSurface {
+  scene.root.updateMatrixWorld(true);
+  const meshes = meshesOf(scene.root).filter((mesh) => mesh.geometry.getAttribute("position") !== undefined);
+  const vertexCount = sum(meshes.map((mesh) => mesh.geometry.getAttribute("position").count));
+  const triangleCount = sum(meshes.map(trianglesOf));
+  const surface = {
+    positions: new Float32Array(vertexCount * 3),
+    normals: new Float32Array(vertexCount * 3),
+    uvs: new Float32Array(vertexCount * 2),
+    index: new Uint32Array(triangleCount * 3),
+    materialOfTriangle: new Uint32Array(triangleCount),
+    flagsOfTriangle: new Uint8Array(triangleCount),
+  };
+  let firstVertex = 0;
+  let firstTriangle = 0;
+  for (const mesh of meshes) {
+    const material = mesh.material as MeshStandardMaterial;
+    const mirrored = writeVertices(mesh, surface, firstVertex);
+    writeUvs(mesh, material, surface.uvs, firstVertex);
+    writeTriangles(mesh, surface.index, firstVertex, firstTriangle, mirrored);
+    const end = firstTriangle + trianglesOf(mesh);
+    surface.materialOfTriangle.fill(gltfIndexOf(scene, material), firstTriangle, end);
+    const sides = material.side === DoubleSide ? DOUBLE_SIDED : 0;
+    const facets = mesh.geometry.getAttribute("normal") === undefined ? FACETED : 0;
+    surface.flagsOfTriangle.fill(sides | facets, firstTriangle, end);
+    firstVertex += mesh.geometry.getAttribute("position").count;
+    firstTriangle = end;
+  }
+  return surface;
+}
+
+/** Returns whether the mesh's transform mirrors it, which turns its triangles' winding. */
+function writeVertices(mesh: Mesh, surface: RestingSurface, firstVertex: number): boolean {
+  const positions = mesh.geometry.getAttribute("position");
+  const normals = mesh.geometry.getAttribute("normal");
+  const skin = isSkinned(mesh) ? skinOf(mesh) : null;
+  const matrix = new Matrix4();
+  const normalMatrix = new Matrix3();
+  const position = new Vector3();
+  const normal = new Vector3();
+  matrix.copy(mesh.matrixWorld);
+  normalMatrix.getNormalMatrix(matrix);
+  for (let vertex = 0; vertex < positions.count; vertex++) {
+    if (skin !== null) {
+      skin.matrixAt(vertex, matrix);
+      normalMatrix.getNormalMatrix(matrix);
+    }
+    position.fromBufferAttribute(positions, vertex);
+    addMorphs(mesh, "position", vertex, position);
+    position.applyMatrix4(matrix).toArray(surface.positions, (firstVertex + vertex) * 3);
+    if (normals !== undefined) {
+      normal.fromBufferAttribute(normals, vertex);
+      addMorphs(mesh, "normal", vertex, normal);
+      normal
+        .applyNormalMatrix(normalMatrix)
+        .normalize()
+        .toArray(surface.normals, (firstVertex + vertex) * 3);
+    }
+  }
+  return matrix.determinant() < 0;
+}
+
+function isSkinned(mesh: Mesh): mesh is SkinnedMesh {
+  return (mesh as Partial<SkinnedMesh>).isSkinnedMesh === true;
+}
+
+/** Linear blend skinning as the GPU does it; glTF places skinned vertices by their joints alone. */
+function skinOf(mesh: SkinnedMesh): { matrixAt(vertex: number, target: Matrix4): void } {
+  const joints = mesh.geometry.getAttribute("skinIndex") as Attribute;
+  const weights = mesh.geometry.getAttribute("skinWeight") as Attribute;
+  const palette = mesh.skeleton.bones.map((bone, joint) =>
+    new Matrix4().multiplyMatrices(bone.matrixWorld, mesh.skeleton.boneInverses[joint] as Matrix4),
+  );
+  return {
+    matrixAt(vertex, target) {
+      const sum = target.elements.fill(0);
+      for (let influence = 0; influence < 4; influence++) {
+        const weight = weights.getComponent(vertex, influence);
+        const bone = palette[joints.getComponent(vertex, influence)];
+        if (weight !== 0 && bone !== undefined) {
+          for (let element = 0; element < 16; element++) {
+            sum[element] = (sum[element] as number) + weight * (bone.elements[element] as number);
+          }
+        }
+      }
+    },
+  };
+}
+
+/** glTF's morph targets are offsets. */
+function addMorphs(mesh: Mesh, name: "position" | "normal", vertex: number, target: Vector3): void {
+  const morphs = mesh.geometry.morphAttributes[name];
+  const weights = mesh.morphTargetInfluences;
+  if (morphs === undefined || weights === undefined) {
+    return;
+  }
+  for (const [morph, attribute] of morphs.entries()) {
+    const weight = weights[morph] ?? 0;
+    if (weight !== 0) {
+      target.x += weight * attribute.getX(vertex);
+      target.y += weight * attribute.getY(vertex);
+      target.z += weight * attribute.getZ(vertex);
+    }
+  }
+}
+
+function writeUvs(mesh: Mesh, material: MeshStandardMaterial, uvs: Float32Array, firstVertex: number): void {
+  const map = material.map;
+  const channel = map?.channel ?? 0;
+  const attribute = mesh.geometry.getAttribute(channel === 0 ? "uv" : `uv${channel}`);
+  if (attribute === undefined) {
+    return;
+  }
+  map?.updateMatrix();
+  const uv = new Vector2();
+  for (let vertex = 0; vertex < attribute.count; vertex++) {
+    uv.set(attribute.getX(vertex), attribute.getY(vertex));
+    if (map) {
+      uv.applyMatrix3(map.matrix);
+    }
+    uv.toArray(uvs, (firstVertex + vertex) * 2);
+  }
+}
+
+function writeTriangles(mesh: Mesh, index: Uint32Array, firstVertex: number, first: number, mirrored: boolean): void {
+  const own = mesh.geometry.index;
+  for (let triangle = 0; triangle < trianglesOf(mesh); triangle++) {
+    for (let corner = 0; corner < 3; corner++) {
+      const source = triangle * 3 + (mirrored && corner > 0 ? 3 - corner : corner);
+      index[(first + triangle) * 3 + corner] = firstVertex + (own === null ? source : own.getX(source));
+    }
+  }
+}
+
+function gltfIndexOf(scene: ModelScene, material: MeshStandardMaterial): number {
+  for (const [index, materials] of scene.materials) {
+    if (materials.includes(material)) {
+      return index;
+    }
+  }
+  return 0;
+}
+
+function trianglesOf(mesh: Mesh): number {
+  const { index } = mesh.geometry;
+  return Math.floor((index?.count ?? mesh.geometry.getAttribute("position")?.count ?? 0) / 3);
+}
+
+function sum(values: number[]): number {
+  return values.reduce((total, value) => total + value, 0);
+}

@@ -1,0 +1,262 @@
+/** Renderer, scene, camera and the loop that draws a frame only when something asked for one. */
+import CameraControls from "camera-controls";
+import {
+  type Box3,
+  Matrix4,
+  NeutralToneMapping,
+  type Object3D,
+  PerspectiveCamera,
+  Quaternion,
+  Raycaster,
+  Scene,
+  Sphere,
+  Spherical,
+  SRGBColorSpace,
+  Box3 as ThreeBox3,
+  Vector2,
+  Vector3,
+  Vector4,
+  WebGLRenderer,
+} from "three";
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { ContactShadow } from "./contact-shadow.ts";
+import { createStudioEnvironment } from "./studio-environment.ts";
+
+CameraControls.install({
+  THREE: { Vector2, Vector3, Vector4, Quaternion, Matrix4, Spherical, Box3: ThreeBox3, Sphere, Raycaster },
+});
+
+/** A frame costs four times at 3 what it costs at 1.5, and nobody sees it. */
+const MOST_PIXEL_RATIO = 2;
+const FIELD_OF_VIEW = 30;
+
+export interface StageHooks {
+  /** Before a frame is drawn; `delta` in seconds. Returns true while it animates and wants another frame. */
+  beforeFrame(delta: number): boolean;
+  /** After a frame was drawn; `cameraMoved` tells whether screen positions changed. */
+  afterFrame(cameraMoved: boolean): void;
+  contextLost(): void;
+  /** The GPU forgot everything; textures of one's own must be filled again. */
+  contextRestored(): void;
+}
+
+export class Stage {
+  readonly renderer: WebGLRenderer;
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
+  readonly controls: CameraControls;
+  /** Frames drawn so far. */
+  frames = 0;
+  readonly #root: HTMLElement;
+  readonly #hooks: StageHooks;
+  readonly #shadow: ContactShadow;
+  readonly #bounds = new Sphere(new Vector3(), 1);
+  readonly #resize: ResizeObserver;
+  readonly #reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+  readonly #cleanups: (() => void)[] = [];
+  #environment: { dispose(): void } | null = null;
+  #frameRequest = 0;
+  #lastTime = 0;
+  #resized = true;
+  #lost = false;
+
+  constructor(root: HTMLElement, hooks: StageHooks) {
+    this.#root = root;
+    this.#hooks = hooks;
+    this.renderer = makeRenderer();
+    this.renderer.outputColorSpace = SRGBColorSpace;
+    // Neutral keeps base colours as they were picked; filmic curves (ACES) turn a brand's red into another red.
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.renderer.setClearColor(0x000000, 0);
+    this.canvas.classList.add("tcv-canvas");
+    root.append(this.canvas);
+    this.#light();
+    this.#shadow = new ContactShadow(this.renderer);
+    this.scene.add(this.#shadow.mesh);
+
+    this.controls = new CameraControls(this.camera, root);
+    this.#configureControls();
+    this.#resize = new ResizeObserver(() => {
+      this.#resized = true;
+      this.requestFrame();
+    });
+    this.#resize.observe(root);
+    this.#listen(this.canvas, "webglcontextlost", (event) => {
+      event.preventDefault();
+      this.#lost = true;
+      hooks.contextLost();
+    });
+    this.#listen(this.canvas, "webglcontextrestored", () => this.#restore());
+    this.#listen(this.#reducedMotion, "change", () => this.#configureMotion());
+    this.#watchTheme();
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.renderer.domElement;
+  }
+
+  get bounds(): Readonly<Sphere> {
+    return this.#bounds;
+  }
+
+  /** Whether movements of the view's own may be animated. */
+  get animates(): boolean {
+    return !this.#reducedMotion.matches;
+  }
+
+  requestFrame(): void {
+    if (this.#frameRequest === 0 && !this.#lost) {
+      this.#frameRequest = requestAnimationFrame((time) => this.#frame(time));
+    }
+  }
+
+  /** Takes a model's size as the measure of the view: distances, speeds, clipping, shadow. */
+  show(model: Object3D, bounds: Box3): void {
+    this.scene.add(model);
+    bounds.getBoundingSphere(this.#bounds);
+    this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
+    this.controls.minDistance = this.#bounds.radius * 0.05;
+    this.controls.maxDistance = this.#bounds.radius * 12;
+    this.controls.setBoundary(bounds.clone().expandByScalar(this.#bounds.radius));
+    this.#shadow.cast(model, bounds);
+    this.#updateTheme();
+    this.requestFrame();
+  }
+
+  /** Metres that one CSS pixel spans at a point of the scene. */
+  metresPerPixel(point: Vector3): number {
+    const depth = Math.abs(point.clone().applyMatrix4(this.camera.matrixWorldInverse).z);
+    const height = this.#root.clientHeight || 1;
+    return (2 * depth * Math.tan((this.camera.fov * Math.PI) / 360)) / height;
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#frameRequest);
+    this.#frameRequest = -1;
+    this.#resize.disconnect();
+    for (const cleanup of this.#cleanups) {
+      cleanup();
+    }
+    this.controls.dispose();
+    this.#shadow.dispose();
+    this.#environment?.dispose();
+    this.renderer.dispose();
+    this.canvas.remove();
+  }
+
+  #frame(time: number): void {
+    this.#frameRequest = 0;
+    // After a pause the first step is one frame long, else animations would jump.
+    const delta = Math.min((time - this.#lastTime) / 1000, 1 / 15);
+    this.#lastTime = time;
+    const resized = this.#applySize();
+    const moved = this.controls.update(delta);
+    const animates = this.#hooks.beforeFrame(delta);
+    this.#fitClipping();
+    this.camera.updateMatrixWorld();
+    this.renderer.render(this.scene, this.camera);
+    this.frames += 1;
+    this.#hooks.afterFrame(moved || resized);
+    if (moved || animates) {
+      this.requestFrame();
+    }
+  }
+
+  #applySize(): boolean {
+    if (!this.#resized) {
+      return false;
+    }
+    this.#resized = false;
+    const width = Math.max(1, this.#root.clientWidth);
+    const height = Math.max(1, this.#root.clientHeight);
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    return true;
+  }
+
+  /** The clipping planes hug the model: depth stays precise for models of centimetres and of hundreds of metres. */
+  #fitClipping(): void {
+    const distance = this.camera.position.distanceTo(this.#bounds.center);
+    const { radius } = this.#bounds;
+    this.camera.near = Math.max(distance - radius * 2.5, radius * 0.01);
+    this.camera.far = distance + radius * 4;
+    this.camera.updateProjectionMatrix();
+  }
+
+  #configureControls(): void {
+    const { controls } = this;
+    const { ACTION } = CameraControls;
+    controls.mouseButtons.left = ACTION.ROTATE;
+    controls.mouseButtons.middle = ACTION.ROTATE;
+    controls.mouseButtons.right = ACTION.TRUCK;
+    controls.mouseButtons.wheel = ACTION.DOLLY;
+    controls.touches.one = ACTION.TOUCH_ROTATE;
+    controls.touches.two = ACTION.TOUCH_DOLLY_TRUCK;
+    controls.touches.three = ACTION.TOUCH_TRUCK;
+    controls.dollyToCursor = true;
+    controls.minPolarAngle = 0.01;
+    controls.maxPolarAngle = Math.PI - 0.01;
+    this.#configureMotion();
+    for (const type of ["controlstart", "control", "transitionstart"] as const) {
+      controls.addEventListener(type, () => this.requestFrame());
+    }
+  }
+
+  #configureMotion(): void {
+    this.controls.smoothTime = this.animates ? 0.16 : 0;
+    this.controls.draggingSmoothTime = this.animates ? 0.06 : 0;
+  }
+
+  #light(): void {
+    const environment = createStudioEnvironment(this.renderer);
+    this.#environment = environment;
+    this.scene.environment = environment.texture;
+  }
+
+  #restore(): void {
+    this.#lost = false;
+    this.#environment?.dispose();
+    this.#light();
+    this.#hooks.contextRestored();
+    this.#resized = true;
+    this.requestFrame();
+  }
+
+  /** Draws the shadow again, for the model at rest: after its texture on the GPU was lost. */
+  recastShadow(model: Object3D, bounds: Box3): void {
+    this.#shadow.cast(model, bounds);
+  }
+
+  /** The page's theme reaches the scene through one custom property: a dark page wants a stronger shadow. */
+  #watchTheme(): void {
+    const observer = new MutationObserver(() => this.#updateTheme());
+    observer.observe(document.documentElement, { attributes: true, attributeFilter: ["class", "style", "data-theme"] });
+    this.#cleanups.push(() => observer.disconnect());
+    this.#listen(matchMedia("(prefers-color-scheme: dark)"), "change", () => this.#updateTheme());
+    this.#updateTheme();
+  }
+
+  #updateTheme(): void {
+    const value = Number.parseFloat(getComputedStyle(this.#root).getPropertyValue("--viewer-shadow"));
+    this.#shadow.strength = Number.isFinite(value) ? value : 0.4;
+    this.requestFrame();
+  }
+
+  #listen<T extends EventTarget>(target: T, type: string, listener: (event: Event) => void): void {
+    target.addEventListener(type, listener);
+    this.#cleanups.push(() => target.removeEventListener(type, listener));
+  }
+}
+
+function makeRenderer(): WebGLRenderer {
+  try {
+    return new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
+  } catch (cause) {
+    throw new TexelcastError("unsupported", "This browser cannot show 3D: WebGL 2 is switched off or missing.", {
+      hint: "Switch on hardware acceleration in the browser's settings, or use another browser.",
+      cause,
+    });
+  }
+}

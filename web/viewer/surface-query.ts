@@ -1,0 +1,163 @@
+/** Questions to the resting model: where does a ray meet it, which point is nearest, what is its smooth normal there. */
+import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Sphere, Triangle, Vector3 } from "three";
+import { type HitPointInfo, MeshBVH } from "three-mesh-bvh";
+import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
+import { DOUBLE_SIDED, FACETED, type RestingSurface } from "./resting-surface.ts";
+
+/** A point of the surface with what lies there; `distance` from the question's origin, metres. */
+export interface SurfaceSample extends SurfacePoint {
+  readonly distance: number;
+  readonly triangle: number;
+  /** glTF material index. */
+  readonly material: number;
+  /** Texture coordinates as the model has them, not wrapped. */
+  readonly uv: readonly [number, number];
+}
+
+/** A single-sided model that a ray enters from inside is skipped over at most this often. */
+const MOST_BACK_FACES = 16;
+
+/** Offsets of the points whose nearest surface is averaged, in radii; z is along the normal. */
+const AVERAGING_OFFSETS: readonly Vector3[] = [
+  new Vector3(0, 0, 0),
+  ...ring(8, 0.5, 0),
+  ...ring(8, 1, 0),
+  // Points under the surface see what is round the corner: a decal leans over an edge before it reaches it.
+  ...ring(8, 0.9, -0.5),
+];
+
+export class SurfaceQuery {
+  readonly #surface: RestingSurface;
+  readonly #bvh: MeshBVH | null;
+  readonly #ray = new Ray();
+  readonly #triangle = new Triangle();
+  readonly bounds = new Sphere();
+
+  constructor(surface: RestingSurface) {
+    this.#surface = surface;
+    if (surface.index.length === 0) {
+      this.#bvh = null;
+      return;
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(surface.positions, 3));
+    geometry.setIndex(new BufferAttribute(surface.index, 1));
+    geometry.computeBoundingSphere();
+    this.bounds.copy(geometry.boundingSphere as Sphere);
+    // Indirect: the triangles keep their order, by which material and flags are found.
+    this.#bvh = new MeshBVH(geometry, { indirect: true });
+  }
+
+  /** The first triangle that is seen along the ray; back faces of single-sided materials are passed. */
+  raycast(origin: Vector3, direction: Vector3, far = Number.POSITIVE_INFINITY): SurfaceSample | null {
+    this.#ray.origin.copy(origin);
+    this.#ray.direction.copy(direction);
+    let near = 0;
+    for (let skipped = 0; skipped < MOST_BACK_FACES; skipped++) {
+      const hit = this.#bvh?.raycastFirst(this.#ray, DoubleSide, near, far);
+      if (hit?.faceIndex === undefined || hit.faceIndex === null) {
+        return null;
+      }
+      if (this.#isSeenAlong(hit.faceIndex, direction)) {
+        return this.#sample(hit.faceIndex, hit.point, hit.distance);
+      }
+      near = hit.distance + this.bounds.radius * 1e-6;
+    }
+    return null;
+  }
+
+  /** All triangles along the ray whose face looks against it, nearest first. */
+  raycastFacing(origin: Vector3, direction: Vector3, far: number): SurfaceSample[] {
+    this.#ray.origin.copy(origin);
+    this.#ray.direction.copy(direction);
+    const hits = this.#bvh?.raycast(this.#ray, DoubleSide, 0, far) ?? [];
+    return hits
+      .map((hit) => this.#sample(hit.faceIndex as number, hit.point, hit.distance))
+      .filter((sample) => sample.normal.dot(direction) < 0)
+      .sort((a, b) => a.distance - b.distance);
+  }
+
+  /** Whether nothing of the model lies between two points; both may lie on the surface. */
+  isClear(from: Vector3, to: Vector3): boolean {
+    const direction = to.clone().sub(from);
+    const distance = direction.length();
+    direction.divideScalar(distance || 1);
+    const slack = this.bounds.radius * 2e-3;
+    return this.raycast(from, direction, Math.max(0, distance - slack)) === null;
+  }
+
+  closest(point: Vector3, within = Number.POSITIVE_INFINITY): SurfaceSample | null {
+    const info = this.#bvh?.closestPointToPoint(point, {} as HitPointInfo, 0, within);
+    return info ? this.#sample(info.faceIndex, info.point.clone(), info.distance) : null;
+  }
+
+  /**
+   * The normal averaged over about `radius` metres around a surface point: steady on bumpy surfaces, and a function of
+   * the place alone. Surfaces that look the other way (the inside of a thin wall) do not count.
+   */
+  smoothNormal(place: SurfacePoint, radius: number): Vector3 {
+    const frame = minimalRotation(new Vector3(0, 0, 1), place.normal);
+    const total = place.normal.clone();
+    const point = new Vector3();
+    for (const offset of AVERAGING_OFFSETS) {
+      point.copy(offset).multiplyScalar(radius).applyQuaternion(frame).add(place.position);
+      const near = this.closest(point, radius * 1.5);
+      if (near !== null && near.normal.dot(place.normal) > -0.25) {
+        total.add(near.normal);
+      }
+    }
+    return total.lengthSq() > 1e-6 ? total.normalize() : place.normal.clone();
+  }
+
+  #isSeenAlong(triangle: number, direction: Vector3): boolean {
+    if (((this.#surface.flagsOfTriangle[triangle] ?? 0) & DOUBLE_SIDED) !== 0) {
+      return true;
+    }
+    this.#loadTriangle(triangle);
+    return this.#triangle.getNormal(new Vector3()).dot(direction) < 0;
+  }
+
+  #sample(triangle: number, position: Vector3, distance: number): SurfaceSample {
+    const { normals, uvs, materialOfTriangle, flagsOfTriangle } = this.#surface;
+    const [a, b, c] = this.#loadTriangle(triangle);
+    const share = this.#triangle.getBarycoord(position, new Vector3()) ?? new Vector3(1, 0, 0);
+    const normal = new Vector3();
+    if (((flagsOfTriangle[triangle] ?? 0) & FACETED) === 0) {
+      addScaled(normal, normals, a, share.x);
+      addScaled(normal, normals, b, share.y);
+      addScaled(normal, normals, c, share.z);
+    }
+    if (normal.lengthSq() < 1e-12) {
+      this.#triangle.getNormal(normal);
+    }
+    normal.normalize();
+    const uvAt = (axis: number) =>
+      (uvs[a * 2 + axis] as number) * share.x +
+      (uvs[b * 2 + axis] as number) * share.y +
+      (uvs[c * 2 + axis] as number) * share.z;
+    const material = materialOfTriangle[triangle] as number;
+    return { position, normal, distance, triangle, material, uv: [uvAt(0), uvAt(1)] };
+  }
+
+  #loadTriangle(triangle: number): [number, number, number] {
+    const { index, positions } = this.#surface;
+    const [a, b, c] = index.subarray(triangle * 3, triangle * 3 + 3) as unknown as [number, number, number];
+    this.#triangle.a.fromArray(positions, a * 3);
+    this.#triangle.b.fromArray(positions, b * 3);
+    this.#triangle.c.fromArray(positions, c * 3);
+    return [a, b, c];
+  }
+}
+
+function addScaled(target: Vector3, values: Float32Array, vertex: number, factor: number): void {
+  target.x += (values[vertex * 3] as number) * factor;
+  target.y += (values[vertex * 3 + 1] as number) * factor;
+  target.z += (values[vertex * 3 + 2] as number) * factor;
+}
+
+function ring(count: number, radius: number, height: number): Vector3[] {
+  return Array.from({ length: count }, (_, step) => {
+    const angle = (2 * Math.PI * (step + 0.5)) / count;
+    return new Vector3(Math.cos(angle) * radius, Math.sin(angle) * radius, height);
+  });
+}
