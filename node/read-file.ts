@@ -3,8 +3,8 @@ import { open, realpath, stat } from "node:fs/promises";
 import path from "node:path";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 
-/** Node reads no more into one buffer on every platform, and a GLB counts its bytes in 32 bits. */
-export const MAX_FILE_BYTES = 2 ** 31;
+/** 2 GiB less one byte: Node reads no more in one go. */
+export const MAX_FILE_BYTES = 2 ** 31 - 1;
 
 export interface ReadOptions {
   /** Error code for a file that is there but cannot be used, e.g. "bad-model". */

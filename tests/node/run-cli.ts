@@ -1,0 +1,47 @@
+/** The command line tool as a user runs it: the bundle, as a process of its own. */
+import { spawn } from "node:child_process";
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { onTestFinished } from "vitest";
+
+const BUNDLE = fileURLToPath(new URL("../../build/node/texelcast.mjs", import.meta.url));
+
+export interface Run {
+  readonly code: number | null;
+  readonly signal: NodeJS.Signals | null;
+  readonly stdout: string;
+  readonly stderr: string;
+  readonly milliseconds: number;
+}
+
+export interface RunOptions {
+  readonly cwd?: string;
+  /** Called with the process's id once it has begun to write into this folder. */
+  readonly onStart?: (pid: number) => void;
+}
+
+export function texelcast(args: readonly string[], { cwd, onStart }: RunOptions = {}): Promise<Run> {
+  const begin = performance.now();
+  return new Promise((resolve, reject) => {
+    const child = spawn(process.execPath, [BUNDLE, ...args], { cwd, stdio: ["ignore", "pipe", "pipe"] });
+    const out: Buffer[] = [];
+    const err: Buffer[] = [];
+    child.stdout.on("data", (chunk: Buffer) => out.push(chunk));
+    child.stderr.on("data", (chunk: Buffer) => err.push(chunk));
+    child.on("error", reject);
+    child.on("close", (code, signal) => {
+      const [stdout, stderr] = [out, err].map((chunks) => Buffer.concat(chunks).toString());
+      resolve({ code, signal, stdout: stdout ?? "", stderr: stderr ?? "", milliseconds: performance.now() - begin });
+    });
+    if (child.pid !== undefined) onStart?.(child.pid);
+  });
+}
+
+/** A folder of the running test's own, gone when it is over. */
+export function temporaryFolder(): string {
+  const folder = mkdtempSync(path.join(tmpdir(), "texelcast-test-"));
+  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
+  return folder;
+}
