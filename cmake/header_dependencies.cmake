@@ -17,13 +17,11 @@ function(texelcast_provide name probe link folder repository tag)
         set(include ${TEXELCAST_${name}_INCLUDE})
     else()
         message(STATUS "${name} is not installed: fetching ${repository} ${tag}")
+        # A subfolder that is not there: the release is fetched, but its own CMake files, which would add targets and
+        # options that header-only use does not need, are not run.
         FetchContent_Declare(${name} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW TRUE
-                             SOURCE_DIR ${CMAKE_SOURCE_DIR}/build/deps/${name})
-        # Populate alone: the libraries' own CMake files would add targets and options that header-only use does not need.
-        FetchContent_GetProperties(${name})
-        if(NOT ${name}_POPULATED)
-            FetchContent_Populate(${name})
-        endif()
+                             SOURCE_DIR ${CMAKE_SOURCE_DIR}/build/deps/${name} SOURCE_SUBDIR headers_only)
+        FetchContent_MakeAvailable(${name})
         set(include ${CMAKE_SOURCE_DIR}/build/deps/${name}/${folder})
     endif()
     get_filename_component(parent ${TEXELCAST_DEPS_INCLUDE}/${link} DIRECTORY)
