@@ -49,5 +49,10 @@ function(texelcast_header_dependency target)
             message(FATAL_ERROR "unknown header dependency ${name}")
         endif()
     endforeach()
+    if("tinygltf" IN_LIST ARGN AND NOT EXISTS ${TEXELCAST_DEPS_INCLUDE}/json.hpp)
+        # Debian's tinygltf includes <nlohmann/json.hpp>; the release says "json.hpp".
+        file(CREATE_LINK ${TEXELCAST_DEPS_INCLUDE}/nlohmann/json.hpp ${TEXELCAST_DEPS_INCLUDE}/json.hpp COPY_ON_ERROR
+             SYMBOLIC)
+    endif()
     target_include_directories(${target} SYSTEM PUBLIC ${TEXELCAST_DEPS_INCLUDE})
 endfunction()
