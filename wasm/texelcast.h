@@ -88,12 +88,12 @@ typedef struct TxcSessionDef {
 } TxcSessionDef;
 
 typedef struct TxcSessionStats {
-    uint32_t bake_count;           /* bakes finished since the session began: proves that a map is reused */
-    uint32_t projection_count;     /* layers projected since the session began */
-    uint32_t projected_texels;     /* texels that the newest update shaded */
-    uint32_t composited_texels;    /* texels that the newest update composited */
-    uint32_t memory_used_kib;      /* held now, as counted against the budget */
-    uint32_t memory_peak_kib;      /* most held at once since the session began */
+    uint32_t bake_count;        /* bakes finished since the session began: proves that a map is reused */
+    uint32_t projection_count;  /* layers projected since the session began */
+    uint32_t projected_texels;  /* texels that the newest update shaded */
+    uint32_t composited_texels; /* texels that the newest update composited */
+    uint32_t memory_used_kib;   /* held now, as counted against the budget */
+    uint32_t memory_peak_kib;   /* most held at once since the session began */
     uint32_t memory_budget_kib;
 } TxcSessionStats;
 
@@ -118,14 +118,14 @@ typedef struct TxcModelInfo {
 } TxcModelInfo;
 
 typedef struct TxcMaterialInfo {
-    uint32_t paint_status;           /* TXC_STATUS_OK, or why the material cannot take decals */
+    uint32_t paint_status; /* TXC_STATUS_OK, or why the material cannot take decals */
     uint32_t triangle_count;
-    uint32_t degenerate_uv_triangles; /* without area in texture space: they own no texel */
+    uint32_t degenerate_uv_triangles;   /* without area in texture space: they own no texel */
     uint32_t out_of_range_uv_triangles; /* with a UV outside [0, 1]: they wrap */
-    uint32_t tex_coord;              /* the UV set that the base colour texture names */
-    uint32_t image;                  /* the file's image index of the base colour texture, or TXC_NONE */
-    uint32_t nearest_filter;         /* 1 if the texture's sampler magnifies with NEAREST (pixel art) */
-    float base_color_factor[4];      /* linear, as in the file */
+    uint32_t tex_coord;                 /* the UV set that the base colour texture names */
+    uint32_t image;                     /* the file's image index of the base colour texture, or TXC_NONE */
+    uint32_t nearest_filter;            /* 1 if the texture's sampler magnifies with NEAREST (pixel art) */
+    float base_color_factor[4];         /* linear, as in the file */
     float uv_min[2];
     float uv_max[2];
     float bounds_min_model[3];
@@ -189,15 +189,25 @@ TXC_API TxcStatus txc_map_info(TxcSession session, TxcTarget target, TxcMapInfo*
 /* Rows [row, row + row_count) of the map, top down. Empty texels are 0. `positions`: 3 floats a texel, metres, model
  * space. `normals`: 3 floats, unit. `coverage`: 0 empty, 1 covered, 2 gutter. `overlap`: how many triangles cover the
  * texel, capped at 255. NOT_BAKED before the bake has finished. */
-TXC_API TxcStatus txc_map_read_positions(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count, float* out);
-TXC_API TxcStatus txc_map_read_normals(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count, float* out);
-TXC_API TxcStatus txc_map_read_coverage(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count, uint8_t* out);
-TXC_API TxcStatus txc_map_read_overlap(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count, uint8_t* out);
+TXC_API TxcStatus txc_map_read_positions(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count,
+                                         float* out);
+TXC_API TxcStatus txc_map_read_normals(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count,
+                                       float* out);
+TXC_API TxcStatus txc_map_read_coverage(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count,
+                                        uint8_t* out);
+TXC_API TxcStatus txc_map_read_overlap(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count,
+                                       uint8_t* out);
 
 /* RGBA pictures of the map, as the paper's figure shows them; empty texels are transparent black. Positions: x, y, z of
  * the material's bounding box as red, green, blue. Normals: (n + 1) / 2. Coverage: covered light, gutter darker.
  * Overlap: one triangle green, two amber, more red. */
-typedef enum TxcMapView { TXC_VIEW_POSITIONS, TXC_VIEW_NORMALS, TXC_VIEW_COVERAGE, TXC_VIEW_OVERLAP, TXC_VIEW_COUNT } TxcMapView;
+typedef enum TxcMapView {
+    TXC_VIEW_POSITIONS,
+    TXC_VIEW_NORMALS,
+    TXC_VIEW_COVERAGE,
+    TXC_VIEW_OVERLAP,
+    TXC_VIEW_COUNT
+} TxcMapView;
 TXC_API TxcStatus txc_map_view(TxcSession session, TxcTarget target, uint32_t view, uint32_t row, uint32_t row_count,
                                uint8_t* out_rgba);
 
@@ -212,7 +222,8 @@ TXC_API TxcStatus txc_target_set_base_color(TxcSession session, TxcTarget target
 
 /* ---- Images (the decals' pictures) ------------------------------------------------------------------------------ */
 /* RGBA, sRGB, straight alpha, row 0 at the top. May be used by any layer of the session. */
-TXC_API TxcStatus txc_image_create(TxcSession session, uint32_t width, uint32_t height, const uint8_t* rgba, TxcImage* out_image);
+TXC_API TxcStatus txc_image_create(TxcSession session, uint32_t width, uint32_t height, const uint8_t* rgba,
+                                   TxcImage* out_image);
 /* Layers that use it turn transparent; give them another image or destroy them. */
 TXC_API TxcStatus txc_image_destroy(TxcSession session, TxcImage image);
 
@@ -226,22 +237,22 @@ typedef enum TxcOcclusion { TXC_OCCLUSION_SELF, TXC_OCCLUSION_NONE, TXC_OCCLUSIO
 
 /* The defaults are those of spec section 8. Flags are 0 or 1. */
 typedef struct TxcLayerDef {
-    uint32_t kind;        /* TxcLayerKind */
-    uint32_t image;       /* decal: its TxcImage */
-    uint32_t visible;     /* 1 */
-    float opacity;        /* 0 to 1; 1 */
-    uint32_t blend;       /* TxcBlend */
-    uint32_t blend_space; /* TxcBlendSpace */
-    uint32_t lock_alpha;  /* 0 */
-    uint32_t filter;      /* TxcFilter; linear */
-    uint32_t wrap;        /* TxcWrap; none */
-    uint32_t flip_x;      /* 0: 1 mirrors the picture left to right */
-    uint32_t flip_y;      /* 0 */
-    uint32_t backfaces;   /* 0: 1 paints texels that face away too */
-    float angle_fade_start; /* degrees, 0 to 90; 70 */
-    float angle_fade_end;   /* degrees, start to 90; 90 */
-    uint32_t occlusion;     /* TxcOcclusion; self */
-    uint32_t projector;     /* TxcProjector */
+    uint32_t kind;           /* TxcLayerKind */
+    uint32_t image;          /* decal: its TxcImage */
+    uint32_t visible;        /* 1 */
+    float opacity;           /* 0 to 1; 1 */
+    uint32_t blend;          /* TxcBlend */
+    uint32_t blend_space;    /* TxcBlendSpace */
+    uint32_t lock_alpha;     /* 0 */
+    uint32_t filter;         /* TxcFilter; linear */
+    uint32_t wrap;           /* TxcWrap; none */
+    uint32_t flip_x;         /* 0: 1 mirrors the picture left to right */
+    uint32_t flip_y;         /* 0 */
+    uint32_t backfaces;      /* 0: 1 paints texels that face away too */
+    float angle_fade_start;  /* degrees, 0 to 90; 70 */
+    float angle_fade_end;    /* degrees, start to 90; 90 */
+    uint32_t occlusion;      /* TxcOcclusion; self */
+    uint32_t projector;      /* TxcProjector */
     float position_model[3]; /* planar: the box's centre, metres */
     float rotation[4];       /* planar: quaternion x, y, z, w; normalised by the core; not all 0 */
     float size[3];           /* planar: full extents, metres, above 0 */

@@ -1,0 +1,761 @@
+#include "gltf_reader.h"
+
+// <fstream> must come before tinygltf's JSON: with JSON_NOEXCEPTION its own include order leaves std::ofstream incomplete.
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <glm/gtc/quaternion.hpp>
+#include <sstream>
+
+#define JSON_NOEXCEPTION
+#define TINYGLTF_NOEXCEPTION
+#define TINYGLTF_NO_FS
+#define TINYGLTF_NO_STB_IMAGE
+#define TINYGLTF_NO_STB_IMAGE_WRITE
+#define TINYGLTF_NO_EXTERNAL_IMAGE
+#define TINYGLTF_IMPLEMENTATION
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#endif
+#include <tiny_gltf.h>
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
+#include "exact_math.h"
+
+namespace txc {
+namespace {
+
+using Model = tinygltf::Model;
+
+constexpr std::uint32_t kGlbMagic = 0x46546C67u;   // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4E4F534Au;  // "JSON"
+// Parsers of nested values recurse; a document nested deeper than any real one is refused before they see it.
+constexpr int kMaxJsonDepth = 256;
+
+std::uint32_t read_u32(const std::uint8_t* bytes) {
+    return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
+           static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+bool is_glb(const std::uint8_t* bytes, std::uint32_t byte_count) {
+    return byte_count >= 4 && read_u32(bytes) == kGlbMagic;
+}
+
+TxcStatus check_json_depth(const std::uint8_t* json, std::uint32_t byte_count) {
+    int depth = 0;
+    bool in_string = false;
+    for (std::uint32_t i = 0; i < byte_count; ++i) {
+        const std::uint8_t c = json[i];
+        if (in_string) {
+            if (c == '\\')
+                ++i;
+            else if (c == '"')
+                in_string = false;
+        } else if (c == '"') {
+            in_string = true;
+        } else if (c == '{' || c == '[') {
+            if (++depth > kMaxJsonDepth) {
+                return fail(TXC_STATUS_BAD_MODEL, "the JSON is nested deeper than %d levels", kMaxJsonDepth);
+            }
+        } else if (c == '}' || c == ']') {
+            --depth;
+        }
+    }
+    return TXC_STATUS_OK;
+}
+
+TxcStatus check_container(const std::uint8_t* bytes, std::uint32_t byte_count) {
+    if (!is_glb(bytes, byte_count)) {
+        std::uint32_t first = 0;
+        while (first < byte_count &&
+               (bytes[first] == ' ' || bytes[first] == '\n' || bytes[first] == '\r' || bytes[first] == '\t'))
+            ++first;
+        if (first == byte_count || bytes[first] != '{') {
+            return fail(TXC_STATUS_BAD_MODEL,
+                        "the file begins neither with the letters glTF (a GLB) nor with a JSON object");
+        }
+        return check_json_depth(bytes, byte_count);
+    }
+    if (byte_count < 20)
+        return fail(TXC_STATUS_BAD_MODEL, "the file ends inside the GLB header (%u bytes)", byte_count);
+    const std::uint32_t version = read_u32(bytes + 4);
+    if (version != 2) return fail(TXC_STATUS_BAD_MODEL, "the GLB's version is %u; only glTF 2.0 is read", version);
+    const std::uint32_t length = read_u32(bytes + 8);
+    if (length > byte_count) {
+        return fail(TXC_STATUS_BAD_MODEL, "the file is cut short: its header says %u bytes, there are %u", length,
+                    byte_count);
+    }
+    const std::uint32_t json_length = read_u32(bytes + 12);
+    if (read_u32(bytes + 16) != kJsonChunk || json_length > length || length < 20 || json_length > length - 20) {
+        return fail(TXC_STATUS_BAD_MODEL, "the GLB's first chunk is not a JSON chunk inside the file (length %u)",
+                    json_length);
+    }
+    return check_json_depth(bytes + 20, json_length);
+}
+
+bool keep_no_picture(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+                     void*) {
+    return true;  // the host decodes pictures; the core needs none to read a mesh
+}
+
+TxcStatus parse(const std::uint8_t* bytes, std::uint32_t byte_count, Model& model) {
+    if (const TxcStatus status = check_container(bytes, byte_count); status != TXC_STATUS_OK) return status;
+    tinygltf::TinyGLTF loader;
+    loader.SetImageLoader(keep_no_picture, nullptr);
+    std::string error;
+    std::string warning;
+    const bool loaded = is_glb(bytes, byte_count)
+                            ? loader.LoadBinaryFromMemory(&model, &error, &warning, bytes, byte_count)
+                            : loader.LoadASCIIFromString(&model, &error, &warning, reinterpret_cast<const char*>(bytes),
+                                                         byte_count, "");
+    if (!loaded) {
+        while (!error.empty() && (error.back() == '\n' || error.back() == ' ')) error.pop_back();
+        return fail(TXC_STATUS_BAD_MODEL, "%s", error.empty() ? "the glTF document cannot be read" : error.c_str());
+    }
+    for (const std::string& extension : model.extensionsRequired) {
+        // Extensions of looks and pictures change no triangle. Geometry is another matter: not to know it is to paint it wrongly.
+        static const char* const kHarmlessPrefixes[] = {"KHR_materials_",       "KHR_texture_",          "EXT_texture_",
+                                                        "KHR_lights_",          "KHR_mesh_quantization", "KHR_xmp",
+                                                        "KHR_animation_pointer"};
+        bool known = false;
+        for (const char* prefix : kHarmlessPrefixes) known = known || extension.rfind(prefix, 0) == 0;
+        if (!known) {
+            return fail(TXC_STATUS_UNSUPPORTED_MODEL,
+                        "the model requires the extension %s; export it without that extension", extension.c_str());
+        }
+    }
+    return TXC_STATUS_OK;
+}
+
+// ---- Accessors ------------------------------------------------------------------------------------------------------
+
+std::uint32_t component_size(int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return 1;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return 2;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+std::uint32_t component_count(int type) {
+    switch (type) {
+        case TINYGLTF_TYPE_SCALAR:
+            return 1;
+        case TINYGLTF_TYPE_VEC2:
+            return 2;
+        case TINYGLTF_TYPE_VEC3:
+            return 3;
+        case TINYGLTF_TYPE_VEC4:
+            return 4;
+        case TINYGLTF_TYPE_MAT4:
+            return 16;
+        default:
+            return 0;
+    }
+}
+
+float read_component(const std::uint8_t* at, int type, bool normalized) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE: {
+            const auto value = static_cast<float>(static_cast<std::int8_t>(at[0]));
+            return normalized ? std::fmax(value / 127.0f, -1.0f) : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
+            const auto value = static_cast<float>(at[0]);
+            return normalized ? value / 255.0f : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_SHORT: {
+            const auto value = static_cast<float>(static_cast<std::int16_t>(at[0] | at[1] << 8));
+            return normalized ? std::fmax(value / 32767.0f, -1.0f) : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
+            const auto value = static_cast<float>(at[0] | at[1] << 8);
+            return normalized ? value / 65535.0f : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return static_cast<float>(read_u32(at));
+        default: {
+            float value;
+            std::memcpy(&value, at, 4);
+            return value;
+        }
+    }
+}
+
+std::uint32_t read_index(const std::uint8_t* at, int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return at[0];
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return static_cast<std::uint32_t>(at[0] | at[1] << 8);
+        default:
+            return read_u32(at);
+    }
+}
+
+/// A checked piece of a buffer: `count` elements of `element_size` bytes, `stride` apart, all inside the buffer.
+struct Elements {
+    const std::uint8_t* first = nullptr;
+    std::uint64_t stride = 0;
+};
+
+TxcStatus find_elements(const Model& model, int view_index, std::uint64_t offset, std::uint64_t count,
+                        std::uint64_t element_size, bool may_interleave, int accessor_index, Elements& out) {
+    if (view_index < 0 || static_cast<std::size_t>(view_index) >= model.bufferViews.size()) {
+        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d]: there is no bufferViews[%d]", accessor_index, view_index);
+    }
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(view_index)];
+    if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= model.buffers.size()) {
+        return fail(TXC_STATUS_BAD_MODEL, "bufferViews[%d]: there is no buffers[%d]", view_index, view.buffer);
+    }
+    const std::vector<unsigned char>& data = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+    if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset) {
+        return fail(TXC_STATUS_BAD_MODEL, "bufferViews[%d]: bytes %zu to %zu lie outside its buffer of %zu bytes",
+                    view_index, view.byteOffset, view.byteOffset + view.byteLength, data.size());
+    }
+    const std::uint64_t stride = may_interleave && view.byteStride != 0 ? view.byteStride : element_size;
+    if (stride < element_size || stride > 252 + element_size) {
+        return fail(TXC_STATUS_BAD_MODEL, "bufferViews[%d]: byteStride %llu does not fit elements of %llu bytes",
+                    view_index, static_cast<unsigned long long>(stride), static_cast<unsigned long long>(element_size));
+    }
+    const std::uint64_t needed = count == 0 ? 0 : stride * (count - 1) + element_size;
+    if (offset > view.byteLength || needed > view.byteLength - offset) {
+        return fail(TXC_STATUS_BAD_MODEL,
+                    "accessors[%d]: its %llu elements need %llu bytes at offset %llu, bufferViews[%d] has %zu",
+                    accessor_index, static_cast<unsigned long long>(count), static_cast<unsigned long long>(needed),
+                    static_cast<unsigned long long>(offset), view_index, view.byteLength);
+    }
+    out.first = data.data() + view.byteOffset + offset;
+    out.stride = stride;
+    return TXC_STATUS_OK;
+}
+
+TxcStatus find_accessor(const Model& model, int index, const tinygltf::Accessor*& out) {
+    if (index < 0 || static_cast<std::size_t>(index) >= model.accessors.size()) {
+        return fail(TXC_STATUS_BAD_MODEL, "there is no accessors[%d]", index);
+    }
+    out = &model.accessors[static_cast<std::size_t>(index)];
+    return TXC_STATUS_OK;
+}
+
+/// Reads an accessor as floats, `components` each; sparse values, strides and normalised integers included.
+TxcStatus read_floats(const Model& model, int index, std::uint32_t components, const MemoryBudget& budget,
+                      std::vector<float>& out) {
+    const tinygltf::Accessor* accessor = nullptr;
+    if (const TxcStatus status = find_accessor(model, index, accessor); status != TXC_STATUS_OK) return status;
+    const std::uint32_t size = component_size(accessor->componentType);
+    if (size == 0 || component_count(accessor->type) != components) {
+        return fail(TXC_STATUS_BAD_MODEL,
+                    "accessors[%d]: type %d of component type %d is not what its use asks for (%u components)", index,
+                    accessor->type, accessor->componentType, components);
+    }
+    const std::uint64_t count = accessor->count;
+    if (!budget.fits(count * components * sizeof(float))) {
+        return fail(TXC_STATUS_OUT_OF_BUDGET, "accessors[%d]: its %llu elements do not fit the memory budget", index,
+                    static_cast<unsigned long long>(count));
+    }
+    const std::uint64_t element_size = static_cast<std::uint64_t>(size) * components;
+    Elements elements;
+    if (accessor->bufferView >= 0) {
+        const TxcStatus status = find_elements(model, accessor->bufferView, accessor->byteOffset, count, element_size,
+                                               true, index, elements);
+        if (status != TXC_STATUS_OK) return status;
+    }
+    out.assign(static_cast<std::size_t>(count * components), 0.0f);
+    const auto read_element = [&](const std::uint8_t* from, std::uint64_t element) {
+        for (std::uint32_t c = 0; c < components; ++c) {
+            out[static_cast<std::size_t>(element * components + c)] =
+                read_component(from + c * size, accessor->componentType, accessor->normalized);
+        }
+    };
+    if (elements.first != nullptr) {
+        for (std::uint64_t i = 0; i < count; ++i) read_element(elements.first + i * elements.stride, i);
+    }
+    if (!accessor->sparse.isSparse) return TXC_STATUS_OK;
+
+    const auto& sparse = accessor->sparse;
+    if (sparse.count < 0 || static_cast<std::uint64_t>(sparse.count) > count) {
+        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse.count is %d of %llu elements", index, sparse.count,
+                    static_cast<unsigned long long>(count));
+    }
+    const auto sparse_count = static_cast<std::uint64_t>(sparse.count);
+    const std::uint32_t index_size = component_size(sparse.indices.componentType);
+    if (index_size == 0)
+        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse.indices.componentType is %d", index,
+                    sparse.indices.componentType);
+    Elements at;
+    Elements values;
+    TxcStatus status =
+        find_elements(model, sparse.indices.bufferView, static_cast<std::uint64_t>(sparse.indices.byteOffset),
+                      sparse_count, index_size, false, index, at);
+    if (status == TXC_STATUS_OK) {
+        status = find_elements(model, sparse.values.bufferView, static_cast<std::uint64_t>(sparse.values.byteOffset),
+                               sparse_count, element_size, false, index, values);
+    }
+    if (status != TXC_STATUS_OK) return status;
+    for (std::uint64_t i = 0; i < sparse_count; ++i) {
+        const std::uint32_t element = read_index(at.first + i * index_size, sparse.indices.componentType);
+        if (element >= count)
+            return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse: index %u is beyond its %llu elements", index,
+                        element, static_cast<unsigned long long>(count));
+        read_element(values.first + i * element_size, element);
+    }
+    return TXC_STATUS_OK;
+}
+
+TxcStatus read_indices(const Model& model, int index, const MemoryBudget& budget, std::vector<std::uint32_t>& out) {
+    const tinygltf::Accessor* accessor = nullptr;
+    if (const TxcStatus status = find_accessor(model, index, accessor); status != TXC_STATUS_OK) return status;
+    const std::uint32_t size = component_size(accessor->componentType);
+    const bool is_unsigned = accessor->componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+                             accessor->componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+                             accessor->componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    if (!is_unsigned || accessor->type != TINYGLTF_TYPE_SCALAR || accessor->sparse.isSparse) {
+        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d]: indices must be plain unsigned integers", index);
+    }
+    if (!budget.fits(static_cast<std::uint64_t>(accessor->count) * 4)) {
+        return fail(TXC_STATUS_OUT_OF_BUDGET, "accessors[%d]: its %zu indices do not fit the memory budget", index,
+                    accessor->count);
+    }
+    Elements elements;
+    const TxcStatus status =
+        find_elements(model, accessor->bufferView, accessor->byteOffset, accessor->count, size, false, index, elements);
+    if (status != TXC_STATUS_OK) return status;
+    out.resize(accessor->count);
+    for (std::size_t i = 0; i < accessor->count; ++i)
+        out[i] = read_index(elements.first + i * elements.stride, accessor->componentType);
+    return TXC_STATUS_OK;
+}
+
+// ---- Materials ------------------------------------------------------------------------------------------------------
+
+/// KHR_texture_transform as a matrix on (u, v, 1): translation * rotation * scale, counter-clockwise with v down.
+struct UvTransform {
+    double xx = 1, xy = 0, x = 0;
+    double yx = 0, yy = 1, y = 0;
+    glm::vec2 apply(float u, float v) const {
+        return {static_cast<float>(xx * static_cast<double>(u) + xy * static_cast<double>(v) + x),
+                static_cast<float>(yx * static_cast<double>(u) + yy * static_cast<double>(v) + y)};
+    }
+};
+
+double number_at(const tinygltf::Value& value, const char* key, std::size_t element, double otherwise) {
+    if (!value.IsObject() || !value.Has(key)) return otherwise;
+    const tinygltf::Value& list = value.Get(key);
+    if (!list.IsArray() || element >= list.ArrayLen() || !list.Get(element).IsNumber()) return otherwise;
+    return list.Get(element).GetNumberAsDouble();
+}
+
+void read_material(const Model& model, const tinygltf::Material& source, Material& material, UvTransform& transform) {
+    const auto& pbr = source.pbrMetallicRoughness;
+    for (int c = 0; c < 4 && static_cast<std::size_t>(c) < pbr.baseColorFactor.size(); ++c) {
+        material.base_color_factor[c] = static_cast<float>(pbr.baseColorFactor[static_cast<std::size_t>(c)]);
+    }
+    const auto& info = pbr.baseColorTexture;
+    if (info.index < 0 || static_cast<std::size_t>(info.index) >= model.textures.size()) return;
+    material.tex_coord = info.texCoord > 0 ? static_cast<std::uint32_t>(info.texCoord) : 0;
+    const tinygltf::Texture& texture = model.textures[static_cast<std::size_t>(info.index)];
+    int image = texture.source;
+    for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu"}) {
+        const auto found = texture.extensions.find(name);
+        if (image < 0 && found != texture.extensions.end() && found->second.IsObject() && found->second.Has("source")) {
+            image = found->second.Get("source").GetNumberAsInt();
+        }
+    }
+    if (image >= 0) material.image = static_cast<std::uint32_t>(image);
+    if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model.samplers.size()) {
+        material.nearest_filter =
+            model.samplers[static_cast<std::size_t>(texture.sampler)].magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+    }
+    const auto found = info.extensions.find("KHR_texture_transform");
+    if (found == info.extensions.end() || !found->second.IsObject()) return;
+    const tinygltf::Value& extension = found->second;
+    if (extension.Has("texCoord") && extension.Get("texCoord").IsNumber()) {
+        material.tex_coord = static_cast<std::uint32_t>(std::max(0, extension.Get("texCoord").GetNumberAsInt()));
+    }
+    double angle = 0.0;
+    if (extension.Has("rotation") && extension.Get("rotation").IsNumber())
+        angle = extension.Get("rotation").GetNumberAsDouble();
+    double sine = 0.0;
+    double cosine = 1.0;
+    if (std::fabs(angle) <= 1e6) exact_sin_cos(angle, sine, cosine);
+    const double scale_x = number_at(extension, "scale", 0, 1.0);
+    const double scale_y = number_at(extension, "scale", 1, 1.0);
+    transform = {cosine * scale_x, sine * scale_y,   number_at(extension, "offset", 0, 0.0),
+                 -sine * scale_x,  cosine * scale_y, number_at(extension, "offset", 1, 0.0)};
+}
+
+// ---- Nodes ----------------------------------------------------------------------------------------------------------
+
+glm::dmat4 local_matrix(const tinygltf::Node& node) {
+    glm::dmat4 matrix(1.0);
+    if (node.matrix.size() == 16) {
+        for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+        return matrix;
+    }
+    if (node.rotation.size() == 4) {
+        matrix = glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
+    }
+    if (node.scale.size() == 3) {
+        for (int c = 0; c < 3; ++c) matrix[c] *= node.scale[static_cast<std::size_t>(c)];
+    }
+    if (node.translation.size() == 3) {
+        for (int c = 0; c < 3; ++c) matrix[3][c] = node.translation[static_cast<std::size_t>(c)];
+    }
+    return matrix;
+}
+
+/// Global matrices of all nodes (joints may stand outside the scene), and the scene's nodes depth first.
+TxcStatus place_nodes(const Model& model, std::vector<glm::dmat4>& global, std::vector<std::size_t>& scene_nodes) {
+    const std::size_t count = model.nodes.size();
+    std::vector<int> parent(count, -1);
+    for (std::size_t n = 0; n < count; ++n) {
+        for (const int child : model.nodes[n].children) {
+            if (child < 0 || static_cast<std::size_t>(child) >= count)
+                return fail(TXC_STATUS_BAD_MODEL, "nodes[%zu]: there is no child nodes[%d]", n, child);
+            if (parent[static_cast<std::size_t>(child)] >= 0)
+                return fail(TXC_STATUS_BAD_MODEL, "nodes[%d] has two parents", child);
+            parent[static_cast<std::size_t>(child)] = static_cast<int>(n);
+        }
+    }
+    global.assign(count, glm::dmat4(1.0));
+    std::vector<std::uint8_t> placed(count, 0);
+    std::vector<std::size_t> stack;
+    const auto descend = [&](std::size_t root, auto&& visit) {
+        stack.assign(1, root);
+        while (!stack.empty()) {
+            const std::size_t n = stack.back();
+            stack.pop_back();
+            visit(n);
+            const std::vector<int>& children = model.nodes[n].children;
+            for (std::size_t c = children.size(); c > 0; --c)
+                stack.push_back(static_cast<std::size_t>(children[c - 1]));
+        }
+    };
+    for (std::size_t n = 0; n < count; ++n) {
+        if (parent[n] >= 0) continue;
+        descend(n, [&](std::size_t node) {
+            const glm::dmat4 local = local_matrix(model.nodes[node]);
+            global[node] = parent[node] >= 0 ? global[static_cast<std::size_t>(parent[node])] * local : local;
+            placed[node] = 1;
+        });
+    }
+    std::vector<int> roots;
+    if (model.scenes.empty()) {
+        for (std::size_t n = 0; n < count; ++n) {
+            if (parent[n] < 0) roots.push_back(static_cast<int>(n));
+        }
+    } else {
+        const int scene = model.defaultScene >= 0 ? model.defaultScene : 0;
+        if (static_cast<std::size_t>(scene) >= model.scenes.size())
+            return fail(TXC_STATUS_BAD_MODEL, "there is no scenes[%d]", scene);
+        roots = model.scenes[static_cast<std::size_t>(scene)].nodes;
+    }
+    std::vector<std::uint8_t> seen(count, 0);
+    for (const int root : roots) {
+        if (root < 0 || static_cast<std::size_t>(root) >= count)
+            return fail(TXC_STATUS_BAD_MODEL, "the scene names nodes[%d], which does not exist", root);
+        // Nodes of a ring have no root above them, so they were never placed.
+        if (placed[static_cast<std::size_t>(root)] == 0)
+            return fail(TXC_STATUS_BAD_MODEL, "nodes[%d] is its own ancestor", root);
+        descend(static_cast<std::size_t>(root), [&](std::size_t node) {
+            if (seen[node] == 0) scene_nodes.push_back(node);
+            seen[node] = 1;
+        });
+    }
+    return TXC_STATUS_OK;
+}
+
+/// Joint matrices of a skin: the joint's place times its inverse bind matrix. The mesh node's own place does not count.
+TxcStatus joint_matrices(const Model& model, int skin_index, const std::vector<glm::dmat4>& global,
+                         const MemoryBudget& budget, std::vector<glm::dmat4>& out) {
+    if (static_cast<std::size_t>(skin_index) >= model.skins.size())
+        return fail(TXC_STATUS_BAD_MODEL, "there is no skins[%d]", skin_index);
+    const tinygltf::Skin& skin = model.skins[static_cast<std::size_t>(skin_index)];
+    std::vector<float> inverse_bind;
+    if (skin.inverseBindMatrices >= 0) {
+        if (const TxcStatus status = read_floats(model, skin.inverseBindMatrices, 16, budget, inverse_bind);
+            status != TXC_STATUS_OK)
+            return status;
+        if (inverse_bind.size() < skin.joints.size() * 16) {
+            return fail(TXC_STATUS_BAD_MODEL, "skins[%d] has %zu joints but %zu inverse bind matrices", skin_index,
+                        skin.joints.size(), inverse_bind.size() / 16);
+        }
+    }
+    out.clear();
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+        const int joint = skin.joints[j];
+        if (joint < 0 || static_cast<std::size_t>(joint) >= model.nodes.size())
+            return fail(TXC_STATUS_BAD_MODEL, "skins[%d]: there is no joint nodes[%d]", skin_index, joint);
+        glm::dmat4 bind(1.0);
+        if (!inverse_bind.empty()) {
+            for (int i = 0; i < 16; ++i)
+                bind[i / 4][i % 4] = static_cast<double>(inverse_bind[j * 16 + static_cast<std::size_t>(i)]);
+        }
+        out.push_back(global[static_cast<std::size_t>(joint)] * bind);
+    }
+    return TXC_STATUS_OK;
+}
+
+// ---- Primitives -----------------------------------------------------------------------------------------------------
+
+struct Reader {
+    const Model& model;
+    MemoryBudget& budget;
+    BudgetShare& share;
+    const std::vector<UvTransform>& uv_transforms;
+    Mesh& mesh;
+    std::uint64_t vertex_total = 0;
+    std::uint64_t triangle_total = 0;
+};
+
+/// Strips and fans as a triangle list (glTF 2.0, 3.7.2.1).
+void to_triangle_list(int mode, std::vector<std::uint32_t>& indices) {
+    if (mode == TINYGLTF_MODE_TRIANGLES) return;
+    std::vector<std::uint32_t> list;
+    for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
+        if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
+            list.insert(list.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
+        } else {
+            list.insert(list.end(), {indices[i + 1], indices[i + 2], indices[0]});
+        }
+    }
+    indices = std::move(list);
+}
+
+int attribute(const std::map<std::string, int>& attributes, const std::string& name) {
+    const auto found = attributes.find(name);
+    return found == attributes.end() ? -1 : found->second;
+}
+
+TxcStatus add_morph(const Reader& reader, const std::map<std::string, int>& target, const char* name, double weight,
+                    const char* whose, std::vector<float>& values) {
+    const int accessor = attribute(target, name);
+    if (accessor < 0 || weight == 0.0) return TXC_STATUS_OK;
+    std::vector<float> delta;
+    if (const TxcStatus status = read_floats(reader.model, accessor, 3, reader.budget, delta); status != TXC_STATUS_OK)
+        return status;
+    if (delta.size() != values.size())
+        return fail(TXC_STATUS_BAD_MODEL, "%s: a morph target has %zu values for %zu", whose, delta.size(),
+                    values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = static_cast<float>(static_cast<double>(values[i]) + weight * static_cast<double>(delta[i]));
+    return TXC_STATUS_OK;
+}
+
+/// The matrix that each vertex is placed by: its joints', weighted, or the node's own.
+TxcStatus skin_vertices(const Reader& reader, const tinygltf::Primitive& primitive,
+                        const std::vector<glm::dmat4>& joints, std::size_t vertex_count, const char* whose,
+                        std::vector<glm::dmat4>& out) {
+    if (!reader.budget.fits(static_cast<std::uint64_t>(vertex_count) * sizeof(glm::dmat4))) {
+        return fail(TXC_STATUS_OUT_OF_BUDGET, "%s: %zu skinned vertices do not fit the memory budget", whose,
+                    vertex_count);
+    }
+    out.assign(vertex_count, glm::dmat4(0.0));
+    std::vector<double> total(vertex_count, 0.0);
+    for (int set = 0;; ++set) {
+        const int joint_accessor = attribute(primitive.attributes, "JOINTS_" + std::to_string(set));
+        const int weight_accessor = attribute(primitive.attributes, "WEIGHTS_" + std::to_string(set));
+        if (joint_accessor < 0 || weight_accessor < 0) break;
+        std::vector<float> joint_values;
+        std::vector<float> weights;
+        TxcStatus status = read_floats(reader.model, joint_accessor, 4, reader.budget, joint_values);
+        if (status == TXC_STATUS_OK) status = read_floats(reader.model, weight_accessor, 4, reader.budget, weights);
+        if (status != TXC_STATUS_OK) return status;
+        if (joint_values.size() != vertex_count * 4 || weights.size() != vertex_count * 4) {
+            return fail(TXC_STATUS_BAD_MODEL, "%s: JOINTS_%d or WEIGHTS_%d has another length than POSITION", whose,
+                        set, set);
+        }
+        for (std::size_t i = 0; i < vertex_count * 4; ++i) {
+            const auto weight = static_cast<double>(weights[i]);
+            if (weight == 0.0) continue;
+            const auto joint = static_cast<std::size_t>(joint_values[i]);
+            if (joint >= joints.size())
+                return fail(TXC_STATUS_BAD_MODEL, "%s: vertex %zu names joint %zu of %zu", whose, i / 4, joint,
+                            joints.size());
+            out[i / 4] += joints[joint] * weight;
+            total[i / 4] += weight;
+        }
+    }
+    for (std::size_t v = 0; v < vertex_count; ++v) {
+        // Weights ought to add up to 1; like common viewers, make them.
+        if (total[v] > 0.0)
+            out[v] /= total[v];
+        else
+            out[v] = joints.empty() ? glm::dmat4(1.0) : joints[0];
+    }
+    return TXC_STATUS_OK;
+}
+
+glm::dvec3 place_normal(const glm::dmat4& matrix, const glm::dvec3& normal) {
+    // The cofactor matrix is the inverse transpose times the determinant, and exists for flattened nodes too.
+    const glm::dvec3 x(matrix[0]);
+    const glm::dvec3 y(matrix[1]);
+    const glm::dvec3 z(matrix[2]);
+    const glm::dvec3 yz = glm::cross(y, z);
+    const double sign = glm::dot(x, yz) < 0.0 ? -1.0 : 1.0;
+    return (yz * normal.x + glm::cross(z, x) * normal.y + glm::cross(x, y) * normal.z) * sign;
+}
+
+TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, const std::vector<double>& morph_weights,
+                         const glm::dmat4& node_matrix, const std::vector<glm::dmat4>* joints, const char* whose) {
+    const Model& model = reader.model;
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
+        primitive.mode != TINYGLTF_MODE_TRIANGLE_FAN) {
+        return TXC_STATUS_OK;  // points and lines have no texels
+    }
+    const int position_accessor = attribute(primitive.attributes, "POSITION");
+    if (position_accessor < 0) return TXC_STATUS_OK;  // glTF 2.0, 3.7.2.1: not drawn
+    std::vector<float> positions;
+    if (const TxcStatus status = read_floats(model, position_accessor, 3, reader.budget, positions);
+        status != TXC_STATUS_OK)
+        return status;
+    const std::size_t vertex_count = positions.size() / 3;
+
+    std::vector<float> normals;
+    if (const int accessor = attribute(primitive.attributes, "NORMAL"); accessor >= 0) {
+        if (const TxcStatus status = read_floats(model, accessor, 3, reader.budget, normals); status != TXC_STATUS_OK)
+            return status;
+        if (normals.size() != positions.size())
+            return fail(TXC_STATUS_BAD_MODEL, "%s: NORMAL has another length than POSITION", whose);
+    }
+    for (std::size_t t = 0; t < primitive.targets.size() && t < morph_weights.size(); ++t) {
+        TxcStatus status = add_morph(reader, primitive.targets[t], "POSITION", morph_weights[t], whose, positions);
+        if (status == TXC_STATUS_OK && !normals.empty())
+            status = add_morph(reader, primitive.targets[t], "NORMAL", morph_weights[t], whose, normals);
+        if (status != TXC_STATUS_OK) return status;
+    }
+
+    if (primitive.material >= static_cast<int>(model.materials.size()))
+        return fail(TXC_STATUS_BAD_MODEL, "%s: there is no materials[%d]", whose, primitive.material);
+    const std::size_t material =
+        primitive.material >= 0 ? static_cast<std::size_t>(primitive.material) : model.materials.size();
+    if (primitive.material < 0) reader.mesh.has_default_material = true;
+
+    std::vector<float> uvs;
+    if (const int accessor =
+            attribute(primitive.attributes, "TEXCOORD_" + std::to_string(reader.mesh.materials[material].tex_coord));
+        accessor >= 0) {
+        if (const TxcStatus status = read_floats(model, accessor, 2, reader.budget, uvs); status != TXC_STATUS_OK)
+            return status;
+        if (uvs.size() != vertex_count * 2)
+            return fail(TXC_STATUS_BAD_MODEL, "%s: TEXCOORD has another length than POSITION", whose);
+        const UvTransform& transform = reader.uv_transforms[material];
+        for (std::size_t v = 0; v < vertex_count; ++v) {
+            const glm::vec2 uv = transform.apply(uvs[v * 2], uvs[v * 2 + 1]);
+            uvs[v * 2] = uv.x;
+            uvs[v * 2 + 1] = uv.y;
+        }
+    }
+
+    std::vector<std::uint32_t> indices;
+    if (primitive.indices >= 0) {
+        if (const TxcStatus status = read_indices(model, primitive.indices, reader.budget, indices);
+            status != TXC_STATUS_OK)
+            return status;
+    } else {
+        indices.resize(vertex_count);
+        for (std::size_t i = 0; i < vertex_count; ++i) indices[i] = static_cast<std::uint32_t>(i);
+    }
+    to_triangle_list(primitive.mode, indices);
+
+    std::vector<glm::dmat4> vertex_matrices;
+    if (joints != nullptr) {
+        if (const TxcStatus status = skin_vertices(reader, primitive, *joints, vertex_count, whose, vertex_matrices);
+            status != TXC_STATUS_OK)
+            return status;
+    }
+    for (std::size_t v = 0; v < vertex_count; ++v) {
+        const glm::dmat4& matrix = vertex_matrices.empty() ? node_matrix : vertex_matrices[v];
+        const glm::dvec4 p = matrix * glm::dvec4(positions[v * 3], positions[v * 3 + 1], positions[v * 3 + 2], 1.0);
+        for (int c = 0; c < 3; ++c) positions[v * 3 + static_cast<std::size_t>(c)] = static_cast<float>(p[c]);
+        if (normals.empty()) continue;
+        const glm::dvec3 n = place_normal(matrix, glm::dvec3(normals[v * 3], normals[v * 3 + 1], normals[v * 3 + 2]));
+        const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+        for (int c = 0; c < 3; ++c)
+            normals[v * 3 + static_cast<std::size_t>(c)] = length > 0.0 ? static_cast<float>(n[c] / length) : 0.0f;
+    }
+
+    reader.vertex_total += vertex_count;
+    reader.triangle_total += indices.size() / 3;
+    if (const TxcStatus status =
+            reader.share.resize(mesh_byte_count(reader.vertex_total, reader.triangle_total), "reading the model");
+        status != TXC_STATUS_OK)
+        return status;
+    const glm::dmat4& first_matrix = vertex_matrices.empty() ? node_matrix : vertex_matrices[0];
+    PrimitiveArrays arrays;
+    arrays.positions = reinterpret_cast<const glm::vec3*>(positions.data());
+    arrays.normals = normals.empty() ? nullptr : reinterpret_cast<const glm::vec3*>(normals.data());
+    arrays.uvs = uvs.empty() ? nullptr : reinterpret_cast<const glm::vec2*>(uvs.data());
+    arrays.vertex_count = static_cast<std::uint32_t>(vertex_count);
+    arrays.indices = indices.data();
+    arrays.index_count = static_cast<std::uint32_t>(indices.size());
+    arrays.material = static_cast<std::uint32_t>(material);
+    arrays.mirrored = glm::dot(glm::dvec3(first_matrix[0]),
+                               glm::cross(glm::dvec3(first_matrix[1]), glm::dvec3(first_matrix[2]))) < 0.0;
+    return append_primitive(reader.mesh, arrays, whose);
+}
+
+}  // namespace
+
+TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryBudget& budget, Mesh& out_mesh) {
+    // tinygltf copies the binary chunk, and base64 or JSON values beside it; twice the file is a safe bound in practice.
+    BudgetShare file_share(budget);
+    if (const TxcStatus status = file_share.resize(static_cast<std::uint64_t>(byte_count) * 2, "reading the model");
+        status != TXC_STATUS_OK)
+        return status;
+    Model model;
+    if (const TxcStatus status = parse(bytes, byte_count, model); status != TXC_STATUS_OK) return status;
+
+    out_mesh = Mesh{};
+    out_mesh.materials.resize(model.materials.size() + 1);  // the last one is glTF's implied default
+    std::vector<UvTransform> uv_transforms(out_mesh.materials.size());
+    for (std::size_t m = 0; m < model.materials.size(); ++m)
+        read_material(model, model.materials[m], out_mesh.materials[m], uv_transforms[m]);
+
+    std::vector<glm::dmat4> global;
+    std::vector<std::size_t> scene_nodes;
+    if (const TxcStatus status = place_nodes(model, global, scene_nodes); status != TXC_STATUS_OK) return status;
+
+    BudgetShare mesh_share(budget);
+    Reader reader{model, budget, mesh_share, uv_transforms, out_mesh};
+    for (const std::size_t n : scene_nodes) {
+        const tinygltf::Node& node = model.nodes[n];
+        if (node.mesh < 0) continue;
+        if (static_cast<std::size_t>(node.mesh) >= model.meshes.size())
+            return fail(TXC_STATUS_BAD_MODEL, "nodes[%zu]: there is no meshes[%d]", n, node.mesh);
+        const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
+        std::vector<glm::dmat4> joints;
+        if (node.skin >= 0) {
+            if (const TxcStatus status = joint_matrices(model, node.skin, global, budget, joints);
+                status != TXC_STATUS_OK)
+                return status;
+        }
+        const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+            char whose[80];
+            std::snprintf(whose, sizeof whose, "meshes[%d].primitives[%zu]", node.mesh, p);
+            const TxcStatus status = read_primitive(reader, mesh.primitives[p], weights, global[n],
+                                                    node.skin >= 0 ? &joints : nullptr, whose);
+            if (status != TXC_STATUS_OK) return status;
+        }
+    }
+    if (out_mesh.triangles.empty()) return fail(TXC_STATUS_NO_TRIANGLES, "the model's scene has no triangles");
+    if (!out_mesh.has_default_material) out_mesh.materials.pop_back();
+    out_mesh.summarise();
+    return TXC_STATUS_OK;
+}
+
+}  // namespace txc

@@ -1,0 +1,74 @@
+// What a session may hold at once. Sizes are counted before anything is allocated, so that passing the budget is a
+// typed error and never an abort of the module.
+#pragma once
+
+#include <cstdint>
+
+#include "status.h"
+
+namespace txc {
+
+class MemoryBudget {
+public:
+    explicit MemoryBudget(std::uint64_t limit_bytes) : limit_(limit_bytes) {}
+
+    std::uint64_t used() const { return used_; }
+    std::uint64_t peak() const { return peak_; }
+    std::uint64_t limit() const { return limit_; }
+    bool fits(std::uint64_t bytes) const { return bytes <= limit_ && used_ <= limit_ - bytes; }
+
+private:
+    friend class BudgetShare;
+    std::uint64_t limit_;
+    std::uint64_t used_ = 0;
+    std::uint64_t peak_ = 0;
+};
+
+/// One owner's part of a budget; given back when the owner goes.
+class BudgetShare {
+public:
+    BudgetShare() = default;
+    explicit BudgetShare(MemoryBudget& budget) : budget_(&budget) {}
+    BudgetShare(const BudgetShare&) = delete;
+    BudgetShare& operator=(const BudgetShare&) = delete;
+    BudgetShare(BudgetShare&& other) noexcept : budget_(other.budget_), bytes_(other.bytes_) { other.bytes_ = 0; }
+    BudgetShare& operator=(BudgetShare&& other) noexcept {
+        if (this != &other) {
+            release();
+            budget_ = other.budget_;
+            bytes_ = other.bytes_;
+            other.bytes_ = 0;
+        }
+        return *this;
+    }
+    ~BudgetShare() { release(); }
+
+    std::uint64_t bytes() const { return bytes_; }
+
+    /// Makes the share `bytes` large. On OUT_OF_BUDGET the share is as it was; `what` names the work for the message.
+    TxcStatus resize(std::uint64_t bytes, const char* what) {
+        if (bytes > bytes_ && !budget_->fits(bytes - bytes_)) {
+            return fail(TXC_STATUS_OUT_OF_BUDGET,
+                        "%s needs %llu MiB, but only %llu of the budget's %llu MiB are left: choose a smaller size or "
+                        "raise the memory budget",
+                        what, mib(bytes), mib(budget_->limit_ - (budget_->used_ - bytes_)), mib(budget_->limit_));
+        }
+        budget_->used_ = budget_->used_ - bytes_ + bytes;
+        bytes_ = bytes;
+        if (budget_->used_ > budget_->peak_) budget_->peak_ = budget_->used_;
+        return TXC_STATUS_OK;
+    }
+
+    void release() {
+        if (budget_ != nullptr) budget_->used_ -= bytes_;
+        bytes_ = 0;
+    }
+
+private:
+    static unsigned long long mib(std::uint64_t bytes) { return (bytes + (1u << 20) - 1) >> 20; }
+
+    MemoryBudget* budget_ = nullptr;
+    std::uint64_t bytes_ = 0;
+};
+
+}  // namespace txc

@@ -1,0 +1,135 @@
+#include "mesh.h"
+
+#include <cmath>
+
+namespace txc {
+namespace {
+
+bool is_usable(const glm::vec3& p) {
+    return std::fabs(p.x) <= kMaxCoordinate && std::fabs(p.y) <= kMaxCoordinate && std::fabs(p.z) <= kMaxCoordinate;
+}
+
+bool is_usable(const glm::vec2& uv) { return std::fabs(uv.x) <= kMaxUv && std::fabs(uv.y) <= kMaxUv; }
+
+bool in_unit_square(const glm::vec2& uv) { return uv.x >= 0.0f && uv.x <= 1.0f && uv.y >= 0.0f && uv.y <= 1.0f; }
+
+glm::vec3 unit_or_zero(const glm::vec3& v) {
+    const float length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+    // Also false for NaN: a normal that says nothing gives way to the flat one.
+    return length > 1e-20f && length < 1e20f ? v / length : glm::vec3(0.0f);
+}
+
+}  // namespace
+
+TxcStatus append_primitive(Mesh& mesh, const PrimitiveArrays& arrays, const char* name) {
+    for (std::uint32_t i = 0; i < arrays.vertex_count; ++i) {
+        if (!is_usable(arrays.positions[i])) {
+            return fail(TXC_STATUS_BAD_GEOMETRY, "%s: position %u is (%g, %g, %g), which is not a usable number", name,
+                        i, static_cast<double>(arrays.positions[i].x), static_cast<double>(arrays.positions[i].y),
+                        static_cast<double>(arrays.positions[i].z));
+        }
+    }
+    for (std::uint32_t i = 0; i < arrays.index_count; ++i) {
+        if (arrays.indices[i] >= arrays.vertex_count) {
+            return fail(TXC_STATUS_BAD_GEOMETRY, "%s: index %u is %u, but there are only %u vertices", name, i,
+                        arrays.indices[i], arrays.vertex_count);
+        }
+    }
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    for (std::uint32_t i = 0; i < arrays.vertex_count; ++i) {
+        mesh.positions.push_back(arrays.positions[i]);
+        mesh.normals.push_back(arrays.normals != nullptr ? unit_or_zero(arrays.normals[i]) : glm::vec3(0.0f));
+        mesh.uvs.push_back(arrays.uvs != nullptr ? arrays.uvs[i] : glm::vec2(0.0f));
+        mesh.vertex_has_uv.push_back(arrays.uvs != nullptr ? 1 : 0);
+    }
+    for (std::uint32_t i = 0; i + 2 < arrays.index_count; i += 3) {
+        Triangle triangle{{first + arrays.indices[i], first + arrays.indices[i + 1], first + arrays.indices[i + 2]}};
+        if (arrays.mirrored) std::swap(triangle.vertex[1], triangle.vertex[2]);
+        mesh.triangles.push_back(triangle);
+        mesh.triangle_materials.push_back(arrays.material);
+    }
+    return TXC_STATUS_OK;
+}
+
+void Mesh::summarise() {
+    bounds = Bounds{};
+    for (Material& material : materials) {
+        material.triangles.clear();
+        material.degenerate_uv_triangles = 0;
+        material.out_of_range_uv_triangles = 0;
+        material.triangles_without_uv = 0;
+        material.has_unusable_uv = false;
+        material.uv_min = material.uv_max = glm::vec2(0.0f);
+        material.bounds = Bounds{};
+    }
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        const Triangle& triangle = triangles[t];
+        Material& material = materials[triangle_materials[t]];
+        bool has_uv = true;
+        bool in_range = true;
+        bool usable = true;
+        for (const std::uint32_t v : triangle.vertex) {
+            bounds.add(positions[v]);
+            material.bounds.add(positions[v]);
+            has_uv = has_uv && vertex_has_uv[v] != 0;
+            in_range = in_range && in_unit_square(uvs[v]);
+            usable = usable && is_usable(uvs[v]);
+        }
+        const bool first_with_uv = material.triangles.size() == material.triangles_without_uv;
+        material.triangles.push_back(t);
+        if (!has_uv) {
+            ++material.triangles_without_uv;
+            continue;
+        }
+        if (!usable) {
+            material.has_unusable_uv = true;
+            continue;
+        }
+        if (!in_range) ++material.out_of_range_uv_triangles;
+        const glm::vec2 a = uvs[triangle.vertex[0]];
+        const glm::vec2 b = uvs[triangle.vertex[1]];
+        const glm::vec2 c = uvs[triangle.vertex[2]];
+        const glm::dvec2 ab = glm::dvec2(b) - glm::dvec2(a);
+        const glm::dvec2 ac = glm::dvec2(c) - glm::dvec2(a);
+        if (ab.x * ac.y - ab.y * ac.x == 0.0) ++material.degenerate_uv_triangles;
+        const glm::vec2 low = glm::min(a, glm::min(b, c));
+        const glm::vec2 high = glm::max(a, glm::max(b, c));
+        material.uv_min = first_with_uv ? low : glm::min(material.uv_min, low);
+        material.uv_max = first_with_uv ? high : glm::max(material.uv_max, high);
+    }
+}
+
+TxcStatus Material::paint_status(std::uint32_t index) const {
+    if (triangles.empty())
+        return fail(TXC_STATUS_NO_TRIANGLES, "material %u is used by no triangle of the scene", index);
+    if (triangles_without_uv == triangles.size()) {
+        return fail(TXC_STATUS_NO_UVS,
+                    "material %u: none of its %zu triangles has the texture coordinates TEXCOORD_%u; unwrap the model "
+                    "in a 3D editor first",
+                    index, triangles.size(), tex_coord);
+    }
+    if (has_unusable_uv) {
+        return fail(TXC_STATUS_BAD_UVS,
+                    "material %u has a texture coordinate that is not a number or lies beyond %g: unwrap it anew",
+                    index, static_cast<double>(kMaxUv));
+    }
+    return TXC_STATUS_OK;
+}
+
+glm::vec3 Mesh::flat_normal(const Triangle& triangle) const {
+    const glm::dvec3 a(positions[triangle.vertex[0]]);
+    const glm::dvec3 b(positions[triangle.vertex[1]]);
+    const glm::dvec3 c(positions[triangle.vertex[2]]);
+    const glm::dvec3 cross = glm::cross(b - a, c - a);
+    const double length = std::sqrt(cross.x * cross.x + cross.y * cross.y + cross.z * cross.z);
+    return length > 0.0 ? glm::vec3(cross / length) : glm::vec3(0.0f, 1.0f, 0.0f);
+}
+
+std::uint64_t mesh_byte_count(std::uint64_t vertex_count, std::uint64_t triangle_count) {
+    // Positions, normals, UVs and a flag a vertex; corners, material and a place in the material's list a triangle.
+    return vertex_count * (12 + 12 + 8 + 1) + triangle_count * (12 + 4 + 4);
+}
+
+std::uint64_t Mesh::byte_count() const { return mesh_byte_count(positions.size(), triangles.size()); }
+
+}  // namespace txc

@@ -1,0 +1,94 @@
+// A model's triangles at rest, gathered into model space: what the bake and the occlusion test read.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "memory_budget.h"
+#include "status.h"
+
+namespace txc {
+
+struct Bounds {
+    glm::vec3 min{0.0f};
+    glm::vec3 max{0.0f};
+    bool empty = true;
+
+    void add(const glm::vec3& point) {
+        min = empty ? point : glm::min(min, point);
+        max = empty ? point : glm::max(max, point);
+        empty = false;
+    }
+    float diagonal() const { return empty ? 0.0f : glm::length(max - min); }
+};
+
+/// Corners in the order that makes the front counter-clockwise; mirrored nodes are already turned round.
+struct Triangle {
+    std::uint32_t vertex[3];
+};
+
+/// What the file says of one material's base colour texture, and what its triangles are like.
+struct Material {
+    std::uint32_t tex_coord = 0;
+    std::uint32_t image = TXC_NONE;
+    bool nearest_filter = false;
+    glm::vec4 base_color_factor{1.0f};
+
+    std::vector<std::uint32_t> triangles;  // indices into Mesh::triangles, ascending
+    std::uint32_t degenerate_uv_triangles = 0;
+    std::uint32_t out_of_range_uv_triangles = 0;
+    std::uint32_t triangles_without_uv = 0;
+    bool has_unusable_uv = false;
+    glm::vec2 uv_min{0.0f};
+    glm::vec2 uv_max{0.0f};
+    Bounds bounds;
+
+    /// OK, or why the material cannot take decals (fills in the error detail).
+    TxcStatus paint_status(std::uint32_t index) const;
+};
+
+struct Mesh {
+    std::vector<glm::vec3> positions;  // model space, metres
+    std::vector<glm::vec3> normals;    // unit, or zero where the triangle's flat normal holds
+    std::vector<glm::vec2> uvs;        // as painted: after KHR_texture_transform, not yet wrapped
+    std::vector<Triangle> triangles;
+    std::vector<std::uint32_t> triangle_materials;
+    std::vector<std::uint8_t> vertex_has_uv;
+    std::vector<Material> materials;
+    bool has_default_material = false;
+    Bounds bounds;
+
+    /// Fills the materials' triangle lists, counts and bounds, and the mesh's bounds, from the arrays.
+    void summarise();
+
+    /// Front-facing unit normal; +Y for a triangle without area.
+    glm::vec3 flat_normal(const Triangle& triangle) const;
+
+    std::uint64_t byte_count() const;
+};
+
+/// Bytes that a mesh of this many vertices and triangles will hold.
+std::uint64_t mesh_byte_count(std::uint64_t vertex_count, std::uint64_t triangle_count);
+
+/// Coordinates beyond this would overflow the arithmetic behind them; metres.
+inline constexpr float kMaxCoordinate = 1e12f;
+/// A texture coordinate beyond this has no fraction left worth painting.
+inline constexpr float kMaxUv = 65536.0f;
+
+/// One primitive's arrays in model space. `normals` and `uvs` may be null.
+struct PrimitiveArrays {
+    const glm::vec3* positions = nullptr;
+    const glm::vec3* normals = nullptr;
+    const glm::vec2* uvs = nullptr;
+    std::uint32_t vertex_count = 0;
+    const std::uint32_t* indices = nullptr;  // triangle list
+    std::uint32_t index_count = 0;
+    std::uint32_t material = 0;
+    bool mirrored = false;  // the front is clockwise
+};
+
+/// Checks the arrays and appends them. BAD_GEOMETRY names the first bad vertex or index; `name` says whose it is.
+TxcStatus append_primitive(Mesh& mesh, const PrimitiveArrays& arrays, const char* name);
+
+}  // namespace txc

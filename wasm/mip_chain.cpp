@@ -1,0 +1,88 @@
+#include "mip_chain.h"
+
+#include <algorithm>
+#include <array>
+
+#include "exact_math.h"
+
+namespace txc {
+namespace {
+
+constexpr std::uint32_t kLinearSteps = 8192;  // finer than an 8-bit sRGB step even where the curve is steepest
+
+struct TransferTables {
+    std::array<std::uint32_t, 256> to_linear{};  // 0 to kLinearSteps - 1
+    std::array<std::uint8_t, kLinearSteps> to_srgb{};
+
+    TransferTables() {
+        for (std::uint32_t i = 0; i < 256; ++i) {
+            to_linear[i] = static_cast<std::uint32_t>(srgb_to_linear(i / 255.0) * (kLinearSteps - 1) + 0.5);
+        }
+        for (std::uint32_t i = 0; i < kLinearSteps; ++i)
+            to_srgb[i] = to_byte(linear_to_srgb(static_cast<double>(i) / (kLinearSteps - 1)));
+        // Rounding must not tint a flat area: each byte's own linear step leads back to it.
+        for (std::uint32_t i = 0; i < 256; ++i) to_srgb[to_linear[i]] = static_cast<std::uint8_t>(i);
+    }
+};
+
+const TransferTables& transfer_tables() {
+    static const TransferTables tables;
+    return tables;
+}
+
+}  // namespace
+
+std::uint32_t MipChain::full_count(std::uint32_t width, std::uint32_t height) {
+    std::uint32_t count = 1;
+    for (std::uint32_t size = std::max(width, height); size > 1; size /= 2) ++count;
+    return count;
+}
+
+std::uint64_t MipChain::byte_count(std::uint32_t width, std::uint32_t height, std::uint32_t level_count) {
+    std::uint64_t bytes = 0;
+    for (std::uint32_t level = 0; level < level_count; ++level) {
+        bytes += static_cast<std::uint64_t>(std::max(1u, width >> level)) * std::max(1u, height >> level) * 4;
+    }
+    return bytes;
+}
+
+void MipChain::allocate(std::uint32_t width, std::uint32_t height, std::uint32_t level_count) {
+    levels.clear();
+    for (std::uint32_t level = 0; level < level_count; ++level) {
+        MipLevel mip{std::max(1u, width >> level), std::max(1u, height >> level), {}};
+        mip.rgba.resize(static_cast<std::size_t>(mip.width) * mip.height * 4);
+        levels.push_back(std::move(mip));
+    }
+}
+
+void MipChain::reduce(std::uint32_t level, std::uint32_t x0, std::uint32_t y0, std::uint32_t x1, std::uint32_t y1) {
+    const TransferTables& tables = transfer_tables();
+    const MipLevel& fine = levels[level - 1];
+    MipLevel& coarse = levels[level];
+    for (std::uint32_t y = y0; y < y1; ++y) {
+        const std::uint32_t below = std::min(2 * y + 1, fine.height - 1);
+        const std::uint8_t* rows[2] = {fine.rgba.data() + static_cast<std::size_t>(2 * y) * fine.width * 4,
+                                       fine.rgba.data() + static_cast<std::size_t>(below) * fine.width * 4};
+        std::uint8_t* out = coarse.rgba.data() + (static_cast<std::size_t>(y) * coarse.width + x0) * 4;
+        for (std::uint32_t x = x0; x < x1; ++x, out += 4) {
+            const std::size_t left = static_cast<std::size_t>(2 * x) * 4;
+            const std::size_t right = static_cast<std::size_t>(std::min(2 * x + 1, fine.width - 1)) * 4;
+            const std::uint8_t* texels[4] = {rows[0] + left, rows[0] + right, rows[1] + left, rows[1] + right};
+            const std::uint32_t alpha = texels[0][3] + texels[1][3] + texels[2][3] + texels[3][3];
+            for (int c = 0; c < 3; ++c) {
+                std::uint32_t sum = 0;
+                if (alpha == 0 || alpha == 4 * 255) {
+                    for (const std::uint8_t* texel : texels) sum += tables.to_linear[texel[c]];
+                    sum = (sum + 2) / 4;
+                } else {
+                    for (const std::uint8_t* texel : texels) sum += tables.to_linear[texel[c]] * texel[3];
+                    sum = (sum + alpha / 2) / alpha;
+                }
+                out[c] = tables.to_srgb[sum];
+            }
+            out[3] = static_cast<std::uint8_t>((alpha + 2) / 4);
+        }
+    }
+}
+
+}  // namespace txc

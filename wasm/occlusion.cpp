@@ -1,0 +1,224 @@
+#include "occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace txc {
+namespace {
+
+constexpr std::uint32_t kLeafSize = 4;
+constexpr int kBins = 16;
+// Made-up triangles can drive the splits into a chain; below this depth nodes are simply halved, which bounds the tree.
+constexpr int kMaxSahDepth = 48;
+constexpr double kLeastDistanceShare = 1.0 / 65536.0;
+
+double half_area(const Bounds& box) {
+    if (box.empty) return 0.0;
+    const glm::dvec3 size = glm::dvec3(box.max) - glm::dvec3(box.min);
+    return size.x * size.y + size.y * size.z + size.z * size.x;
+}
+
+void grow(Bounds& box, const Bounds& other) {
+    if (other.empty) return;
+    box.add(other.min);
+    box.add(other.max);
+}
+
+/// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), both sides.
+bool meets(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& origin,
+           const glm::dvec3& direction, double& out_distance) {
+    const glm::dvec3 ab = b - a;
+    const glm::dvec3 ac = c - a;
+    const glm::dvec3 p = glm::cross(direction, ac);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0.0) return false;
+    const glm::dvec3 t = origin - a;
+    const double u = glm::dot(t, p) / determinant;
+    if (!(u >= 0.0 && u <= 1.0)) return false;
+    const glm::dvec3 q = glm::cross(t, ab);
+    const double v = glm::dot(direction, q) / determinant;
+    if (!(v >= 0.0 && u + v <= 1.0)) return false;
+    out_distance = glm::dot(ac, q) / determinant;
+    return true;
+}
+
+}  // namespace
+
+TxcStatus OcclusionTree::build(const Mesh& mesh) {
+    mesh_ = &mesh;
+    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+    // Nodes and order stay; boxes and centroids are scratch.
+    if (const TxcStatus status = share_.resize(
+            static_cast<std::uint64_t>(count) * (2 * sizeof(Node) + 4 + sizeof(Bounds) + 12), "the occlusion tree");
+        status != TXC_STATUS_OK)
+        return status;
+    std::vector<Bounds> boxes(count);
+    std::vector<glm::vec3> centroids(count);
+    order_.resize(count);
+    Bounds all;
+    for (std::uint32_t t = 0; t < count; ++t) {
+        for (const std::uint32_t v : mesh.triangles[t].vertex) boxes[t].add(mesh.positions[v]);
+        centroids[t] = boxes[t].min * 0.5f + boxes[t].max * 0.5f;
+        grow(all, boxes[t]);
+        order_[t] = t;
+    }
+    least_distance_ = static_cast<double>(all.diagonal()) * kLeastDistanceShare;
+    nodes_.clear();
+    nodes_.reserve(static_cast<std::size_t>(count) * 2);
+    nodes_.push_back({all.min, 0, all.max, count});
+    struct Open {
+        std::uint32_t node;
+        int depth;
+    };
+    std::vector<Open> open{{0, 0}};
+    while (!open.empty()) {
+        const Open next = open.back();
+        open.pop_back();
+        split(next.node, next.depth >= kMaxSahDepth, centroids, boxes);
+        if (nodes_[next.node].count == 0) {
+            open.push_back({nodes_[next.node].first + 1, next.depth + 1});
+            open.push_back({nodes_[next.node].first, next.depth + 1});
+        }
+    }
+    nodes_.shrink_to_fit();
+    return share_.resize(nodes_.size() * sizeof(Node) + order_.size() * 4, "the occlusion tree");
+}
+
+void OcclusionTree::split(std::uint32_t node_index, bool in_halves, const std::vector<glm::vec3>& centroids,
+                          const std::vector<Bounds>& boxes) {
+    const std::uint32_t first = nodes_[node_index].first;
+    const std::uint32_t count = nodes_[node_index].count;
+    if (count <= kLeafSize) return;
+    Bounds middle;
+    for (std::uint32_t i = first; i < first + count; ++i) middle.add(centroids[order_[i]]);
+
+    double best_cost = 1e300;
+    int best_axis = -1;
+    int best_bin = 0;
+    for (int axis = 0; axis < 3 && !in_halves; ++axis) {
+        const float low = middle.min[axis];
+        const float extent = middle.max[axis] - low;
+        if (!(extent > 0.0f)) continue;
+        Bounds bins[kBins];
+        std::uint32_t counts[kBins] = {};
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            const int bin = std::min(kBins - 1, static_cast<int>((centroids[order_[i]][axis] - low) / extent * kBins));
+            grow(bins[bin], boxes[order_[i]]);
+            ++counts[bin];
+        }
+        Bounds right_boxes[kBins];
+        Bounds right;
+        for (int bin = kBins - 1; bin > 0; --bin) {
+            grow(right, bins[bin]);
+            right_boxes[bin] = right;
+        }
+        Bounds left;
+        std::uint32_t left_count = 0;
+        for (int bin = 1; bin < kBins; ++bin) {
+            grow(left, bins[bin - 1]);
+            left_count += counts[bin - 1];
+            if (left_count == 0 || left_count == count) continue;
+            const double cost = half_area(left) * left_count + half_area(right_boxes[bin]) * (count - left_count);
+            if (cost < best_cost) {
+                best_cost = cost;
+                best_axis = axis;
+                best_bin = bin;
+            }
+        }
+    }
+    const auto begin = order_.begin() + first;
+    auto cut = begin + count / 2;
+    if (best_axis >= 0) {
+        const float low = middle.min[best_axis];
+        const float extent = middle.max[best_axis] - low;
+        cut = std::partition(begin, begin + count, [&](std::uint32_t t) {
+            return std::min(kBins - 1, static_cast<int>((centroids[t][best_axis] - low) / extent * kBins)) < best_bin;
+        });
+    }
+    const auto left_count = static_cast<std::uint32_t>(cut - begin);
+    Node children[2] = {{{}, first, {}, left_count}, {{}, first + left_count, {}, count - left_count}};
+    for (Node& child : children) {
+        Bounds box;
+        for (std::uint32_t i = child.first; i < child.first + child.count; ++i) grow(box, boxes[order_[i]]);
+        child.min = box.min;
+        child.max = box.max;
+    }
+    nodes_[node_index].first = static_cast<std::uint32_t>(nodes_.size());
+    nodes_[node_index].count = 0;
+    nodes_.push_back(children[0]);
+    nodes_.push_back(children[1]);
+}
+
+bool OcclusionTree::is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double length,
+                               std::uint32_t own) const {
+    if (!(length > least_distance_) || nodes_.empty()) return false;
+    const glm::dvec3 inverse(1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z);
+    std::uint32_t stack[kMaxSahDepth + 34];  // one a level, and halving 2^32 triangles takes 32 levels
+    int depth = 0;
+    stack[depth++] = 0;
+    while (depth > 0) {
+        const Node& node = nodes_[stack[--depth]];
+        double enter = least_distance_;
+        double leave = length;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double near = (static_cast<double>(node.min[axis]) - origin[axis]) * inverse[axis];
+            const double far = (static_cast<double>(node.max[axis]) - origin[axis]) * inverse[axis];
+            // fmin and fmax pass over the NaN of a ray that runs inside a face of the box.
+            enter = std::fmax(enter, std::fmin(near, far));
+            leave = std::fmin(leave, std::fmax(near, far));
+        }
+        // Slack for the rounding of the two sides: a flat box must not fall between them.
+        if (enter > leave + least_distance_ * 1e-3) continue;
+        if (node.count == 0) {
+            stack[depth++] = node.first + 1;
+            stack[depth++] = node.first;
+            continue;
+        }
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const std::uint32_t t = order_[i];
+            if (t == own) continue;
+            const Triangle& triangle = mesh_->triangles[t];
+            double distance;
+            if (meets(glm::dvec3(mesh_->positions[triangle.vertex[0]]),
+                      glm::dvec3(mesh_->positions[triangle.vertex[1]]),
+                      glm::dvec3(mesh_->positions[triangle.vertex[2]]), origin, direction, distance) &&
+                distance > least_distance_ && distance <= length) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+glm::dvec3 nearest_point_on_triangle(const Mesh& mesh, std::uint32_t triangle, const glm::dvec3& point) {
+    // After Ericson, "Real-Time Collision Detection" (2005), section 5.1.5: which of the seven regions holds the point.
+    const Triangle& corners = mesh.triangles[triangle];
+    const glm::dvec3 a(mesh.positions[corners.vertex[0]]);
+    const glm::dvec3 b(mesh.positions[corners.vertex[1]]);
+    const glm::dvec3 c(mesh.positions[corners.vertex[2]]);
+    const glm::dvec3 ab = b - a;
+    const glm::dvec3 ac = c - a;
+    const glm::dvec3 ap = point - a;
+    const double d1 = glm::dot(ab, ap);
+    const double d2 = glm::dot(ac, ap);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    const glm::dvec3 bp = point - b;
+    const double d3 = glm::dot(ab, bp);
+    const double d4 = glm::dot(ac, bp);
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + ab * (d1 / (d1 - d3));
+    const glm::dvec3 cp = point - c;
+    const double d5 = glm::dot(ab, cp);
+    const double d6 = glm::dot(ac, cp);
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + ac * (d2 / (d2 - d6));
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return b + (c - b) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    const double sum = va + vb + vc;
+    if (!(sum > 0.0)) return a;
+    return a + ab * (vb / sum) + ac * (vc / sum);
+}
+
+}  // namespace txc

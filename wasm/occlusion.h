@@ -1,0 +1,47 @@
+// Does a texel's ray meet another triangle? A bounding volume hierarchy over all of a model's triangles (spec section 4,
+// test 4). Built with binned surface area splits (Wald, "On fast construction of SAH-based bounding volume
+// hierarchies", 2007).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh.h"
+
+namespace txc {
+
+class OcclusionTree {
+public:
+    explicit OcclusionTree(MemoryBudget& budget) : share_(budget) {}
+
+    /// `mesh` must outlive the tree. Errors: OUT_OF_BUDGET.
+    TxcStatus build(const Mesh& mesh);
+
+    /// True where the ray from `origin` along the unit `direction` meets any triangle but `own` between the tree's own
+    /// least distance and `length`, metres.
+    bool is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double length, std::uint32_t own) const;
+
+private:
+    struct Node {
+        glm::vec3 min;
+        std::uint32_t first;  // leaf: first place in order_; inner: the left child, the right one follows it
+        glm::vec3 max;
+        std::uint32_t count;  // leaf: triangles; inner: 0
+    };
+
+    void split(std::uint32_t node_index, bool in_halves, const std::vector<glm::vec3>& centroids,
+               const std::vector<Bounds>& boxes);
+
+    const Mesh* mesh_ = nullptr;
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> order_;
+    // Neighbours that meet the texel's own triangle, and twins that lie upon it, are no blockers: hits nearer than
+    // this share of the model's diagonal do not count. It is half of what the bake's positions may be off (2^-15).
+    double least_distance_ = 0.0;
+    BudgetShare share_;
+};
+
+/// The point of a triangle that is nearest to `point`.
+glm::dvec3 nearest_point_on_triangle(const Mesh& mesh, std::uint32_t triangle, const glm::dvec3& point);
+
+}  // namespace txc

@@ -1,0 +1,31 @@
+// The paper's second step: every texel near the decal looks outward and decides alone whether the decal colours it
+// (spec sections 4 and 5).
+#pragma once
+
+#include "image_pyramid.h"
+#include "layer_tiles.h"
+#include "local_space_map.h"
+#include "occlusion.h"
+#include "projector.h"
+
+namespace txc {
+
+/// A decal layer's own part of the work; opacity and blending are the compositor's.
+struct DecalSettings {
+    PlanarProjector projector;
+    bool nearest = false;
+    bool repeat = false;
+    bool flip_x = false;
+    bool flip_y = false;
+    bool backfaces = false;
+    float fade_start_cosine = 0.0f;  // weight 1 from here up
+    float fade_end_cosine = 0.0f;    // weight 0 from here down
+};
+
+/// Paints the decal into `out` (in place of what was there). `occlusion` null paints through. `out_texels`: how many
+/// texels took colour. Errors: OUT_OF_BUDGET; `out` is then empty.
+TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
+                        const ImagePyramid& image, const OcclusionTree* occlusion, LayerTiles& out,
+                        std::uint32_t& out_texels);
+
+}  // namespace txc

@@ -1,0 +1,34 @@
+// A projector says where a texel's outward ray meets the decal (spec section 3).
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "local_space_map.h"
+#include "status.h"
+#include "tile_tree.h"
+
+namespace txc {
+
+/// The planar projector: a box whose +Z looks at the viewer, M = T * R * S.
+struct PlanarProjector {
+    ModelToDecal to_decal;           // model space to the box [-1/2, 1/2]^3
+    glm::dvec3 towards_viewer{0.0};  // unit, model space: the box's +Z
+    double depth = 1.0;              // metres, the box's full extent along Z
+
+    /// From an ABI layer's fields. BAD_ARGUMENT names the field.
+    static TxcStatus from_def(const TxcLayerDef& def, PlanarProjector& out);
+};
+
+/// One texel frame seen through a projector: affine in the texel, `at` the frame's own texel (x0, y0).
+struct ProjectedFrame {
+    glm::vec3 decal;     // decal space
+    glm::vec3 decal_dx;  // a texel to the right
+    glm::vec3 decal_dy;  // a texel down
+    float facing;        // normal . ray, before the normal is normalised
+    float facing_dx;
+    float facing_dy;
+};
+
+ProjectedFrame project_frame(const PlanarProjector& projector, const TexelFrame& frame);
+
+}  // namespace txc

@@ -1,0 +1,74 @@
+// A session: one model and what is painted on it, within one memory budget. The ABI's functions are thin doors to it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "id_table.h"
+#include "image_pyramid.h"
+#include "mesh.h"
+#include "occlusion.h"
+#include "target.h"
+
+namespace txc {
+
+class Session {
+public:
+    explicit Session(const TxcSessionDef& def)
+        : budget_(static_cast<std::uint64_t>(def.memory_budget_mib) << 20), mesh_share_(budget_) {}
+
+    TxcSessionStats stats() const;
+
+    TxcStatus load_glb(const std::uint8_t* bytes, std::uint32_t byte_count);
+    TxcStatus add_mesh(const TxcMeshDef& def, const float* positions, const float* normals, const float* uvs,
+                       const std::uint32_t* indices);
+    TxcStatus find_material(std::uint32_t material, const Material*& out_material) const;
+    /// Null before a model was loaded.
+    const Mesh* mesh() const { return mesh_.get(); }
+
+    TxcStatus create_target(const TxcTargetDef& def, TxcTarget& out_target);
+    TxcStatus bake(TxcTarget target, std::uint32_t work_limit, float& out_progress);
+    TxcStatus destroy_target(TxcTarget target);
+    TxcStatus find_target(TxcTarget id, Target*& out_target) const;
+    /// Like find_target, and NOT_BAKED before its map is ready.
+    TxcStatus find_baked(TxcTarget id, Target*& out_target) const;
+    TxcStatus set_base(TxcTarget target, std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba,
+                       bool nearest);
+    TxcStatus set_base_color(TxcTarget target, const std::uint8_t (&rgba)[4]);
+
+    TxcStatus create_image(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba, TxcImage& out_image);
+    TxcStatus destroy_image(TxcImage image);
+
+    TxcStatus create_layer(TxcTarget target, const TxcLayerDef& def, TxcLayer& out_layer);
+    TxcStatus update_layer(TxcLayer layer, const TxcLayerDef& def);
+    TxcStatus move_layer(TxcLayer layer, std::uint32_t index);
+    TxcStatus destroy_layer(TxcLayer layer);
+    TxcStatus find_layer(TxcLayer id, Layer*& out_layer) const;
+
+    TxcStatus update_target(TxcTarget target, TxcUpdate& out_update);
+
+private:
+    TxcStatus begin_map(Target& target);
+    std::shared_ptr<LocalSpaceMap> cached_map(const MapKey& key) const;
+    void drop_unused_maps(std::size_t keep);
+    void forget_model();
+    TxcStatus check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings) const;
+    TxcStatus project_layer(const Target& target, Layer& layer, TxcUpdate& update);
+    TxcStatus ensure_occlusion_tree();
+
+    // The budget outlives everything that holds a share of it.
+    MemoryBudget budget_;
+    std::unique_ptr<Mesh> mesh_;
+    BudgetShare mesh_share_;
+    std::unique_ptr<OcclusionTree> occlusion_;
+    std::vector<std::shared_ptr<LocalSpaceMap>> maps_;  // oldest first; those that no target uses may be dropped
+    IdTable<ImagePyramid> images_;
+    IdTable<Layer> layers_;
+    IdTable<Target> targets_;
+    std::uint32_t bake_count_ = 0;
+    std::uint32_t projection_count_ = 0;
+    std::uint32_t projected_texels_ = 0;
+    std::uint32_t composited_texels_ = 0;
+};
+
+}  // namespace txc

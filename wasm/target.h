@@ -1,0 +1,56 @@
+// One material's base colour texture under way: its map, its base picture, its layers, and the picture that comes out.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "base_picture.h"
+#include "layer_tiles.h"
+#include "local_space_map.h"
+#include "map_baker.h"
+#include "mip_chain.h"
+#include "projection.h"
+
+namespace txc {
+
+struct Layer {
+    explicit Layer(MemoryBudget& budget) : tiles(budget) {}
+
+    TxcTarget target = 0;
+    TxcLayerDef def{};
+    DecalSettings settings{};       // of a decal, derived from def
+    LayerTiles tiles;               // of a decal
+    bool needs_projection = false;  // `tiles` show an older def
+};
+
+struct Target {
+    Target(const TxcTargetDef& target_def, MemoryBudget& budget)
+        : def(target_def), base_share(budget), output_share(budget) {}
+
+    TxcTargetDef def;
+    std::unique_ptr<MapBaker> baker;     // while the bake is under way
+    std::shared_ptr<LocalSpaceMap> map;  // once it is done
+    BasePicture base;
+    std::vector<TxcLayer> order;            // bottom to top
+    MipChain output;                        // empty before the first update
+    std::vector<std::uint8_t> dirty_tiles;  // per tile: must be composited again
+    bool all_dirty = true;
+
+    // The newest update's report.
+    std::vector<TxcRect> rects;
+    std::vector<std::uint8_t> packed;
+
+    BudgetShare base_share;
+    BudgetShare output_share;  // output, packed bytes, tile marks
+
+    std::uint32_t tile_columns() const { return (def.width + kTileSize - 1) / kTileSize; }
+    std::uint32_t tile_rows() const { return (def.height + kTileSize - 1) / kTileSize; }
+    std::uint32_t tile_count() const { return tile_columns() * tile_rows(); }
+
+    /// Marks the tiles that a layer paints, so that the next update composites them.
+    void mark_dirty(const Layer& layer);
+    void mark_all_dirty() { all_dirty = true; }
+};
+
+}  // namespace txc

@@ -1,0 +1,53 @@
+#include "tile_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "local_space_map.h"
+
+namespace txc {
+
+bool ModelToDecal::may_touch(const ModelBox& box) const {
+    const glm::dvec3 centre = apply((glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5);
+    const glm::dvec3 half = (glm::dvec3(box.max) - glm::dvec3(box.min)) * 0.5;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double reach = std::fabs(matrix[0][axis]) * half.x + std::fabs(matrix[1][axis]) * half.y +
+                             std::fabs(matrix[2][axis]) * half.z;
+        // A little more than 1/2: the boxes are rounded to float, and a wrong "may" costs only time.
+        if (std::fabs(centre[axis]) - reach > 0.5 + 1e-5) return false;
+    }
+    return true;
+}
+
+void TileTree::build(const LocalSpaceMap& map) {
+    const std::uint32_t columns = map.tile_columns();
+    group_columns_ = (columns + kGroupSize - 1) / kGroupSize;
+    const std::uint32_t group_rows = (map.tile_rows() + kGroupSize - 1) / kGroupSize;
+    groups_.assign(static_cast<std::size_t>(group_columns_) * group_rows, Group{});
+    for (const MapTile& tile : map.tiles) {
+        Group& group = groups_[tile.index / columns / kGroupSize * group_columns_ + tile.index % columns / kGroupSize];
+        group.box.min = group.empty ? tile.box.min : glm::min(group.box.min, tile.box.min);
+        group.box.max = group.empty ? tile.box.max : glm::max(group.box.max, tile.box.max);
+        group.empty = false;
+    }
+}
+
+void TileTree::find(const LocalSpaceMap& map, const ModelToDecal& to_decal, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    const std::uint32_t columns = map.tile_columns();
+    const std::uint32_t rows = map.tile_rows();
+    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
+        if (groups_[g].empty || !to_decal.may_touch(groups_[g].box)) continue;
+        const std::uint32_t first_row = g / group_columns_ * kGroupSize;
+        const std::uint32_t first_column = g % group_columns_ * kGroupSize;
+        for (std::uint32_t row = first_row; row < std::min(first_row + kGroupSize, rows); ++row) {
+            for (std::uint32_t column = first_column; column < std::min(first_column + kGroupSize, columns); ++column) {
+                const std::uint32_t place = map.tile_of[row * columns + column];
+                if (place != kNoTile && to_decal.may_touch(map.tiles[place].box)) out.push_back(place);
+            }
+        }
+    }
+    std::sort(out.begin(), out.end());
+}
+
+}  // namespace txc
