@@ -72,7 +72,8 @@ export async function readFileBytes(filePath: string, options: ReadOptions): Pro
  */
 export async function resolveInFolder(uri: string, reference: Reference): Promise<string> {
   const folder = path.dirname(reference.file);
-  const name = decodeUri(uri);
+  // Exporters on Windows write backslashes; taken as letters, they would hide a way up from the checks below.
+  const name = decodeUri(uri).replaceAll("\\", "/");
   const outside = (why: string, hint: string) =>
     new TexelcastError("outside-folder", `${prefixOf(reference)}${quote(uri)} ${why}`, {
       ...detailsOf(reference),
@@ -86,8 +87,7 @@ export async function resolveInFolder(uri: string, reference: Reference): Promis
     throw outside(`is a ${scheme.toLowerCase()} address, not a file beside it`, hint);
   }
   const putInside = `Put the file into ${quote(folder)} or below, and name it there.`;
-  // A backslash separates folders on one system and is a letter on the others: a document must mean the same on all.
-  if (/^[\\/]/.test(name)) throw outside("is an absolute path", putInside);
+  if (name.startsWith("/")) throw outside("is an absolute path", putInside);
   if (name.includes("\0")) throw outside("is not a file name", putInside);
   const target = path.resolve(folder, name);
   if (!contains(path.resolve(folder), target)) throw outside("lies outside the folder", putInside);

@@ -6,7 +6,8 @@ import { printable } from "./terminal-text.ts";
 /** Writes the error and gives the exit code that it asks for. */
 export function reportError(error: unknown): number {
   if (error instanceof TexelcastError) {
-    const subject = error.subject === undefined ? "" : `${printable(error.subject)}: `;
+    const isNamed = error.subject === undefined || error.message.includes(error.subject);
+    const subject = isNamed ? "" : `${printable(error.subject)}: `;
     const hint = error.hint === undefined ? "" : `  ${printable(error.hint)}\n`;
     process.stderr.write(`texelcast: ${subject}${printable(error.message)}\n${hint}`);
     return exitCodeOf(error);

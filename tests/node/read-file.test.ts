@@ -35,6 +35,7 @@ describe("a file that a document names", () => {
     ["percent-encoded", "textures/red%20%26%20blue.png", "textures/red & blue.png"],
     ["with a percent sign that encodes nothing", "100%.png", "100%.png"],
     ["by a way that goes up and comes back", "textures/../skin.png", "skin.png"],
+    ["with a backslash, as Windows writes it", "textures\\red & blue.png", "textures/red & blue.png"],
     ["by a way that stays", "./skin.png", "skin.png"],
   ])("is found %s", async (_what, uri, name) => {
     expect(await resolve(uri)).toBe(inside(name));
@@ -48,6 +49,7 @@ describe("a file that a document names", () => {
   it.each([
     ["a way up", "../secret.png", "lies outside the folder"],
     ["a way up in disguise", "..%2fsecret.png", "lies outside the folder"],
+    ["a way up as Windows writes it", "..\\secret.png", "lies outside the folder"],
     ["a way up from below", "textures/../../secret.png", "lies outside the folder"],
     ["the folder itself", ".", "lies outside the folder"],
     ["the folder above", "..", "lies outside the folder"],

@@ -1,0 +1,233 @@
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { validateBytes } from "gltf-validator";
+import { describe, expect, it } from "vitest";
+import { decodePicture } from "../../web/engine/picture-decoder.ts";
+import { encodePng } from "../../web/engine/png-encoder.ts";
+import { FACING_DOWN, plainPng, planeGlb, readGlbJson } from "./plane-model.ts";
+import { temporaryFolder, texelcast } from "./run-cli.ts";
+
+const RED = [255, 0, 0, 255] as const;
+const GREEN = [0, 255, 0, 255] as const;
+const BLUE = [0, 0, 255, 255] as const;
+const GREY = [128, 128, 128, 255] as const;
+
+/** On a texture of 64 texels: the middle 16 by 16, from texel 24 to texel 39. */
+const middle = { kind: "planar", position: [0, 0.5, 0], rotation: FACING_DOWN, size: [2, 1, 0.2] };
+const decal = (fields: object = {}) => ({ type: "decal", asset: "logo", projector: middle, ...fields });
+
+interface Workbench {
+  readonly folder: string;
+  read(name: string): Uint8Array;
+  render(...args: string[]): ReturnType<typeof texelcast>;
+  /** The colour of a texel of a picture that was written. */
+  texel(name: string, i: number, j: number): Promise<number[]>;
+}
+
+/** A folder with a plane, a design of these layers, and its picture: red, green over blue, grey, from the top left. */
+async function workbench(layers: readonly object[], glb = planeGlb()): Promise<Workbench> {
+  const folder = temporaryFolder();
+  const inFolder = (name: string): string => path.join(folder, name);
+  const logo = await encodePng({ width: 2, height: 2, rgba: new Uint8Array([...RED, ...GREEN, ...BLUE, ...GREY]) });
+  writeFileSync(inFolder("plane.glb"), glb);
+  writeFileSync(inFolder("logo.png"), logo);
+  const assets = { logo: { type: "image/png", uri: "logo.png" } };
+  writeFileSync(inFolder("design.json"), JSON.stringify({ format: "texelcast-design", version: 1, assets, layers }));
+  return {
+    folder,
+    read: (name) => readFileSync(inFolder(name)),
+    render: (...args) => texelcast(["render", "plane.glb", "design.json", ...args], { cwd: folder }),
+    async texel(name, i, j) {
+      const { width, rgba } = await decodePicture(readFileSync(inFolder(name)), name);
+      return Array.from(rgba.subarray(4 * (j * width + i), 4 * (j * width + i) + 4));
+    },
+  };
+}
+
+/** The four corners of the decal, well inside their pixel: from the top left, row by row. */
+const corners = async (bench: Workbench, name: string): Promise<number[][]> =>
+  Promise.all([
+    bench.texel(name, 26, 26),
+    bench.texel(name, 37, 26),
+    bench.texel(name, 26, 37),
+    bench.texel(name, 37, 37),
+  ]);
+
+describe("texelcast render to .png", () => {
+  it("puts the picture where the projector throws it, the right way up, and leaves the ground around it", async () => {
+    const bench = await workbench([decal({ filter: "nearest" })]);
+    const run = await bench.render("--out", "out.png", "--size", "64", "--base", "#102030");
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toMatch(/^out\.png: [\d,]+ bytes, 1 layer, material 0 at 64 x 64\n$/);
+    expect(await corners(bench, "out.png")).toEqual([RED, GREEN, BLUE, GREY]);
+    for (const [i, j] of [
+      [22, 30],
+      [41, 30],
+      [30, 22],
+      [30, 41],
+      [0, 0],
+      [63, 63],
+    ] as const) {
+      expect(await bench.texel("out.png", i, j)).toEqual([16, 32, 48, 255]);
+    }
+  });
+
+  it("mirrors the picture by flipX and flipY", async () => {
+    const bench = await workbench([decal({ filter: "nearest", flipX: true, flipY: true })]);
+    await bench.render("--out", "out.png", "--size", "64");
+    expect(await corners(bench, "out.png")).toEqual([GREY, BLUE, GREEN, RED]);
+  });
+
+  it("lies on the material's own colour, white, a colour or a picture, as --base says", async () => {
+    const bench = await workbench([]);
+    writeFileSync(path.join(bench.folder, "ground.png"), await plainPng(5, 3, [7, 8, 9, 255]));
+    await bench.render("--out", "own.png", "--size", "16");
+    await bench.render("--out", "white.png", "--size", "16", "--base", "white");
+    await bench.render("--out", "colour.png", "--size", "16", "--base", "#01020380");
+    await bench.render("--out", "picture.png", "--base", "ground.png");
+    await bench.render("--out", "resized.png", "--base", "ground.png", "--size", "16x8");
+    expect(await bench.texel("own.png", 8, 8)).toEqual([255, 0, 0, 255]);
+    expect(await bench.texel("white.png", 8, 8)).toEqual([255, 255, 255, 255]);
+    expect(await bench.texel("colour.png", 8, 8)).toEqual([1, 2, 3, 128]);
+    expect(await bench.texel("picture.png", 2, 1)).toEqual([7, 8, 9, 255]);
+    expect(await bench.texel("resized.png", 15, 7)).toEqual([7, 8, 9, 255]);
+    const { width, height } = await decodePicture(bench.read("picture.png"), "picture.png");
+    expect([width, height]).toEqual([5, 3]);
+  });
+
+  it("stacks layers bottom to top, hides those that are hidden, and mixes by opacity", async () => {
+    const bench = await workbench([
+      { type: "fill", color: "#0000ff" },
+      { type: "fill", color: "#00ff00", opacity: 0.5 },
+      { type: "fill", color: "#ffffff", visible: false },
+    ]);
+    const run = await bench.render("--out", "out.png", "--size", "16");
+    expect(run.stdout).toContain("2 layers");
+    expect(await bench.texel("out.png", 8, 8)).toEqual([0, 128, 127, 255]);
+  });
+
+  it("writes the same bytes each time", async () => {
+    const bench = await workbench([decal({ opacity: 0.7 })]);
+    await bench.render("--out", "first.png", "--size", "64");
+    await bench.render("--out", "second.png", "--size", "64");
+    expect(Buffer.compare(bench.read("first.png"), bench.read("second.png"))).toBe(0);
+  });
+
+  it("replays the same recipe at another size", async () => {
+    const bench = await workbench([decal({ filter: "nearest" })]);
+    await bench.render("--out", "out.png", "--size", "128");
+    expect(await bench.texel("out.png", 52, 52)).toEqual(RED);
+    expect(await bench.texel("out.png", 74, 74)).toEqual(GREY);
+  });
+
+  it("takes pictures that are written into the design", async () => {
+    const bench = await workbench([]);
+    const uri = `data:image/png;base64,${Buffer.from(bench.read("logo.png")).toString("base64")}`;
+    const assets = { logo: { type: "image/png", uri } };
+    const layers = [decal({ filter: "nearest" })];
+    const design = JSON.stringify({ format: "texelcast-design", version: 1, assets, layers });
+    writeFileSync(path.join(bench.folder, "design.json"), design);
+    await bench.render("--out", "out.png", "--size", "64");
+    expect(await corners(bench, "out.png")).toEqual([RED, GREEN, BLUE, GREY]);
+  });
+
+  it("does not read the pictures of layers that are not drawn", async () => {
+    const bench = await workbench([decal({ visible: false })]);
+    writeFileSync(path.join(bench.folder, "logo.png"), "not a picture");
+    expect((await bench.render("--out", "out.png", "--size", "16")).code).toBe(0);
+  });
+});
+
+describe("texelcast render to .glb", () => {
+  it("puts the finished texture into the model, byte for byte that of the .png, and stays valid", async () => {
+    const bench = await workbench([decal()], planeGlb({ texture: await plainPng(64, 64, [1, 2, 3, 255]) }));
+    const run = await bench.render("--out", "out.glb");
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toMatch(/^out\.glb: [\d,]+ bytes, 1 layer, material 0 at 64 x 64\n$/);
+    await bench.render("--out", "out.png");
+    const glb = bench.read("out.glb");
+    const report = await validateBytes(glb);
+    expect(report.issues.messages.filter(({ severity }) => severity <= 1)).toEqual([]);
+    expect(Buffer.from(glb).includes(Buffer.from(bench.read("out.png")))).toBe(true);
+  });
+
+  it("leaves everything else of the file as it was, unknown extensions too", async () => {
+    const original = planeGlb({ texture: await plainPng(64, 64, [1, 2, 3, 255]) });
+    const bench = await workbench([decal()], original);
+    await bench.render("--out", "out.glb");
+    const [before, after] = [readGlbJson(original), readGlbJson(bench.read("out.glb"))];
+    const untouched = [
+      "asset",
+      "extensionsUsed",
+      "extensions",
+      "extras",
+      "scene",
+      "scenes",
+      "nodes",
+      "animations",
+      "meshes",
+      "accessors",
+    ];
+    for (const field of untouched) expect(after[field]).toEqual(before[field]);
+    expect((after.materials as unknown[])[1]).toEqual((before.materials as unknown[])[1]);
+  });
+
+  it("can be rendered again from its own output: the picture comes back as the ground", async () => {
+    const bench = await workbench([{ type: "fill", color: "#336699" }]);
+    await bench.render("--out", "once.glb", "--size", "32");
+    writeFileSync(path.join(bench.folder, "plane.glb"), bench.read("once.glb"));
+    writeFileSync(path.join(bench.folder, "design.json"), '{"format":"texelcast-design","version":1}');
+    await bench.render("--out", "again.png");
+    const { width, height } = await decodePicture(bench.read("again.png"), "again.png");
+    expect([width, height]).toEqual([32, 32]);
+    expect(await bench.texel("again.png", 16, 16)).toEqual([0x33, 0x66, 0x99, 255]);
+  });
+
+  it("replaces no texture when the design paints nothing", async () => {
+    const original = planeGlb({ texture: await plainPng(8, 8, [1, 2, 3, 255]) });
+    const bench = await workbench([{ type: "fill", color: "#336699", visible: false }], original);
+    const run = await bench.render("--out", "out.glb");
+    expect(run.stdout).toContain("0 layers, no material");
+    expect(readGlbJson(bench.read("out.glb"))).toEqual(readGlbJson(original));
+  });
+});
+
+describe("what texelcast render refuses", () => {
+  it.each<[string, object[], string[], string]>([
+    [
+      "a material that the design names and the model lacks",
+      [{ type: "fill", color: "#000000", material: 7 }],
+      [],
+      "design.json: layers[0].material: the model has no material 7, it has materials 0 to 1",
+    ],
+    [
+      "a material of the command line that the model lacks",
+      [],
+      ["--material", "2"],
+      "--material: the model has no material 2",
+    ],
+    ["a material without triangles", [], ["--material", "1"], "no triangle"],
+    ["a ground that is missing", [], ["--base", "ground.png"], "ground.png: there is no such file"],
+    ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
+    [
+      "a blend mode of a later day",
+      [decal({ blend: "multiply" })],
+      [],
+      "layers[0].blend: blend modes other than normal cannot be drawn yet",
+    ],
+  ])("%s: exit code 3, nothing written, nothing on stdout", async (_what, layers, args, told) => {
+    const bench = await workbench(layers);
+    const run = await bench.render("--out", "out.png", ...args);
+    expect(run.code).toBe(3);
+    expect(run.stdout).toBe("");
+    expect(run.stderr).toContain(told);
+    expect(readdirSync(bench.folder).sort()).toEqual(["design.json", "logo.png", "plane.glb"]);
+  });
+
+  it("a model without texture coordinates", async () => {
+    const bench = await workbench([], planeGlb({ withoutUvs: true }));
+    const run = await bench.render("--out", "out.png");
+    expect(run.code).toBe(3);
+    expect(run.stderr).toContain("texture coordinates");
+  });
+});
