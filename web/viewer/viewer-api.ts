@@ -19,6 +19,11 @@ export interface DecalGesture {
   readonly kind: "slide" | "rotate" | "scale" | "depth";
   readonly phase: "start" | "move" | "end" | "cancel";
   readonly projector: PlanarProjector;
+  /**
+   * glTF material of the surface that the decal was dragged onto (its own, until it reaches another): the editor may hand
+   * the decal over to that material, else it stops painting there.
+   */
+  readonly material: number;
 }
 
 /** A point on the model under the pointer. */
@@ -39,6 +44,8 @@ export interface ModelViewerEvents {
   hover: { readonly hit: SurfaceHit | null };
   /** WebGL was lost or came back; the viewer asks for a full picture again by itself through `needsFullUpdate`. */
   needsFullUpdate: { readonly material: number };
+  /** The animation was started or stopped; placing a decal stops it by itself. */
+  animation: { readonly playing: boolean };
 }
 
 export interface ModelViewer {
@@ -49,6 +56,7 @@ export interface ModelViewer {
   bindTarget(info: TargetInfo): void;
   /** Uploads the dirty rectangles (packed staging buffer, copyTextureToTexture, every mip level that is reported). */
   applyUpdate(update: TargetUpdate): void;
+  /** Decals lie bottom to top, as layers do: a click selects the topmost under it. */
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void;
   /** Where a new decal would go: the surface point nearest the middle of the view. Null when the model is out of view. */
   surfaceAtCentre(): SurfaceHit | null;
@@ -61,6 +69,8 @@ export interface ModelViewer {
   frameDecal(id: string): void;
   setAnimationPlaying(playing: boolean): void;
   readonly hasAnimation: boolean;
+  /** A point of model space in the page's client pixels; null behind the camera or without a model. */
+  clientPosition(position: Vec3): { readonly x: number; readonly y: number } | null;
   on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void;
   /** Frames drawn, and the main-thread milliseconds of the newest upload: for tests and the status line. */
   readonly statistics: { readonly frames: number; readonly uploadMilliseconds: number; readonly uploadedBytes: number };

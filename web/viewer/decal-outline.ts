@@ -1,0 +1,77 @@
+/** A decal's rectangle laid over the surface: the line that shows where the picture is painted. */
+import { Vector3 } from "three";
+import { axisOf, type DecalPose, fromLocal } from "./decal-pose.ts";
+import type { SurfaceQuery } from "./surface-query.ts";
+
+/** One point of the outline. */
+export interface OutlinePoint {
+  /** Model space, slightly above the surface. */
+  readonly position: Vector3;
+  /** Height over the box's middle plane, metres. */
+  readonly height: number;
+  /** False where the box catches no surface: the line bridges a gap there. */
+  readonly onSurface: boolean;
+}
+
+/** Points along one edge; the outline has four times as many and closes on itself. */
+export const POINTS_PER_EDGE = 20;
+
+/** From the bottom left corner anticlockwise as the picture's viewer sees it; corners at multiples of POINTS_PER_EDGE. */
+export function drapeOutline(query: SurfaceQuery, pose: DecalPose): OutlinePoint[] {
+  const backward = axisOf(pose, 2).negate();
+  const border = rectangleBorder();
+  const heights = border.map(([x, y]) => {
+    const origin = fromLocal(pose, x * pose.size.x, y * pose.size.y, pose.size.z / 2);
+    const hit = query.raycast(origin, backward, pose.size.z);
+    return hit === null ? null : pose.size.z / 2 - hit.distance;
+  });
+  const filled = bridgeGaps(heights);
+  const lift = 0.004 * Math.max(pose.size.x, pose.size.y);
+  return border.map(([x, y], point) => {
+    const height = filled[point] as number;
+    return {
+      position: fromLocal(pose, x * pose.size.x, y * pose.size.y, height + lift),
+      height,
+      onSurface: heights[point] !== null,
+    };
+  });
+}
+
+/** Fills what is missing in a closed line by straight bridges; 0 throughout where all of it is missing. */
+export function bridgeGaps(heights: readonly (number | null)[]): number[] {
+  const count = heights.length;
+  const first = heights.findIndex((height) => height !== null);
+  if (first < 0) {
+    return heights.map(() => 0);
+  }
+  const filled = heights.map((height) => height ?? 0);
+  let before = first;
+  for (let step = 1; step <= count; step++) {
+    const point = (first + step) % count;
+    if (heights[point] !== null) {
+      const span = step + first - before;
+      for (let gap = 1; gap < span; gap++) {
+        const from = heights[before % count] as number;
+        filled[(before + gap) % count] = from + ((heights[point] as number) - from) * (gap / span);
+      }
+      before = first + step;
+    }
+  }
+  return filled;
+}
+
+function rectangleBorder(): [number, number][] {
+  const corners = [
+    [-0.5, -0.5],
+    [0.5, -0.5],
+    [0.5, 0.5],
+    [-0.5, 0.5],
+  ] as const;
+  return corners.flatMap(([x, y], corner) => {
+    const [nextX, nextY] = corners[(corner + 1) % 4] as readonly [number, number];
+    return Array.from({ length: POINTS_PER_EDGE }, (_, step): [number, number] => {
+      const share = step / POINTS_PER_EDGE;
+      return [x + (nextX - x) * share, y + (nextY - y) * share];
+    });
+  });
+}

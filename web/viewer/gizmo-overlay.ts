@@ -1,0 +1,176 @@
+/** Draws the gizmo: an SVG over the 3D view. Knows pixels only; what is where is decided in gizmo-picture.ts. */
+
+export const HANDLES = ["nw", "ne", "se", "sw", "n", "e", "s", "w", "rotate", "depth"] as const;
+export type HandleName = (typeof HANDLES)[number];
+
+export interface HandlePlace {
+  /** CSS pixels in the view. */
+  readonly x: number;
+  readonly y: number;
+  /** Degrees clockwise on the screen: how the mark lies. */
+  readonly angle: number;
+  /** Behind the model: drawn faint. */
+  readonly hidden: boolean;
+  readonly cursor: string;
+}
+
+/** SVG path data in CSS pixels; "" draws nothing. */
+export interface GizmoPicture {
+  readonly outline: string;
+  readonly outlineHidden: string;
+  readonly box: string;
+  readonly boxHidden: string;
+  readonly guide: string;
+  readonly arrow: string;
+  readonly arrowHead: string;
+  readonly hover: string;
+  /** Handles that are left out are not shown. */
+  readonly handles: ReadonlyMap<HandleName, HandlePlace>;
+}
+
+const SVG = "http://www.w3.org/2000/svg";
+
+/** Radius of what reacts to the pointer: 24 px across for a mouse, 44 for a finger (WCAG 2.5.8 and 2.5.5). */
+const HIT_RADIUS_FINE = 12;
+const HIT_RADIUS_COARSE = 22;
+
+type PathName = Exclude<keyof GizmoPicture, "handles">;
+
+/** In drawing order, with class names; casings share the data of the line that they lie under. */
+const PATHS: readonly { readonly data: PathName; readonly className: string }[] = [
+  { data: "boxHidden", className: "tcv-box-hidden" },
+  { data: "box", className: "tcv-box" },
+  { data: "outlineHidden", className: "tcv-outline-hidden" },
+  { data: "hover", className: "tcv-casing" },
+  { data: "hover", className: "tcv-hover" },
+  { data: "outline", className: "tcv-casing" },
+  { data: "outline", className: "tcv-outline" },
+  { data: "guide", className: "tcv-guide" },
+  { data: "arrow", className: "tcv-casing" },
+  { data: "arrow", className: "tcv-arrow" },
+  { data: "arrowHead", className: "tcv-arrow-head" },
+];
+
+export class GizmoOverlay {
+  readonly element = document.createElementNS(SVG, "svg");
+  readonly #paths: { element: SVGPathElement; data: PathName }[] = [];
+  readonly #handles = new Map<HandleName, SVGGElement>();
+  readonly #readout = document.createElement("div");
+  readonly #coarse = matchMedia("(pointer: coarse)");
+
+  constructor(root: HTMLElement) {
+    this.element.classList.add("tcv-overlay");
+    this.element.setAttribute("aria-hidden", "true");
+    for (const { data, className } of PATHS) {
+      const element = make("path", { class: className });
+      this.#paths.push({ element, data });
+      this.element.append(element);
+    }
+    for (const name of HANDLES) {
+      const handle = this.#makeHandle(name);
+      this.#handles.set(name, handle);
+      this.element.append(handle);
+    }
+    this.#readout.className = "tcv-readout";
+    this.#readout.hidden = true;
+    root.append(this.element, this.#readout);
+  }
+
+  /** Shows a picture; null shows nothing. */
+  draw(picture: GizmoPicture | null): void {
+    for (const { element, data } of this.#paths) {
+      const path = picture?.[data] ?? "";
+      if (element.getAttribute("d") !== path) {
+        element.setAttribute("d", path);
+      }
+    }
+    for (const [name, handle] of this.#handles) {
+      const place = picture?.handles.get(name);
+      handle.toggleAttribute("hidden", place === undefined);
+      handle.style.display = place === undefined ? "none" : "";
+      if (place !== undefined) {
+        handle.setAttribute("transform", `translate(${round(place.x)} ${round(place.y)}) rotate(${round(place.angle)})`);
+        handle.toggleAttribute("data-hidden", place.hidden);
+        handle.style.cursor = place.cursor;
+      }
+    }
+  }
+
+  /** The handle that an event's target belongs to. */
+  handleAt(target: EventTarget | null): HandleName | null {
+    const handle = target instanceof Element ? target.closest("[data-handle]") : null;
+    return (handle?.getAttribute("data-handle") as HandleName | null) ?? null;
+  }
+
+  /** Keeps a handle highlighted while it is dragged. */
+  setActive(active: HandleName | null): void {
+    for (const [name, handle] of this.#handles) {
+      handle.toggleAttribute("data-active", name === active);
+    }
+  }
+
+  /** A small label beside the pointer that says what a gesture has come to; null hides it. */
+  setReadout(readout: { readonly text: string; readonly x: number; readonly y: number } | null): void {
+    this.#readout.hidden = readout === null;
+    if (readout !== null) {
+      this.#readout.textContent = readout.text;
+      this.#readout.style.transform = `translate(${round(readout.x + 18)}px, ${round(readout.y + 18)}px)`;
+    }
+  }
+
+  dispose(): void {
+    this.element.remove();
+    this.#readout.remove();
+  }
+
+  #makeHandle(name: HandleName): SVGGElement {
+    const handle = make("g", { class: "tcv-handle", "data-handle": name });
+    const radius = this.#coarse.matches ? HIT_RADIUS_COARSE : HIT_RADIUS_FINE;
+    handle.append(make("circle", { class: "tcv-hit", r: String(radius) }), ...marksOf(name));
+    handle.style.display = "none";
+    return handle;
+  }
+}
+
+/** Corners are squares, edges are bars along their edge, the knob turns, the diamond pulls along the arrow. */
+function marksOf(name: HandleName): SVGElement[] {
+  switch (name) {
+    case "rotate":
+      return [
+        make("circle", { class: "tcv-mark-shadow", r: "9.5", cy: "1" }),
+        make("circle", { class: "tcv-mark", r: "8.5" }),
+        // Three quarters of a turn, and the tip of its arrow.
+        make("path", { class: "tcv-glyph", d: "M3.6 -1.2A3.8 3.8 0 1 0 3.3 2M4.4 -4.2L3.7 -1.1L0.7 -1.8" }),
+      ];
+    case "depth":
+      return [
+        make("rect", { class: "tcv-mark-shadow", x: "-6", y: "-5", width: "12", height: "12", rx: "2", transform: "rotate(45)" }),
+        make("path", { class: "tcv-mark", d: "M0 -7.5L7.5 0L0 7.5L-7.5 0Z" }),
+      ];
+    case "n":
+    case "s":
+    case "e":
+    case "w":
+      return [
+        make("rect", { class: "tcv-mark-shadow", x: "-9", y: "-2.5", width: "18", height: "7", rx: "3.5" }),
+        make("rect", { class: "tcv-mark", x: "-8", y: "-3", width: "16", height: "6", rx: "3" }),
+      ];
+    default:
+      return [
+        make("rect", { class: "tcv-mark-shadow", x: "-6", y: "-5", width: "12", height: "12", rx: "3" }),
+        make("rect", { class: "tcv-mark", x: "-5", y: "-5", width: "10", height: "10", rx: "2.5" }),
+      ];
+  }
+}
+
+function make<K extends keyof SVGElementTagNameMap>(name: K, attributes: Record<string, string>): SVGElementTagNameMap[K] {
+  const element = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) {
+    element.setAttribute(key, value);
+  }
+  return element;
+}
+
+function round(value: number): number {
+  return Math.round(value * 10) / 10;
+}

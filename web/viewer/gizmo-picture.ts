@@ -1,0 +1,259 @@
+/** What the gizmo of a decal looks like from a camera: lines and handles in pixels, hidden parts told apart. */
+import { Vector3 } from "three";
+import { type OutlinePoint, POINTS_PER_EDGE } from "./decal-outline.ts";
+import { axisOf, boxCorners, type DecalPose, fromLocal } from "./decal-pose.ts";
+import type { GizmoPicture, HandleName, HandlePlace } from "./gizmo-overlay.ts";
+import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
+import type { SurfaceQuery } from "./surface-query.ts";
+
+/** What a picture is drawn from. */
+export interface GizmoView {
+  readonly screen: ScreenSpace;
+  readonly query: SurfaceQuery;
+  metresPerPixel(point: Vector3): number;
+}
+
+/** Lengths on the screen, CSS pixels. */
+const ROTATE_STEM = 30;
+const ARROW_LENGTH = 46;
+const ARROW_BEYOND_HANDLE = 24;
+const ARROW_HEAD = 7;
+/** Edges shorter than this on the screen have no room for a handle between their corners. */
+const LEAST_EDGE_FOR_HANDLE = 60;
+/** An arrow shorter than this on the screen points at the viewer: nothing to pull on. */
+const LEAST_ARROW = 22;
+/** Pieces of a box edge that are told apart as hidden or seen. */
+const EDGE_PIECES = 6;
+
+/** Index of each corner and edge middle in the outline. */
+const OUTLINE_INDEX: Readonly<Record<Exclude<HandleName, "rotate" | "depth">, number>> = {
+  sw: 0,
+  s: POINTS_PER_EDGE / 2,
+  se: POINTS_PER_EDGE,
+  e: POINTS_PER_EDGE * 1.5,
+  ne: POINTS_PER_EDGE * 2,
+  n: POINTS_PER_EDGE * 2.5,
+  nw: POINTS_PER_EDGE * 3,
+  w: POINTS_PER_EDGE * 3.5,
+};
+
+/** Pairs of `boxCorners` indices. */
+const BOX_EDGES = [
+  [0, 1],
+  [2, 3],
+  [4, 5],
+  [6, 7],
+  [0, 2],
+  [1, 3],
+  [4, 6],
+  [5, 7],
+  [0, 4],
+  [1, 5],
+  [2, 6],
+  [3, 7],
+] as const;
+
+/** The outline alone, for a decal under the pointer. */
+export function hoverPath(view: GizmoView, outline: readonly OutlinePoint[]): string {
+  return outlinePaths(view, outline).seen;
+}
+
+/** The whole gizmo of a selected decal. `handles: false` for one that is locked. */
+export function drawGizmo(
+  view: GizmoView,
+  pose: DecalPose,
+  outline: readonly OutlinePoint[],
+  options: { readonly handles: boolean; readonly hover: string },
+): GizmoPicture {
+  const lines = outlinePaths(view, outline);
+  const box = boxPaths(view, pose);
+  const facing = axisOf(pose, 2).dot(view.screen.eye.sub(pose.position)) > 0;
+  const handles = new Map<HandleName, HandlePlace>();
+  const arrow = arrowOf(view, pose, outline);
+  let guide = "";
+  if (options.handles && facing) {
+    addScaleHandles(view, outline, handles);
+    guide = addRotateHandle(view, pose, outline, handles);
+    if (arrow.handle !== null) {
+      handles.set("depth", arrow.handle);
+    }
+  }
+  return {
+    outline: lines.seen,
+    outlineHidden: lines.hidden,
+    box: box.seen,
+    boxHidden: box.hidden,
+    guide,
+    arrow: arrow.line,
+    arrowHead: arrow.head,
+    hover: options.hover,
+    handles,
+  };
+}
+
+/** Where a handle's drag begins, in the box's own metric frame: on the draped outline, at its height. */
+export function handleHeight(name: HandleName, outline: readonly OutlinePoint[]): number {
+  const index = name === "rotate" ? OUTLINE_INDEX.n : name === "depth" ? 0 : OUTLINE_INDEX[name];
+  return outline[index]?.height ?? 0;
+}
+
+function outlinePaths(view: GizmoView, outline: readonly OutlinePoint[]): { seen: string; hidden: string } {
+  const closed = [...outline, outline[0] as OutlinePoint];
+  const points = closed.map((point) => view.screen.project(point.position));
+  const seen = closed.map((point) => point.onSurface && view.query.isClear(view.screen.eye, point.position));
+  return splitPath(points, seen);
+}
+
+function boxPaths(view: GizmoView, pose: DecalPose): { seen: string; hidden: string } {
+  const corners = boxCorners(pose);
+  const paths = BOX_EDGES.map(([from, to]) => {
+    const points = Array.from({ length: EDGE_PIECES + 1 }, (_, piece) =>
+      (corners[from] as Vector3).clone().lerp(corners[to] as Vector3, piece / EDGE_PIECES),
+    );
+    return splitPath(
+      points.map((point) => view.screen.project(point)),
+      points.map((point) => view.query.isClear(view.screen.eye, point)),
+    );
+  });
+  return { seen: paths.map((path) => path.seen).join(""), hidden: paths.map((path) => path.hidden).join("") };
+}
+
+function addScaleHandles(
+  view: GizmoView,
+  outline: readonly OutlinePoint[],
+  handles: Map<HandleName, HandlePlace>,
+): void {
+  const pixelOf = (name: keyof typeof OUTLINE_INDEX) => {
+    const point = outline[OUTLINE_INDEX[name]];
+    return point === undefined ? null : view.screen.project(point.position);
+  };
+  const [sw, se, ne, nw] = [pixelOf("sw"), pixelOf("se"), pixelOf("ne"), pixelOf("nw")];
+  if (sw === null || se === null || ne === null || nw === null) {
+    return;
+  }
+  const centre = { x: (sw.x + se.x + ne.x + nw.x) / 4, y: (sw.y + se.y + ne.y + nw.y) / 4 };
+  for (const [name, at, from, to] of [
+    ["n", pixelOf("n"), nw, ne],
+    ["s", pixelOf("s"), sw, se],
+    ["e", pixelOf("e"), se, ne],
+    ["w", pixelOf("w"), sw, nw],
+  ] as const) {
+    const length = Math.hypot(to.x - from.x, to.y - from.y);
+    if (at !== null && length >= LEAST_EDGE_FOR_HANDLE) {
+      const angle = degreesOf(from, to);
+      handles.set(name, { ...at, angle, hidden: isHidden(view, outline, name), cursor: resizeCursor(angle + 90) });
+    }
+  }
+  for (const [name, at] of [
+    ["sw", sw],
+    ["se", se],
+    ["ne", ne],
+    ["nw", nw],
+  ] as const) {
+    const side = name === "sw" || name === "nw" ? [nw, sw] : [se, ne];
+    const angle = degreesOf(side[0] as ScreenPoint, side[1] as ScreenPoint);
+    const cursor = resizeCursor(degreesOf(centre, at));
+    handles.set(name, { ...at, angle, hidden: isHidden(view, outline, name), cursor });
+  }
+}
+
+/** Returns the stem's path. */
+function addRotateHandle(
+  view: GizmoView,
+  pose: DecalPose,
+  outline: readonly OutlinePoint[],
+  handles: Map<HandleName, HandlePlace>,
+): string {
+  const top = outline[OUTLINE_INDEX.n];
+  if (top === undefined) {
+    return "";
+  }
+  const stem = ROTATE_STEM * view.metresPerPixel(top.position);
+  const knob = fromLocal(pose, 0, pose.size.y / 2 + stem, top.height);
+  const from = view.screen.project(top.position);
+  const to = view.screen.project(knob);
+  if (from === null || to === null) {
+    return "";
+  }
+  const hidden = !view.query.isClear(view.screen.eye, knob);
+  handles.set("rotate", { ...to, angle: degreesOf(from, to) + 90, hidden, cursor: "grab" });
+  return line(from, to);
+}
+
+/** The arrow along +Z from the surface, as long on the screen as its foreshortening lets it. */
+function arrowOf(
+  view: GizmoView,
+  pose: DecalPose,
+  outline: readonly OutlinePoint[],
+): { line: string; head: string; handle: HandlePlace | null } {
+  const none = { line: "", head: "", handle: null };
+  const perPixel = view.metresPerPixel(pose.position);
+  const grip = Math.max(pose.size.z / 2, ARROW_LENGTH * perPixel);
+  const from = view.screen.project(pose.position);
+  const at = view.screen.project(fromLocal(pose, 0, 0, grip));
+  const tip = view.screen.project(fromLocal(pose, 0, 0, grip + ARROW_BEYOND_HANDLE * perPixel));
+  if (from === null || at === null || tip === null || outline.length === 0) {
+    return none;
+  }
+  if (Math.hypot(at.x - from.x, at.y - from.y) < LEAST_ARROW) {
+    return none;
+  }
+  const angle = degreesOf(from, tip);
+  const hidden = !view.query.isClear(view.screen.eye, fromLocal(pose, 0, 0, grip));
+  return {
+    line: line(from, tip),
+    head: arrowHead(tip, angle),
+    handle: { ...at, angle, hidden, cursor: resizeCursor(angle) },
+  };
+}
+
+function isHidden(view: GizmoView, outline: readonly OutlinePoint[], name: keyof typeof OUTLINE_INDEX): boolean {
+  const point = outline[OUTLINE_INDEX[name]];
+  return point !== undefined && !view.query.isClear(view.screen.eye, point.position);
+}
+
+/** Two paths of a polyline: the segments whose ends are both seen, and the others. */
+function splitPath(points: readonly (ScreenPoint | null)[], seen: readonly boolean[]): { seen: string; hidden: string } {
+  const paths = { seen: "", hidden: "" };
+  let drawing: "seen" | "hidden" | null = null;
+  for (let end = 1; end < points.length; end++) {
+    const from = points[end - 1];
+    const to = points[end];
+    if (!from || !to) {
+      drawing = null;
+      continue;
+    }
+    const kind = seen[end - 1] && seen[end] ? "seen" : "hidden";
+    paths[kind] += drawing === kind ? `L${pixel(to)}` : line(from, to);
+    drawing = kind;
+  }
+  return paths;
+}
+
+function line(from: ScreenPoint, to: ScreenPoint): string {
+  return `M${pixel(from)}L${pixel(to)}`;
+}
+
+function pixel(point: ScreenPoint): string {
+  return `${point.x.toFixed(1)} ${point.y.toFixed(1)}`;
+}
+
+function arrowHead(tip: ScreenPoint, angle: number): string {
+  const at = (degrees: number, length: number) => {
+    const radians = ((angle + degrees) * Math.PI) / 180;
+    return pixel({ x: tip.x + Math.cos(radians) * length, y: tip.y + Math.sin(radians) * length });
+  };
+  return `M${at(0, ARROW_HEAD)}L${at(130, ARROW_HEAD)}L${at(-130, ARROW_HEAD)}Z`;
+}
+
+/** Direction on the screen, degrees clockwise from the right. */
+function degreesOf(from: ScreenPoint, to: ScreenPoint): number {
+  return (Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI;
+}
+
+/** The resize cursor nearest to a direction on the screen. */
+export function resizeCursor(degrees: number): string {
+  const names = ["ew-resize", "nwse-resize", "ns-resize", "nesw-resize"] as const;
+  const eighth = Math.round(degrees / 45);
+  return names[((eighth % 4) + 4) % 4] as string;
+}

@@ -1,0 +1,60 @@
+/** Model space to CSS pixels of the view and back, for one camera and one view size. */
+import { type PerspectiveCamera, Ray, Vector2, Vector3 } from "three";
+
+export interface ScreenPoint {
+  /** CSS pixels from the view's top left corner. */
+  readonly x: number;
+  readonly y: number;
+}
+
+export class ScreenSpace {
+  readonly #camera: PerspectiveCamera;
+  readonly #element: HTMLElement;
+
+  constructor(camera: PerspectiveCamera, element: HTMLElement) {
+    this.#camera = camera;
+    this.#element = element;
+  }
+
+  /** Null for points behind the camera. */
+  project(point: Vector3): ScreenPoint | null {
+    const projected = point.clone().applyMatrix4(this.#camera.matrixWorldInverse);
+    if (projected.z > -this.#camera.near * 0.5) {
+      return null;
+    }
+    projected.applyMatrix4(this.#camera.projectionMatrix);
+    return {
+      x: ((projected.x + 1) / 2) * this.#element.clientWidth,
+      y: ((1 - projected.y) / 2) * this.#element.clientHeight,
+    };
+  }
+
+  /** Where an event is in the view. */
+  pointOf(clientX: number, clientY: number): ScreenPoint {
+    const box = this.#element.getBoundingClientRect();
+    return { x: clientX - box.left, y: clientY - box.top };
+  }
+
+  /** From the eye through a point of the view; the direction is unit. */
+  rayThrough(point: ScreenPoint): Ray {
+    const device = new Vector2(
+      (point.x / (this.#element.clientWidth || 1)) * 2 - 1,
+      1 - (point.y / (this.#element.clientHeight || 1)) * 2,
+    );
+    const origin = this.#camera.getWorldPosition(new Vector3());
+    const direction = new Vector3(device.x, device.y, 0.5).unproject(this.#camera).sub(origin).normalize();
+    return new Ray(origin, direction);
+  }
+
+  get eye(): Vector3 {
+    return this.#camera.getWorldPosition(new Vector3());
+  }
+
+  /** The camera's axes in model space. */
+  get axes(): { right: Vector3; up: Vector3 } {
+    const right = new Vector3();
+    const up = new Vector3();
+    this.#camera.matrixWorld.extractBasis(right, up, new Vector3());
+    return { right, up };
+  }
+}

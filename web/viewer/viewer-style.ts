@@ -1,0 +1,85 @@
+/**
+ * The views' style sheet. Constructed, not inlined: a strict content security policy refuses inline styles.
+ *
+ * Custom properties that a page may set: --viewer-accent (the gizmo), --viewer-on-accent (what lies on it),
+ * --viewer-casing (the thin contrast around its lines), --viewer-shadow (0 to 1, strength of the contact shadow),
+ * --viewer-checker-a and --viewer-checker-b (under transparency), --viewer-outline (UV lines).
+ */
+const STYLE = /* css */ `
+.tcv-root {
+  position: relative; width: 100%; height: 100%; overflow: hidden; outline: none;
+  touch-action: none; user-select: none; -webkit-user-select: none; cursor: default;
+  --tcv-accent: var(--viewer-accent, #3d7eff);
+  --tcv-on-accent: var(--viewer-on-accent, #ffffff);
+  --tcv-casing: var(--viewer-casing, rgb(10 14 24 / 0.5));
+}
+.tcv-root:focus-visible::after {
+  content: ""; position: absolute; inset: 2px; border-radius: 6px; pointer-events: none;
+  box-shadow: inset 0 0 0 2px var(--tcv-accent);
+}
+.tcv-canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
+.tcv-overlay { position: absolute; inset: 0; width: 100%; height: 100%; overflow: hidden; pointer-events: none; }
+.tcv-overlay path { fill: none; stroke-linejoin: round; stroke-linecap: round; }
+.tcv-casing { stroke: var(--tcv-casing); stroke-width: 3.5; }
+.tcv-outline { stroke: var(--tcv-accent); stroke-width: 1.75; }
+.tcv-outline-hidden { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 1 5; opacity: 0.75; }
+.tcv-box { stroke: var(--tcv-accent); stroke-width: 1; opacity: 0.5; }
+.tcv-box-hidden { stroke: var(--tcv-accent); stroke-width: 1; opacity: 0.18; }
+.tcv-hover { stroke: var(--tcv-accent); stroke-width: 1.75; opacity: 0.85; }
+.tcv-arrow { stroke: var(--tcv-accent); stroke-width: 2; }
+.tcv-overlay .tcv-arrow-head { fill: var(--tcv-accent); stroke: none; }
+.tcv-guide { stroke: var(--tcv-accent); stroke-width: 1.25; }
+
+.tcv-handle { pointer-events: all; transition: opacity 120ms; }
+.tcv-handle[data-hidden] { opacity: 0.4; }
+.tcv-hit { fill: transparent; }
+.tcv-mark { fill: var(--tcv-on-accent); stroke: var(--tcv-accent); stroke-width: 1.75; transition: transform 120ms ease-out; }
+.tcv-mark-shadow { fill: rgb(10 14 24 / 0.28); }
+.tcv-handle:hover .tcv-mark, .tcv-handle[data-active] .tcv-mark { fill: var(--tcv-accent); stroke: var(--tcv-on-accent); transform: scale(1.2); }
+.tcv-overlay .tcv-glyph { stroke: var(--tcv-accent); stroke-width: 1.5; pointer-events: none; }
+.tcv-handle:hover .tcv-glyph, .tcv-handle[data-active] .tcv-glyph { stroke: var(--tcv-on-accent); }
+
+.tcv-root[data-cursor="move"] { cursor: move; }
+.tcv-root[data-cursor="orbit"] { cursor: grab; }
+.tcv-root[data-gesture] .tcv-handle:not([data-active]) { opacity: 0; pointer-events: none; }
+.tcv-root[data-gesture="slide"] { cursor: grabbing; }
+.tcv-root[data-gesture="slide"] .tcv-guide, .tcv-root[data-gesture="scale"] .tcv-guide { opacity: 0; }
+
+.tcv-readout {
+  position: absolute; left: 0; top: 0; padding: 3px 8px; border-radius: 6px; pointer-events: none; white-space: nowrap;
+  font: 500 12px/1.4 system-ui, sans-serif; font-variant-numeric: tabular-nums;
+  color: var(--tcv-on-accent); background: var(--tcv-accent); box-shadow: 0 2px 8px rgb(10 14 24 / 0.25);
+}
+.tcv-readout[hidden] { display: none; }
+
+.tcv-texture { cursor: grab; }
+.tcv-texture[data-panning] { cursor: grabbing; }
+.tcv-marker {
+  position: absolute; left: 0; top: 0; width: 18px; height: 18px; margin: -9px 0 0 -9px; border-radius: 50%;
+  pointer-events: none; border: 2px solid var(--tcv-on-accent); outline: 2px solid var(--tcv-accent);
+  box-shadow: 0 1px 5px rgb(10 14 24 / 0.5);
+}
+.tcv-marker::after {
+  content: ""; position: absolute; inset: 5px; border-radius: 50%; background: var(--tcv-accent);
+  box-shadow: 0 0 0 1px var(--tcv-on-accent);
+}
+.tcv-marker[hidden] { display: none; }
+
+@media (prefers-reduced-motion: reduce) {
+  .tcv-mark, .tcv-handle { transition: none; }
+}`;
+
+let sheet: CSSStyleSheet | null = null;
+
+/** Gives the style to the document or shadow tree in which `host` stands; once each. */
+export function adoptViewerStyle(host: HTMLElement): void {
+  const tree = host.getRootNode();
+  const owner = tree instanceof ShadowRoot ? tree : document;
+  if (sheet === null) {
+    sheet = new CSSStyleSheet();
+    sheet.replaceSync(STYLE);
+  }
+  if (!owner.adoptedStyleSheets.includes(sheet)) {
+    owner.adoptedStyleSheets.push(sheet);
+  }
+}
