@@ -5,7 +5,7 @@ import { drapeOutline, type OutlinePoint } from "./decal-outline.ts";
 import { decalsAt, rectangleHit } from "./decal-picking.ts";
 import { axisOf, type DecalPose, poseOf, projectorOf, type SurfacePoint } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
-import { depthDrag, type DragPointer, type GizmoDrag, rotateDrag, scaleDrag, slideDrag } from "./gizmo-drag.ts";
+import { type DragPointer, depthDrag, type GizmoDrag, rotateDrag, scaleDrag, slideDrag } from "./gizmo-drag.ts";
 import { GizmoOverlay, type HandleName } from "./gizmo-overlay.ts";
 import { drawGizmo, type GizmoView, handleHeight, hoverPath } from "./gizmo-picture.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
@@ -18,7 +18,6 @@ export interface GizmoHost {
   readonly screen: ScreenSpace;
   metresPerPixel(point: Vector3): number;
   gesture(gesture: DecalGesture): void;
-  select(id: string | null): void;
 }
 
 /** A decal with what was computed from it. */
@@ -87,8 +86,8 @@ export class DecalGizmo {
     this.#drawTask.request();
   }
 
-  get isDragging(): boolean {
-    return this.#drag !== null;
+  get selectedDecal(): ViewerDecal | null {
+    return this.#selected?.decal ?? null;
   }
 
   handleAt(target: EventTarget | null): HandleName | null {

@@ -1,5 +1,5 @@
 /** A decal's rectangle laid over the surface: the line that shows where the picture is painted. */
-import { Vector3 } from "three";
+import type { Vector3 } from "three";
 import { axisOf, type DecalPose, fromLocal } from "./decal-pose.ts";
 import type { SurfaceQuery } from "./surface-query.ts";
 

@@ -112,7 +112,8 @@ export function depthDrag(start: DecalPose, from: Ray, limits: SizeLimits): Gizm
 /** "8.2 × 4.1 cm": one unit for all, the one that gives the largest a readable number. */
 export function formatLengths(metres: readonly number[]): string {
   const largest = Math.max(...metres);
-  const [unit, factor] = largest < 0.01 ? (["mm", 1000] as const) : largest < 1 ? (["cm", 100] as const) : (["m", 1] as const);
+  const [unit, factor] =
+    largest < 0.01 ? (["mm", 1000] as const) : largest < 1 ? (["cm", 100] as const) : (["m", 1] as const);
   const numbers = metres.map((length) => {
     const value = length * factor;
     return value.toFixed(value < 10 ? 2 : value < 100 ? 1 : 0);

@@ -89,7 +89,10 @@ export class GizmoOverlay {
       handle.toggleAttribute("hidden", place === undefined);
       handle.style.display = place === undefined ? "none" : "";
       if (place !== undefined) {
-        handle.setAttribute("transform", `translate(${round(place.x)} ${round(place.y)}) rotate(${round(place.angle)})`);
+        handle.setAttribute(
+          "transform",
+          `translate(${round(place.x)} ${round(place.y)}) rotate(${round(place.angle)})`,
+        );
         handle.toggleAttribute("data-hidden", place.hidden);
         handle.style.cursor = place.cursor;
       }
@@ -144,7 +147,15 @@ function marksOf(name: HandleName): SVGElement[] {
       ];
     case "depth":
       return [
-        make("rect", { class: "tcv-mark-shadow", x: "-6", y: "-5", width: "12", height: "12", rx: "2", transform: "rotate(45)" }),
+        make("rect", {
+          class: "tcv-mark-shadow",
+          x: "-6",
+          y: "-5",
+          width: "12",
+          height: "12",
+          rx: "2",
+          transform: "rotate(45)",
+        }),
         make("path", { class: "tcv-mark", d: "M0 -7.5L7.5 0L0 7.5L-7.5 0Z" }),
       ];
     case "n":
@@ -163,7 +174,10 @@ function marksOf(name: HandleName): SVGElement[] {
   }
 }
 
-function make<K extends keyof SVGElementTagNameMap>(name: K, attributes: Record<string, string>): SVGElementTagNameMap[K] {
+function make<K extends keyof SVGElementTagNameMap>(
+  name: K,
+  attributes: Record<string, string>,
+): SVGElementTagNameMap[K] {
   const element = document.createElementNS(SVG, name);
   for (const [key, value] of Object.entries(attributes)) {
     element.setAttribute(key, value);

@@ -1,5 +1,5 @@
 /** What the gizmo of a decal looks like from a camera: lines and handles in pixels, hidden parts told apart. */
-import { Vector3 } from "three";
+import type { Vector3 } from "three";
 import { type OutlinePoint, POINTS_PER_EDGE } from "./decal-outline.ts";
 import { axisOf, boxCorners, type DecalPose, fromLocal } from "./decal-pose.ts";
 import type { GizmoPicture, HandleName, HandlePlace } from "./gizmo-overlay.ts";
@@ -213,7 +213,10 @@ function isHidden(view: GizmoView, outline: readonly OutlinePoint[], name: keyof
 }
 
 /** Two paths of a polyline: the segments whose ends are both seen, and the others. */
-function splitPath(points: readonly (ScreenPoint | null)[], seen: readonly boolean[]): { seen: string; hidden: string } {
+function splitPath(
+  points: readonly (ScreenPoint | null)[],
+  seen: readonly boolean[],
+): { seen: string; hidden: string } {
   const paths = { seen: "", hidden: "" };
   let drawing: "seen" | "hidden" | null = null;
   for (let end = 1; end < points.length; end++) {

@@ -1,12 +1,298 @@
 /** The 3D view: the model, its live texture, picking and the decal gizmo, behind one interface. */
-import type { ModelViewer } from "./viewer-api.ts";
+import { type Box3, Raycaster, Vector2, Vector3 } from "three";
+import { TexelcastError } from "../core/texelcast-error.ts";
+import type { ModelInfo, PlanarProjector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
+import { boundsOf, frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
+import { DecalGizmo } from "./decal-gizmo.ts";
+import { nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
+import { poseOf, projectorOf, tupleOf } from "./decal-pose.ts";
+import { EventHub } from "./event-hub.ts";
+import { ModelAnimation } from "./model-animation.ts";
+import { loadModelScene, type ModelScene } from "./model-scene.ts";
+import { PaintedMaterials } from "./painted-materials.ts";
+import { gatherRestingSurface } from "./resting-surface.ts";
+import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
+import { Stage } from "./stage.ts";
+import { SurfaceQuery, type SurfaceSample } from "./surface-query.ts";
+import { ViewInput } from "./view-input.ts";
+import type { ModelViewer, ModelViewerEvents, SurfaceHit, ViewerDecal } from "./viewer-api.ts";
+import { adoptViewerStyle } from "./viewer-style.ts";
 
 export interface ModelViewerOptions {
   /** Accessible name of the view; default "3D view". */
   readonly label?: string;
 }
 
-/** Builds a viewer that fills `host`, which must have a size of its own. */
+/** Builds a viewer that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
 export function createModelViewer(host: HTMLElement, options: ModelViewerOptions = {}): ModelViewer {
-  throw new Error(`The viewer "${options.label ?? ""}" in <${host.localName}> is being built.`);
+  return new ThreeModelViewer(host, options);
+}
+
+/** A model with everything that was made from it; replaced as a whole. */
+interface ShownModel {
+  readonly scene: ModelScene;
+  readonly bounds: Box3;
+  readonly query: SurfaceQuery;
+  readonly materials: PaintedMaterials;
+  readonly animation: ModelAnimation;
+}
+
+class ThreeModelViewer implements ModelViewer {
+  readonly element: HTMLElement;
+  readonly #stage: Stage;
+  readonly #screen: ScreenSpace;
+  readonly #gizmo: DecalGizmo;
+  readonly #input: ViewInput;
+  readonly #events = new EventHub<ModelViewerEvents>();
+  #model: ShownModel | null = null;
+  /** The newest load; an older one that ends later is dropped. */
+  #loading = 0;
+  #decals: readonly ViewerDecal[] = [];
+  #upload = { milliseconds: 0, bytes: 0 };
+  #disposed = false;
+
+  constructor(host: HTMLElement, options: ModelViewerOptions) {
+    adoptViewerStyle(host);
+    const root = document.createElement("div");
+    root.className = "tcv-root";
+    root.tabIndex = 0;
+    root.setAttribute("role", "application");
+    root.setAttribute("aria-label", options.label ?? "3D view");
+    host.append(root);
+    this.element = root;
+    this.#stage = new Stage(root, {
+      beforeFrame: (delta) => this.#advance(delta),
+      afterFrame: (cameraMoved) => {
+        if (cameraMoved) {
+          this.#gizmo.drawNow();
+        }
+      },
+      contextRestored: () => this.#refill(),
+    });
+    this.#screen = new ScreenSpace(this.#stage.camera, root);
+    this.#gizmo = new DecalGizmo({
+      root,
+      screen: this.#screen,
+      metresPerPixel: (point) => this.#stage.metresPerPixel(point),
+      gesture: (gesture) => this.#events.emit("gesture", gesture),
+    });
+    this.#input = new ViewInput(root, this.#gizmo, this.#screen, {
+      query: () => (this.#model === null || this.#model.animation.playing ? null : this.#model.query),
+      select: (id) => this.#events.emit("select", { id }),
+      hover: (sample) => this.#events.emit("hover", { hit: sample && hitOf(sample) }),
+      clickWhilePlaying: (at) => this.#stopWhereClicked(at),
+      setPanning: (pans) => this.#stage.setPanning(pans),
+    });
+    root.addEventListener("keydown", (event) => this.#onKey(event));
+  }
+
+  async setModel(info: ModelInfo): Promise<void> {
+    this.#loading += 1;
+    const load = this.#loading;
+    const scene = await loadModelScene(info);
+    if (load !== this.#loading || this.#disposed) {
+      scene.dispose();
+      throw new TexelcastError("cancelled", `${info.name} was replaced by another model before it was shown.`);
+    }
+    this.#dropModel();
+    const surface = gatherRestingSurface(scene);
+    const bounds = boundsOf(surface.positions);
+    this.#model = {
+      scene,
+      bounds,
+      query: new SurfaceQuery(surface),
+      materials: new PaintedMaterials(this.#stage.renderer, scene),
+      animation: new ModelAnimation(scene),
+    };
+    this.#stage.show(scene.root, bounds);
+    this.#gizmo.setSurface(this.#model.query);
+    this.#gizmo.enabled = true;
+    frameModel(this.#stage, false);
+  }
+
+  bindTarget(info: TargetInfo): void {
+    this.#model?.materials.bind(info);
+    this.#stage.requestFrame();
+  }
+
+  applyUpdate(update: TargetUpdate): void {
+    if (this.#model !== null) {
+      this.#upload = this.#model.materials.apply(update);
+      this.#stage.requestFrame();
+    }
+  }
+
+  setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {
+    this.#decals = decals;
+    this.#gizmo.setDecals(decals, selectedId);
+  }
+
+  surfaceAtCentre(): SurfaceHit | null {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    // Outwards in rings: the first that meets the model is nearest to the middle, to within a ring's width.
+    for (let ring = 0; ring <= 12; ring++) {
+      const around = ring === 0 ? 1 : 6 + ring * 2;
+      for (let step = 0; step < around; step++) {
+        const angle = (2 * Math.PI * step) / around;
+        const reach = (ring / 12) * 0.5;
+        const hit = this.#sampleAt({
+          x: width * (0.5 + reach * Math.sin(angle)),
+          y: height * (0.5 + reach * Math.cos(angle)),
+        });
+        if (hit !== null) {
+          return hitOf(hit);
+        }
+      }
+    }
+    return null;
+  }
+
+  surfaceAtPointer(clientX: number, clientY: number): SurfaceHit | null {
+    const sample = this.#sampleAt(this.#screen.pointOf(clientX, clientY));
+    return sample && hitOf(sample);
+  }
+
+  projectorAt(hit: SurfaceHit, width: number, aspect: number, keep?: PlanarProjector): PlanarProjector {
+    const { query } = this.#requireModel();
+    const place = { position: new Vector3(...hit.position), normal: new Vector3(...hit.normal) };
+    const kept = keep === undefined ? null : poseOf(keep);
+    return projectorOf(placeOnSurface(query, place, width, aspect, this.#screen.axes, kept));
+  }
+
+  nudge(projector: PlanarProjector, rightMetres: number, upMetres: number): PlanarProjector {
+    const { query } = this.#requireModel();
+    this.setAnimationPlaying(false);
+    return projectorOf(nudgeOnSurface(query, poseOf(projector), this.#screen.axes, rightMetres, upMetres));
+  }
+
+  frameModel(): void {
+    frameModel(this.#stage, true);
+  }
+
+  frameDecal(id: string): void {
+    const decal = this.#decals.find((candidate) => candidate.id === id);
+    if (decal !== undefined) {
+      this.setAnimationPlaying(false);
+      frameDecal(this.#stage, poseOf(decal.projector));
+    }
+  }
+
+  setAnimationPlaying(playing: boolean): void {
+    const animation = this.#model?.animation;
+    if (animation === undefined || !animation.exists || animation.playing === playing) {
+      return;
+    }
+    animation.playing = playing;
+    this.#gizmo.enabled = !playing;
+    this.#stage.requestFrame();
+    this.#events.emit("animation", { playing });
+  }
+
+  get hasAnimation(): boolean {
+    return this.#model?.animation.exists ?? false;
+  }
+
+  clientPosition(position: Vec3): { x: number; y: number } | null {
+    const point = this.#model && this.#screen.project(new Vector3(...position));
+    const box = this.element.getBoundingClientRect();
+    return point && { x: point.x + box.left, y: point.y + box.top };
+  }
+
+  on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void {
+    return this.#events.on(type, listener);
+  }
+
+  get statistics(): { frames: number; uploadMilliseconds: number; uploadedBytes: number } {
+    return {
+      frames: this.#stage.frames,
+      uploadMilliseconds: this.#upload.milliseconds,
+      uploadedBytes: this.#upload.bytes,
+    };
+  }
+
+  dispose(): void {
+    this.#disposed = true;
+    this.#input.dispose();
+    this.#dropModel();
+    this.#gizmo.dispose();
+    this.#stage.dispose();
+    this.element.remove();
+  }
+
+  #requireModel(): ShownModel {
+    if (this.#model === null) {
+      throw new TexelcastError("no-model", "There is no model to place a decal on.", { hint: "Open a model first." });
+    }
+    return this.#model;
+  }
+
+  #dropModel(): void {
+    const model = this.#model;
+    if (model !== null) {
+      this.#gizmo.setSurface(null);
+      model.animation.dispose();
+      model.materials.dispose();
+      model.scene.root.removeFromParent();
+      model.scene.dispose();
+      this.#model = null;
+    }
+  }
+
+  #sampleAt(point: ScreenPoint): SurfaceSample | null {
+    const ray = this.#screen.rayThrough(point);
+    return this.#model?.query.raycast(ray.origin, ray.direction) ?? null;
+  }
+
+  #advance(delta: number): boolean {
+    const animation = this.#model?.animation;
+    if (animation?.playing !== true) {
+      return false;
+    }
+    animation.advance(delta);
+    return true;
+  }
+
+  /** A click on a moving model means placing: it comes to rest, where decals have their places. */
+  #stopWhereClicked(at: ScreenPoint): void {
+    const { clientWidth: width, clientHeight: height } = this.element;
+    const raycaster = new Raycaster();
+    raycaster.setFromCamera(new Vector2((at.x / width) * 2 - 1, 1 - (at.y / height) * 2), this.#stage.camera);
+    if (this.#model !== null && raycaster.intersectObject(this.#model.scene.root, true).length > 0) {
+      this.setAnimationPlaying(false);
+    }
+  }
+
+  #refill(): void {
+    const model = this.#model;
+    if (model === null) {
+      return;
+    }
+    model.materials.rebuild();
+    this.#stage.castShadow(model.scene.root, model.bounds);
+    for (const material of model.materials.boundMaterials) {
+      this.#events.emit("needsFullUpdate", { material });
+    }
+  }
+
+  /** The arrow keys are the selected decal's, which the editor moves; without one they turn the camera. */
+  #onKey(event: KeyboardEvent): void {
+    const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !event.defaultPrevented;
+    if (plain && this.#gizmo.selectedDecal === null && stepCamera(this.#stage, event.key)) {
+      event.preventDefault();
+    }
+  }
+}
+
+function hitOf(sample: SurfaceSample): SurfaceHit {
+  return {
+    position: tupleOf(sample.position),
+    normal: tupleOf(sample.normal),
+    material: sample.material,
+    uv: [wrapUnit(sample.uv[0]), wrapUnit(sample.uv[1])],
+  };
+}
+
+function wrapUnit(value: number): number {
+  const wrapped = value - Math.floor(value);
+  return wrapped < 1 ? wrapped : 0;
 }

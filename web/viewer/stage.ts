@@ -35,7 +35,6 @@ export interface StageHooks {
   beforeFrame(delta: number): boolean;
   /** After a frame was drawn; `cameraMoved` tells whether screen positions changed. */
   afterFrame(cameraMoved: boolean): void;
-  contextLost(): void;
   /** The GPU forgot everything; textures of one's own must be filled again. */
   contextRestored(): void;
 }
@@ -84,7 +83,6 @@ export class Stage {
     this.#listen(this.canvas, "webglcontextlost", (event) => {
       event.preventDefault();
       this.#lost = true;
-      hooks.contextLost();
     });
     this.#listen(this.canvas, "webglcontextrestored", () => this.#restore());
     this.#listen(this.#reducedMotion, "change", () => this.#configureMotion());
@@ -118,9 +116,18 @@ export class Stage {
     this.controls.minDistance = this.#bounds.radius * 0.05;
     this.controls.maxDistance = this.#bounds.radius * 12;
     this.controls.setBoundary(bounds.clone().expandByScalar(this.#bounds.radius));
-    this.#shadow.cast(model, bounds);
-    this.#updateTheme();
+    this.castShadow(model, bounds);
     this.requestFrame();
+  }
+
+  /** Draws the ground's shadow, for the model at rest. */
+  castShadow(model: Object3D, bounds: Box3): void {
+    this.#shadow.cast(model, bounds);
+  }
+
+  /** Whether the left button pans instead of turning, from its next press on. */
+  setPanning(pans: boolean): void {
+    this.controls.mouseButtons.left = pans ? CameraControls.ACTION.TRUCK : CameraControls.ACTION.ROTATE;
   }
 
   /** Metres that one CSS pixel spans at a point of the scene. */
@@ -222,11 +229,6 @@ export class Stage {
     this.#hooks.contextRestored();
     this.#resized = true;
     this.requestFrame();
-  }
-
-  /** Draws the shadow again, for the model at rest: after its texture on the GPU was lost. */
-  recastShadow(model: Object3D, bounds: Box3): void {
-    this.#shadow.cast(model, bounds);
   }
 
   /** The page's theme reaches the scene through one custom property: a dark page wants a stronger shadow. */

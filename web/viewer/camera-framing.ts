@@ -1,0 +1,64 @@
+/** Where the camera goes: the whole model, one decal, and steps of the keyboard. */
+import { Box3, Vector3 } from "three";
+import { axisOf, type DecalPose } from "./decal-pose.ts";
+import type { Stage } from "./stage.ts";
+
+/** From the front, a little from the side and above: shapes read better than straight on. */
+const MODEL_AZIMUTH = 0.42;
+const MODEL_POLAR = 1.25;
+/** Free room around what is framed, in its radii. */
+const MODEL_ROOM = 1.12;
+const DECAL_ROOM = 2.2;
+
+/** Shows all of the model; `eased` false puts the camera there at once. */
+export function frameModel(stage: Stage, eased: boolean): void {
+  const { center, radius } = stage.bounds;
+  const { controls } = stage;
+  const distance = distanceFor(stage, radius * MODEL_ROOM);
+  const direction = new Vector3().setFromSphericalCoords(distance, MODEL_POLAR, MODEL_AZIMUTH);
+  const eye = center.clone().add(direction);
+  controls.normalizeRotations();
+  controls.setLookAt(eye.x, eye.y, eye.z, center.x, center.y, center.z, eased && stage.animates);
+  stage.requestFrame();
+}
+
+/** Looks straight at a decal. */
+export function frameDecal(stage: Stage, pose: DecalPose): void {
+  const half = Math.max(pose.size.x, pose.size.y) / 2;
+  const eye = pose.position.clone().addScaledVector(axisOf(pose, 2), distanceFor(stage, half * DECAL_ROOM));
+  stage.controls.normalizeRotations();
+  stage.controls.setLookAt(eye.x, eye.y, eye.z, ...pose.position.toArray(), stage.animates);
+  stage.requestFrame();
+}
+
+/** Arrow keys turn, plus and minus dolly, 0 frames the model. Returns whether the key meant something. */
+export function stepCamera(stage: Stage, key: string): boolean {
+  const { controls } = stage;
+  const turn = Math.PI / 24;
+  const steps: Record<string, () => void> = {
+    ArrowLeft: () => controls.rotate(-turn, 0, stage.animates),
+    ArrowRight: () => controls.rotate(turn, 0, stage.animates),
+    ArrowUp: () => controls.rotate(0, -turn, stage.animates),
+    ArrowDown: () => controls.rotate(0, turn, stage.animates),
+    "+": () => controls.dolly(controls.distance * 0.15, stage.animates),
+    "=": () => controls.dolly(controls.distance * 0.15, stage.animates),
+    "-": () => controls.dolly(-controls.distance * 0.15, stage.animates),
+    "0": () => frameModel(stage, true),
+  };
+  const step = steps[key];
+  step?.();
+  stage.requestFrame();
+  return step !== undefined;
+}
+
+/** Bounds of a resting surface's vertices, metres. */
+export function boundsOf(positions: Float32Array): Box3 {
+  return new Box3().setFromArray(positions as unknown as number[]);
+}
+
+/** How far away a sphere of this radius fills the view's shorter side. */
+function distanceFor(stage: Stage, radius: number): number {
+  const vertical = (stage.camera.fov * Math.PI) / 360;
+  const horizontal = Math.atan(Math.tan(vertical) * Math.max(stage.camera.aspect, 0.2));
+  return radius / Math.sin(Math.min(vertical, horizontal));
+}

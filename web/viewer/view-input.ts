@@ -1,0 +1,269 @@
+/**
+ * Pointer and keys of the 3D view: tells presses on decals from those for the camera. Listens before the camera's
+ * controls do and keeps from them what belongs to a decal.
+ */
+import type { DecalGizmo } from "./decal-gizmo.ts";
+import type { SurfacePoint } from "./decal-pose.ts";
+import { FrameTask } from "./frame-task.ts";
+import type { DragPointer } from "./gizmo-drag.ts";
+import type { HandleName } from "./gizmo-overlay.ts";
+import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
+import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
+import type { ViewerDecal } from "./viewer-api.ts";
+
+export interface ViewInputHooks {
+  /** Null while there is nothing to place decals on, or an animation hides the resting model. */
+  query(): SurfaceQuery | null;
+  select(id: string | null): void;
+  hover(sample: SurfaceSample | null): void;
+  /** A click while nothing can be placed (an animation plays); returns after stopping it, if the click was on the model. */
+  clickWhilePlaying(at: ScreenPoint): void;
+  /** The next press of the left button pans instead of turning. */
+  setPanning(pans: boolean): void;
+}
+
+/** A press that has not become a drag yet. */
+interface Press {
+  readonly event: PointerEvent;
+  readonly decal: ViewerDecal | null;
+  readonly grab: SurfacePoint | null;
+  /** What a release without a drag selects; undefined leaves the selection. */
+  readonly onClick: string | null | undefined;
+}
+
+/** Pixels that a press may wander and still be a click. */
+const MOUSE_SLOP = 3;
+const TOUCH_SLOP = 8;
+
+export class ViewInput {
+  readonly #root: HTMLElement;
+  readonly #gizmo: DecalGizmo;
+  readonly #screen: ScreenSpace;
+  readonly #hooks: ViewInputHooks;
+  readonly #hoverTask = new FrameTask(() => this.#hoverNow());
+  readonly #abort = new AbortController();
+  #press: Press | null = null;
+  #dragPointer: PointerEvent | null = null;
+  #hoverEvent: PointerEvent | null = null;
+  #spaceHeld = false;
+  #pointerInside = false;
+  /** A press that is handed to the camera after all comes by here a second time. */
+  #passOn: Event | null = null;
+
+  constructor(root: HTMLElement, gizmo: DecalGizmo, screen: ScreenSpace, hooks: ViewInputHooks) {
+    this.#root = root;
+    this.#gizmo = gizmo;
+    this.#screen = screen;
+    this.#hooks = hooks;
+    const early = { capture: true, signal: this.#abort.signal };
+    root.addEventListener("pointerdown", (event) => this.#onDown(event), early);
+    root.addEventListener("pointermove", (event) => this.#onMove(event), early);
+    root.addEventListener("pointerup", (event) => this.#onUp(event), early);
+    root.addEventListener("pointercancel", (event) => this.#onCancel(event), early);
+    root.addEventListener("pointerleave", () => this.#onLeave(), { signal: this.#abort.signal });
+    window.addEventListener("keydown", (event) => this.#onKey(event, true), early);
+    window.addEventListener("keyup", (event) => this.#onKey(event, false), early);
+    window.addEventListener("blur", () => this.#setSpace(false), early);
+  }
+
+  dispose(): void {
+    this.#abort.abort();
+    this.#hoverTask.cancel();
+  }
+
+  #onDown(event: PointerEvent): void {
+    if (event === this.#passOn) {
+      return;
+    }
+    this.#root.focus({ preventScroll: true });
+    if (this.#dragPointer !== null || this.#press?.grab) {
+      this.#onSecondPointer(event);
+      return;
+    }
+    this.#press = null;
+    if (event.button !== 0 || this.#spaceHeld) {
+      this.#hooks.setPanning(false);
+      return;
+    }
+    const handle = this.#gizmo.handleAt(event.target);
+    if (handle !== null && this.#startHandle(handle, event)) {
+      return;
+    }
+    this.#press = this.#pressAt(event);
+    if (this.#press.grab !== null) {
+      this.#take(event);
+    } else {
+      this.#hooks.setPanning(event.shiftKey);
+    }
+  }
+
+  #pressAt(event: PointerEvent): Press {
+    const pointer = this.#pointerOf(event);
+    const sample = this.#hooks.query()?.raycast(pointer.ray.origin, pointer.ray.direction) ?? null;
+    const [top = null] = sample === null ? [] : this.#gizmo.decalsAt(sample);
+    // The selected decal is the one that is meant, even where another lies over it; a click alone goes to the topmost.
+    const grab = this.#gizmo.grabOfSelected(pointer, sample);
+    const selected = this.#gizmo.selectedDecal;
+    if (grab !== null && selected !== null) {
+      return { event, decal: selected, grab, onClick: top?.id };
+    }
+    if (top !== null && sample !== null) {
+      this.#hooks.select(top.id);
+      return { event, decal: top, grab: top.locked === true ? null : sample, onClick: undefined };
+    }
+    return { event, decal: null, grab: null, onClick: null };
+  }
+
+  #startHandle(handle: HandleName, event: PointerEvent): boolean {
+    if (!this.#gizmo.startHandle(handle, this.#pointerOf(event))) {
+      return false;
+    }
+    this.#dragPointer = event;
+    this.#take(event);
+    return true;
+  }
+
+  /** A second finger on a decal that is held turns the press into the camera's pinch. */
+  #onSecondPointer(event: PointerEvent): void {
+    const first = this.#press?.event ?? this.#dragPointer;
+    if (event.pointerType !== "touch" || first === null || first.pointerId === event.pointerId) {
+      event.stopImmediatePropagation();
+      return;
+    }
+    this.#gizmo.finish();
+    this.#press = null;
+    this.#dragPointer = null;
+    const again = new PointerEvent("pointerdown", first);
+    this.#passOn = again;
+    this.#root.dispatchEvent(again);
+    this.#passOn = null;
+  }
+
+  #onMove(event: PointerEvent): void {
+    this.#pointerInside = true;
+    if (this.#press !== null && this.#press.event.pointerId === event.pointerId) {
+      this.#maybeStartSlide(this.#press, event);
+    }
+    if (this.#dragPointer?.pointerId === event.pointerId) {
+      event.stopImmediatePropagation();
+      this.#dragPointer = event;
+      this.#gizmo.moveTo(this.#pointerOf(event));
+    } else if (event.buttons === 0 && event.pointerType !== "touch") {
+      this.#hoverEvent = event;
+      this.#hoverTask.request();
+    }
+  }
+
+  #maybeStartSlide(press: Press, event: PointerEvent): void {
+    const slop = event.pointerType === "touch" ? TOUCH_SLOP : MOUSE_SLOP;
+    if (distance(press.event, event) <= slop) {
+      return;
+    }
+    this.#press = null;
+    if (press.decal !== null && press.grab !== null) {
+      this.#dragPointer = event;
+      this.#gizmo.startSlide(press.decal, press.grab);
+    }
+  }
+
+  #onUp(event: PointerEvent): void {
+    if (this.#dragPointer?.pointerId === event.pointerId) {
+      event.stopImmediatePropagation();
+      this.#gizmo.moveTo(this.#pointerOf(event));
+      this.#gizmo.finish();
+      this.#dragPointer = null;
+    }
+    const press = this.#press;
+    if (press?.event.pointerId === event.pointerId) {
+      this.#press = null;
+      if (this.#hooks.query() === null) {
+        this.#hooks.clickWhilePlaying(this.#pointerOf(event).at);
+      } else if (press.onClick !== undefined) {
+        this.#hooks.select(press.onClick);
+      }
+    }
+  }
+
+  #onCancel(event: PointerEvent): void {
+    if (this.#dragPointer?.pointerId === event.pointerId) {
+      this.#gizmo.cancel();
+      this.#dragPointer = null;
+    }
+    this.#press = null;
+  }
+
+  #onLeave(): void {
+    this.#pointerInside = false;
+    this.#hoverEvent = null;
+    this.#hoverTask.cancel();
+    if (this.#dragPointer === null) {
+      this.#gizmo.hover(null);
+      this.#hooks.hover(null);
+    }
+  }
+
+  #onKey(event: KeyboardEvent, down: boolean): void {
+    if (event.key === "Escape" && down && this.#gizmo.cancel()) {
+      this.#dragPointer = null;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+    }
+    if (event.code === "Space" && !isControl(event.target)) {
+      this.#setSpace(down);
+      // The page would scroll, and a press of a space bar over the view is the camera's.
+      if (this.#pointerInside) {
+        event.preventDefault();
+      }
+    }
+    if ((event.key === "Alt" || event.key === "Shift") && this.#dragPointer !== null) {
+      event.preventDefault();
+      const pointer = this.#pointerOf(this.#dragPointer);
+      this.#gizmo.moveTo({ ...pointer, alt: event.altKey, shift: event.shiftKey });
+    }
+  }
+
+  #setSpace(held: boolean): void {
+    this.#spaceHeld = held;
+    this.#setCursor(held ? "orbit" : "");
+  }
+
+  #hoverNow(): void {
+    const event = this.#hoverEvent;
+    if (event === null || this.#dragPointer !== null) {
+      return;
+    }
+    const { ray } = this.#pointerOf(event);
+    const sample = this.#hooks.query()?.raycast(ray.origin, ray.direction) ?? null;
+    const onHandle = this.#gizmo.handleAt(event.target) !== null;
+    const [top = null] = sample === null || onHandle ? [] : this.#gizmo.decalsAt(sample);
+    const grab = onHandle ? null : this.#gizmo.grabOfSelected(this.#pointerOf(event), sample);
+    this.#gizmo.hover(grab === null ? top : null);
+    const movable = grab !== null || (top !== null && top.locked !== true);
+    this.#setCursor(this.#spaceHeld ? "orbit" : movable ? "move" : "");
+    this.#hooks.hover(sample);
+  }
+
+  #setCursor(cursor: string): void {
+    this.#root.dataset.cursor = cursor;
+  }
+
+  /** Keeps a pointer's events for the gizmo, wherever it goes. */
+  #take(event: PointerEvent): void {
+    event.stopImmediatePropagation();
+    this.#root.setPointerCapture(event.pointerId);
+  }
+
+  #pointerOf(event: PointerEvent): DragPointer & { at: ScreenPoint } {
+    const at = this.#screen.pointOf(event.clientX, event.clientY);
+    return { at, ray: this.#screen.rayThrough(at), alt: event.altKey, shift: event.shiftKey };
+  }
+}
+
+function distance(from: PointerEvent, to: PointerEvent): number {
+  return Math.hypot(to.clientX - from.clientX, to.clientY - from.clientY);
+}
+
+/** Keys typed into these are theirs. */
+function isControl(target: EventTarget | null): boolean {
+  return target instanceof Element && target.closest("input, textarea, select, button, a, [contenteditable]") !== null;
+}
