@@ -1,4 +1,5 @@
 /** What the checkout builds for itself: the WebAssembly module, the demo's assets, the bundled command line. */
+import { chmodSync } from "node:fs";
 import { provideWasmTools } from "./build-tools.mjs";
 import { buildPreset } from "./cmake.mjs";
 import { inRoot } from "./paths.mjs";
@@ -50,5 +51,7 @@ async function bundleCommandLine() {
     sourcemap: true,
     banner: { js: "#!/usr/bin/env node" },
     logLevel: "silent",
+    legalComments: "none",
   });
+  chmodSync(inRoot("build/node/texelcast.mjs"), 0o755);
 }
