@@ -63,7 +63,7 @@ export interface MaterialInfo {
   readonly index: number;
   /** As in the file; "" without one. */
   readonly name: string;
-  /** Null when the material can take decals, else the status name (NO_UVS, NO_TRIANGLES, …) and what it means. */
+  /** Null when the material can take decals, else why not: an error code ("no-uvs", "no-triangles", …) and what it means. */
   readonly refusal: { readonly code: string; readonly message: string } | null;
   readonly triangles: number;
   readonly degenerateUvTriangles: number;
@@ -95,8 +95,14 @@ export interface TargetOptions {
   readonly height?: number;
   /** Texels, 0 to 64; spec.md, 2 by default. */
   readonly gutter?: number;
-  /** "model" (default): the material's own picture or colour. Else a colour, or a picture's bytes (PNG, JPEG, WebP). */
-  readonly base?: "model" | readonly [number, number, number, number] | { readonly name: string; readonly bytes: Uint8Array };
+  /**
+   * "model" (default): the material's own picture or colour. Else a colour (sRGB with alpha, each 0 to 1), or a picture's
+   * bytes (PNG, JPEG, WebP).
+   */
+  readonly base?:
+    | "model"
+    | readonly [number, number, number, number]
+    | { readonly name: string; readonly bytes: Uint8Array };
   /** Report the whole mip chain in updates (for a GPU); default false. */
   readonly mipmaps?: boolean;
 }
@@ -161,7 +167,10 @@ export interface Engine {
   loadModel(source: ModelSource): Promise<ModelInfo>;
 
   /** Decodes a decal's picture (PNG, JPEG, WebP) and keeps it under `key`; replaces one of the same key. Returns its size. */
-  setAsset(key: string, asset: { readonly name: string; readonly bytes: Uint8Array }): Promise<{ width: number; height: number }>;
+  setAsset(
+    key: string,
+    asset: { readonly name: string; readonly bytes: Uint8Array },
+  ): Promise<{ width: number; height: number }>;
   removeAsset(key: string): Promise<void>;
 
   /**

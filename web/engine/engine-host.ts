@@ -1,0 +1,324 @@
+/**
+ * The engine itself: one session of the core with the decoding of models and pictures around it. It runs anywhere,
+ * in the page's worker and in Node.
+ *
+ * Calls take effect in the order in which they were made. Layers do not wait in that line: they are drawn between the
+ * steps of longer work, and before anything is read.
+ */
+import type { ImageHandle } from "../core/session.ts";
+import { Session } from "../core/session.ts";
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { type CoreSource, loadCore } from "../core/wasm-module.ts";
+import type {
+  Engine,
+  EngineLayer,
+  EngineStats,
+  MapView,
+  ModelInfo,
+  ModelSource,
+  Picture,
+  TargetInfo,
+  TargetOptions,
+  TargetUpdate,
+} from "./engine-api.ts";
+import { callLater } from "./event-loop.ts";
+import { modelInfo } from "./model-info.ts";
+import { type LoadedModel, loadModelFile } from "./model-loader.ts";
+import { type TextureEdit, writeModel } from "./model-writer.ts";
+import { type MapChannel, OpenTarget } from "./open-target.ts";
+import { decodePicture } from "./picture-decoder.ts";
+import { encodePng } from "./png-encoder.ts";
+
+export type { MapChannel } from "./open-target.ts";
+
+export interface EngineHostOptions {
+  /** The core's WebAssembly: an address, its bytes, or compiled. Default: build/wasm/texelcast.wasm. */
+  readonly wasm?: CoreSource;
+  /** What the engine may hold at once, MiB; default 1024. */
+  readonly memoryBudgetMib?: number;
+}
+
+/** Starts an engine in this thread. What is wrong with the WebAssembly shows at the first call. */
+export function createEngineHost(options: EngineHostOptions = {}): EngineHost {
+  return new EngineHost(options);
+}
+
+export class EngineHost implements Engine {
+  readonly #options: EngineHostOptions;
+  #session: Session | null = null;
+  #model: LoadedModel | null = null;
+  readonly #targets = new Map<number, OpenTarget>();
+  readonly #images = new Map<string, ImageHandle>();
+
+  #layers: readonly EngineLayer[] = [];
+  #revision = 0;
+  /** The newest layers (or what they refer to) were not drawn yet. */
+  #stale = false;
+  #drawingSoon = false;
+
+  readonly #updateListeners = new Set<(update: TargetUpdate) => void>();
+  readonly #errorListeners = new Set<(error: Error) => void>();
+  /** The end of the line of calls. */
+  #line: Promise<unknown> = Promise.resolve();
+  #disposed = false;
+
+  constructor(options: EngineHostOptions = {}) {
+    this.#options = options;
+  }
+
+  loadModel(source: ModelSource): Promise<ModelInfo> {
+    return this.#enqueue(async (session) => {
+      const model = await loadModelFile(source);
+      this.#checkAlive();
+      try {
+        session.loadGlb(model.glb);
+      } catch (error) {
+        throw aboutFile(error, source.name);
+      }
+      this.#model = model;
+      this.#targets.clear();
+      return modelInfo(session, model);
+    });
+  }
+
+  setAsset(
+    key: string,
+    asset: { readonly name: string; readonly bytes: Uint8Array },
+  ): Promise<{ width: number; height: number }> {
+    return this.#enqueue(async (session) => {
+      const { width, height, rgba } = await decodePicture(asset.bytes, asset.name, { orient: true });
+      this.#checkAlive();
+      const image = session.createImage(width, height, rgba);
+      const old = this.#images.get(key);
+      this.#images.set(key, image);
+      this.#markStale();
+      if (old !== undefined) {
+        this.#draw(session);
+        session.destroyImage(old);
+      }
+      return { width, height };
+    });
+  }
+
+  removeAsset(key: string): Promise<void> {
+    return this.#enqueue((session) => {
+      const image = this.#images.get(key);
+      if (image === undefined) return;
+      this.#images.delete(key);
+      this.#markStale();
+      this.#draw(session);
+      session.destroyImage(image);
+    });
+  }
+
+  openTarget(options: TargetOptions, onProgress?: (share: number) => void, signal?: AbortSignal): Promise<TargetInfo> {
+    return this.#enqueue(async (session) => {
+      const model = this.#requireModel();
+      const checkpoint = (): void => {
+        this.#checkAlive();
+        if (signal?.aborted) throw new TexelcastError("cancelled", "The preparation of the texture was cancelled.");
+      };
+      const target = await OpenTarget.open(options, { session, model, onProgress, checkpoint });
+      this.#targets.get(options.material)?.destroy();
+      this.#targets.set(options.material, target);
+      this.#markStale();
+      return target.info;
+    });
+  }
+
+  closeTarget(material: number): Promise<void> {
+    return this.#enqueue(() => {
+      this.#targets.get(material)?.destroy();
+      this.#targets.delete(material);
+    });
+  }
+
+  setLayers(layers: readonly EngineLayer[], revision: number): void {
+    if (this.#disposed) return;
+    this.#layers = layers;
+    this.#revision = revision;
+    this.#markStale();
+  }
+
+  onUpdate(listener: (update: TargetUpdate) => void): () => void {
+    this.#updateListeners.add(listener);
+    return () => this.#updateListeners.delete(listener);
+  }
+
+  onError(listener: (error: Error) => void): () => void {
+    this.#errorListeners.add(listener);
+    return () => this.#errorListeners.delete(listener);
+  }
+
+  idle(): Promise<void> {
+    return this.#enqueue((session) => this.#draw(session));
+  }
+
+  viewMap(material: number, view: MapView): Promise<Picture> {
+    return this.#enqueue(() => this.#requireTarget(material).view(view));
+  }
+
+  uvTriangles(material: number): Promise<Float32Array> {
+    return this.#enqueue((session) => {
+      this.#requireModel();
+      return session.materialUvs(material);
+    });
+  }
+
+  readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array> {
+    return this.#enqueue((session) => {
+      this.#draw(session);
+      return this.#requireTarget(material).read(x, y, width, height);
+    });
+  }
+
+  hash(material: number, region?: { x: number; y: number; width: number; height: number }): Promise<string> {
+    return this.#enqueue((session) => {
+      this.#draw(session);
+      const target = this.#requireTarget(material);
+      const { x, y, width, height } = region ?? { x: 0, y: 0, width: target.info.width, height: target.info.height };
+      return target.hash(x, y, width, height);
+    });
+  }
+
+  exportPng(material: number): Promise<Uint8Array> {
+    return this.#enqueue((session) => {
+      this.#draw(session);
+      return encodePng(this.#requireTarget(material).picture());
+    });
+  }
+
+  exportGlb(): Promise<Uint8Array> {
+    return this.#enqueue(async (session) => {
+      const model = this.#requireModel();
+      this.#draw(session);
+      const edits: TextureEdit[] = [];
+      for (const [material, target] of this.#targets) {
+        const png = await encodePng(target.picture());
+        const { texCoord } = session.materialInfo(material);
+        edits.push({ material, png, texCoord, factorBaked: target.factorBaked });
+      }
+      return writeModel(model.original, edits);
+    });
+  }
+
+  stats(): Promise<EngineStats> {
+    return this.#enqueue((session) => {
+      const stats = session.stats();
+      return {
+        bakeCount: stats.bakeCount,
+        projectionCount: stats.projectionCount,
+        memoryUsedBytes: stats.memoryUsedKib * 1024,
+        memoryPeakBytes: stats.memoryPeakKib * 1024,
+        memoryBudgetBytes: stats.memoryBudgetKib * 1024,
+      };
+    });
+  }
+
+  /** Rows of an open target's map: three floats a texel for positions and normals, one byte else (texelcast.h). */
+  readMapRows(material: number, channel: "positions" | "normals", row: number, rowCount: number): Promise<Float32Array>;
+  readMapRows(material: number, channel: "coverage" | "overlap", row: number, rowCount: number): Promise<Uint8Array>;
+  readMapRows(
+    material: number,
+    channel: MapChannel,
+    row: number,
+    rowCount: number,
+  ): Promise<Float32Array | Uint8Array> {
+    return this.#enqueue(() => this.#requireTarget(material).readMapRows(channel, row, rowCount));
+  }
+
+  dispose(): void {
+    if (this.#disposed) return;
+    this.#disposed = true;
+    this.#updateListeners.clear();
+    this.#errorListeners.clear();
+    if (this.#session !== null && !this.#session.core.crashed) this.#session.destroy();
+    this.#session = null;
+    this.#model = null;
+    this.#targets.clear();
+    this.#images.clear();
+    this.#layers = [];
+  }
+
+  /** Runs `work` after all calls made before, on the session, which the first of them starts. */
+  #enqueue<Result>(work: (session: Session) => Result | Promise<Result>): Promise<Result> {
+    const result = this.#line.then(async () => {
+      this.#checkAlive();
+      if (this.#session === null) {
+        const core = await loadCore(this.#options.wasm);
+        this.#checkAlive();
+        const { memoryBudgetMib } = this.#options;
+        this.#session = Session.create(core, memoryBudgetMib === undefined ? {} : { memoryBudgetMib });
+      }
+      return await work(this.#session);
+    });
+    this.#line = result.catch(() => undefined);
+    return result;
+  }
+
+  #markStale(): void {
+    this.#stale = true;
+    if (this.#drawingSoon) return;
+    this.#drawingSoon = true;
+    // Later, not at once: of several lists that are already on their way only the newest shall be drawn.
+    callLater(() => {
+      this.#drawingSoon = false;
+      if (this.#session === null || this.#disposed) return;
+      try {
+        this.#draw(this.#session);
+      } catch (error) {
+        this.#report(TexelcastError.wrap(error, "internal", "A texture could not be drawn."));
+      }
+    });
+  }
+
+  /** Draws the newest layers on every open target and reports what changed. */
+  #draw(session: Session): void {
+    if (!this.#stale) return;
+    this.#stale = false;
+    const imageOf = (asset: string): ImageHandle | undefined => this.#images.get(asset);
+    for (const target of this.#targets.values()) {
+      const update = target.draw(this.#layers, this.#revision, imageOf, (error) => this.#report(error));
+      if (update === null) continue;
+      for (const listener of this.#updateListeners) listener(update);
+      // A listener may have disposed of the engine.
+      if (this.#session !== session) return;
+    }
+  }
+
+  #report(error: Error): void {
+    for (const listener of this.#errorListeners) listener(error);
+  }
+
+  #checkAlive(): void {
+    if (this.#disposed) throw new TexelcastError("disposed", "The engine was ended.");
+  }
+
+  #requireModel(): LoadedModel {
+    if (this.#model === null) throw new TexelcastError("no-model", "No model is loaded yet.");
+    return this.#model;
+  }
+
+  #requireTarget(material: number): OpenTarget {
+    this.#requireModel();
+    const target = this.#targets.get(material);
+    if (target !== undefined) return target;
+    throw new TexelcastError("bad-argument", `Material ${material} is not open for painting.`, {
+      field: "material",
+      value: String(material),
+      hint: "Open it with openTarget first.",
+    });
+  }
+}
+
+/** The core knows bytes, not names: this puts the file's name in front of what it says. */
+function aboutFile(error: unknown, name: string): unknown {
+  if (!(error instanceof TexelcastError) || error.code === "engine-crashed") return error;
+  return new TexelcastError(error.code, `“${name}”: ${error.message}`, {
+    subject: name,
+    ...(error.field !== undefined && { field: error.field }),
+    ...(error.value !== undefined && { value: error.value }),
+    ...(error.hint !== undefined && { hint: error.hint }),
+    cause: error,
+  });
+}

@@ -1,0 +1,113 @@
+/**
+ * Undoes geometry compression (KHR_draco_mesh_compression, EXT_ and KHR_meshopt_compression) by @gltf-transform, with
+ * the same decoders in the browser and in Node. They are loaded only when a model needs them.
+ */
+/// <reference path="./draco3dgltf.d.ts" />
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { readCodec } from "./codec-wasm.ts";
+import { badContainer, extensionsUsed, indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
+import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
+
+const DRACO = "KHR_draco_mesh_compression";
+const [EXT_MESHOPT, KHR_MESHOPT] = MESHOPT_EXTENSIONS;
+
+/** Meshopt's counts are not bounded by the compressed size, so they are bounded here, before anything is allocated. */
+const MAX_DECODED_BYTES = 2 ** 30;
+
+/** The compression extensions that a model uses. */
+export function compressionOf(json: JsonObject): readonly string[] {
+  const used = extensionsUsed(json);
+  return [DRACO, ...MESHOPT_EXTENSIONS].filter((extension) => used.includes(extension));
+}
+
+/**
+ * The model without compression, as a GLB; materials keep their indices. `packed` is left as it was. Throws "bad-model"
+ * when the compressed data cannot be decoded.
+ */
+export async function decodeModel(packed: PackedGltf, name: string): Promise<Uint8Array> {
+  const json = withExtMeshopt(structuredClone(packed.json), name);
+  checkMeshoptSizes(json, name);
+  const used = compressionOf(json);
+  const [{ GLB_BUFFER, Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([
+    import("@gltf-transform/core"),
+    import("@gltf-transform/extensions"),
+  ]);
+  const io = new WebIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS);
+  if (used.includes(DRACO)) io.registerDependencies({ "draco3d.decoder": await startDraco() });
+  if (used.includes(EXT_MESHOPT)) {
+    const { MeshoptDecoder } = await import("meshoptimizer/decoder");
+    await MeshoptDecoder.ready;
+    io.registerDependencies({ "meshopt.decoder": MeshoptDecoder });
+  }
+  try {
+    const binary = (packed.binary ?? new Uint8Array()) as Uint8Array<ArrayBuffer>;
+    type Gltf = Parameters<typeof io.readJSON>[0]["json"];
+    const document = await io.readJSON({ json: json as unknown as Gltf, resources: { [GLB_BUFFER]: binary } });
+    const root = document.getRoot();
+    for (const extension of root.listExtensionsUsed()) {
+      if (used.includes(extension.extensionName)) extension.dispose();
+    }
+    // A GLB has one buffer; the others go, and what was in them moves to the first.
+    const [first = document.createBuffer(), ...others] = root.listBuffers();
+    for (const accessor of root.listAccessors()) accessor.setBuffer(first);
+    for (const buffer of others) buffer.dispose();
+    return await io.writeBinary(document);
+  } catch (cause) {
+    throw new TexelcastError("bad-model", `The compressed geometry of “${name}” cannot be decoded.`, {
+      subject: name,
+      field: used.join(", "),
+      value: cause instanceof Error ? cause.message : String(cause),
+      hint: "Export the model again, or without compression.",
+      cause,
+    });
+  }
+}
+
+async function startDraco(): Promise<unknown> {
+  const { default: createDecoder } = await import("draco3dgltf/draco_decoder_gltf_nodejs.js");
+  return await createDecoder({ wasmBinary: await readCodec("draco") });
+}
+
+/** KHR_meshopt_compression under its older name, the one that @gltf-transform knows; the members are the same. */
+function withExtMeshopt(json: JsonObject, name: string): JsonObject {
+  for (const item of [...listOf(json, "bufferViews", name), ...listOf(json, "buffers", name)]) {
+    const extensions = objectAt(item, "extensions");
+    if (extensions?.[KHR_MESHOPT] === undefined) continue;
+    extensions[EXT_MESHOPT] ??= extensions[KHR_MESHOPT];
+    delete extensions[KHR_MESHOPT];
+  }
+  for (const key of ["extensionsUsed", "extensionsRequired"]) {
+    const list = json[key];
+    if (Array.isArray(list)) json[key] = [...new Set(list.map((item) => (item === KHR_MESHOPT ? EXT_MESHOPT : item)))];
+  }
+  return json;
+}
+
+function checkMeshoptSizes(json: JsonObject, name: string): void {
+  let total = 0;
+  for (const [i, view] of listOf(json, "bufferViews", name).entries()) {
+    const compressed = objectAt(objectAt(view, "extensions"), EXT_MESHOPT);
+    if (compressed === undefined) continue;
+    const count = indexAt(compressed, "count");
+    const stride = indexAt(compressed, "byteStride");
+    const path = `bufferViews[${i}].extensions.${EXT_MESHOPT}`;
+    if (count === undefined || stride === undefined || stride === 0 || stride > 256) {
+      throw badContainer(name, `“${path}” has no sound count and byteStride`, path, compressed);
+    }
+    if (count * stride !== indexAt(view, "byteLength")) {
+      throw badContainer(name, `“${path}” does not unpack to its view's length`, `${path}.count`, count);
+    }
+    total += count * stride;
+  }
+  if (total > MAX_DECODED_BYTES) {
+    throw new TexelcastError(
+      "out-of-budget",
+      `“${name}” would unpack to ${Math.ceil(total / 2 ** 20)} MiB of geometry.`,
+      {
+        subject: name,
+        value: String(total),
+        hint: "Simplify the model.",
+      },
+    );
+  }
+}

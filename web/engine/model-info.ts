@@ -1,0 +1,41 @@
+/** What the engine tells about a loaded model: the core's counts with the file's names and picture sizes. */
+import type { Session } from "../core/session.ts";
+import type { MaterialInfo, ModelInfo } from "./engine-api.ts";
+import { listOf, textAt } from "./gltf-json.ts";
+import { baseTextureSize, type LoadedModel } from "./model-loader.ts";
+import { vec3 } from "./open-target.ts";
+
+export function modelInfo(session: Session, model: LoadedModel): ModelInfo {
+  const info = session.modelInfo();
+  return {
+    name: model.name,
+    triangles: info.triangleCount,
+    vertices: info.vertexCount,
+    boundsMin: vec3(info.boundsMinModel),
+    boundsMax: vec3(info.boundsMaxModel),
+    materials: Array.from({ length: info.materialCount }, (_, index) => materialInfo(session, model, index)),
+    // A copy: the receiver may hand it on to another thread.
+    glb: model.glb.slice(),
+  };
+}
+
+function materialInfo(session: Session, model: LoadedModel, index: number): MaterialInfo {
+  const info = session.materialInfo(index);
+  const { core } = session;
+  const paintable = core.isOk(info.paintStatus);
+  const code = core.statusCode(info.paintStatus);
+  return {
+    index,
+    name: textAt(listOf(model.packed.json, "materials", model.name)[index], "name") ?? "",
+    refusal: paintable ? null : { code, message: core.statusMessage(info.paintStatus) },
+    triangles: info.triangleCount,
+    degenerateUvTriangles: info.degenerateUvTriangles,
+    outOfRangeUvTriangles: info.outOfRangeUvTriangles,
+    texCoord: info.texCoord,
+    textureSize: baseTextureSize(model, index),
+    uvMin: [info.uvMin[0] ?? 0, info.uvMin[1] ?? 0],
+    uvMax: [info.uvMax[0] ?? 0, info.uvMax[1] ?? 0],
+    boundsMin: vec3(info.boundsMinModel),
+    boundsMax: vec3(info.boundsMaxModel),
+  };
+}

@@ -1,0 +1,48 @@
+/** A model file made ready: its parts for writing it back, and an uncompressed, self-contained GLB for the core and viewers. */
+import type { ModelSource } from "./engine-api.ts";
+import { type GltfContainer, readContainer, writeGlb } from "./gltf-container.ts";
+import { type PackedGltf, packGltf } from "./gltf-packer.ts";
+import { compressionOf, decodeModel } from "./model-decoder.ts";
+import { findBaseTexture, imageBytes } from "./model-textures.ts";
+import { readPictureHeader } from "./picture-header.ts";
+
+export interface LoadedModel {
+  readonly name: string;
+  /** The user's own file, for writing back. */
+  readonly original: GltfContainer;
+  /** Self-contained, compression as in the file. Its materials, textures and images are the file's. */
+  readonly packed: PackedGltf;
+  /** Self-contained and uncompressed. */
+  readonly glb: Uint8Array;
+}
+
+/**
+ * Reads a model. The source's bytes are copied, so the caller may do with them what it likes. Throws "bad-container",
+ * "missing-file" (naming the side file), "bad-model", "out-of-budget".
+ */
+export async function loadModelFile(source: ModelSource): Promise<LoadedModel> {
+  const resources = new Map<string, Uint8Array>();
+  for (const [uri, bytes] of source.resources ?? []) resources.set(uri, bytes.slice());
+  const bytes = source.bytes.slice();
+  const original = readContainer({ name: source.name, bytes, resources });
+  const packed = packGltf(original);
+  const compressed = compressionOf(packed.json).length > 0;
+  const glb = compressed ? await decodeModel(packed, source.name) : writeGlb(packed.json, packed.binary);
+  return { name: source.name, original, packed, glb };
+}
+
+/** Pixels of a material's base colour picture as its header says; null without a picture, or when it cannot be read. */
+export function baseTextureSize(model: LoadedModel, material: number): readonly [number, number] | null {
+  const { json, binary } = model.packed;
+  const texture = findBaseTexture(json, material, model.name);
+  if (texture === null || texture.image === null) return null;
+  const image = imageBytes(json, binary, texture.image, model.name);
+  if (image === null) return null;
+  try {
+    const { width, height } = readPictureHeader(image.bytes, image.name);
+    return [width, height];
+  } catch {
+    // What is wrong with the picture is said when it is opened for painting; a model may be looked at without.
+    return null;
+  }
+}

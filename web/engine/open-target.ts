@@ -1,0 +1,197 @@
+/** One material's texture while it is open: the core's target, its layers, and what the engine says about it. */
+import { type MapInfo, MapViews, NONE } from "../core/abi.ts";
+import type { ImageHandle, Session } from "../core/session.ts";
+import type { Target } from "../core/target.ts";
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { applyBase, loadBasePicture, targetSize } from "./base-picture.ts";
+import type { EngineLayer, MapView, Picture, TargetInfo, TargetOptions, TargetUpdate, Vec3 } from "./engine-api.ts";
+import { nextTurn } from "./event-loop.ts";
+import { LayerSync } from "./layer-sync.ts";
+import type { LoadedModel } from "./model-loader.ts";
+
+/** Texels of the bake's first step; later ones aim at the times below. */
+const FIRST_STEP = 1 << 17;
+/** A step should last a good part of a frame and no more, so that moving decals elsewhere stays smooth. */
+const SHORT_STEP_MS = 6;
+const LONG_STEP_MS = 20;
+/** Most texels that a view or a map is copied in at once: bounds the scratch memory inside the module. */
+const COPY_TEXELS = 1 << 22;
+
+export type MapChannel = "positions" | "normals" | "coverage" | "overlap";
+
+export interface OpenTargetContext {
+  readonly session: Session;
+  readonly model: LoadedModel;
+  readonly onProgress: ((share: number) => void) | undefined;
+  /** Called between steps; throws when the work shall end. */
+  readonly checkpoint: () => void;
+}
+
+export class OpenTarget {
+  readonly info: TargetInfo;
+  /** The base holds the material's base colour factor. */
+  readonly factorBaked: boolean;
+  readonly #target: Target;
+  readonly #layers: LayerSync;
+
+  private constructor(target: Target, info: TargetInfo, factorBaked: boolean) {
+    this.#target = target;
+    this.info = info;
+    this.factorBaked = factorBaked;
+    this.#layers = new LayerSync(target);
+  }
+
+  /** Makes a target, sets its base and bakes it in steps. When it throws, nothing is left of it. */
+  static async open(options: TargetOptions, context: OpenTargetContext): Promise<OpenTarget> {
+    const { session, model, checkpoint } = context;
+    checkpoint();
+    // Refuses materials that cannot be painted, before their picture is decoded for nothing.
+    const { paintStatus } = session.materialInfo(options.material);
+    if (!session.core.isOk(paintStatus)) {
+      throw session.core.statusError(paintStatus, "", { subject: model.name, field: `materials[${options.material}]` });
+    }
+    const [width, height] = targetSize(model, options);
+    checkInteger("material", options.material);
+    checkInteger("width", width);
+    checkInteger("height", height);
+    if (options.gutter !== undefined) checkInteger("gutter", options.gutter);
+    const base = await loadBasePicture(model, options);
+    checkpoint();
+    const target = session.createTarget({
+      material: options.material,
+      width,
+      height,
+      gutter: options.gutter ?? NONE,
+      mipLevels: options.mipmaps ? 0 : 1,
+    });
+    try {
+      applyBase(target, base);
+      await bake(target, context);
+      return new OpenTarget(target, targetInfo(options.material, target.info()), base.factorBaked);
+    } catch (error) {
+      if (!session.core.crashed) target.destroy();
+      throw error;
+    }
+  }
+
+  destroy(): void {
+    this.#target.destroy();
+  }
+
+  /** Draws the layers of this material; null when no texel changed. */
+  draw(
+    layers: readonly EngineLayer[],
+    revision: number,
+    imageOf: (asset: string) => ImageHandle | undefined,
+    report: (error: TexelcastError) => void,
+  ): TargetUpdate | null {
+    const start = performance.now();
+    const { material } = this.info;
+    const own = layers.filter((layer) => layer.material === material);
+    this.#layers.apply(own, imageOf, report);
+    const update = this.#target.update();
+    if (update.rects.length === 0) return null;
+    return { material, revision, ...update, milliseconds: performance.now() - start };
+  }
+
+  read(x: number, y: number, width: number, height: number): Uint8Array<ArrayBuffer> {
+    this.#checkRegion(x, y, width, height);
+    return this.#target.read(0, x, y, width, height);
+  }
+
+  /** The whole texture as of the newest `draw`. */
+  picture(): Picture {
+    const { width, height } = this.info;
+    return { width, height, rgba: this.#copyRows(4, (row, count) => this.#target.read(0, 0, row, width, count)) };
+  }
+
+  hash(x: number, y: number, width: number, height: number): string {
+    this.#checkRegion(x, y, width, height);
+    return this.#target.hash(x, y, width, height);
+  }
+
+  view(view: MapView): Picture {
+    const { width, height } = this.info;
+    return { width, height, rgba: this.#copyRows(4, (row, count) => this.#target.view(MapViews[view], row, count)) };
+  }
+
+  readMapRows(channel: MapChannel, row: number, rowCount: number): Float32Array | Uint8Array {
+    switch (channel) {
+      case "positions":
+        return this.#target.readPositions(row, rowCount);
+      case "normals":
+        return this.#target.readNormals(row, rowCount);
+      case "coverage":
+        return this.#target.readCoverage(row, rowCount);
+      case "overlap":
+        return this.#target.readOverlap(row, rowCount);
+    }
+  }
+
+  #copyRows(bytesPerTexel: number, read: (row: number, count: number) => Uint8Array): Uint8Array<ArrayBuffer> {
+    const { width, height } = this.info;
+    const all = new Uint8Array(width * height * bytesPerTexel);
+    const rowsAtOnce = Math.max(1, Math.floor(COPY_TEXELS / width));
+    for (let row = 0; row < height; row += rowsAtOnce) {
+      all.set(read(row, Math.min(rowsAtOnce, height - row)), row * width * bytesPerTexel);
+    }
+    return all;
+  }
+
+  #checkRegion(x: number, y: number, width: number, height: number): void {
+    const inside =
+      [x, y, width, height].every((value) => Number.isInteger(value) && value >= 0) &&
+      x + width <= this.info.width &&
+      y + height <= this.info.height;
+    if (inside) return;
+    const value = `${x}, ${y}, ${width} × ${height}`;
+    const texture = `${this.info.width} × ${this.info.height}`;
+    throw new TexelcastError("bad-argument", `The region ${value} does not lie in the ${texture} texture.`, {
+      field: "region",
+      value,
+    });
+  }
+}
+
+async function bake(target: Target, { onProgress, checkpoint }: OpenTargetContext): Promise<void> {
+  for (let workLimit = FIRST_STEP; ; ) {
+    const start = performance.now();
+    const { done, progress } = target.bake(workLimit);
+    onProgress?.(done ? 1 : progress);
+    if (done) return;
+    const milliseconds = performance.now() - start;
+    if (milliseconds < SHORT_STEP_MS) workLimit *= 2;
+    else if (milliseconds > LONG_STEP_MS) workLimit = Math.max(FIRST_STEP >> 4, workLimit >> 1);
+    await nextTurn();
+    checkpoint();
+  }
+}
+
+/** The ABI takes 32-bit whole numbers; 1.5 or -1 would silently become another one. */
+function checkInteger(field: string, value: number): void {
+  if (Number.isInteger(value) && value >= 0 && value <= 0xffffffff) return;
+  throw new TexelcastError("bad-argument", `“${field}” must be a whole number from 0, not ${value}.`, {
+    field,
+    value: String(value),
+  });
+}
+
+function targetInfo(material: number, map: MapInfo): TargetInfo {
+  return {
+    material,
+    width: map.width,
+    height: map.height,
+    gutter: map.gutter,
+    mipLevels: map.mipLevels,
+    coveredTexels: map.coveredTexels,
+    gutterTexels: map.gutterTexels,
+    overlappingTexels: map.overlappingTexels,
+    mapBytes: map.byteCount,
+    boundsMin: vec3(map.boundsMinModel),
+    boundsMax: vec3(map.boundsMaxModel),
+  };
+}
+
+export function vec3(numbers: readonly number[]): Vec3 {
+  return [numbers[0] ?? 0, numbers[1] ?? 0, numbers[2] ?? 0];
+}
