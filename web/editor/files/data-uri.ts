@@ -1,0 +1,31 @@
+/** `data:` URIs (RFC 2397) to bytes and back. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { strings } from "../strings.ts";
+
+export function encodeDataUri(type: string, bytes: Uint8Array): string {
+  let binary = "";
+  // In parts: a call takes only so many arguments.
+  for (let start = 0; start < bytes.length; start += 0x8000) {
+    binary += String.fromCharCode(...bytes.subarray(start, start + 0x8000));
+  }
+  return `data:${type};base64,${btoa(binary)}`;
+}
+
+/** Throws a TexelcastError of code "bad-design" that names `subject`. */
+export function decodeDataUri(uri: string, subject: string): Uint8Array<ArrayBuffer> {
+  const comma = uri.indexOf(",");
+  if (!uri.startsWith("data:") || comma < 0) throw malformed(subject);
+  const body = uri.slice(comma + 1);
+  try {
+    if (/;base64$/i.test(uri.slice(5, comma)))
+      return Uint8Array.from(atob(body), (character) => character.charCodeAt(0));
+    const text = body.replace(/%([0-9a-f]{2})/gi, (_, hex: string) => String.fromCharCode(Number.parseInt(hex, 16)));
+    return Uint8Array.from(text, (character) => character.charCodeAt(0));
+  } catch (cause) {
+    throw malformed(subject, cause);
+  }
+}
+
+function malformed(subject: string, cause?: unknown): TexelcastError {
+  return new TexelcastError("bad-design", strings.errors.badDataUri(subject), { subject, cause });
+}

@@ -1,0 +1,47 @@
+/** The demo models and decals that come with the page, as `demo/demo.json` lists them. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { strings } from "../strings.ts";
+
+export interface DemoModel {
+  readonly id: string;
+  readonly name: string;
+  /** Address relative to the catalogue. */
+  readonly file: string;
+  /** The design that it opens with: a document, still to be parsed. */
+  readonly design: unknown;
+}
+
+export interface DemoDecal {
+  readonly id: string;
+  readonly name: string;
+  readonly file: string;
+}
+
+export interface DemoCatalogue {
+  /** What the addresses in it are relative to. */
+  readonly url: string;
+  readonly models: readonly DemoModel[];
+  readonly decals: readonly DemoDecal[];
+}
+
+/** Rejects with a TexelcastError of code "missing-file" when the demos were not built or cannot be reached. */
+export async function loadDemoCatalogue(url: string): Promise<DemoCatalogue> {
+  const response = await fetch(url).catch(() => undefined);
+  const list: unknown = response?.ok ? await response.json().catch(() => undefined) : undefined;
+  if (typeof list !== "object" || list === null) {
+    throw new TexelcastError("missing-file", strings.errors.noDemos, {
+      subject: url,
+      hint: strings.errors.noDemosHint,
+    });
+  }
+  const { models = [], decals = [] } = list as Partial<DemoCatalogue>;
+  return { url, models, decals };
+}
+
+/** Rejects with a TexelcastError of code "missing-file". */
+export async function fetchBytes(address: string, base: string): Promise<Uint8Array> {
+  const response = await fetch(new URL(address, base)).catch(() => undefined);
+  if (!response?.ok)
+    throw new TexelcastError("missing-file", strings.errors.unreachable(address), { subject: address });
+  return new Uint8Array(await response.arrayBuffer());
+}

@@ -1,0 +1,93 @@
+/** What a handful of files means: a model with its side files, a design, pictures for decals. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import type { ModelSource } from "../../engine/engine-api.ts";
+import { listSideFiles } from "../../engine/gltf-container.ts";
+import { strings } from "../strings.ts";
+import type { CollectedFile } from "./file-collection.ts";
+
+export interface Intake {
+  readonly model?: ModelSource;
+  readonly design?: CollectedFile;
+  readonly pictures: readonly CollectedFile[];
+  /** Everything that came along: a design's relative addresses are looked up here. */
+  readonly companions: readonly CollectedFile[];
+}
+
+const MODEL = /\.(glb|gltf)$/i;
+const PICTURE = /\.(png|jpe?g|webp)$/i;
+const DESIGN = /\.json$/i;
+
+/** Throws a TexelcastError of code "unsupported" when nothing of it can be used or when it holds two models. */
+export async function sortFiles(files: readonly CollectedFile[]): Promise<Intake> {
+  const [modelFile, secondModel] = files.filter(({ path }) => MODEL.test(path));
+  if (modelFile && secondModel) {
+    throw new TexelcastError("unsupported", strings.errors.twoModels(modelFile.path, secondModel.path), {
+      subject: secondModel.path,
+      hint: strings.errors.twoModelsHint,
+    });
+  }
+  const designs = files.filter(({ path }) => DESIGN.test(path));
+  const design = designs.find(({ path }) => path.endsWith(".design.json")) ?? designs[0];
+  // Pictures that come with a model or a design are its own; alone they are decals.
+  const pictures = modelFile || design ? [] : files.filter(({ path }) => PICTURE.test(path));
+  if (!modelFile && !design && pictures.length === 0) {
+    const first = files[0];
+    throw new TexelcastError("unsupported", strings.errors.unknownFile(first?.path ?? ""), {
+      ...(first && { subject: first.path }),
+      hint: strings.errors.unknownFileHint,
+    });
+  }
+  const model = modelFile && (await readModel(modelFile, files));
+  return { ...(model && { model }), ...(design && { design }), pictures, companions: files };
+}
+
+export async function bytesOf(file: Blob): Promise<Uint8Array> {
+  return new Uint8Array(await file.arrayBuffer());
+}
+
+/**
+ * The file that a relative address means: by its path beside `base`, else (files dropped without their folders) the
+ * only one of that name.
+ */
+export function findCompanion(
+  address: string,
+  base: string,
+  files: readonly CollectedFile[],
+): CollectedFile | undefined {
+  const wanted = decodeAddress(address).replace(/^\.\//, "");
+  const folder = base.slice(0, base.lastIndexOf("/") + 1);
+  const exact = files.find(({ path }) => path === folder + wanted);
+  if (exact) return exact;
+  const name = wanted.slice(wanted.lastIndexOf("/") + 1);
+  const named = files.filter(({ path }) => path.slice(path.lastIndexOf("/") + 1) === name);
+  return named.length === 1 ? named[0] : undefined;
+}
+
+async function readModel(modelFile: CollectedFile, files: readonly CollectedFile[]): Promise<ModelSource> {
+  const name = modelFile.file.name;
+  const bytes = await bytesOf(modelFile.file);
+  const resources = new Map<string, Uint8Array>();
+  for (const address of sideFilesOf(name, bytes)) {
+    const companion = findCompanion(address, modelFile.path, files);
+    // A missing one is the engine's to report: it knows what the file is for.
+    if (companion) resources.set(address, await bytesOf(companion.file));
+  }
+  return { name, bytes, resources };
+}
+
+function sideFilesOf(name: string, bytes: Uint8Array): string[] {
+  try {
+    return listSideFiles({ name, bytes });
+  } catch {
+    // A broken container is refused by the engine too, with the whole story.
+    return [];
+  }
+}
+
+function decodeAddress(address: string): string {
+  try {
+    return decodeURIComponent(address);
+  } catch {
+    return address;
+  }
+}

@@ -1,0 +1,106 @@
+/**
+ * The panels on a phone: tabs at the bottom edge, and one panel above them. The sheet takes room from the view
+ * instead of covering it, and never more than half of the screen: the model stays in sight.
+ */
+import { css, html, type TemplateResult } from "lit";
+import { Grid2x2, Layers, Settings2, SlidersHorizontal } from "lucide";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+export type SheetTab = "decals" | "properties" | "texture" | "target";
+
+const TABS = [
+  { id: "decals", drawing: Layers },
+  { id: "properties", drawing: SlidersHorizontal },
+  { id: "texture", drawing: Grid2x2 },
+  { id: "target", drawing: Settings2 },
+] as const satisfies readonly { id: SheetTab; drawing: unknown }[];
+
+export class BottomSheet extends EditorElement {
+  static override properties = { tab: { state: true }, open: { type: Boolean, reflect: true } };
+  declare tab: SheetTab;
+  declare open: boolean;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: minmax(0, 1fr) auto;
+        min-height: 0;
+        background: var(--surface);
+        border-top: 1px solid var(--line);
+        padding-bottom: env(safe-area-inset-bottom);
+      }
+      .panel {
+        display: grid;
+        height: min(42dvh, 24rem);
+        min-height: 0;
+        overflow: hidden;
+        border-bottom: 1px solid var(--line);
+      }
+      nav {
+        display: grid;
+        grid-auto-flow: column;
+        grid-auto-columns: 1fr;
+        padding: 2px var(--space-1);
+      }
+      nav button {
+        flex-direction: column;
+        gap: 2px;
+        min-height: 48px;
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+      }
+      nav button[aria-expanded="true"] {
+        color: var(--accent);
+        font-weight: 550;
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.tab = "decals";
+    this.open = true;
+  }
+
+  protected watched(_state: EditorState): readonly unknown[] {
+    return [];
+  }
+
+  override render(): TemplateResult {
+    return html`
+      <div class="panel" id="panel" ?hidden=${!this.open}>${this.open ? this.#panel() : ""}</div>
+      <nav aria-label=${strings.sheet.label}>
+        ${TABS.map(
+          ({ id, drawing }) => html`<button
+            id=${`sheet-${id}`}
+            aria-expanded=${this.open && this.tab === id}
+            aria-controls="panel"
+            @click=${() => this.#choose(id)}
+          >
+            ${icon(drawing)}${strings.sheet[id]}
+          </button>`,
+        )}
+      </nav>
+    `;
+  }
+
+  #panel(): TemplateResult {
+    const { editor, tab } = this;
+    if (tab === "texture")
+      return html`<tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>`;
+    return html`<tc-side-panel .editor=${editor} .only=${tab}></tc-side-panel>`;
+  }
+
+  /** The open tab's own button closes the sheet. */
+  #choose(tab: SheetTab): void {
+    this.open = !(this.open && this.tab === tab);
+    this.tab = tab;
+  }
+}
+customElements.define("tc-bottom-sheet", BottomSheet);

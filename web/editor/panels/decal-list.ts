@@ -1,0 +1,269 @@
+/**
+ * The layers, the topmost first. A row is chosen with click or arrow keys, reordered by its grip, by Alt and the
+ * arrows, or by its buttons.
+ */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { repeat } from "lit/directives/repeat.js";
+import { ArrowDown, ArrowUp, Copy, Eye, EyeOff, GripVertical, Trash } from "lucide";
+import type { DesignLayer } from "../document/index.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
+
+const words = strings.decals;
+
+interface RowDrag {
+  readonly id: string;
+  readonly pointer: number;
+  /** Row (from the top) before which the layer would be put. */
+  readonly slot: number;
+}
+
+export class DecalList extends EditorElement {
+  static override properties = { drag: { state: true } };
+  declare drag: RowDrag | null;
+
+  static override styles = [
+    controls,
+    thumbnailStyles,
+    css`
+      ul {
+        margin: 0;
+        padding: 0;
+        list-style: none;
+      }
+      li {
+        position: relative;
+        display: grid;
+        grid-template-columns: auto minmax(0, 1fr) auto;
+        align-items: center;
+        border-radius: var(--radius);
+      }
+      li:hover {
+        background: var(--hover);
+      }
+      li.selected {
+        background: var(--accent-soft);
+      }
+      li.dragged {
+        opacity: 0.5;
+      }
+      li.slot::before,
+      li.slot-after::after {
+        content: "";
+        position: absolute;
+        z-index: 1;
+        inset-inline: 0;
+        inset-block-start: -1px;
+        height: 2px;
+        border-radius: 1px;
+        background: var(--accent);
+      }
+      li.slot-after::after {
+        inset-block: auto -1px;
+      }
+      .grip {
+        display: grid;
+        place-items: center;
+        width: 20px;
+        min-height: 40px;
+        color: var(--line-strong);
+        cursor: grab;
+        touch-action: none;
+        opacity: 0;
+      }
+      li:hover .grip,
+      li.selected .grip {
+        opacity: 1;
+      }
+      @media (pointer: coarse) {
+        .grip {
+          width: 32px;
+          opacity: 1;
+        }
+      }
+      .row {
+        justify-content: start;
+        gap: var(--space-3);
+        min-width: 0;
+        min-height: 44px;
+        padding: 0;
+        background: none;
+        text-align: start;
+      }
+      .row span {
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .selected .row {
+        font-weight: 550;
+      }
+      .off .row {
+        color: var(--text-quiet);
+      }
+      .off .thumbnail {
+        opacity: 0.45;
+      }
+      .actions {
+        display: flex;
+        padding-inline-end: 2px;
+      }
+      .more {
+        grid-column: 1 / -1;
+        display: flex;
+        justify-content: end;
+        gap: 2px;
+        padding: 0 2px 2px;
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.drag = null;
+  }
+
+  protected watched({ design, selectedId }: EditorState): readonly unknown[] {
+    return [design, selectedId];
+  }
+
+  override render(): TemplateResult {
+    const layers = this.state.design.layers.toReversed();
+    return html`
+      <ul aria-label=${words.list} @keydown=${this.#key}>
+        ${repeat(
+          layers,
+          ({ id }) => id,
+          (layer, index) => this.#row(layer, index, layers.length),
+        )}
+      </ul>
+    `;
+  }
+
+  #row(layer: DesignLayer, index: number, count: number): TemplateResult {
+    const { id, name, visible } = layer;
+    const selected = id === this.state.selectedId;
+    const { decals } = this.editor;
+    const classes = [
+      selected ? "selected" : "",
+      visible ? "" : "off",
+      this.drag?.id === id ? "dragged" : "",
+      this.drag?.slot === index ? "slot" : "",
+      this.drag?.slot === count && index === count - 1 ? "slot-after" : "",
+    ];
+    const reachable = selected || (index === 0 && this.state.selectedId === null);
+    return html`
+      <li class=${classes.join(" ").trim()} data-id=${id}>
+        <span
+          class="grip"
+          title=${words.drag(name)}
+          @pointerdown=${(event: PointerEvent) => this.#grab(event, id)}
+          @pointermove=${this.#move}
+          @pointerup=${this.#drop}
+          @pointercancel=${() => {
+            this.drag = null;
+          }}
+          >${icon(GripVertical)}</span
+        >
+        <button
+          class="row"
+          tabindex=${reachable ? 0 : -1}
+          aria-current=${selected ? "true" : nothing}
+          aria-label=${[name, words.order(index + 1, count), visible ? "" : words.hiddenNote].filter(Boolean).join(", ")}
+          @click=${() => decals.select(id)}
+          @dblclick=${() => this.editor.viewer.frameDecal(id)}
+        >
+          ${thumbnail(this.editor.library, this.state.design, layer)}
+          <span>${name}</span>
+        </button>
+        <div class="actions">
+          <button
+            class="icon"
+            data-action="visible"
+            aria-pressed=${nothing}
+            aria-label=${visible ? words.hide(name) : words.show(name)}
+            title=${visible ? words.hide(name) : words.show(name)}
+            @click=${() => decals.toggleVisible(id)}
+          >
+            ${icon(visible ? Eye : EyeOff)}
+          </button>
+        </div>
+        ${selected ? this.#actions(id, name, count - 1 - index, count) : nothing}
+      </li>
+    `;
+  }
+
+  /** `place` counts from the bottom, as the design does. */
+  #actions(id: string, name: string, place: number, count: number): TemplateResult {
+    const { decals } = this.editor;
+    const button = (action: string, label: string, drawing: typeof Copy, run: () => void, disabled = false) => html`
+      <button class="icon" data-action=${action} aria-label=${label} title=${label} ?disabled=${disabled} @click=${run}>${icon(drawing)}</button>
+    `;
+    return html`
+      <div class="more">
+        ${button("up", words.up(name), ArrowUp, () => decals.move(id, place + 1), place === count - 1)}
+        ${button("down", words.down(name), ArrowDown, () => decals.move(id, place - 1), place === 0)}
+        ${button("duplicate", words.duplicate(name), Copy, () => decals.duplicate(id))}
+        ${button("delete", words.remove(name), Trash, () => decals.remove(id))}
+      </div>
+    `;
+  }
+
+  #key(event: KeyboardEvent): void {
+    const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+    if (step === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { design, selectedId } = this.state;
+    const rows = design.layers.toReversed();
+    const index = rows.findIndex(({ id }) => id === selectedId);
+    if (event.altKey) {
+      if (selectedId !== null) this.editor.decals.move(selectedId, rows.length - 1 - (index + step));
+    } else {
+      const next = rows[Math.max(0, Math.min(rows.length - 1, index + step))];
+      if (next) this.editor.decals.select(next.id);
+    }
+    void this.#focusSelected();
+  }
+
+  async #focusSelected(): Promise<void> {
+    // The state reaches this element a microtask after the command.
+    await Promise.resolve();
+    await this.updateComplete;
+    this.renderRoot.querySelector<HTMLElement>(".selected .row")?.focus();
+  }
+
+  #grab(event: PointerEvent, id: string): void {
+    if (event.button !== 0) return;
+    event.preventDefault();
+    (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
+    this.editor.decals.select(id);
+    this.drag = { id, pointer: event.pointerId, slot: -1 };
+  }
+
+  #move(event: PointerEvent): void {
+    if (this.drag?.pointer !== event.pointerId) return;
+    const rows = [...this.renderRoot.querySelectorAll("li")];
+    const below = rows.findIndex((row) => {
+      const box = row.getBoundingClientRect();
+      return event.clientY < box.top + box.height / 2;
+    });
+    this.drag = { ...this.drag, slot: below < 0 ? rows.length : below };
+  }
+
+  #drop(event: PointerEvent): void {
+    const { drag } = this;
+    if (drag?.pointer !== event.pointerId) return;
+    this.drag = null;
+    if (drag.slot < 0) return;
+    const rows = this.state.design.layers.toReversed();
+    const from = rows.findIndex(({ id }) => id === drag.id);
+    const to = drag.slot > from ? drag.slot - 1 : drag.slot;
+    this.editor.decals.move(drag.id, rows.length - 1 - to);
+  }
+}
+customElements.define("tc-decal-list", DecalList);

@@ -1,0 +1,87 @@
+/** Adding decals: a picture of one's own, or a demo decal by click or by dragging it onto the model. */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { ImagePlus } from "lucide";
+import type { DemoDecal } from "../files/demo-catalogue.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+/** Type of a drag from the palette to the model; its data is the demo decal's id. */
+export const PALETTE_DRAG = "application/x-texelcast-demo-decal";
+
+const words = strings.decals;
+
+export class DecalPalette extends EditorElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: var(--space-3);
+      }
+      .add {
+        width: 100%;
+        min-height: max(var(--target), 34px);
+      }
+      .palette {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(44px, 1fr));
+        gap: var(--space-2);
+      }
+      .palette button {
+        aspect-ratio: 1;
+        padding: 5px;
+        background: var(--surface-low);
+        cursor: grab;
+      }
+      .palette button:hover {
+        background: linear-gradient(var(--hover), var(--hover)), var(--surface-low);
+      }
+      img {
+        width: 100%;
+        height: 100%;
+        object-fit: contain;
+      }
+    `,
+  ];
+
+  protected watched({ demos, model }: EditorState): readonly unknown[] {
+    return [demos, model === null];
+  }
+
+  override render(): TemplateResult {
+    const { demos, model } = this.state;
+    const add = (): void => pickFiles({ accept: ACCEPT.picture }, (files) => void this.editor.files.openFiles(files));
+    return html`
+      <button class="outlined add" id="add-picture" ?disabled=${model === null} @click=${add}>${icon(ImagePlus)}${words.add}</button>
+      ${
+        demos && model
+          ? html`<div class="palette" role="group" aria-label=${words.palette}>
+              ${demos.decals.map((decal) => this.#item(decal, new URL(decal.file, demos.url).href))}
+            </div>`
+          : nothing
+      }
+    `;
+  }
+
+  #item(decal: DemoDecal, url: string): TemplateResult {
+    const label = words.paletteItem(decal.name);
+    const lift = (event: DragEvent): void => event.dataTransfer?.setData(PALETTE_DRAG, decal.id);
+    return html`
+      <button
+        draggable="true"
+        data-decal=${decal.id}
+        aria-label=${label}
+        title=${label}
+        @dragstart=${lift}
+        @click=${() => void this.editor.files.addDemoDecal(decal)}
+      >
+        <img src=${url} alt="" loading="lazy" draggable="false" />
+      </button>
+    `;
+  }
+}
+customElements.define("tc-decal-palette", DecalPalette);

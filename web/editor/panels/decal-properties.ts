@@ -1,0 +1,402 @@
+/** Everything about the selected layer, as fields. */
+import { html, nothing, type TemplateResult } from "lit";
+import { Link2, Ratio, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical, Unlink2 } from "lucide";
+import type { PlanarProjector, Vec3 } from "../../engine/engine-api.ts";
+import type { DecalLayer, FillLayer } from "../document/index.ts";
+import type { DecalPatch } from "../state/decal-commands.ts";
+import { layerById, patchLayer } from "../state/design-edits.ts";
+import { isPlanarDecal, type PlanarDecal } from "../state/design-session.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import { type Orientation, orientationOf, quaternionOf, wrapDegrees } from "../state/rotation.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { controls } from "../ui/theme.ts";
+import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
+import { propertyStyles } from "./property-styles.ts";
+
+const words = strings.properties;
+
+interface FieldOptions {
+  readonly label: string;
+  readonly name: string;
+  readonly value: number;
+  readonly step: number;
+  readonly min?: number;
+  readonly max?: number;
+  readonly unit?: string;
+  readonly hint?: string;
+  readonly patch: (value: number) => DecalPatch;
+}
+
+export class DecalProperties extends EditorElement {
+  static override properties = { proportional: { state: true } };
+  /** Width and height change together. */
+  declare proportional: boolean;
+  /** The direction last shown: straight up and down it keeps the heading that the rotation alone has lost. */
+  #orientation: Orientation | undefined;
+
+  static override styles = [controls, thumbnailStyles, propertyStyles];
+
+  constructor() {
+    super();
+    this.proportional = true;
+  }
+
+  protected watched({ design, selectedId, model }: EditorState): readonly unknown[] {
+    return [layerById(design, selectedId), model];
+  }
+
+  override render(): TemplateResult {
+    const { design, selectedId } = this.state;
+    const layer = layerById(design, selectedId);
+    if (isPlanarDecal(layer))
+      return html`${this.#header(layer)}${this.#placement(layer)}${this.#look(layer)}${this.#reach(layer)}`;
+    if (layer?.type === "fill") return html`${this.#header(layer)}${this.#fill(layer)}`;
+    return html`<div class="none">
+      <h2>${words.none}</h2>
+      <p class="quiet">${words.noneBody}</p>
+    </div>`;
+  }
+
+  #header(layer: PlanarDecal | FillLayer): TemplateResult {
+    const input = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
+    const keys = (event: KeyboardEvent): void => {
+      event.stopPropagation();
+      if (event.key === "Escape") input(event).value = layer.name;
+      if (event.key === "Escape" || event.key === "Enter") input(event).blur();
+    };
+    return html`
+      <div class="header">
+        ${thumbnail(this.editor.library, this.state.design, layer)}
+        <input
+          type="text"
+          id="name"
+          aria-label=${words.name}
+          .value=${layer.name}
+          maxlength="200"
+          @keydown=${keys}
+          @change=${(event: Event) => this.editor.decals.rename(layer.id, input(event).value)}
+        />
+      </div>
+    `;
+  }
+
+  #placement(layer: PlanarDecal): TemplateResult {
+    const { projector } = layer;
+    this.#orientation = orientationOf(projector.rotation, this.#orientation);
+    const orientation = this.#orientation;
+    const step = this.#lengthStep();
+    const set = (patch: Partial<PlanarProjector>): DecalPatch => ({ projector: { ...projector, ...patch } });
+    const position = (axis: 0 | 1 | 2, label: string) =>
+      this.#number(layer, words.position, {
+        label,
+        name: words.axis(words.position, label),
+        value: projector.position[axis],
+        step,
+        patch: (value) => set({ position: withAxis(projector.position, axis, value) }),
+      });
+    const turn = (key: keyof Orientation, label: string, hint: string) =>
+      this.#number(layer, words.direction, {
+        label,
+        name: label,
+        hint,
+        unit: words.degrees,
+        value: orientation[key],
+        step: 1,
+        ...(key === "tilt" && { min: -90, max: 90 }),
+        patch: (value) => {
+          const next = { ...orientation, [key]: key === "tilt" ? value : wrapDegrees(value) };
+          this.#orientation = next;
+          return set({ rotation: quaternionOf(next) });
+        },
+      });
+    return html`
+      <section aria-label=${words.placement}>
+        <h3>${words.position}</h3>
+        <div class="three">${position(0, "X")}${position(1, "Y")}${position(2, "Z")}</div>
+        <h3>${words.direction}</h3>
+        <div class="three">
+          ${turn("heading", words.heading, words.headingHint)} ${turn("tilt", words.tilt, words.tiltHint)}
+          ${turn("spin", words.spin, words.spinHint)}
+        </div>
+        ${this.#size(layer, step)}
+      </section>
+    `;
+  }
+
+  #size(layer: PlanarDecal, step: number): TemplateResult {
+    const { projector } = layer;
+    const picture = this.editor.library.get(this.state.design.assets[layer.asset]);
+    const resized = (axis: 0 | 1 | 2, value: number): DecalPatch => {
+      const size = withAxis(projector.size, axis, value);
+      const other = axis === 0 ? 1 : 0;
+      const linked = this.proportional && axis !== 2;
+      return {
+        projector: {
+          ...projector,
+          size: linked ? withAxis(size, other, (projector.size[other] * value) / projector.size[axis]) : size,
+        },
+      };
+    };
+    const field = (axis: 0 | 1 | 2, label: string, hint = "") =>
+      this.#number(layer, words.size, {
+        label,
+        name: words.axis(words.size, label.toLowerCase()),
+        hint,
+        value: projector.size[axis],
+        step,
+        min: step / 100,
+        patch: (value) => resized(axis, value),
+      });
+    const own = picture ? picture.width / picture.height : 1;
+    const reset = (): void => {
+      const [width, , depth] = projector.size;
+      const size: Vec3 = [width, width / own, depth];
+      this.editor.decals.change(layer.id, { projector: { ...projector, size } }, strings.steps.change(words.size));
+    };
+    const distorted = Math.abs(projector.size[0] / projector.size[1] / own - 1) > 1e-3;
+    return html`
+      <div class="titled">
+        <h3>${words.size}</h3>
+        ${
+          distorted
+            ? html`<button class="icon small" id="reset-proportions" aria-label=${words.resetProportions} title=${words.resetProportions} @click=${reset}>
+                ${icon(Ratio)}
+              </button>`
+            : nothing
+        }
+        <button
+          class="icon small"
+          id="proportional"
+          aria-pressed=${this.proportional}
+          aria-label=${words.keepProportions}
+          title=${words.keepProportions}
+          @click=${() => {
+            this.proportional = !this.proportional;
+          }}
+        >
+          ${icon(this.proportional ? Link2 : Unlink2)}
+        </button>
+      </div>
+      <div class="three">${field(0, words.width)}${field(1, words.height)}${field(2, words.depth, words.depthHint)}</div>
+    `;
+  }
+
+  #look(layer: PlanarDecal): TemplateResult {
+    const { decals } = this.editor;
+    const flip = (key: "flipX" | "flipY", label: string, drawing: typeof Link2) => html`
+      <button
+        class="icon"
+        id=${key}
+        aria-pressed=${layer[key]}
+        aria-label=${label}
+        title=${label}
+        @click=${() => decals.change(layer.id, { [key]: !layer[key] }, strings.steps.change(words.flip))}
+      >
+        ${icon(drawing)}
+      </button>
+    `;
+    return html`
+      <section aria-label=${words.look}>
+        ${this.#opacity(layer)}
+        ${this.#choice(layer, "filter", words.filter, { linear: words.filterLinear, nearest: words.filterNearest })}
+        ${this.#choice(layer, "wrap", words.wrap, { none: words.wrapNone, repeat: words.wrapRepeat })}
+        <div class="field">
+          <span>${words.flip}</span>
+          <div class="buttons">
+            ${flip("flipX", words.flipX, TrianglesCenterlineDashedVertical)}${flip("flipY", words.flipY, TrianglesCenterlineDashedHorizontal)}
+          </div>
+        </div>
+      </section>
+    `;
+  }
+
+  #reach(layer: PlanarDecal): TemplateResult {
+    const [start, end] = layer.angleFade;
+    const { decals } = this.editor;
+    const fade = (label: string, value: number, patch: (value: number) => DecalPatch) =>
+      this.#number(layer, label, {
+        label,
+        name: label,
+        hint: words.fadeHint,
+        unit: words.degrees,
+        value,
+        step: 1,
+        min: 0,
+        max: 90,
+        patch,
+      });
+    const toggle = (id: string, label: string, on: boolean, patch: (on: boolean) => DecalPatch) => html`
+      <label class="check">
+        <input
+          type="checkbox"
+          id=${id}
+          .checked=${on}
+          @change=${(event: Event) =>
+            decals.change(layer.id, patch((event.target as HTMLInputElement).checked), strings.steps.change(label))}
+        />
+        ${label}
+      </label>
+    `;
+    return html`
+      <section aria-label=${words.reach}>
+        <h3>${words.reach}</h3>
+        <div class="two">
+          ${fade(words.fadeStart, start, (value) => ({ angleFade: [value, Math.max(value, end)] }))}
+          ${fade(words.fadeEnd, end, (value) => ({ angleFade: [Math.min(start, value), value] }))}
+        </div>
+        ${toggle("backfaces", words.backfaces, layer.backfaces, (on) => ({ backfaces: on }))}
+        ${toggle("through", words.through, layer.occlusion === "none", (on) => ({ occlusion: on ? "none" : "self" }))}
+        ${this.#material(layer)}
+      </section>
+    `;
+  }
+
+  #fill(layer: FillLayer): TemplateResult {
+    const recolour = (event: Event): void => {
+      const color = (event.target as HTMLInputElement).value + layer.color.slice(7);
+      const { session } = this.editor;
+      session.record(
+        patchLayer<FillLayer>(session.recordedDesign, layer.id, { color }),
+        strings.steps.change(words.color),
+      );
+    };
+    return html`
+      <section aria-label=${words.look}>
+        <div class="field">
+          <label for="color">${words.color}</label>
+          <input type="color" id="color" .value=${layer.color.slice(0, 7)} @change=${recolour} />
+        </div>
+        ${this.#opacity(layer)}${this.#material(layer)}
+      </section>
+    `;
+  }
+
+  #opacity(layer: PlanarDecal | FillLayer): TemplateResult {
+    const { decals } = this.editor;
+    const percent = Math.round(layer.opacity * 1000) / 10;
+    const share = (event: Event): number => Number((event.target as HTMLInputElement).value) / 100;
+    const label = strings.steps.change(words.opacity);
+    return html`
+      <div class="field">
+        <label for="opacity">${words.opacity}</label>
+        <div class="slider">
+          <input
+            type="range"
+            id="opacity"
+            min="0"
+            max="100"
+            .value=${String(percent)}
+            @input=${(event: Event) => decals.preview(layer.id, { opacity: share(event) })}
+            @change=${(event: Event) => decals.change(layer.id, { opacity: share(event) }, label, `opacity:${layer.id}`)}
+          />
+          ${this.#number(layer, words.opacity, {
+            label: "",
+            name: words.opacity,
+            unit: words.percent,
+            value: percent,
+            step: 1,
+            min: 0,
+            max: 100,
+            patch: (value) => ({ opacity: value / 100 }),
+          })}
+        </div>
+      </div>
+    `;
+  }
+
+  #choice<K extends "filter" | "wrap">(
+    layer: PlanarDecal,
+    key: K,
+    label: string,
+    options: Record<DecalLayer[K], string>,
+  ): TemplateResult {
+    return html`
+      <div class="field" role="radiogroup" aria-label=${label}>
+        <span>${label}</span>
+        <div class="segments">
+          ${Object.entries<string>(options).map(
+            ([value, text]) => html`<label>
+              <input
+                type="radio"
+                name=${key}
+                value=${value}
+                .checked=${layer[key] === value}
+                @change=${() => this.editor.decals.change(layer.id, { [key]: value }, strings.steps.change(label))}
+              />
+              <span>${text}</span>
+            </label>`,
+          )}
+        </div>
+      </div>
+    `;
+  }
+
+  #material(layer: PlanarDecal | FillLayer): TemplateResult {
+    const materials = this.state.model?.info.materials ?? [];
+    if (materials.length < 2 && materials[0]?.index === layer.material) return html``;
+    const known = materials.some(({ index }) => index === layer.material);
+    const choose = (event: Event): void => {
+      const material = Number((event.target as HTMLSelectElement).value);
+      this.editor.decals.change(layer.id, { material }, strings.steps.change(words.material));
+      this.editor.showMaterial(material);
+    };
+    return html`
+      <div class="field">
+        <label for="material">${words.material}</label>
+        <select id="material" @change=${choose}>
+          ${known ? nothing : html`<option value=${layer.material} selected>${strings.materialName(layer.material, "")}</option>`}
+          ${materials.map(
+            ({
+              index,
+              name,
+              refusal,
+            }) => html`<option value=${index} ?disabled=${refusal !== null} ?selected=${index === layer.material}>
+              ${strings.materialName(index, name)}
+            </option>`,
+          )}
+        </select>
+      </div>
+    `;
+  }
+
+  #number(layer: PlanarDecal | FillLayer, group: string, options: FieldOptions): TemplateResult {
+    const { label, name, hint = "", unit = "", value, step, min, max, patch } = options;
+    const { decals } = this.editor;
+    const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
+    const change = (event: Event): void => {
+      const { value: next, repeated } = detail(event);
+      decals.change(layer.id, patch(next), strings.steps.change(group), repeated ? `${name}:${layer.id}` : undefined);
+    };
+    return html`<tc-number
+      data-field=${name.toLowerCase().replaceAll(" ", "-")}
+      .label=${label}
+      .name=${name}
+      .hint=${hint}
+      .unit=${unit}
+      .value=${value}
+      .step=${step}
+      .min=${min ?? Number.NEGATIVE_INFINITY}
+      .max=${max ?? Number.POSITIVE_INFINITY}
+      @field-preview=${(event: Event) => decals.preview(layer.id, patch(detail(event).value))}
+      @field-change=${change}
+      @field-cancel=${() => decals.cancelPreview()}
+    ></tc-number>`;
+  }
+
+  /** Metres a step: a power of ten near a thousandth of the model, so that models of any size feel alike. */
+  #lengthStep(): number {
+    const info = this.state.model?.info;
+    if (!info) return 0.001;
+    const diagonal = Math.hypot(...info.boundsMax.map((high, axis) => high - (info.boundsMin[axis] ?? 0)));
+    return 10 ** Math.floor(Math.log10(Math.max(diagonal, 1e-9) / 300));
+  }
+}
+customElements.define("tc-decal-properties", DecalProperties);
+
+function withAxis([x, y, z]: Vec3, axis: 0 | 1 | 2, value: number): Vec3 {
+  if (axis === 0) return [value, y, z];
+  return axis === 1 ? [x, value, z] : [x, y, value];
+}

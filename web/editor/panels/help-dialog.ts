@@ -1,0 +1,106 @@
+/** Keys, and the licences of what the page shows. */
+import { css, html, LitElement, type TemplateResult } from "lit";
+import { X } from "lucide";
+import lucideLicence from "../../../node_modules/lucide/LICENSE?raw";
+import { strings } from "../strings.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.help;
+
+export class HelpDialog extends LitElement {
+  static override styles = [
+    controls,
+    css`
+      dialog {
+        width: min(34rem, calc(100vw - 2rem));
+        max-height: calc(100dvh - 4rem);
+        padding: 0;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface-high);
+        color: var(--text);
+        box-shadow: var(--shadow);
+      }
+      dialog::backdrop {
+        background: rgb(0 0 0 / 35%);
+      }
+      header {
+        position: sticky;
+        top: 0;
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        padding: var(--space-3) var(--space-3) var(--space-2) var(--space-4);
+        background: inherit;
+      }
+      .body {
+        display: grid;
+        gap: var(--space-4);
+        padding: 0 var(--space-4) var(--space-4);
+      }
+      dl {
+        display: grid;
+        grid-template-columns: auto 1fr;
+        gap: var(--space-2) var(--space-4);
+        margin: 0;
+        line-height: 1.4;
+      }
+      dt {
+        font-weight: 550;
+      }
+      dd {
+        margin: 0;
+        color: var(--text-quiet);
+      }
+      pre {
+        margin: var(--space-2) 0 0;
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+        white-space: pre-wrap;
+        overflow-wrap: anywhere;
+      }
+    `,
+  ];
+
+  show(): void {
+    this.#dialog?.showModal();
+  }
+
+  get #dialog(): HTMLDialogElement | null {
+    return this.renderRoot.querySelector("dialog");
+  }
+
+  override render(): TemplateResult {
+    const close = (): void => this.#dialog?.close();
+    const outside = (event: Event): void => {
+      if (event.target === event.currentTarget) close();
+    };
+    return html`
+      <dialog aria-labelledby="title" @click=${outside}>
+        <header>
+          <h2 id="title">${words.title}</h2>
+          <button class="icon" aria-label=${words.close} title=${words.close} @click=${close}>${icon(X)}</button>
+        </header>
+        <div class="body">
+          <dl>
+            ${words.keyList.map(
+              ([key, meaning]) =>
+                html`<dt>${key}</dt>
+                  <dd>${meaning}</dd>`,
+            )}
+          </dl>
+          <details>
+            <summary>${words.licences}</summary>
+            <pre>
+${words.icons}
+
+${lucideLicence}</pre
+            >
+          </details>
+        </div>
+      </dialog>
+    `;
+  }
+}
+customElements.define("tc-help-dialog", HelpDialog);

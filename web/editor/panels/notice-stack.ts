@@ -1,0 +1,180 @@
+/** Notices (calm, dismissible), the progress of long work, and the page's live region. */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { repeat } from "lit/directives/repeat.js";
+import { Info, TriangleAlert, X } from "lucide";
+import type { EditorState, Task } from "../state/editor-state.ts";
+import type { Notice } from "../state/notices.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+export class NoticeStack extends EditorElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: var(--space-2);
+        justify-items: center;
+        pointer-events: none;
+      }
+      .alerts {
+        display: grid;
+        gap: var(--space-2);
+        justify-items: center;
+        width: 100%;
+      }
+      .card {
+        pointer-events: auto;
+        width: min(30rem, 100%);
+        padding: var(--space-3);
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface-high);
+        box-shadow: var(--shadow);
+      }
+      .notice {
+        display: grid;
+        grid-template-columns: auto 1fr auto;
+        gap: var(--space-1) var(--space-3);
+      }
+      .notice tc-icon {
+        margin-top: 2px;
+      }
+      .error > tc-icon {
+        color: var(--danger);
+      }
+      .info > tc-icon {
+        color: var(--accent);
+      }
+      .words {
+        display: grid;
+        gap: var(--space-1);
+        min-width: 0;
+        overflow-wrap: anywhere;
+        line-height: 1.45;
+      }
+      .where {
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+      }
+      .dismiss {
+        margin: -6px -6px 0 0;
+      }
+      .action {
+        justify-self: start;
+        margin-top: var(--space-1);
+      }
+      .task {
+        display: grid;
+        grid-template-columns: 1fr auto;
+        align-items: center;
+        gap: var(--space-2) var(--space-3);
+        width: min(20rem, 100%);
+        padding-block: var(--space-2);
+      }
+      progress {
+        grid-column: 1 / -1;
+        width: 100%;
+        height: 4px;
+        margin-bottom: var(--space-1);
+        border: 0;
+        border-radius: 2px;
+        overflow: hidden;
+        background: var(--line);
+        accent-color: var(--accent);
+        appearance: none;
+      }
+      progress::-webkit-progress-bar {
+        background: var(--line);
+      }
+      progress::-webkit-progress-value {
+        border-radius: 2px;
+        background: var(--accent);
+        transition: width 120ms linear;
+      }
+      progress::-moz-progress-bar {
+        background: var(--accent);
+      }
+      progress:indeterminate {
+        background: linear-gradient(90deg, var(--line) 30%, var(--accent) 50%, var(--line) 70%) 0 0 / 300% 100%;
+        animation: wander 1.6s linear infinite;
+      }
+      progress:indeterminate::-webkit-progress-bar {
+        background: transparent;
+      }
+      @keyframes wander {
+        from {
+          background-position: 150% 0;
+        }
+        to {
+          background-position: -150% 0;
+        }
+      }
+    `,
+  ];
+
+  protected watched({ notices, tasks, announcement }: EditorState): readonly unknown[] {
+    return [notices, tasks, announcement];
+  }
+
+  override render(): TemplateResult {
+    const { notices, tasks, announcement } = this.state;
+    return html`
+      <div class="visually-hidden" id="announcer" aria-live="polite">${announcement}</div>
+      ${repeat(
+        tasks.filter(({ visible }) => visible),
+        ({ id }) => id,
+        (task) => this.#task(task),
+      )}
+      <div class="alerts" role="region" aria-label=${strings.notices.label}>
+        ${repeat(
+          notices,
+          ({ id }) => id,
+          (notice) => this.#notice(notice),
+        )}
+      </div>
+    `;
+  }
+
+  #task({ label, share, cancel }: Task): TemplateResult {
+    return html`
+      <div class="card task" role="status">
+        <span>${label}</span>
+        ${cancel ? html`<button class="outlined" @click=${cancel}>${strings.tasks.cancel}</button>` : html`<span></span>`}
+        <progress aria-label=${label} max="1" value=${share ?? nothing}></progress>
+      </div>
+    `;
+  }
+
+  #notice(notice: Notice): TemplateResult {
+    const { id, tone, title, code, message, where, hint, action } = notice;
+    const dismiss = (): void => this.editor.board.dismiss(id);
+    const act = (): void => {
+      dismiss();
+      action?.run();
+    };
+    return html`
+      <section class="card notice ${tone}" role=${tone === "error" ? "alert" : "status"} data-code=${code}>
+        ${icon(tone === "error" ? TriangleAlert : Info)}
+        <div class="words">
+          <h2>${title}</h2>
+          <p>${sentence(message)}${hint ? ` ${sentence(hint)}` : ""}</p>
+          ${where ? html`<p class="where">${where}</p>` : nothing}
+          ${action ? html`<button class="outlined action" @click=${act}>${action.label}</button>` : nothing}
+        </div>
+        <button class="icon dismiss" aria-label=${strings.notices.dismiss} title=${strings.notices.dismiss} @click=${dismiss}>
+          ${icon(X)}
+        </button>
+      </section>
+    `;
+  }
+}
+customElements.define("tc-notice-stack", NoticeStack);
+
+/** The engine's messages are written to stand after a colon as well: here they begin and end a sentence. */
+function sentence(text: string): string {
+  const start = /^[a-z]+[\s,]/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
+  return /[.!?…]$/.test(start) ? start : `${start}.`;
+}

@@ -1,0 +1,101 @@
+/** The right panel: adding, the list, properties, texture settings. On a phone it is one of these at a time. */
+import { css, html, nothing, type TemplateResult } from "lit";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { controls } from "../ui/theme.ts";
+
+export type Section = "decals" | "properties" | "target";
+
+export class SidePanel extends EditorElement {
+  static override properties = { only: {} };
+  /** Shows one section; null shows all. */
+  declare only: Section | null;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: block;
+        min-width: 0;
+        min-height: 0;
+        overflow: hidden auto;
+        overscroll-behavior: contain;
+        background: var(--surface);
+        scrollbar-width: thin;
+        scrollbar-color: var(--line-strong) transparent;
+      }
+      .section {
+        display: grid;
+        gap: var(--space-3);
+        padding: var(--space-4);
+      }
+      .section + .section {
+        border-top: 1px solid var(--line);
+      }
+      tc-decal-list {
+        margin-inline: calc(-1 * var(--space-2));
+      }
+      .empty {
+        display: grid;
+        gap: var(--space-1);
+        line-height: 1.45;
+      }
+      .empty h3 {
+        color: var(--text);
+        font-size: var(--text-normal);
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.only = null;
+  }
+
+  protected watched({ design, model }: EditorState): readonly unknown[] {
+    return [design.layers.length === 0, model === null];
+  }
+
+  override render(): TemplateResult {
+    const { editor, only } = this;
+    const { design, model } = this.state;
+    const shows = (section: Section): boolean => only === null || only === section;
+    const heading = (text: string) => (only === null ? html`<h2>${text}</h2>` : nothing);
+    return html`
+      ${
+        shows("decals")
+          ? html`<div class="section">
+              ${heading(strings.decals.title)}
+              ${
+                design.layers.length > 0
+                  ? html`<tc-decal-list .editor=${editor}></tc-decal-list>`
+                  : html`<div class="empty">
+                      <h3>${strings.decals.empty}</h3>
+                      <p class="quiet">${strings.decals.emptyBody}</p>
+                    </div>`
+              }
+              <tc-decal-palette .editor=${editor}></tc-decal-palette>
+            </div>`
+          : nothing
+      }
+      ${
+        shows("properties")
+          ? html`<div class="section">
+              ${heading(strings.properties.title)}
+              <tc-decal-properties .editor=${editor}></tc-decal-properties>
+            </div>`
+          : nothing
+      }
+      ${
+        shows("target") && model
+          ? html`<div class="section">
+              ${heading(strings.target.title)}
+              <tc-target-settings .editor=${editor}></tc-target-settings>
+            </div>`
+          : nothing
+      }
+    `;
+  }
+}
+customElements.define("tc-side-panel", SidePanel);

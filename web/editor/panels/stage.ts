@@ -1,0 +1,105 @@
+/** The 3D view with its few controls, and what to do while it is empty. */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { Maximize, Pause, Play } from "lucide";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.stage;
+
+export class Stage extends EditorElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        position: relative;
+        display: block;
+        min-width: 0;
+        min-height: 0;
+        overflow: hidden;
+        background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 55%), var(--stage) 78%);
+      }
+      @media (prefers-color-scheme: dark) {
+        :host {
+          background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 9%), var(--stage) 78%);
+        }
+      }
+      .tools {
+        position: absolute;
+        inset-block-start: var(--space-2);
+        inset-inline-end: var(--space-2);
+        display: flex;
+        flex-direction: column;
+        gap: var(--space-1);
+      }
+      .tools button {
+        background: color-mix(in oklab, var(--surface), transparent 15%);
+      }
+      .tools button:hover {
+        background: var(--surface);
+      }
+      .empty {
+        position: absolute;
+        inset: 0;
+        display: grid;
+        place-content: center;
+        justify-items: center;
+        gap: var(--space-3);
+        padding: var(--space-4);
+        text-align: center;
+      }
+      .empty p {
+        max-width: 22rem;
+        color: var(--text-quiet);
+      }
+      h2 {
+        font-size: 1.125rem;
+      }
+    `,
+  ];
+
+  protected watched({ model, playing, tasks }: EditorState): readonly unknown[] {
+    return [model, playing, tasks.length === 0];
+  }
+
+  override render(): TemplateResult {
+    const { model, tasks } = this.state;
+    return html`
+      <slot name="view"></slot>
+      ${model ? this.#tools() : tasks.length === 0 ? this.#empty() : nothing}
+    `;
+  }
+
+  #tools(): TemplateResult {
+    const { playing } = this.state;
+    const { viewer } = this.editor;
+    const play = playing ? words.pause : words.play;
+    return html`
+      <div class="tools">
+        <button class="icon" aria-label=${words.frame} title=${words.frame} @click=${() => viewer.frameModel()}>${icon(Maximize)}</button>
+        ${
+          viewer.hasAnimation
+            ? html`<button class="icon" id="play" aria-label=${play} title=${play} @click=${() => this.editor.setPlaying(!playing)}>
+                ${icon(playing ? Pause : Play)}
+              </button>`
+            : nothing
+        }
+      </div>
+    `;
+  }
+
+  #empty(): TemplateResult {
+    const open = (): void => pickFiles({ accept: ACCEPT.model }, (files) => void this.editor.files.openFiles(files));
+    return html`
+      <div class="empty">
+        <h2>${words.emptyTitle}</h2>
+        <p>${words.emptyBody}</p>
+        <button class="filled" @click=${open}>${strings.topBar.openModel}</button>
+      </div>
+    `;
+  }
+}
+customElements.define("tc-stage", Stage);

@@ -1,0 +1,69 @@
+/** Quiet figures under the views. They are not announced: they change in every frame of a drag. */
+import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import type { Editor } from "../state/editor.ts";
+import type { EditorState, Figures } from "../state/editor-state.ts";
+import { StoreController } from "../state/store.ts";
+import { strings } from "../strings.ts";
+
+const words = strings.status;
+const whole = new Intl.NumberFormat("en-GB");
+
+export class StatusLine extends LitElement {
+  static override properties = { editor: { attribute: false } };
+  declare editor: Editor;
+
+  static override styles = css`
+    :host {
+      display: flex;
+      align-items: center;
+      gap: var(--space-4);
+      min-height: 26px;
+      padding: 0 var(--space-3);
+      overflow: hidden;
+      border-top: 1px solid var(--line);
+      background: var(--surface);
+      color: var(--text-quiet);
+      font-size: var(--text-small);
+      font-variant-numeric: tabular-nums;
+      white-space: nowrap;
+    }
+    .gap {
+      flex: 1;
+    }
+  `;
+
+  constructor() {
+    super();
+    new StoreController<EditorState>(
+      this,
+      () => this.editor?.store,
+      ({ targets, material, model }) => [targets, material, model],
+    );
+    new StoreController<Figures>(
+      this,
+      () => this.editor?.figures,
+      ({ updates }) => [updates],
+    );
+  }
+
+  override render(): TemplateResult {
+    const { targets, material, model } = this.editor.store.state;
+    const target = material === null ? undefined : targets.get(material);
+    const { update, uploadMilliseconds } = this.editor.figures.state;
+    if (!target) return html`<span>${model ? words.ready : words.noModel}</span>`;
+    return html`
+      <span>${words.size(target.width, target.height)}</span>
+      ${
+        update
+          ? html`
+              <span>${words.painted(whole.format(update.projectedTexels))}</span>
+              <span class="gap"></span>
+              <span>${words.engine(update.milliseconds.toFixed(1))}</span>
+              <span>${words.upload(uploadMilliseconds.toFixed(1))}</span>
+            `
+          : nothing
+      }
+    `;
+  }
+}
+customElements.define("tc-status-line", StatusLine);

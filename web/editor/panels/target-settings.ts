@@ -1,0 +1,131 @@
+/** The paint target of a material: its size, its gutter, and how well the model is unwrapped. */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { DEFAULT_TARGET, type EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.target;
+const SIZES = [256, 512, 1024, 2048, 4096, 8192];
+const GUTTERS = [0, 1, 2, 4, 8, 16, 32, 64];
+const whole = new Intl.NumberFormat("en-GB");
+/** Without a picture of its own a material gets a target of this size. */
+const SIZE_WITHOUT_PICTURE = 1024;
+
+export class TargetSettings extends EditorElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: var(--space-2);
+      }
+      .field {
+        display: grid;
+        grid-template-columns: 5.5rem minmax(0, 1fr);
+        align-items: center;
+        gap: var(--space-2);
+      }
+      .field > label {
+        color: var(--text-quiet);
+      }
+      dl {
+        display: grid;
+        grid-template-columns: 5.5rem minmax(0, 1fr);
+        gap: var(--space-1) var(--space-2);
+        margin: var(--space-1) 0 0;
+        font-variant-numeric: tabular-nums;
+      }
+      dt {
+        color: var(--text-quiet);
+      }
+      dd {
+        margin: 0;
+        padding-inline-start: var(--space-2);
+      }
+      .warning {
+        padding: var(--space-2) var(--space-3);
+        border-radius: var(--radius);
+        background: var(--surface-low);
+        color: var(--text-quiet);
+        line-height: 1.4;
+      }
+    `,
+  ];
+
+  protected watched({ model, material, targets, targetSettings }: EditorState): readonly unknown[] {
+    return [model, material, targets, targetSettings];
+  }
+
+  override render(): TemplateResult {
+    const { model, material, targets, targetSettings } = this.state;
+    if (!model || material === null) return html`<p class="quiet">${strings.stage.emptyTitle}</p>`;
+    const settings = targetSettings.get(material) ?? DEFAULT_TARGET;
+    const { textureSize } = model.info.materials.find(({ index }) => index === material) ?? { textureSize: null };
+    const [ownWidth, ownHeight] = textureSize ?? [SIZE_WITHOUT_PICTURE, SIZE_WITHOUT_PICTURE];
+    const target = targets.get(material);
+    const { editor } = this;
+    const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
+    const numberOrNull = (text: string): number | null => (text === "" ? null : Number(text));
+    return html`
+      <div class="field">
+        <label for="material">${words.material}</label>
+        <select id="material" @change=${(event: Event) => editor.showMaterial(Number(chosen(event)))}>
+          ${model.info.materials.map(({ index, name, refusal }) => {
+            const label = strings.materialName(index, name);
+            return html`<option value=${index} ?disabled=${refusal !== null} ?selected=${index === material}>
+              ${refusal ? words.notPaintable(label, refusal.code) : label}
+            </option>`;
+          })}
+        </select>
+      </div>
+      <div class="field">
+        <label for="size">${words.size}</label>
+        <select
+          id="size"
+          .value=${String(settings.size ?? "")}
+          @change=${(event: Event) => editor.configureTarget({ ...settings, size: numberOrNull(chosen(event)) })}
+        >
+          <option value="" ?selected=${settings.size === null}>${words.ownSize(ownWidth, ownHeight)}</option>
+          ${SIZES.map((size) => html`<option value=${size} ?selected=${settings.size === size}>${words.squareSize(size)}</option>`)}
+        </select>
+      </div>
+      <div class="field" title=${words.gutterHint}>
+        <label for="gutter">${words.gutter}</label>
+        <select
+          id="gutter"
+          .value=${String(settings.gutter ?? "")}
+          @change=${(event: Event) => editor.configureTarget({ ...settings, gutter: numberOrNull(chosen(event)) })}
+        >
+          <option value="" ?selected=${settings.gutter === null}>${words.gutterAuto}</option>
+          ${GUTTERS.map((size) => html`<option value=${size} ?selected=${settings.gutter === size}>${words.texels(String(size))}</option>`)}
+        </select>
+      </div>
+      ${target ? this.#figures(target) : nothing}
+    `;
+  }
+
+  #figures({
+    width,
+    height,
+    coveredTexels,
+    overlappingTexels,
+  }: {
+    width: number;
+    height: number;
+    coveredTexels: number;
+    overlappingTexels: number;
+  }): TemplateResult {
+    const share = (part: number, of: number): string => words.share(of > 0 ? ((100 * part) / of).toFixed(1) : "0");
+    return html`
+      <dl>
+        <dt>${words.coverage}</dt>
+        <dd>${share(coveredTexels, width * height)} · ${words.texels(whole.format(coveredTexels))}</dd>
+        <dt>${words.overlap}</dt>
+        <dd>${share(overlappingTexels, coveredTexels)}</dd>
+      </dl>
+      ${overlappingTexels > 0.01 * coveredTexels ? html`<p class="warning">${words.overlapWarning}</p>` : nothing}
+    `;
+  }
+}
+customElements.define("tc-target-settings", TargetSettings);

@@ -1,0 +1,144 @@
+/** The flat texture, or one of the maps behind it, with UV outlines. */
+import { css, html, type TemplateResult } from "lit";
+import { Maximize } from "lucide";
+import { type EditorState, TEXTURE_MODES, type TextureMode } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.texture;
+
+export class TexturePanel extends EditorElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        grid-template-rows: auto minmax(0, 1fr) auto;
+        min-width: 0;
+        min-height: 0;
+        background: var(--surface-low);
+      }
+      [role="tablist"] {
+        display: flex;
+        gap: 2px;
+        padding: var(--space-1) var(--space-2);
+        overflow-x: auto;
+        scrollbar-width: none;
+        border-bottom: 1px solid var(--line);
+      }
+      [role="tab"] {
+        flex: none;
+        padding-inline: var(--space-2);
+        color: var(--text-quiet);
+      }
+      [role="tab"][aria-selected="true"] {
+        background: var(--pressed);
+        color: var(--text);
+        font-weight: 550;
+      }
+      .view {
+        position: relative;
+        min-height: 0;
+        overflow: hidden;
+      }
+      .empty {
+        position: absolute;
+        inset: 0;
+        display: grid;
+        place-content: center;
+        padding: var(--space-4);
+        text-align: center;
+        color: var(--text-quiet);
+      }
+      footer {
+        display: flex;
+        align-items: center;
+        gap: var(--space-2);
+        min-height: 36px;
+        padding: 2px var(--space-2) 2px var(--space-3);
+        border-top: 1px solid var(--line);
+      }
+      footer p {
+        flex: 1;
+        min-width: 0;
+        overflow: hidden;
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      label {
+        display: inline-flex;
+        align-items: center;
+        gap: var(--space-2);
+        min-height: var(--target);
+        white-space: nowrap;
+        cursor: pointer;
+      }
+    `,
+  ];
+
+  protected watched({ textureMode, outlines, targets, material }: EditorState): readonly unknown[] {
+    return [textureMode, outlines, targets, material];
+  }
+
+  override render(): TemplateResult {
+    const { textureMode, outlines, targets, material } = this.state;
+    const shown = material !== null && targets.has(material);
+    return html`
+      <div role="tablist" aria-label=${words.label} @keydown=${this.#key}>
+        ${TEXTURE_MODES.map(
+          (mode) => html`<button
+            role="tab"
+            id=${`tab-${mode}`}
+            aria-selected=${mode === textureMode}
+            aria-controls="panel"
+            tabindex=${mode === textureMode ? 0 : -1}
+            title=${words.modeHints[mode]}
+            @click=${() => this.#choose(mode)}
+          >
+            ${words.modes[mode]}
+          </button>`,
+        )}
+      </div>
+      <div class="view" id="panel" role="tabpanel" aria-labelledby=${`tab-${textureMode}`}>
+        <slot name="texture"></slot>
+        <div class="empty" ?hidden=${shown}><p>${words.empty}</p></div>
+      </div>
+      <footer>
+        <p title=${words.modeHints[textureMode]}>${words.modeHints[textureMode]}</p>
+        <label>
+          <input
+            type="checkbox"
+            id="outlines"
+            .checked=${outlines}
+            @change=${(event: Event) => this.editor.setOutlines((event.target as HTMLInputElement).checked)}
+          />
+          ${words.outlines}
+        </label>
+        <button class="icon" aria-label=${words.fitLabel} title=${words.fitLabel} @click=${() => this.editor.textureView.resetZoom()}>
+          ${icon(Maximize)}
+        </button>
+      </footer>
+    `;
+  }
+
+  #choose(mode: TextureMode): void {
+    void this.editor.setTextureMode(mode);
+  }
+
+  #key(event: KeyboardEvent): void {
+    const steps = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (steps === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const count = TEXTURE_MODES.length;
+    const next = TEXTURE_MODES[(TEXTURE_MODES.indexOf(this.state.textureMode) + steps + count) % count];
+    if (!next) return;
+    this.#choose(next);
+    this.renderRoot.querySelector<HTMLElement>(`#tab-${next}`)?.focus();
+  }
+}
+customElements.define("tc-texture-panel", TexturePanel);

@@ -1,0 +1,236 @@
+/** Name, model menu, history, design and export. */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { Box, CircleQuestionMark, Download, FileDown, FolderOpen, Image, PanelRight, Redo2, Save, Undo2 } from "lucide";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import { icon } from "../ui/icon.ts";
+import type { MenuItem } from "../ui/menu.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.topBar;
+
+export class TopBar extends EditorElement {
+  static override properties = { compact: { type: Boolean } };
+  /** On a phone: only what fits in one row. */
+  declare compact: boolean;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: flex;
+        align-items: center;
+        gap: var(--space-1);
+        min-width: 0;
+        padding: var(--space-1) var(--space-3);
+        background: var(--surface);
+        border-bottom: 1px solid var(--line);
+      }
+      h1 {
+        margin: 0 var(--space-2) 0 0;
+        font-size: var(--text-large);
+        font-weight: 650;
+        letter-spacing: -0.01em;
+      }
+      .group {
+        display: flex;
+        align-items: center;
+        gap: 2px;
+      }
+      .models {
+        min-width: 0;
+        flex: 0 1 auto;
+      }
+      .gap {
+        flex: 1;
+      }
+      .divider {
+        width: 1px;
+        height: 1.25rem;
+        margin-inline: var(--space-2);
+        background: var(--line);
+      }
+      .save {
+        position: relative;
+      }
+      .unsaved {
+        position: absolute;
+        top: 4px;
+        right: 3px;
+        width: 6px;
+        height: 6px;
+        border-radius: 50%;
+        background: var(--accent);
+      }
+      @media (max-width: 720px) {
+        :host {
+          padding-inline: var(--space-2);
+          gap: 0;
+        }
+        .divider {
+          display: none;
+        }
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.compact = false;
+  }
+
+  protected watched(state: EditorState): readonly unknown[] {
+    const { model, undoLabel, redoLabel, unsaved, demos, switching, textureOpen } = state;
+    return [model, undoLabel, redoLabel, unsaved, demos, switching, textureOpen];
+  }
+
+  override render(): TemplateResult {
+    const { model, undoLabel, redoLabel, unsaved, switching, textureOpen } = this.state;
+    const { files, store } = this.editor;
+    return html`
+      ${this.compact ? nothing : html`<h1>${strings.productName}</h1>`}
+      <tc-menu
+        class="models"
+        .label=${model?.ref.title ?? words.noModel}
+        .name=${`${words.models}: ${model?.ref.title ?? words.noModel}`}
+        .items=${this.#modelItems()}
+      ></tc-menu>
+      <span class="divider"></span>
+      <div class="group">
+        <button
+          class="icon"
+          id="undo"
+          aria-label=${words.undo(undoLabel)}
+          title=${words.undo(undoLabel)}
+          ?disabled=${undoLabel === null || switching}
+          @click=${() => files.travel("undo")}
+        >
+          ${icon(Undo2)}
+        </button>
+        <button
+          class="icon"
+          id="redo"
+          aria-label=${words.redo(redoLabel)}
+          title=${words.redo(redoLabel)}
+          ?disabled=${redoLabel === null || switching}
+          @click=${() => files.travel("redo")}
+        >
+          ${icon(Redo2)}
+        </button>
+      </div>
+      <span class="gap"></span>
+      <div class="group">
+        ${this.compact ? nothing : this.#designButtons(unsaved)}
+        <tc-menu
+          .label=${this.compact ? "" : words.export}
+          .name=${this.compact ? `${words.design}, ${words.export}` : words.export}
+          .icon=${Download}
+          .items=${this.compact ? [...this.#designItems(), ...this.#exportItems(true)] : this.#exportItems(false)}
+          alignEnd
+        ></tc-menu>
+      </div>
+      ${
+        this.compact
+          ? nothing
+          : html`
+              <span class="divider"></span>
+              <button
+                class="icon"
+                id="toggle-texture"
+                aria-pressed=${textureOpen}
+                aria-label=${textureOpen ? words.hideTexture : words.showTexture}
+                title=${textureOpen ? words.hideTexture : words.showTexture}
+                @click=${() => store.set({ textureOpen: !textureOpen })}
+              >
+                ${icon(PanelRight)}
+              </button>
+            `
+      }
+      <button class="icon" id="help" aria-label=${words.help} title=${words.help} @click=${() => this.#askForHelp()}>
+        ${icon(CircleQuestionMark)}
+      </button>
+    `;
+  }
+
+  #designButtons(unsaved: boolean): TemplateResult {
+    return html`
+      <button class="icon" id="open-design" aria-label=${words.openDesign} title=${words.openDesign} @click=${() => this.#openDesign()}>
+        ${icon(FolderOpen)}
+      </button>
+      <button
+        class="icon save"
+        id="save-design"
+        aria-label=${unsaved ? `${words.saveDesign}. ${words.unsaved}` : words.saveDesign}
+        title=${unsaved ? `${words.saveDesign}. ${words.unsaved}` : words.saveDesign}
+        @click=${() => this.editor.files.saveDesign()}
+      >
+        ${icon(Save)}${unsaved ? html`<span class="unsaved"></span>` : nothing}
+      </button>
+    `;
+  }
+
+  #modelItems(): MenuItem[] {
+    const { demos, model } = this.state;
+    const { files } = this.editor;
+    const demoItems = (demos?.models ?? []).map((demo, index): MenuItem => {
+      const item = { label: demo.name, checked: model?.ref.demoId === demo.id, run: () => void files.openDemo(demo) };
+      return index === 0 ? { ...item, heading: words.demos } : item;
+    });
+    return [
+      ...demoItems,
+      {
+        label: words.openModel,
+        hint: words.openModelHint,
+        icon: Box,
+        separated: demoItems.length > 0,
+        run: () => pickFiles({ accept: ACCEPT.model }, (chosen) => void files.openFiles(chosen)),
+      },
+      {
+        label: words.openFolder,
+        hint: words.openFolderHint,
+        icon: FolderOpen,
+        run: () => pickFiles({ accept: "", folder: true }, (chosen) => void files.openFiles(chosen)),
+      },
+    ];
+  }
+
+  #designItems(): MenuItem[] {
+    return [
+      { label: words.openDesign, icon: FolderOpen, heading: words.design, run: () => this.#openDesign() },
+      { label: words.saveDesign, icon: Save, run: () => this.editor.files.saveDesign() },
+    ];
+  }
+
+  #exportItems(headed: boolean): MenuItem[] {
+    const { files } = this.editor;
+    const none = this.state.model === null;
+    return [
+      {
+        label: words.exportPng,
+        hint: words.exportPngHint,
+        icon: Image,
+        disabled: none,
+        ...(headed && { heading: words.export }),
+        run: () => void files.exportPng(),
+      },
+      {
+        label: words.exportGlb,
+        hint: words.exportGlbHint,
+        icon: FileDown,
+        disabled: none,
+        run: () => void files.exportGlb(),
+      },
+    ];
+  }
+
+  #openDesign(): void {
+    pickFiles({ accept: ACCEPT.design }, (chosen) => void this.editor.files.openFiles(chosen));
+  }
+
+  #askForHelp(): void {
+    this.dispatchEvent(new CustomEvent("help"));
+  }
+}
+customElements.define("tc-top-bar", TopBar);

@@ -1,0 +1,104 @@
+/**
+ * The pictures that designs use, by their `data:` URI: their bytes in the engine, their size, an address to show them.
+ * Nothing is thrown away while the page lives, because an undo may ask for any of them again.
+ */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import type { Engine } from "../../engine/engine-api.ts";
+import { readPictureHeader } from "../../engine/picture-decoder.ts";
+import type { Design, DesignAsset } from "../document/index.ts";
+import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
+import type { CollectedFile } from "../files/file-collection.ts";
+import { bytesOf, findCompanion } from "../files/file-intake.ts";
+import { strings } from "../strings.ts";
+
+export interface LibraryPicture {
+  /** Key in the engine; the design's own keys may mean different pictures after another design is opened. */
+  readonly engineKey: string;
+  readonly asset: DesignAsset;
+  readonly width: number;
+  readonly height: number;
+  /** For `<img>`; valid while the page lives. */
+  readonly url: string;
+}
+
+/** Where a design's relative addresses lead. */
+export interface DesignPlace {
+  /** The design's own path among `files`, or its address on the web. */
+  readonly path: string;
+  readonly files?: readonly CollectedFile[];
+  readonly baseUrl?: string;
+}
+
+const TYPES = { png: "image/png", jpeg: "image/jpeg", webp: "image/webp" } as const;
+
+export class AssetLibrary {
+  readonly #engine: Engine;
+  readonly #pictures = new Map<string, LibraryPicture>();
+  #count = 0;
+
+  constructor(engine: Engine) {
+    this.#engine = engine;
+  }
+
+  get(asset: DesignAsset | undefined): LibraryPicture | undefined {
+    return asset && this.#pictures.get(asset.uri);
+  }
+
+  /** Decodes a picture and gives it to the engine. Rejects with a TexelcastError ("bad-picture", "out-of-budget"). */
+  async add(name: string, bytes: Uint8Array): Promise<LibraryPicture> {
+    const type = TYPES[readPictureHeader(bytes, name).format];
+    const uri = encodeDataUri(type, bytes);
+    const known = this.#pictures.get(uri);
+    if (known) return known;
+    this.#count += 1;
+    const engineKey = `picture-${this.#count}`;
+    const { width, height } = await this.#engine.setAsset(engineKey, { name, bytes });
+    const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
+    const picture: LibraryPicture = { engineKey, asset: { type, uri }, width, height, url };
+    this.#pictures.set(uri, picture);
+    return picture;
+  }
+
+  /**
+   * Fetches every asset of a design that was read from a file, and gives the design with `data:` URIs in their place.
+   * Rejects with a TexelcastError that names the asset.
+   */
+  async adopt(design: Design, place: DesignPlace): Promise<Design> {
+    const assets: Record<string, DesignAsset> = {};
+    for (const [key, asset] of Object.entries(design.assets)) {
+      const field = `assets.${key}.uri`;
+      if (!asset.type.startsWith("image/")) {
+        throw new TexelcastError("unsupported", strings.errors.fontAsset(key), { field, value: asset.type });
+      }
+      if (this.#pictures.has(asset.uri)) {
+        assets[key] = asset;
+        continue;
+      }
+      const bytes = await readAsset(asset.uri, field, place);
+      const name = asset.uri.startsWith("data:") ? key : asset.uri;
+      assets[key] = (await this.add(name, bytes)).asset;
+    }
+    return { ...design, assets };
+  }
+}
+
+async function readAsset(uri: string, field: string, { path, files, baseUrl }: DesignPlace): Promise<Uint8Array> {
+  if (uri.startsWith("data:")) return decodeDataUri(uri, field);
+  const companion = files && !uri.includes(":") ? findCompanion(uri, path, files) : undefined;
+  if (companion) return bytesOf(companion.file);
+  const address = URL.canParse(uri, baseUrl) ? new URL(uri, baseUrl) : undefined;
+  const allowed = address && (uri.startsWith("https:") || (baseUrl !== undefined && !uri.includes(":")));
+  if (!allowed) {
+    throw new TexelcastError("missing-file", strings.errors.missingAsset(uri), {
+      subject: path,
+      field,
+      value: uri,
+      hint: strings.errors.missingAssetHint,
+    });
+  }
+  const response = await fetch(address).catch(() => undefined);
+  if (!response?.ok) {
+    throw new TexelcastError("missing-file", strings.errors.unreachable(uri), { subject: path, field, value: uri });
+  }
+  return bytesOf(await response.blob());
+}

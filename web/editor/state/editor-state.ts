@@ -1,0 +1,105 @@
+/** What the page shows, as one immutable value. The design in it is the truth; the rest is view state or derived. */
+import type { MapView, ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
+import { type Design, emptyDesign } from "../document/index.ts";
+import type { DemoCatalogue } from "../files/demo-catalogue.ts";
+import type { Notice } from "./notices.ts";
+
+/** A model as it was given: what an undo across models needs to bring it back. Identity tells two apart. */
+export interface ModelRef {
+  readonly source: ModelSource;
+  /** As the page names it. */
+  readonly title: string;
+  /** Null for the user's own files. */
+  readonly demoId: string | null;
+}
+
+/** One step of the history. */
+export interface Snapshot {
+  readonly design: Design;
+  readonly model: ModelRef | null;
+}
+
+export interface OpenModel {
+  readonly ref: ModelRef;
+  readonly info: ModelInfo;
+}
+
+/** Null: the engine's default (the model's own picture size; gutter in proportion to the size). */
+export interface TargetSettings {
+  readonly size: number | null;
+  readonly gutter: number | null;
+}
+
+export const DEFAULT_TARGET: TargetSettings = { size: null, gutter: null };
+
+export interface Task {
+  readonly id: number;
+  readonly label: string;
+  /** 0 to 1; null while nothing is known. */
+  readonly share: number | null;
+  readonly cancel: (() => void) | null;
+  /** Set once the task has lasted long enough to be worth showing. */
+  readonly visible: boolean;
+}
+
+export type TextureMode = "texture" | MapView;
+export const TEXTURE_MODES: readonly TextureMode[] = ["texture", "positions", "normals", "coverage", "overlap"];
+
+export interface EditorState {
+  readonly model: OpenModel | null;
+  readonly design: Design;
+  /** Stem of the file that "Save" writes. */
+  readonly designName: string;
+  readonly selectedId: string | null;
+  /** The material that the texture view and the target settings are about; null without a paintable one. */
+  readonly material: number | null;
+  readonly targets: ReadonlyMap<number, TargetInfo>;
+  readonly targetSettings: ReadonlyMap<number, TargetSettings>;
+  readonly undoLabel: string | null;
+  readonly redoLabel: string | null;
+  readonly unsaved: boolean;
+  /** While one model takes the place of another: the design must not be edited against the wrong one. */
+  readonly switching: boolean;
+  readonly tasks: readonly Task[];
+  readonly notices: readonly Notice[];
+  readonly announcement: string;
+  readonly demos: DemoCatalogue | null;
+  readonly textureOpen: boolean;
+  readonly textureMode: TextureMode;
+  readonly outlines: boolean;
+  readonly playing: boolean;
+}
+
+export const INITIAL_STATE: EditorState = {
+  model: null,
+  design: emptyDesign(),
+  designName: "texelcast",
+  selectedId: null,
+  material: null,
+  targets: new Map(),
+  targetSettings: new Map(),
+  undoLabel: null,
+  redoLabel: null,
+  unsaved: false,
+  switching: false,
+  tasks: [],
+  notices: [],
+  announcement: "",
+  demos: null,
+  textureOpen: true,
+  textureMode: "texture",
+  outlines: true,
+  playing: false,
+};
+
+/** Figures of the newest update: they change every frame of a drag and therefore live in a store of their own. */
+export interface Figures {
+  readonly update: Pick<
+    TargetUpdate,
+    "material" | "revision" | "projectedTexels" | "compositedTexels" | "milliseconds"
+  > | null;
+  readonly uploadMilliseconds: number;
+  readonly updates: number;
+}
+
+export const INITIAL_FIGURES: Figures = { update: null, uploadMilliseconds: 0, updates: 0 };

@@ -1,0 +1,166 @@
+/**
+ * The editor without its looks: one state, the commands that change it, and the wiring between design, engine and
+ * views. Panels read `store` and call commands; nothing else changes the state.
+ */
+import type { Engine, TargetInfo } from "../../engine/engine-api.ts";
+import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-api.ts";
+import { loadDemoCatalogue } from "../files/demo-catalogue.ts";
+import { strings } from "../strings.ts";
+import { AssetLibrary } from "./asset-library.ts";
+import { DecalCommands } from "./decal-commands.ts";
+import { DesignSession } from "./design-session.ts";
+import {
+  type EditorState,
+  type Figures,
+  INITIAL_FIGURES,
+  INITIAL_STATE,
+  type TargetSettings,
+  type TextureMode,
+} from "./editor-state.ts";
+import { FileCommands } from "./file-commands.ts";
+import { ModelSession } from "./model-session.ts";
+import { NoticeBoard } from "./notice-board.ts";
+import { Store } from "./store.ts";
+import { Tasks } from "./tasks.ts";
+import { UpdateRouter } from "./update-router.ts";
+
+export interface EditorParts {
+  readonly engine: Engine;
+  readonly viewer: ModelViewer;
+  readonly textureView: TextureView;
+}
+
+export class Editor {
+  readonly engine: Engine;
+  readonly viewer: ModelViewer;
+  readonly textureView: TextureView;
+  readonly store = new Store<EditorState>(INITIAL_STATE);
+  readonly figures = new Store<Figures>(INITIAL_FIGURES);
+  readonly board = new NoticeBoard(this.store);
+  readonly tasks = new Tasks(this.store);
+  readonly library: AssetLibrary;
+  readonly decals: DecalCommands;
+  readonly files: FileCommands;
+  readonly session: DesignSession;
+  readonly #models: ModelSession;
+  readonly #router: UpdateRouter;
+  #modeRequest = 0;
+
+  constructor({ engine, viewer, textureView }: EditorParts) {
+    this.engine = engine;
+    this.viewer = viewer;
+    this.textureView = textureView;
+    const { store, board, tasks } = this;
+    this.library = new AssetLibrary(engine);
+    this.#router = new UpdateRouter(engine, viewer, textureView, this.figures);
+    this.session = new DesignSession({ engine, viewer, library: this.library, store });
+    const send = this.session.send.bind(this.session);
+    this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
+    this.decals = new DecalCommands(this.session, viewer, store, board);
+    const { session, decals, library } = this;
+    this.files = new FileCommands({ engine, store, session, models: this.#models, decals, library, board, tasks });
+    this.#connect();
+  }
+
+  /** Opens the first demo, or says what to do without one. */
+  async start(demoUrl: string): Promise<void> {
+    try {
+      const demos = await loadDemoCatalogue(demoUrl);
+      this.store.set({ demos });
+      const [first] = demos.models;
+      if (first) await this.files.openDemo(first);
+    } catch (thrown) {
+      this.board.error(strings.errors.noDemosTitle, thrown);
+    }
+  }
+
+  configureTarget(settings: TargetSettings): void {
+    const { material } = this.store.state;
+    if (material === null) return;
+    this.#attempt(strings.errors.couldNotBake, this.#models.configure(material, settings));
+  }
+
+  showMaterial(material: number): void {
+    this.#attempt(strings.errors.couldNotBake, this.#models.showMaterial(material));
+  }
+
+  /** Shows the texture or one of the maps behind it. */
+  async setTextureMode(mode: TextureMode): Promise<void> {
+    this.#modeRequest += 1;
+    const request = this.#modeRequest;
+    const { material, targets } = this.store.state;
+    this.store.set({ textureMode: mode });
+    if (mode === "texture" || material === null || !targets.has(material)) {
+      this.textureView.setMode("texture");
+      return;
+    }
+    try {
+      const picture = await this.engine.viewMap(material, mode);
+      // A newer choice may have overtaken this one.
+      if (request === this.#modeRequest) this.textureView.setMode(mode, picture);
+    } catch (thrown) {
+      this.store.set({ textureMode: "texture" });
+      this.board.error(strings.errors.couldNotShowMap, thrown);
+    }
+  }
+
+  /** Gives the views a target's whole picture again: their graphics context was lost. */
+  refresh(material: number): void {
+    this.#attempt(strings.errors.couldNotShow, this.#router.refresh(material));
+  }
+
+  setOutlines(visible: boolean): void {
+    this.store.set({ outlines: visible });
+    this.textureView.setOutlinesVisible(visible);
+  }
+
+  setPlaying(playing: boolean): void {
+    this.viewer.setAnimationPlaying(playing);
+  }
+
+  /** Resolves when no task runs and the engine has reported everything. */
+  async idle(): Promise<void> {
+    do {
+      await this.engine.idle();
+      // A frame, in which the views take up what was reported.
+      await new Promise((resolve) => setTimeout(resolve, 0));
+    } while (this.tasks.running);
+  }
+
+  #connect(): void {
+    this.viewer.on("hover", ({ hit }) => this.#mark(hit));
+    this.viewer.on("needsFullUpdate", ({ material }) => this.refresh(material));
+    this.viewer.on("animation", ({ playing }) => this.store.set({ playing }));
+    this.engine.onError((error) => this.board.error(strings.errors.engineFault, error));
+    let { targets, material, design, selectedId, model } = this.store.state;
+    this.store.subscribe(() => {
+      const { state } = this.store;
+      const target = (of: ReadonlyMap<number, TargetInfo>, index: number | null) =>
+        index === null ? undefined : of.get(index);
+      // A new map is behind the picture that the texture view shows.
+      const mapChanged = target(state.targets, state.material) !== target(targets, material);
+      if (mapChanged && state.textureMode !== "texture") void this.setTextureMode(state.textureMode);
+      if (model !== state.model) this.textureView.setMode("texture");
+      if (design !== state.design && !state.switching) {
+        this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(state.design));
+      }
+      if (selectedId !== state.selectedId && !state.switching) this.#followSelection(state);
+      ({ targets, material, design, selectedId, model } = state);
+    });
+  }
+
+  /** The texture view and the target settings follow the selected decal to its material. */
+  #followSelection({ design, selectedId, model }: EditorState): void {
+    const layer = design.layers.find(({ id }) => id === selectedId);
+    const paintable = model?.info.materials.some(({ index, refusal }) => index === layer?.material && refusal === null);
+    if (layer && paintable) this.showMaterial(layer.material);
+  }
+
+  #mark(hit: SurfaceHit | null): void {
+    this.textureView.setMarker(hit && hit.material === this.store.state.material ? hit.uv : null);
+  }
+
+  #attempt(title: string, work: Promise<void>): void {
+    work.catch((thrown: unknown) => this.board.error(title, thrown));
+  }
+}

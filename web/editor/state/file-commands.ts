@@ -1,0 +1,199 @@
+/** Files in and out: models, designs and pictures opened or dropped; designs saved, textures and models exported. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import type { Engine } from "../../engine/engine-api.ts";
+import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import { type Design, emptyDesign, parseDesign, resolveLayers, serialiseDesign } from "../document/index.ts";
+import { type DemoDecal, type DemoModel, fetchBytes } from "../files/demo-catalogue.ts";
+import { download, fileStem } from "../files/download.ts";
+import type { CollectedFile } from "../files/file-collection.ts";
+import { bytesOf, sortFiles } from "../files/file-intake.ts";
+import { strings } from "../strings.ts";
+import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
+import type { DecalCommands } from "./decal-commands.ts";
+import type { DesignSession } from "./design-session.ts";
+import type { EditorState, ModelRef, Snapshot } from "./editor-state.ts";
+import type { ModelSession } from "./model-session.ts";
+import type { NoticeBoard } from "./notice-board.ts";
+import type { Store } from "./store.ts";
+import type { Tasks } from "./tasks.ts";
+
+export interface FileCommandsParts {
+  readonly engine: Engine;
+  readonly store: Store<EditorState>;
+  readonly session: DesignSession;
+  readonly models: ModelSession;
+  readonly decals: DecalCommands;
+  readonly library: AssetLibrary;
+  readonly board: NoticeBoard;
+  readonly tasks: Tasks;
+}
+
+export class FileCommands {
+  readonly #parts: FileCommandsParts;
+
+  constructor(parts: FileCommandsParts) {
+    this.#parts = parts;
+  }
+
+  /** Takes whatever the user chose or dropped; `hit` is the surface under the drop. */
+  async openFiles(
+    files: Promise<readonly CollectedFile[]> | readonly CollectedFile[],
+    hit: SurfaceHit | null = null,
+  ): Promise<void> {
+    let name = "";
+    try {
+      const collected = await files;
+      if (collected.length === 0) return;
+      name = collected.length === 1 ? (collected[0]?.file.name ?? "") : strings.files.several(collected.length);
+      const { model, design, pictures, companions } = await sortFiles(collected);
+      if (model && design) name = model.name;
+      const opened = design && (await this.#readDesign(design, companions));
+      if (model) await this.#openModel({ source: model, title: model.name, demoId: null }, opened ?? emptyDesign());
+      else if (opened && design) this.#takeDesign(opened, design.file.name);
+      for (const picture of pictures) {
+        name = picture.file.name;
+        await this.#addPicture(picture, pictures.length === 1 ? hit : null);
+      }
+    } catch (thrown) {
+      this.#parts.board.error(strings.errors.couldNotOpen(name), thrown);
+    }
+  }
+
+  async openDemo(demo: DemoModel): Promise<void> {
+    const { store, library, board } = this.#parts;
+    const base = store.state.demos?.url ?? document.baseURI;
+    try {
+      const bytes = await fetchBytes(demo.file, base);
+      const source = { name: demo.file.slice(demo.file.lastIndexOf("/") + 1), bytes };
+      const design = await library.adopt(parseDesign(demo.design, demo.name), { path: demo.name, baseUrl: base });
+      resolveLayers(design, demo.name);
+      await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
+    } catch (thrown) {
+      board.error(strings.errors.couldNotOpen(demo.name), thrown);
+    }
+  }
+
+  async addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null = null): Promise<void> {
+    const { store, library, decals, board } = this.#parts;
+    try {
+      const bytes = await fetchBytes(decal.file, store.state.demos?.url ?? document.baseURI);
+      decals.add(decal.name, await library.add(decal.file, bytes), hit);
+    } catch (thrown) {
+      board.error(strings.errors.couldNotOpen(decal.name), thrown);
+    }
+  }
+
+  saveDesign(): void {
+    const { session, store, board } = this.#parts;
+    const name = `${store.state.designName}.design.json`;
+    download(name, "application/json", serialiseDesign(session.recordedDesign));
+    session.markSaved();
+    board.announce(strings.announce.saved(name));
+  }
+
+  async exportPng(): Promise<void> {
+    const { engine, store } = this.#parts;
+    const { material, model } = store.state;
+    if (material === null || !model) return;
+    const name = `${store.state.designName}-texture.png`;
+    await this.#export(name, "image/png", () => engine.exportPng(material));
+  }
+
+  async exportGlb(): Promise<void> {
+    const { engine, store } = this.#parts;
+    if (!store.state.model) return;
+    await this.#export(`${store.state.designName}-painted.glb`, "model/gltf-binary", () => engine.exportGlb());
+  }
+
+  /** Undo and redo step across models too, which takes a moment: the old model is opened again. */
+  async travel(direction: "undo" | "redo"): Promise<void> {
+    const { session, store, models, board } = this.#parts;
+    if (store.state.switching) return;
+    const goal = direction === "undo" ? session.undoSnapshot : session.redoSnapshot;
+    const label = direction === "undo" ? store.state.undoLabel : store.state.redoLabel;
+    if (!goal || label === null) return;
+    const arrive = (): void => {
+      session[direction]();
+      board.announce(direction === "undo" ? strings.announce.undone(label) : strings.announce.redone(label));
+    };
+    if (goal.model === store.state.model?.ref || goal.model === null) {
+      arrive();
+      return;
+    }
+    try {
+      await models.open(goal.model, goal.design, () => {
+        store.set({ designName: fileStem((goal as Snapshot & { model: ModelRef }).model.title) });
+        arrive();
+      });
+    } catch (thrown) {
+      board.error(strings.errors.couldNotOpen(goal.model.title), thrown);
+    }
+  }
+
+  async #openModel(ref: ModelRef, design: Design): Promise<void> {
+    const { session, models, store, board } = this.#parts;
+    const left = session.recordedDesign;
+    const worked = store.state.unsaved && left.layers.length > 0;
+    await models.open(ref, design, () => {
+      store.set({ designName: fileStem(ref.title) });
+      session.recordModel(ref, design, strings.steps.openModel);
+      session.select(design.layers.at(-1)?.id ?? null);
+    });
+    board.dismissAll();
+    board.announce(strings.announce.opened(ref.title));
+    if (worked) {
+      const bring = (): void => session.record({ ...left }, strings.steps.bringDecals);
+      board.info({
+        title: strings.notices.newModel(ref.title),
+        message: strings.notices.workKept,
+        action: { label: strings.notices.bringDecals, run: bring },
+      });
+    }
+  }
+
+  async #readDesign(file: CollectedFile, companions: readonly CollectedFile[]): Promise<Design> {
+    const parsed = parseDesign(await file.file.text(), file.file.name);
+    // What the engine cannot draw is refused here, before anything of the design is taken over.
+    resolveLayers(parsed, file.file.name);
+    const place: DesignPlace = { path: file.path, files: companions };
+    return this.#parts.tasks.run(
+      strings.tasks.opening(file.file.name),
+      () => this.#parts.library.adopt(parsed, place),
+      {
+        cancellable: false,
+      },
+    );
+  }
+
+  #takeDesign(design: Design, fileName: string): void {
+    const { session, store, board } = this.#parts;
+    store.set({ designName: fileStem(fileName) });
+    session.record(design, strings.steps.openDesign);
+    session.markSaved();
+    session.select(design.layers.at(-1)?.id ?? null);
+    const materials = new Set(store.state.model?.info.materials.map(({ index }) => index));
+    const lost = design.layers.filter(({ material }) => !materials.has(material)).length;
+    if (lost > 0) board.info({ title: strings.notices.otherModel, message: strings.notices.lostLayers(lost) });
+    board.announce(strings.announce.opened(fileName));
+  }
+
+  async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
+    const { library, decals, store } = this.#parts;
+    if (!store.state.model) {
+      throw new TexelcastError("bad-argument", strings.errors.noModelYet, { subject: file.name });
+    }
+    const picture = await library.add(file.name, await bytesOf(file));
+    decals.add(fileStem(file.name), picture, hit);
+  }
+
+  async #export(name: string, type: string, make: () => Promise<Uint8Array>): Promise<void> {
+    const { tasks, board } = this.#parts;
+    try {
+      const bytes = await tasks.run(strings.tasks.exporting(name), make, { cancellable: false });
+      download(name, type, bytes);
+      board.announce(strings.announce.exported(name));
+    } catch (thrown) {
+      board.error(strings.errors.couldNotExport(name), thrown);
+    }
+  }
+}

@@ -1,0 +1,224 @@
+/**
+ * The open model and its paint targets. A model that cannot be opened leaves everything as it was: since the engine
+ * holds one model at a time, that may mean giving it the old one again.
+ */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import type { Engine, MaterialInfo, ModelInfo, TargetInfo } from "../../engine/engine-api.ts";
+import type { ModelViewer } from "../../viewer/viewer-api.ts";
+import type { Design } from "../document/index.ts";
+import { strings } from "../strings.ts";
+import { usedMaterials } from "./design-edits.ts";
+import {
+  DEFAULT_TARGET,
+  type EditorState,
+  type ModelRef,
+  type OpenModel,
+  type TargetSettings,
+} from "./editor-state.ts";
+import type { Store } from "./store.ts";
+import type { TaskHandle, Tasks } from "./tasks.ts";
+import type { UpdateRouter } from "./update-router.ts";
+
+export interface ModelSessionParts {
+  readonly engine: Engine;
+  readonly viewer: ModelViewer;
+  readonly router: UpdateRouter;
+  readonly store: Store<EditorState>;
+  readonly tasks: Tasks;
+  /** Gives the engine a design's layers. */
+  readonly send: (design: Design) => void;
+}
+
+export class ModelSession {
+  readonly #engine: Engine;
+  readonly #viewer: ModelViewer;
+  readonly #router: UpdateRouter;
+  readonly #store: Store<EditorState>;
+  readonly #tasks: Tasks;
+  readonly #send: (design: Design) => void;
+  /** Sizes chosen for a model come back with it. */
+  readonly #settings = new WeakMap<ModelRef, ReadonlyMap<number, TargetSettings>>();
+  #uvTriangles = new Map<number, Float32Array>();
+  #line: Promise<unknown> = Promise.resolve();
+  #aborts = new AbortController();
+
+  constructor({ engine, viewer, router, store, tasks, send }: ModelSessionParts) {
+    this.#engine = engine;
+    this.#viewer = viewer;
+    this.#router = router;
+    this.#store = store;
+    this.#tasks = tasks;
+    this.#send = send;
+  }
+
+  /**
+   * Opens a model in place of the one before, with the design that is to be seen on it; `onOpen` runs once it is the
+   * open one. Rejects with a TexelcastError, and the old model and its targets are there as before.
+   */
+  open(ref: ModelRef, design: Design, onOpen: () => void): Promise<void> {
+    const work = async (task: TaskHandle): Promise<void> => {
+      const before = this.#store.state.model;
+      const info = await this.#engine.loadModel(ref.source);
+      this.#store.set({ switching: true });
+      try {
+        task.checkCancelled();
+        await this.#show({ ref, info }, design, task);
+      } catch (thrown) {
+        if (before) await this.#restore(before);
+        throw thrown;
+      } finally {
+        this.#store.set({ switching: false });
+      }
+      onOpen();
+    };
+    return this.#inLine(strings.tasks.opening(ref.title), work, { replaces: true });
+  }
+
+  /** Opens a material's target with other settings; the old one stays until the new one is there. */
+  async configure(material: number, settings: TargetSettings): Promise<void> {
+    const { model, targetSettings } = this.#store.state;
+    if (!model) return;
+    const change = (value: TargetSettings): void => {
+      const map = new Map(this.#store.state.targetSettings).set(material, value);
+      this.#settings.set(model.ref, map);
+      this.#store.set({ targetSettings: map });
+    };
+    change(settings);
+    try {
+      await this.#inLine(strings.tasks.baking, (task) => this.#openTarget(material, task), { replaces: true });
+    } catch (thrown) {
+      // Back to what is still open, unless a newer wish is already on its way.
+      const newest = this.#store.state.targetSettings.get(material) === settings;
+      if (newest) change(targetSettings.get(material) ?? DEFAULT_TARGET);
+      throw thrown;
+    }
+  }
+
+  /** Makes a material the one that the texture view shows. */
+  async showMaterial(material: number): Promise<void> {
+    if (material === this.#store.state.material) return;
+    this.#store.set({ material });
+    const target = this.#store.state.targets.get(material);
+    if (target) await this.#router.showInTextureView(target, await this.#uvTrianglesOf(material));
+    else await this.#inLine(strings.tasks.baking, (task) => this.#openTarget(material, task));
+  }
+
+  /** Opens the targets that a design's layers need and that are not open yet. */
+  async ensureTargets(design: Design): Promise<void> {
+    for (const material of usedMaterials(design)) {
+      if (this.#store.state.targets.has(material) || !this.#paintable(material)) continue;
+      const { model } = this.#store.state;
+      await this.#inLine(strings.tasks.baking, async (task) => {
+        const wanted = model === this.#store.state.model && !this.#store.state.targets.has(material);
+        if (wanted) await this.#openTarget(material, task);
+      });
+    }
+  }
+
+  async #show(model: OpenModel, design: Design, task: TaskHandle): Promise<void> {
+    const material = firstPaintable(model.info, design);
+    this.#router.clear();
+    this.#uvTriangles = new Map();
+    this.#send(design);
+    await this.#viewer.setModel(model.info);
+    this.#store.set({
+      model,
+      material,
+      targets: new Map(),
+      targetSettings: this.#settings.get(model.ref) ?? new Map(),
+      textureMode: "texture",
+      playing: false,
+    });
+    task.relabel(strings.tasks.baking);
+    await this.#openTarget(material, task);
+    for (const other of usedMaterials(design)) {
+      if (other !== material && this.#paintable(other)) await this.#openTarget(other, task);
+    }
+  }
+
+  async #restore(before: OpenModel): Promise<void> {
+    await this.#tasks.run(strings.tasks.restoring(before.ref.title), async (task) => {
+      await this.#engine.loadModel(before.ref.source);
+      await this.#show(before, this.#store.state.design, task);
+    });
+  }
+
+  async #openTarget(material: number, task: TaskHandle): Promise<void> {
+    const { size, gutter } = this.#store.state.targetSettings.get(material) ?? DEFAULT_TARGET;
+    const uvTriangles = await this.#uvTrianglesOf(material);
+    const info = await this.#engine.openTarget(
+      {
+        material,
+        mipmaps: true,
+        ...(size !== null && { width: size, height: size }),
+        ...(gutter !== null && { gutter }),
+      },
+      (share) => task.progress(share),
+      task.signal,
+    );
+    this.#bind(info, uvTriangles);
+  }
+
+  /** In the turn in which the engine answered: the next thing it says is the target's first picture. */
+  #bind(info: TargetInfo, uvTriangles: Float32Array): void {
+    this.#router.bind(info, info.material === this.#store.state.material ? uvTriangles : null);
+    this.#store.set({ targets: new Map(this.#store.state.targets).set(info.material, info) });
+  }
+
+  async #uvTrianglesOf(material: number): Promise<Float32Array> {
+    const known = this.#uvTriangles.get(material);
+    if (known) return known;
+    const triangles = await this.#engine.uvTriangles(material);
+    this.#uvTriangles.set(material, triangles);
+    return triangles;
+  }
+
+  #paintable(material: number): boolean {
+    const { model } = this.#store.state;
+    return model?.info.materials.some((info) => info.index === material && info.refusal === null) ?? false;
+  }
+
+  /** One after another. Work that `replaces` ends what is under way: nobody waits for that result any more. */
+  #inLine(label: string, work: (task: TaskHandle) => Promise<void>, { replaces = false } = {}): Promise<void> {
+    if (replaces) this.#abortEarlier();
+    const aborts = this.#aborts;
+    const turn = this.#line.then(() =>
+      this.#tasks.run(label, async (task) => {
+        aborts.signal.addEventListener("abort", task.abort);
+        if (aborts.signal.aborted) task.abort();
+        task.checkCancelled();
+        await work(task);
+      }),
+    );
+    this.#line = turn.catch(() => undefined);
+    return turn;
+  }
+
+  #abortEarlier(): void {
+    this.#aborts.abort();
+    this.#aborts = new AbortController();
+  }
+}
+
+/** The material that the design's top layer paints, else the paintable one with the most triangles. */
+function firstPaintable(info: ModelInfo, design: Design): number {
+  const paintable = info.materials.filter(({ refusal }) => refusal === null);
+  const wanted = design.layers.findLast(({ material }) => paintable.some(({ index }) => index === material));
+  if (wanted) return wanted.material;
+  const [best] = paintable.toSorted((a, b) => b.triangles - a.triangles);
+  if (best) return best.index;
+  throw refusalOf(info);
+}
+
+function refusalOf(info: ModelInfo): TexelcastError {
+  const refused = info.materials.find((material): material is MaterialInfo & { refusal: object } => !!material.refusal);
+  if (!refused) {
+    return new TexelcastError("no-triangles", strings.errors.noMaterials, { subject: info.name });
+  }
+  const code = refused.refusal.code.toLowerCase().replaceAll("_", "-");
+  return new TexelcastError(code, refused.refusal.message, {
+    subject: info.name,
+    field: strings.materialName(refused.index, refused.name),
+    hint: code === "no-uvs" ? strings.errors.noUvsHint : strings.errors.refusedHint,
+  });
+}

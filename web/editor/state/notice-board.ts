@@ -1,0 +1,50 @@
+/** Shows notices and announcements. */
+import type { EditorState } from "./editor-state.ts";
+import { isCancelled, type Notice, noticeOf } from "./notices.ts";
+import type { Store } from "./store.ts";
+
+/** More would hide the page that they are about. */
+const MAX_NOTICES = 3;
+
+export class NoticeBoard {
+  readonly #store: Store<EditorState>;
+  #count = 0;
+
+  constructor(store: Store<EditorState>) {
+    this.#store = store;
+  }
+
+  /** A cancelled task is what the user asked for and needs no notice. */
+  error(title: string, thrown: unknown): void {
+    if (isCancelled(thrown)) return;
+    this.#count += 1;
+    this.#add(noticeOf(this.#count, title, thrown));
+  }
+
+  info(notice: Pick<Notice, "title" | "message" | "action">): void {
+    this.#count += 1;
+    this.#add({ ...notice, id: this.#count, tone: "info", code: "", where: "", hint: "" });
+  }
+
+  dismiss(id: number): void {
+    this.#store.set({ notices: this.#store.state.notices.filter((notice) => notice.id !== id) });
+  }
+
+  dismissAll(): void {
+    this.#store.set({ notices: [] });
+  }
+
+  /** For screen readers; the same words twice are two announcements. */
+  announce(text: string): void {
+    const again = this.#store.state.announcement === text;
+    // A live region speaks only when its text changes, which a space at the end does without being heard.
+    this.#store.set({ announcement: again ? `${text}\u00a0` : text });
+  }
+
+  #add(notice: Notice): void {
+    const others = this.#store.state.notices.filter(
+      ({ title, message }) => title !== notice.title || message !== notice.message,
+    );
+    this.#store.set({ notices: [...others, notice].slice(-MAX_NOTICES) });
+  }
+}

@@ -1,0 +1,47 @@
+/** What the page tells its user: notices that stay until dismissed, and announcements for screen readers. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { strings } from "../strings.ts";
+
+export interface NoticeAction {
+  readonly label: string;
+  readonly run: () => void;
+}
+
+export interface Notice {
+  readonly id: number;
+  readonly tone: "error" | "info";
+  /** What happened. */
+  readonly title: string;
+  /** A TexelcastError's code; "" for other notices. */
+  readonly code: string;
+  readonly message: string;
+  /** File, field and value. */
+  readonly where: string;
+  /** What to do. */
+  readonly hint: string;
+  readonly action?: NoticeAction;
+}
+
+/** `title` says what was being done ("Could not open Fox.glb"); the error says why. */
+export function noticeOf(id: number, title: string, thrown: unknown): Notice {
+  const error = TexelcastError.wrap(thrown, "unexpected", thrown instanceof Error ? thrown.message : String(thrown));
+  const { code, message, subject, field, value, hint } = error;
+  const where = [subject, field, value === undefined ? undefined : strings.notices.value(shortened(value))];
+  return {
+    id,
+    tone: "error",
+    title,
+    code,
+    message,
+    where: where.filter((part) => part !== undefined && part !== "" && !title.includes(part)).join(" · "),
+    hint: hint ?? "",
+  };
+}
+
+export function isCancelled(thrown: unknown): boolean {
+  return thrown instanceof Error && thrown.name === "AbortError";
+}
+
+function shortened(value: string): string {
+  return value.length > 80 ? `${value.slice(0, 77)}…` : value;
+}

@@ -1,0 +1,103 @@
+/**
+ * Brings the engine's updates to the two views. A view can take an update only for a target that it was told of, so
+ * updates that arrive early wait for `bind`.
+ */
+import type { Engine, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
+import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
+import type { Figures } from "./editor-state.ts";
+import type { Store } from "./store.ts";
+
+export class UpdateRouter {
+  readonly #engine: Engine;
+  readonly #viewer: ModelViewer;
+  readonly #textureView: TextureView;
+  readonly #figures: Store<Figures>;
+  readonly #bound = new Map<number, TargetInfo>();
+  readonly #early = new Map<number, TargetUpdate[]>();
+  #textureMaterial: number | null = null;
+
+  constructor(engine: Engine, viewer: ModelViewer, textureView: TextureView, figures: Store<Figures>) {
+    this.#engine = engine;
+    this.#viewer = viewer;
+    this.#textureView = textureView;
+    this.#figures = figures;
+    engine.onUpdate((update) => this.#receive(update));
+  }
+
+  /** Forgets every target: the engine has another model now. */
+  clear(): void {
+    this.#bound.clear();
+    this.#early.clear();
+    this.#textureMaterial = null;
+  }
+
+  /**
+   * To be called in the same turn in which the engine said that the target is open: its first update, the whole
+   * picture, comes next. With `uvTriangles` the texture view shows this target from now on.
+   */
+  bind(info: TargetInfo, uvTriangles: Float32Array | null): void {
+    this.#bound.set(info.material, info);
+    this.#viewer.bindTarget(info);
+    if (uvTriangles) {
+      this.#textureMaterial = info.material;
+      this.#textureView.bindTarget(info, uvTriangles);
+    }
+    const early = this.#early.get(info.material) ?? [];
+    this.#early.delete(info.material);
+    for (const update of early) this.#apply(update);
+  }
+
+  unbind(material: number): void {
+    this.#bound.delete(material);
+    this.#early.delete(material);
+  }
+
+  /** Shows a target that was bound before in the texture view. */
+  async showInTextureView(info: TargetInfo, uvTriangles: Float32Array): Promise<void> {
+    this.#textureMaterial = info.material;
+    this.#textureView.bindTarget(info, uvTriangles);
+    this.#textureView.applyUpdate(await this.#fullUpdate(info));
+  }
+
+  /** Gives both views the whole picture again (a graphics context came back). */
+  async refresh(material: number): Promise<void> {
+    const info = this.#bound.get(material);
+    if (info) this.#apply(await this.#fullUpdate(info));
+  }
+
+  async #fullUpdate(info: TargetInfo): Promise<TargetUpdate> {
+    const { material, width, height } = info;
+    const bytes = await this.#engine.readTexels(material, 0, 0, width, height);
+    return {
+      material,
+      revision: this.#figures.state.update?.revision ?? 0,
+      rects: [{ x: 0, y: 0, width, height, level: 0, byteOffset: 0 }],
+      bytes,
+      projectedLayers: 0,
+      projectedTexels: 0,
+      compositedTexels: 0,
+      milliseconds: 0,
+    };
+  }
+
+  #receive(update: TargetUpdate): void {
+    if (this.#bound.has(update.material)) {
+      this.#apply(update);
+      return;
+    }
+    const waiting = this.#early.get(update.material);
+    if (waiting) waiting.push(update);
+    else this.#early.set(update.material, [update]);
+  }
+
+  #apply(update: TargetUpdate): void {
+    this.#viewer.applyUpdate(update);
+    if (update.material === this.#textureMaterial) this.#textureView.applyUpdate(update);
+    const { material, revision, projectedTexels, compositedTexels, milliseconds } = update;
+    this.#figures.set({
+      update: { material, revision, projectedTexels, compositedTexels, milliseconds },
+      uploadMilliseconds: this.#viewer.statistics.uploadMilliseconds,
+      updates: this.#figures.state.updates + 1,
+    });
+  }
+}

@@ -1,0 +1,26 @@
+/** What every panel is: a Lit element that is given the editor and renders again when the state it reads has changed. */
+import { LitElement, type PropertyDeclarations } from "lit";
+import type { Editor } from "../state/editor.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import { StoreController } from "../state/store.ts";
+
+export abstract class EditorElement extends LitElement {
+  static override properties: PropertyDeclarations = { editor: { attribute: false } };
+  declare editor: Editor;
+
+  constructor() {
+    super();
+    new StoreController<EditorState>(
+      this,
+      () => this.editor?.store,
+      (state) => this.watched(state),
+    );
+  }
+
+  /** The parts of the state that `render` reads. */
+  protected abstract watched(state: EditorState): readonly unknown[];
+
+  protected get state(): EditorState {
+    return this.editor.store.state;
+  }
+}

@@ -1,0 +1,29 @@
+/** Asks for files by the browser's own dialog. */
+import { type CollectedFile, collectInput } from "../files/file-collection.ts";
+
+export interface PickOptions {
+  /** As the `accept` attribute of a file input. */
+  readonly accept: string;
+  readonly multiple?: boolean;
+  readonly folder?: boolean;
+}
+
+export const ACCEPT = {
+  model: ".glb,.gltf,.bin,.png,.jpg,.jpeg,.webp",
+  picture: ".png,.jpg,.jpeg,.webp,image/png,image/jpeg,image/webp",
+  design: ".json,.png,.jpg,.jpeg,.webp",
+} as const;
+
+/** Calls `take` when the user has chosen something. Must be called from a user's gesture. */
+export function pickFiles(
+  { accept, multiple = true, folder = false }: PickOptions,
+  take: (files: CollectedFile[]) => void,
+): void {
+  const input = document.createElement("input");
+  input.type = "file";
+  input.accept = folder ? "" : accept;
+  input.multiple = multiple;
+  input.webkitdirectory = folder;
+  input.addEventListener("change", () => take(collectInput(input.files)));
+  input.click();
+}

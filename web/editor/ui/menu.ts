@@ -1,0 +1,217 @@
+/** A button with a menu of actions (WAI-ARIA menu button): arrows, Home, End, Escape, and typing the first letter. */
+import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { Check, ChevronDown, type IconNode } from "lucide";
+import { icon } from "./icon.ts";
+import { controls } from "./theme.ts";
+
+export interface MenuItem {
+  readonly label: string;
+  readonly hint?: string;
+  readonly icon?: IconNode;
+  readonly checked?: boolean;
+  readonly disabled?: boolean;
+  /** A heading above this item. */
+  readonly heading?: string;
+  /** A line above this item. */
+  readonly separated?: boolean;
+  readonly run: () => void;
+}
+
+export class Menu extends LitElement {
+  static override properties = {
+    label: {},
+    name: {},
+    icon: { attribute: false },
+    items: { attribute: false },
+    alignEnd: { type: Boolean },
+    open: { state: true },
+  };
+  /** On the button; "" shows the icon alone. */
+  declare label: string;
+  /** Accessible name of button and menu. */
+  declare name: string;
+  declare icon: IconNode | null;
+  declare items: readonly MenuItem[];
+  declare alignEnd: boolean;
+  declare open: boolean;
+
+  constructor() {
+    super();
+    this.label = "";
+    this.name = "";
+    this.icon = null;
+    this.items = [];
+    this.alignEnd = false;
+    this.open = false;
+  }
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        position: relative;
+        display: inline-block;
+        min-width: 0;
+      }
+      .opener {
+        max-width: 100%;
+      }
+      .opener span {
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .opener .chevron {
+        color: var(--text-quiet);
+      }
+      [role="menu"] {
+        position: absolute;
+        z-index: 20;
+        inset-block-start: calc(100% + var(--space-1));
+        inset-inline-start: 0;
+        min-width: 14rem;
+        max-width: min(22rem, 92vw);
+        max-height: 75dvh;
+        overflow: auto;
+        padding: var(--space-1);
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface-high);
+        box-shadow: var(--shadow);
+      }
+      [role="menu"].end {
+        inset-inline: auto 0;
+      }
+      [role^="menuitem"] {
+        display: grid;
+        grid-template-columns: 1rem 1fr;
+        gap: 0 var(--space-2);
+        justify-items: start;
+        width: 100%;
+        min-height: max(var(--target), 32px);
+        padding: var(--space-1) var(--space-2);
+        text-align: start;
+      }
+      .hint {
+        grid-column: 2;
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+      }
+      h3 {
+        padding: var(--space-2) var(--space-2) var(--space-1);
+      }
+      hr {
+        margin: var(--space-1) var(--space-2);
+        border: 0;
+        border-top: 1px solid var(--line);
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    return html`
+      <button
+        class=${this.label ? "opener" : "opener icon"}
+        aria-haspopup="menu"
+        aria-expanded=${this.open}
+        aria-label=${this.name}
+        title=${this.name}
+        @click=${() => this.#toggle(!this.open)}
+        @keydown=${this.#openerKey}
+      >
+        ${this.icon ? icon(this.icon) : nothing}
+        ${this.label ? html`<span>${this.label}</span>${icon(ChevronDown)}` : nothing}
+      </button>
+      ${this.open ? this.#menu() : nothing}
+    `;
+  }
+
+  #menu(): TemplateResult {
+    return html`
+      <div role="menu" class=${this.alignEnd ? "end" : ""} aria-label=${this.name} 
+        @keydown=${this.#menuKey}
+        @focusout=${this.#leave}
+        @mousedown=${(event: Event) => event.preventDefault()}
+      >
+        ${this.items.map(
+          (item) => html`
+            ${item.separated ? html`<hr />` : nothing}
+            ${item.heading ? html`<h3 role="presentation">${item.heading}</h3>` : nothing}
+            <button
+              role=${item.checked === undefined ? "menuitem" : "menuitemradio"}
+              aria-checked=${item.checked ?? nothing}
+              tabindex="-1"
+              ?disabled=${item.disabled ?? false}
+              @click=${() => this.#choose(item)}
+            >
+              ${item.checked ? icon(Check) : item.icon ? icon(item.icon) : html`<span></span>`}
+              <span>${item.label}</span>
+              ${item.hint ? html`<span class="hint">${item.hint}</span>` : nothing}
+            </button>
+          `,
+        )}
+      </div>
+    `;
+  }
+
+  async #toggle(open: boolean, last = false): Promise<void> {
+    this.open = open;
+    if (!open) return;
+    await this.updateComplete;
+    const entries = this.#entries();
+    const checked = entries.find((entry) => entry.getAttribute("aria-checked") === "true");
+    (last ? entries.at(-1) : (checked ?? entries[0]))?.focus();
+  }
+
+  #close(): void {
+    this.open = false;
+    this.renderRoot.querySelector<HTMLElement>(".opener")?.focus();
+  }
+
+  #choose(item: MenuItem): void {
+    this.#close();
+    item.run();
+  }
+
+  #entries(): HTMLButtonElement[] {
+    return [...this.renderRoot.querySelectorAll<HTMLButtonElement>("[role^=menuitem]:not(:disabled)")];
+  }
+
+  #openerKey(event: KeyboardEvent): void {
+    if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
+    event.preventDefault();
+    event.stopPropagation();
+    void this.#toggle(true, event.key === "ArrowUp");
+  }
+
+  #menuKey(event: KeyboardEvent): void {
+    const entries = this.#entries();
+    const focused = entries.indexOf(this.shadowRoot?.activeElement as HTMLButtonElement);
+    const go = (index: number): void => entries[(index + entries.length) % entries.length]?.focus();
+    const letter = event.key.toLowerCase();
+    if (event.key === "ArrowDown") go(focused + 1);
+    else if (event.key === "ArrowUp") go(focused - 1);
+    else if (event.key === "Home") go(0);
+    else if (event.key === "End") go(-1);
+    else if (event.key === "Escape") this.#close();
+    else if (event.key === "Tab") this.open = false;
+    else if (letter.length === 1 && letter !== " ") {
+      const after = [...entries.slice(focused + 1), ...entries.slice(0, focused + 1)];
+      after.find((entry) => entry.textContent?.trim().toLowerCase().startsWith(letter))?.focus();
+    } else return;
+    event.stopPropagation();
+    if (event.key !== "Tab") event.preventDefault();
+  }
+
+  #leave(event: FocusEvent): void {
+    const next = event.relatedTarget as Node | null;
+    if (!next || !this.renderRoot.contains(next)) this.open = false;
+  }
+}
+customElements.define("tc-menu", Menu);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "tc-menu": Menu;
+  }
+}

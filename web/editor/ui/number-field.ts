@@ -1,0 +1,295 @@
+/**
+ * A numeric field: typing, arrow keys, and a label to scrub with the pointer. Emits `field-preview` while a scrub goes
+ * on, `field-change` when a value is final, `field-cancel` when Escape ends a scrub; `detail` is a NumberFieldEvent.
+ */
+import { css, html, LitElement, type PropertyValues, type TemplateResult } from "lit";
+import { controls } from "./theme.ts";
+
+export interface NumberFieldEvent {
+  readonly value: number;
+  /** Set for steps by key, which follow each other fast enough to be one step of the history. */
+  readonly repeated: boolean;
+}
+
+/** Pixels before a press on the label becomes a scrub. */
+const SCRUB_START = 3;
+const COARSE = 10;
+const FINE = 0.1;
+
+export class NumberField extends LitElement {
+  static override properties = {
+    label: {},
+    name: {},
+    hint: {},
+    unit: {},
+    value: { type: Number },
+    step: { type: Number },
+    min: { type: Number },
+    max: { type: Number },
+    disabled: { type: Boolean },
+  };
+  /** What is seen: short ("X"). */
+  declare label: string;
+  /** What is heard: whole ("Position X"). */
+  declare name: string;
+  declare hint: string;
+  declare unit: string;
+  declare value: number;
+  declare step: number;
+  declare min: number;
+  declare max: number;
+  declare disabled: boolean;
+
+  #scrub: {
+    readonly pointer: number;
+    readonly x: number;
+    readonly from: number;
+    active: boolean;
+    value: number;
+  } | null = null;
+  #typing = false;
+
+  constructor() {
+    super();
+    this.label = "";
+    this.name = "";
+    this.hint = "";
+    this.unit = "";
+    this.value = 0;
+    this.step = 1;
+    this.min = Number.NEGATIVE_INFINITY;
+    this.max = Number.POSITIVE_INFINITY;
+    this.disabled = false;
+  }
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: flex;
+        align-items: center;
+        min-width: 0;
+        min-height: var(--target);
+        border: 1px solid transparent;
+        border-radius: var(--radius);
+        background: var(--surface-low);
+        font-size: var(--text-normal);
+      }
+      :host(:hover) {
+        border-color: var(--line);
+      }
+      :host(:focus-within) {
+        outline: 2px solid var(--accent);
+        outline-offset: -1px;
+        background: var(--surface);
+      }
+      :host([disabled]) {
+        opacity: 0.5;
+      }
+      label {
+        flex: none;
+        align-self: stretch;
+        display: flex;
+        align-items: center;
+        padding-inline: var(--space-2) var(--space-1);
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+        cursor: ew-resize;
+        user-select: none;
+        touch-action: pan-y;
+        white-space: nowrap;
+      }
+      input[type="text"] {
+        flex: 1;
+        min-height: 0;
+        align-self: stretch;
+        padding: 0 var(--space-1) 0 0;
+        border: 0;
+        outline: 0;
+        background: transparent;
+        text-align: right;
+      }
+      input[type="text"]:focus-visible {
+        background: transparent;
+      }
+      input[aria-invalid="true"] {
+        color: var(--danger);
+      }
+      .unit {
+        padding-right: var(--space-2);
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+      }
+    `,
+  ];
+
+  override render(): TemplateResult {
+    return html`
+      <label
+        for="input"
+        title=${this.hint || this.name}
+        @pointerdown=${this.#press}
+        @pointermove=${this.#drag}
+        @pointerup=${this.#release}
+        @pointercancel=${this.#abandon}
+        @click=${(event: Event) => event.preventDefault()}
+        >${this.label}</label
+      >
+      <input
+        id="input"
+        type="text"
+        inputmode="decimal"
+        role="spinbutton"
+        autocomplete="off"
+        spellcheck="false"
+        aria-label=${this.unit ? `${this.name}, ${this.unit}` : this.name}
+        aria-valuenow=${this.value}
+        aria-valuetext=${`${formatNumber(this.value, this.step)} ${this.unit}`.trim()}
+        aria-valuemin=${Number.isFinite(this.min) ? this.min : ""}
+        aria-valuemax=${Number.isFinite(this.max) ? this.max : ""}
+        ?disabled=${this.disabled}
+        @input=${this.#type}
+        @keydown=${this.#key}
+        @focus=${(event: Event) => (event.target as HTMLInputElement).select()}
+        @blur=${this.#commitTyped}
+      />
+      ${this.unit ? html`<span class="unit" aria-hidden="true">${this.unit}</span>` : ""}
+    `;
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    if ((changed.has("value") || changed.has("step")) && !this.#typing) this.#show();
+  }
+
+  override focus(): void {
+    this.#input?.focus();
+  }
+
+  get #input(): HTMLInputElement | null {
+    return this.renderRoot.querySelector("input");
+  }
+
+  #show(): void {
+    const input = this.#input;
+    if (!input) return;
+    input.value = formatNumber(this.value, this.step);
+    input.setAttribute("aria-invalid", "false");
+  }
+
+  #type(): void {
+    this.#typing = true;
+    this.#input?.setAttribute("aria-invalid", String(this.#typed() === undefined));
+  }
+
+  #key(event: KeyboardEvent): void {
+    // Keys of the page (arrows, Delete, Ctrl+Z) mean the text while one types.
+    event.stopPropagation();
+    if (event.key === "Enter") {
+      this.#commitTyped();
+      this.#input?.select();
+    } else if (event.key === "Escape") {
+      this.#typing = false;
+      this.#show();
+      this.#input?.blur();
+    } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+      event.preventDefault();
+      this.#commitTyped();
+      const steps = (event.key === "ArrowUp" ? 1 : -1) * factorOf(event);
+      this.#emit("field-change", this.value + steps * this.step, true);
+      this.#input?.select();
+    } else if ((event.ctrlKey || event.metaKey) && ["z", "y", "s"].includes(event.key.toLowerCase()) && !this.#typing) {
+      // Nothing typed that could be undone: the page's own undo is meant.
+      event.preventDefault();
+      this.dispatchEvent(new KeyboardEvent(event.type, event));
+    }
+  }
+
+  #commitTyped(): void {
+    if (!this.#typing) return;
+    this.#typing = false;
+    const value = this.#typed();
+    if (value !== undefined && value !== this.value) this.#emit("field-change", value, false);
+    this.#show();
+  }
+
+  #typed(): number | undefined {
+    const text = this.#input?.value.trim().replace(",", ".").replace("−", "-") ?? "";
+    const value = Number(text);
+    return text !== "" && Number.isFinite(value) ? value : undefined;
+  }
+
+  #press(event: PointerEvent): void {
+    if (event.button !== 0 || this.disabled) return;
+    event.preventDefault();
+    (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
+    this.#scrub = { pointer: event.pointerId, x: event.clientX, from: this.value, active: false, value: this.value };
+    addEventListener("keydown", this.#escape, { capture: true });
+  }
+
+  #drag(event: PointerEvent): void {
+    const scrub = this.#scrub;
+    if (scrub?.pointer !== event.pointerId) return;
+    const distance = event.clientX - scrub.x;
+    if (!scrub.active && Math.abs(distance) < SCRUB_START) return;
+    scrub.active = true;
+    scrub.value = this.#bounded(scrub.from + distance * this.step * factorOf(event));
+    this.#emit("field-preview", scrub.value, false);
+  }
+
+  #release(event: PointerEvent): void {
+    const scrub = this.#scrub;
+    if (scrub?.pointer !== event.pointerId) return;
+    this.#endScrub();
+    if (scrub.active) this.#emit("field-change", scrub.value, false);
+    else this.#input?.focus();
+  }
+
+  #abandon(): void {
+    if (!this.#scrub) return;
+    const { from, active } = this.#scrub;
+    this.#endScrub();
+    if (active) this.#emit("field-cancel", from, false);
+  }
+
+  readonly #escape = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    this.#abandon();
+  };
+
+  #endScrub(): void {
+    this.#scrub = null;
+    removeEventListener("keydown", this.#escape, { capture: true });
+  }
+
+  #bounded(value: number): number {
+    // Sums of steps are rounded to what the field shows, so that 0.1 + 0.2 is 0.3 in the saved design.
+    const rounded = Number.parseFloat(value.toPrecision(12));
+    return Math.min(this.max, Math.max(this.min, rounded));
+  }
+
+  #emit(type: "field-preview" | "field-change" | "field-cancel", value: number, repeated: boolean): void {
+    const detail: NumberFieldEvent = { value: this.#bounded(value), repeated };
+    this.dispatchEvent(new CustomEvent(type, { detail }));
+  }
+}
+customElements.define("tc-number", NumberField);
+
+function factorOf(event: { readonly shiftKey: boolean; readonly altKey: boolean }): number {
+  if (event.shiftKey) return COARSE;
+  return event.altKey ? FINE : 1;
+}
+
+/** Two digits more than the step, without zeros at the end. */
+export function formatNumber(value: number, step: number): string {
+  const digits = Math.max(0, Math.min(10, 1 - Math.floor(Math.log10(step || 1))));
+  const text = value.toFixed(digits);
+  const short = text.includes(".") ? text.replace(/\.?0+$/, "") : text;
+  return short === "-0" ? "0" : short;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "tc-number": NumberField;
+  }
+}

@@ -1,0 +1,224 @@
+/** Design tokens. Set on the workbench; custom properties reach into every shadow root below it. */
+import { css } from "lit";
+
+export const theme = css`
+  :host {
+    color-scheme: light dark;
+    --font: system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", "Noto Sans", sans-serif;
+    --text-small: 0.6875rem;
+    --text-normal: 0.8125rem;
+    --text-large: 0.9375rem;
+
+    --space-1: 0.25rem;
+    --space-2: 0.5rem;
+    --space-3: 0.75rem;
+    --space-4: 1rem;
+    --space-5: 1.5rem;
+    --radius: 6px;
+    --radius-large: 10px;
+    --target: 28px;
+
+    --stage: #e9eaec;
+    --surface: #ffffff;
+    --surface-low: #f5f6f7;
+    --surface-high: #ffffff;
+    --hover: rgb(20 24 32 / 6%);
+    --pressed: rgb(20 24 32 / 11%);
+    --line: #e1e3e7;
+    --line-strong: #8a909b;
+    --text: #1a1d22;
+    --text-quiet: #5a616c;
+    --accent: #4650d0;
+    --accent-text: #ffffff;
+    --accent-soft: #ecedfb;
+    --danger: #b3261e;
+    --danger-soft: #fdf0ee;
+    --shadow: 0 1px 2px rgb(20 24 32 / 8%), 0 8px 28px rgb(20 24 32 / 14%);
+    --checker: #dfe1e5;
+
+    --viewer-accent: var(--accent);
+    --viewer-on-accent: var(--accent-text);
+    --viewer-checker-a: var(--surface);
+    --viewer-checker-b: var(--checker);
+  }
+
+  @media (prefers-color-scheme: dark) {
+    :host {
+      --stage: #1b1d20;
+      --surface: #242629;
+      --surface-low: #1e2023;
+      --surface-high: #2e3135;
+      --hover: rgb(255 255 255 / 7%);
+      --pressed: rgb(255 255 255 / 12%);
+      --line: #35383d;
+      --line-strong: #868c96;
+      --text: #eceef1;
+      --text-quiet: #a4abb6;
+      --accent: #99a1ff;
+      --accent-text: #15172b;
+      --accent-soft: #31345a;
+      --danger: #ff9d92;
+      --danger-soft: #43292a;
+      --shadow: 0 1px 2px rgb(0 0 0 / 40%), 0 10px 32px rgb(0 0 0 / 50%);
+      --checker: #3a3d42;
+    }
+  }
+
+  @media (pointer: coarse) {
+    :host {
+      --target: 44px;
+      --text-small: 0.75rem;
+      --text-normal: 0.875rem;
+    }
+  }
+`;
+
+/** What every element of the page shares: box sizes, focus rings, buttons, fields. */
+export const controls = css`
+  *,
+  *::before,
+  *::after {
+    box-sizing: border-box;
+  }
+  [hidden] {
+    display: none !important;
+  }
+  :focus-visible {
+    outline: 2px solid var(--accent);
+    outline-offset: 1px;
+  }
+  button,
+  input,
+  select {
+    font: inherit;
+    color: inherit;
+    letter-spacing: inherit;
+  }
+  button {
+    display: inline-flex;
+    align-items: center;
+    justify-content: center;
+    gap: var(--space-2);
+    min-width: var(--target);
+    min-height: var(--target);
+    padding: 0 var(--space-2);
+    border: 0;
+    border-radius: var(--radius);
+    background: transparent;
+    cursor: pointer;
+    user-select: none;
+    -webkit-tap-highlight-color: transparent;
+    transition: background-color 120ms;
+  }
+  button:hover {
+    background: var(--hover);
+  }
+  button:active {
+    background: var(--pressed);
+  }
+  button:disabled {
+    color: var(--text-quiet);
+    opacity: 0.45;
+    background: transparent;
+    cursor: default;
+  }
+  button.icon {
+    padding: 0;
+    color: var(--text-quiet);
+  }
+  button.icon:hover:not(:disabled) {
+    color: var(--text);
+  }
+  button[aria-pressed="true"] {
+    background: var(--accent-soft);
+    color: var(--accent);
+  }
+  button.filled {
+    padding: 0 var(--space-3);
+    background: var(--accent);
+    color: var(--accent-text);
+    font-weight: 550;
+  }
+  button.filled:hover {
+    background: color-mix(in oklab, var(--accent), black 8%);
+  }
+  button.outlined {
+    border: 1px solid var(--line);
+    background: var(--surface);
+  }
+  button.outlined:hover {
+    background: linear-gradient(var(--hover), var(--hover)), var(--surface);
+  }
+  input[type="text"],
+  select {
+    width: 100%;
+    min-width: 0;
+    min-height: var(--target);
+    padding: 0 var(--space-2);
+    border: 1px solid transparent;
+    border-radius: var(--radius);
+    background: var(--surface-low);
+    font-variant-numeric: tabular-nums;
+  }
+  select {
+    padding-right: var(--space-1);
+    text-overflow: ellipsis;
+  }
+  input[type="text"]:hover,
+  select:hover {
+    border-color: var(--line);
+  }
+  input[type="text"]:focus-visible,
+  select:focus-visible {
+    outline-offset: -1px;
+    background: var(--surface);
+  }
+  input[type="range"],
+  input[type="checkbox"],
+  input[type="radio"] {
+    accent-color: var(--accent);
+  }
+  input[type="range"] {
+    width: 100%;
+    min-width: 0;
+    min-height: var(--target);
+    margin: 0;
+    background: transparent;
+    cursor: pointer;
+  }
+  h2 {
+    margin: 0;
+    font-size: var(--text-normal);
+    font-weight: 600;
+  }
+  h3 {
+    margin: 0;
+    font-size: var(--text-small);
+    font-weight: 550;
+    color: var(--text-quiet);
+  }
+  p {
+    margin: 0;
+  }
+  .quiet {
+    color: var(--text-quiet);
+  }
+  .visually-hidden {
+    position: absolute;
+    width: 1px;
+    height: 1px;
+    margin: -1px;
+    overflow: hidden;
+    clip-path: inset(50%);
+    white-space: nowrap;
+  }
+  @media (prefers-reduced-motion: reduce) {
+    *,
+    *::before,
+    *::after {
+      animation-duration: 0.01ms !important;
+      animation-iteration-count: 1 !important;
+      transition-duration: 0.01ms !important;
+    }
+  }
+`;

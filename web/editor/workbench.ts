@@ -1,0 +1,243 @@
+/**
+ * The editor page's layout: bar, views, panels; and what belongs to the page as a whole: drops and keys. The two views
+ * are its children, in the slots "view" and "texture": they style the document that they stand in.
+ */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { carriesFiles, collectDrop } from "./files/file-collection.ts";
+import "./panels/bottom-sheet.ts";
+import "./panels/decal-list.ts";
+import { PALETTE_DRAG } from "./panels/decal-palette.ts";
+import "./panels/decal-properties.ts";
+import "./panels/help-dialog.ts";
+import "./panels/notice-stack.ts";
+import "./panels/side-panel.ts";
+import "./panels/stage.ts";
+import "./panels/status-line.ts";
+import "./panels/target-settings.ts";
+import "./panels/texture-panel.ts";
+import "./panels/top-bar.ts";
+import type { EditorState } from "./state/editor-state.ts";
+import { handleShortcut } from "./state/shortcuts.ts";
+import { strings } from "./strings.ts";
+import { EditorElement } from "./ui/editor-element.ts";
+import { ACCEPT, pickFiles } from "./ui/file-picker.ts";
+import "./ui/menu.ts";
+import "./ui/number-field.ts";
+import "./ui/splitter.ts";
+import { controls, theme } from "./ui/theme.ts";
+
+const PHONE = "(max-width: 720px)";
+
+export class Workbench extends EditorElement {
+  static override properties = {
+    compact: { state: true },
+    dropping: { state: true },
+    textureShare: { state: true },
+  };
+  declare compact: boolean;
+  declare dropping: boolean;
+  /** Of the views' width. */
+  declare textureShare: number;
+  readonly #phone = matchMedia(PHONE);
+
+  static override styles = [
+    theme,
+    controls,
+    css`
+      :host {
+        position: relative;
+        display: grid;
+        grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr) 19.5rem;
+        grid-template-areas:
+          "bar bar"
+          "views panel"
+          "status panel";
+        height: 100dvh;
+        overflow: hidden;
+        background: var(--surface);
+        color: var(--text);
+        font: var(--text-normal) / 1.3 var(--font);
+        -webkit-font-smoothing: antialiased;
+      }
+      :host([compact]) {
+        grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
+        grid-template-areas: "bar" "views" "panel";
+      }
+      tc-top-bar {
+        grid-area: bar;
+      }
+      .views {
+        grid-area: views;
+        display: grid;
+        min-width: 0;
+        min-height: 0;
+      }
+      tc-side-panel {
+        grid-area: panel;
+        border-inline-start: 1px solid var(--line);
+      }
+      tc-bottom-sheet {
+        grid-area: panel;
+      }
+      tc-status-line {
+        grid-area: status;
+      }
+      tc-notice-stack {
+        grid-area: views;
+        z-index: 10;
+        align-self: end;
+        justify-self: center;
+        width: 100%;
+        padding: var(--space-4);
+      }
+      .drop {
+        position: absolute;
+        z-index: 30;
+        inset: 0;
+        display: grid;
+        place-content: center;
+        justify-items: center;
+        gap: var(--space-1);
+        border: 2px solid var(--accent);
+        background: color-mix(in oklab, var(--surface), transparent 35%);
+        pointer-events: none;
+        text-align: center;
+      }
+      .drop h2 {
+        font-size: 1.125rem;
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.compact = this.#phone.matches;
+    this.dropping = false;
+    this.textureShare = 0.38;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#phone.addEventListener("change", this.#resize);
+    addEventListener("keydown", this.#key);
+    addEventListener("dragover", this.#dragOver);
+    addEventListener("dragleave", this.#dragLeave);
+    addEventListener("drop", this.#drop);
+    addEventListener("beforeunload", this.#leave);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#phone.removeEventListener("change", this.#resize);
+    removeEventListener("keydown", this.#key);
+    removeEventListener("dragover", this.#dragOver);
+    removeEventListener("dragleave", this.#dragLeave);
+    removeEventListener("drop", this.#drop);
+    removeEventListener("beforeunload", this.#leave);
+  }
+
+  protected watched({ textureOpen }: EditorState): readonly unknown[] {
+    return [textureOpen];
+  }
+
+  override render(): TemplateResult {
+    const { editor, compact } = this;
+    this.toggleAttribute("compact", compact);
+    return html`
+      <tc-top-bar .editor=${editor} .compact=${compact} @help=${() => this.#help()}></tc-top-bar>
+      ${this.#views()}
+      ${
+        compact
+          ? html`<tc-bottom-sheet .editor=${editor}><slot name="texture" slot="texture"></slot></tc-bottom-sheet>`
+          : html`
+              <tc-status-line .editor=${editor} aria-label=${strings.status.label}></tc-status-line>
+              <tc-side-panel .editor=${editor} role="complementary" aria-label=${strings.sidePanel}></tc-side-panel>
+            `
+      }
+      <tc-notice-stack .editor=${editor}></tc-notice-stack>
+      <tc-help-dialog></tc-help-dialog>
+      ${
+        this.dropping
+          ? html`<div class="drop">
+              <h2>${strings.stage.dropModel}</h2>
+              <p>${strings.stage.dropHint}</p>
+            </div>`
+          : nothing
+      }
+    `;
+  }
+
+  #views(): TemplateResult {
+    const { editor, compact, textureShare } = this;
+    const split = !compact && this.state.textureOpen;
+    const columns = split ? `minmax(0, ${1 - textureShare}fr) auto minmax(0, ${textureShare}fr)` : "minmax(0, 1fr)";
+    const resize = (event: CustomEvent<number>): void => {
+      this.textureShare = event.detail;
+    };
+    return html`
+      <main class="views" style=${`grid-template-columns: ${columns}`}>
+        <tc-stage .editor=${editor}><slot name="view" slot="view"></slot></tc-stage>
+        ${
+          split
+            ? html`
+                <tc-splitter .name=${strings.splitter} .share=${textureShare} @split=${resize}></tc-splitter>
+                <tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>
+              `
+            : nothing
+        }
+      </main>
+    `;
+  }
+
+  #help(): void {
+    this.renderRoot.querySelector("tc-help-dialog")?.show();
+  }
+
+  readonly #resize = (): void => {
+    this.compact = this.#phone.matches;
+  };
+
+  readonly #key = (event: KeyboardEvent): void => {
+    const openModel = (): void =>
+      pickFiles({ accept: ACCEPT.model }, (files) => void this.editor.files.openFiles(files));
+    if (handleShortcut(event, this.editor, { openModel })) event.preventDefault();
+  };
+
+  readonly #dragOver = (event: DragEvent): void => {
+    const own = event.dataTransfer?.types.includes(PALETTE_DRAG) ?? false;
+    if (!own && !carriesFiles(event.dataTransfer)) return;
+    event.preventDefault();
+    if (event.dataTransfer) event.dataTransfer.dropEffect = "copy";
+    this.dropping = !own;
+  };
+
+  readonly #dragLeave = (event: DragEvent): void => {
+    // Without a related target the pointer has left the window, not just an element in it.
+    if (event.relatedTarget === null) this.dropping = false;
+  };
+
+  readonly #drop = (event: DragEvent): void => {
+    this.dropping = false;
+    const { dataTransfer } = event;
+    if (!dataTransfer) return;
+    const { files, viewer, store } = this.editor;
+    const hit = viewer.surfaceAtPointer(event.clientX, event.clientY);
+    const demo = store.state.demos?.decals.find(({ id }) => id === dataTransfer.getData(PALETTE_DRAG));
+    if (demo) void files.addDemoDecal(demo, hit);
+    else if (carriesFiles(dataTransfer)) void files.openFiles(collectDrop(dataTransfer), hit);
+    else return;
+    event.preventDefault();
+  };
+
+  readonly #leave = (event: BeforeUnloadEvent): void => {
+    if (this.editor.store.state.unsaved) event.preventDefault();
+  };
+}
+customElements.define("tc-workbench", Workbench);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "tc-workbench": Workbench;
+    "tc-help-dialog": import("./panels/help-dialog.ts").HelpDialog;
+  }
+}
