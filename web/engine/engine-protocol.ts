@@ -1,0 +1,45 @@
+/** What the engine's client and its worker say to each other. */
+import type { TexelcastErrorJson } from "../core/texelcast-error.ts";
+import type { Engine, EngineLayer, TargetOptions, TargetUpdate } from "./engine-api.ts";
+
+/** Calls that are answered, by name; arguments and results are the interface's own. */
+export type CallName =
+  | "loadModel"
+  | "setAsset"
+  | "removeAsset"
+  | "openTarget"
+  | "closeTarget"
+  | "idle"
+  | "viewMap"
+  | "uvTriangles"
+  | "readTexels"
+  | "hash"
+  | "exportPng"
+  | "exportGlb"
+  | "stats";
+
+/** openTarget's callback and signal cannot cross: they become "progress" and "cancel" messages. */
+export type CallArguments<Name extends CallName> = Name extends "openTarget"
+  ? [TargetOptions]
+  : Parameters<Engine[Name]>;
+export type CallResult<Name extends CallName> = Awaited<ReturnType<Engine[Name]>>;
+
+/** One call as data, its name and arguments matching. */
+export type Call = {
+  readonly [Name in CallName]: { readonly name: Name; readonly args: CallArguments<Name> };
+}[CallName];
+
+export type ClientMessage =
+  | { readonly type: "start"; readonly wasm?: string; readonly memoryBudgetMib?: number }
+  | { readonly type: "call"; readonly id: number; readonly call: Call }
+  | { readonly type: "cancel"; readonly id: number }
+  | { readonly type: "layers"; readonly layers: readonly EngineLayer[]; readonly revision: number };
+
+export type WorkerMessage =
+  | { readonly type: "result"; readonly id: number; readonly value: unknown }
+  | { readonly type: "failure"; readonly id: number; readonly error: TexelcastErrorJson }
+  | { readonly type: "progress"; readonly id: number; readonly share: number }
+  | { readonly type: "update"; readonly update: TargetUpdate }
+  | { readonly type: "error"; readonly error: TexelcastErrorJson }
+  /** The newest layers have had their turn: the next list may come. */
+  | { readonly type: "drawn" };
