@@ -6,9 +6,11 @@
 namespace txc {
 namespace {
 
-constexpr int kEdgeSamples = 8;        // as the reference has: edges are few, so they may cost
-constexpr int kMaxSamples = 32;        // along one axis: grazing triangles stretch the footprint without end
-constexpr float kFinestPixels = 3.0f;  // the shorter axis on the chosen level stays below this
+constexpr int kEdgeSamples = 8;  // as the reference has: edges are few, so they may cost
+constexpr int kMaxSamples = 32;  // along one axis: grazing triangles stretch the footprint without end
+// The shorter axis on the chosen level stays below this. Against the reference pictures 3 gives 43 dB at the worst, 5
+// gives what no pyramid at all gives there (49 dB).
+constexpr float kFinestPixels = 5.0f;
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
@@ -90,7 +92,7 @@ PyramidColor sample_edge(const ImagePyramid& image, const Footprint& f, float x,
     const auto height = static_cast<float>(image.levels[0].height);
     PyramidColor sum;
     for_each_sample(f, kEdgeSamples, kEdgeSamples, x, y, [&](float sx, float sy) {
-        if (sx < 0.0f || sx > width || sy < 0.0f || sy > height) return;
+        if (repeat && (sx < 0.0f || sx > width || sy < 0.0f || sy > height)) return;
         add_bilinear(level, sx * level.scale_x, sy * level.scale_y, repeat, sum);
     });
     scale(sum, 1.0f / static_cast<float>(kEdgeSamples * kEdgeSamples));

@@ -22,7 +22,8 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
 /// Mean colour over the footprint centred on (x, y), where all of it lies inside the picture.
 PyramidColor sample_inside(const ImagePyramid& image, const Footprint& footprint, float x, float y, bool repeat);
 
-/// The same where the picture's edge cuts the footprint: what lies outside is transparent (coverage, antialiased).
+/// The same where the footprint reaches the picture's edge, over which the picture fades into transparency. With
+/// `repeat` the picture goes on and its rectangle cuts it: samples outside count as transparent.
 PyramidColor sample_edge(const ImagePyramid& image, const Footprint& footprint, float x, float y, bool repeat);
 
 }  // namespace txc

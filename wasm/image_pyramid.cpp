@@ -6,9 +6,7 @@
 namespace txc {
 namespace {
 
-std::int32_t wrap_or_clamp(std::int32_t index, std::int32_t size, bool repeat) {
-    if (index >= 0 && index < size) return index;
-    if (!repeat) return index < 0 ? 0 : size - 1;
+std::int32_t wrap(std::int32_t index, std::int32_t size) {
     const std::int32_t rest = index % size;
     return rest < 0 ? rest + size : rest;
 }
@@ -70,28 +68,34 @@ TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const s
 }
 
 void add_bilinear(const PyramidLevel& level, float x, float y, bool repeat, PyramidColor& sum) {
+    static constexpr std::uint16_t kTransparent[4] = {0, 0, 0, 0};
     const float left = std::floor(x - 0.5f);
     const float top = std::floor(y - 0.5f);
     const float fx = x - 0.5f - left;
     const float fy = y - 0.5f - top;
     const auto w = static_cast<std::int32_t>(level.width);
     const auto h = static_cast<std::int32_t>(level.height);
-    auto x0 = static_cast<std::int32_t>(left);
-    auto y0 = static_cast<std::int32_t>(top);
-    std::int32_t x1 = x0 + 1;
-    std::int32_t y1 = y0 + 1;
-    if (x0 < 0 || y0 < 0 || x1 >= w || y1 >= h) {
-        x0 = wrap_or_clamp(x0, w, repeat);
-        x1 = wrap_or_clamp(x1, w, repeat);
-        y0 = wrap_or_clamp(y0, h, repeat);
-        y1 = wrap_or_clamp(y1, h, repeat);
+    const auto x0 = static_cast<std::int32_t>(left);
+    const auto y0 = static_cast<std::int32_t>(top);
+    const std::uint16_t* p00;
+    const std::uint16_t* p10;
+    const std::uint16_t* p01;
+    const std::uint16_t* p11;
+    if (x0 >= 0 && y0 >= 0 && x0 + 1 < w && y0 + 1 < h) {
+        p00 = level.pixel(static_cast<std::uint32_t>(x0), static_cast<std::uint32_t>(y0));
+        p10 = p00 + 4;
+        p01 = p00 + static_cast<std::size_t>(level.width) * 4;
+        p11 = p01 + 4;
+    } else {
+        const auto pixel_or_transparent = [&](std::int32_t px, std::int32_t py) {
+            if (!repeat && (px < 0 || py < 0 || px >= w || py >= h)) return &kTransparent[0];
+            return level.pixel(static_cast<std::uint32_t>(wrap(px, w)), static_cast<std::uint32_t>(wrap(py, h)));
+        };
+        p00 = pixel_or_transparent(x0, y0);
+        p10 = pixel_or_transparent(x0 + 1, y0);
+        p01 = pixel_or_transparent(x0, y0 + 1);
+        p11 = pixel_or_transparent(x0 + 1, y0 + 1);
     }
-    const std::uint16_t* row0 = level.rgba.data() + static_cast<std::size_t>(y0) * level.width * 4;
-    const std::uint16_t* row1 = level.rgba.data() + static_cast<std::size_t>(y1) * level.width * 4;
-    const std::uint16_t* p00 = row0 + x0 * 4;
-    const std::uint16_t* p10 = row0 + x1 * 4;
-    const std::uint16_t* p01 = row1 + x0 * 4;
-    const std::uint16_t* p11 = row1 + x1 * 4;
     const float w00 = (1.0f - fx) * (1.0f - fy);
     const float w10 = fx * (1.0f - fy);
     const float w01 = (1.0f - fx) * fy;

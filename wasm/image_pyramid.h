@@ -38,8 +38,8 @@ struct PyramidColor {
     float channel[4] = {0.0f, 0.0f, 0.0f, 0.0f};
 };
 
-/// Adds the bilinear sample at (x, y), in pixels of the level with centres at halves. Beyond the border the border
-/// pixels hold (the rectangle's own edge is cut by whoever asks), or with `repeat` those of the other side.
+/// Adds the bilinear sample at (x, y), in pixels of the level with centres at halves. Beyond the border all is
+/// transparent, so a picture fades out over the half pixel on either side of its edge; with `repeat` it goes on.
 void add_bilinear(const PyramidLevel& level, float x, float y, bool repeat, PyramidColor& sum);
 
 }  // namespace txc

@@ -29,7 +29,8 @@ public:
           image_(image),
           occlusion_(occlusion),
           width_(static_cast<float>(image.levels[0].width)),
-          height_(static_cast<float>(image.levels[0].height)) {}
+          height_(static_cast<float>(image.levels[0].height)),
+          fade_(settings.repeat ? 0.0f : 0.5f) {}
 
     /// Paints one tile's texels into `texels` (zeroed before). Returns how many took colour.
     std::uint32_t paint_tile(const MapTile& tile, std::uint16_t* texels) {
@@ -79,6 +80,11 @@ private:
                             std::uint16_t* texels) const {
         const TexelFrame& frame = map_.frames[run.frame];
         const auto down = static_cast<float>(y0 - frame.y0);
+        // A linear picture reaches half a pixel beyond its rectangle, and its edge half a pixel into it.
+        const float margin_x = settings_.nearest ? 0.0f : d.footprint.reach_x + fade_;
+        const float margin_y = settings_.nearest ? 0.0f : d.footprint.reach_y + fade_;
+        const float inset_x = d.footprint.reach_x + fade_;
+        const float inset_y = d.footprint.reach_y + fade_;
         std::uint32_t painted = 0;
         for (std::int32_t i = 0; i < run.length; ++i) {
             const auto across = static_cast<float>(x0 + i - frame.x0);
@@ -87,17 +93,14 @@ private:
             if (!(z >= -0.5f && z <= 0.5f)) continue;
             const float x = d.x + d.x_dx * across + d.x_dy * down;
             const float y = d.y + d.y_dx * across + d.y_dy * down;
-            const float reach_x = settings_.nearest ? 0.0f : d.footprint.reach_x;
-            const float reach_y = settings_.nearest ? 0.0f : d.footprint.reach_y;
-            if (!(x + reach_x >= 0.0f && x - reach_x <= width_ && y + reach_y >= 0.0f && y - reach_y <= height_))
-                continue;
+            if (!(x >= -margin_x && x <= width_ + margin_x && y >= -margin_y && y <= height_ + margin_y)) continue;
             const float weight = facing_weight(run, d, frame, across, down);
             if (!(weight > 0.0f)) continue;
             if (occlusion_ != nullptr && is_hidden(run, frame, x0 + i, y0, z)) continue;
             PyramidColor color;
             if (settings_.nearest) {
                 color = sample_nearest(x, y);
-            } else if (x - reach_x >= 0.0f && x + reach_x <= width_ && y - reach_y >= 0.0f && y + reach_y <= height_) {
+            } else if (x >= inset_x && x <= width_ - inset_x && y >= inset_y && y <= height_ - inset_y) {
                 color = sample_inside(image_, d.footprint, x, y, settings_.repeat);
             } else {
                 color = sample_edge(image_, d.footprint, x, y, settings_.repeat);
@@ -149,6 +152,7 @@ private:
     const OcclusionTree* occlusion_;
     float width_;
     float height_;
+    float fade_;  // pixels on either side of the picture's edge
     std::vector<DecalFrame> cache_ = std::vector<DecalFrame>(1024);
 };
 
@@ -161,7 +165,12 @@ TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalS
     out.texels.clear();
     out_texels = 0;
     std::vector<std::uint32_t> candidates;
-    map.tree.find(map, settings.projector.to_decal, candidates);
+    ModelToDecal to_decal = settings.projector.to_decal;
+    if (!settings.nearest && !settings.repeat) {
+        to_decal.reach.x += 0.5 / image.levels[0].width;
+        to_decal.reach.y += 0.5 / image.levels[0].height;
+    }
+    map.tree.find(map, to_decal, candidates);
     constexpr std::size_t kTileBytes = kTileTexels * 4 * sizeof(std::uint16_t) + sizeof(std::uint32_t);
     // Dragged layers keep their arrays from step to step; one that shrank a lot gives them back.
     if (out.texels.capacity() > candidates.size() * kTileTexels * 4 * 4) out.texels.shrink_to_fit();

@@ -11,10 +11,10 @@ bool ModelToDecal::may_touch(const ModelBox& box) const {
     const glm::dvec3 centre = apply((glm::dvec3(box.min) + glm::dvec3(box.max)) * 0.5);
     const glm::dvec3 half = (glm::dvec3(box.max) - glm::dvec3(box.min)) * 0.5;
     for (int axis = 0; axis < 3; ++axis) {
-        const double reach = std::fabs(matrix[0][axis]) * half.x + std::fabs(matrix[1][axis]) * half.y +
-                             std::fabs(matrix[2][axis]) * half.z;
-        // A little more than 1/2: the boxes are rounded to float, and a wrong "may" costs only time.
-        if (std::fabs(centre[axis]) - reach > 0.5 + 1e-5) return false;
+        const double half_extent = std::fabs(matrix[0][axis]) * half.x + std::fabs(matrix[1][axis]) * half.y +
+                                   std::fabs(matrix[2][axis]) * half.z;
+        // A little more than the reach: the boxes are rounded to float, and a wrong "may" costs only time.
+        if (std::fabs(centre[axis]) - half_extent > reach[axis] + 1e-5) return false;
     }
     return true;
 }

@@ -16,14 +16,16 @@ struct ModelBox {
     glm::vec3 max;
 };
 
-/// An affine map from model space to decal space, q = matrix * p + offset.
+/// An affine map from model space to decal space, q = matrix * p + offset, and how far from the middle the decal
+/// paints there: 1/2, and on x and y half a picture pixel more, over which the picture fades out.
 struct ModelToDecal {
     glm::dmat3 matrix{1.0};
     glm::dvec3 offset{0.0};
+    glm::dvec3 reach{0.5};
 
     glm::dvec3 apply(const glm::dvec3& p) const { return matrix * p + offset; }
 
-    /// True where the box may touch the decal's volume [-1/2, 1/2]^3: its own bounds in decal space do.
+    /// True where the box may touch the decal's volume: its own bounds in decal space do.
     bool may_touch(const ModelBox& box) const;
 };
 
