@@ -20,7 +20,7 @@ try {
   const editor = new Editor({ engine, viewer, textureView });
   workbench.editor = editor;
   document.body.append(workbench);
-  window.texelcast = makeTestHandle(editor, editor.start(new URL("demo/demo.json", document.baseURI).href));
+  window.texelcast = makeTestHandle(editor, editor.start(document.baseURI));
 } catch (thrown) {
   workbench.remove();
   const hint = strings.errors.noWebGlHint;

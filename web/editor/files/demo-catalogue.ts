@@ -5,27 +5,30 @@ import { strings } from "../strings.ts";
 export interface DemoModel {
   readonly id: string;
   readonly name: string;
-  /** Address relative to the catalogue. */
-  readonly file: string;
-  /** The design that it opens with: a document, still to be parsed. */
+  /** Address relative to the page. */
+  readonly model: string;
+  /** The design that it opens with: a document, still to be parsed, whose addresses are relative to the catalogue. */
   readonly design: unknown;
 }
 
 export interface DemoDecal {
   readonly id: string;
   readonly name: string;
-  readonly file: string;
+  /** Address relative to the page. */
+  readonly picture: string;
 }
 
 export interface DemoCatalogue {
-  /** What the addresses in it are relative to. */
+  /** Of the catalogue and of the page. */
   readonly url: string;
+  readonly page: string;
   readonly models: readonly DemoModel[];
   readonly decals: readonly DemoDecal[];
 }
 
 /** Rejects with a TexelcastError of code "missing-file" when the demos were not built or cannot be reached. */
-export async function loadDemoCatalogue(url: string): Promise<DemoCatalogue> {
+export async function loadDemoCatalogue(page: string): Promise<DemoCatalogue> {
+  const url = new URL("demo/demo.json", page).href;
   const response = await fetch(url).catch(() => undefined);
   const list: unknown = response?.ok ? await response.json().catch(() => undefined) : undefined;
   if (typeof list !== "object" || list === null) {
@@ -35,7 +38,7 @@ export async function loadDemoCatalogue(url: string): Promise<DemoCatalogue> {
     });
   }
   const { models = [], decals = [] } = list as Partial<DemoCatalogue>;
-  return { url, models, decals };
+  return { url, page, models, decals };
 }
 
 /** Rejects with a TexelcastError of code "missing-file". */

@@ -60,7 +60,7 @@ export class DecalPalette extends EditorElement {
       ${
         demos && model
           ? html`<div class="palette" role="group" aria-label=${words.palette}>
-              ${demos.decals.map((decal) => this.#item(decal, new URL(decal.file, demos.url).href))}
+              ${demos.decals.map((decal) => this.#item(decal, new URL(decal.picture, demos.page).href))}
             </div>`
           : nothing
       }

@@ -63,9 +63,9 @@ export class Editor {
   }
 
   /** Opens the first demo, or says what to do without one. */
-  async start(demoUrl: string): Promise<void> {
+  async start(page: string): Promise<void> {
     try {
-      const demos = await loadDemoCatalogue(demoUrl);
+      const demos = await loadDemoCatalogue(page);
       this.store.set({ demos });
       const [first] = demos.models;
       if (first) await this.files.openDemo(first);
@@ -106,7 +106,7 @@ export class Editor {
 
   /** Gives the views a target's whole picture again: their graphics context was lost. */
   refresh(material: number): void {
-    this.#attempt(strings.errors.couldNotShow, this.#router.refresh(material));
+    this.#attempt(strings.errors.couldNotShow, this.#models.reopen(material));
   }
 
   setOutlines(visible: boolean): void {

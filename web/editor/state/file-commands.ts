@@ -61,11 +61,12 @@ export class FileCommands {
 
   async openDemo(demo: DemoModel): Promise<void> {
     const { store, library, board } = this.#parts;
-    const base = store.state.demos?.url ?? document.baseURI;
+    const { demos } = store.state;
+    if (!demos) return;
     try {
-      const bytes = await fetchBytes(demo.file, base);
-      const source = { name: demo.file.slice(demo.file.lastIndexOf("/") + 1), bytes };
-      const design = await library.adopt(parseDesign(demo.design, demo.name), { path: demo.name, baseUrl: base });
+      const bytes = await fetchBytes(demo.model, demos.page);
+      const source = { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes };
+      const design = await library.adopt(parseDesign(demo.design, demo.name), { path: demo.name, baseUrl: demos.url });
       resolveLayers(design, demo.name);
       await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
     } catch (thrown) {
@@ -75,9 +76,10 @@ export class FileCommands {
 
   async addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null = null): Promise<void> {
     const { store, library, decals, board } = this.#parts;
+    if (!store.state.demos || !store.state.model) return;
     try {
-      const bytes = await fetchBytes(decal.file, store.state.demos?.url ?? document.baseURI);
-      decals.add(decal.name, await library.add(decal.file, bytes), hit);
+      const bytes = await fetchBytes(decal.picture, store.state.demos.page);
+      decals.add(decal.name, await library.add(decal.picture, bytes), hit);
     } catch (thrown) {
       board.error(strings.errors.couldNotOpen(decal.name), thrown);
     }

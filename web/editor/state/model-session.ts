@@ -94,6 +94,11 @@ export class ModelSession {
     }
   }
 
+  /** Opens a target again as it is, for its first update: the whole picture, with all its mip levels. */
+  reopen(material: number): Promise<void> {
+    return this.#inLine(strings.tasks.baking, (task) => this.#openTarget(material, task));
+  }
+
   /** Makes a material the one that the texture view shows. */
   async showMaterial(material: number): Promise<void> {
     if (material === this.#store.state.material) return;

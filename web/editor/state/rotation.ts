@@ -48,8 +48,7 @@ export function orientationOf([x, y, z, w]: Quaternion, hint?: Orientation): Ori
     const m20 = 2 * (x * z - w * y);
     const heading = hint?.heading ?? 0;
     const turned = Math.atan2(-m20, m00) / RADIANS;
-    const spin = tilt > 0 ? heading - turned : turned - heading;
-    return { heading, tilt, spin: wrapDegrees(tilt > 0 ? -spin : spin) };
+    return { heading, tilt, spin: wrapDegrees(tilt > 0 ? turned - heading : heading - turned) };
   }
   const m10 = 2 * (x * y + w * z);
   const m11 = 1 - 2 * (x * x + z * z);

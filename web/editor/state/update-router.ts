@@ -47,22 +47,11 @@ export class UpdateRouter {
     for (const update of early) this.#apply(update);
   }
 
-  unbind(material: number): void {
-    this.#bound.delete(material);
-    this.#early.delete(material);
-  }
-
   /** Shows a target that was bound before in the texture view. */
   async showInTextureView(info: TargetInfo, uvTriangles: Float32Array): Promise<void> {
     this.#textureMaterial = info.material;
     this.#textureView.bindTarget(info, uvTriangles);
     this.#textureView.applyUpdate(await this.#fullUpdate(info));
-  }
-
-  /** Gives both views the whole picture again (a graphics context came back). */
-  async refresh(material: number): Promise<void> {
-    const info = this.#bound.get(material);
-    if (info) this.#apply(await this.#fullUpdate(info));
   }
 
   async #fullUpdate(info: TargetInfo): Promise<TargetUpdate> {
