@@ -1,0 +1,91 @@
+/** Our core in WebAssembly, called as the engine calls it. */
+import { Filters, LayerKinds, Occlusions, Projectors } from "../../web/core/abi.ts";
+import { Session } from "../../web/core/session.ts";
+import type { LayerHandle, Target } from "../../web/core/target.ts";
+import { type CoreModule, loadCore } from "../../web/core/wasm-module.ts";
+import type { Picture, PlanarProjector } from "../../web/engine/engine-api.ts";
+import type { BenchMesh } from "../work.ts";
+import type { BenchEngine, Run } from "./engine.ts";
+
+const ALL_OF_IT = 0xffffffff;
+
+export class TexelcastEngine implements BenchEngine {
+  readonly name = "Texelcast";
+  readonly #core: CoreModule;
+  #mesh: BenchMesh | null = null;
+  #decal: Picture | null = null;
+  #session: Session | null = null;
+  #target: Target | null = null;
+  #layer: { readonly handle: LayerHandle; readonly image: number } | null = null;
+
+  private constructor(core: CoreModule) {
+    this.#core = core;
+  }
+
+  static async create(): Promise<TexelcastEngine> {
+    return new TexelcastEngine(await loadCore());
+  }
+
+  async load(mesh: BenchMesh, decal: Picture): Promise<void> {
+    this.#mesh = mesh;
+    this.#decal = decal;
+  }
+
+  /** A new session each time, since a session bakes a model once and then reuses its map. Mesh reading is not timed. */
+  async bake(size: number): Promise<Run> {
+    this.#session?.destroy();
+    this.#layer = null;
+    const session = Session.create(this.#core, { memoryBudgetMib: 3072 });
+    this.#session = session;
+    if (!this.#mesh) throw new Error("load comes first");
+    session.addMesh(this.#mesh);
+    const start = performance.now();
+    const target = session.createTarget({ width: size, height: size });
+    while (!target.bake(ALL_OF_IT).done);
+    const milliseconds = performance.now() - start;
+    this.#target = target;
+    return { milliseconds, texels: target.info().coveredTexels };
+  }
+
+  /** A frame of a drag: the layer's projector changes, and the update projects, composites, and packs what changed. */
+  async project(projector: PlanarProjector): Promise<Run> {
+    const target = this.#target;
+    if (!target) throw new Error("bake comes first");
+    const layer = this.#layerOf(target);
+    const start = performance.now();
+    target.updateLayer(layer.handle, definition(projector, layer.image));
+    const update = target.update();
+    return { milliseconds: performance.now() - start, texels: update.projectedTexels };
+  }
+
+  #layerOf(target: Target): { readonly handle: LayerHandle; readonly image: number } {
+    if (this.#layer) return this.#layer;
+    if (!this.#session || !this.#decal) throw new Error("load comes first");
+    const image = this.#session.createImage(this.#decal.width, this.#decal.height, this.#decal.rgba);
+    const invisible = { kind: LayerKinds.decal, image, visible: 0 };
+    this.#layer = { handle: target.createLayer(invisible), image };
+    // The first update reports the whole texture, which is no part of a drag.
+    target.update();
+    return this.#layer;
+  }
+
+  close(): void {
+    this.#session?.destroy();
+  }
+}
+
+/** As the shared designs have it: no occlusion, a hard angle. */
+function definition({ position, rotation, size }: PlanarProjector, image: number) {
+  return {
+    kind: LayerKinds.decal,
+    image,
+    filter: Filters.linear,
+    projector: Projectors.planar,
+    occlusion: Occlusions.none,
+    angleFadeStart: 90,
+    angleFadeEnd: 90,
+    positionModel: [...position],
+    rotation: [...rotation],
+    size: [...size],
+  };
+}
