@@ -6,19 +6,18 @@ import type { Stage } from "./stage.ts";
 /** From the front, a little from the side and above: shapes read better than straight on. */
 const MODEL_AZIMUTH = 0.42;
 const MODEL_POLAR = 1.25;
-/** Free room around what is framed, in its radii. */
-const MODEL_ROOM = 1.12;
+/** How much farther than a tight fit the camera stands. */
+const MODEL_ROOM = 1.14;
 const DECAL_ROOM = 2.2;
 
 /** Shows all of the model; `eased` false puts the camera there at once. */
-export function frameModel(stage: Stage, eased: boolean): void {
-  const { center, radius } = stage.bounds;
+export function frameModel(stage: Stage, bounds: Box3, eased: boolean): void {
   const { controls } = stage;
-  const distance = distanceFor(stage, radius * MODEL_ROOM);
-  const direction = new Vector3().setFromSphericalCoords(distance, MODEL_POLAR, MODEL_AZIMUTH);
-  const eye = center.clone().add(direction);
+  const towardsEye = new Vector3().setFromSphericalCoords(1, MODEL_POLAR, MODEL_AZIMUTH);
+  const target = bounds.getCenter(new Vector3());
+  const eye = target.clone().addScaledVector(towardsEye, distanceForBox(stage, bounds, towardsEye) * MODEL_ROOM);
   controls.normalizeRotations();
-  controls.setLookAt(eye.x, eye.y, eye.z, center.x, center.y, center.z, eased && stage.animates);
+  controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, eased && stage.animates);
   stage.requestFrame();
 }
 
@@ -31,7 +30,7 @@ export function frameDecal(stage: Stage, pose: DecalPose): void {
   stage.requestFrame();
 }
 
-/** Arrow keys turn, plus and minus dolly, 0 frames the model. Returns whether the key meant something. */
+/** Arrow keys turn, plus and minus dolly. Returns whether the key meant something. */
 export function stepCamera(stage: Stage, key: string): boolean {
   const { controls } = stage;
   const turn = Math.PI / 24;
@@ -43,7 +42,6 @@ export function stepCamera(stage: Stage, key: string): boolean {
     "+": () => controls.dolly(controls.distance * 0.15, stage.animates),
     "=": () => controls.dolly(controls.distance * 0.15, stage.animates),
     "-": () => controls.dolly(-controls.distance * 0.15, stage.animates),
-    "0": () => frameModel(stage, true),
   };
   const step = steps[key];
   step?.();
@@ -54,6 +52,26 @@ export function stepCamera(stage: Stage, key: string): boolean {
 /** Bounds of a resting surface's vertices, metres. */
 export function boundsOf(positions: Float32Array): Box3 {
   return new Box3().setFromArray(positions as unknown as number[]);
+}
+
+/** How far from a box's centre all of its corners are in view. */
+function distanceForBox(stage: Stage, bounds: Box3, towardsEye: Vector3): number {
+  const vertical = Math.tan((stage.camera.fov * Math.PI) / 360);
+  const horizontal = vertical * Math.max(stage.camera.aspect, 0.2);
+  const right = new Vector3(0, 1, 0).cross(towardsEye).normalize();
+  const up = towardsEye.clone().cross(right);
+  const half = bounds.getSize(new Vector3()).multiplyScalar(0.5);
+  let distance = stage.bounds.radius * 0.1;
+  for (const x of [-1, 1]) {
+    for (const y of [-1, 1]) {
+      for (const z of [-1, 1]) {
+        const corner = new Vector3(x, y, z).multiply(half);
+        const away = Math.max(Math.abs(corner.dot(right)) / horizontal, Math.abs(corner.dot(up)) / vertical);
+        distance = Math.max(distance, away + corner.dot(towardsEye));
+      }
+    }
+  }
+  return distance;
 }
 
 /** How far away a sphere of this radius fills the view's shorter side. */

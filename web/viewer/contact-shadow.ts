@@ -70,10 +70,10 @@ export class ContactShadow {
   }
 
   #drawSilhouette(model: Object3D, ground: Vector3, side: number, reach: number): void {
-    // Looks up from the ground, with the picture's axes as the plane has them.
-    const camera = new OrthographicCamera(-side / 2, side / 2, side / 2, -side / 2, 0, reach);
+    // Looks up from the ground. Left and right change places, else the picture would be mirrored: it is seen from above.
+    const camera = new OrthographicCamera(side / 2, -side / 2, side / 2, -side / 2, 0, reach);
     camera.position.copy(ground);
-    camera.up.set(0, 0, 1);
+    camera.up.set(0, 0, -1);
     camera.lookAt(ground.x, ground.y + 1, ground.z);
     const scene = new Scene();
     const parent = model.parent;

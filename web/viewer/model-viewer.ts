@@ -107,7 +107,7 @@ class ThreeModelViewer implements ModelViewer {
     this.#stage.show(scene.root, bounds);
     this.#gizmo.setSurface(this.#model.query);
     this.#gizmo.enabled = true;
-    frameModel(this.#stage, false);
+    frameModel(this.#stage, bounds, false);
   }
 
   bindTarget(info: TargetInfo): void {
@@ -166,7 +166,9 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   frameModel(): void {
-    frameModel(this.#stage, true);
+    if (this.#model !== null) {
+      frameModel(this.#stage, this.#model.bounds, true);
+    }
   }
 
   frameDecal(id: string): void {
@@ -277,9 +279,15 @@ class ThreeModelViewer implements ModelViewer {
   /** The arrow keys are the selected decal's, which the editor moves; without one they turn the camera. */
   #onKey(event: KeyboardEvent): void {
     const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !event.defaultPrevented;
-    if (plain && this.#gizmo.selectedDecal === null && stepCamera(this.#stage, event.key)) {
-      event.preventDefault();
+    if (!plain || this.#gizmo.selectedDecal !== null) {
+      return;
     }
+    if (event.key === "0") {
+      this.frameModel();
+    } else if (!stepCamera(this.#stage, event.key)) {
+      return;
+    }
+    event.preventDefault();
   }
 }
 

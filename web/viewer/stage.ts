@@ -53,7 +53,7 @@ export class Stage {
   readonly #resize: ResizeObserver;
   readonly #reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
   readonly #cleanups: (() => void)[] = [];
-  #environment: { dispose(): void } | null = null;
+  readonly #environment = createStudioEnvironment();
   #frameRequest = 0;
   #lastTime = 0;
   #resized = true;
@@ -69,7 +69,7 @@ export class Stage {
     this.renderer.setClearColor(0x000000, 0);
     this.canvas.classList.add("tcv-canvas");
     root.append(this.canvas);
-    this.#light();
+    this.scene.environment = this.#environment;
     this.#shadow = new ContactShadow(this.renderer);
     this.scene.add(this.#shadow.mesh);
 
@@ -146,7 +146,7 @@ export class Stage {
     }
     this.controls.dispose();
     this.#shadow.dispose();
-    this.#environment?.dispose();
+    this.#environment.dispose();
     this.renderer.dispose();
     this.canvas.remove();
   }
@@ -216,16 +216,8 @@ export class Stage {
     this.controls.draggingSmoothTime = this.animates ? 0.06 : 0;
   }
 
-  #light(): void {
-    const environment = createStudioEnvironment(this.renderer);
-    this.#environment = environment;
-    this.scene.environment = environment.texture;
-  }
-
   #restore(): void {
     this.#lost = false;
-    this.#environment?.dispose();
-    this.#light();
     this.#hooks.contextRestored();
     this.#resized = true;
     this.requestFrame();

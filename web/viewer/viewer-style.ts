@@ -11,7 +11,7 @@ const STYLE = /* css */ `
   touch-action: none; user-select: none; -webkit-user-select: none; cursor: default;
   --tcv-accent: var(--viewer-accent, #3d7eff);
   --tcv-on-accent: var(--viewer-on-accent, #ffffff);
-  --tcv-casing: var(--viewer-casing, rgb(10 14 24 / 0.5));
+  --tcv-casing: var(--viewer-casing, rgb(255 255 255 / 0.75));
 }
 .tcv-root:focus-visible::after {
   content: ""; position: absolute; inset: 2px; border-radius: 6px; pointer-events: none;
