@@ -1,7 +1,14 @@
 import { fileURLToPath } from "node:url";
-import { defineConfig } from "vite";
+import { type BuildEnvironmentOptions, defineConfig } from "vite";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+type LogHandler = NonNullable<NonNullable<BuildEnvironmentOptions["rolldownOptions"]>["onLog"]>;
+
+/** glTF-Transform and Draco carry a branch for Node, which the page never takes: no news. */
+const withoutNodeBranches: LogHandler = (level, log, handle) => {
+  if (!log.message.includes("externalized for browser compatibility")) handle(level, log);
+};
 
 export default defineConfig({
   root: here("./web/app"),
@@ -17,7 +24,7 @@ export default defineConfig({
     watch: { ignored: ["**/build/**"] },
   },
   preview: { host: "localhost", port: 4173 },
-  worker: { format: "es" },
+  worker: { format: "es", rolldownOptions: { onLog: withoutNodeBranches } },
   // They find their .wasm beside themselves, which pre-bundling would move.
   optimizeDeps: { exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp"] },
   build: {
@@ -26,5 +33,8 @@ export default defineConfig({
     target: "es2022",
     // The module and the codecs stay files of their own, so that they are compiled while they stream in.
     assetsInlineLimit: (file) => (file.endsWith(".wasm") ? false : undefined),
+    // three.js is the most of it.
+    chunkSizeWarningLimit: 1200,
+    rolldownOptions: { onLog: withoutNodeBranches },
   },
 });

@@ -20,15 +20,9 @@ export const CHECKS = [
       verdict(nodeTool("@biomejs/biome/bin/biome", "check", "--error-on-warnings", ...(write ? ["--write"] : []), ".")),
   },
   { name: "clang-format: format of the C++ sources", run: clangFormat },
-  { name: "tsc: types of the page, the engine and the viewer", run: () => verdict(typeCheck("web")) },
-  { name: "tsc: types of the command line, the tests and the scripts", run: () => verdict(typeCheck(".")) },
+  { name: "tsc: types", run: () => verdict(nodeTool("typescript/bin/tsc", "--noEmit")) },
   { name: "rooms: no import goes upward", run: rooms },
 ];
-
-/** @param {string} project */
-function typeCheck(project) {
-  return nodeTool("typescript/bin/tsc", "--noEmit", "--project", project);
-}
 
 /** @param {string} script in node_modules @param {...string} args */
 function nodeTool(script, ...args) {

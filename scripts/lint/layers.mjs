@@ -6,20 +6,20 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join, posix, relative, sep } from "node:path";
 
 /**
- * From the most particular folder to the least: a file belongs to the first whose path it begins with. Rooms marked
- * `bare` run in bare Node, so they may not use packages that want a page.
- * @type {readonly {folder: string, uses: readonly string[], bare?: boolean}[]}
+ * From the most particular folder to the least: a file belongs to the first whose path it begins with. `runs` says where:
+ * a page has no Node modules, bare Node has no packages that want a page.
+ * @type {readonly {folder: string, uses: readonly string[], runs: "page" | "node" | "anywhere"}[]}
  */
 const ROOMS = [
-  { folder: "web/editor/document", uses: ["web/engine", "web/core"], bare: true },
-  { folder: "web/app", uses: ["web/element", "web/editor", "web/viewer", "web/engine", "web/core"] },
-  { folder: "web/storefront", uses: ["web/element"] },
-  { folder: "web/element", uses: ["web/editor", "web/viewer", "web/engine", "web/core"] },
-  { folder: "web/editor", uses: ["web/editor/document", "web/viewer", "web/engine", "web/core"] },
-  { folder: "web/viewer", uses: ["web/engine", "web/core"] },
-  { folder: "web/engine", uses: ["web/core"], bare: true },
-  { folder: "web/core", uses: [], bare: true },
-  { folder: "node", uses: ["web/editor/document", "web/engine", "web/core"], bare: true },
+  { folder: "web/editor/document", uses: ["web/engine", "web/core"], runs: "anywhere" },
+  { folder: "web/app", uses: ["web/element", ...below("web/element")], runs: "page" },
+  { folder: "web/storefront", uses: ["web/element"], runs: "page" },
+  { folder: "web/element", uses: below("web/element"), runs: "page" },
+  { folder: "web/editor", uses: below("web/editor"), runs: "page" },
+  { folder: "web/viewer", uses: below("web/viewer"), runs: "page" },
+  { folder: "web/engine", uses: below("web/engine"), runs: "node" },
+  { folder: "web/core", uses: [], runs: "node" },
+  { folder: "node", uses: ["web/editor/document", "web/engine", "web/core"], runs: "node" },
 ];
 const PAGE_PACKAGES = ["three", "three-mesh-bvh", "camera-controls", "lit", "lucide"];
 const IMPORTS = /(?:\bfrom\s*|\bimport\s*\(?\s*|\bnew\s+URL\(\s*)(["'])([^"'\n]+)\1/g;
@@ -47,8 +47,13 @@ export function faultsOf(path, source) {
   if (!room) return [`${path} is in no room: name its folder in scripts/lint/layers.mjs`];
   return [...source.matchAll(IMPORTS)].flatMap(([, , specifier]) => {
     if (!specifier.startsWith(".")) {
-      const used = room.bare && PAGE_PACKAGES.find((name) => specifier === name || specifier.startsWith(`${name}/`));
-      return used ? [`${path} imports ${used}, but ${room.folder} must run in bare Node`] : [];
+      const { folder, runs } = room;
+      const fromPage = PAGE_PACKAGES.find((name) => specifier === name || specifier.startsWith(`${name}/`));
+      if (runs !== "page" && fromPage) return [`${path} imports ${fromPage}, but ${folder} must run in bare Node`];
+      if (runs !== "node" && specifier.startsWith("node:")) {
+        return [`${path} imports ${specifier}, but ${folder} must run in a page`];
+      }
+      return [];
     }
     const target = posix.normalize(posix.join(posix.dirname(path), specifier));
     const other = roomOf(target);
@@ -57,9 +62,14 @@ export function faultsOf(path, source) {
   });
 }
 
+/** @param {string} folder */
+function below(folder) {
+  const order = ["web/element", "web/editor", "web/editor/document", "web/viewer", "web/engine", "web/core"];
+  return order.slice(order.indexOf(folder) + 1);
+}
+
 /** @param {string} path */
 function roomOf(path) {
-  // A page beside the rooms (index.html's script) would be web/*.ts; only folders are rooms.
   return ROOMS.find(({ folder }) => path.startsWith(`${folder}/`));
 }
 

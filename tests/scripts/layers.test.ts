@@ -43,6 +43,15 @@ describe("the arrows between rooms", () => {
     expect(faultsOf("web/viewer/view.ts", 'import { Mesh } from "three";')).toEqual([]);
   });
 
+  test("rooms that run in a page may not use Node's modules; the engine, which runs in both, may", () => {
+    const source = 'const { readFile } = await import("node:fs/promises");';
+    expect(faultsOf("web/viewer/view.ts", source)).toEqual([
+      "web/viewer/view.ts imports node:fs/promises, but web/viewer must run in a page",
+    ]);
+    expect(faultsOf("web/editor/document/parse.ts", source)).toHaveLength(1);
+    expect(faultsOf("web/engine/host.ts", source)).toEqual([]);
+  });
+
   test("a folder that is no room is a fault, so that a new one gets its arrows", () => {
     expect(faultsOf("web/attic/old.ts", "")).toHaveLength(1);
   });
