@@ -87,9 +87,9 @@ describe("texelcast bake", () => {
 
   it("bakes a model whose texture cannot be read: the map does not hang on it", async () => {
     const broken = (await plainPng(48, 24, [1, 2, 3, 255])).slice(0, 40);
-    const { run, array } = await bakePlane([], planeGlb({ texture: broken }));
+    const { run, array } = await bakePlane(["--size", "8"], planeGlb({ texture: broken }));
     expect(run.code).toBe(0);
-    expect(array("coverage").shape).toEqual([24, 48]);
+    expect(array("coverage").shape).toEqual([8, 8]);
   });
 
   it("makes the output folder, with those above it, and writes over an older bake", async () => {
@@ -110,7 +110,7 @@ describe("texelcast bake", () => {
       ["--material", "2"],
       "--material: the model has no material 2, it has materials 0 to 1",
     ],
-    ["a material without triangles", ["--material", "1"], "no triangle"],
+    ["a material without triangles", ["--material", "1"], "plane.glb: No triangle uses"],
   ])("refuses %s with exit code 3 and writes nothing", async (_what, args, told) => {
     const { folder, run } = await bakePlane(args);
     expect(run.code).toBe(3);

@@ -33,11 +33,11 @@ export function planeDocument({ texture, withoutUvs = false, edit }: PlaneOption
     ...[-1, 0, -1, -1, 0, 1, 1, 0, 1, 1, 0, -1],
     ...[0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0],
     ...[0.25, 0.25, 0.25, 0.75, 0.75, 0.75, 0.75, 0.25],
-    ...[0, 1, 0, 0, 0, 0, 0, 1, 0],
+    ...[0, 1, 1, 1, 1, 1, 2, 1, 0],
   ]);
   const indices = new Uint16Array([0, 1, 2, 0, 2, 3]);
   const parts = [new Uint8Array(floats.buffer), new Uint8Array(indices.buffer), texture ?? new Uint8Array()];
-  const bin = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
+  const bin = new Uint8Array(padded(parts.reduce((sum, part) => sum + part.length, 0)));
   parts.reduce((at, part) => {
     bin.set(part, at);
     return at + part.length;
@@ -81,26 +81,30 @@ export function planeDocument({ texture, withoutUvs = false, edit }: PlaneOption
     ],
     ...(texture === undefined
       ? {}
-      : { textures: [{ source: 0 }], images: [{ bufferView: 2, mimeType: "image/png", name: "ground" }] }),
+      : { textures: [{ source: 0 }], images: [{ bufferView: 6, mimeType: "image/png", name: "ground" }] }),
     accessors: [
-      { bufferView: 0, byteOffset: 0, componentType: 5126, count: 4, type: "VEC3", min: [-1, 0, -1], max: [1, 0, 1] },
-      { bufferView: 0, byteOffset: 48, componentType: 5126, count: 4, type: "VEC3" },
-      { bufferView: 0, byteOffset: 96, componentType: 5126, count: 4, type: "VEC2" },
-      { bufferView: 1, componentType: 5123, count: 6, type: "SCALAR" },
-      { bufferView: 3, byteOffset: 0, componentType: 5126, count: 2, type: "SCALAR", min: [0], max: [1] },
-      { bufferView: 3, byteOffset: 12, componentType: 5126, count: 2, type: "VEC3" },
+      { bufferView: 0, componentType: 5126, count: 4, type: "VEC3", min: [-1, 0, -1], max: [1, 0, 1] },
+      { bufferView: 1, componentType: 5126, count: 4, type: "VEC3" },
+      { bufferView: 2, componentType: 5126, count: 4, type: "VEC2" },
+      { bufferView: 3, componentType: 5123, count: 6, type: "SCALAR" },
+      { bufferView: 4, componentType: 5126, count: 2, type: "SCALAR", min: [0], max: [1] },
+      { bufferView: 5, componentType: 5126, count: 2, type: "VEC3" },
     ],
-    bufferViews: [view(0, 128), view(164, 12), view(176, texture?.length ?? 1), view(128, 36)],
+    bufferViews: [
+      ...[view(0, 48), view(48, 48), view(96, 32), view(164, 12), view(128, 8), view(136, 24)],
+      ...(texture === undefined ? [] : [view(176, texture.length)]),
+    ],
     buffers: [{ byteLength: bin.length }],
   };
   edit?.(gltf);
   return { gltf, bin };
 }
 
+const padded = (length: number): number => Math.ceil(length / 4) * 4;
+
 /** A binary glTF 2.0 file: header, JSON chunk, binary chunk, each padded to four bytes. */
 export function packGlb(gltf: object, bin: Uint8Array): Uint8Array {
   const json = new TextEncoder().encode(JSON.stringify(gltf));
-  const padded = (length: number): number => Math.ceil(length / 4) * 4;
   const total = 12 + 8 + padded(json.length) + 8 + padded(bin.length);
   const glb = new Uint8Array(total);
   const words = new DataView(glb.buffer);

@@ -103,7 +103,7 @@ describe("texelcast render to .png", () => {
     ]);
     const run = await bench.render("--out", "out.png", "--size", "16");
     expect(run.stdout).toContain("2 layers");
-    expect(await bench.texel("out.png", 8, 8)).toEqual([0, 128, 127, 255]);
+    expect(await bench.texel("out.png", 8, 8)).toEqual([0, 128, 128, 255]);
   });
 
   it("writes the same bytes each time", async () => {
@@ -206,7 +206,7 @@ describe("what texelcast render refuses", () => {
       ["--material", "2"],
       "--material: the model has no material 2",
     ],
-    ["a material without triangles", [], ["--material", "1"], "no triangle"],
+    ["a material without triangles", [], ["--material", "1"], "plane.glb: No triangle uses"],
     ["a ground that is missing", [], ["--base", "ground.png"], "ground.png: there is no such file"],
     ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
     [
