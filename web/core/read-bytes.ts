@@ -9,11 +9,13 @@ export const inNode: boolean = typeof process !== "undefined" && typeof process.
  */
 export async function readBytes(address: URL | string, what: string): Promise<Uint8Array<ArrayBuffer>> {
   try {
-    if (inNode && (String(address).startsWith("file:") || !/^[a-z][a-z0-9+.-]+:/i.test(String(address)))) {
+    const text = String(address);
+    const isFileAddress = text.startsWith("file:");
+    if (inNode && (isFileAddress || !/^[a-z][a-z0-9+.-]+:/i.test(text))) {
       // Not a literal, so that a bundler for the browser does not try to follow it.
       const fileModule = "node:fs/promises";
       const files = (await import(/* @vite-ignore */ fileModule)) as typeof import("node:fs/promises");
-      return new Uint8Array(await files.readFile(address));
+      return new Uint8Array(await files.readFile(isFileAddress ? new URL(text) : text));
     }
     const response = await fetch(address);
     if (!response.ok) throw new Error(`the server answered ${response.status} ${response.statusText}`);
