@@ -25,8 +25,12 @@ export default defineConfig({
   },
   preview: { host: "localhost", port: 4173 },
   worker: { format: "es", rolldownOptions: { onLog: withoutNodeBranches } },
-  // They find their .wasm beside themselves, which pre-bundling would move.
-  optimizeDeps: { exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp"] },
+  optimizeDeps: {
+    // The worker's packages are found with the page's, not when it first runs, which would load the page again.
+    entries: [here("./web/app/index.html"), here("./web/engine/engine-worker.ts")],
+    // They find their .wasm beside themselves, which pre-bundling would move.
+    exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp"],
+  },
   build: {
     outDir: here("./build/site"),
     emptyOutDir: true,
