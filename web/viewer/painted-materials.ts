@@ -18,8 +18,6 @@ export class PaintedMaterials {
   readonly #bound = new Map<number, { info: TargetInfo; live: LiveTexture }>();
   /** Textures of targets that were replaced: shown until the new one has its first picture. */
   readonly #retired = new Map<number, LiveTexture>();
-  /** A target's first update may arrive before its binding; without it nothing would be shown until the next full one. */
-  readonly #early = new Map<number, TargetUpdate[]>();
 
   constructor(renderer: WebGLRenderer, scene: ModelScene) {
     this.#renderer = renderer;
@@ -48,17 +46,12 @@ export class PaintedMaterials {
         live: new LiveTexture(this.#renderer, info, this.#ownTexture(info.material)),
       });
     }
-    const early = this.#early.get(info.material) ?? [];
-    this.#early.delete(info.material);
-    for (const update of early) {
-      this.apply(update);
-    }
   }
 
+  /** Updates of a target that was not bound, or of one of another size, are left out. */
   apply(update: TargetUpdate): UploadCost {
     const bound = this.#bound.get(update.material);
     if (bound === undefined || !bound.live.fits(update)) {
-      this.#early.set(update.material, [...(this.#early.get(update.material) ?? []), update]);
       return { milliseconds: 0, bytes: 0 };
     }
     const begin = performance.now();
@@ -71,8 +64,13 @@ export class PaintedMaterials {
   /** After a lost context the GPU has forgotten every texel: storage is made anew, to be filled by full updates. */
   rebuild(): void {
     for (const [material, { info, live }] of this.#bound) {
+      const again = new LiveTexture(this.#renderer, info, this.#ownTexture(material));
+      this.#bound.set(material, { info, live: again });
+      // A frame that is drawn meanwhile must not bring the old texture's storage back.
+      if (this.#scene.materials.get(material)?.some((three) => three.map === live.texture)) {
+        this.#show(material, again);
+      }
       live.dispose();
-      this.#bound.set(material, { info, live: new LiveTexture(this.#renderer, info, this.#ownTexture(material)) });
     }
   }
 
@@ -85,7 +83,6 @@ export class PaintedMaterials {
     }
     this.#bound.clear();
     this.#retired.clear();
-    this.#early.clear();
   }
 
   #ownTexture(index: number): Texture | null {

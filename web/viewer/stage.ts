@@ -180,6 +180,8 @@ export class Stage {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
+    // A view that was built outside the document has its style from here on.
+    this.#readTheme();
     return true;
   }
 
@@ -233,9 +235,13 @@ export class Stage {
   }
 
   #updateTheme(): void {
+    this.#readTheme();
+    this.requestFrame();
+  }
+
+  #readTheme(): void {
     const value = Number.parseFloat(getComputedStyle(this.#root).getPropertyValue("--viewer-shadow"));
     this.#shadow.strength = Number.isFinite(value) ? value : 0.4;
-    this.requestFrame();
   }
 
   #listen<T extends EventTarget>(target: T, type: string, listener: (event: Event) => void): void {

@@ -1,5 +1,14 @@
 /** The 2D view: a material's unfolded texture, live, with UV outlines over it. */
+import { TexelcastError } from "../core/texelcast-error.ts";
+import type { MapView, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
+import { type CssColor, readCssColor } from "./css-color.ts";
+import { FrameTask } from "./frame-task.ts";
+import { PanZoomInput } from "./pan-zoom-input.ts";
+import { TextureCamera } from "./texture-camera.ts";
+import { type PaintedLines, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
+import { uvEdges } from "./uv-edges.ts";
 import type { TextureView } from "./viewer-api.ts";
+import { adoptViewerStyle } from "./viewer-style.ts";
 
 export interface TextureViewOptions {
   /** Accessible name of the view; default "Texture". */
@@ -8,7 +17,274 @@ export interface TextureViewOptions {
   readonly onNeedsFullUpdate?: (material: number) => void;
 }
 
-/** Builds a texture view that fills `host`, which must have a size of its own. */
+/** Builds a texture view that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
 export function createTextureView(host: HTMLElement, options: TextureViewOptions = {}): TextureView {
-  throw new Error(`The texture view "${options.label ?? ""}" in <${host.localName}> is being built.`);
+  return new GlTextureView(host, options);
+}
+
+const MOST_PIXEL_RATIO = 2;
+
+/** What is kept beside the GPU, to make it anew when its context was lost. */
+interface BoundTarget {
+  readonly info: TargetInfo;
+  readonly edges: { readonly borders: Float32Array; readonly inner: Float32Array };
+  texture: PaintedTexture;
+  borders: PaintedLines;
+  inner: PaintedLines;
+}
+
+interface MapPicture {
+  readonly width: number;
+  readonly height: number;
+  readonly rgba: Uint8Array;
+}
+
+class GlTextureView implements TextureView {
+  readonly element: HTMLElement;
+  readonly #canvas = document.createElement("canvas");
+  readonly #marker = document.createElement("div");
+  readonly #options: TextureViewOptions;
+  readonly #gl: WebGL2RenderingContext;
+  readonly #camera = new TextureCamera();
+  readonly #input: PanZoomInput;
+  readonly #resize: ResizeObserver;
+  readonly #drawTask = new FrameTask(() => this.#draw());
+  readonly #abort = new AbortController();
+  readonly #themeObserver = new MutationObserver(() => this.#readColors());
+  #painter: TexturePainter;
+  #target: BoundTarget | null = null;
+  #map: { readonly picture: MapPicture; texture: PaintedTexture } | null = null;
+  #outlines = true;
+  #markedUv: readonly [number, number] | null = null;
+  #pixelRatio = 1;
+  #colors: { checkerA: CssColor; checkerB: CssColor; border: CssColor; inner: CssColor } | null = null;
+
+  constructor(host: HTMLElement, options: TextureViewOptions) {
+    this.#options = options;
+    adoptViewerStyle(host);
+    const root = document.createElement("div");
+    root.className = "tcv-root tcv-texture";
+    root.tabIndex = 0;
+    root.setAttribute("role", "application");
+    root.setAttribute("aria-label", options.label ?? "Texture");
+    this.#canvas.className = "tcv-canvas";
+    this.#marker.className = "tcv-marker";
+    this.#marker.hidden = true;
+    root.append(this.#canvas, this.#marker);
+    host.append(root);
+    this.element = root;
+    this.#gl = contextOf(this.#canvas);
+    this.#painter = new TexturePainter(this.#gl);
+    this.#input = new PanZoomInput(root, this.#camera, {
+      changed: () => this.#drawTask.request(),
+      fit: () => this.resetZoom(),
+    });
+    this.#resize = new ResizeObserver(() => this.#applySize());
+    this.#resize.observe(root);
+    this.#watch();
+  }
+
+  bindTarget(info: TargetInfo, uvTriangles: Float32Array): void {
+    const before = this.#target;
+    const edges = uvEdges(uvTriangles);
+    const same =
+      before !== null &&
+      before.info.material === info.material &&
+      before.info.width === info.width &&
+      before.info.height === info.height &&
+      before.info.mipLevels === info.mipLevels;
+    if (before !== null) {
+      this.#freeLines(before);
+      if (!same) {
+        this.#painter.freeTexture(before.texture);
+      }
+    }
+    this.#target = {
+      info,
+      edges,
+      texture: same ? before.texture : this.#makeTexture(info),
+      borders: this.#painter.makeLines(edges.borders),
+      inner: this.#painter.makeLines(edges.inner),
+    };
+    this.#camera.setTexture(info);
+    this.#drawTask.request();
+  }
+
+  applyUpdate(update: TargetUpdate): void {
+    const target = this.#target;
+    if (target === null || target.info.material !== update.material || this.#gl.isContextLost()) {
+      return;
+    }
+    const { width, height } = target.info;
+    const fits = update.rects.every(
+      (rect) =>
+        rect.x + rect.width <= Math.max(1, width >> rect.level) &&
+        rect.y + rect.height <= Math.max(1, height >> rect.level),
+    );
+    if (fits) {
+      this.#painter.upload(target.texture, update);
+      this.#drawTask.request();
+    }
+  }
+
+  setMode(mode: "texture" | MapView, picture?: MapPicture): void {
+    if (this.#map !== null) {
+      this.#painter.freeTexture(this.#map.texture);
+      this.#map = null;
+    }
+    if (mode !== "texture" && picture !== undefined) {
+      this.#map = { picture, texture: this.#painter.makePicture(picture) };
+    }
+    this.#drawTask.request();
+  }
+
+  setOutlinesVisible(visible: boolean): void {
+    this.#outlines = visible;
+    this.#drawTask.request();
+  }
+
+  setMarker(uv: readonly [number, number] | null): void {
+    this.#markedUv = uv;
+    this.#placeMarker();
+  }
+
+  resetZoom(): void {
+    this.#camera.fit();
+    this.#drawTask.request();
+  }
+
+  dispose(): void {
+    this.#abort.abort();
+    this.#themeObserver.disconnect();
+    this.#resize.disconnect();
+    this.#input.dispose();
+    this.#drawTask.cancel();
+    this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
+    this.element.remove();
+  }
+
+  #draw(): void {
+    if (this.#gl.isContextLost()) {
+      return;
+    }
+    this.#painter.clear();
+    const target = this.#target;
+    if (target !== null && this.#pixelRatio > 0) {
+      this.#colors ??= this.#computeColors();
+      const { border, inner } = this.#colors;
+      this.#painter.drawPicture(
+        this.#map?.texture ?? target.texture,
+        this.#cameraFor(),
+        this.#colors,
+        this.#pixelRatio,
+      );
+      if (this.#outlines) {
+        this.#painter.drawLines(target.inner, inner, target.texture, this.#camera, this.#pixelRatio);
+        this.#painter.drawLines(target.borders, border, target.texture, this.#camera, this.#pixelRatio);
+      }
+    }
+    this.#placeMarker();
+  }
+
+  /** A map view of another size than the target covers the same ground. */
+  #cameraFor(): TextureCamera {
+    const map = this.#map?.texture;
+    const target = this.#target?.texture;
+    if (map === undefined || target === undefined || map.width === target.width) {
+      return this.#camera;
+    }
+    return Object.assign(new TextureCamera(), {
+      x: this.#camera.x,
+      y: this.#camera.y,
+      scale: (this.#camera.scale * target.width) / map.width,
+    });
+  }
+
+  #placeMarker(): void {
+    this.#marker.hidden = this.#markedUv === null || this.#target === null;
+    if (this.#markedUv !== null) {
+      const { x, y } = this.#camera.pixelOf(this.#markedUv);
+      this.#marker.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
+    }
+  }
+
+  #applySize(): void {
+    const width = this.element.clientWidth;
+    const height = this.element.clientHeight;
+    if (width === 0 || height === 0) {
+      return;
+    }
+    this.#pixelRatio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO);
+    this.#canvas.width = Math.round(width * this.#pixelRatio);
+    this.#canvas.height = Math.round(height * this.#pixelRatio);
+    this.#camera.setView({ width, height });
+    this.#colors = null;
+    // A canvas that was resized is empty until it is drawn again.
+    this.#draw();
+  }
+
+  #makeTexture(info: TargetInfo): PaintedTexture {
+    return this.#painter.makeTexture(info.width, info.height, Math.max(1, info.mipLevels));
+  }
+
+  #freeLines(target: BoundTarget): void {
+    this.#painter.freeLines(target.borders);
+    this.#painter.freeLines(target.inner);
+  }
+
+  #watch(): void {
+    const { signal } = this.#abort;
+    this.#canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
+    this.#canvas.addEventListener("webglcontextrestored", () => this.#restore(), { signal });
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#readColors(), { signal });
+    this.#themeObserver.observe(document.documentElement, {
+      attributes: true,
+      attributeFilter: ["class", "style", "data-theme"],
+    });
+  }
+
+  #restore(): void {
+    this.#painter = new TexturePainter(this.#gl);
+    const target = this.#target;
+    if (target !== null) {
+      target.texture = this.#makeTexture(target.info);
+      target.borders = this.#painter.makeLines(target.edges.borders);
+      target.inner = this.#painter.makeLines(target.edges.inner);
+      this.#options.onNeedsFullUpdate?.(target.info.material);
+    }
+    if (this.#map !== null) {
+      this.#map.texture = this.#painter.makePicture(this.#map.picture);
+    }
+    this.#drawTask.request();
+  }
+
+  #readColors(): void {
+    this.#colors = null;
+    this.#drawTask.request();
+  }
+
+  #computeColors() {
+    const border = readCssColor(this.element, "--viewer-outline", "var(--viewer-accent, rgb(61 126 255))");
+    const [red, green, blue, alpha] = border;
+    return {
+      checkerA: readCssColor(this.element, "--viewer-checker-a", "rgb(255 255 255)"),
+      checkerB: readCssColor(this.element, "--viewer-checker-b", "rgb(224 227 232)"),
+      border,
+      inner: [red, green, blue, alpha * 0.32] as const,
+    };
+  }
+}
+
+function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
+  const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, depth: false });
+  if (gl === null) {
+    throw new TexelcastError(
+      "unsupported",
+      "This browser cannot show the texture: WebGL 2 is switched off or missing.",
+      {
+        hint: "Switch on hardware acceleration in the browser's settings, or use another browser.",
+      },
+    );
+  }
+  return gl;
 }

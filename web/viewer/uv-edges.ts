@@ -1,0 +1,65 @@
+/** The lines of an unfolded mesh: chart borders, which one triangle has, told from inner edges, which two share. */
+
+export interface UvEdges {
+  /** Four numbers a line: u, v of both ends. */
+  readonly borders: Float32Array;
+  readonly inner: Float32Array;
+}
+
+/** UVs nearer than this are the same vertex: a quarter of a texel at the largest texture, 8192. */
+const GRID = 8192 * 4;
+
+/**
+ * @param uvTriangles six numbers a triangle, as the model has them: triangles that lie in another repeat of the texture
+ *   are brought back into [0, 1) as a whole
+ */
+export function uvEdges(uvTriangles: Float32Array): UvEdges {
+  const ends: number[] = [];
+  const uses: number[] = [];
+  const vertices = new Map<number, number>();
+  const edges = new Map<number, number>();
+  for (let triangle = 0; triangle + 5 < uvTriangles.length; triangle += 6) {
+    const corners = broughtBack(uvTriangles.subarray(triangle, triangle + 6));
+    for (let corner = 0; corner < 6; corner += 2) {
+      const [fromU, fromV] = [corners[corner] as number, corners[corner + 1] as number];
+      const [toU, toV] = [corners[(corner + 2) % 6] as number, corners[(corner + 3) % 6] as number];
+      const from = numberOf(vertices, gridKey(fromU, fromV));
+      const to = numberOf(vertices, gridKey(toU, toV));
+      // The same for both directions of an edge; numbers hold 2^26 vertices twice.
+      const edge = numberOf(edges, Math.min(from, to) * 2 ** 26 + Math.max(from, to));
+      if (edge === uses.length) {
+        ends.push(fromU, fromV, toU, toV);
+      }
+      uses[edge] = (uses[edge] ?? 0) + 1;
+    }
+  }
+  return { borders: linesOf(ends, uses, true), inner: linesOf(ends, uses, false) };
+}
+
+function linesOf(ends: readonly number[], uses: readonly number[], border: boolean): Float32Array {
+  const lines: number[] = [];
+  for (const [edge, use] of uses.entries()) {
+    if ((use === 1) === border) {
+      lines.push(...ends.slice(edge * 4, edge * 4 + 4));
+    }
+  }
+  return Float32Array.from(lines);
+}
+
+function broughtBack(corners: Float32Array): number[] {
+  const [u0, v0, u1, v1, u2, v2] = corners as unknown as [number, number, number, number, number, number];
+  const u = Math.floor((u0 + u1 + u2) / 3);
+  const v = Math.floor((v0 + v1 + v2) / 3);
+  return [u0 - u, v0 - v, u1 - u, v1 - v, u2 - u, v2 - v];
+}
+
+function gridKey(u: number, v: number): number {
+  return Math.round(u * GRID) * 2 ** 26 + Math.round(v * GRID);
+}
+
+/** The key's place in the order in which keys came. */
+function numberOf(known: Map<number, number>, key: number): number {
+  const number = known.get(key) ?? known.size;
+  known.set(key, number);
+  return number;
+}
