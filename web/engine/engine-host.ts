@@ -250,7 +250,13 @@ export class EngineHost implements Engine {
         const { memoryBudgetMib } = this.#options;
         this.#session = Session.create(core, memoryBudgetMib === undefined ? {} : { memoryBudgetMib });
       }
-      return await work(this.#session);
+      try {
+        return await work(this.#session);
+      } catch (error) {
+        // Work that was under way when the engine was ended fails on whatever it touched next.
+        this.#checkAlive();
+        throw error;
+      }
     });
     this.#line = result.catch(() => undefined);
     return result;
