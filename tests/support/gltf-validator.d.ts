@@ -7,7 +7,12 @@ declare module "gltf-validator" {
     readonly severity: number;
     readonly pointer?: string;
   }
-  export function validateBytes(
-    glb: Uint8Array,
-  ): Promise<{ readonly issues: { readonly messages: ValidationMessage[] } }>;
+  export interface ValidatedResource {
+    readonly pointer: string;
+    readonly image?: { readonly width: number; readonly height: number };
+  }
+  export function validateBytes(glb: Uint8Array): Promise<{
+    readonly issues: { readonly messages: ValidationMessage[] };
+    readonly info: { readonly resources: ValidatedResource[] };
+  }>;
 }
