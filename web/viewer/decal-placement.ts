@@ -12,7 +12,7 @@ import {
   uprightness,
 } from "./decal-pose.ts";
 import { DecalSlide } from "./decal-slide.ts";
-import type { SurfaceQuery } from "./surface-query.ts";
+import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
 
 /** The camera's axes in model space, unit. */
 export interface ViewAxes {
@@ -37,8 +37,14 @@ export function averagingRadius(query: SurfaceQuery, size: Vector3): number {
 }
 
 /** A surface point with its normal averaged as a decal of this size wants it. */
-export function smoothed(query: SurfaceQuery, place: SurfacePoint, size: Vector3): SurfacePoint {
+export function smoothed(query: SurfaceQuery, place: SurfaceSample, size: Vector3): SurfacePoint {
   return { position: place.position, normal: query.smoothNormal(place, averagingRadius(query, size)) };
+}
+
+/** The same for a point that may lie beside the surface: the normal is that of the surface nearest to it. */
+export function smoothedNear(query: SurfaceQuery, place: SurfacePoint, size: Vector3): SurfacePoint {
+  const nearest = query.closest(place.position);
+  return nearest === null ? place : { position: place.position, normal: smoothed(query, nearest, size).normal };
 }
 
 /**
@@ -56,7 +62,7 @@ export function placeOnSurface(
 ): DecalPose {
   const height = width / aspect;
   const size = new Vector3(width, height, USUAL_DEPTH * Math.max(width, height));
-  const { normal } = smoothed(query, place, size);
+  const { normal } = smoothedNear(query, place, size);
   const up = uprightness(normal) > LEVEL_BELOW ? UP_MODEL : levelUp(normal, view);
   const rotation = uprightFrame(normal, up) ?? new Quaternion();
   if (keep !== null) {
@@ -68,7 +74,7 @@ export function placeOnSurface(
 }
 
 /** The surface point beneath (or above) a box's centre along its own axis; the nearest one where the axis meets none. */
-export function footOf(query: SurfaceQuery, pose: DecalPose): SurfacePoint | null {
+export function footOf(query: SurfaceQuery, pose: DecalPose): SurfaceSample | null {
   const forward = axisOf(pose, 2);
   const origin = pose.position.clone().addScaledVector(forward, pose.size.z / 2);
   return query.raycast(origin, forward.negate(), pose.size.z) ?? query.closest(pose.position);

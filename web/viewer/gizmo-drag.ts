@@ -3,7 +3,7 @@ import { type Ray, Vector3 } from "three";
 import type { SizeLimits } from "./decal-handles.ts";
 import { deepenByHandle, type HandleSide, rotateByHandle, scaleByHandle } from "./decal-handles.ts";
 import { planeHit } from "./decal-picking.ts";
-import { smoothed } from "./decal-placement.ts";
+import { smoothed, smoothedNear } from "./decal-placement.ts";
 import { axisOf, type DecalPose, rollOf, type SurfacePoint, toLocal } from "./decal-pose.ts";
 import { DecalSlide } from "./decal-slide.ts";
 import type { HandleName } from "./gizmo-overlay.ts";
@@ -34,7 +34,7 @@ const SILHOUETTE = 0.25;
 
 /** Slides along the surface by the point that was grabbed, which may lie beside the model on the box's rectangle. */
 export function slideDrag(query: SurfaceQuery, start: DecalPose, grab: SurfacePoint): GizmoDrag {
-  const slide = new DecalSlide(start, smoothed(query, grab, start.size));
+  const slide = new DecalSlide(start, smoothedNear(query, grab, start.size));
   const lift = heightOver(query, start);
   let last = grab.position;
   let material: number | null = null;
@@ -84,7 +84,7 @@ export function rotateDrag(start: DecalPose, height: number, from: Ray): GizmoDr
   return {
     kind: "rotate",
     material: null,
-    readout: (pose) => `${Math.round((rollOf(pose.rotation) * 180) / Math.PI)}°`,
+    readout: (pose) => formatDegrees(rollOf(pose.rotation)),
     move({ ray, shift }) {
       const now = localHit(start, height, ray);
       if (begin === null || now === null) {
@@ -107,6 +107,10 @@ export function depthDrag(start: DecalPose, from: Ray, limits: SizeLimits): Gizm
       return begin === null || now === null ? null : deepenByHandle(start, now - begin, limits);
     },
   };
+}
+
+function formatDegrees(radians: number): string {
+  return `${Math.round((radians * 180) / Math.PI)}°`.replace("-", "−");
 }
 
 /** "8.2 × 4.1 cm": one unit for all, the one that gives the largest a readable number. */

@@ -3,6 +3,7 @@ import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Sphere, Triangle, Vec
 import { type HitPointInfo, MeshBVH } from "three-mesh-bvh";
 import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
 import { DOUBLE_SIDED, FACETED, type RestingSurface } from "./resting-surface.ts";
+import { shellsOf } from "./surface-shells.ts";
 
 /** A point of the surface with what lies there; `distance` from the question's origin, metres. */
 export interface SurfaceSample extends SurfacePoint {
@@ -29,12 +30,14 @@ const AVERAGING_OFFSETS: readonly Vector3[] = [
 export class SurfaceQuery {
   readonly #surface: RestingSurface;
   readonly #bvh: MeshBVH | null;
+  readonly #shells: Uint32Array;
   readonly #ray = new Ray();
   readonly #triangle = new Triangle();
   readonly bounds = new Sphere();
 
   constructor(surface: RestingSurface) {
     this.#surface = surface;
+    this.#shells = shellsOf(surface);
     if (surface.index.length === 0) {
       this.#bvh = null;
       return;
@@ -93,16 +96,18 @@ export class SurfaceQuery {
 
   /**
    * The normal averaged over about `radius` metres around a surface point: steady on bumpy surfaces, and a function of
-   * the place alone. Surfaces that look the other way (the inside of a thin wall) do not count.
+   * the place alone. Surfaces that look the other way (the inside of a thin wall) do not count, nor do other parts of
+   * the model (the chin over a shirt).
    */
-  smoothNormal(place: SurfacePoint, radius: number): Vector3 {
+  smoothNormal(place: SurfaceSample, radius: number): Vector3 {
     const frame = minimalRotation(new Vector3(0, 0, 1), place.normal);
+    const shell = this.#shells[place.triangle];
     const total = place.normal.clone();
     const point = new Vector3();
     for (const offset of AVERAGING_OFFSETS) {
       point.copy(offset).multiplyScalar(radius).applyQuaternion(frame).add(place.position);
       const near = this.closest(point, radius * 1.5);
-      if (near !== null && near.normal.dot(place.normal) > -0.25) {
+      if (near !== null && this.#shells[near.triangle] === shell && near.normal.dot(place.normal) > -0.25) {
         total.add(near.normal);
       }
     }

@@ -6,7 +6,7 @@ import { FrameTask } from "./frame-task.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
 import { TextureCamera } from "./texture-camera.ts";
 import { type PaintedLines, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
-import { uvEdges } from "./uv-edges.ts";
+import { meanLength, uvEdges } from "./uv-edges.ts";
 import type { TextureView } from "./viewer-api.ts";
 import { adoptViewerStyle } from "./viewer-style.ts";
 
@@ -23,6 +23,9 @@ export function createTextureView(host: HTMLElement, options: TextureViewOptions
 }
 
 const MOST_PIXEL_RATIO = 2;
+/** Opacity of inner lines against borders, where they are this many pixels long on average, or longer. */
+const MOST_INNER_STRENGTH = 0.4;
+const LINES_APART = 40;
 
 /** What is kept beside the GPU, to make it anew when its context was lost. */
 interface BoundTarget {
@@ -31,6 +34,8 @@ interface BoundTarget {
   texture: PaintedTexture;
   borders: PaintedLines;
   inner: PaintedLines;
+  /** Of the inner lines, in texture widths. */
+  readonly meanLength: number;
 }
 
 interface MapPicture {
@@ -57,7 +62,7 @@ class GlTextureView implements TextureView {
   #outlines = true;
   #markedUv: readonly [number, number] | null = null;
   #pixelRatio = 1;
-  #colors: { checkerA: CssColor; checkerB: CssColor; border: CssColor; inner: CssColor } | null = null;
+  #colors: { checkerA: CssColor; checkerB: CssColor; border: CssColor } | null = null;
 
   constructor(host: HTMLElement, options: TextureViewOptions) {
     this.#options = options;
@@ -105,6 +110,7 @@ class GlTextureView implements TextureView {
       texture: same ? before.texture : this.#makeTexture(info),
       borders: this.#painter.makeLines(edges.borders),
       inner: this.#painter.makeLines(edges.inner),
+      meanLength: meanLength(edges.inner),
     };
     this.#camera.setTexture(info);
     this.#drawTask.request();
@@ -171,7 +177,7 @@ class GlTextureView implements TextureView {
     const target = this.#target;
     if (target !== null && this.#pixelRatio > 0) {
       this.#colors ??= this.#computeColors();
-      const { border, inner } = this.#colors;
+      const { border } = this.#colors;
       this.#painter.drawPicture(
         this.#map?.texture ?? target.texture,
         this.#cameraFor(),
@@ -179,11 +185,18 @@ class GlTextureView implements TextureView {
         this.#pixelRatio,
       );
       if (this.#outlines) {
+        const inner = [border[0], border[1], border[2], border[3] * this.#innerStrength(target)] as const;
         this.#painter.drawLines(target.inner, inner, target.texture, this.#camera, this.#pixelRatio);
         this.#painter.drawLines(target.borders, border, target.texture, this.#camera, this.#pixelRatio);
       }
     }
     this.#placeMarker();
+  }
+
+  /** Lines that lie close together on the screen would add up to a sheet over the picture. */
+  #innerStrength(target: BoundTarget): number {
+    const pixels = target.meanLength * target.info.width * this.#camera.scale;
+    return MOST_INNER_STRENGTH * Math.min(1, Math.max(0.15, pixels / LINES_APART));
   }
 
   /** A map view of another size than the target covers the same ground. */
@@ -264,13 +277,10 @@ class GlTextureView implements TextureView {
   }
 
   #computeColors() {
-    const border = readCssColor(this.element, "--viewer-outline", "var(--viewer-accent, rgb(61 126 255))");
-    const [red, green, blue, alpha] = border;
     return {
       checkerA: readCssColor(this.element, "--viewer-checker-a", "rgb(255 255 255)"),
       checkerB: readCssColor(this.element, "--viewer-checker-b", "rgb(224 227 232)"),
-      border,
-      inner: [red, green, blue, alpha * 0.32] as const,
+      border: readCssColor(this.element, "--viewer-outline", "var(--viewer-accent, rgb(61 126 255))"),
     };
   }
 }

@@ -6,6 +6,16 @@ export interface UvEdges {
   readonly inner: Float32Array;
 }
 
+/** Mean length of lines, in texture widths; 0 without any. */
+export function meanLength(lines: Float32Array): number {
+  let total = 0;
+  for (let line = 0; line < lines.length; line += 4) {
+    const [u0, v0, u1, v1] = lines.subarray(line, line + 4) as unknown as [number, number, number, number];
+    total += Math.hypot(u1 - u0, v1 - v0);
+  }
+  return lines.length === 0 ? 0 : total / (lines.length / 4);
+}
+
 /** UVs nearer than this are the same vertex: a quarter of a texel at the largest texture, 8192. */
 const GRID = 8192 * 4;
 

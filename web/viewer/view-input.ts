@@ -75,7 +75,6 @@ export class ViewInput {
     if (event === this.#passOn) {
       return;
     }
-    this.#root.focus({ preventScroll: true });
     if (this.#dragPointer !== null || this.#press?.grab) {
       this.#onSecondPointer(event);
       return;

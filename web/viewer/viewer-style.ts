@@ -33,11 +33,11 @@ const STYLE = /* css */ `
 .tcv-handle { pointer-events: all; transition: opacity 120ms; }
 .tcv-handle[data-hidden] { opacity: 0.4; }
 .tcv-hit { fill: transparent; }
-.tcv-mark { fill: var(--tcv-on-accent); stroke: var(--tcv-accent); stroke-width: 1.75; transition: transform 120ms ease-out; }
-.tcv-mark-shadow { fill: rgb(10 14 24 / 0.28); }
-.tcv-handle:hover .tcv-mark, .tcv-handle[data-active] .tcv-mark { fill: var(--tcv-accent); stroke: var(--tcv-on-accent); transform: scale(1.2); }
+.tcv-overlay .tcv-mark { fill: var(--tcv-on-accent); stroke: var(--tcv-accent); stroke-width: 1.75; transition: transform 120ms ease-out; }
+.tcv-mark-shadow { fill: rgb(10 14 24 / 0.22); }
+.tcv-overlay .tcv-handle:hover .tcv-mark, .tcv-overlay .tcv-handle[data-active] .tcv-mark { fill: var(--tcv-accent); stroke: var(--tcv-on-accent); transform: scale(1.2); }
 .tcv-overlay .tcv-glyph { stroke: var(--tcv-accent); stroke-width: 1.5; pointer-events: none; }
-.tcv-handle:hover .tcv-glyph, .tcv-handle[data-active] .tcv-glyph { stroke: var(--tcv-on-accent); }
+.tcv-overlay .tcv-handle:hover .tcv-glyph, .tcv-overlay .tcv-handle[data-active] .tcv-glyph { stroke: var(--tcv-on-accent); }
 
 .tcv-root[data-cursor="move"] { cursor: move; }
 .tcv-root[data-cursor="orbit"] { cursor: grab; }
