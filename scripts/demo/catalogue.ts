@@ -108,9 +108,9 @@ export const DEMO_MODELS: readonly DemoModel[] = [
         id: "waves",
         name: "Waves",
         decal: "waves",
-        position: [0, 0.075, -0.02],
+        position: [0, 0.069, -0.02],
         rotation: slanted(TO_FRONT, 180),
-        size: [0.3, 0.15, 0.16],
+        size: [0.3, 0.15, 0.18],
       },
       {
         id: "sunburst",

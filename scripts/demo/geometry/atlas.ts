@@ -71,7 +71,7 @@ export function placedChart(atlas: Atlas, name: string): PlacedChart {
 }
 
 /** Where a point of a chart's pattern lies on the texture, texels. */
-export function flatToTexel(placed: PlacedChart, flat: Vec2): Vec2 {
+function flatToTexel(placed: PlacedChart, flat: Vec2): Vec2 {
   return [
     placed.x + (flat[0] - placed.flatMin[0]) * placed.texelsPerMetre,
     placed.y + (flat[1] - placed.flatMin[1]) * placed.texelsPerMetre,

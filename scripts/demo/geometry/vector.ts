@@ -50,22 +50,3 @@ export function rotate(q: Quaternion, v: Vec3): Vec3 {
   const t = scale(cross(axis, v), 2);
   return add(add(v, scale(t, q[3])), cross(axis, t));
 }
-
-/** The rotation whose columns are the given right-handed orthonormal axes. */
-export function quaternionFromAxes(x: Vec3, y: Vec3, z: Vec3): Quaternion {
-  const trace = x[0] + y[1] + z[2];
-  if (trace > 0) {
-    const s = Math.sqrt(trace + 1) * 2;
-    return [(y[2] - z[1]) / s, (z[0] - x[2]) / s, (x[1] - y[0]) / s, s / 4];
-  }
-  if (x[0] > y[1] && x[0] > z[2]) {
-    const s = Math.sqrt(1 + x[0] - y[1] - z[2]) * 2;
-    return [s / 4, (y[0] + x[1]) / s, (z[0] + x[2]) / s, (y[2] - z[1]) / s];
-  }
-  if (y[1] > z[2]) {
-    const s = Math.sqrt(1 + y[1] - x[0] - z[2]) * 2;
-    return [(y[0] + x[1]) / s, s / 4, (z[1] + y[2]) / s, (z[0] - x[2]) / s];
-  }
-  const s = Math.sqrt(1 + z[2] - x[0] - y[1]) * 2;
-  return [(z[0] + x[2]) / s, (z[1] + y[2]) / s, s / 4, (x[1] - y[0]) / s];
-}

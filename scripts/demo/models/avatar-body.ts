@@ -171,7 +171,7 @@ function sideParts(side: "Left" | "Right"): AvatarPart[] {
       centre: at(0.318, 1.06, 0),
       joint: `${side}UpperArm`,
       bends: `${side}Forearm`,
-      density: 0.8,
+      density: 1,
       steps: 4,
     },
     {
@@ -191,7 +191,7 @@ function sideParts(side: "Left" | "Right"): AvatarPart[] {
       centre: at(0.108, 0.462, 0),
       joint: `${side}Thigh`,
       bends: `${side}Shin`,
-      density: 0.9,
+      density: 1.2,
       steps: 4,
     },
     {
@@ -206,7 +206,7 @@ function sideParts(side: "Left" | "Right"): AvatarPart[] {
   ];
 }
 
-export const AVATAR_PARTS: readonly AvatarPart[] = [...CENTRAL_PARTS, ...sideParts("Left"), ...sideParts("Right")];
+const AVATAR_PARTS: readonly AvatarPart[] = [...CENTRAL_PARTS, ...sideParts("Left"), ...sideParts("Right")];
 
 export function avatarCharts(): BoundChart[] {
   return AVATAR_PARTS.flatMap((part) => partCharts(part));

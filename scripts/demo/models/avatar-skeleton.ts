@@ -53,7 +53,7 @@ export const PARENTS: Readonly<Record<JointName, JointName | null>> = {
 };
 
 /** How far the arms are held away from the body at rest. */
-export const ARM_TILT: number = (11 * Math.PI) / 180;
+const ARM_TILT = (11 * Math.PI) / 180;
 
 /** Where the joints lie in the model while the arms hang straight; parts are built in that position. */
 export const STRAIGHT_JOINTS: Readonly<Record<JointName, Vec3>> = {

@@ -9,7 +9,7 @@ import { paintAvatar } from "./avatar-look.ts";
 import { inverseBindMatrix, JOINT_NAMES, type JointName, jointPlaces, PARENTS, REST_POSE } from "./avatar-skeleton.ts";
 import { WALK_KEYS, WALK_SECONDS, walkPose } from "./avatar-walk.ts";
 
-export function avatarAtlas(bound: readonly BoundChart[]): Atlas {
+function avatarAtlas(bound: readonly BoundChart[]): Atlas {
   return layOutCharts(
     bound.map(({ chart }) => chart),
     { width: 1024, height: 1024, spacing: 6 },

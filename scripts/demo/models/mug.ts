@@ -33,7 +33,7 @@ const GROOVE = 4;
 const INNER_RIM = 7;
 const INNER_FILLET = 8;
 
-export function mugCharts(): Chart[] {
+function mugCharts(): Chart[] {
   const corners = SECTION.map(({ x, y, radius, steps }) => ({
     x: x * MM,
     y: y * MM,
@@ -110,7 +110,7 @@ function footSpread(distance: number): number {
   return FOOT * (1 - Math.sqrt(Math.max(0, 1 - rest * rest)));
 }
 
-export function mugAtlas(): Atlas {
+function mugAtlas(): Atlas {
   return layOutCharts(mugCharts(), { width: 2048, height: 2048, spacing: 12 });
 }
 
@@ -119,7 +119,7 @@ const INNER_GLAZE = "#dd5a41";
 const CLAY = "#d9c9b1";
 
 /** Off-white glaze with fine specks of iron, a coloured glaze inside, bare clay under the foot. */
-export function paintMug(atlas: Atlas): Promise<Picture> {
+function paintMug(atlas: Atlas): Promise<Picture> {
   return paintAtlas(atlas, {
     background: GLAZE,
     definitions: `<linearGradient id="glaze" x1="0" y1="0" x2="0" y2="1">
@@ -177,6 +177,3 @@ export async function buildMug(): Promise<Uint8Array<ArrayBuffer>> {
   document.createScene("Mug").addChild(document.createNode("Mug").setMesh(mesh));
   return writeGlb(document);
 }
-
-/** The outer wall, for placing decals: radius in metres about the Y axis. */
-export const MUG_WALL_RADIUS: number = BODY_RADIUS;

@@ -8,8 +8,8 @@ import { superellipse } from "../geometry/sweep.ts";
 import { mix, smoothstep, type Vec2, type Vec3 } from "../geometry/vector.ts";
 
 const MM = 0.001;
-export const DECK_LENGTH = 808 * MM;
-export const DECK_WIDTH = 205 * MM;
+const DECK_LENGTH = 808 * MM;
+const DECK_WIDTH = 205 * MM;
 export const DECK_THICKNESS = 11 * MM;
 const EDGE_RADIUS = 2.6 * MM;
 const CONCAVE = 8 * MM;

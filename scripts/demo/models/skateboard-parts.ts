@@ -8,8 +8,7 @@ import { mix, type Quaternion, quaternionAbout, rotate, type Vec3 } from "../geo
 
 const MM = 0.001;
 /** From the deck's underside to the axle. */
-export const AXLE_HEIGHT = 50 * MM;
-const WHEEL_RADIUS = 27 * MM;
+const AXLE_HEIGHT = 50 * MM;
 const WHEEL_CENTRE = 84 * MM;
 
 /** A closed body turned about an axis, from corners in millimetres (x = radius, y = along the axis). */
@@ -171,5 +170,3 @@ export function gripBolts(inner: 1 | -1, centre: Vec3): Chart[] {
     ),
   );
 }
-
-export const WHEEL_DIAMETER: number = 2 * WHEEL_RADIUS;

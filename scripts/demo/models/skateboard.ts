@@ -8,19 +8,19 @@ import { fractalNoise, valueNoise } from "../picture/noise.ts";
 import { fillBox, fillChart, paintAtlas } from "../picture/paint-atlas.ts";
 import { encodePng } from "../picture/png.ts";
 import type { Picture } from "../picture/svg.ts";
-import { DECK_LENGTH, DECK_THICKNESS, deckCharts } from "./skateboard-deck.ts";
+import { DECK_THICKNESS, deckCharts } from "./skateboard-deck.ts";
 import { gripBolts, truckBushings, truckMetal, truckWheels } from "./skateboard-parts.ts";
 
 const TRUCK_DISTANCE = 0.19;
 
-export interface SkateboardCharts {
+interface SkateboardCharts {
   readonly deck: readonly Chart[];
   readonly wheels: readonly Chart[];
   readonly metal: readonly Chart[];
   readonly bushings: readonly Chart[];
 }
 
-export function skateboardCharts(): SkateboardCharts {
+function skateboardCharts(): SkateboardCharts {
   const deck = deckCharts();
   const lowest = Math.min(...deck.flatMap((chart) => chart.positions.map((position) => position[1])));
   const stand = (charts: readonly Chart[]): Chart[] => charts.map((chart) => placeChart(chart, [0, -lowest, 0]));
@@ -40,23 +40,16 @@ export function skateboardCharts(): SkateboardCharts {
   };
 }
 
-/** Height of the middle of the board above the ground, metres. */
-export function skateboardCentreHeight(charts: SkateboardCharts): number {
-  const graphic = charts.deck[0] as Chart;
-  const ys = graphic.positions.map((position) => position[1]);
-  return (Math.min(...ys) + Math.max(...ys)) / 2;
-}
-
-export function deckAtlas(charts: SkateboardCharts): Atlas {
+function deckAtlas(charts: SkateboardCharts): Atlas {
   return layOutCharts(charts.deck, { width: 1024, height: 2048, spacing: 10 });
 }
 
-export function wheelAtlas(charts: SkateboardCharts): Atlas {
+function wheelAtlas(charts: SkateboardCharts): Atlas {
   return layOutCharts(charts.wheels, { width: 1024, height: 1024, spacing: 8 });
 }
 
 /** Maple veneer, black grip tape with grain, and the glued plies on the edge, two of them dyed. */
-export async function paintDeck(atlas: Atlas): Promise<Picture> {
+async function paintDeck(atlas: Atlas): Promise<Picture> {
   const plies = ["#d9b27c", "#c4955c", "#e3c28f", "#1f7f86", "#e3c28f", "#c4955c", "#de5b43", "#dcb784"];
   const picture = await paintAtlas(atlas, {
     background: "#d8b07a",
@@ -106,7 +99,8 @@ function paintWood(picture: Picture, placed: PlacedChart, margin: number): void 
     const lateWood = smoothstep(0.35, 0.92, phase) * (1 - smoothstep(0.92, 1, phase));
     const fibre = 0.5 * valueNoise(x * 1500, y * 14, 5) + 0.5 * valueNoise(x * 700, y * 6, 7);
     const tone = 0.16 + 0.34 * lateWood + 0.1 * fibre + 0.12 * fractalNoise(x * 3, y * 1.2, 2, 9);
-    const share = Math.min(1, Math.max(0, tone));
+    // Steps of about two levels of eight bits: not seen under the grain, and the file is a third smaller.
+    const share = Math.round(Math.min(1, Math.max(0, tone)) * 32) / 32;
     return [mix(light[0], dark[0], share), mix(light[1], dark[1], share), mix(light[2], dark[2], share)];
   });
 }
@@ -114,14 +108,14 @@ function paintWood(picture: Picture, placed: PlacedChart, margin: number): void 
 function paintGrip(picture: Picture, placed: PlacedChart, margin: number): void {
   paintTexels(picture, placed, margin, (x, y) => {
     const grain = valueNoise(x * 1400, y * 1400, 3);
-    // Few levels: grain without making the file large.
-    const level = 29 + 5 * Math.round(1.6 * grain);
-    return [level, level, level + 1];
+    // Three greys and no more: grain is noise, which a PNG can hardly compress.
+    const level = 29 + 8 * Math.round(1.2 * grain);
+    return [level, level, level];
   });
 }
 
 /** Roughness in green, metalness (none) in blue: lacquered graphic, matte plies, coarse grip. */
-export function paintDeckSurface(atlas: Atlas): Promise<Picture> {
+function paintDeckSurface(atlas: Atlas): Promise<Picture> {
   return paintAtlas(atlas, {
     background: "rgb(255,110,0)",
     outputWidth: 128,
@@ -169,5 +163,3 @@ export async function buildSkateboard(): Promise<Uint8Array<ArrayBuffer>> {
   document.createScene("Skateboard").addChild(document.createNode("Skateboard").setMesh(mesh));
   return writeGlb(document);
 }
-
-export const SKATEBOARD_LENGTH: number = DECK_LENGTH;

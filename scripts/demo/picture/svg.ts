@@ -14,7 +14,7 @@ export interface Picture {
 let started: Promise<void> | undefined;
 
 /** Loads the renderer; once is enough, and more does no harm. */
-export function startRenderer(): Promise<void> {
+function startRenderer(): Promise<void> {
   started ??= (async () => {
     const require = createRequire(import.meta.url);
     await initWasm(await readFile(require.resolve("@resvg/resvg-wasm/index_bg.wasm")));
