@@ -8,7 +8,7 @@ function(texelcast_compile_options target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -ffp-contract=off
                                              $<$<BOOL:${TEXELCAST_WARNINGS_AS_ERRORS}>:-Werror>)
     if(EMSCRIPTEN)
-        target_compile_options(${target} PRIVATE -O3 -msimd128 -mbulk-memory -fno-exceptions -fno-rtti)
+        target_compile_options(${target} PRIVATE -O3 -msimd128 -mbulk-memory -mnontrapping-fptoint -fno-exceptions -fno-rtti)
     elseif(TEXELCAST_SANITIZE)
         target_compile_options(${target} PRIVATE -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined
                                                  -fno-sanitize-recover=all)

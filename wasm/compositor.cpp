@@ -25,66 +25,60 @@ const std::uint8_t* base_texel(const Target& target, std::uint32_t x, std::uint3
     return target.base.rgba.data() + (static_cast<std::size_t>(y) * target.def.width + x) * 4;
 }
 
-void blend_tile(const Layer& layer, const std::uint16_t* texels, const TileArea& area, Backdrop* backdrops) {
-    const float opacity = layer.def.opacity;
+void blend_fill(const Layer& layer, Float4* backdrops) {
+    const float alpha = layer.def.color[3] * layer.def.opacity * 255.0f;
+    const Float4 source = Float4{layer.def.color[0], layer.def.color[1], layer.def.color[2], 1.0f} * splat(alpha);
     const auto blend = layer.def.lock_alpha != 0 ? blend_locked : blend_normal;
-    const float to_byte_scale = opacity * (255.0f / kFullScale);
-    float fill[4];
-    for (int c = 0; c < 3; ++c) fill[c] = layer.def.color[c] * layer.def.color[3] * opacity * 255.0f;
-    fill[3] = layer.def.color[3] * opacity * 255.0f;
-    for (std::uint32_t y = 0; y < area.height; ++y) {
-        for (std::uint32_t x = 0; x < area.width; ++x) {
-            Backdrop& backdrop = backdrops[y * kTileSize + x];
-            if (texels == nullptr) {
-                blend(fill, backdrop);
-                continue;
-            }
-            const std::uint16_t* texel = texels + (y * kTileSize + x) * 4;
-            if (texel[3] == 0) continue;
-            float source[4];
-            for (int c = 0; c < 4; ++c) source[c] = static_cast<float>(texel[c]) * to_byte_scale;
-            blend(source, backdrop);
-        }
+    for (std::uint32_t t = 0; t < kTileTexels; ++t) blend(source, backdrops[t]);
+}
+
+template <void (*kBlend)(Float4, Float4&)>
+void blend_texels(const std::uint16_t* texels, float opacity, Float4* backdrops) {
+    const Float4 scale = splat(opacity * (255.0f / kFullScale));
+    for (std::uint32_t t = 0; t < kTileTexels; ++t) {
+        if (texels[t * 4 + 3] == 0) continue;
+        kBlend(load_ushort4(texels + t * 4) * scale, backdrops[t]);
     }
 }
 
-std::uint8_t round_byte(float value) { return static_cast<std::uint8_t>(std::min(value + 0.5f, 255.0f)); }
+Float4 load_bytes(const std::uint8_t* from) {
+    return Float4{static_cast<float>(from[0]), static_cast<float>(from[1]), static_cast<float>(from[2]),
+                  static_cast<float>(from[3])};
+}
+
+void store_rounded_bytes(std::uint8_t* to, Float4 color) {
+    const Int4 rounded = __builtin_convertvector(color + splat(0.5f), Int4);
+    for (int c = 0; c < 4; ++c) to[c] = static_cast<std::uint8_t>(std::min(rounded[c], 255));
+}
 
 /// Writes one tile of level 0. Returns whether any byte changed.
 bool composite_tile(Target& target, const std::vector<const Layer*>& layers, std::uint32_t tile) {
     const TileArea area = tile_area(target, tile);
-    std::uint8_t bytes[kTileTexels * 4];
+    std::uint8_t bytes[kTileTexels * 4] = {};  // texels beyond the target's edge stay 0 and are dropped
     for (std::uint32_t y = 0; y < area.height; ++y) {
         for (std::uint32_t x = 0; x < area.width; ++x)
             std::memcpy(bytes + (y * kTileSize + x) * 4, base_texel(target, area.x + x, area.y + y), 4);
     }
-    Backdrop backdrops[kTileTexels];
+    Float4 backdrops[kTileTexels];
     bool touched = false;
     for (const Layer* layer : layers) {
-        const std::uint16_t* texels = nullptr;
-        if (layer->def.kind == TXC_LAYER_DECAL) {
-            texels = layer->tiles.find(tile);
-            if (texels == nullptr) continue;
-        }
+        const bool is_fill = layer->def.kind == TXC_LAYER_FILL;
+        const std::uint16_t* texels = is_fill ? nullptr : layer->tiles.find(tile);
+        if (!is_fill && texels == nullptr) continue;
         if (!touched) {
-            for (std::uint32_t t = 0; t < kTileTexels; ++t) {
-                for (int c = 0; c < 3; ++c)
-                    backdrops[t].color[c] = static_cast<float>(bytes[t * 4 + static_cast<std::uint32_t>(c)]);
-                backdrops[t].alpha = static_cast<float>(bytes[t * 4 + 3]);
-            }
+            for (std::uint32_t t = 0; t < kTileTexels; ++t) backdrops[t] = load_bytes(bytes + t * 4);
             touched = true;
         }
-        blend_tile(*layer, texels, area, backdrops);
+        if (is_fill) {
+            blend_fill(*layer, backdrops);
+        } else if (layer->def.lock_alpha != 0) {
+            blend_texels<blend_locked>(texels, layer->def.opacity, backdrops);
+        } else {
+            blend_texels<blend_normal>(texels, layer->def.opacity, backdrops);
+        }
     }
     if (touched) {
-        for (std::uint32_t y = 0; y < area.height; ++y) {
-            for (std::uint32_t x = 0; x < area.width; ++x) {
-                const Backdrop& backdrop = backdrops[y * kTileSize + x];
-                std::uint8_t* to = bytes + (y * kTileSize + x) * 4;
-                for (int c = 0; c < 3; ++c) to[c] = round_byte(backdrop.color[c]);
-                to[3] = round_byte(backdrop.alpha);
-            }
-        }
+        for (std::uint32_t t = 0; t < kTileTexels; ++t) store_rounded_bytes(bytes + t * 4, backdrops[t]);
     }
     bool changed = false;
     for (std::uint32_t y = 0; y < area.height; ++y) {

@@ -9,7 +9,7 @@ namespace {
 constexpr int kEdgeSamples = 8;  // as the reference has: edges are few, so they may cost
 constexpr int kMaxSamples = 32;  // along one axis: grazing triangles stretch the footprint without end
 // The shorter axis on the chosen level stays below this. Against the reference pictures 3 gives 43 dB at the worst, 5
-// gives what no pyramid at all gives there (49 dB).
+// gives 45 dB, no pyramid at all 49 dB and four times the samples at 8 x minification.
 constexpr float kFinestPixels = 5.0f;
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
@@ -19,28 +19,6 @@ float length(float x, float y) { return std::sqrt(x * x + y * y); }
 int sample_count(float pixels) {
     if (pixels <= 0.5f) return 1;
     return std::min(kMaxSamples, std::max(2, static_cast<int>(std::ceil(pixels * (4.0f / 3.0f)))));
-}
-
-std::uint32_t clamp_level(const ImagePyramid& image, std::uint32_t level) {
-    return std::min(level, static_cast<std::uint32_t>(image.levels.size() - 1));
-}
-
-// The reach of the parallelogram's lattice, written once for both kinds: visit(x, y) for each of n x m sample points.
-template <typename Visit>
-void for_each_sample(const Footprint& f, int across, int down, float x, float y, Visit&& visit) {
-    const float across_step = 1.0f / static_cast<float>(across);
-    const float down_step = 1.0f / static_cast<float>(down);
-    for (int j = 0; j < down; ++j) {
-        const float v = (static_cast<float>(j) + 0.5f) * down_step - 0.5f;
-        for (int i = 0; i < across; ++i) {
-            const float u = (static_cast<float>(i) + 0.5f) * across_step - 0.5f;
-            visit(x + (f.across_x * u + f.down_x * v), y + (f.across_y * u + f.down_y * v));
-        }
-    }
-}
-
-void scale(PyramidColor& color, float by) {
-    for (float& channel : color.channel) channel *= by;
 }
 
 }  // namespace
@@ -68,35 +46,65 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     f.level = level;
     f.across_samples = sample_count(across / pixel);
     f.down_samples = sample_count(down / pixel);
+    const PyramidLevel& on = image.levels[level];
+    f.across_step_x = across_x * on.scale_x / static_cast<float>(f.across_samples);
+    f.across_step_y = across_y * on.scale_y / static_cast<float>(f.across_samples);
+    f.down_step_x = down_x * on.scale_x / static_cast<float>(f.down_samples);
+    f.down_step_y = down_y * on.scale_y / static_cast<float>(f.down_samples);
+    f.first_x = -0.5f * (f.across_step_x * static_cast<float>(f.across_samples - 1) +
+                         f.down_step_x * static_cast<float>(f.down_samples - 1)) -
+                0.5f;
+    f.first_y = -0.5f * (f.across_step_y * static_cast<float>(f.across_samples - 1) +
+                         f.down_step_y * static_cast<float>(f.down_samples - 1)) -
+                0.5f;
+    // All four pixels of every sample must exist, half a pixel of the level around it, and a little for rounding.
+    f.inset_x = f.reach_x + 0.51f / on.scale_x;
+    f.inset_y = f.reach_y + 0.51f / on.scale_y;
     // At the edge the samples stand 1/8 of the footprint apart; a level whose pixels are no larger than that is enough.
     std::uint32_t edge_level = 0;
-    while (longer >= static_cast<float>(2 * kEdgeSamples) * static_cast<float>(1u << edge_level) && edge_level < 16)
+    while (longer >= static_cast<float>(2 * kEdgeSamples) * static_cast<float>(1u << edge_level) && edge_level < 16) {
         ++edge_level;
-    f.edge_level = clamp_level(image, edge_level);
+    }
+    f.edge_level = std::min(edge_level, static_cast<std::uint32_t>(image.levels.size() - 1));
     return f;
 }
 
-PyramidColor sample_inside(const ImagePyramid& image, const Footprint& f, float x, float y, bool repeat) {
+Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, float y) {
     const PyramidLevel& level = image.levels[f.level];
-    PyramidColor sum;
-    for_each_sample(f, f.across_samples, f.down_samples, x, y, [&](float sx, float sy) {
-        add_bilinear(level, sx * level.scale_x, sy * level.scale_y, repeat, sum);
-    });
-    scale(sum, 1.0f / static_cast<float>(f.across_samples * f.down_samples));
-    return sum;
+    float row_x = x * level.scale_x + f.first_x;
+    float row_y = y * level.scale_y + f.first_y;
+    if (f.across_samples == 1 && f.down_samples == 1) return sample_bilinear_inside(level, row_x, row_y);
+    Float4 sum = splat(0.0f);
+    for (std::int32_t j = 0; j < f.down_samples; ++j) {
+        float sample_x = row_x;
+        float sample_y = row_y;
+        for (std::int32_t i = 0; i < f.across_samples; ++i) {
+            sum += sample_bilinear_inside(level, sample_x, sample_y);
+            sample_x += f.across_step_x;
+            sample_y += f.across_step_y;
+        }
+        row_x += f.down_step_x;
+        row_y += f.down_step_y;
+    }
+    return sum * splat(1.0f / static_cast<float>(f.across_samples * f.down_samples));
 }
 
-PyramidColor sample_edge(const ImagePyramid& image, const Footprint& f, float x, float y, bool repeat) {
+Float4 sample_edge(const ImagePyramid& image, const Footprint& f, float x, float y, bool repeat) {
     const PyramidLevel& level = image.levels[f.edge_level];
     const auto width = static_cast<float>(image.levels[0].width);
     const auto height = static_cast<float>(image.levels[0].height);
-    PyramidColor sum;
-    for_each_sample(f, kEdgeSamples, kEdgeSamples, x, y, [&](float sx, float sy) {
-        if (repeat && (sx < 0.0f || sx > width || sy < 0.0f || sy > height)) return;
-        add_bilinear(level, sx * level.scale_x, sy * level.scale_y, repeat, sum);
-    });
-    scale(sum, 1.0f / static_cast<float>(kEdgeSamples * kEdgeSamples));
-    return sum;
+    Float4 sum = splat(0.0f);
+    for (int j = 0; j < kEdgeSamples; ++j) {
+        const float v = (static_cast<float>(j) + 0.5f) * (1.0f / kEdgeSamples) - 0.5f;
+        for (int i = 0; i < kEdgeSamples; ++i) {
+            const float u = (static_cast<float>(i) + 0.5f) * (1.0f / kEdgeSamples) - 0.5f;
+            const float sample_x = x + (f.across_x * u + f.down_x * v);
+            const float sample_y = y + (f.across_y * u + f.down_y * v);
+            if (repeat && (sample_x < 0.0f || sample_x > width || sample_y < 0.0f || sample_y > height)) continue;
+            sum += sample_bilinear(level, sample_x * level.scale_x, sample_y * level.scale_y, repeat);
+        }
+    }
+    return sum * splat(1.0f / (kEdgeSamples * kEdgeSamples));
 }
 
 }  // namespace txc

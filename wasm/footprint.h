@@ -6,24 +6,32 @@
 
 namespace txc {
 
-/// How a frame's texels sample a picture. Lengths in pixels of the picture.
+/// How a frame's texels sample a picture. Lengths in pixels of the picture unless said.
 struct Footprint {
     float across_x, across_y;  // along the texel's row
     float down_x, down_y;      // along the texel's column
     float reach_x, reach_y;    // half of its bounding box
-    std::uint32_t level;       // of the pyramid, for footprints inside the picture
-    int across_samples;
-    int down_samples;
-    std::uint32_t edge_level;  // for footprints that the picture's edge cuts: kEdgeSamples each way
+
+    // Footprints well inside the picture: a lattice of samples on one level, in pixels of that level.
+    std::uint32_t level;
+    std::int32_t across_samples;
+    std::int32_t down_samples;
+    float first_x, first_y;  // from the footprint's centre to the first sample's pixel corner
+    float across_step_x, across_step_y;
+    float down_step_x, down_step_y;
+    float inset_x, inset_y;  // a centre this far from the picture's edges is well inside
+
+    // Footprints that the picture's edge cuts: 8 x 8 samples on this level.
+    std::uint32_t edge_level;
 };
 
 Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y);
 
-/// Mean colour over the footprint centred on (x, y), where all of it lies inside the picture.
-PyramidColor sample_inside(const ImagePyramid& image, const Footprint& footprint, float x, float y, bool repeat);
+/// Mean colour over the footprint centred on (x, y), which lies well inside the picture (inset_x, inset_y).
+Float4 sample_inside(const ImagePyramid& image, const Footprint& footprint, float x, float y);
 
 /// The same where the footprint reaches the picture's edge, over which the picture fades into transparency. With
 /// `repeat` the picture goes on and its rectangle cuts it: samples outside count as transparent.
-PyramidColor sample_edge(const ImagePyramid& image, const Footprint& footprint, float x, float y, bool repeat);
+Float4 sample_edge(const ImagePyramid& image, const Footprint& footprint, float x, float y, bool repeat);
 
 }  // namespace txc

@@ -67,43 +67,26 @@ TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const s
     return TXC_STATUS_OK;
 }
 
-void add_bilinear(const PyramidLevel& level, float x, float y, bool repeat, PyramidColor& sum) {
+Float4 sample_bilinear(const PyramidLevel& level, float x, float y, bool repeat) {
     static constexpr std::uint16_t kTransparent[4] = {0, 0, 0, 0};
     const float left = std::floor(x - 0.5f);
     const float top = std::floor(y - 0.5f);
-    const float fx = x - 0.5f - left;
-    const float fy = y - 0.5f - top;
     const auto w = static_cast<std::int32_t>(level.width);
     const auto h = static_cast<std::int32_t>(level.height);
-    const auto x0 = static_cast<std::int32_t>(left);
-    const auto y0 = static_cast<std::int32_t>(top);
-    const std::uint16_t* p00;
-    const std::uint16_t* p10;
-    const std::uint16_t* p01;
-    const std::uint16_t* p11;
-    if (x0 >= 0 && y0 >= 0 && x0 + 1 < w && y0 + 1 < h) {
-        p00 = level.pixel(static_cast<std::uint32_t>(x0), static_cast<std::uint32_t>(y0));
-        p10 = p00 + 4;
-        p01 = p00 + static_cast<std::size_t>(level.width) * 4;
-        p11 = p01 + 4;
-    } else {
-        const auto pixel_or_transparent = [&](std::int32_t px, std::int32_t py) {
-            if (!repeat && (px < 0 || py < 0 || px >= w || py >= h)) return &kTransparent[0];
-            return level.pixel(static_cast<std::uint32_t>(wrap(px, w)), static_cast<std::uint32_t>(wrap(py, h)));
-        };
-        p00 = pixel_or_transparent(x0, y0);
-        p10 = pixel_or_transparent(x0 + 1, y0);
-        p01 = pixel_or_transparent(x0, y0 + 1);
-        p11 = pixel_or_transparent(x0 + 1, y0 + 1);
-    }
-    const float w00 = (1.0f - fx) * (1.0f - fy);
-    const float w10 = fx * (1.0f - fy);
-    const float w01 = (1.0f - fx) * fy;
-    const float w11 = fx * fy;
-    for (int c = 0; c < 4; ++c) {
-        sum.channel[c] += (static_cast<float>(p00[c]) * w00 + static_cast<float>(p10[c]) * w10) +
-                          (static_cast<float>(p01[c]) * w01 + static_cast<float>(p11[c]) * w11);
-    }
+    const auto column = static_cast<std::int32_t>(left);
+    const auto row = static_cast<std::int32_t>(top);
+    const auto pixel = [&](std::int32_t px, std::int32_t py) {
+        if (!repeat && (px < 0 || py < 0 || px >= w || py >= h)) return load_ushort4(kTransparent);
+        return load_ushort4(
+            level.pixel(static_cast<std::uint32_t>(wrap(px, w)), static_cast<std::uint32_t>(wrap(py, h))));
+    };
+    const Float4 fx = splat(x - 0.5f - left);
+    const Float4 fy = splat(y - 0.5f - top);
+    const Float4 upper_left = pixel(column, row);
+    const Float4 lower_left = pixel(column, row + 1);
+    const Float4 above = upper_left + (pixel(column + 1, row) - upper_left) * fx;
+    const Float4 below = lower_left + (pixel(column + 1, row + 1) - lower_left) * fx;
+    return above + (below - above) * fy;
 }
 
 }  // namespace txc

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "float4.h"
 #include "memory_budget.h"
 
 namespace txc {
@@ -33,13 +34,24 @@ struct ImagePyramid {
     TxcStatus build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba);
 };
 
-/// A colour on the scale of kFullScale, premultiplied.
-struct PyramidColor {
-    float channel[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-};
+/// The bilinear sample at (x, y), in pixels of the level with centres at halves; premultiplied, on the scale of
+/// kFullScale. Beyond the border all is transparent, so a picture fades out over the half pixel on either side of its
+/// edge; with `repeat` it goes on.
+Float4 sample_bilinear(const PyramidLevel& level, float x, float y, bool repeat);
 
-/// Adds the bilinear sample at (x, y), in pixels of the level with centres at halves. Beyond the border all is
-/// transparent, so a picture fades out over the half pixel on either side of its edge; with `repeat` it goes on.
-void add_bilinear(const PyramidLevel& level, float x, float y, bool repeat, PyramidColor& sum);
+/// The same where all four pixels lie inside the level, in the coordinates of their corner: x and y are less by 1/2.
+inline Float4 sample_bilinear_inside(const PyramidLevel& level, float x, float y) {
+    const auto column = static_cast<std::int32_t>(x);  // x and y are not negative: truncation is the floor
+    const auto row = static_cast<std::int32_t>(y);
+    const Float4 fx = splat(x - static_cast<float>(column));
+    const Float4 fy = splat(y - static_cast<float>(row));
+    const std::uint16_t* upper = level.pixel(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
+    const std::uint16_t* lower = upper + static_cast<std::size_t>(level.width) * 4;
+    const Float4 upper_left = load_ushort4(upper);
+    const Float4 lower_left = load_ushort4(lower);
+    const Float4 above = upper_left + (load_ushort4(upper + 4) - upper_left) * fx;
+    const Float4 below = lower_left + (load_ushort4(lower + 4) - lower_left) * fx;
+    return above + (below - above) * fy;
+}
 
 }  // namespace txc

@@ -83,8 +83,8 @@ private:
         // A linear picture reaches half a pixel beyond its rectangle, and its edge half a pixel into it.
         const float margin_x = settings_.nearest ? 0.0f : d.footprint.reach_x + fade_;
         const float margin_y = settings_.nearest ? 0.0f : d.footprint.reach_y + fade_;
-        const float inset_x = d.footprint.reach_x + fade_;
-        const float inset_y = d.footprint.reach_y + fade_;
+        const float inset_x = d.footprint.inset_x;
+        const float inset_y = d.footprint.inset_y;
         std::uint32_t painted = 0;
         for (std::int32_t i = 0; i < run.length; ++i) {
             const auto across = static_cast<float>(x0 + i - frame.x0);
@@ -97,16 +97,16 @@ private:
             const float weight = facing_weight(run, d, frame, across, down);
             if (!(weight > 0.0f)) continue;
             if (occlusion_ != nullptr && is_hidden(run, frame, x0 + i, y0, z)) continue;
-            PyramidColor color;
+            Float4 color;
             if (settings_.nearest) {
                 color = sample_nearest(x, y);
             } else if (x >= inset_x && x <= width_ - inset_x && y >= inset_y && y <= height_ - inset_y) {
-                color = sample_inside(image_, d.footprint, x, y, settings_.repeat);
+                color = sample_inside(image_, d.footprint, x, y);
             } else {
                 color = sample_edge(image_, d.footprint, x, y, settings_.repeat);
             }
             std::uint16_t* texel = texels + i * 4;
-            for (int c = 0; c < 4; ++c) texel[c] = static_cast<std::uint16_t>(color.channel[c] * weight + 0.5f);
+            store_rounded_ushort4(texel, color * splat(weight));
             if (texel[3] != 0) ++painted;
         }
         return painted;
@@ -119,6 +119,7 @@ private:
         float facing = hold ? d.facing : d.facing + d.facing_dx * across + d.facing_dy * down;
         if (settings_.backfaces) facing = std::fabs(facing);
         if (!(facing > 0.0f)) return 0.0f;
+        if (settings_.fade_start_cosine <= 0.0f) return 1.0f;  // a hard angle of 90 degrees needs no cosine
         const glm::vec3 n = hold ? frame.normal : frame.normal + frame.normal_dx * across + frame.normal_dy * down;
         const float f = facing / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
         if (f >= settings_.fade_start_cosine) return 1.0f;
@@ -135,14 +136,11 @@ private:
         return occlusion_->is_blocked(origin, settings_.projector.towards_viewer, to_front, frame.triangle);
     }
 
-    PyramidColor sample_nearest(float x, float y) const {
+    Float4 sample_nearest(float x, float y) const {
         const PyramidLevel& level = image_.levels[0];
         const std::uint32_t column = std::min(static_cast<std::uint32_t>(x), level.width - 1);
         const std::uint32_t row = std::min(static_cast<std::uint32_t>(y), level.height - 1);
-        const std::uint16_t* pixel = level.pixel(column, row);
-        PyramidColor color;
-        for (int c = 0; c < 4; ++c) color.channel[c] = static_cast<float>(pixel[c]);
-        return color;
+        return load_ushort4(level.pixel(column, row));
     }
 
     const LocalSpaceMap& map_;
