@@ -16,8 +16,14 @@ export function formatShare(share: number): string {
   return share > 0 && share < 0.0005 ? "< 0.1 %" : `${(share * 100).toFixed(1)} %`;
 }
 
-export const formatPoint = (point: readonly number[]): string =>
-  `(${point.map((part) => String(Number(part.toPrecision(4)))).join(", ")})`;
+/** A box as its two corners, to about a thousandth of its own size: what is finer is an exporter's rounding. */
+export function formatBounds(min: readonly number[], max: readonly number[]): string {
+  const diagonal = Math.hypot(...max.map((high, axis) => high - (min[axis] ?? 0)));
+  const decimals = diagonal > 0 ? Math.min(12, Math.max(0, 3 - Math.floor(Math.log10(diagonal)))) : 3;
+  const format = (point: readonly number[]): string =>
+    `(${point.map((part) => String(Number(part.toFixed(decimals)))).join(", ")})`;
+  return `${format(min)} to ${format(max)} m`;
+}
 
 export const plural = (count: number, noun: string): string => `${formatCount(count)} ${noun}${count === 1 ? "" : "s"}`;
 

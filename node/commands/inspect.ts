@@ -1,9 +1,10 @@
 /** `texelcast inspect`: can this model take decals, and how well is it unwrapped? */
+import { printJson } from "../../web/editor/document/print-json.ts";
 import { inspectModel, type MaterialReport, type ModelReport } from "../inspect-model.ts";
 import { openEngine } from "../open-engine.ts";
 import { Progress } from "../progress.ts";
 import { readModel } from "../read-model.ts";
-import { formatCount, formatPoint, formatShare, formatTable, plural, printable } from "../terminal-text.ts";
+import { formatBounds, formatCount, formatShare, formatTable, plural, printable } from "../terminal-text.ts";
 
 export interface InspectOptions {
   readonly json?: boolean;
@@ -19,7 +20,7 @@ export async function inspect(file: string, { json = false }: InspectOptions): P
       progress.report(`Measuring material ${material}`, share);
     });
     progress.end();
-    process.stdout.write(json ? `${JSON.stringify(report, null, 2)}\n` : describeModel(report));
+    process.stdout.write(json ? printJson(report) : describeModel(report));
   } finally {
     progress.end();
     engine.dispose();
@@ -46,7 +47,7 @@ function describeModel({ file, triangles, vertices, bounds, materials }: ModelRe
   );
   return [
     `${printable(file)}: ${plural(triangles, "triangle")}, ${formatCount(vertices)} vertices, ${plural(materials.length, "material")}`,
-    `bounds ${formatPoint(bounds.min)} to ${formatPoint(bounds.max)} m`,
+    `bounds ${formatBounds(bounds.min, bounds.max)}`,
     "",
     formatTable([HEADING, ...rows], RIGHT_ALIGNED),
     ...(refusals.length === 0 ? [] : ["", ...refusals.map(printable)]),

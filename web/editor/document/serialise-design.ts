@@ -1,5 +1,6 @@
 /** Writes a design document: the inverse of `parseDesign`. */
 import type { Design, DesignAsset, DesignLayer, Projector } from "./design.ts";
+import { printJson } from "./print-json.ts";
 
 /**
  * The order in which fields are written, whatever order the editor's objects have: a saved design then changes in a
@@ -60,20 +61,7 @@ export function serialiseDesign(design: Design): string {
     assets: Object.fromEntries(Object.entries(design.assets).map(([key, asset]) => [key, orderAsset(asset)])),
     layers: design.layers.map(orderLayer),
   };
-  return `${print(document, "")}\n`;
-}
-
-/** As JSON.stringify with an indent of two, but coordinates stand on one line, as people write them. */
-function print(value: unknown, indent: string): string {
-  if (typeof value !== "object" || value === null) return JSON.stringify(value);
-  const isList = Array.isArray(value);
-  if (isList && value.every((item) => typeof item === "number")) return `[${value.map(String).join(", ")}]`;
-  const inner = `${indent}  `;
-  const lines = isList
-    ? value.map((item) => inner + print(item, inner))
-    : Object.entries(value).map(([key, item]) => `${inner}${JSON.stringify(key)}: ${print(item, inner)}`);
-  const [open, close] = isList ? ["[", "]"] : ["{", "}"];
-  return lines.length === 0 ? open + close : `${open}\n${lines.join(",\n")}\n${indent}${close}`;
+  return printJson(document);
 }
 
 function pick(source: object, fields: readonly string[]): Record<string, unknown> {
