@@ -4,6 +4,7 @@
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelSource } from "./engine-api.ts";
+import { parseExact, stringifyExact } from "./exact-numbers.ts";
 import { badContainer, type JsonObject, listOf, parseGltfJson, textAt } from "./gltf-json.ts";
 
 const GLB_MAGIC = 0x46546c67;
@@ -49,9 +50,9 @@ export function readContainer(source: ModelSource): GltfContainer {
   };
 }
 
-/** A fresh copy of the container's JSON, free to change. */
+/** A fresh copy of the container's JSON, free to change; numbers that JavaScript cannot hold are marked (exact-numbers.ts). */
 export function parseJson(container: GltfContainer): JsonObject {
-  return JSON.parse(container.jsonText) as JsonObject;
+  return parseExact(container.jsonText);
 }
 
 function readGlb(bytes: Uint8Array, name: string): Pick<GltfContainer, "jsonText" | "json" | "binary" | "extraChunks"> {
@@ -100,7 +101,7 @@ export function writeGlb(
   extraChunks: readonly GlbChunk[] = [],
 ): Uint8Array<ArrayBuffer> {
   const chunks: { type: number; bytes: Uint8Array; padding: number }[] = [];
-  chunks.push({ type: CHUNK_JSON, bytes: new TextEncoder().encode(JSON.stringify(json)), padding: 0x20 });
+  chunks.push({ type: CHUNK_JSON, bytes: new TextEncoder().encode(stringifyExact(json)), padding: 0x20 });
   if (binary !== null && binary.length > 0) chunks.push({ type: CHUNK_BIN, bytes: binary, padding: 0 });
   for (const chunk of extraChunks) chunks.push({ ...chunk, padding: 0 });
 

@@ -5,6 +5,7 @@
 /// <reference path="./draco3dgltf.d.ts" />
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { readCodec } from "./codec-wasm.ts";
+import { stringifyExact } from "./exact-numbers.ts";
 import { badContainer, extensionsUsed, indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
 
@@ -25,7 +26,7 @@ export function compressionOf(json: JsonObject): readonly string[] {
  * when the compressed data cannot be decoded.
  */
 export async function decodeModel(packed: PackedGltf, name: string): Promise<Uint8Array> {
-  const json = withExtMeshopt(structuredClone(packed.json), name);
+  const json = withExtMeshopt(JSON.parse(stringifyExact(packed.json)) as JsonObject, name);
   checkMeshoptSizes(json, name);
   const used = compressionOf(json);
   const [{ GLB_BUFFER, Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([
