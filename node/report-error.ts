@@ -6,7 +6,8 @@ import { printable } from "./terminal-text.ts";
 /** Writes the error and gives the exit code that it asks for. */
 export function reportError(error: unknown): number {
   if (error instanceof TexelcastError) {
-    const isNamed = error.subject === undefined || error.message.includes(error.subject);
+    // The engine's messages name the file themselves, for places that show the message alone.
+    const isNamed = error.subject === undefined || error.message.includes(`“${error.subject}”`);
     const subject = isNamed ? "" : `${printable(error.subject)}: `;
     const hint = error.hint === undefined ? "" : `  ${printable(error.hint)}\n`;
     process.stderr.write(`texelcast: ${subject}${printable(error.message)}\n${hint}`);
