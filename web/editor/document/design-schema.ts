@@ -22,7 +22,7 @@ import {
 import { isHexColor } from "./hex-color.ts";
 
 /** Bounds that no honest design meets; they keep a hostile file from costing more than its reading. */
-export const DESIGN_LIMITS = {
+const DESIGN_LIMITS = {
   layers: 10_000,
   assets: 10_000,
   dabs: 100_000,

@@ -185,12 +185,18 @@ export function emptyDesign(): Design {
   return { format: DESIGN_FORMAT, version: DESIGN_VERSION, assets: {}, layers: [] };
 }
 
-/** An id of the form "layer-7" that none of `taken` uses; counting starts at `start`. */
-export function freeLayerId(taken: ReadonlySet<string>, start = 1): string {
+/** The least number from `start` on whose id "layer-N" none of `taken` uses. */
+export function freeLayerNumber(taken: ReadonlySet<string>, start: number): number {
   let number = start;
-  while (taken.has(`layer-${number}`)) number += 1;
-  return `layer-${number}`;
+  while (taken.has(layerIdOf(number))) number += 1;
+  return number;
 }
+
+/** "layer-7": the form of the ids that are made up. */
+export const layerIdOf = (number: number): string => `layer-${number}`;
+
+/** An id of that form that none of `taken` uses; counting starts at `start`. */
+export const freeLayerId = (taken: ReadonlySet<string>, start = 1): string => layerIdOf(freeLayerNumber(taken, start));
 
 /** A decal with every field that is not given at its default. */
 export function makeDecalLayer(

@@ -1,6 +1,5 @@
 /** The design document's public face: types, reading, writing, and the way to the engine. */
 export * from "./design.ts";
-export { DESIGN_LIMITS } from "./design-schema.ts";
 export { isHexColor, parseHexColor, type Rgba } from "./hex-color.ts";
 export { parseDesign } from "./parse-design.ts";
 export { resolveLayers } from "./resolve-layers.ts";

@@ -1,7 +1,7 @@
 /** Reads a design document: text or plain data in, a `Design` with every field set out, or an error that says all. */
 import * as v from "valibot";
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { DESIGN_FORMAT, DESIGN_VERSION, type Design, type DesignLayer } from "./design.ts";
+import { DESIGN_FORMAT, DESIGN_VERSION, type Design, type DesignLayer, freeLayerNumber, layerIdOf } from "./design.ts";
 import { type DesignPath, type DesignProblem, describeValue, designError } from "./design-problem.ts";
 import { designSchema, type ParsedDesign, type ParsedLayer } from "./design-schema.ts";
 
@@ -131,9 +131,8 @@ function complete(design: ParsedDesign): Design {
   const layers = design.layers.map((layer, index): DesignLayer => {
     const name = layer.name ?? defaultName(layer);
     if (layer.id !== undefined) return { ...layer, id: layer.id, name };
-    do number = Math.max(number, index) + 1;
-    while (taken.has(`layer-${number}`));
-    return { ...layer, id: `layer-${number}`, name };
+    number = freeLayerNumber(taken, Math.max(number, index) + 1);
+    return { ...layer, id: layerIdOf(number), name };
   });
   return { ...design, layers };
 }
