@@ -1,0 +1,215 @@
+import { type Document, WebIO } from "@gltf-transform/core";
+import { EXTMeshoptCompression, KHRDracoMeshCompression, KHRMaterialsUnlit } from "@gltf-transform/extensions";
+import createDracoEncoder from "draco3dgltf/draco_encoder_gltf_nodejs.js";
+import { MeshoptEncoder } from "meshoptimizer/encoder";
+import { beforeAll, describe, expect, it } from "vitest";
+import { createEngineHost } from "../../web/engine/engine-host.ts";
+import { readContainer, writeGlb } from "../../web/engine/gltf-container.ts";
+import type { JsonObject } from "../../web/engine/gltf-json.ts";
+import { loadModelFile } from "../../web/engine/model-loader.ts";
+import { buildGlb, cube, cylinder, plane } from "../support/model-builder.ts";
+import { solidPng } from "../support/png-file.ts";
+import { haveSharedModels, noteSkipped, sharedModel } from "../support/shared-models.ts";
+
+const PICTURE = solidPng(4, 4, [1, 2, 3, 255]);
+
+/** Three meshes whose materials are used in another order than they are listed, one of them not at all. */
+const plain = buildGlb({
+  meshes: [cylinder(24, 3), cube(0), plane(3, 1)],
+  materials: [{ name: "zero" }, { name: "one" }, { name: "two, unused" }, { name: "three" }].map((material) => ({
+    ...material,
+    pbrMetallicRoughness: { baseColorTexture: { index: 0 } },
+  })),
+  textures: [{ source: 0 }],
+  images: [{ bytes: PICTURE, mimeType: "image/png" }],
+});
+
+let draco: Uint8Array;
+let meshopt: Uint8Array;
+
+beforeAll(async () => {
+  const io = new WebIO()
+    .registerExtensions([KHRDracoMeshCompression, EXTMeshoptCompression, KHRMaterialsUnlit])
+    .registerDependencies({ "draco3d.encoder": await createDracoEncoder(), "meshopt.encoder": MeshoptEncoder });
+  await MeshoptEncoder.ready;
+  const compress = async (change: (document: Document) => void): Promise<Uint8Array> => {
+    const document = await io.readBinary(plain as Uint8Array<ArrayBuffer>);
+    change(document);
+    return await io.writeBinary(document);
+  };
+  const bits = { POSITION: 16, NORMAL: 12, TEX_COORD: 16 };
+  draco = await compress((document) => {
+    document.createExtension(KHRDracoMeshCompression).setRequired(true).setEncoderOptions({ quantizationBits: bits });
+  });
+  meshopt = await compress((document) => {
+    document.createExtension(EXTMeshoptCompression).setRequired(true);
+  });
+});
+
+/** The same model with one of its JSON's members changed. */
+function changed(glb: Uint8Array, change: (json: JsonObject) => void): Uint8Array {
+  const { json, binary, extraChunks } = readContainer({ name: "x", bytes: glb });
+  const copy = structuredClone(json);
+  change(copy);
+  return writeGlb(copy, binary, extraChunks);
+}
+
+interface CompressedView {
+  byteLength: number;
+  readonly buffer: number;
+  readonly extensions: { readonly EXT_meshopt_compression: JsonObject };
+}
+
+function compressedView(json: JsonObject): CompressedView {
+  const views = json.bufferViews as unknown as CompressedView[];
+  const view = views.find(({ extensions }) => extensions?.EXT_meshopt_compression !== undefined);
+  if (view === undefined) throw new Error("the model is not compressed");
+  return view;
+}
+
+describe("a compressed model", () => {
+  it.each([
+    ["Draco", () => draco],
+    ["meshopt", () => meshopt],
+  ])("by %s keeps its materials' order, and bakes as the plain one does", async (_, compressed) => {
+    const { json } = readContainer({ name: "x", bytes: compressed() });
+    expect(JSON.stringify(json.extensionsRequired)).toMatch(/compression/);
+    for (const material of [0, 1, 3]) {
+      const expected = await bakeOf({ name: "plain.glb", bytes: plain }, material, 64);
+      const found = await bakeOf({ name: "compressed.glb", bytes: compressed() }, material, 64);
+      expect(found.names).toEqual(["zero", "one", "two, unused", "three"]);
+      expectAlike(found, expected, 3, 0.5);
+    }
+  });
+
+  it("is handed on without its compression, with its pictures as they were", async () => {
+    for (const bytes of [draco, meshopt]) {
+      const { glb, packed } = await loadModelFile({ name: "m.glb", bytes });
+      const { json, binary } = readContainer({ name: "out", bytes: glb });
+      expect(JSON.stringify(json)).not.toMatch(/compression/);
+      expect(json.buffers).toHaveLength(1);
+      expect(Buffer.from(binary ?? []).includes(Buffer.from(PICTURE))).toBe(true);
+      expect(JSON.stringify(packed.json)).toMatch(/compression/);
+    }
+  });
+
+  it("is written back still compressed", async () => {
+    const engine = createEngineHost();
+    for (const [bytes, name] of [
+      [draco, "KHR_draco_mesh_compression"],
+      [meshopt, "EXT_meshopt_compression"],
+    ] as const) {
+      await engine.loadModel({ name: "m.glb", bytes });
+      await engine.openTarget({ material: 3, width: 32 });
+      const { json } = readContainer({ name: "out", bytes: await engine.exportGlb() });
+      expect(json.extensionsRequired).toEqual([name]);
+      expect(json.meshes).toEqual(readContainer({ name: "in", bytes }).json.meshes);
+    }
+    engine.dispose();
+  });
+
+  it("by KHR_meshopt_compression is read as by its older name", async () => {
+    const renamed = changed(meshopt, (json) => {
+      const text = JSON.stringify(json).replaceAll("EXT_meshopt_compression", "KHR_meshopt_compression");
+      Object.assign(json, JSON.parse(text));
+    });
+    const { glb } = await loadModelFile({ name: "m.glb", bytes: renamed });
+    expect(glb).toEqual((await loadModelFile({ name: "m.glb", bytes: meshopt })).glb);
+  });
+
+  it("is refused with a typed error when its data is damaged", async () => {
+    for (const bytes of [draco, meshopt]) {
+      const start = 28 + new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);
+      const damaged = bytes.map((byte, i) => (i > start && i % 3 === 0 ? byte ^ 0x5a : byte));
+      const attempt = loadModelFile({ name: "broken.glb", bytes: damaged });
+      await expect(attempt).rejects.toMatchObject({ code: "bad-model", subject: "broken.glb" });
+      await expect(attempt).rejects.toThrow(/compressed geometry of “broken\.glb”/);
+    }
+  });
+
+  it.each<[string, (place: JsonObject) => void, string]>([
+    ["a count that does not fit its view", (place) => (place.count = 7), "bad-container"],
+    ["a stride of zero", (place) => (place.byteStride = 0), "bad-container"],
+    ["a count that is no number", (place) => (place.count = "many"), "bad-container"],
+  ])("is refused for %s before anything is unpacked", async (_, change, code) => {
+    const bytes = changed(meshopt, (json) => {
+      change(compressedView(json).extensions.EXT_meshopt_compression);
+    });
+    await expect(loadModelFile({ name: "m.glb", bytes })).rejects.toMatchObject({ code });
+  });
+
+  it("is refused when it would unpack to gigabytes", async () => {
+    const bytes = changed(meshopt, (json) => {
+      const view = compressedView(json);
+      view.byteLength = 2 ** 31;
+      Object.assign(view.extensions.EXT_meshopt_compression, { count: 2 ** 29, byteStride: 4 });
+      (json.buffers as JsonObject[])[view.buffer] = {
+        byteLength: 2 ** 31,
+        extensions: { EXT_meshopt_compression: { fallback: true } },
+      };
+    });
+    await expect(loadModelFile({ name: "m.glb", bytes })).rejects.toMatchObject({ code: "out-of-budget" });
+  });
+});
+
+noteSkipped("Avocado's three encodings bake alike");
+describe.runIf(haveSharedModels)("Avocado", () => {
+  // Their exporter rounded positions, normals (Draco: to 8 bits) and texture coordinates, which shift texels over the
+  // surface: half of all texels lie within 8 and 2 steps, these bounds hold for the worst.
+  it.each([
+    ["AvocadoDraco/Avocado.gltf", 32, 6.5],
+    ["AvocadoQuantized/Avocado.gltf", 9, 1.5],
+  ])("bakes in %s as it does plain", async (path, steps, degrees) => {
+    const expected = await bakeOf(sharedModel("Avocado/Avocado.gltf"), 0, 512);
+    expectAlike(await bakeOf(sharedModel(path), 0, 512), expected, steps, degrees);
+  });
+});
+
+interface Bake {
+  readonly names: readonly string[];
+  readonly diagonal: number;
+  readonly positions: Float32Array;
+  readonly normals: Float32Array;
+  readonly coverage: Uint8Array;
+}
+
+async function bakeOf(source: Parameters<typeof loadModelFile>[0], material: number, size: number): Promise<Bake> {
+  const engine = createEngineHost();
+  try {
+    const { materials, boundsMin, boundsMax } = await engine.loadModel(source);
+    await engine.openTarget({ material, width: size, height: size, base: [1, 1, 1, 1] });
+    return {
+      names: materials.map(({ name }) => name),
+      diagonal: Math.hypot(...boundsMax.map((max, axis) => max - (boundsMin[axis] ?? 0))),
+      positions: await engine.readMapRows(material, "positions", 0, size),
+      normals: await engine.readMapRows(material, "normals", 0, size),
+      coverage: await engine.readMapRows(material, "coverage", 0, size),
+    };
+  } finally {
+    engine.dispose();
+  }
+}
+
+/** Positions within `steps` times the accuracy of a bake (2^-15 of the diagonal), for texels that both cover. */
+function expectAlike(found: Bake, expected: Bake, steps: number, degrees: number): void {
+  let both = 0;
+  let either = 0;
+  let farthest = 0;
+  let leastCosine = 1;
+  for (let texel = 0; texel < expected.coverage.length; texel++) {
+    const a = expected.coverage[texel] === 1;
+    const b = found.coverage[texel] === 1;
+    if (a || b) either++;
+    if (!a || !b) continue;
+    both++;
+    let cosine = 0;
+    for (let i = texel * 3; i < texel * 3 + 3; i++) {
+      farthest = Math.max(farthest, Math.abs((found.positions[i] ?? 0) - (expected.positions[i] ?? 0)));
+      cosine += (found.normals[i] ?? 0) * (expected.normals[i] ?? 0);
+    }
+    leastCosine = Math.min(leastCosine, cosine);
+  }
+  expect(both / either).toBeGreaterThan(0.995);
+  expect(farthest).toBeLessThan(expected.diagonal * steps * 2 ** -15);
+  expect(leastCosine).toBeGreaterThan(Math.cos((degrees * Math.PI) / 180));
+}
