@@ -190,6 +190,23 @@ bool OcclusionTree::is_blocked(const glm::dvec3& origin, const glm::dvec3& direc
     return false;
 }
 
+void OcclusionTree::find(const ModelToDecal& volume, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    if (nodes_.empty()) return;
+    std::vector<std::uint32_t> open{0};
+    while (!open.empty()) {
+        const Node& node = nodes_[open.back()];
+        open.pop_back();
+        if (!volume.may_touch({node.min, node.max})) continue;
+        if (node.count == 0) {
+            open.push_back(node.first + 1);
+            open.push_back(node.first);
+        } else {
+            out.insert(out.end(), order_.begin() + node.first, order_.begin() + node.first + node.count);
+        }
+    }
+}
+
 glm::dvec3 nearest_point_on_triangle(const Mesh& mesh, std::uint32_t triangle, const glm::dvec3& point) {
     // After Ericson, "Real-Time Collision Detection" (2005), section 5.1.5: which of the seven regions holds the point.
     const Triangle& corners = mesh.triangles[triangle];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh.h"
+#include "tile_tree.h"
 
 namespace txc {
 
@@ -20,6 +21,12 @@ public:
     /// True where the ray from `origin` along the unit `direction` meets any triangle but `own` between the tree's own
     /// least distance and `length`, metres.
     bool is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double length, std::uint32_t own) const;
+
+    /// Triangles whose boxes may touch the volume, in no order that matters.
+    void find(const ModelToDecal& volume, std::vector<std::uint32_t>& out) const;
+
+    /// Hits nearer than this do not count, metres.
+    double least_distance() const { return least_distance_; }
 
 private:
     struct Node {

@@ -22,12 +22,12 @@ struct DecalFrame {
 class DecalPainter {
 public:
     DecalPainter(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings, const ImagePyramid& image,
-                 const OcclusionTree* occlusion)
+                 const OccluderGrid* occluders)
         : map_(map),
           mesh_(mesh),
           settings_(settings),
           image_(image),
-          occlusion_(occlusion),
+          occluders_(occluders),
           width_(static_cast<float>(image.levels[0].width)),
           height_(static_cast<float>(image.levels[0].height)),
           fade_(settings.repeat ? 0.0f : 0.5f) {}
@@ -96,7 +96,7 @@ private:
             if (!(x >= -margin_x && x <= width_ + margin_x && y >= -margin_y && y <= height_ + margin_y)) continue;
             const float weight = facing_weight(run, d, frame, across, down);
             if (!(weight > 0.0f)) continue;
-            if (occlusion_ != nullptr && is_hidden(run, frame, x0 + i, y0, z)) continue;
+            if (occluders_ != nullptr && is_hidden(run, frame, x0 + i, y0)) continue;
             Float4 color;
             if (settings_.nearest) {
                 color = sample_nearest(x, y);
@@ -129,11 +129,10 @@ private:
 
     /// Test 4. A gutter texel's own place lies off the surface, so it asks for the nearest point of its triangle: else
     /// the gutter at an inner edge would be hidden by the neighbour, and a seam would show.
-    bool is_hidden(const TexelRun& run, const TexelFrame& frame, std::int32_t x, std::int32_t y, float z) const {
+    bool is_hidden(const TexelRun& run, const TexelFrame& frame, std::int32_t x, std::int32_t y) const {
         glm::dvec3 origin(frame.position_at(x, y));
         if ((run.flags & kRunGutter) != 0) origin = nearest_point_on_triangle(mesh_, frame.triangle, origin);
-        const double to_front = (0.5 - static_cast<double>(z)) * settings_.projector.depth;
-        return occlusion_->is_blocked(origin, settings_.projector.towards_viewer, to_front, frame.triangle);
+        return occluders_->is_blocked(origin, frame.triangle);
     }
 
     Float4 sample_nearest(float x, float y) const {
@@ -147,7 +146,7 @@ private:
     const Mesh& mesh_;
     const DecalSettings& settings_;
     const ImagePyramid& image_;
-    const OcclusionTree* occlusion_;
+    const OccluderGrid* occluders_;
     float width_;
     float height_;
     float fade_;  // pixels on either side of the picture's edge
@@ -157,7 +156,7 @@ private:
 }  // namespace
 
 TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                        const ImagePyramid& image, const OcclusionTree* occlusion, LayerTiles& out,
+                        const ImagePyramid& image, const OccluderGrid* occluders, LayerTiles& out,
                         std::uint32_t& out_texels) {
     out.indices.clear();
     out.texels.clear();
@@ -176,7 +175,7 @@ TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalS
     if (const TxcStatus status = out.share.resize(tiles * kTileBytes, "projecting a layer"); status != TXC_STATUS_OK)
         return status;
     out.texels.reserve(candidates.size() * kTileTexels * 4);
-    DecalPainter painter(map, mesh, settings, image, occlusion);
+    DecalPainter painter(map, mesh, settings, image, occluders);
     for (const std::uint32_t place : candidates) {
         const std::size_t start = out.texels.size();
         out.texels.resize(start + kTileTexels * 4);

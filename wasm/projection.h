@@ -5,7 +5,7 @@
 #include "image_pyramid.h"
 #include "layer_tiles.h"
 #include "local_space_map.h"
-#include "occlusion.h"
+#include "occluder_grid.h"
 #include "projector.h"
 
 namespace txc {
@@ -22,10 +22,10 @@ struct DecalSettings {
     float fade_end_cosine = 0.0f;    // weight 0 from here down
 };
 
-/// Paints the decal into `out` (in place of what was there). `occlusion` null paints through. `out_texels`: how many
+/// Paints the decal into `out` (in place of what was there). `occluders` null paints through. `out_texels`: how many
 /// texels took colour. Errors: OUT_OF_BUDGET; `out` is then empty.
 TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                        const ImagePyramid& image, const OcclusionTree* occlusion, LayerTiles& out,
+                        const ImagePyramid& image, const OccluderGrid* occluders, LayerTiles& out,
                         std::uint32_t& out_texels);
 
 }  // namespace txc

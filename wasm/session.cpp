@@ -8,6 +8,7 @@
 #include "exact_math.h"
 #include "gltf_reader.h"
 #include "gutter.h"
+#include "occluder_grid.h"
 
 namespace txc {
 namespace {
@@ -396,13 +397,15 @@ TxcStatus Session::project_layer(const Target& target, Layer& layer, TxcUpdate& 
         layer.needs_projection = false;
         return TXC_STATUS_OK;
     }
-    const bool occluded = layer.def.occlusion == TXC_OCCLUSION_SELF;
-    if (occluded) {
+    std::unique_ptr<OccluderGrid> occluders;
+    if (layer.def.occlusion == TXC_OCCLUSION_SELF) {
         if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
+        occluders = std::make_unique<OccluderGrid>(*mesh_, *occlusion_, layer.settings.projector, budget_);
+        if (const TxcStatus status = occluders->build(); status != TXC_STATUS_OK) return status;
     }
     std::uint32_t texels = 0;
-    const TxcStatus status = project_decal(*target.map, *mesh_, layer.settings, *image,
-                                           occluded ? occlusion_.get() : nullptr, layer.tiles, texels);
+    const TxcStatus status =
+        project_decal(*target.map, *mesh_, layer.settings, *image, occluders.get(), layer.tiles, texels);
     if (status != TXC_STATUS_OK) return status;
     layer.needs_projection = false;
     ++projection_count_;
