@@ -1,0 +1,238 @@
+import { afterEach, describe, expect, it } from "vitest";
+import type { TexelcastError } from "../../web/core/texelcast-error.ts";
+import type { Engine, TargetUpdate } from "../../web/engine/engine-api.ts";
+import { createEngineClient } from "../../web/engine/engine-client.ts";
+import { createEngineHost } from "../../web/engine/engine-host.ts";
+import { decal, FRONT, fill } from "../support/layers.ts";
+import { buildGlb, plane, sphere } from "../support/model-builder.ts";
+import { paintPng, solidPng } from "../support/png-file.ts";
+import { ThreadWorker } from "../support/thread-worker.ts";
+
+const SIZE = 64;
+const LOGO = paintPng(16, 16, (x, y) => [255 - x, y * 9, 40, 200]);
+const MODEL = buildGlb({ meshes: [plane(1, 0)], materials: [{}] });
+
+let client: Engine | null = null;
+afterEach(() => client?.dispose());
+
+/** A client whose workers the test can look at; the newest is the last. */
+function start(makeWorker: (index: number) => ThreadWorker = () => new ThreadWorker()): {
+  engine: Engine;
+  workers: ThreadWorker[];
+} {
+  const workers: ThreadWorker[] = [];
+  const engine = createEngineClient({
+    createWorker: () => {
+      const worker = makeWorker(workers.length);
+      workers.push(worker);
+      return worker as unknown as Worker;
+    },
+  });
+  client = engine;
+  return { engine, workers };
+}
+
+async function openPlane(engine: Engine): Promise<void> {
+  await engine.loadModel({ name: "plane.glb", bytes: MODEL });
+  await engine.setAsset("logo", { name: "logo.png", bytes: LOGO });
+  await engine.openTarget({ material: 0, width: SIZE });
+}
+
+describe("the engine's client", () => {
+  it("gives the same results as the engine in its own thread", async () => {
+    const { engine } = start();
+    const host = createEngineHost();
+    for (const each of [engine, host]) {
+      await openPlane(each);
+      each.setLayers([fill("f", [0, 0, 1, 0.25]), decal("d", "logo")], 1);
+    }
+    expect(await engine.hash(0)).toBe(await host.hash(0));
+    expect(await engine.readTexels(0, 8, 8, 4, 4)).toEqual(await host.readTexels(0, 8, 8, 4, 4));
+    expect(await engine.viewMap(0, "positions")).toEqual(await host.viewMap(0, "positions"));
+    expect(await engine.uvTriangles(0)).toEqual(await host.uvTriangles(0));
+    expect(await engine.exportPng(0)).toEqual(await host.exportPng(0));
+    expect(await engine.exportGlb()).toEqual(await host.exportGlb());
+    expect((await engine.stats()).bakeCount).toBe(1);
+    host.dispose();
+  });
+
+  it("leaves the caller's buffers alone", async () => {
+    const { engine } = start();
+    const model = MODEL.slice();
+    const logo = LOGO.slice();
+    const base = { name: "base.png", bytes: solidPng(2, 2, [1, 2, 3, 255]) };
+    const resources = new Map([["unused.bin", new Uint8Array(4)]]);
+    await engine.loadModel({ name: "plane.glb", bytes: model, resources });
+    await engine.setAsset("logo", { name: "logo.png", bytes: logo });
+    await engine.openTarget({ material: 0, base });
+    expect(model).toEqual(MODEL);
+    expect(logo).toEqual(LOGO);
+    expect(base.bytes.length).toBeGreaterThan(0);
+    expect(resources.get("unused.bin")).toHaveLength(4);
+  });
+
+  it("sends no more of a large buffer than the part that is meant", async () => {
+    const { engine, workers } = start();
+    const large = new Uint8Array(1 << 20);
+    large.set(MODEL, 5000);
+    await engine.loadModel({ name: "part.glb", bytes: large.subarray(5000, 5000 + MODEL.length) });
+    const call = workers[0]?.received.find((message) => message.type === "call");
+    expect(call).toMatchObject({ call: { name: "loadModel" } });
+    const [source] = (call as { call: { args: [{ bytes: Uint8Array }] } }).call.args;
+    expect(source.bytes.buffer.byteLength).toBe(MODEL.length);
+  });
+
+  it("brings errors across whole", async () => {
+    const { engine } = start();
+    const attempt = engine.setAsset("logo", { name: "logo.txt", bytes: new TextEncoder().encode("text") });
+    await expect(attempt).rejects.toMatchObject({ code: "bad-picture", subject: "logo.txt", hint: /PNG/ });
+    await expect(engine.openTarget({ material: 0 })).rejects.toMatchObject({
+      code: "no-model",
+      name: "TexelcastError",
+    });
+  });
+
+  it("reports a bake's progress, and cancels it", async () => {
+    const { engine } = start();
+    await engine.loadModel({ name: "ball.glb", bytes: buildGlb({ meshes: [sphere(96, 48)] }) });
+    const shares: number[] = [];
+    await engine.openTarget({ material: 0, width: 512 }, (share) => shares.push(share));
+    expect(shares.at(-1)).toBe(1);
+    const before = await engine.hash(0);
+    const cancel = new AbortController();
+    const opening = engine.openTarget({ material: 0, width: 4096 }, () => cancel.abort(), cancel.signal);
+    await expect(opening).rejects.toMatchObject({ code: "cancelled", name: "AbortError" });
+    await expect(engine.openTarget({ material: 0 }, undefined, AbortSignal.abort())).rejects.toMatchObject({
+      code: "cancelled",
+    });
+    expect(await engine.hash(0)).toBe(before);
+  });
+
+  it("sends one list of layers at a time, and then the newest", async () => {
+    const { engine, workers } = start();
+    await openPlane(engine);
+    const updates: TargetUpdate[] = [];
+    engine.onUpdate((update) => updates.push(update));
+    for (let i = 1; i <= 50; i++)
+      engine.setLayers([decal("d", "logo", { projector: { ...FRONT, position: [i / 100, 0, 0] } })], i);
+    const sent = workers[0]?.received.filter(({ type }) => type === "layers");
+    expect(sent).toHaveLength(1);
+    await engine.idle();
+    expect(workers[0]?.received.filter(({ type }) => type === "layers").length).toBeLessThanOrEqual(2);
+    expect(updates.at(-1)?.revision).toBe(50);
+  });
+
+  it("has a call see the layers that were set before it, even those that wait", async () => {
+    const { engine } = start();
+    await openPlane(engine);
+    engine.setLayers([fill("f", [1, 0, 0, 1])], 1);
+    engine.setLayers([fill("f", [0, 1, 0, 1])], 2);
+    expect([...(await engine.readTexels(0, 0, 0, 1, 1))]).toEqual([0, 255, 0, 255]);
+  });
+
+  it("has reported every update when idle resolves, with bytes that belong to the receiver", async () => {
+    const { engine } = start();
+    const updates: TargetUpdate[] = [];
+    engine.onUpdate((update) => updates.push(update));
+    await openPlane(engine);
+    await engine.idle();
+    expect(updates).toHaveLength(1);
+    updates[0]?.bytes.fill(7);
+    expect([...(await engine.readTexels(0, 0, 0, 1, 1))]).toEqual([255, 255, 255, 255]);
+  });
+
+  it("reports a layer that cannot be drawn", async () => {
+    const { engine } = start();
+    const errors: Error[] = [];
+    engine.onError((error) => errors.push(error));
+    await openPlane(engine);
+    engine.setLayers([decal("bad", "logo", { opacity: 2 })], 1);
+    await engine.idle();
+    expect(errors).toEqual([expect.objectContaining({ code: "bad-argument", field: "layers[id=bad]" })]);
+  });
+
+  it("rejects everything once it was ended", async () => {
+    const { engine, workers } = start();
+    const waiting = engine.stats();
+    engine.dispose();
+    await expect(waiting).rejects.toMatchObject({ code: "disposed" });
+    await expect(engine.loadModel({ name: "m.glb", bytes: MODEL })).rejects.toMatchObject({ code: "disposed" });
+    expect(workers[0]?.terminated).toBe(true);
+    engine.setLayers([], 1);
+    engine.dispose();
+  });
+});
+
+describe("a worker that crashes", () => {
+  it("rejects what waits for it, is replaced, and the new one is told everything", async () => {
+    const { engine, workers } = start();
+    await openPlane(engine);
+    await engine.setAsset("gone", { name: "gone.png", bytes: LOGO });
+    await engine.removeAsset("gone");
+    engine.setLayers([decal("d", "logo"), decal("e", "gone")], 4);
+    const before = await engine.hash(0);
+    const errors: TexelcastError[] = [];
+    const updates: TargetUpdate[] = [];
+    engine.onError((error) => errors.push(error as TexelcastError));
+    engine.onUpdate((update) => updates.push(update));
+
+    const waiting = engine.exportPng(0);
+    workers[0]?.fail("out of memory");
+    await expect(waiting).rejects.toMatchObject({ code: "engine-crashed" });
+    expect(errors).toMatchObject([{ code: "engine-crashed", message: "The engine crashed: out of memory." }]);
+    expect(workers).toHaveLength(2);
+    expect(workers[0]?.terminated).toBe(true);
+    expect(await engine.hash(0)).toBe(before);
+    expect(updates.at(-1)?.revision).toBe(4);
+    const texels = updates[0]?.rects.reduce((sum, rect) => sum + rect.width * rect.height, 0);
+    expect(texels).toBe(SIZE * SIZE);
+    expect(errors).toHaveLength(1);
+  });
+
+  it("counts as crashed when the core inside it trapped", async () => {
+    const { engine, workers } = start();
+    await openPlane(engine);
+    const worker = workers[0];
+    const answer = worker?.onmessage;
+    const stats = engine.stats();
+    const id = worker?.received.at(-1);
+    const error = { code: "engine-crashed", message: "The engine crashed: unreachable." };
+    answer?.({ data: { type: "failure", id: (id as { id: number }).id, error } } as MessageEvent);
+    await expect(stats).rejects.toMatchObject({ code: "engine-crashed" });
+    expect(workers).toHaveLength(2);
+    expect(await engine.hash(0)).toMatch(/^[0-9a-f]{16}$/);
+  });
+
+  it("does not bring back what failed before, or what was closed", async () => {
+    const { engine, workers } = start();
+    await openPlane(engine);
+    await engine.openTarget({ material: 0, width: 9000 }).catch(() => undefined);
+    await engine.closeTarget(0);
+    workers[0]?.fail("gone");
+    await engine.idle();
+    const calls = (workers[1]?.received ?? []).flatMap((message) =>
+      message.type === "call" ? [message.call.name] : [],
+    );
+    expect(calls).toEqual(["loadModel", "setAsset", "idle"]);
+  });
+
+  it("is replaced three times a minute at most, after which every call says so", async () => {
+    const { engine, workers } = start(() => new ThreadWorker(false));
+    for (let i = 0; i < 4; i++) workers.at(-1)?.fail("again");
+    expect(workers).toHaveLength(4);
+    await expect(engine.stats()).rejects.toMatchObject({ code: "engine-crashed" });
+    engine.setLayers([], 1);
+  });
+
+  it("says no more once it was replaced", async () => {
+    const { engine, workers } = start();
+    const errors: Error[] = [];
+    engine.onError((error) => errors.push(error));
+    const first = workers[0];
+    first?.fail("once");
+    first?.fail("twice");
+    await engine.idle();
+    expect(errors).toHaveLength(1);
+    expect(workers).toHaveLength(2);
+  });
+});
