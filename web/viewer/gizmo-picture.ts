@@ -20,8 +20,10 @@ const ARROW_BEYOND_HANDLE = 24;
 const ARROW_HEAD = 7;
 /** Edges shorter than this on the screen have no room for a handle between their corners. */
 const LEAST_EDGE_FOR_HANDLE = 60;
+/** Corner handles keep this far from the middle, so that a small decal can still be taken by its body. */
+const LEAST_CORNER_REACH = 40;
 /** An arrow shorter than this on the screen points at the viewer: nothing to pull on. */
-const LEAST_ARROW = 22;
+const LEAST_ARROW = 30;
 /** Pieces of a box edge that are told apart as hidden or seen. */
 const EDGE_PIECES = 6;
 
@@ -153,8 +155,15 @@ function addScaleHandles(
     const side = name === "sw" || name === "nw" ? [nw, sw] : [se, ne];
     const angle = degreesOf(side[0] as ScreenPoint, side[1] as ScreenPoint);
     const cursor = resizeCursor(degreesOf(centre, at));
-    handles.set(name, { ...at, angle, hidden: isHidden(view, outline, name), cursor });
+    const place = pushedOut(at, centre);
+    handles.set(name, { ...place, angle, hidden: isHidden(view, outline, name), cursor });
   }
+}
+
+function pushedOut(at: ScreenPoint, centre: ScreenPoint): ScreenPoint {
+  const reach = Math.hypot(at.x - centre.x, at.y - centre.y);
+  const factor = Math.max(1, LEAST_CORNER_REACH / Math.max(reach, 1));
+  return { x: centre.x + (at.x - centre.x) * factor, y: centre.y + (at.y - centre.y) * factor };
 }
 
 /** Returns the stem's path. */

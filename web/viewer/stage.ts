@@ -20,6 +20,7 @@ import {
 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { ContactShadow } from "./contact-shadow.ts";
+import { GroundLight } from "./ground-light.ts";
 import { createStudioEnvironment } from "./studio-environment.ts";
 
 CameraControls.install({
@@ -49,6 +50,7 @@ export class Stage {
   readonly #root: HTMLElement;
   readonly #hooks: StageHooks;
   readonly #shadow: ContactShadow;
+  readonly #ground = new GroundLight();
   readonly #bounds = new Sphere(new Vector3(), 1);
   readonly #resize: ResizeObserver;
   readonly #reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
@@ -70,8 +72,10 @@ export class Stage {
     this.canvas.classList.add("tcv-canvas");
     root.append(this.canvas);
     this.scene.environment = this.#environment;
+    // Measured on a matt ball: a colour that faces the camera is shown within 3 of 255 of what was picked.
+    this.scene.environmentIntensity = 0.95;
     this.#shadow = new ContactShadow(this.renderer);
-    this.scene.add(this.#shadow.mesh);
+    this.scene.add(this.#shadow.mesh, this.#ground.mesh);
 
     this.controls = new CameraControls(this.camera, root);
     this.#configureControls();
@@ -123,6 +127,7 @@ export class Stage {
   /** Draws the ground's shadow, for the model at rest. */
   castShadow(model: Object3D, bounds: Box3): void {
     this.#shadow.cast(model, bounds);
+    this.#ground.place(bounds);
   }
 
   /** Whether the left button pans instead of turning, from its next press on. */
@@ -146,6 +151,7 @@ export class Stage {
     }
     this.controls.dispose();
     this.#shadow.dispose();
+    this.#ground.dispose();
     this.#environment.dispose();
     this.renderer.dispose();
     this.canvas.remove();
@@ -225,7 +231,7 @@ export class Stage {
     this.requestFrame();
   }
 
-  /** The page's theme reaches the scene through one custom property: a dark page wants a stronger shadow. */
+  /** The page's theme reaches the scene through two custom properties: strengths of the shadow and of the ground's light. */
   #watchTheme(): void {
     const observer = new MutationObserver(() => this.#updateTheme());
     observer.observe(document.documentElement, { attributes: true, attributeFilter: ["class", "style", "data-theme"] });
@@ -240,8 +246,13 @@ export class Stage {
   }
 
   #readTheme(): void {
-    const value = Number.parseFloat(getComputedStyle(this.#root).getPropertyValue("--viewer-shadow"));
-    this.#shadow.strength = Number.isFinite(value) ? value : 0.4;
+    const style = getComputedStyle(this.#root);
+    const read = (property: string, fallback: number) => {
+      const value = Number.parseFloat(style.getPropertyValue(property));
+      return Number.isFinite(value) ? value : fallback;
+    };
+    this.#shadow.strength = read("--viewer-shadow", 0.36);
+    this.#ground.strength = read("--viewer-ground", 0);
   }
 
   #listen<T extends EventTarget>(target: T, type: string, listener: (event: Event) => void): void {

@@ -161,6 +161,7 @@ export class ViewInput {
     this.#press = null;
     if (press.decal !== null && press.grab !== null) {
       this.#dragPointer = event;
+      this.#hooks.hover(null);
       this.#gizmo.startSlide(press.decal, press.grab);
     }
   }

@@ -3,6 +3,7 @@
  *
  * Custom properties that a page may set: --viewer-accent (the gizmo), --viewer-on-accent (what lies on it),
  * --viewer-casing (the thin contrast around its lines), --viewer-shadow (0 to 1, strength of the contact shadow),
+ * --viewer-ground (0 to 1, strength of a pool of light on the ground, for dark pages),
  * --viewer-checker-a and --viewer-checker-b (under transparency), --viewer-outline (UV lines).
  */
 const STYLE = /* css */ `
