@@ -12,6 +12,7 @@ import { nodePackages } from "./bootstrap/node-packages.mjs";
 import { commandLine, demoAssets, wasmModule } from "./bootstrap/products.mjs";
 import { Progress } from "./bootstrap/progress.mjs";
 import { SetUpError } from "./bootstrap/set-up-error.mjs";
+import { provide } from "./bootstrap/system.mjs";
 
 const OLDEST_NODE = [20, 19];
 
@@ -36,6 +37,10 @@ export async function bootstrap(goal, { quiet = false } = {}) {
   const steps = GOALS[goal];
   if (!steps.every((step) => step.isFresh())) {
     await withLock(progress, async () => {
+      // First: the message about what is missing may name a program that comes with the packages.
+      await nodePackages.bringUpToDate(progress);
+      // All at once, so that nobody installs one thing only to be told of the next.
+      await provide(missing(steps.filter((step) => !step.isFresh())), progress);
       for (const step of steps) await step.bringUpToDate(progress);
     });
   }
@@ -54,6 +59,15 @@ export async function bootstrapOrExit(goal, options) {
     process.stderr.write(`\n${reason}\n`);
     process.exit(1);
   }
+}
+
+/**
+ * What the steps lack, each thing once.
+ * @param {readonly import("./bootstrap/stamps.mjs").Step[]} steps
+ */
+function missing(steps) {
+  const needs = steps.flatMap((step) => step.needs?.() ?? []);
+  return [...new Map(needs.map((need) => [need.debian, need])).values()];
 }
 
 function checkNode() {

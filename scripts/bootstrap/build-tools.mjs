@@ -1,13 +1,12 @@
-/** The programs that the C++ side needs: found, installed where that is ours to do, or asked for. */
+/** The programs that the C++ side needs: what is missing, where they are, how CMake is to be called. */
 import { accessSync, constants, existsSync } from "node:fs";
 import { delimiter, dirname, join } from "node:path";
 import { inRoot } from "./paths.mjs";
 import { outputOf } from "./run.mjs";
 import { SetUpError } from "./set-up-error.mjs";
-import { canAptInstall, isProgram, onPath, provide } from "./system.mjs";
+import { canAptInstall, howToInstall, isProgram, onPath } from "./system.mjs";
 
 /** @typedef {import("./system.mjs").Need} Need */
-/** @typedef {import("./progress.mjs").Progress} Progress */
 
 const OLDEST_EMSCRIPTEN = [3, 1, 6];
 const OLDEST_CMAKE = [3, 22, 0];
@@ -20,7 +19,7 @@ const EMSCRIPTEN = {
   debian: "emscripten",
   brew: "emscripten",
   choco: "emscripten",
-  note: "Any system:      https://emscripten.org/docs/getting_started/downloads.html (emsdk; then set EMSDK or PATH)",
+  note: "Emscripten:      https://emscripten.org/docs/getting_started/downloads.html (emsdk; then set EMSDK or PATH)",
 };
 /** @type {Need} */
 const CMAKE = {
@@ -48,42 +47,40 @@ const DEBIAN_HEADERS = [
   { header: "/usr/include/doctest/doctest.h", debian: "doctest-dev" },
 ];
 
-/**
- * Everything that compiling the core to WebAssembly needs.
- * @param {Progress} progress
- * @returns {Promise<NodeJS.ProcessEnv>} the environment in which CMake finds it
- */
-export async function provideWasmTools(progress) {
-  await provide([...(findEmcc() ? [] : [EMSCRIPTEN]), ...missingCMake(), ...missingHeaders()], progress);
+/** What compiling the core to WebAssembly lacks here. */
+export function wasmNeeds() {
+  return [...(findEmcc() ? [] : [EMSCRIPTEN]), ...cmakeNeeds()];
+}
+
+/** What building and testing the core natively lacks here. */
+export function nativeNeeds() {
+  const compiler = findCompiler() ? [] : [COMPILER];
+  // Elsewhere the lint says that it was skipped: a developer without clang-format can still run the tests.
+  const format = canAptInstall() && !findClangFormat() ? [CLANG_FORMAT] : [];
+  return [...compiler, ...format, ...cmakeNeeds()];
+}
+
+/** The environment in which CMake finds Emscripten. Throws where it is missing or too old. */
+export function wasmEnvironment() {
   const emcc = findEmcc();
-  if (!emcc)
-    throw new SetUpError("Emscripten was installed, but emcc is not on PATH. Open a new terminal and try again.");
+  if (!emcc) throw new SetUpError(howToInstall(wasmNeeds()));
   checkVersion("Emscripten", emcc, outputOf(emcc, ["--version"]), OLDEST_EMSCRIPTEN);
   checkCMake();
   const env = { ...process.env, PATH: [dirname(emcc), process.env.PATH].join(delimiter), ...generator() };
   return { ...env, ...writableCache(env) };
 }
 
-/**
- * Everything that building the core natively needs.
- * @param {Progress} progress
- * @returns {Promise<NodeJS.ProcessEnv>}
- */
-export async function provideNativeTools(progress) {
-  const compiler = onPath("g++", "clang++", "c++", "cl") ? [] : [COMPILER];
-  await provide([...compiler, ...missingCMake(), ...missingHeaders()], progress);
+/** The environment in which CMake builds natively. */
+export function nativeEnvironment() {
   checkCMake();
   return { ...process.env, ...generator() };
 }
 
 /** @type {import("./stamps.mjs").Step} */
 export const testTools = {
-  isFresh: () => onPath("g++", "clang++", "c++", "cl") !== null && (!canAptInstall() || findClangFormat() !== null),
-  async bringUpToDate(progress) {
-    await provideNativeTools(progress);
-    // Elsewhere the lint says that it was skipped: a developer without it can still run the tests.
-    if (canAptInstall() && !findClangFormat()) await provide([CLANG_FORMAT], progress);
-  },
+  isFresh: () => nativeNeeds().length === 0,
+  needs: nativeNeeds,
+  bringUpToDate: async () => checkCMake(),
 };
 
 export function findClangFormat() {
@@ -96,20 +93,18 @@ function findEmcc() {
   return ours && isProgram(ours) ? ours : onPath("emcc");
 }
 
-/** @returns {Need[]} */
-function missingCMake() {
-  return [...(onPath("cmake") ? [] : [CMAKE]), ...(onPath("ninja", "make", "mingw32-make") ? [] : [NINJA])];
+function findCompiler() {
+  return onPath("g++", "clang++", "c++", "cl");
 }
 
-/** @returns {Need[]} */
-function missingHeaders() {
-  if (!canAptInstall()) return [];
-  return DEBIAN_HEADERS.filter(({ header }) => !existsSync(header)).map(({ header, debian }) => ({
-    what: header,
-    debian,
-    brew: "",
-    choco: "",
-  }));
+/** CMake, a program for it to build with, and on Debian the headers. @returns {Need[]} */
+function cmakeNeeds() {
+  const headers = canAptInstall() ? DEBIAN_HEADERS.filter(({ header }) => !existsSync(header)) : [];
+  return [
+    ...(onPath("cmake") ? [] : [CMAKE]),
+    ...(onPath("ninja", "make", "mingw32-make") ? [] : [NINJA]),
+    ...headers.map(({ header, debian }) => ({ what: header, debian })),
+  ];
 }
 
 function checkCMake() {

@@ -1,23 +1,20 @@
 /** A Chromium for the end-to-end tests. */
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
-import { SetUpError } from "./set-up-error.mjs";
-import { canAptInstall, isProgram, onPath, provide } from "./system.mjs";
+import { isProgram, onPath } from "./system.mjs";
+
+/** @type {import("./system.mjs").Need} */
+const CHROMIUM = {
+  what: "Chromium, for the end-to-end tests",
+  debian: "chromium",
+  note: "Chromium:        npx playwright install --with-deps chromium, or TEXELCAST_CHROMIUM=/path/to/chrome",
+};
 
 /** @type {import("./stamps.mjs").Step} */
 export const chromium = {
   isFresh: () => findChromium() !== null,
-  async bringUpToDate(progress) {
-    if (findChromium()) return;
-    if (!canAptInstall()) {
-      throw new SetUpError(
-        "The end-to-end tests need Chromium, and none was found. Install it, then run the same command again:\n" +
-          "  Any system:      npx playwright install --with-deps chromium\n" +
-          "  or name yours:   TEXELCAST_CHROMIUM=/path/to/chrome npm test",
-      );
-    }
-    await provide([{ what: "Chromium", debian: "chromium", brew: "chromium", choco: "chromium" }], progress);
-  },
+  needs: () => (findChromium() ? [] : [CHROMIUM]),
+  bringUpToDate: async () => {},
 };
 
 /** The path of the browser to test with: TEXELCAST_CHROMIUM, the system's, or Playwright's own; null where there is none. */

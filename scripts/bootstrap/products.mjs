@@ -1,6 +1,6 @@
 /** What the checkout builds for itself: the WebAssembly module, the demo's assets, the bundled command line. */
 import { chmodSync } from "node:fs";
-import { provideWasmTools } from "./build-tools.mjs";
+import { wasmEnvironment, wasmNeeds } from "./build-tools.mjs";
 import { buildPreset } from "./cmake.mjs";
 import { inRoot } from "./paths.mjs";
 import { run } from "./run.mjs";
@@ -11,10 +11,8 @@ export const wasmModule = stampedStep({
   title: "the core as WebAssembly (build/wasm)",
   inputs: ["CMakeLists.txt", "CMakePresets.json", "cmake", "wasm"],
   outputs: ["build/wasm/texelcast.wasm"],
-  async prepare(progress) {
-    const env = await provideWasmTools(progress);
-    return () => buildPreset("wasm", "wasm", env);
-  },
+  needs: wasmNeeds,
+  work: async () => buildPreset("wasm", "wasm", wasmEnvironment()),
 });
 
 export const demoAssets = stampedStep({
@@ -22,7 +20,7 @@ export const demoAssets = stampedStep({
   title: "the demo's models and decals (build/public/demo)",
   inputs: ["scripts/demo", "package-lock.json"],
   outputs: ["build/public/demo/demo.json"],
-  prepare: async () => () => run(process.execPath, [inRoot("node_modules/tsx/dist/cli.mjs"), "scripts/demo/main.ts"]),
+  work: () => run(process.execPath, [inRoot("node_modules/tsx/dist/cli.mjs"), "scripts/demo/main.ts"]),
 });
 
 export const commandLine = stampedStep({
@@ -30,7 +28,7 @@ export const commandLine = stampedStep({
   title: "the command line (build/node)",
   inputs: ["node", "web/core", "web/engine", "web/editor/document", "package.json", "scripts/bootstrap/products.mjs"],
   outputs: ["build/node/texelcast.mjs"],
-  prepare: async () => bundleCommandLine,
+  work: bundleCommandLine,
 });
 
 /**

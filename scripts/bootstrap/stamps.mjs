@@ -12,6 +12,7 @@ const STAMPS = join(BUILD, ".stamps");
 /**
  * @typedef {object} Step
  * @property {() => boolean} isFresh
+ * @property {() => import("./system.mjs").Need[]} [needs] what it lacks on this machine
  * @property {(progress: import("./progress.mjs").Progress) => Promise<void>} bringUpToDate
  */
 
@@ -22,22 +23,22 @@ const STAMPS = join(BUILD, ".stamps");
  * @param {string} options.title for people
  * @param {readonly string[]} options.inputs files and folders, relative to the checkout; those that are missing count too
  * @param {readonly string[]} options.outputs files that must be there afterwards
- * @param {(progress: import("./progress.mjs").Progress) => Promise<(() => Promise<unknown>)>} options.prepare makes sure
- *   of the tools, and gives the work itself
+ * @param {() => import("./system.mjs").Need[]} [options.needs]
+ * @param {() => Promise<unknown>} options.work
  * @returns {Step}
  */
-export function stampedStep({ name, title, inputs, outputs, prepare }) {
+export function stampedStep({ name, title, inputs, outputs, needs, work }) {
   const stamp = join(STAMPS, name);
   /** @param {string} digest */
   const isStamped = (digest) =>
     existsSync(stamp) && readFileSync(stamp, "utf8") === digest && outputs.every((file) => existsSync(inRoot(file)));
   return {
     isFresh: () => isStamped(digestOf(inputs)),
+    needs,
     async bringUpToDate(progress) {
       // Hashed before the work: a file edited meanwhile makes the next run do it again.
       const digest = digestOf(inputs);
       if (isStamped(digest)) return;
-      const work = await prepare(progress);
       await progress.work(title, work);
       const missing = outputs.find((file) => !existsSync(inRoot(file)));
       if (missing) throw new Error(`${title}: it ended well, but ${missing} is not there`);

@@ -50,8 +50,8 @@ export async function aptInstall(packages) {
  * @typedef {object} Need
  * @property {string} what what is missing, for people
  * @property {string} debian the Debian package
- * @property {string} brew
- * @property {string} choco
+ * @property {string} [brew]
+ * @property {string} [choco]
  * @property {string} [note] another way to it
  */
 
@@ -72,13 +72,28 @@ export async function provide(needs, progress) {
 /** @param {readonly Need[]} needs */
 export function howToInstall(needs) {
   const missing = needs.map((need) => `  - ${need.what}`).join("\n");
-  /** @param {"debian" | "brew" | "choco"} manager */
-  const names = (manager) => needs.map((need) => need[manager]).join(" ");
+  /** @param {string} title @param {string} command @param {(string | undefined)[]} names */
+  const way = (title, command, names) => {
+    const known = names.filter(Boolean);
+    return known.length > 0 ? [`  ${title.padEnd(16)} ${command} ${known.join(" ")}`] : [];
+  };
   const ways = [
-    `  Debian, Ubuntu:  sudo apt-get install --no-install-recommends ${names("debian")}`,
-    `  macOS:           brew install ${names("brew")}`,
-    `  Windows:         choco install ${names("choco")}`,
+    ...way(
+      "Debian, Ubuntu:",
+      "sudo apt-get install --no-install-recommends",
+      needs.map((need) => need.debian),
+    ),
+    ...way(
+      "macOS:",
+      "brew install",
+      needs.map((need) => need.brew),
+    ),
+    ...way(
+      "Windows:",
+      "choco install",
+      needs.map((need) => need.choco),
+    ),
     ...needs.flatMap((need) => (need.note ? [`  ${need.note}`] : [])),
   ];
-  return `This machine lacks:\n${missing}\n\nInstall it, then run the same command again:\n${ways.join("\n")}`;
+  return `This machine lacks:\n${missing}\n\nInstall that, then run the same command again:\n${ways.join("\n")}`;
 }

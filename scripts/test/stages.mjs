@@ -1,11 +1,10 @@
 /** The kinds of test, in the order in which they run: the quick and telling first. */
 import { rmSync } from "node:fs";
 import { join } from "node:path";
-import { provideNativeTools, provideWasmTools } from "../bootstrap/build-tools.mjs";
+import { nativeEnvironment, wasmEnvironment } from "../bootstrap/build-tools.mjs";
 import { findChromium } from "../bootstrap/chromium.mjs";
 import { buildPreset } from "../bootstrap/cmake.mjs";
 import { BUILD, inRoot } from "../bootstrap/paths.mjs";
-import { Progress } from "../bootstrap/progress.mjs";
 import { runVisibly } from "../bootstrap/run.mjs";
 import { CHECKS } from "../lint/checks.mjs";
 import { doctestCounts, playwrightCounts, vitestCounts } from "./counts.mjs";
@@ -16,7 +15,6 @@ import { runAndShow } from "./run-and-show.mjs";
 
 const RESULTS = join(BUILD, "test-results");
 const EXECUTABLE = process.platform === "win32" ? "core_tests.exe" : "core_tests";
-const progress = new Progress({ quiet: true });
 
 /** @type {readonly Stage[]} */
 export const STAGES = [
@@ -41,13 +39,13 @@ async function lint() {
 
 /** @param {"native" | "native-asan"} preset @param {readonly string[]} args */
 async function nativeTests(preset, args) {
-  await buildPreset(preset, preset, await provideNativeTools(progress));
+  await buildPreset(preset, preset, nativeEnvironment());
   return doctestCounts(await runAndShow(inRoot("build", preset, EXECUTABLE), args));
 }
 
 /** @param {readonly string[]} args */
 async function wasmTests(args) {
-  await buildPreset("wasm", "wasm-tests", await provideWasmTools(progress));
+  await buildPreset("wasm", "wasm-tests", wasmEnvironment());
   const flags = ["--disable-warning=ExperimentalWarning", inRoot("scripts/run-core-tests.mjs")];
   return doctestCounts(await runAndShow(process.execPath, [...flags, ...args]));
 }
