@@ -36,7 +36,7 @@ export interface TestHandle {
 
 declare global {
   interface Window {
-    texelcast?: TestHandle;
+    texelcast: TestHandle;
   }
 }
 

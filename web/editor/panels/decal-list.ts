@@ -4,7 +4,7 @@
  */
 import { css, html, nothing, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { ArrowDown, ArrowUp, Copy, Eye, EyeOff, GripVertical, Trash } from "lucide";
+import { ArrowDown, ArrowUp, Copy, Eye, EyeOff, GripVertical, type IconNode, Trash } from "lucide";
 import type { DesignLayer } from "../document/index.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
@@ -30,8 +30,17 @@ export class DecalList extends EditorElement {
     controls,
     thumbnailStyles,
     css`
+      .header {
+        display: flex;
+        align-items: center;
+        min-height: var(--target);
+      }
+      .header h2 {
+        flex: 1;
+      }
       ul {
-        margin: 0;
+        margin: var(--space-1) calc(-1 * var(--space-2)) 0;
+        user-select: none;
         padding: 0;
         list-style: none;
       }
@@ -64,6 +73,9 @@ export class DecalList extends EditorElement {
       }
       li.slot-after::after {
         inset-block: auto -1px;
+      }
+      .empty {
+        line-height: 1.45;
       }
       .grip {
         display: grid;
@@ -112,13 +124,6 @@ export class DecalList extends EditorElement {
         display: flex;
         padding-inline-end: 2px;
       }
-      .more {
-        grid-column: 1 / -1;
-        display: flex;
-        justify-content: end;
-        gap: 2px;
-        padding: 0 2px 2px;
-      }
     `,
   ];
 
@@ -127,14 +132,20 @@ export class DecalList extends EditorElement {
     this.drag = null;
   }
 
-  protected watched({ design, selectedId }: EditorState): readonly unknown[] {
-    return [design, selectedId];
+  protected watched({ design, selectedId, model }: EditorState): readonly unknown[] {
+    return [design, selectedId, model === null];
   }
 
   override render(): TemplateResult {
-    const layers = this.state.design.layers.toReversed();
+    const { design, model } = this.state;
+    const layers = design.layers.toReversed();
     return html`
-      <ul aria-label=${words.list} @keydown=${this.#key}>
+      <div class="header">
+        <h2>${words.title}</h2>
+        ${this.#actions()}
+      </div>
+      ${layers.length === 0 ? html`<p class="quiet empty">${model ? words.emptyBody : words.emptyWithoutModel}</p>` : nothing}
+      <ul aria-label=${words.list} @keydown=${this.#key} ?hidden=${layers.length === 0}>
         ${repeat(
           layers,
           ({ id }) => id,
@@ -192,24 +203,27 @@ export class DecalList extends EditorElement {
             ${icon(visible ? Eye : EyeOff)}
           </button>
         </div>
-        ${selected ? this.#actions(id, name, count - 1 - index, count) : nothing}
       </li>
     `;
   }
 
-  /** `place` counts from the bottom, as the design does. */
-  #actions(id: string, name: string, place: number, count: number): TemplateResult {
+  /** What can be done with the selected layer. `place` counts from the bottom, as the design does. */
+  #actions(): TemplateResult {
+    const { design, selectedId } = this.state;
     const { decals } = this.editor;
-    const button = (action: string, label: string, drawing: typeof Copy, run: () => void, disabled = false) => html`
-      <button class="icon" data-action=${action} aria-label=${label} title=${label} ?disabled=${disabled} @click=${run}>${icon(drawing)}</button>
+    const place = design.layers.findIndex(({ id }) => id === selectedId);
+    const { id, name } = design.layers[place] ?? { id: "", name: "" };
+    const button = (action: string, label: string, drawing: IconNode, run: () => void, disabled = false) => html`
+      <button class="icon" data-action=${action} aria-label=${label} title=${label} ?disabled=${disabled} @click=${run}>
+        ${icon(drawing)}
+      </button>
     `;
+    if (place < 0) return html``;
     return html`
-      <div class="more">
-        ${button("up", words.up(name), ArrowUp, () => decals.move(id, place + 1), place === count - 1)}
-        ${button("down", words.down(name), ArrowDown, () => decals.move(id, place - 1), place === 0)}
-        ${button("duplicate", words.duplicate(name), Copy, () => decals.duplicate(id))}
-        ${button("delete", words.remove(name), Trash, () => decals.remove(id))}
-      </div>
+      ${button("up", words.up(name), ArrowUp, () => decals.move(id, place + 1), place === design.layers.length - 1)}
+      ${button("down", words.down(name), ArrowDown, () => decals.move(id, place - 1), place === 0)}
+      ${button("duplicate", words.duplicate(name), Copy, () => decals.duplicate(id))}
+      ${button("delete", words.remove(name), Trash, () => decals.remove(id))}
     `;
   }
 
@@ -246,23 +260,26 @@ export class DecalList extends EditorElement {
   }
 
   #move(event: PointerEvent): void {
-    if (this.drag?.pointer !== event.pointerId) return;
+    if (this.drag?.pointer === event.pointerId) this.drag = { ...this.drag, slot: this.#slotAt(event.clientY) };
+  }
+
+  #slotAt(clientY: number): number {
     const rows = [...this.renderRoot.querySelectorAll("li")];
     const below = rows.findIndex((row) => {
       const box = row.getBoundingClientRect();
-      return event.clientY < box.top + box.height / 2;
+      return clientY < box.top + box.height / 2;
     });
-    this.drag = { ...this.drag, slot: below < 0 ? rows.length : below };
+    return below < 0 ? rows.length : below;
   }
 
   #drop(event: PointerEvent): void {
     const { drag } = this;
     if (drag?.pointer !== event.pointerId) return;
     this.drag = null;
-    if (drag.slot < 0) return;
+    const slot = this.#slotAt(event.clientY);
     const rows = this.state.design.layers.toReversed();
     const from = rows.findIndex(({ id }) => id === drag.id);
-    const to = drag.slot > from ? drag.slot - 1 : drag.slot;
+    const to = slot > from ? slot - 1 : slot;
     this.editor.decals.move(drag.id, rows.length - 1 - to);
   }
 }

@@ -140,10 +140,10 @@ export class DecalProperties extends EditorElement {
         },
       };
     };
-    const field = (axis: 0 | 1 | 2, label: string, hint = "") =>
+    const field = (axis: 0 | 1 | 2, side: "width" | "height" | "depth", hint = "") =>
       this.#number(layer, words.size, {
-        label,
-        name: words.axis(words.size, label.toLowerCase()),
+        label: words.sizeLetters[side],
+        name: words.axis(words.size, words[side]),
         hint,
         value: projector.size[axis],
         step,
@@ -180,7 +180,7 @@ export class DecalProperties extends EditorElement {
           ${icon(this.proportional ? Link2 : Unlink2)}
         </button>
       </div>
-      <div class="three">${field(0, words.width)}${field(1, words.height)}${field(2, words.depth, words.depthHint)}</div>
+      <div class="three">${field(0, "width")}${field(1, "height")}${field(2, "depth", words.depthHint)}</div>
     `;
   }
 

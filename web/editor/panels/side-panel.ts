@@ -33,18 +33,6 @@ export class SidePanel extends EditorElement {
       .section + .section {
         border-top: 1px solid var(--line);
       }
-      tc-decal-list {
-        margin-inline: calc(-1 * var(--space-2));
-      }
-      .empty {
-        display: grid;
-        gap: var(--space-1);
-        line-height: 1.45;
-      }
-      .empty h3 {
-        color: var(--text);
-        font-size: var(--text-normal);
-      }
     `,
   ];
 
@@ -53,28 +41,20 @@ export class SidePanel extends EditorElement {
     this.only = null;
   }
 
-  protected watched({ design, model }: EditorState): readonly unknown[] {
-    return [design.layers.length === 0, model === null];
+  protected watched({ model }: EditorState): readonly unknown[] {
+    return [model === null];
   }
 
   override render(): TemplateResult {
     const { editor, only } = this;
-    const { design, model } = this.state;
+    const { model } = this.state;
     const shows = (section: Section): boolean => only === null || only === section;
     const heading = (text: string) => (only === null ? html`<h2>${text}</h2>` : nothing);
     return html`
       ${
         shows("decals")
           ? html`<div class="section">
-              ${heading(strings.decals.title)}
-              ${
-                design.layers.length > 0
-                  ? html`<tc-decal-list .editor=${editor}></tc-decal-list>`
-                  : html`<div class="empty">
-                      <h3>${strings.decals.empty}</h3>
-                      <p class="quiet">${strings.decals.emptyBody}</p>
-                    </div>`
-              }
+              <tc-decal-list .editor=${editor}></tc-decal-list>
               <tc-decal-palette .editor=${editor}></tc-decal-palette>
             </div>`
           : nothing

@@ -126,7 +126,7 @@ export class TexturePanel extends EditorElement {
   }
 
   #choose(mode: TextureMode): void {
-    void this.editor.setTextureMode(mode);
+    this.editor.setTextureMode(mode);
   }
 
   #key(event: KeyboardEvent): void {

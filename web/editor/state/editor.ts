@@ -2,7 +2,7 @@
  * The editor without its looks: one state, the commands that change it, and the wiring between design, engine and
  * views. Panels read `store` and call commands; nothing else changes the state.
  */
-import type { Engine, TargetInfo } from "../../engine/engine-api.ts";
+import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-api.ts";
 import { loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import { strings } from "../strings.ts";
@@ -85,23 +85,18 @@ export class Editor {
   }
 
   /** Shows the texture or one of the maps behind it. */
-  async setTextureMode(mode: TextureMode): Promise<void> {
-    this.#modeRequest += 1;
-    const request = this.#modeRequest;
-    const { material, targets } = this.store.state;
+  setTextureMode(mode: TextureMode): void {
     this.store.set({ textureMode: mode });
-    if (mode === "texture" || material === null || !targets.has(material)) {
-      this.textureView.setMode("texture");
-      return;
-    }
-    try {
-      const picture = await this.engine.viewMap(material, mode);
-      // A newer choice may have overtaken this one.
-      if (request === this.#modeRequest) this.textureView.setMode(mode, picture);
-    } catch (thrown) {
-      this.store.set({ textureMode: "texture" });
-      this.board.error(strings.errors.couldNotShowMap, thrown);
-    }
+    this.#modeRequest += 1;
+    const { material, targets } = this.store.state;
+    if (mode === "texture" || material === null || !targets.has(material)) this.textureView.setMode("texture");
+    else this.#attempt(strings.errors.couldNotShowMap, this.#showMap(material, mode, this.#modeRequest));
+  }
+
+  async #showMap(material: number, view: MapView, request: number): Promise<void> {
+    const picture = await this.engine.viewMap(material, view);
+    // A newer choice may have overtaken this one.
+    if (request === this.#modeRequest) this.textureView.setMode(view, picture);
   }
 
   /** Gives the views a target's whole picture again: their graphics context was lost. */
@@ -139,7 +134,7 @@ export class Editor {
         index === null ? undefined : of.get(index);
       // A new map is behind the picture that the texture view shows.
       const mapChanged = target(state.targets, state.material) !== target(targets, material);
-      if (mapChanged && state.textureMode !== "texture") void this.setTextureMode(state.textureMode);
+      if (mapChanged && state.textureMode !== "texture") this.setTextureMode(state.textureMode);
       if (model !== state.model) this.textureView.setMode("texture");
       if (design !== state.design && !state.switching) {
         this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(state.design));
@@ -161,6 +156,6 @@ export class Editor {
   }
 
   #attempt(title: string, work: Promise<void>): void {
-    work.catch((thrown: unknown) => this.board.error(title, thrown));
+    void this.tasks.quietly(work.catch((thrown: unknown) => this.board.error(title, thrown)));
   }
 }

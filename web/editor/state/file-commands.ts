@@ -36,9 +36,24 @@ export class FileCommands {
   }
 
   /** Takes whatever the user chose or dropped; `hit` is the surface under the drop. */
-  async openFiles(
+  openFiles(
     files: Promise<readonly CollectedFile[]> | readonly CollectedFile[],
     hit: SurfaceHit | null = null,
+  ): Promise<void> {
+    return this.#parts.tasks.quietly(this.#openFiles(files, hit));
+  }
+
+  openDemo(demo: DemoModel): Promise<void> {
+    return this.#parts.tasks.quietly(this.#openDemo(demo));
+  }
+
+  addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null = null): Promise<void> {
+    return this.#parts.tasks.quietly(this.#addDemoDecal(decal, hit));
+  }
+
+  async #openFiles(
+    files: Promise<readonly CollectedFile[]> | readonly CollectedFile[],
+    hit: SurfaceHit | null,
   ): Promise<void> {
     let name = "";
     try {
@@ -59,7 +74,7 @@ export class FileCommands {
     }
   }
 
-  async openDemo(demo: DemoModel): Promise<void> {
+  async #openDemo(demo: DemoModel): Promise<void> {
     const { store, library, board } = this.#parts;
     const { demos } = store.state;
     if (!demos) return;
@@ -74,7 +89,7 @@ export class FileCommands {
     }
   }
 
-  async addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null = null): Promise<void> {
+  async #addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null): Promise<void> {
     const { store, library, decals, board } = this.#parts;
     if (!store.state.demos || !store.state.model) return;
     try {
@@ -139,7 +154,7 @@ export class FileCommands {
     await models.open(ref, design, () => {
       store.set({ designName: fileStem(ref.title) });
       session.recordModel(ref, design, strings.steps.openModel);
-      session.select(design.layers.at(-1)?.id ?? null);
+      session.select(design.layers[0]?.id ?? null);
     });
     board.dismissAll();
     board.announce(strings.announce.opened(ref.title));

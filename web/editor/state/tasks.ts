@@ -19,13 +19,24 @@ const PATIENCE = 300;
 export class Tasks {
   readonly #store: Store<EditorState>;
   #count = 0;
+  #quiet = 0;
 
   constructor(store: Store<EditorState>) {
     this.#store = store;
   }
 
   get running(): boolean {
-    return this.#store.state.tasks.length > 0;
+    return this.#quiet > 0 || this.#store.state.tasks.length > 0;
+  }
+
+  /** Counts work as running that shows no progress of its own. */
+  async quietly<T>(work: Promise<T>): Promise<T> {
+    this.#quiet += 1;
+    try {
+      return await work;
+    } finally {
+      this.#quiet -= 1;
+    }
   }
 
   /** Runs `work` and passes on how it ends. */

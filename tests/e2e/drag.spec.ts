@@ -1,0 +1,149 @@
+import { expect, type Region, test } from "./support/editor-page.ts";
+
+/** The texels in which the shown texture differs from the one that `window.base` holds. */
+async function changedRegion(
+  page: import("@playwright/test").Page,
+  size: { width: number; height: number },
+): Promise<Region> {
+  return page.evaluate(async ({ width, height }) => {
+    const base = (window as unknown as { base: Uint32Array }).base;
+    const bytes = await window.texelcast.readTexels(0, 0, width, height);
+    const now = new Uint32Array(bytes.slice().buffer);
+    let [left, top, right, bottom] = [width, height, -1, -1];
+    for (let at = 0; at < now.length; at += 1) {
+      if (now[at] === base[at]) continue;
+      const [x, y] = [at % width, Math.floor(at / width)];
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      top = Math.min(top, y);
+      bottom = Math.max(bottom, y);
+    }
+    return { x: left, y: top, width: right - left + 1, height: bottom - top + 1 };
+  }, size);
+}
+
+async function rememberBase(
+  page: import("@playwright/test").Page,
+  size: { width: number; height: number },
+): Promise<void> {
+  await page.evaluate(async ({ width, height }) => {
+    const bytes = await window.texelcast.readTexels(0, 0, width, height);
+    (window as unknown as { base: Uint32Array }).base = new Uint32Array(bytes.slice().buffer);
+  }, size);
+}
+
+test("texels change in the middle of a drag, the old place gets the base's bytes back, undo and redo are exact", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.removeAllDecals();
+  const size = await editor.textureSize();
+  await rememberBase(page, size);
+  const base = await editor.hash();
+
+  const id = await editor.addDemoDecal("flower");
+  const start = await editor.hash();
+  const oldPlace = await changedRegion(page, size);
+  expect(oldPlace.width).toBeGreaterThan(10);
+  const { bakeCount, projectionCount } = await editor.stats();
+
+  const from = await editor.pointOf(id);
+  const seen = new Set([start]);
+  await editor.drag(from, { x: from.x - 130, y: from.y + 20 }, 8, async () => {
+    const known = seen.size;
+    await expect
+      .poll(async () => {
+        seen.add(await editor.hash());
+        return seen.size;
+      })
+      .toBeGreaterThan(known);
+  });
+  expect(seen.size).toBeGreaterThan(8);
+  const moved = await editor.hash();
+  expect(moved).not.toBe(start);
+
+  const newPlace = await changedRegion(page, size);
+  const apart = newPlace.x + newPlace.width <= oldPlace.x || oldPlace.x + oldPlace.width <= newPlace.x;
+  expect(apart, "the decal was dragged clear of its old place").toBe(true);
+  const oldTexels = await page.evaluate(
+    async ({ x, y, width, height, size }) => {
+      const whole = (window as unknown as { base: Uint32Array }).base;
+      const part = new Uint32Array((await window.texelcast.readTexels(x, y, width, height)).slice().buffer);
+      return part.every((texel, at) => texel === whole[(y + Math.floor(at / width)) * size.width + x + (at % width)]);
+    },
+    { ...oldPlace, size },
+  );
+  expect(oldTexels, "every texel of the old place is the base's again").toBe(true);
+
+  const after = await editor.stats();
+  expect(after.bakeCount, "nothing was baked again").toBe(bakeCount);
+  expect(after.projectionCount).toBeGreaterThan(projectionCount);
+
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(start);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(base);
+  await page.keyboard.press("Control+Shift+z");
+  await page.keyboard.press("Control+y");
+  expect(await editor.settledHash()).toBe(moved);
+});
+
+test("a drag is one step of the history, and Escape in its middle puts the decal back", async ({ editor, page }) => {
+  await editor.open();
+  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const start = await editor.hash();
+  const from = await editor.pointOf(id);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 40, from.y, { steps: 4 });
+  await expect.poll(() => editor.hash()).not.toBe(start);
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  expect(await editor.settledHash()).toBe(start);
+  await expect(page.locator("#undo")).toBeDisabled();
+
+  await editor.drag(from, { x: from.x + 40, y: from.y - 20 }, 6);
+  await page.locator("#undo").click();
+  expect(await editor.settledHash()).toBe(start);
+  await expect(page.locator("#undo")).toBeDisabled();
+});
+
+test("the handles rotate and scale the decal", async ({ editor, page }) => {
+  await editor.open();
+  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const start = await editor.hash();
+  const before = (await editor.decal(id)).projector;
+
+  const rotate = await editor.handle("rotate");
+  const centre = await editor.pointOf(id);
+  await editor.drag(rotate, { x: centre.x + (centre.y - rotate.y), y: centre.y }, 8);
+  const turned = (await editor.decal(id)).projector;
+  expect(turned).not.toEqual(before);
+  expect("size" in turned && "size" in before && turned.size).toEqual("size" in before && before.size);
+  const rotated = await editor.settledHash();
+  expect(rotated).not.toBe(start);
+
+  const corner = await editor.handle("se");
+  const middle = await editor.pointOf(id);
+  await editor.drag(corner, { x: (corner.x + middle.x) / 2, y: (corner.y + middle.y) / 2 }, 8);
+  const scaled = (await editor.decal(id)).projector;
+  if (scaled.kind !== "planar" || before.kind !== "planar") throw new Error("The decal is not planar.");
+  expect(scaled.size[0]).toBeLessThan(before.size[0] * 0.9);
+  expect(scaled.size[0] / scaled.size[1]).toBeCloseTo(before.size[0] / before.size[1], 5);
+
+  await page.locator("#undo").click();
+  expect(await editor.settledHash()).toBe(rotated);
+  await page.locator("#undo").click();
+  expect(await editor.settledHash()).toBe(start);
+});
+
+test("a click on a decal in the view selects it", async ({ editor, page }) => {
+  await editor.open();
+  const { id, name } = (await editor.design()).layers[0] ?? { id: "", name: "" };
+  await page.evaluate(() => window.texelcast.select(null));
+  await expect(page.locator("tc-decal-properties")).toContainText("Nothing selected");
+  const at = await editor.pointOf(id);
+  await page.mouse.click(at.x, at.y);
+  expect(await editor.selectedName()).toBe(name);
+});

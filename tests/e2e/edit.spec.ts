@@ -1,0 +1,204 @@
+import { expect, test } from "./support/editor-page.ts";
+import { squareGlb } from "./support/test-files.ts";
+
+test("numeric fields move, turn, size and fade the selected decal, each as one step", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const id = await editor.addDemoDecal("badge");
+  const hashes = [await editor.settledHash()];
+  const fields = [
+    ["position-x", "0.2"],
+    ["spin", "30"],
+    ["size-width", "0.5"],
+    ["opacity", "60"],
+  ] as const;
+  for (const [field, value] of fields) {
+    await editor.setField(field, value);
+    hashes.push(await editor.settledHash());
+  }
+  expect(new Set(hashes).size).toBe(hashes.length);
+  const { projector, opacity } = await editor.decal(id);
+  if (projector.kind !== "planar") throw new Error("The decal is not planar.");
+  expect(projector.position[0]).toBe(0.2);
+  expect(projector.size[0]).toBe(0.5);
+  expect(projector.size[1], "width and height stay in proportion").toBeCloseTo(0.5, 6);
+  expect(opacity).toBe(0.6);
+  for (const hash of hashes.toReversed().slice(1)) {
+    await page.locator("#undo").click();
+    expect(await editor.settledHash()).toBe(hash);
+  }
+});
+
+test("a field is scrubbed by its label, live, as one step; what is no number is not taken", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const start = await editor.hash();
+  const label = await page.locator('tc-number[data-field="spin"] label').boundingBox();
+  if (!label) throw new Error("There is no label.");
+  const from = { x: label.x + 8, y: label.y + label.height / 2 };
+  const seen = new Set([start]);
+  await editor.drag(from, { x: from.x + 40, y: from.y }, 5, async () => {
+    const known = seen.size;
+    await expect.poll(async () => seen.add(await editor.hash()).size).toBeGreaterThan(known);
+  });
+  await page.locator("#undo").click();
+  expect(await editor.settledHash()).toBe(start);
+  await expect(page.locator("#undo")).toBeDisabled();
+
+  await editor.field("spin").fill("about ten");
+  await editor.field("spin").press("Tab");
+  expect(await editor.settledHash()).toBe(start);
+  await expect(editor.field("spin")).toHaveValue("0");
+});
+
+test("arrow keys nudge the decal, Shift further; quick nudges are one step", async ({ editor, page }) => {
+  await editor.open();
+  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const start = await editor.hash();
+  const place = async () => {
+    const { projector } = await editor.decal(id);
+    return projector.kind === "planar" ? projector.position : [0, 0, 0];
+  };
+  const at = await place();
+  await page.locator("tc-stage").hover();
+  await page.keyboard.press("ArrowUp");
+  const near = await place();
+  await page.keyboard.press("Shift+ArrowUp");
+  const far = await place();
+  const rise = (from: readonly number[], to: readonly number[]) => (to[1] ?? 0) - (from[1] ?? 0);
+  expect(rise(at, near)).toBeGreaterThan(0);
+  expect(rise(near, far)).toBeGreaterThan(rise(at, near) * 5);
+  expect(await editor.settledHash()).not.toBe(start);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(start);
+});
+
+test("keys mean the text while one types in a field", async ({ editor, page }) => {
+  await editor.open();
+  const before = await editor.design();
+  const name = page.locator("tc-decal-properties #name");
+  await name.click();
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Delete");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.press("Escape");
+  await editor.field("position-x").click();
+  await page.keyboard.press("Delete");
+  await page.keyboard.press("Escape");
+  expect(await editor.design()).toEqual(before);
+});
+
+test("decals are duplicated, reordered, hidden, renamed and deleted", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  await editor.addDemoDecal("badge");
+  await editor.addDemoDecal("number");
+  const names = async () => (await editor.design()).layers.map(({ name }) => name);
+  const start = await editor.settledHash();
+
+  await page.keyboard.press("Control+d");
+  expect(await names()).toEqual(["Travel badge", "Number 07", "Number 08"].with(2, (await names())[2] ?? ""));
+  expect(await names()).toHaveLength(3);
+  expect(await editor.settledHash()).not.toBe(start);
+  await page.keyboard.press("Delete");
+  expect(await editor.settledHash()).toBe(start);
+
+  await editor.row("Travel badge").locator(".row").click();
+  await editor.action("up").click();
+  expect(await names()).toEqual(["Number 07", "Travel badge"]);
+  const swapped = await editor.settledHash();
+  expect(swapped).not.toBe(start);
+  await page.keyboard.press("Alt+ArrowDown");
+  expect(await names()).toEqual(["Number 07", "Travel badge"]);
+  await editor.row("Travel badge").locator(".row").focus();
+  await page.keyboard.press("Alt+ArrowDown");
+  expect(await names()).toEqual(["Travel badge", "Number 07"]);
+  expect(await editor.settledHash()).toBe(start);
+
+  const grip = await editor.row("Number 07").locator(".grip").boundingBox();
+  const goal = await editor.row("Travel badge").boundingBox();
+  if (!grip || !goal) throw new Error("A row has no place.");
+  await editor.drag({ x: grip.x + 8, y: grip.y + 20 }, { x: grip.x + 8, y: goal.y + goal.height - 4 }, 6);
+  expect(await names()).toEqual(["Number 07", "Travel badge"]);
+  expect(await editor.settledHash()).toBe(swapped);
+
+  await editor.row("Travel badge").locator("[data-action=visible]").click();
+  const hidden = await editor.settledHash();
+  expect(hidden).not.toBe(swapped);
+  await editor.row("Travel badge").locator("[data-action=visible]").click();
+  expect(await editor.settledHash()).toBe(swapped);
+
+  await page.locator("tc-decal-properties #name").fill("Crest");
+  await page.locator("tc-decal-properties #name").press("Enter");
+  expect(await names()).toContain("Crest");
+});
+
+test("every switch of the panel reaches the texture or the design", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const id = await editor.addDemoDecal("number");
+  let last = await editor.settledHash();
+  const changes = async (claim: string) => {
+    const now = await editor.settledHash();
+    expect(now, claim).not.toBe(last);
+    last = now;
+  };
+  await page.locator("#flipX").click();
+  await changes("flipped left to right");
+  await page.locator("#flipY").click();
+  await changes("flipped top to bottom");
+  await page.getByRole("radio", { name: "Pixels" }).check();
+  await changes("nearest pixel");
+  await page.getByRole("radio", { name: "Repeat" }).check();
+  await editor.setField("tilt", "-60");
+  await changes("tilted");
+  await editor.setField("fade-from", "20");
+  await changes("fades earlier");
+  await page.locator("#backfaces").check();
+  await page.locator("#through").check();
+  expect(await editor.decal(id)).toMatchObject({
+    flipX: true,
+    flipY: true,
+    filter: "nearest",
+    wrap: "repeat",
+    angleFade: [20, 90],
+    backfaces: true,
+    occlusion: "none",
+  });
+});
+
+test("texture size and gutter are the user's choice, and the decal is drawn anew at each size", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  await editor.addDemoDecal("badge");
+  const { bakeCount } = await editor.stats();
+  await page.locator("tc-target-settings #size").selectOption("512");
+  await expect.poll(() => editor.textureSize()).toEqual({ width: 512, height: 512 });
+  await editor.idle();
+  expect((await editor.stats()).bakeCount).toBe(bakeCount + 1);
+  const small = await editor.hash();
+  await page.locator("tc-target-settings #size").selectOption("256");
+  await expect.poll(() => editor.textureSize()).toEqual({ width: 256, height: 256 });
+  expect(await editor.settledHash()).not.toBe(small);
+  await page.locator("tc-target-settings #gutter").selectOption("8");
+  await editor.idle();
+  await expect(editor.notices).toHaveCount(0);
+});
+
+test("the maps behind the texture are shown beside the model", async ({ editor, page }) => {
+  await editor.open();
+  for (const name of ["Positions", "Normals", "Coverage", "Overlap", "Texture"]) {
+    await page.getByRole("tab", { name }).click();
+    await expect(page.getByRole("tab", { name })).toHaveAttribute("aria-selected", "true");
+    await editor.idle();
+  }
+  await page.locator("#outlines").uncheck();
+  await page.locator("#toggle-texture").click();
+  await expect(page.locator("tc-texture-panel")).toHaveCount(0);
+  await expect(editor.notices).toHaveCount(0);
+});

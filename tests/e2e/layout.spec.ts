@@ -1,0 +1,86 @@
+import { expect, test } from "./support/editor-page.ts";
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test("the model stays in sight whatever panel is open", async ({ editor, page }) => {
+    await editor.open();
+    const sheet = page.locator("tc-bottom-sheet");
+    for (const tab of ["decals", "properties", "texture", "target"]) {
+      const button = page.locator(`#sheet-${tab}`);
+      if ((await button.getAttribute("aria-expanded")) !== "true") await button.tap();
+      await expect(button).toHaveAttribute("aria-expanded", "true");
+      const stage = await editor.stage.boundingBox();
+      const panel = await sheet.boundingBox();
+      if (!stage || !panel) throw new Error("A part of the page has no place.");
+      expect(stage.height).toBeGreaterThan(844 * 0.35);
+      expect(stage.y + stage.height, "the sheet does not cover the view").toBeLessThanOrEqual(panel.y + 1);
+    }
+    const { id } = (await editor.design()).layers[0] ?? { id: "" };
+    const at = await editor.pointOf(id);
+    const stage = await editor.stage.boundingBox();
+    expect(at.y, "the decal itself is in sight").toBeLessThan((stage?.y ?? 0) + (stage?.height ?? 0));
+    await page.locator("#sheet-target").tap();
+    await expect(page.locator("tc-bottom-sheet .panel")).toBeHidden();
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  });
+
+  test("targets are large enough for fingers", async ({ editor, page }) => {
+    await editor.open();
+    for (const button of await page.locator("tc-top-bar button:visible, tc-bottom-sheet button:visible").all()) {
+      const box = await button.boundingBox();
+      expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(43.5);
+    }
+  });
+});
+
+test("every control has a name, and the keyboard reaches the views and the panels", async ({ editor, page }) => {
+  await editor.open();
+  const nameless = await page.evaluate(() => {
+    const faults: string[] = [];
+    const visit = (root: ParentNode): void => {
+      for (const element of root.querySelectorAll<HTMLElement>("*")) {
+        if (element.shadowRoot) visit(element.shadowRoot);
+        if (!element.matches("button, input, select, [role=tab], [role=separator], [role=application]")) continue;
+        const labelled = (element as HTMLInputElement).labels?.length ?? 0;
+        const name = element.getAttribute("aria-label") ?? element.textContent?.trim() ?? "";
+        if (!name && labelled === 0) faults.push(element.outerHTML.slice(0, 120));
+      }
+    };
+    visit(document);
+    return faults;
+  });
+  expect(nameless).toEqual([]);
+});
+
+test("the splitter is moved by pointer and by keyboard", async ({ editor, page }) => {
+  await editor.open();
+  const width = async () => (await editor.stage.boundingBox())?.width ?? 0;
+  const before = await width();
+  const bar = page.locator("tc-splitter [role=separator]");
+  const box = await bar.boundingBox();
+  if (!box) throw new Error("There is no splitter.");
+  await editor.drag({ x: box.x + 5, y: 300 }, { x: box.x - 95, y: 300 }, 4);
+  const dragged = await width();
+  expect(before - dragged).toBeGreaterThan(80);
+  await bar.focus();
+  await page.keyboard.press("ArrowRight");
+  expect(await width()).toBeGreaterThan(dragged);
+});
+
+test("long work shows its progress and can be cancelled, which leaves everything as it was", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const before = await editor.textureSize();
+  await page.locator("tc-target-settings #size").selectOption("8192");
+  const cancel = page.getByRole("button", { name: "Cancel" });
+  await expect(cancel).toBeVisible();
+  await cancel.click();
+  await expect(cancel).toHaveCount(0);
+  await editor.idle();
+  expect(await editor.textureSize()).toEqual(before);
+  await expect(page.locator("tc-target-settings #size")).toHaveValue("");
+  await expect(editor.notices).toHaveCount(0);
+});

@@ -1,0 +1,120 @@
+import { expect, test } from "./support/editor-page.ts";
+import { sharedFile, skipWithoutShared } from "./support/shared-files.ts";
+import { boardPicture, demoFile, file, ringPicture, squareGlb, squareGltf } from "./support/test-files.ts";
+
+test("opens on the mug with a decal that is selected and painted", async ({ editor, page }) => {
+  await editor.open();
+  await expect(page.locator("tc-top-bar .models")).toContainText("Mug");
+  const { layers } = await editor.design();
+  expect(layers.length).toBeGreaterThan(0);
+  expect(await editor.selectedName()).toBe(layers[0]?.name);
+  const { projectionCount, bakeCount, updates } = await editor.stats();
+  expect([projectionCount > 0, bakeCount, updates > 0]).toEqual([true, 1, true]);
+  const painted = await editor.hash();
+  await editor.removeAllDecals();
+  expect(await editor.hash()).not.toBe(painted);
+});
+
+test("offers all demo models, and each opens with its own design", async ({ editor, page }) => {
+  await editor.open();
+  for (const name of ["Avatar", "Skateboard"]) {
+    await page.locator("tc-top-bar .models button").first().click();
+    await page.getByRole("menuitemradio", { name }).click();
+    await expect(page.locator("tc-top-bar .models")).toContainText(name);
+    await editor.idle();
+    expect((await editor.design()).layers.length).toBeGreaterThan(0);
+  }
+  await expect(editor.notices).toHaveCount(0);
+});
+
+test("undo brings back the model that another one replaced, with its design", async ({ editor, page }) => {
+  await editor.open();
+  const before = await editor.hash();
+  await editor.openModel([squareGlb()]);
+  await expect(page.locator("tc-top-bar .models")).toContainText("square.glb");
+  expect((await editor.design()).layers).toEqual([]);
+  await page.locator("#undo").click();
+  await expect(page.locator("tc-top-bar .models")).toContainText("Mug");
+  expect(await editor.settledHash()).toBe(before);
+  await page.locator("#redo").click();
+  await expect(page.locator("tc-top-bar .models")).toContainText("square.glb");
+});
+
+test("opens a GLB that is dropped anywhere on the page", async ({ editor, page }) => {
+  await editor.open();
+  await editor.drop([squareGlb()], { x: 1200, y: 700 });
+  await expect(page.locator("tc-top-bar .models")).toContainText("square.glb");
+  await expect(page.locator("tc-decal-list")).toContainText("None yet");
+  expect(await editor.textureSize()).toEqual({ width: 1024, height: 1024 });
+});
+
+test("opens a .gltf together with its side files, dropped without their folder", async ({ editor }) => {
+  await editor.open();
+  await editor.drop(squareGltf(), { x: 300, y: 400 });
+  expect(await editor.textureSize()).toEqual({ width: 64, height: 64 });
+  const corner = await editor.texels({ x: 0, y: 0, width: 1, height: 1 });
+  const rest = await editor.texels({ x: 63, y: 63, width: 1, height: 1 });
+  expect([[...corner], [...rest]]).toEqual([
+    [255, 255, 255, 255],
+    [20, 120, 130, 255],
+  ]);
+  await expect(editor.notices).toHaveCount(0);
+});
+
+test("a picture dropped on the model is placed where it was dropped", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const box = await editor.stage.boundingBox();
+  if (!box) throw new Error("There is no 3D view.");
+  const at = { x: box.x + box.width / 2 + 40, y: box.y + box.height / 2 + 30 };
+  await editor.drop([ringPicture()], at);
+  const { layers } = await editor.design();
+  expect(layers.map(({ name }) => name)).toEqual(["ring"]);
+  const centre = await editor.pointOf(layers[0]?.id ?? "");
+  expect(Math.hypot(centre.x - at.x, centre.y - at.y)).toBeLessThan(3);
+  await expect(page.locator("#announcer")).toContainText("ring added");
+});
+
+test("pictures are added by the file dialog, one decal each", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  await editor.choose(() => page.locator("#add-picture").click(), [ringPicture(), boardPicture()]);
+  expect((await editor.design()).layers.map(({ name }) => name)).toEqual(["ring", "board"]);
+});
+
+test("says what is missing when a .gltf comes without its buffer, and keeps the work", async ({ editor }) => {
+  await editor.open();
+  const before = await editor.hash();
+  const [gltf] = squareGltf();
+  await editor.openModel(gltf ? [gltf] : []);
+  await expect(editor.notices).toHaveAttribute("data-code", "missing-file");
+  await expect(editor.notices).toContainText("square%20data.bin");
+  expect(await editor.settledHash()).toBe(before);
+});
+
+test("opens Fox.glb, a skinned model in centimetres", async ({ editor, page }) => {
+  skipWithoutShared();
+  await editor.open();
+  await editor.openModel([sharedFile("Fox.glb")]);
+  await expect(page.locator("tc-top-bar .models")).toContainText("Fox.glb");
+  await expect(page.locator("tc-stage #play")).toBeVisible();
+  const before = await editor.hash();
+  await editor.addDemoDecal("flower");
+  expect(await editor.settledHash()).not.toBe(before);
+});
+
+test("a file of another kind is refused by name", async ({ editor }) => {
+  await editor.open();
+  await editor.drop([file("notes.txt", "hello")], { x: 300, y: 400 });
+  await expect(editor.notices).toHaveAttribute("data-code", "unsupported");
+  await expect(editor.notices).toContainText("notes.txt");
+});
+
+test("two models at once are refused, and the demo's file opens by itself", async ({ editor, page }) => {
+  await editor.open();
+  await editor.drop([squareGlb(), demoFile("avatar.glb")], { x: 300, y: 400 });
+  await expect(editor.notices).toContainText("one model at a time");
+  await editor.drop([demoFile("avatar.glb")], { x: 300, y: 400 });
+  await expect(page.locator("tc-top-bar .models")).toContainText("avatar.glb");
+  await expect(editor.notices).toHaveCount(0);
+});

@@ -1,0 +1,239 @@
+/** The editor page as a test drives it: the real page in a real browser, by mouse, keyboard and file dialogs. */
+import { readFileSync } from "node:fs";
+import { test as base, expect, type Locator, type Page } from "@playwright/test";
+import type { TestHandleStats } from "../../../web/app/test-handle.ts";
+import type { DecalLayer, Design } from "../../../web/editor/document/index.ts";
+
+export { expect };
+
+export interface TestFile {
+  readonly name: string;
+  readonly mimeType: string;
+  readonly buffer: Buffer;
+}
+
+export interface Region {
+  readonly x: number;
+  readonly y: number;
+  readonly width: number;
+  readonly height: number;
+}
+
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+/** A page that fails its test when anything is written to the console as an error, or thrown and not caught. */
+export const test = base.extend<{ editor: EditorPage }>({
+  editor: async ({ page }, use) => {
+    const faults: string[] = [];
+    page.on("console", (message) => {
+      if (message.type() === "error") faults.push(`console: ${message.text()}`);
+    });
+    page.on("pageerror", (error) => faults.push(`page: ${error.stack ?? error.message}`));
+    await use(new EditorPage(page));
+    expect(faults, "errors of the page").toEqual([]);
+  },
+});
+
+export class EditorPage {
+  readonly page: Page;
+  readonly stage: Locator;
+  readonly notices: Locator;
+
+  constructor(page: Page) {
+    this.page = page;
+    this.stage = page.locator("tc-stage");
+    this.notices = page.locator("tc-notice-stack section");
+  }
+
+  /** Opens the page on its first demo. */
+  async open(): Promise<void> {
+    await this.page.goto("./");
+    await this.page.waitForFunction(() => window.texelcast !== undefined);
+    await this.page.evaluate(() => window.texelcast.ready);
+    await this.idle();
+  }
+
+  async idle(): Promise<void> {
+    await this.page.evaluate(() => window.texelcast.idle());
+  }
+
+  hash(region?: Region): Promise<string> {
+    return this.page.evaluate((part) => window.texelcast.hash(part), region);
+  }
+
+  /** The hash once everything is drawn. */
+  async settledHash(): Promise<string> {
+    await this.idle();
+    return this.hash();
+  }
+
+  design(): Promise<Design> {
+    return this.page.evaluate(() => window.texelcast.design());
+  }
+
+  async decal(id: string): Promise<DecalLayer> {
+    const layer = (await this.design()).layers.find((candidate) => candidate.id === id);
+    if (layer?.type !== "decal") throw new Error(`The design has no decal ${id}.`);
+    return layer;
+  }
+
+  stats(): Promise<TestHandleStats> {
+    return this.page.evaluate(() => window.texelcast.stats());
+  }
+
+  /** Width and height of the shown texture. */
+  async textureSize(): Promise<{ width: number; height: number }> {
+    const [, width, height] =
+      /(\d+) × (\d+)/.exec((await this.page.locator("tc-status-line span").first().textContent()) ?? "") ?? [];
+    return { width: Number(width), height: Number(height) };
+  }
+
+  async texels({ x, y, width, height }: Region): Promise<Buffer> {
+    const base64 = await this.page.evaluate(
+      async ([left, top, columns, rows]) => {
+        const bytes = await window.texelcast.readTexels(
+          left as number,
+          top as number,
+          columns as number,
+          rows as number,
+        );
+        let binary = "";
+        for (let start = 0; start < bytes.length; start += 0x8000) {
+          binary += String.fromCharCode(...bytes.subarray(start, start + 0x8000));
+        }
+        return btoa(binary);
+      },
+      [x, y, width, height],
+    );
+    return Buffer.from(base64, "base64");
+  }
+
+  row(name: string): Locator {
+    return this.page.locator("tc-decal-list li").filter({ has: this.page.getByText(name, { exact: true }) });
+  }
+
+  action(name: "up" | "down" | "duplicate" | "delete"): Locator {
+    return this.page.locator(`tc-decal-list [data-action=${name}]`);
+  }
+
+  field(name: string): Locator {
+    return this.page.locator(`tc-number[data-field="${name}"] input`);
+  }
+
+  async setField(name: string, value: string): Promise<void> {
+    await this.field(name).fill(value);
+    await this.field(name).press("Enter");
+  }
+
+  select(id: string): Promise<void> {
+    return this.page.evaluate((layer) => window.texelcast.select(layer), id);
+  }
+
+  async selectedName(): Promise<string> {
+    return ((await this.page.locator("tc-decal-list [aria-current=true]").textContent()) ?? "").trim();
+  }
+
+  /** Adds a demo decal by its button; it lands in the middle of the view. Returns its layer's id. */
+  async addDemoDecal(id: string): Promise<string> {
+    const count = (await this.design()).layers.length;
+    await this.page.locator(`tc-decal-palette [data-decal=${id}]`).click();
+    await expect.poll(async () => (await this.design()).layers.length).toBe(count + 1);
+    await this.idle();
+    return (await this.design()).layers.at(-1)?.id as string;
+  }
+
+  async removeAllDecals(): Promise<void> {
+    for (const { id } of (await this.design()).layers) {
+      await this.select(id);
+      await this.action("delete").click();
+    }
+    await this.idle();
+  }
+
+  /** Where the middle of a decal stands on the page. */
+  async pointOf(id: string): Promise<Point> {
+    const { projector } = await this.decal(id);
+    if (projector.kind !== "planar") throw new Error("Only planar decals have a place.");
+    const [x, y, z] = projector.position;
+    const point = await this.page.evaluate((at) => window.texelcast.project(...at) ?? null, [x, y, z] as const);
+    if (!point) throw new Error("The decal is not in view.");
+    return point;
+  }
+
+  /** Drags with the mouse in steps; `onStep` runs between two moves, while the button is down. */
+  async drag(from: Point, to: Point, steps: number, onStep: () => Promise<void> = async () => {}): Promise<void> {
+    const { mouse } = this.page;
+    await mouse.move(from.x, from.y);
+    await mouse.down();
+    for (let step = 1; step <= steps; step += 1) {
+      const share = step / steps;
+      await mouse.move(from.x + (to.x - from.x) * share, from.y + (to.y - from.y) * share);
+      await onStep();
+    }
+    await mouse.up();
+    await this.idle();
+  }
+
+  /** The middle of one of the gizmo's handles. */
+  async handle(name: string): Promise<Point> {
+    const box = await this.page.locator(`[data-handle="${name}"] .tcv-mark`).boundingBox();
+    if (!box) throw new Error(`The gizmo shows no handle ${name}.`);
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
+  /** Chooses files in the dialog that `open` brings up. */
+  async choose(open: () => Promise<void>, files: readonly TestFile[]): Promise<void> {
+    const [chooser] = await Promise.all([this.page.waitForEvent("filechooser"), open()]);
+    await chooser.setFiles([...files]);
+    await this.idle();
+  }
+
+  async openModel(files: readonly TestFile[]): Promise<void> {
+    await this.choose(async () => {
+      await this.page.locator("tc-top-bar .models button").first().click();
+      await this.page.getByRole("menuitem", { name: "Open model…" }).click();
+    }, files);
+  }
+
+  async openDesign(files: readonly TestFile[]): Promise<void> {
+    await this.choose(() => this.page.locator("#open-design").click(), files);
+  }
+
+  /** Drops files at a point of the page, as a file manager does. */
+  async drop(files: readonly TestFile[], at: Point): Promise<void> {
+    const packed = files.map(({ name, mimeType, buffer }) => ({ name, mimeType, data: buffer.toString("base64") }));
+    await this.page.evaluate(
+      ({ packed, at }) => {
+        const dataTransfer = new DataTransfer();
+        for (const { name, mimeType, data } of packed) {
+          const bytes = Uint8Array.from(atob(data), (character) => character.charCodeAt(0));
+          dataTransfer.items.add(new File([bytes], name, { type: mimeType }));
+        }
+        const target = document.elementFromPoint(at.x, at.y);
+        const init = { dataTransfer, clientX: at.x, clientY: at.y, bubbles: true, cancelable: true, composed: true };
+        for (const type of ["dragenter", "dragover", "drop"]) target?.dispatchEvent(new DragEvent(type, init));
+      },
+      { packed, at },
+    );
+    await this.idle();
+  }
+
+  async saved(start: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {
+    const [download] = await Promise.all([this.page.waitForEvent("download"), start()]);
+    return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+  }
+
+  saveDesign(): Promise<{ name: string; bytes: Buffer }> {
+    return this.saved(() => this.page.locator("#save-design").click());
+  }
+
+  exported(item: "Texture as PNG" | "Model as GLB"): Promise<{ name: string; bytes: Buffer }> {
+    return this.saved(async () => {
+      await this.page.getByRole("button", { name: "Export", exact: true }).click();
+      await this.page.getByRole("menuitem", { name: item }).click();
+    });
+  }
+}

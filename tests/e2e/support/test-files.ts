@@ -1,0 +1,72 @@
+/** Files that the tests hand to the page: made here, or the project's own demos. */
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { writeGlb } from "../../../web/engine/gltf-container.ts";
+import { buildModel, type MeshParts } from "../../support/model-builder.ts";
+import { paintPng } from "../../support/png-file.ts";
+import type { TestFile } from "./editor-page.ts";
+
+const DEMO = new URL("../../../build/public/demo/", import.meta.url);
+
+export const file = (name: string, bytes: Uint8Array | string, mimeType = "application/octet-stream"): TestFile => ({
+  name,
+  mimeType,
+  buffer: Buffer.from(bytes),
+});
+
+export const demoFile = (path: string): TestFile =>
+  file(path.slice(path.lastIndexOf("/") + 1), readFileSync(fileURLToPath(new URL(path, DEMO))));
+
+/** A standing square of one metre that faces +Z and has the whole texture to itself. */
+const SQUARE: MeshParts = {
+  positions: [-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0],
+  normals: [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1],
+  uvs: [0, 1, 1, 1, 1, 0, 0, 0],
+  indices: [0, 1, 2, 0, 2, 3],
+  material: 0,
+};
+
+export function squareGlb(): TestFile {
+  const { json, binary } = buildModel({ meshes: [SQUARE], materials: [{ name: "Board" }] });
+  return file("square.glb", writeGlb(json, binary));
+}
+
+export function glbWithoutUvs(): TestFile {
+  const { positions, indices } = SQUARE;
+  const parts = { meshes: [{ positions, ...(indices && { indices }), material: 0 }], materials: [{ name: "Bare" }] };
+  const { json, binary } = buildModel(parts);
+  return file("bare.glb", writeGlb(json, binary));
+}
+
+/** Teal with a white corner at the top left, so that a picture upside down is told. */
+export const BOARD_SIZE = 64;
+export const boardPicture = (): TestFile =>
+  file(
+    "board.png",
+    paintPng(BOARD_SIZE, BOARD_SIZE, (x, y) => (x < 8 && y < 8 ? [255, 255, 255, 255] : [20, 120, 130, 255])),
+    "image/png",
+  );
+
+/** The square as .gltf with its buffer and picture beside it. */
+export function squareGltf(): TestFile[] {
+  const { json, binary } = buildModel({
+    meshes: [SQUARE],
+    materials: [{ name: "Board", pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    textures: [{ source: 0 }],
+    more: { images: [{ uri: "textures/board.png" }], buffers: [] },
+  });
+  const gltf = { ...json, buffers: [{ uri: "square%20data.bin", byteLength: binary.length }] };
+  return [
+    file("square.gltf", JSON.stringify(gltf), "model/gltf+json"),
+    file("square data.bin", binary),
+    boardPicture(),
+  ];
+}
+
+/** Red, with a hole: what lies below must show through. */
+export const ringPicture = (): TestFile =>
+  file(
+    "ring.png",
+    paintPng(64, 64, (x, y) => (Math.hypot(x - 31.5, y - 31.5) < 16 ? [0, 0, 0, 0] : [220, 30, 40, 255])),
+    "image/png",
+  );
