@@ -1,0 +1,101 @@
+import { mkdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import { afterEach, beforeEach, describe, expect, test } from "vitest";
+import { inRoot } from "../../scripts/bootstrap/paths.mjs";
+import { Progress } from "../../scripts/bootstrap/progress.mjs";
+import { stampedStep } from "../../scripts/bootstrap/stamps.mjs";
+import { howToInstall } from "../../scripts/bootstrap/system.mjs";
+
+const FOLDER = "build/test-set-up";
+const STAMP = "test-set-up";
+const progress = new Progress({ quiet: true });
+progress.line = () => {};
+
+function write(name: string, text: string): void {
+  writeFileSync(inRoot(FOLDER, name), text);
+}
+
+function makeStep() {
+  const counter = { runs: 0 };
+  const step = stampedStep({
+    name: STAMP,
+    title: "a test's step",
+    inputs: [`${FOLDER}/input`],
+    outputs: [`${FOLDER}/output.txt`],
+    work: async () => {
+      counter.runs += 1;
+      write("output.txt", "made");
+    },
+  });
+  return { counter, step };
+}
+
+function cleanUp(): void {
+  rmSync(inRoot(FOLDER), { recursive: true, force: true });
+  rmSync(inRoot("build/.stamps", STAMP), { force: true });
+}
+
+describe("a step of the set-up", () => {
+  beforeEach(() => {
+    cleanUp();
+    mkdirSync(inRoot(FOLDER, "input"), { recursive: true });
+    write("input/a.txt", "one");
+  });
+  afterEach(cleanUp);
+
+  test("is done once, and then fresh", async () => {
+    const { counter, step } = makeStep();
+    expect(step.isFresh()).toBe(false);
+    await step.bringUpToDate(progress);
+    await step.bringUpToDate(progress);
+    expect(step.isFresh()).toBe(true);
+    expect(counter.runs).toBe(1);
+  });
+
+  test.each([
+    ["an input changed", () => write("input/a.txt", "two")],
+    ["an input was added", () => write("input/b.txt", "")],
+    ["an input was renamed", () => renameSync(inRoot(FOLDER, "input/a.txt"), inRoot(FOLDER, "input/c.txt"))],
+    ["its product was deleted", () => rmSync(inRoot(FOLDER, "output.txt"))],
+  ])("is done again when %s", async (_, change) => {
+    const { counter, step } = makeStep();
+    await step.bringUpToDate(progress);
+    change();
+    expect(step.isFresh()).toBe(false);
+    await step.bringUpToDate(progress);
+    expect(counter.runs).toBe(2);
+  });
+
+  test("is done again after it failed", async () => {
+    const broken = stampedStep({
+      name: STAMP,
+      title: "a test's step",
+      inputs: [`${FOLDER}/input`],
+      outputs: [],
+      work: () => Promise.reject(new Error("no")),
+    });
+    await expect(broken.bringUpToDate(progress)).rejects.toThrow("no");
+    expect(broken.isFresh()).toBe(false);
+  });
+
+  test("that ends well without its product is a fault", async () => {
+    const empty = stampedStep({
+      name: STAMP,
+      title: "a step",
+      inputs: [],
+      outputs: [`${FOLDER}/none`],
+      work: async () => {},
+    });
+    await expect(empty.bringUpToDate(progress)).rejects.toThrow(`${FOLDER}/none is not there`);
+  });
+});
+
+test("what is missing is asked for by name, with one command for each kind of system", () => {
+  const message = howToInstall([
+    { what: "CMake 3.22 or newer", debian: "cmake", brew: "cmake", choco: "cmake" },
+    { what: "Chromium", debian: "chromium", note: "Chromium: by Playwright" },
+  ]);
+  expect(message).toContain("- CMake 3.22 or newer\n  - Chromium");
+  expect(message).toContain("sudo apt-get install --no-install-recommends cmake chromium");
+  expect(message).toContain("brew install cmake\n");
+  expect(message).toContain("Chromium: by Playwright");
+});
