@@ -105,20 +105,20 @@ export const DEMO_MODELS: readonly DemoModel[] = [
     size: [1024, 2048],
     layers: [
       {
-        id: "waves",
-        name: "Waves",
-        decal: "waves",
-        position: [0, 0.069, -0.02],
-        rotation: slanted(TO_FRONT, 180),
-        size: [0.3, 0.15, 0.18],
-      },
-      {
         id: "sunburst",
         name: "Sunburst",
         decal: "sunburst",
         position: [0, 0.395, 0.005],
         rotation: TO_FRONT,
         size: [0.2, 0.2, 0.04],
+      },
+      {
+        id: "waves",
+        name: "Waves",
+        decal: "waves",
+        position: [0, 0.069, -0.02],
+        rotation: slanted(TO_FRONT, 180),
+        size: [0.3, 0.15, 0.18],
       },
       {
         id: "mark",
