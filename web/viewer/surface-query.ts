@@ -18,14 +18,11 @@ export interface SurfaceSample extends SurfacePoint {
 /** A single-sided model that a ray enters from inside is skipped over at most this often. */
 const MOST_BACK_FACES = 16;
 
-/** Offsets of the points whose nearest surface is averaged, in radii; z is along the normal. */
-const AVERAGING_OFFSETS: readonly Vector3[] = [
-  new Vector3(0, 0, 0),
-  ...ring(8, 0.5, 0),
-  ...ring(8, 1, 0),
-  // Points under the surface see what is round the corner: a decal leans over an edge before it reaches it.
-  ...ring(8, 0.9, -0.5),
-];
+/**
+ * Points of a ball, in radii, whose nearest surface is averaged. A ball and not a disc: it is the same ball from either
+ * side of an edge, so a decal leans over the edge before it gets there and does not jump when it does.
+ */
+const AVERAGING_OFFSETS: readonly Vector3[] = [...fibonacciSphere(20, 1), ...fibonacciSphere(12, 0.55)];
 
 export class SurfaceQuery {
   readonly #surface: RestingSurface;
@@ -160,9 +157,14 @@ function addScaled(target: Vector3, values: Float32Array, vertex: number, factor
   target.z += (values[vertex * 3 + 2] as number) * factor;
 }
 
-function ring(count: number, radius: number, height: number): Vector3[] {
+/** Points spread evenly over a sphere about the origin. */
+function fibonacciSphere(count: number, radius: number): Vector3[] {
+  const goldenAngle = Math.PI * (3 - Math.sqrt(5));
   return Array.from({ length: count }, (_, step) => {
-    const angle = (2 * Math.PI * (step + 0.5)) / count;
-    return new Vector3(Math.cos(angle) * radius, Math.sin(angle) * radius, height);
+    const z = 1 - (2 * step + 1) / count;
+    const around = Math.sqrt(1 - z * z);
+    return new Vector3(Math.cos(step * goldenAngle) * around, Math.sin(step * goldenAngle) * around, z).multiplyScalar(
+      radius,
+    );
   });
 }

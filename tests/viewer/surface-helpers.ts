@@ -1,0 +1,45 @@
+import { BoxGeometry, type BufferGeometry, CylinderGeometry, PlaneGeometry, SphereGeometry } from "three";
+import { SurfaceQuery } from "../../web/viewer/surface-query.ts";
+
+/** A query on three's own shapes, which are of material 0 and single-sided. */
+export function queryOf(...geometries: BufferGeometry[]): SurfaceQuery {
+  const parts = geometries.map((geometry) => ({
+    positions: [...geometry.getAttribute("position").array],
+    normals: [...geometry.getAttribute("normal").array],
+    uvs: [...geometry.getAttribute("uv").array],
+    index: [...(geometry.index?.array ?? [])],
+  }));
+  let first = 0;
+  const index = parts.flatMap((part) => {
+    const shifted = part.index.map((vertex) => vertex + first);
+    first += part.positions.length / 3;
+    return shifted;
+  });
+  return new SurfaceQuery({
+    positions: Float32Array.from(parts.flatMap((part) => part.positions)),
+    normals: Float32Array.from(parts.flatMap((part) => part.normals)),
+    uvs: Float32Array.from(parts.flatMap((part) => part.uvs)),
+    index: Uint32Array.from(index),
+    materialOfTriangle: new Uint32Array(index.length / 3),
+    flagsOfTriangle: new Uint8Array(index.length / 3),
+  });
+}
+
+/** Two metres high, radius 1, standing on its middle. */
+export function cylinder(): BufferGeometry {
+  return new CylinderGeometry(1, 1, 2, 96, 24);
+}
+
+export function sphere(): BufferGeometry {
+  return new SphereGeometry(1, 96, 64);
+}
+
+/** Two metres wide. */
+export function cube(): BufferGeometry {
+  return new BoxGeometry(2, 2, 2, 8, 8, 8);
+}
+
+/** Faces +Z, two metres wide. */
+export function sheet(): BufferGeometry {
+  return new PlaneGeometry(2, 2, 8, 8);
+}
