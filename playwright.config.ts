@@ -1,7 +1,8 @@
 import { defineConfig } from "@playwright/test";
 import { findChromium } from "./scripts/bootstrap/chromium.mjs";
 
-const PORT = 4173;
+/** Name another where two checkouts are tested at once. */
+const PORT = Number(process.env.TEXELCAST_TEST_PORT ?? 4173);
 // Chromium refuses its sandbox to root, as in a container.
 const AS_ROOT = process.getuid?.() === 0;
 
