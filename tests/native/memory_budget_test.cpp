@@ -1,0 +1,60 @@
+// What a session may hold: shares of one budget.
+#include "memory_budget.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+using txc::BudgetShare;
+using txc::MemoryBudget;
+
+TEST_CASE("Shares add up and are given back") {
+    MemoryBudget budget(1000);
+    {
+        BudgetShare a(budget);
+        BudgetShare b(budget);
+        CHECK(a.resize(600, "a") == TXC_STATUS_OK);
+        CHECK(b.resize(400, "b") == TXC_STATUS_OK);
+        CHECK(budget.used() == 1000);
+        CHECK(a.resize(100, "a") == TXC_STATUS_OK);
+        CHECK(budget.used() == 500);
+    }
+    CHECK(budget.used() == 0);
+    CHECK(budget.peak() == 1000);
+}
+
+TEST_CASE("A share that does not fit stays as it was and says what it was for") {
+    MemoryBudget budget(64u << 20);
+    BudgetShare share(budget);
+    CHECK(share.resize(40u << 20, "one thing") == TXC_STATUS_OK);
+    CHECK(share.resize(65u << 20, "the other thing") == TXC_STATUS_OUT_OF_BUDGET);
+    CHECK(share.bytes() == 40u << 20);
+    CHECK(budget.used() == 40u << 20);
+    const std::string detail = txc::error_detail();
+    CHECK(detail.find("the other thing needs 65 MiB") != std::string::npos);
+    CHECK(detail.find("64 MiB") != std::string::npos);
+}
+
+TEST_CASE("Sizes near 2^64 do not wrap round into fitting") {
+    MemoryBudget budget(1000);
+    BudgetShare share(budget);
+    CHECK(share.resize(10, "a little") == TXC_STATUS_OK);
+    CHECK_FALSE(budget.fits(~std::uint64_t{0}));
+    CHECK_FALSE(budget.fits(~std::uint64_t{0} - 9));
+    CHECK(share.resize(~std::uint64_t{0}, "everything") == TXC_STATUS_OUT_OF_BUDGET);
+    CHECK(share.bytes() == 10);
+}
+
+TEST_CASE("A moved share counts once") {
+    MemoryBudget budget(1000);
+    BudgetShare a(budget);
+    CHECK(a.resize(300, "a") == TXC_STATUS_OK);
+    BudgetShare b(std::move(a));
+    CHECK(budget.used() == 300);
+    BudgetShare c(budget);
+    CHECK(c.resize(200, "c") == TXC_STATUS_OK);
+    c = std::move(b);
+    CHECK(budget.used() == 300);
+    c.release();
+    CHECK(budget.used() == 0);
+}
