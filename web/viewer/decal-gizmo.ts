@@ -18,6 +18,8 @@ export interface GizmoHost {
   readonly screen: ScreenSpace;
   metresPerPixel(point: Vector3): number;
   gesture(gesture: DecalGesture): void;
+  /** A drag began or ended, whatever became of it. */
+  dragging(active: boolean): void;
 }
 
 /** A decal with what was computed from it. */
@@ -206,6 +208,7 @@ export class DecalGizmo {
     this.#drag = { id: decal.id, drag, handle, start: pose, material: decal.material, pose };
     this.#host.root.dataset.gesture = drag.kind;
     this.#overlay.setActive(handle);
+    this.#host.dragging(true);
     this.#emit(this.#drag, "start", pose);
   }
 
@@ -215,6 +218,7 @@ export class DecalGizmo {
     this.#dragTask.cancel();
     delete this.#host.root.dataset.gesture;
     this.#overlay.setActive(null);
+    this.#host.dragging(false);
     this.#overlay.setReadout(null);
     this.#drawTask.request();
   }

@@ -75,6 +75,9 @@ class ThreeModelViewer implements ModelViewer {
       screen: this.#screen,
       metresPerPixel: (point) => this.#stage.metresPerPixel(point),
       gesture: (gesture) => this.#events.emit("gesture", gesture),
+      dragging: (active) => {
+        this.#stage.inGesture = active;
+      },
     });
     this.#input = new ViewInput(root, this.#gizmo, this.#screen, {
       query: () => (this.#model === null || this.#model.animation.playing ? null : this.#model.query),

@@ -21,6 +21,7 @@ import {
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { ContactShadow } from "./contact-shadow.ts";
 import { GroundLight } from "./ground-light.ts";
+import { FrameCost, MotionResolution } from "./motion-resolution.ts";
 import { createStudioEnvironment } from "./studio-environment.ts";
 
 CameraControls.install({
@@ -30,6 +31,8 @@ CameraControls.install({
 /** A frame costs four times at 3 what it costs at 1.5, and nobody sees it. */
 const MOST_PIXEL_RATIO = 2;
 const FIELD_OF_VIEW = 30;
+/** After this pause, milliseconds, the picture rests and is drawn with all its pixels. */
+const REST_AFTER = 160;
 
 export interface StageHooks {
   /** Before a frame is drawn; `delta` in seconds. Returns true while it animates and wants another frame. */
@@ -60,6 +63,14 @@ export class Stage {
   #lastTime = 0;
   #resized = true;
   #lost = false;
+  readonly #resolution = new MotionResolution();
+  readonly #cost: FrameCost;
+  #frameEnd = Number.NEGATIVE_INFINITY;
+  #moving = false;
+  #inGesture = false;
+  /** Share of the full resolution that the canvas has now. */
+  #drawnScale = 1;
+  #restTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(root: HTMLElement, hooks: StageHooks) {
     this.#root = root;
@@ -70,6 +81,9 @@ export class Stage {
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.setClearColor(0x000000, 0);
     this.canvas.classList.add("tcv-canvas");
+    this.#cost = new FrameCost(this.renderer.getContext() as WebGL2RenderingContext, (milliseconds) =>
+      this.#resolution.note(milliseconds),
+    );
     root.append(this.canvas);
     this.scene.environment = this.#environment;
     // Measured on a matt ball: a colour that faces the camera is shown within 3 of 255 of what was picked.
@@ -108,8 +122,16 @@ export class Stage {
 
   requestFrame(): void {
     if (this.#frameRequest === 0 && !this.#lost) {
+      // Asked soon after the last frame, whenever this one comes: where frames are slow, they come late.
+      this.#moving = this.#inGesture || performance.now() - this.#frameEnd < REST_AFTER;
       this.#frameRequest = requestAnimationFrame((time) => this.#frame(time));
     }
+  }
+
+  /** A gesture counts as movement throughout, however slowly its pictures come. */
+  set inGesture(value: boolean) {
+    this.#inGesture = value;
+    this.requestFrame();
   }
 
   /** Takes a model's size as the measure of the view: distances, speeds, clipping, shadow. */
@@ -145,6 +167,8 @@ export class Stage {
   dispose(): void {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = -1;
+    clearTimeout(this.#restTimer);
+    this.#cost.dispose();
     this.#resize.disconnect();
     for (const cleanup of this.#cleanups) {
       cleanup();
@@ -162,6 +186,7 @@ export class Stage {
     // After a pause the first step is one frame long, else animations would jump.
     const delta = Math.min((time - this.#lastTime) / 1000, 1 / 15);
     this.#lastTime = time;
+    this.#setScale(this.#moving ? this.#resolution.scale : 1);
     const resized = this.#applySize();
     const moved = this.controls.update(delta);
     const animates = this.#hooks.beforeFrame(delta);
@@ -169,9 +194,27 @@ export class Stage {
     this.camera.updateMatrixWorld();
     this.renderer.render(this.scene, this.camera);
     this.frames += 1;
+    this.#cost.frameSubmitted();
+    this.#restSoon();
     this.#hooks.afterFrame(moved || resized);
+    this.#frameEnd = performance.now();
     if (moved || animates) {
       this.requestFrame();
+    }
+  }
+
+  #setScale(scale: number): void {
+    if (scale !== this.#drawnScale) {
+      this.#drawnScale = scale;
+      this.#resized = true;
+    }
+  }
+
+  /** The last frame of a movement is followed by one with all pixels. */
+  #restSoon(): void {
+    clearTimeout(this.#restTimer);
+    if (this.#drawnScale < 1 && !this.#inGesture) {
+      this.#restTimer = setTimeout(() => this.requestFrame(), REST_AFTER * 1.25);
     }
   }
 
@@ -182,7 +225,7 @@ export class Stage {
     this.#resized = false;
     const width = Math.max(1, this.#root.clientWidth);
     const height = Math.max(1, this.#root.clientHeight);
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO));
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO) * this.#drawnScale);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();

@@ -1,0 +1,85 @@
+/**
+ * Fewer pixels while the picture moves, where the GPU is too slow for all of them; all of them when it rests. What a
+ * frame costs is asked of the GPU itself (a fence), for the time between frames also depends on the engine's pace.
+ */
+
+/** Shares of the full resolution along a side, from best to cheapest. */
+const STEPS = [1, 0.75, 0.55] as const;
+
+/** A frame that takes longer than this, milliseconds, is not felt as movement. */
+const SLOW = 45;
+/** Frames faster than this leave room for a step up. */
+const FAST = 12;
+const SLOW_FRAMES_TO_STEP_DOWN = 2;
+const FAST_FRAMES_TO_STEP_UP = 40;
+
+export class MotionResolution {
+  #step = 0;
+  #slow = 0;
+  #fast = 0;
+
+  /** Share of the full resolution to draw moving pictures with, along a side. */
+  get scale(): number {
+    return STEPS[this.#step] as number;
+  }
+
+  /** Takes note of what a frame cost, in milliseconds. */
+  note(milliseconds: number): void {
+    this.#slow = milliseconds > SLOW ? this.#slow + 1 : 0;
+    this.#fast = milliseconds < FAST ? this.#fast + 1 : 0;
+    if (this.#slow >= SLOW_FRAMES_TO_STEP_DOWN && this.#step < STEPS.length - 1) {
+      this.#step += 1;
+      this.#slow = 0;
+    } else if (this.#fast >= FAST_FRAMES_TO_STEP_UP && this.#step > 0) {
+      this.#step -= 1;
+      this.#fast = 0;
+    }
+  }
+}
+
+/** How often the fence is looked at, milliseconds. */
+const POLL = 6;
+
+/** Measures how long the GPU takes for a frame, one frame at a time, without waiting for it. */
+export class FrameCost {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #note: (milliseconds: number) => void;
+  #fence: WebGLSync | null = null;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(gl: WebGL2RenderingContext, note: (milliseconds: number) => void) {
+    this.#gl = gl;
+    this.#note = note;
+  }
+
+  /** To be called when a frame's commands have been given. */
+  frameSubmitted(): void {
+    if (this.#fence === null) {
+      const fence = this.#gl.fenceSync(this.#gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      this.#gl.flush();
+      this.#fence = fence;
+      this.#poll(performance.now());
+    }
+  }
+
+  dispose(): void {
+    clearTimeout(this.#timer);
+    this.#gl.deleteSync(this.#fence);
+    this.#fence = null;
+  }
+
+  #poll(begin: number): void {
+    this.#timer = setTimeout(() => {
+      const gl = this.#gl;
+      if (this.#fence === null || gl.isContextLost()) {
+        this.#fence = null;
+      } else if (gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.SIGNALED) {
+        gl.deleteSync(this.#fence);
+        this.#fence = null;
+        this.#note(performance.now() - begin);
+      } else {
+        this.#poll(begin);
+      }
+    }, POLL);
+  }
+}
