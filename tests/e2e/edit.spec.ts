@@ -196,6 +196,10 @@ test("the maps behind the texture are shown beside the model", async ({ editor, 
     await page.getByRole("tab", { name }).click();
     await expect(page.getByRole("tab", { name })).toHaveAttribute("aria-selected", "true");
     await editor.idle();
+    const panel = await page.locator("tc-texture-panel").boundingBox();
+    const outlines = await page.locator("#outlines").boundingBox();
+    if (!panel || !outlines) throw new Error("A part of the page has no place.");
+    expect(outlines.x, "the panel keeps its width").toBeLessThan(panel.x + panel.width - 40);
   }
   await page.locator("#outlines").uncheck();
   await page.locator("#toggle-texture").click();

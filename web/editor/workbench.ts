@@ -82,8 +82,11 @@ export class Workbench extends EditorElement {
       tc-status-line {
         grid-area: status;
       }
+      tc-stage,
       tc-notice-stack {
-        grid-area: views;
+        grid-area: 1 / 1;
+      }
+      tc-notice-stack {
         z-index: 10;
         align-self: end;
         justify-self: center;
@@ -154,7 +157,6 @@ export class Workbench extends EditorElement {
               <tc-side-panel .editor=${editor} role="complementary" aria-label=${strings.sidePanel}></tc-side-panel>
             `
       }
-      <tc-notice-stack .editor=${editor}></tc-notice-stack>
       <tc-help-dialog></tc-help-dialog>
       ${
         this.dropping
@@ -177,6 +179,7 @@ export class Workbench extends EditorElement {
     return html`
       <main class="views" style=${`grid-template-columns: ${columns}`}>
         <tc-stage .editor=${editor}><slot name="view" slot="view"></slot></tc-stage>
+        <tc-notice-stack .editor=${editor}></tc-notice-stack>
         ${
           split
             ? html`

@@ -34,11 +34,11 @@ export class DecalPalette extends EditorElement {
       .palette button {
         aspect-ratio: 1;
         padding: 5px;
-        background: var(--surface-low);
+        background: var(--tile);
         cursor: grab;
       }
       .palette button:hover {
-        background: linear-gradient(var(--hover), var(--hover)), var(--surface-low);
+        background: var(--tile-checker);
       }
       img {
         width: 100%;

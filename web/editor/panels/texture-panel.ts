@@ -15,7 +15,7 @@ export class TexturePanel extends EditorElement {
     css`
       :host {
         display: grid;
-        grid-template-rows: auto minmax(0, 1fr) auto;
+        grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
         min-width: 0;
         min-height: 0;
         background: var(--surface-low);

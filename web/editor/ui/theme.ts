@@ -35,6 +35,8 @@ export const theme = css`
     --danger-soft: #fdf0ee;
     --shadow: 0 1px 2px rgb(20 24 32 / 8%), 0 8px 28px rgb(20 24 32 / 14%);
     --checker: #dfe1e5;
+    --tile: #f5f6f7;
+    --tile-checker: #dfe1e5;
 
     --viewer-accent: var(--accent);
     --viewer-on-accent: var(--accent-text);
@@ -61,6 +63,8 @@ export const theme = css`
       --danger-soft: #43292a;
       --shadow: 0 1px 2px rgb(0 0 0 / 40%), 0 10px 32px rgb(0 0 0 / 50%);
       --checker: #3a3d42;
+      --tile: #c9ccd1;
+      --tile-checker: #b3b7be;
     }
   }
 
@@ -110,8 +114,11 @@ export const controls = css`
     -webkit-tap-highlight-color: transparent;
     transition: background-color 120ms;
   }
-  button:hover {
-    background: var(--hover);
+  /* A finger leaves its hover behind. */
+  @media (hover: hover) {
+    button:hover {
+      background: var(--hover);
+    }
   }
   button:active {
     background: var(--pressed);

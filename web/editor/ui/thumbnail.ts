@@ -12,7 +12,7 @@ export const thumbnailStyles = css`
     height: 32px;
     overflow: hidden;
     border-radius: 5px;
-    background: repeating-conic-gradient(var(--checker) 0 25%, var(--surface) 0 50%) 0 0 / 10px 10px;
+    background: repeating-conic-gradient(var(--tile-checker) 0 25%, var(--tile) 0 50%) 0 0 / 10px 10px;
     box-shadow: inset 0 0 0 1px var(--line);
   }
   .thumbnail img {

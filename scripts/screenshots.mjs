@@ -1,0 +1,94 @@
+/**
+ * `npm run screenshots`: builds the site and takes the README's pictures from the real page, by real mouse and keys:
+ *   docs/images/editor.png  the editor while a decal is being moved over the mug
+ *   docs/images/maps.png    what the engine works with: texture, positions, normals
+ */
+import { mkdirSync } from "node:fs";
+import { findChromium } from "./bootstrap/chromium.mjs";
+import { inRoot } from "./bootstrap/paths.mjs";
+import { bootstrapOrExit } from "./bootstrap.mjs";
+
+/** CSS pixels. */
+const EDITOR_SIZE = { width: 1600, height: 940 };
+/** Low enough that the texture fills its panel. */
+const MAPS_SIZE = { width: 1600, height: 610 };
+
+await bootstrapOrExit("test");
+const { build, preview } = await import("vite");
+const { chromium } = await import("@playwright/test");
+const configFile = inRoot("vite.config.ts");
+await build({ configFile, logLevel: "warn" });
+const server = await preview({ configFile, preview: { port: 4180 } });
+const browser = await chromium.launch({
+  executablePath: findChromium() ?? undefined,
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
+});
+try {
+  mkdirSync(inRoot("docs/images"), { recursive: true });
+  const page = await browser.newPage({ viewport: EDITOR_SIZE, colorScheme: "light" });
+  await page.goto(server.resolvedUrls?.local[0] ?? "");
+  await page.waitForFunction(() => "texelcast" in window);
+  await page.evaluate(() => window.texelcast.ready);
+  await takeEditor(page);
+  await takeMaps(page);
+} finally {
+  await browser.close();
+  await server.close();
+}
+
+/** @param {import("@playwright/test").Page} page */
+async function settle(page) {
+  await page.evaluate(() => window.texelcast.idle());
+  // The camera glides to its place and shadows fade in.
+  await page.waitForTimeout(1500);
+}
+
+/** @param {import("@playwright/test").Page} page */
+async function takeEditor(page) {
+  await settle(page);
+  const from = await page.evaluate(() => {
+    const { texelcast } = window;
+    const [layer] = texelcast.design().layers;
+    if (layer?.type !== "decal" || layer.projector.kind !== "planar") throw new Error("The mug has no decal.");
+    texelcast.select(layer.id);
+    return texelcast.project(...layer.projector.position);
+  });
+  if (!from) throw new Error("The decal is not in view.");
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 100, from.y - 22, { steps: 12 });
+  await page.mouse.up();
+  // The pointer rests on the decal: the texture view marks the same place.
+  await settle(page);
+  const path = inRoot("docs/images/editor.png");
+  await page.screenshot({ path });
+  console.log(path);
+}
+
+/** @param {import("@playwright/test").Page} page */
+async function takeMaps(page) {
+  /** @type {{ name: string, picture: string }[]} */
+  const maps = [];
+  await page.setViewportSize(MAPS_SIZE);
+  for (const name of ["Texture", "Positions", "Normals"]) {
+    await page.getByRole("tab", { name }).click();
+    await page.locator("tc-texture-panel #outlines").setChecked(name === "Texture");
+    await page.locator("tc-texture-panel").getByRole("button", { name: "Fit" }).click();
+    await page.mouse.move(4, 4);
+    await settle(page);
+    const picture = await page.locator("tc-texture-panel [role=tabpanel]").screenshot();
+    maps.push({ name, picture: picture.toString("base64") });
+  }
+  const figures = maps.map(
+    ({ name, picture }) =>
+      `<figure><img src="data:image/png;base64,${picture}"><figcaption>${name}</figcaption></figure>`,
+  );
+  await page.setContent(`<!doctype html><style>
+    body { margin: 0; display: flex; gap: 16px; width: max-content; padding: 16px; background: #fff; }
+    figure { margin: 0; text-align: center; font: 15px/2.2 system-ui, sans-serif; color: #5a616c; }
+    img { display: block; border-radius: 8px; }
+  </style>${figures.join("")}`);
+  const path = inRoot("docs/images/maps.png");
+  await page.locator("body").screenshot({ path });
+  console.log(path);
+}
