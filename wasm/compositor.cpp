@@ -41,16 +41,6 @@ void blend_texels(const std::uint16_t* texels, float opacity, Float4* backdrops)
     }
 }
 
-Float4 load_bytes(const std::uint8_t* from) {
-    return Float4{static_cast<float>(from[0]), static_cast<float>(from[1]), static_cast<float>(from[2]),
-                  static_cast<float>(from[3])};
-}
-
-void store_rounded_bytes(std::uint8_t* to, Float4 color) {
-    const Int4 rounded = __builtin_convertvector(color + splat(0.5f), Int4);
-    for (int c = 0; c < 4; ++c) to[c] = static_cast<std::uint8_t>(std::min(rounded[c], 255));
-}
-
 /// Writes one tile of level 0. Returns whether any byte changed.
 bool composite_tile(Target& target, const std::vector<const Layer*>& layers, std::uint32_t tile) {
     const TileArea area = tile_area(target, tile);
@@ -66,7 +56,7 @@ bool composite_tile(Target& target, const std::vector<const Layer*>& layers, std
         const std::uint16_t* texels = is_fill ? nullptr : layer->tiles.find(tile);
         if (!is_fill && texels == nullptr) continue;
         if (!touched) {
-            for (std::uint32_t t = 0; t < kTileTexels; ++t) backdrops[t] = load_bytes(bytes + t * 4);
+            for (std::uint32_t t = 0; t < kTileTexels; ++t) backdrops[t] = load_bytes4(bytes + t * 4);
             touched = true;
         }
         if (is_fill) {
@@ -78,7 +68,7 @@ bool composite_tile(Target& target, const std::vector<const Layer*>& layers, std
         }
     }
     if (touched) {
-        for (std::uint32_t t = 0; t < kTileTexels; ++t) store_rounded_bytes(bytes + t * 4, backdrops[t]);
+        for (std::uint32_t t = 0; t < kTileTexels; ++t) store_rounded_bytes4(bytes + t * 4, backdrops[t]);
     }
     bool changed = false;
     for (std::uint32_t y = 0; y < area.height; ++y) {

@@ -23,7 +23,8 @@ int sample_count(float pixels) {
 
 }  // namespace
 
-Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y) {
+Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
+                         bool repeat) {
     Footprint f{};
     f.across_x = across_x;
     f.across_y = across_y;
@@ -60,12 +61,14 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     // All four pixels of every sample must exist, half a pixel of the level around it, and a little for rounding.
     f.inset_x = f.reach_x + 0.51f / on.scale_x;
     f.inset_y = f.reach_y + 0.51f / on.scale_y;
-    // At the edge the samples stand 1/8 of the footprint apart; a level whose pixels are no larger than that is enough.
-    std::uint32_t edge_level = 0;
-    while (longer >= static_cast<float>(2 * kEdgeSamples) * static_cast<float>(1u << edge_level) && edge_level < 16) {
-        ++edge_level;
-    }
-    f.edge_level = std::min(edge_level, static_cast<std::uint32_t>(image.levels.size() - 1));
+    // At the edge a coarse level would fade over too wide a rim, and a repeated picture is cut hard: there the samples
+    // are as many as the reference has. A level whose pixels are no larger than their distance is still fine enough.
+    const bool dense = repeat || level > 0;
+    f.edge_across_samples = dense ? kEdgeSamples : f.across_samples;
+    f.edge_down_samples = dense ? kEdgeSamples : f.down_samples;
+    f.edge_level = 0;
+    while (f.edge_level + 1 < image.levels.size() && longer >= static_cast<float>((2 * kEdgeSamples) << f.edge_level))
+        ++f.edge_level;
     return f;
 }
 
@@ -93,18 +96,20 @@ Float4 sample_edge(const ImagePyramid& image, const Footprint& f, float x, float
     const PyramidLevel& level = image.levels[f.edge_level];
     const auto width = static_cast<float>(image.levels[0].width);
     const auto height = static_cast<float>(image.levels[0].height);
+    const float across_step = 1.0f / static_cast<float>(f.edge_across_samples);
+    const float down_step = 1.0f / static_cast<float>(f.edge_down_samples);
     Float4 sum = splat(0.0f);
-    for (int j = 0; j < kEdgeSamples; ++j) {
-        const float v = (static_cast<float>(j) + 0.5f) * (1.0f / kEdgeSamples) - 0.5f;
-        for (int i = 0; i < kEdgeSamples; ++i) {
-            const float u = (static_cast<float>(i) + 0.5f) * (1.0f / kEdgeSamples) - 0.5f;
+    for (std::int32_t j = 0; j < f.edge_down_samples; ++j) {
+        const float v = (static_cast<float>(j) + 0.5f) * down_step - 0.5f;
+        for (std::int32_t i = 0; i < f.edge_across_samples; ++i) {
+            const float u = (static_cast<float>(i) + 0.5f) * across_step - 0.5f;
             const float sample_x = x + (f.across_x * u + f.down_x * v);
             const float sample_y = y + (f.across_y * u + f.down_y * v);
             if (repeat && (sample_x < 0.0f || sample_x > width || sample_y < 0.0f || sample_y > height)) continue;
             sum += sample_bilinear(level, sample_x * level.scale_x, sample_y * level.scale_y, repeat);
         }
     }
-    return sum * splat(1.0f / (kEdgeSamples * kEdgeSamples));
+    return sum * splat(across_step * down_step);
 }
 
 }  // namespace txc

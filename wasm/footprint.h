@@ -21,11 +21,14 @@ struct Footprint {
     float down_step_x, down_step_y;
     float inset_x, inset_y;  // a centre this far from the picture's edges is well inside
 
-    // Footprints that the picture's edge cuts: 8 x 8 samples on this level.
+    // Footprints that the picture's edge cuts.
     std::uint32_t edge_level;
+    std::int32_t edge_across_samples;
+    std::int32_t edge_down_samples;
 };
 
-Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y);
+Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
+                         bool repeat);
 
 /// Mean colour over the footprint centred on (x, y), which lies well inside the picture (inset_x, inset_y).
 Float4 sample_inside(const ImagePyramid& image, const Footprint& footprint, float x, float y);

@@ -1,68 +1,44 @@
-// Objects by id: 20 bits of slot, 12 bits of generation, so that an id outlives its object harmlessly. 0 is null.
+// Objects by id. An id is given out once in the module's life, whatever the table: one that outlived its object, or that
+// belongs to another session, finds nothing. 0 is null.
+//
+// (Slots with a generation, the usual way, would let an id of one session name an object of another.)
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
-#include <vector>
 
 namespace txc {
+
+/// The next unused id; 0 after four thousand million of them.
+std::uint32_t next_object_id();
 
 template <typename Object>
 class IdTable {
 public:
-    static constexpr std::uint32_t kSlotBits = 20;
-    static constexpr std::uint32_t kSlotMask = (1u << kSlotBits) - 1;
-
-    /// Takes ownership; 0 when all slots are in use.
+    /// Takes ownership; 0 when no id is left.
     std::uint32_t add(std::unique_ptr<Object> object) {
-        std::uint32_t slot;
-        if (!free_.empty()) {
-            slot = free_.back();
-            free_.pop_back();
-        } else {
-            if (entries_.size() > kSlotMask) return 0;
-            slot = static_cast<std::uint32_t>(entries_.size());
-            entries_.emplace_back();
-        }
-        entries_[slot].object = std::move(object);
-        return (entries_[slot].generation << kSlotBits) | slot;
+        const std::uint32_t id = next_object_id();
+        if (id != 0) objects_[id] = std::move(object);
+        return id;
     }
 
-    /// Null for ids that are null, stale or made up.
+    /// Null for ids that are null, stale, another table's or made up.
     Object* find(std::uint32_t id) const {
-        const std::uint32_t slot = id & kSlotMask;
-        if (slot >= entries_.size()) return nullptr;
-        const Entry& entry = entries_[slot];
-        return entry.generation == (id >> kSlotBits) ? entry.object.get() : nullptr;
+        const auto found = objects_.find(id);
+        return found != objects_.end() ? found->second.get() : nullptr;
     }
 
-    void remove(std::uint32_t id) {
-        if (find(id) == nullptr) return;
-        Entry& entry = entries_[id & kSlotMask];
-        entry.object.reset();
-        entry.generation = entry.generation == 0xfffu ? 1u : entry.generation + 1u;
-        free_.push_back(id & kSlotMask);
-    }
-
-    void clear() {
-        for_each([this](std::uint32_t id, Object&) { remove(id); });
-    }
+    void remove(std::uint32_t id) { objects_.erase(id); }
+    void clear() { objects_.clear(); }
 
     template <typename Visit>
     void for_each(Visit&& visit) const {
-        for (std::uint32_t slot = 0; slot < entries_.size(); ++slot) {
-            const Entry& entry = entries_[slot];
-            if (entry.object != nullptr) visit((entry.generation << kSlotBits) | slot, *entry.object);
-        }
+        for (const auto& [id, object] : objects_) visit(id, *object);
     }
 
 private:
-    struct Entry {
-        std::unique_ptr<Object> object;
-        std::uint32_t generation = 1;  // never 0, so no valid id is 0
-    };
-    std::vector<Entry> entries_;
-    std::vector<std::uint32_t> free_;
+    std::map<std::uint32_t, std::unique_ptr<Object>> objects_;  // ordered, so that visits repeat
 };
 
 }  // namespace txc

@@ -72,7 +72,7 @@ private:
         d.facing = seen.facing;
         d.facing_dx = seen.facing_dx;
         d.facing_dy = seen.facing_dy;
-        d.footprint = make_footprint(image_, d.x_dx, d.y_dx, d.x_dy, d.y_dy);
+        d.footprint = make_footprint(image_, d.x_dx, d.y_dx, d.x_dy, d.y_dy, settings_.repeat);
         return d;
     }
 

@@ -320,11 +320,17 @@ TxcStatus Session::check_layer_def(const TxcLayerDef& def, DecalSettings& out_se
     return PlanarProjector::from_def(def, out_settings.projector);
 }
 
+TxcStatus Session::check_image(TxcImage id) const {
+    if (id == 0 || images_.find(id) != nullptr) return TXC_STATUS_OK;
+    return fail(TXC_STATUS_STALE_HANDLE, "there is no image %u", id);
+}
+
 TxcStatus Session::create_layer(TxcTarget target_id, const TxcLayerDef& def, TxcLayer& out_layer) {
     Target* target = nullptr;
     if (const TxcStatus status = find_target(target_id, target); status != TXC_STATUS_OK) return status;
     auto layer = std::make_unique<Layer>(budget_);
     if (const TxcStatus status = check_layer_def(def, layer->settings); status != TXC_STATUS_OK) return status;
+    if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
     layer->target = target_id;
     layer->def = def;
     layer->needs_projection = true;
@@ -340,6 +346,10 @@ TxcStatus Session::update_layer(TxcLayer id, const TxcLayerDef& def) {
     if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
     DecalSettings settings{};
     if (const TxcStatus status = check_layer_def(def, settings); status != TXC_STATUS_OK) return status;
+    // An image that was destroyed under the layer may stay named: the layer is transparent until it gets another.
+    if (def.image != layer->def.image) {
+        if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
+    }
     if (std::memcmp(&layer->def, &def, sizeof def) == 0) return TXC_STATUS_OK;
     Target& target = *targets_.find(layer->target);
     // Where it was: its old tiles. Where it will be: the projection marks those.

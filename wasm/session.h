@@ -52,6 +52,7 @@ private:
     std::shared_ptr<LocalSpaceMap> cached_map(const MapKey& key) const;
     void drop_unused_maps(std::size_t keep);
     void forget_model();
+    TxcStatus check_image(TxcImage id) const;
     TxcStatus check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings) const;
     TxcStatus project_layer(const Target& target, Layer& layer, TxcUpdate& update);
     TxcStatus ensure_occlusion_tree();

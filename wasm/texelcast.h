@@ -8,8 +8,8 @@
  * Rules that hold for every call:
  *   - Structs hold 4-byte fields only, so their layout is the same in wasm32 and natively. Fill one with its
  *     `txc_*_default` maker first, then set the fields you mean.
- *   - Handles are ids with a generation; 0 is null. A handle used after its object was destroyed, or of another
- *     session, gives TXC_STATUS_STALE_HANDLE and touches nothing.
+ *   - Handles are ids that are never given out twice; 0 is null. A handle used after its object was destroyed, or of
+ *     another session, gives TXC_STATUS_STALE_HANDLE and touches nothing.
  *   - Inputs are copied before the call returns. Outputs that are pointers belong to the session and live until the
  *     call that their comment names.
  *   - A call that fails changes nothing, and `txc_error_detail` then says which field and which value was at fault.
