@@ -14,6 +14,7 @@ import { gatherRestingSurface } from "./resting-surface.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { Stage } from "./stage.ts";
 import { SurfaceQuery, type SurfaceSample } from "./surface-query.ts";
+import { UpdateQueue } from "./update-queue.ts";
 import { ViewInput } from "./view-input.ts";
 import type { ModelViewer, ModelViewerEvents, SurfaceHit, ViewerDecal } from "./viewer-api.ts";
 import { adoptViewerStyle } from "./viewer-style.ts";
@@ -49,6 +50,10 @@ class ThreeModelViewer implements ModelViewer {
   #loading = 0;
   #decals: readonly ViewerDecal[] = [];
   #upload = { milliseconds: 0, bytes: 0 };
+  readonly #updates = new UpdateQueue(
+    (update) => this.#applyNow(update),
+    (task) => this.#stage.whenGpuDone(task),
+  );
   #disposed = false;
 
   constructor(host: HTMLElement, options: ModelViewerOptions) {
@@ -119,10 +124,7 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   applyUpdate(update: TargetUpdate): void {
-    if (this.#model !== null) {
-      this.#upload = this.#model.materials.apply(update);
-      this.#stage.requestFrame();
-    }
+    this.#updates.push(update);
   }
 
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {
@@ -224,6 +226,13 @@ class ThreeModelViewer implements ModelViewer {
     this.element.remove();
   }
 
+  #applyNow(update: TargetUpdate): void {
+    if (this.#model !== null) {
+      this.#upload = this.#model.materials.apply(update);
+      this.#stage.requestFrame();
+    }
+  }
+
   #requireModel(): ShownModel {
     if (this.#model === null) {
       throw new TexelcastError("no-model", "There is no model to place a decal on.", { hint: "Open a model first." });
@@ -235,6 +244,7 @@ class ThreeModelViewer implements ModelViewer {
     const model = this.#model;
     if (model !== null) {
       this.#gizmo.setSurface(null);
+      this.#updates.clear();
       model.animation.dispose();
       model.materials.dispose();
       model.scene.root.removeFromParent();

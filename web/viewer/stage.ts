@@ -20,8 +20,9 @@ import {
 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { ContactShadow } from "./contact-shadow.ts";
+import { GpuPace } from "./gpu-pace.ts";
 import { GroundLight } from "./ground-light.ts";
-import { FrameCost, MotionResolution } from "./motion-resolution.ts";
+import { MotionResolution } from "./motion-resolution.ts";
 import { createStudioEnvironment } from "./studio-environment.ts";
 
 CameraControls.install({
@@ -64,7 +65,7 @@ export class Stage {
   #resized = true;
   #lost = false;
   readonly #resolution = new MotionResolution();
-  readonly #cost: FrameCost;
+  readonly #pace: GpuPace;
   #frameEnd = Number.NEGATIVE_INFINITY;
   #moving = false;
   #inGesture = false;
@@ -81,7 +82,7 @@ export class Stage {
     this.renderer.toneMapping = NeutralToneMapping;
     this.renderer.setClearColor(0x000000, 0);
     this.canvas.classList.add("tcv-canvas");
-    this.#cost = new FrameCost(this.renderer.getContext() as WebGL2RenderingContext, (milliseconds) =>
+    this.#pace = new GpuPace(this.renderer.getContext() as WebGL2RenderingContext, (milliseconds) =>
       this.#resolution.note(milliseconds),
     );
     root.append(this.canvas);
@@ -128,6 +129,12 @@ export class Stage {
     }
   }
 
+  /** Runs a task once the GPU is done with what it was given so far. */
+  whenGpuDone(task: () => void): void {
+    this.#pace.mark();
+    this.#pace.whenDone(task);
+  }
+
   /** A gesture counts as movement throughout, however slowly its pictures come. */
   set inGesture(value: boolean) {
     this.#inGesture = value;
@@ -168,7 +175,7 @@ export class Stage {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = -1;
     clearTimeout(this.#restTimer);
-    this.#cost.dispose();
+    this.#pace.dispose();
     this.#resize.disconnect();
     for (const cleanup of this.#cleanups) {
       cleanup();
@@ -194,7 +201,7 @@ export class Stage {
     this.camera.updateMatrixWorld();
     this.renderer.render(this.scene, this.camera);
     this.frames += 1;
-    this.#cost.frameSubmitted();
+    this.#pace.mark();
     this.#restSoon();
     this.#hooks.afterFrame(moved || resized);
     this.#frameEnd = performance.now();

@@ -3,9 +3,11 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import type { MapView, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
 import { type CssColor, readCssColor } from "./css-color.ts";
 import { FrameTask } from "./frame-task.ts";
+import { GpuPace } from "./gpu-pace.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
 import { TextureCamera } from "./texture-camera.ts";
 import { type PaintedLines, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
+import { UpdateQueue } from "./update-queue.ts";
 import { meanLength, uvEdges } from "./uv-edges.ts";
 import type { TextureView } from "./viewer-api.ts";
 import { adoptViewerStyle } from "./viewer-style.ts";
@@ -56,6 +58,11 @@ class GlTextureView implements TextureView {
   readonly #drawTask = new FrameTask(() => this.#draw());
   readonly #abort = new AbortController();
   readonly #themeObserver = new MutationObserver(() => this.#readColors());
+  readonly #pace: GpuPace;
+  readonly #updates = new UpdateQueue(
+    (update) => this.#applyNow(update),
+    (task) => this.#whenFree(task),
+  );
   #painter: TexturePainter;
   #target: BoundTarget | null = null;
   #map: { readonly picture: MapPicture; texture: PaintedTexture } | null = null;
@@ -79,6 +86,7 @@ class GlTextureView implements TextureView {
     host.append(root);
     this.element = root;
     this.#gl = contextOf(this.#canvas);
+    this.#pace = new GpuPace(this.#gl);
     this.#painter = new TexturePainter(this.#gl);
     this.#input = new PanZoomInput(root, this.#camera, {
       changed: () => this.#drawTask.request(),
@@ -117,20 +125,7 @@ class GlTextureView implements TextureView {
   }
 
   applyUpdate(update: TargetUpdate): void {
-    const target = this.#target;
-    if (target === null || target.info.material !== update.material || this.#gl.isContextLost()) {
-      return;
-    }
-    const { width, height } = target.info;
-    const fits = update.rects.every(
-      (rect) =>
-        rect.x + rect.width <= Math.max(1, width >> rect.level) &&
-        rect.y + rect.height <= Math.max(1, height >> rect.level),
-    );
-    if (fits) {
-      this.#painter.upload(target.texture, update);
-      this.#drawTask.request();
-    }
+    this.#updates.push(update);
   }
 
   setMode(mode: "texture" | MapView, picture?: MapPicture): void {
@@ -165,8 +160,32 @@ class GlTextureView implements TextureView {
     this.#resize.disconnect();
     this.#input.dispose();
     this.#drawTask.cancel();
+    this.#pace.dispose();
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
     this.element.remove();
+  }
+
+  #applyNow(update: TargetUpdate): void {
+    const target = this.#target;
+    if (target === null || target.info.material !== update.material || this.#gl.isContextLost()) {
+      return;
+    }
+    const { width, height } = target.info;
+    const fits = update.rects.every(
+      (rect) =>
+        rect.x + rect.width <= Math.max(1, width >> rect.level) &&
+        rect.y + rect.height <= Math.max(1, height >> rect.level),
+    );
+    if (fits) {
+      this.#painter.upload(target.texture, update);
+      this.#drawTask.request();
+    }
+  }
+
+  /** The GPU serves all of the page: a fence of this view's own is passed when the 3D view's frame is done, too. */
+  #whenFree(task: () => void): void {
+    this.#pace.mark();
+    this.#pace.whenDone(task);
   }
 
   #draw(): void {

@@ -1,0 +1,69 @@
+/** How fast the GPU works off what it was given. */
+
+/** How often the fence is looked at, milliseconds. */
+const POLL = 6;
+
+/** Learns by fences when the GPU is done with what it was given, without ever waiting for it. */
+export class GpuPace {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #note: ((milliseconds: number) => void) | undefined;
+  #fence: WebGLSync | null = null;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #waiting: (() => void)[] = [];
+
+  /** @param note told what each fenced piece of work took, milliseconds */
+  constructor(gl: WebGL2RenderingContext, note?: (milliseconds: number) => void) {
+    this.#gl = gl;
+    this.#note = note;
+  }
+
+  /** Sets a fence behind the commands given so far, unless one is under way. */
+  mark(): void {
+    if (this.#fence === null) {
+      const fence = this.#gl.fenceSync(this.#gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+      this.#gl.flush();
+      this.#fence = fence;
+      this.#poll(performance.now());
+    }
+  }
+
+  /** Runs a task once the fence under way is passed; at once where there is none. */
+  whenDone(task: () => void): void {
+    if (this.#fence === null) {
+      task();
+    } else {
+      this.#waiting.push(task);
+    }
+  }
+
+  dispose(): void {
+    clearTimeout(this.#timer);
+    this.#gl.deleteSync(this.#fence);
+    this.#fence = null;
+    this.#waiting = [];
+  }
+
+  #poll(begin: number): void {
+    this.#timer = setTimeout(() => {
+      const gl = this.#gl;
+      if (this.#fence === null || gl.isContextLost()) {
+        this.#done();
+      } else if (gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.SIGNALED) {
+        gl.deleteSync(this.#fence);
+        this.#note?.(performance.now() - begin);
+        this.#done();
+      } else {
+        this.#poll(begin);
+      }
+    }, POLL);
+  }
+
+  #done(): void {
+    this.#fence = null;
+    const tasks = this.#waiting;
+    this.#waiting = [];
+    for (const task of tasks) {
+      task();
+    }
+  }
+}
