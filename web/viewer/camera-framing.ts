@@ -9,13 +9,16 @@ const MODEL_POLAR = 1.25;
 /** How much farther than a tight fit the camera stands. */
 const MODEL_ROOM = 1.14;
 const DECAL_ROOM = 2.2;
+/** Of larger models some vertices are left out. */
+const MOST_FRAMED_VERTICES = 20_000;
 
-/** Shows all of the model; `eased` false puts the camera there at once. */
-export function frameModel(stage: Stage, bounds: Box3, eased: boolean): void {
+/** Shows all of a model of these vertices; `eased` false puts the camera there at once. */
+export function frameModel(stage: Stage, positions: Float32Array, eased: boolean): void {
   const { controls } = stage;
   const towardsEye = new Vector3().setFromSphericalCoords(1, MODEL_POLAR, MODEL_AZIMUTH);
-  const target = bounds.getCenter(new Vector3());
-  const eye = target.clone().addScaledVector(towardsEye, distanceForBox(stage, bounds, towardsEye) * MODEL_ROOM);
+  const target = boundsOf(positions).getCenter(new Vector3());
+  const distance = distanceForVertices(stage, positions, target, towardsEye);
+  const eye = target.clone().addScaledVector(towardsEye, distance * MODEL_ROOM);
   controls.normalizeRotations();
   controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, eased && stage.animates);
   stage.requestFrame();
@@ -54,22 +57,19 @@ export function boundsOf(positions: Float32Array): Box3 {
   return new Box3().setFromArray(positions as unknown as number[]);
 }
 
-/** How far from a box's centre all of its corners are in view. */
-function distanceForBox(stage: Stage, bounds: Box3, towardsEye: Vector3): number {
+/** How far from `target` all vertices are in view. */
+function distanceForVertices(stage: Stage, positions: Float32Array, target: Vector3, towardsEye: Vector3): number {
   const vertical = Math.tan((stage.camera.fov * Math.PI) / 360);
   const horizontal = vertical * Math.max(stage.camera.aspect, 0.2);
   const right = new Vector3(0, 1, 0).cross(towardsEye).normalize();
   const up = towardsEye.clone().cross(right);
-  const half = bounds.getSize(new Vector3()).multiplyScalar(0.5);
+  const stride = 3 * Math.ceil(positions.length / 3 / MOST_FRAMED_VERTICES);
+  const vertex = new Vector3();
   let distance = stage.bounds.radius * 0.1;
-  for (const x of [-1, 1]) {
-    for (const y of [-1, 1]) {
-      for (const z of [-1, 1]) {
-        const corner = new Vector3(x, y, z).multiply(half);
-        const away = Math.max(Math.abs(corner.dot(right)) / horizontal, Math.abs(corner.dot(up)) / vertical);
-        distance = Math.max(distance, away + corner.dot(towardsEye));
-      }
-    }
+  for (let at = 0; at < positions.length; at += stride) {
+    vertex.fromArray(positions, at).sub(target);
+    const away = Math.max(Math.abs(vertex.dot(right)) / horizontal, Math.abs(vertex.dot(up)) / vertical);
+    distance = Math.max(distance, away + vertex.dot(towardsEye));
   }
   return distance;
 }

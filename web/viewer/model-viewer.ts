@@ -33,6 +33,7 @@ export function createModelViewer(host: HTMLElement, options: ModelViewerOptions
 interface ShownModel {
   readonly scene: ModelScene;
   readonly bounds: Box3;
+  readonly positions: Float32Array;
   readonly query: SurfaceQuery;
   readonly materials: PaintedMaterials;
   readonly animation: ModelAnimation;
@@ -108,6 +109,7 @@ class ThreeModelViewer implements ModelViewer {
     this.#model = {
       scene,
       bounds,
+      positions: surface.positions,
       query: new SurfaceQuery(surface),
       materials: new PaintedMaterials(this.#stage.renderer, scene),
       animation: new ModelAnimation(scene),
@@ -115,7 +117,7 @@ class ThreeModelViewer implements ModelViewer {
     this.#stage.show(scene.root, bounds);
     this.#gizmo.setSurface(this.#model.query);
     this.#gizmo.enabled = true;
-    frameModel(this.#stage, bounds, false);
+    frameModel(this.#stage, surface.positions, false);
   }
 
   bindTarget(info: TargetInfo): void {
@@ -172,7 +174,7 @@ class ThreeModelViewer implements ModelViewer {
 
   frameModel(): void {
     if (this.#model !== null) {
-      frameModel(this.#stage, this.#model.bounds, true);
+      frameModel(this.#stage, this.#model.positions, true);
     }
   }
 

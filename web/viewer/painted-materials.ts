@@ -66,11 +66,11 @@ export class PaintedMaterials {
     for (const [material, { info, live }] of this.#bound) {
       const again = new LiveTexture(this.#renderer, info, this.#ownTexture(material));
       this.#bound.set(material, { info, live: again });
-      // A frame that is drawn meanwhile must not bring the old texture's storage back.
+      // A frame that is drawn meanwhile must not bring the old texture's storage back. The old one needs no disposal: the
+      // context took its storage along.
       if (this.#scene.materials.get(material)?.some((three) => three.map === live.texture)) {
         this.#show(material, again);
       }
-      live.dispose();
     }
   }
 
