@@ -194,9 +194,17 @@ TxcStatus Session::bake(TxcTarget id, std::uint32_t work_limit, float& out_progr
         target->baker.reset();
         return TXC_STATUS_OK;
     }
+    if (target->baker == nullptr) {
+        if (const TxcStatus status = begin_map(*target); status != TXC_STATUS_OK) return status;
+    }
     const TxcStatus status = target->baker->step(work_limit);
     out_progress = target->baker->progress();
-    if (status != TXC_STATUS_OK) return status;
+    if (status == TXC_STATUS_PENDING) return status;
+    if (status != TXC_STATUS_OK) {
+        // It stopped in mid-row, with texels left out: the next call begins anew.
+        target->baker.reset();
+        return status;
+    }
     target->map = target->baker->take();
     target->baker.reset();
     maps_.push_back(target->map);
