@@ -1,7 +1,8 @@
 /**
  * The views' style sheet. Constructed, not inlined: a strict content security policy refuses inline styles.
  *
- * Custom properties that a page may set: --viewer-accent (the gizmo), --viewer-on-accent (what lies on it),
+ * Custom properties that a page may set: --viewer-accent (the gizmo), --viewer-on-accent (text on it), --viewer-handle
+ * (the handles' fill; it lies on the model, so it stays white on a dark page, too),
  * --viewer-casing (the thin contrast around its lines), --viewer-shadow (0 to 1, strength of the contact shadow),
  * --viewer-ground (0 to 1, strength of a pool of light on the ground, for dark pages),
  * --viewer-checker-a and --viewer-checker-b (under transparency), --viewer-outline (UV lines).
@@ -12,6 +13,7 @@ const STYLE = /* css */ `
   touch-action: none; user-select: none; -webkit-user-select: none; cursor: default;
   --tcv-accent: var(--viewer-accent, #3d7eff);
   --tcv-on-accent: var(--viewer-on-accent, #ffffff);
+  --tcv-handle: var(--viewer-handle, #ffffff);
   --tcv-casing: var(--viewer-casing, rgb(255 255 255 / 0.75));
 }
 .tcv-root:focus-visible::after {
@@ -34,11 +36,11 @@ const STYLE = /* css */ `
 .tcv-handle { pointer-events: all; transition: opacity 120ms; }
 .tcv-handle[data-hidden] { opacity: 0.4; }
 .tcv-hit { fill: transparent; }
-.tcv-overlay .tcv-mark { fill: var(--tcv-on-accent); stroke: var(--tcv-accent); stroke-width: 1.75; transition: transform 120ms ease-out; }
+.tcv-overlay .tcv-mark { fill: var(--tcv-handle); stroke: var(--tcv-accent); stroke-width: 1.75; transition: transform 120ms ease-out; }
 .tcv-mark-shadow { fill: rgb(10 14 24 / 0.22); }
-.tcv-overlay .tcv-handle:hover .tcv-mark, .tcv-overlay .tcv-handle[data-active] .tcv-mark { fill: var(--tcv-accent); stroke: var(--tcv-on-accent); transform: scale(1.2); }
+.tcv-overlay .tcv-handle:hover .tcv-mark, .tcv-overlay .tcv-handle[data-active] .tcv-mark { fill: var(--tcv-accent); stroke: var(--tcv-handle); transform: scale(1.2); }
 .tcv-overlay .tcv-glyph { stroke: var(--tcv-accent); stroke-width: 1.5; pointer-events: none; }
-.tcv-overlay .tcv-handle:hover .tcv-glyph, .tcv-overlay .tcv-handle[data-active] .tcv-glyph { stroke: var(--tcv-on-accent); }
+.tcv-overlay .tcv-handle:hover .tcv-glyph, .tcv-overlay .tcv-handle[data-active] .tcv-glyph { stroke: var(--tcv-handle); }
 
 .tcv-root[data-cursor="move"] { cursor: move; }
 .tcv-root[data-cursor="orbit"] { cursor: grab; }
@@ -57,12 +59,12 @@ const STYLE = /* css */ `
 .tcv-texture[data-panning] { cursor: grabbing; }
 .tcv-marker {
   position: absolute; left: 0; top: 0; width: 18px; height: 18px; margin: -9px 0 0 -9px; border-radius: 50%;
-  pointer-events: none; border: 2px solid var(--tcv-on-accent); outline: 2px solid var(--tcv-accent);
+  pointer-events: none; border: 2px solid var(--tcv-handle); outline: 2px solid var(--tcv-accent);
   box-shadow: 0 1px 5px rgb(10 14 24 / 0.5);
 }
 .tcv-marker::after {
   content: ""; position: absolute; inset: 5px; border-radius: 50%; background: var(--tcv-accent);
-  box-shadow: 0 0 0 1px var(--tcv-on-accent);
+  box-shadow: 0 0 0 1px var(--tcv-handle);
 }
 .tcv-marker[hidden] { display: none; }
 
