@@ -43,10 +43,6 @@ export function tupleOf(vector: Vector3): Vec3 {
   return [vector.x, vector.y, vector.z];
 }
 
-export function clonePose(pose: DecalPose): DecalPose {
-  return { position: pose.position.clone(), rotation: pose.rotation.clone(), size: pose.size.clone() };
-}
-
 /** The box's axis in model space, unit: 0 is +X (picture's right), 1 is +Y (its top), 2 is +Z (towards the viewer). */
 export function axisOf(pose: DecalPose, axis: 0 | 1 | 2): Vector3 {
   return new Vector3().setComponent(axis, 1).applyQuaternion(pose.rotation);

@@ -15,8 +15,4 @@ export class EventHub<Events> {
       (listener as (event: Events[K]) => void)(event);
     }
   }
-
-  has(type: keyof Events): boolean {
-    return (this.#listeners.get(type)?.size ?? 0) > 0;
-  }
 }

@@ -16,7 +16,7 @@ export interface ViewInputHooks {
   query(): SurfaceQuery | null;
   select(id: string | null): void;
   hover(sample: SurfaceSample | null): void;
-  /** A click while nothing can be placed (an animation plays); returns after stopping it, if the click was on the model. */
+  /** A click while nothing can be placed, since an animation plays. */
   clickWhilePlaying(at: ScreenPoint): void;
   /** The next press of the left button pans instead of turning. */
   setPanning(pans: boolean): void;
@@ -208,7 +208,7 @@ export class ViewInput {
       event.preventDefault();
       event.stopImmediatePropagation();
     }
-    if (event.code === "Space" && !isControl(event.target)) {
+    if (event.code === "Space" && !isControl(event.composedPath()[0])) {
       this.#setSpace(down);
       // The page would scroll, and a press of a space bar over the view is the camera's.
       if (this.#pointerInside) {
@@ -263,7 +263,7 @@ function distance(from: PointerEvent, to: PointerEvent): number {
   return Math.hypot(to.clientX - from.clientX, to.clientY - from.clientY);
 }
 
-/** Keys typed into these are theirs. */
-function isControl(target: EventTarget | null): boolean {
+/** Keys typed into these are theirs. `target` is the innermost one, inside shadow trees, too. */
+function isControl(target: EventTarget | undefined): boolean {
   return target instanceof Element && target.closest("input, textarea, select, button, a, [contenteditable]") !== null;
 }
