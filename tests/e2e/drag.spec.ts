@@ -1,10 +1,9 @@
+import type { Page } from "@playwright/test";
 import { expect, type Region, test } from "./support/editor-page.ts";
+import { twoSquaresGlb } from "./support/test-files.ts";
 
 /** The texels in which the shown texture differs from the one that `window.base` holds. */
-async function changedRegion(
-  page: import("@playwright/test").Page,
-  size: { width: number; height: number },
-): Promise<Region> {
+async function changedRegion(page: Page, size: { width: number; height: number }): Promise<Region> {
   return page.evaluate(async ({ width, height }) => {
     const base = (window as unknown as { base: Uint32Array }).base;
     const bytes = await window.texelcast.readTexels(0, 0, width, height);
@@ -22,10 +21,7 @@ async function changedRegion(
   }, size);
 }
 
-async function rememberBase(
-  page: import("@playwright/test").Page,
-  size: { width: number; height: number },
-): Promise<void> {
+async function rememberBase(page: Page, size: { width: number; height: number }): Promise<void> {
   await page.evaluate(async ({ width, height }) => {
     const bytes = await window.texelcast.readTexels(0, 0, width, height);
     (window as unknown as { base: Uint32Array }).base = new Uint32Array(bytes.slice().buffer);
@@ -136,6 +132,37 @@ test("the handles rotate and scale the decal", async ({ editor, page }) => {
   expect(await editor.settledHash()).toBe(rotated);
   await page.locator("#undo").click();
   expect(await editor.settledHash()).toBe(start);
+});
+
+test("a demo decal is dragged from the palette onto the model, and on to another material", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([twoSquaresGlb()]);
+  const at = (x: number) =>
+    page.evaluate((place) => window.texelcast.project(place, 0, 0) as { x: number; y: number }, x);
+  const bare = await editor.hash();
+  const right = await at(0.55);
+  const source = await page.locator("tc-decal-palette [data-decal=badge]").boundingBox();
+  if (!source) throw new Error("The palette has no badge.");
+  await editor.drag({ x: source.x + 20, y: source.y + 20 }, right, 8);
+  await expect.poll(async () => (await editor.design()).layers.length).toBe(1);
+  await editor.idle();
+  const [layer] = (await editor.design()).layers;
+  expect(layer?.material).toBe(1);
+  const material = page.locator("tc-target-settings #material");
+  await expect(material).toHaveValue("1");
+  const painted = await editor.settledHash();
+  expect(painted).not.toBe(bare);
+
+  await editor.drag(right, await at(-0.55), 10);
+  expect((await editor.decal(layer?.id ?? "")).material).toBe(0);
+  await expect(material).toHaveValue("0");
+  expect(await editor.settledHash()).not.toBe(bare);
+  await page.keyboard.press("Control+z");
+  await expect(material).toHaveValue("1");
+  expect(await editor.settledHash()).toBe(painted);
 });
 
 test("a click on a decal in the view selects it", async ({ editor, page }) => {

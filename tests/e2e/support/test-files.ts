@@ -31,6 +31,18 @@ export function squareGlb(): TestFile {
   return file("square.glb", writeGlb(json, binary));
 }
 
+/** Two of the squares side by side, each of a material of its own, 0 at the left. */
+export function twoSquaresGlb(): TestFile {
+  const moved = (x: number, material: number): MeshParts => ({
+    ...SQUARE,
+    positions: SQUARE.positions.map((value, index) => (index % 3 === 0 ? value + x : value)),
+    material,
+  });
+  const materials = [{ name: "Left" }, { name: "Right" }];
+  const { json, binary } = buildModel({ meshes: [moved(-0.55, 0), moved(0.55, 1)], materials });
+  return file("squares.glb", writeGlb(json, binary));
+}
+
 export function glbWithoutUvs(): TestFile {
   const { positions, indices } = SQUARE;
   const parts = { meshes: [{ positions, ...(indices && { indices }), material: 0 }], materials: [{ name: "Bare" }] };

@@ -214,7 +214,7 @@ export class DecalList extends EditorElement {
     const place = design.layers.findIndex(({ id }) => id === selectedId);
     const { id, name } = design.layers[place] ?? { id: "", name: "" };
     const button = (action: string, label: string, drawing: IconNode, run: () => void, disabled = false) => html`
-      <button class="icon" data-action=${action} aria-label=${label} title=${label} ?disabled=${disabled} @click=${run}>
+      <button class="icon" data-action=${action} aria-label=${label} title=${label} aria-disabled=${disabled} @click=${run}>
         ${icon(drawing)}
       </button>
     `;

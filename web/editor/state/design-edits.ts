@@ -104,7 +104,8 @@ function freeId(design: Design): string {
 /** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. */
 function freeName(design: Design, name: string): string {
   const taken = new Set(design.layers.map((layer) => layer.name));
-  const stem = name.replace(/ \d+$/, "");
+  // Only what was counted on before: the 07 of "Number 07" is part of the name.
+  const stem = name.replace(/ (?:[2-9]|[1-9]\d+)$/, "");
   let free = name;
   for (let number = 2; taken.has(free); number += 1) free = `${stem} ${number}`;
   return free;

@@ -4,10 +4,12 @@
  */
 import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-api.ts";
+import type { DesignLayer } from "../document/index.ts";
 import { loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import { strings } from "../strings.ts";
 import { AssetLibrary } from "./asset-library.ts";
 import { DecalCommands } from "./decal-commands.ts";
+import { layerById } from "./design-edits.ts";
 import { DesignSession } from "./design-session.ts";
 import {
   type EditorState,
@@ -139,16 +141,17 @@ export class Editor {
       if (design !== state.design && !state.switching) {
         this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(state.design));
       }
-      if (selectedId !== state.selectedId && !state.switching) this.#followSelection(state);
+      const selected = layerById(state.design, state.selectedId);
+      const movedOn = selected?.material !== layerById(design, selectedId)?.material;
+      if (selected && !state.switching && (movedOn || selectedId !== state.selectedId)) this.#follow(selected, state);
       ({ targets, material, design, selectedId, model } = state);
     });
   }
 
-  /** The texture view and the target settings follow the selected decal to its material. */
-  #followSelection({ design, selectedId, model }: EditorState): void {
-    const layer = design.layers.find(({ id }) => id === selectedId);
-    const paintable = model?.info.materials.some(({ index, refusal }) => index === layer?.material && refusal === null);
-    if (layer && paintable) this.showMaterial(layer.material);
+  /** The texture view and the target settings follow the selected layer to its material. */
+  #follow({ material }: DesignLayer, { model }: EditorState): void {
+    const paintable = model?.info.materials.some(({ index, refusal }) => index === material && refusal === null);
+    if (paintable) this.showMaterial(material);
   }
 
   #mark(hit: SurfaceHit | null): void {

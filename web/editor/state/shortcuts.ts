@@ -1,4 +1,4 @@
-/** Keys of the page. Fields keep their own: an event from one never gets here with a meaning of ours. */
+/** Keys of the page. What has the focus comes first: a text field keeps every key, a slider or a list its arrows. */
 import type { Editor } from "./editor.ts";
 
 export interface ShortcutActions {
@@ -7,9 +7,11 @@ export interface ShortcutActions {
 
 /** True when the key was ours, and its default must not happen. */
 export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: ShortcutActions): boolean {
-  if (event.defaultPrevented || event.isComposing || isTyping(event)) return false;
-  const command = event.ctrlKey || event.metaKey;
-  return command ? handleCommand(event, editor, actions) : handlePlain(event, editor);
+  if (event.defaultPrevented || event.isComposing) return false;
+  const focus = focusOf(event);
+  if (focus === "text") return false;
+  if (event.ctrlKey || event.metaKey) return handleCommand(event, editor, actions);
+  return focus === "page" && handlePlain(event, editor);
 }
 
 function handleCommand(event: KeyboardEvent, { files, decals }: Editor, actions: ShortcutActions): boolean {
@@ -71,13 +73,14 @@ function handlePlain(event: KeyboardEvent, { decals, viewer }: Editor): boolean 
   }
 }
 
-/** A field, a list or a menu has the focus, in whatever shadow root. */
-function isTyping(event: KeyboardEvent): boolean {
+/** What the focused element does with keys: takes them as text, chooses with them, or leaves them to the page. */
+function focusOf(event: KeyboardEvent): "text" | "choice" | "page" {
   const [target] = event.composedPath();
-  if (!(target instanceof HTMLElement)) return false;
+  if (!(target instanceof HTMLElement)) return "page";
   if (target instanceof HTMLInputElement) {
-    // Checkboxes know the space key only.
-    return !["checkbox", "color", "button"].includes(target.type);
+    if (["range", "radio", "color"].includes(target.type)) return "choice";
+    return target.type === "checkbox" ? "page" : "text";
   }
-  return target.isContentEditable || target.matches("textarea, select, dialog, dialog *, [role=menu] *");
+  if (target.isContentEditable || target.matches("textarea, dialog, dialog *")) return "text";
+  return target.matches("select, [role=menu] *") ? "choice" : "page";
 }

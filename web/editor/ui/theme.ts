@@ -123,7 +123,9 @@ export const controls = css`
   button:active {
     background: var(--pressed);
   }
-  button:disabled {
+  /* aria-disabled keeps the focus, which the keyboard would lose at the end of a list. */
+  button:disabled,
+  button[aria-disabled="true"] {
     color: var(--text-quiet);
     opacity: 0.45;
     background: transparent;
