@@ -13,23 +13,9 @@ inline constexpr std::int8_t kNoNeighbour = 127;
 std::uint32_t default_gutter(std::uint32_t width, std::uint32_t height);
 
 /// First pass, one row: for each texel the signed distance along the row to the nearest owned one (0 on it, the left
-/// one of two), at most `gutter` either way, else kNoNeighbour. `is_owned(x)` tells of the row's texels.
-template <typename IsOwned>
-void nearest_in_row(std::uint32_t width, std::uint32_t gutter, IsOwned&& is_owned, std::int8_t* out) {
-    std::int64_t left = -1000;
-    for (std::uint32_t x = 0; x < width; ++x) {
-        if (is_owned(x)) left = x;
-        const std::int64_t distance = x - left;
-        out[x] = distance <= gutter ? static_cast<std::int8_t>(-distance) : kNoNeighbour;
-    }
-    std::int64_t right = static_cast<std::int64_t>(width) + 1000;
-    for (std::uint32_t x = width; x-- > 0;) {
-        if (out[x] == 0) right = x;
-        const std::int64_t distance = right - x;
-        if (distance <= gutter && (out[x] == kNoNeighbour || distance < -out[x]))
-            out[x] = static_cast<std::int8_t>(distance);
-    }
-}
+/// one of two), at most `gutter` either way, else kNoNeighbour. A texel is owned unless its owner is `nobody`.
+void nearest_in_row(const std::uint32_t* owners, std::uint32_t nobody, std::uint32_t width, std::uint32_t gutter,
+                    std::int8_t* out);
 
 struct NearestTexel {
     std::int32_t x;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 
 #include "gutter.h"
 
@@ -16,8 +18,16 @@ constexpr std::uint32_t kFrameMask = 0x3fffffffu;
 constexpr double kMaxRepeats = 256.0;
 
 std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
+    if (value >= 0 && value < by) return 0;  // nearly always: UVs inside [0, 1)
     const std::int64_t quotient = value / by;
     return value % by < 0 ? quotient - 1 : quotient;
+}
+
+/// True where no texel of the span has an owner yet: without overlap, always.
+bool is_free(const std::uint32_t* owners, std::uint32_t count) {
+    std::uint32_t taken = 0;
+    for (std::uint32_t i = 0; i < count; ++i) taken |= owners[i] ^ kNobody;
+    return taken == 0;
 }
 
 TexelTriangle in_texels(const Mesh& mesh, std::uint32_t triangle, const MapKey& key) {
@@ -64,7 +74,7 @@ TxcStatus MapBaker::begin(const Mesh& mesh, const MapKey& key, MemoryBudget& bud
     std::unique_ptr<MapBaker> baker(new MapBaker(mesh, key, budget));
     const std::uint64_t texels = static_cast<std::uint64_t>(key.width) * key.height;
     const std::uint64_t tiles = static_cast<std::uint64_t>(baker->map_->tile_columns()) * baker->map_->tile_rows();
-    if (const TxcStatus status = baker->scratch_.resize(texels * 5, "baking the map"); status != TXC_STATUS_OK)
+    if (const TxcStatus status = baker->scratch_.resize(texels * 5 + tiles, "baking the map"); status != TXC_STATUS_OK)
         return status;
     if (const TxcStatus status = baker->map_->share.resize(tiles * sizeof(std::uint32_t), "baking the map");
         status != TXC_STATUS_OK)
@@ -86,20 +96,17 @@ TxcStatus MapBaker::step(std::uint32_t work_limit) {
                 if (next_triangle_ < material_.triangles.size() || rows_.first < rows_.last) break;
                 claimed_ = {};
                 row_distances_.resize(owners_.size());
+                near_tiles_.assign(map_->tile_of.size(), 0);
                 next_row_ = 0;
                 phase_ = Phase::kRows;
                 break;
-            case Phase::kRows: {
-                const std::uint32_t* owners = owners_.data() + static_cast<std::size_t>(next_row_) * key.width;
-                nearest_in_row(
-                    key.width, key.gutter, [owners](std::uint32_t x) { return owners[x] != kNobody; },
-                    row_distances_.data() + static_cast<std::size_t>(next_row_) * key.width);
+            case Phase::kRows:
+                measure_row(next_row_);
                 work -= key.width;
                 if (++next_row_ < key.height) break;
                 next_row_ = 0;
                 phase_ = Phase::kGutter;
                 break;
-            }
             case Phase::kGutter:
                 find_gutter_row(next_row_);
                 work -= key.width;
@@ -195,6 +202,13 @@ TxcStatus MapBaker::claim_span(std::uint32_t row, std::uint32_t first, std::uint
                                std::int64_t repeat_y) {
     const std::size_t row_start = static_cast<std::size_t>(row) * map_->key.width;
     std::uint32_t frame = kNobody;
+    if (!overlaps_itself_ && is_free(owners_.data() + row_start + first, count)) {
+        const TxcStatus status = frame_for(first, row, repeat_x, repeat_y, frame);
+        if (status != TXC_STATUS_OK) return status;
+        std::fill_n(owners_.begin() + static_cast<std::ptrdiff_t>(row_start + first), count, frame);
+        map_->covered_texels += count;
+        return TXC_STATUS_OK;
+    }
     for (std::uint32_t x = first; x < first + count; ++x) {
         const std::size_t texel = row_start + x;
         if (overlaps_itself_) {
@@ -301,31 +315,69 @@ TexelFrame MapBaker::make_frame(std::uint32_t x, std::uint32_t y, std::int64_t r
 
 // ---- Gutter -----------------------------------------------------------------------------------------------------------
 
-void MapBaker::find_gutter_row(std::uint32_t row) {
-    const MapKey& key = map_->key;
-    std::uint32_t* owners = owners_.data() + static_cast<std::size_t>(row) * key.width;
-    const std::int8_t* distances = row_distances_.data() + static_cast<std::size_t>(row) * key.width;
-    std::uint32_t before = kNobody;
-    for (std::uint32_t x = 0; x < key.width; ++x) {
-        if (distances[x] != 0 && key.gutter > 0) {
-            const NearestTexel nearest = nearest_owned(row_distances_, key.width, key.height, key.gutter, x, row);
-            if (nearest.found) {
-                // Rows above are marked already, but a covered texel's own entry never carries a mark.
-                const std::uint32_t owner =
-                    owners_[static_cast<std::size_t>(nearest.y) * key.width + static_cast<std::size_t>(nearest.x)];
-                const TexelFrame& frame = map_->frames[owner];
-                const glm::vec3 there = frame.normal_at(nearest.x, nearest.y);
-                const glm::vec3 here = frame.normal_at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(row));
-                const float cosine = glm::dot(there, here);
-                const bool keeps_side =
-                    cosine > 0.0f && cosine * cosine >= 0.25f * glm::dot(there, there) * glm::dot(here, here);
-                owners[x] = owner | kGutterMark | (keeps_side ? 0u : kHoldNormalMark);
-                ++map_->gutter_texels;
-            }
+void MapBaker::measure_row(std::uint32_t row) {
+    const std::uint32_t width = map_->key.width;
+    const std::uint32_t* owners = owners_.data() + static_cast<std::size_t>(row) * width;
+    std::int8_t* distances = row_distances_.data() + static_cast<std::size_t>(row) * width;
+    nearest_in_row(owners, kNobody, width, map_->key.gutter, distances);
+    std::uint8_t* near = near_tiles_.data() + static_cast<std::size_t>(row / kTileSize) * map_->tile_columns();
+    for (std::uint32_t column = 0; column < map_->tile_columns(); ++column) {
+        if (near[column] != 0) continue;
+        const std::uint32_t x_end = std::min((column + 1) * kTileSize, width);
+        for (std::uint32_t x = column * kTileSize; x < x_end && near[column] == 0; ++x) {
+            near[column] = distances[x] != kNoNeighbour ? 1 : 0;
         }
-        if (owners[x] != kNobody && (x % kTileSize == 0 || owners[x] != before)) ++run_count_;
-        before = owners[x];
     }
+}
+
+bool MapBaker::may_have_texels(std::uint32_t row, std::uint32_t tile_column) const {
+    const std::uint32_t gutter = map_->key.gutter;
+    const std::uint32_t first = (row > gutter ? row - gutter : 0) / kTileSize;
+    const std::uint32_t last = std::min(row + gutter, map_->key.height - 1) / kTileSize;
+    for (std::uint32_t tile_row = first; tile_row <= last; ++tile_row) {
+        if (near_tiles_[static_cast<std::size_t>(tile_row) * map_->tile_columns() + tile_column] != 0) return true;
+    }
+    return false;
+}
+
+void MapBaker::find_gutter_row(std::uint32_t row) {
+    static constexpr std::int8_t kAllOwned[kTileSize] = {};
+    const MapKey& key = map_->key;
+    const std::uint32_t* owners = owners_.data() + static_cast<std::size_t>(row) * key.width;
+    const std::int8_t* distances = row_distances_.data() + static_cast<std::size_t>(row) * key.width;
+    for (std::uint32_t column = 0; column < map_->tile_columns(); ++column) {
+        const std::uint32_t x_begin = column * kTileSize;
+        const std::uint32_t x_end = std::min(x_begin + kTileSize, key.width);
+        if (x_end - x_begin == kTileSize && std::memcmp(distances + x_begin, kAllOwned, kTileSize) == 0) {
+            std::uint32_t changes = 0;
+            for (std::uint32_t x = x_begin + 1; x < x_end; ++x) changes += owners[x] != owners[x - 1] ? 1 : 0;
+            run_count_ += 1 + changes;
+            continue;
+        }
+        if (!may_have_texels(row, column)) continue;
+        std::uint32_t before = kNobody;
+        for (std::uint32_t x = x_begin; x < x_end; ++x) {
+            if (distances[x] != 0) extend_to(x, row);
+            if (owners[x] != kNobody && owners[x] != before) ++run_count_;
+            before = owners[x];
+        }
+    }
+}
+
+void MapBaker::extend_to(std::uint32_t x, std::uint32_t row) {
+    const MapKey& key = map_->key;
+    const NearestTexel nearest = nearest_owned(row_distances_, key.width, key.height, key.gutter, x, row);
+    if (!nearest.found) return;
+    // Rows above are marked already, but a covered texel's own entry never carries a mark.
+    const std::uint32_t owner =
+        owners_[static_cast<std::size_t>(nearest.y) * key.width + static_cast<std::size_t>(nearest.x)];
+    const TexelFrame& frame = map_->frames[owner];
+    const glm::vec3 there = frame.normal_at(nearest.x, nearest.y);
+    const glm::vec3 here = frame.normal_at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(row));
+    const float cosine = glm::dot(there, here);
+    const bool keeps_side = cosine > 0.0f && cosine * cosine >= 0.25f * glm::dot(there, there) * glm::dot(here, here);
+    owners_[static_cast<std::size_t>(row) * key.width + x] = owner | kGutterMark | (keeps_side ? 0u : kHoldNormalMark);
+    ++map_->gutter_texels;
 }
 
 // ---- Packing ----------------------------------------------------------------------------------------------------------
@@ -333,6 +385,7 @@ void MapBaker::find_gutter_row(std::uint32_t row) {
 TxcStatus MapBaker::begin_packing() {
     LocalSpaceMap& map = *map_;
     row_distances_ = {};
+    near_tiles_ = {};
     map.frames.shrink_to_fit();
     const std::uint64_t tiles = map.tile_of.size();
     const std::uint64_t groups =
@@ -355,7 +408,8 @@ void MapBaker::pack_tile(std::uint32_t tile_row, std::uint32_t tile_column) {
     MapTile tile{};
     tile.index = tile_row * map.tile_columns() + tile_column;
     tile.first_run = static_cast<std::uint32_t>(map.runs.size());
-    Bounds bounds;
+    glm::vec3 low(std::numeric_limits<float>::max());
+    glm::vec3 high(-std::numeric_limits<float>::max());
     for (std::uint32_t y = 0; y < y_end; ++y) {
         const std::uint32_t* owners = owners_.data() +
                                       static_cast<std::size_t>(tile_row * kTileSize + y) * map.key.width +
@@ -373,18 +427,19 @@ void MapBaker::pack_tile(std::uint32_t tile_row, std::uint32_t tile_column) {
                 const auto run_x =
                     static_cast<float>(static_cast<std::int32_t>(tile_column * kTileSize + x) - frame.x0);
                 const auto run_y = static_cast<float>(static_cast<std::int32_t>(tile_row * kTileSize + y) - frame.y0);
-                // The footprints' outer corners: half a texel around the first and last centre.
-                for (const float dx : {run_x - 0.5f, run_x + static_cast<float>(end - x) - 0.5f}) {
-                    for (const float dy : {run_y - 0.5f, run_y + 0.5f})
-                        bounds.add(frame.position + frame.position_dx * dx + frame.position_dy * dy);
-                }
+                const glm::vec3 first = frame.position + frame.position_dx * run_x + frame.position_dy * run_y;
+                const glm::vec3 last = first + frame.position_dx * static_cast<float>(end - x - 1);
+                // The footprints reach half a texel beyond the first and last centre, and above and below.
+                const glm::vec3 reach = (glm::abs(frame.position_dx) + glm::abs(frame.position_dy)) * 0.5f;
+                low = glm::min(low, glm::min(first, last) - reach);
+                high = glm::max(high, glm::max(first, last) + reach);
             }
             x = end;
         }
     }
     tile.run_count = static_cast<std::uint32_t>(map.runs.size()) - tile.first_run;
     if (tile.run_count == 0) return;
-    tile.box = {bounds.min, bounds.max};
+    tile.box = {low, high};
     map.tile_of[tile.index] = static_cast<std::uint32_t>(map.tiles.size());
     map.tiles.push_back(tile);
 }

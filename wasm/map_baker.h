@@ -46,7 +46,10 @@ private:
     TxcStatus frame_for(std::uint32_t x, std::uint32_t y, std::int64_t repeat_x, std::int64_t repeat_y,
                         std::uint32_t& out_frame);
     TexelFrame make_frame(std::uint32_t x, std::uint32_t y, std::int64_t repeat_x, std::int64_t repeat_y) const;
+    void measure_row(std::uint32_t row);
     void find_gutter_row(std::uint32_t row);
+    bool may_have_texels(std::uint32_t row, std::uint32_t tile_column) const;
+    void extend_to(std::uint32_t x, std::uint32_t row);
     TxcStatus begin_packing();
     void pack_tile_row(std::uint32_t tile_row);
     void pack_tile(std::uint32_t tile_row, std::uint32_t tile_column);
@@ -60,6 +63,7 @@ private:
     std::vector<std::uint32_t> owners_;       // per texel: a frame with the marks below, or kNobody
     std::vector<std::int8_t> row_distances_;  // per texel: see gutter.h
     std::size_t next_triangle_ = 0;           // in the material's list
+    std::vector<std::uint8_t> near_tiles_;    // per tile: some texel has an owned one in its row within the gutter
     std::uint32_t next_row_ = 0;              // of the phase under way (tile row when packing)
     std::uint64_t run_count_ = 0;
 
