@@ -1,0 +1,135 @@
+// The recipe of tests/golden/README.md: the same bytes here, in WebAssembly, in Node and in Chromium.
+#include <doctest/doctest.h>
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "texelcast.h"
+
+namespace {
+
+constexpr const char* kManyLayersHash =
+#include "../golden/many_layers.hash"
+    ;
+
+constexpr uint32_t kSide = 17;
+constexpr uint32_t kSize = 512;
+
+void add_patch(TxcSession session, int p) {
+    std::vector<float> positions;
+    std::vector<float> normals;
+    std::vector<float> uvs;
+    std::vector<uint32_t> indices;
+    for (uint32_t j = 0; j < kSide; ++j) {
+        for (uint32_t i = 0; i < kSide; ++i) {
+            const auto x = static_cast<float>(i);
+            const auto z = static_cast<float>(j);
+            const auto height = static_cast<float>((7 * i + 13 * j + 5 * static_cast<uint32_t>(p)) % 8);
+            positions.insert(positions.end(), {x / 16, height / 64 + static_cast<float>(p) / 2, z / 16});
+            normals.insert(normals.end(), {x - 8, 32, z - 8});
+            uvs.insert(uvs.end(), {(x / 16 * 7 + static_cast<float>(p) * 8 + 0.5f) / 16, (z / 16 * 15 + 0.5f) / 16});
+            if (i + 1 == kSide || j + 1 == kSide) continue;
+            const uint32_t a = j * kSide + i;
+            indices.insert(indices.end(), {a, a + kSide, a + 1, a + 1, a + kSide, a + kSide + 1});
+        }
+    }
+    TxcMeshDef def;
+    txc_mesh_def_default(&def);
+    def.vertex_count = kSide * kSide;
+    def.index_count = static_cast<uint32_t>(indices.size());
+    REQUIRE(txc_model_add_mesh(session, &def, positions.data(), p == 1 ? normals.data() : nullptr, uvs.data(),
+                               indices.data()) == TXC_STATUS_OK);
+}
+
+TxcImage add_picture(TxcSession session, uint32_t k) {
+    std::vector<uint8_t> rgba;
+    for (uint32_t y = 0; y < 16; ++y) {
+        for (uint32_t x = 0; x < 24; ++x) {
+            rgba.push_back(static_cast<uint8_t>((16 * x + 3 * y + 40 * k) % 256));
+            rgba.push_back(static_cast<uint8_t>((7 * x + 11 * y + 90 * k) % 256));
+            rgba.push_back(static_cast<uint8_t>((x ^ y) * 8 % 256));
+            rgba.push_back((x + y + k) % 3 == 0 ? uint8_t{255} : static_cast<uint8_t>((9 * x + 14 * y) % 256));
+        }
+    }
+    TxcImage image = 0;
+    REQUIRE(txc_image_create(session, 24, 16, rgba.data(), &image) == TXC_STATUS_OK);
+    return image;
+}
+
+TxcLayerDef decal(int k, const TxcImage (&pictures)[3]) {
+    TxcLayerDef def;
+    txc_layer_def_default(&def);
+    def.image = pictures[k % 3];
+    def.opacity = static_cast<float>(16 - k) / 16;
+    def.filter = k % 4 == 3 ? TXC_FILTER_NEAREST : TXC_FILTER_LINEAR;
+    def.wrap = k % 6 == 5 ? TXC_WRAP_REPEAT : TXC_WRAP_NONE;
+    def.flip_x = k % 5 == 4 ? 1 : 0;
+    def.occlusion = k % 2 == 1 ? TXC_OCCLUSION_NONE : TXC_OCCLUSION_SELF;
+    if (k % 3 == 1) {
+        def.angle_fade_start = 30;
+        def.angle_fade_end = 75;
+    }
+    def.position_model[0] = static_cast<float>(5 * k % 16) / 16;
+    def.position_model[1] = static_cast<float>(k % 4) / 8;
+    def.position_model[2] = static_cast<float>(11 * k % 16) / 16;
+    def.rotation[0] = -4;
+    def.rotation[1] = static_cast<float>(k % 3 - 1);
+    def.rotation[2] = static_cast<float>(k % 5 - 2);
+    def.rotation[3] = 4;
+    def.size[0] = static_cast<float>(3 + k % 5) / 8;
+    def.size[1] = static_cast<float>(2 + k % 4) / 8;
+    def.size[2] = static_cast<float>(1 + k % 2);
+    return def;
+}
+
+TxcLayerDef fill() {
+    TxcLayerDef def;
+    txc_layer_def_default(&def);
+    def.kind = TXC_LAYER_FILL;
+    def.lock_alpha = 1;
+    const float color[4] = {0.25f, 0.5f, 0.75f, 0.125f};
+    for (int c = 0; c < 4; ++c) def.color[c] = color[c];
+    return def;
+}
+
+std::string paint_many_layers() {
+    TxcSessionDef session_def;
+    txc_session_def_default(&session_def);
+    TxcSession session = 0;
+    REQUIRE(txc_session_create(&session_def, &session) == TXC_STATUS_OK);
+    add_patch(session, 0);
+    add_patch(session, 1);
+    const TxcImage pictures[3] = {add_picture(session, 0), add_picture(session, 1), add_picture(session, 2)};
+    TxcTargetDef target_def;
+    txc_target_def_default(&target_def);
+    target_def.width = target_def.height = kSize;
+    TxcTarget target = 0;
+    REQUIRE(txc_target_create(session, &target_def, &target) == TXC_STATUS_OK);
+    while (txc_target_bake(session, target, 1u << 20, nullptr) == TXC_STATUS_PENDING) {
+    }
+    REQUIRE(txc_target_set_base_color(session, target, 255, 255, 255, 255) == TXC_STATUS_OK);
+    TxcLayer layer = 0;
+    for (int k = 0; k < 12; ++k) {
+        const TxcLayerDef def = decal(k, pictures);
+        REQUIRE(txc_layer_create(session, target, &def, &layer) == TXC_STATUS_OK);
+        if (k != 5) continue;
+        const TxcLayerDef over = fill();
+        REQUIRE(txc_layer_create(session, target, &over, &layer) == TXC_STATUS_OK);
+    }
+    TxcUpdate update;
+    REQUIRE(txc_target_update(session, target, &update) == TXC_STATUS_OK);
+    REQUIRE(update.projected_layers == 12);
+    uint32_t hash[2] = {0, 0};
+    REQUIRE(txc_target_hash(session, target, 0, 0, kSize, kSize, hash) == TXC_STATUS_OK);
+    REQUIRE(txc_session_destroy(session) == TXC_STATUS_OK);
+    char digits[17];
+    std::snprintf(digits, sizeof digits, "%08x%08x", hash[1], hash[0]);
+    return digits;
+}
+
+}  // namespace
+
+TEST_CASE("Many layers give the one hash that every machine must give") {
+    CHECK(paint_many_layers() == std::string(kManyLayersHash));
+}

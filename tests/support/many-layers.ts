@@ -1,0 +1,88 @@
+/** The recipe of tests/golden/README.md, for Node and for the page. */
+import { readFileSync } from "node:fs";
+import type { EngineLayer } from "../../web/engine/engine-api.ts";
+import { buildGlb, type MeshParts } from "./model-builder.ts";
+import { makePng } from "./png-file.ts";
+
+/** 16 hex digits. */
+export const manyLayersHash: string = JSON.parse(
+  readFileSync(new URL("../golden/many_layers.hash", import.meta.url), "utf8"),
+);
+
+export const manyLayersSize = 512;
+const SIDE = 17;
+
+export function manyLayersModel(): Uint8Array {
+  return buildGlb({ meshes: [patch(0), patch(1)], materials: [{ name: "paint" }] });
+}
+
+function patch(p: number): MeshParts {
+  const positions: number[] = [];
+  const normals: number[] = [];
+  const uvs: number[] = [];
+  const indices: number[] = [];
+  for (let j = 0; j < SIDE; j++) {
+    for (let i = 0; i < SIDE; i++) {
+      positions.push(i / 16, ((7 * i + 13 * j + 5 * p) % 8) / 64 + p / 2, j / 16);
+      normals.push(i - 8, 32, j - 8);
+      uvs.push(((i / 16) * 7 + p * 8 + 0.5) / 16, ((j / 16) * 15 + 0.5) / 16);
+      if (i + 1 === SIDE || j + 1 === SIDE) continue;
+      const a = j * SIDE + i;
+      indices.push(a, a + SIDE, a + 1, a + 1, a + SIDE, a + SIDE + 1);
+    }
+  }
+  return { positions, uvs, indices, material: 0, ...(p === 1 && { normals }) };
+}
+
+export function manyLayersPictures(): { readonly key: string; readonly bytes: Uint8Array }[] {
+  return [0, 1, 2].map((k) => ({ key: `picture-${k}`, bytes: picture(k) }));
+}
+
+function picture(k: number): Uint8Array {
+  const rows = Array.from({ length: 16 }, (_, y) =>
+    Array.from({ length: 24 }, (_, x) => [
+      (16 * x + 3 * y + 40 * k) % 256,
+      (7 * x + 11 * y + 90 * k) % 256,
+      ((x ^ y) * 8) % 256,
+      (x + y + k) % 3 === 0 ? 255 : (9 * x + 14 * y) % 256,
+    ]).flat(),
+  );
+  return makePng({ width: 24, height: 16, bitDepth: 8, colorType: 6, rows });
+}
+
+export function manyLayers(): EngineLayer[] {
+  const shared = { material: 0, visible: true, blend: "normal", blendSpace: "srgb" } as const;
+  const decals = Array.from(
+    { length: 12 },
+    (_, k): EngineLayer => ({
+      ...shared,
+      id: `decal-${k}`,
+      type: "decal",
+      asset: `picture-${k % 3}`,
+      opacity: (16 - k) / 16,
+      lockAlpha: false,
+      filter: k % 4 === 3 ? "nearest" : "linear",
+      wrap: k % 6 === 5 ? "repeat" : "none",
+      flipX: k % 5 === 4,
+      flipY: false,
+      backfaces: false,
+      angleFade: k % 3 === 1 ? [30, 75] : [70, 90],
+      occlusion: k % 2 === 1 ? "none" : "self",
+      projector: {
+        kind: "planar",
+        position: [((5 * k) % 16) / 16, (k % 4) / 8, ((11 * k) % 16) / 16],
+        rotation: [-4, (k % 3) - 1, (k % 5) - 2, 4],
+        size: [(3 + (k % 5)) / 8, (2 + (k % 4)) / 8, 1 + (k % 2)],
+      },
+    }),
+  );
+  const fill: EngineLayer = {
+    ...shared,
+    id: "fill",
+    type: "fill",
+    opacity: 1,
+    lockAlpha: true,
+    color: [0.25, 0.5, 0.75, 0.125],
+  };
+  return [...decals.slice(0, 6), fill, ...decals.slice(6)];
+}
