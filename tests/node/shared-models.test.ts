@@ -1,31 +1,27 @@
 /**
  * The command line on real models. They lie beside the checkout and are not part of it (their licences differ).
  */
-import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { validateBytes } from "gltf-validator";
 import { describe, expect, it } from "vitest";
 import type { ModelReport } from "../../node/inspect-model.ts";
+import { haveSharedModels, noteSkipped, SHARED_MODELS } from "../support/shared-models.ts";
 import { readNpy } from "./read-npy.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
 const FOLDER = fileURLToPath(new URL("../../../shared/models/", import.meta.url));
 
-const models = existsSync(FOLDER)
-  ? readdirSync(FOLDER, { recursive: true, encoding: "utf8" })
-      .filter((file) => /\.(glb|gltf)$/.test(file))
-      .sort()
-  : [];
-const has = (name: string): boolean => models.includes(name);
+const models = haveSharedModels ? SHARED_MODELS : [];
 
 const inspect = async (model: string): Promise<ModelReport> =>
   JSON.parse((await texelcast(["inspect", path.join(FOLDER, model), "--json"])).stdout);
 
 describe("real models", () => {
   it("are tried where they are there", () => {
-    if (models.length === 0) console.warn("No models beside the checkout (../shared/models): none tried.");
-    expect(existsSync(FOLDER)).toBe(models.length > 0);
+    noteSkipped("the command line on real models");
+    expect(models.length > 0).toBe(haveSharedModels);
   });
 
   it.each(models)("%s is inspected, and painted into a valid GLB where it has texture coordinates", async (model) => {
@@ -48,28 +44,25 @@ describe("real models", () => {
     expect(pictures.filter(({ width, height }) => width === 64 && height === 64)).toHaveLength(paintable.length);
   });
 
-  it.runIf(has("RiggedFigure.glb"))(
-    "without texture coordinates say NO, and are refused by bake and render",
-    async () => {
-      const model = path.join(FOLDER, "RiggedFigure.glb");
-      const inspected = await texelcast(["inspect", model]);
-      expect(inspected.code).toBe(0);
-      expect(inspected.stdout).toMatch(/ NO$/m);
-      const folder = temporaryFolder();
-      writeFileSync(path.join(folder, "design.json"), '{"format":"texelcast-design","version":1}');
-      for (const args of [
-        ["bake", model, "--out", "maps"],
-        ["render", model, "design.json", "--out", "out.png"],
-      ]) {
-        const run = await texelcast(args, { cwd: folder });
-        expect(run).toMatchObject({ code: 3, stdout: "" });
-        expect(run.stderr).toContain("texture coordinates");
-      }
-      expect(readdirSync(folder)).toEqual(["design.json"]);
-    },
-  );
+  it.runIf(haveSharedModels)("without texture coordinates say NO, and are refused by bake and render", async () => {
+    const model = path.join(FOLDER, "RiggedFigure.glb");
+    const inspected = await texelcast(["inspect", model]);
+    expect(inspected.code).toBe(0);
+    expect(inspected.stdout).toMatch(/ NO$/m);
+    const folder = temporaryFolder();
+    writeFileSync(path.join(folder, "design.json"), '{"format":"texelcast-design","version":1}');
+    for (const args of [
+      ["bake", model, "--out", "maps"],
+      ["render", model, "design.json", "--out", "out.png"],
+    ]) {
+      const run = await texelcast(args, { cwd: folder });
+      expect(run).toMatchObject({ code: 3, stdout: "" });
+      expect(run.stderr).toContain("texture coordinates");
+    }
+    expect(readdirSync(folder)).toEqual(["design.json"]);
+  });
 
-  it.runIf(has("Avocado/Avocado.gltf"))("bake alike from all their encodings", async () => {
+  it.runIf(haveSharedModels)("bake alike from all their encodings", async () => {
     const folder = temporaryFolder();
     const bake = async (name: string) => {
       const model = path.join(FOLDER, name, "Avocado.gltf");
