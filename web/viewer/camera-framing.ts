@@ -7,7 +7,7 @@ import type { Stage } from "./stage.ts";
 const MODEL_AZIMUTH = 0.42;
 const MODEL_POLAR = 1.25;
 /** How much farther than a tight fit the camera stands. */
-const MODEL_ROOM = 1.14;
+const MODEL_ROOM = 1.24;
 const DECAL_ROOM = 2.2;
 /** Of larger models some vertices are left out. */
 const MOST_FRAMED_VERTICES = 20_000;
