@@ -140,7 +140,7 @@ export class DecalList extends EditorElement {
     const { design, model } = this.state;
     const layers = design.layers.toReversed();
     return html`
-      <div class="header">
+      <div class="header" @keydown=${this.#reorderKey}>
         <h2>${words.title}</h2>
         ${this.#actions()}
       </div>
@@ -228,20 +228,27 @@ export class DecalList extends EditorElement {
   }
 
   #key(event: KeyboardEvent): void {
-    const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
-    if (step === undefined) return;
-    event.preventDefault();
-    event.stopPropagation();
-    const { design, selectedId } = this.state;
-    const rows = design.layers.toReversed();
-    const index = rows.findIndex(({ id }) => id === selectedId);
+    const step = stepOf(event);
+    if (step === 0) return;
     if (event.altKey) {
-      if (selectedId !== null) this.editor.decals.move(selectedId, rows.length - 1 - (index + step));
+      this.#reorderKey(event);
     } else {
+      taken(event);
+      const rows = this.state.design.layers.toReversed();
+      const index = rows.findIndex(({ id }) => id === this.state.selectedId);
       const next = rows[Math.max(0, Math.min(rows.length - 1, index + step))];
       if (next) this.editor.decals.select(next.id);
     }
     void this.#focusSelected();
+  }
+
+  #reorderKey(event: KeyboardEvent): void {
+    const step = stepOf(event);
+    if (step === 0 || !event.altKey) return;
+    taken(event);
+    const { design, selectedId } = this.state;
+    const place = design.layers.findIndex(({ id }) => id === selectedId);
+    if (selectedId !== null) this.editor.decals.move(selectedId, place - step);
   }
 
   async #focusSelected(): Promise<void> {
@@ -284,3 +291,15 @@ export class DecalList extends EditorElement {
   }
 }
 customElements.define("tc-decal-list", DecalList);
+
+/** Rows down the list; 0 for other keys. */
+function stepOf({ key }: KeyboardEvent): number {
+  if (key === "ArrowUp") return -1;
+  return key === "ArrowDown" ? 1 : 0;
+}
+
+/** Neither the page nor the browser, which scrolls by these keys, shall see it. */
+function taken(event: KeyboardEvent): void {
+  event.preventDefault();
+  event.stopPropagation();
+}

@@ -129,23 +129,28 @@ export class Editor {
     this.viewer.on("needsFullUpdate", ({ material }) => this.refresh(material));
     this.viewer.on("animation", ({ playing }) => this.store.set({ playing }));
     this.engine.onError((error) => this.board.error(strings.errors.engineFault, error));
-    let { targets, material, design, selectedId, model } = this.store.state;
+    let seen = this.store.state;
     this.store.subscribe(() => {
-      const { state } = this.store;
-      const target = (of: ReadonlyMap<number, TargetInfo>, index: number | null) =>
-        index === null ? undefined : of.get(index);
-      // A new map is behind the picture that the texture view shows.
-      const mapChanged = target(state.targets, state.material) !== target(targets, material);
-      if (mapChanged && state.textureMode !== "texture") this.setTextureMode(state.textureMode);
-      if (model !== state.model) this.textureView.setMode("texture");
-      if (design !== state.design && !state.switching) {
-        this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(state.design));
-      }
-      const selected = layerById(state.design, state.selectedId);
-      const movedOn = selected?.material !== layerById(design, selectedId)?.material;
-      if (selected && !state.switching && (movedOn || selectedId !== state.selectedId)) this.#follow(selected, state);
-      ({ targets, material, design, selectedId, model } = state);
+      const before = seen;
+      seen = this.store.state;
+      this.#react(before, seen);
     });
+  }
+
+  /** What follows from a change of the state. While models are being switched, nothing does: the switch sees to it. */
+  #react(before: EditorState, now: EditorState): void {
+    // A new map is behind the picture that the texture view shows.
+    if (shownTarget(before) !== shownTarget(now) && now.textureMode !== "texture") this.setTextureMode(now.textureMode);
+    if (before.model !== now.model) this.textureView.setMode("texture");
+    if (now.switching) return;
+    if (before.design !== now.design) {
+      if (before.model === now.model) this.board.dismissInfos();
+      this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
+    }
+    const selected = layerById(now.design, now.selectedId);
+    const other = now.selectedId !== before.selectedId;
+    const movedOn = selected?.material !== layerById(before.design, before.selectedId)?.material;
+    if (selected && (other || movedOn)) this.#follow(selected, now);
   }
 
   /** The texture view and the target settings follow the selected layer to its material. */
@@ -161,4 +166,8 @@ export class Editor {
   #attempt(title: string, work: Promise<void>): void {
     void this.tasks.quietly(work.catch((thrown: unknown) => this.board.error(title, thrown)));
   }
+}
+
+function shownTarget({ targets, material }: EditorState): TargetInfo | undefined {
+  return material === null ? undefined : targets.get(material);
 }

@@ -30,6 +30,12 @@ export class NoticeBoard {
     this.#store.set({ notices: this.#store.state.notices.filter((notice) => notice.id !== id) });
   }
 
+  /** What was only worth a glance goes once the user works on. */
+  dismissInfos(): void {
+    const notices = this.#store.state.notices.filter(({ tone }) => tone !== "info");
+    if (notices.length < this.#store.state.notices.length) this.#store.set({ notices });
+  }
+
   dismissAll(): void {
     this.#store.set({ notices: [] });
   }
