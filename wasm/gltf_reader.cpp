@@ -25,76 +25,16 @@
 #endif
 
 #include "exact_math.h"
+#include "gltf_container.h"
 
 namespace txc {
 namespace {
 
 using Model = tinygltf::Model;
 
-constexpr std::uint32_t kGlbMagic = 0x46546C67u;   // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4E4F534Au;  // "JSON"
-// Parsers of nested values recurse; a document nested deeper than any real one is refused before they see it.
-constexpr int kMaxJsonDepth = 256;
-
 std::uint32_t read_u32(const std::uint8_t* bytes) {
     return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8 |
            static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
-bool is_glb(const std::uint8_t* bytes, std::uint32_t byte_count) {
-    return byte_count >= 4 && read_u32(bytes) == kGlbMagic;
-}
-
-TxcStatus check_json_depth(const std::uint8_t* json, std::uint32_t byte_count) {
-    int depth = 0;
-    bool in_string = false;
-    for (std::uint32_t i = 0; i < byte_count; ++i) {
-        const std::uint8_t c = json[i];
-        if (in_string) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                in_string = false;
-        } else if (c == '"') {
-            in_string = true;
-        } else if (c == '{' || c == '[') {
-            if (++depth > kMaxJsonDepth) {
-                return fail(TXC_STATUS_BAD_MODEL, "the JSON is nested deeper than %d levels", kMaxJsonDepth);
-            }
-        } else if (c == '}' || c == ']') {
-            --depth;
-        }
-    }
-    return TXC_STATUS_OK;
-}
-
-TxcStatus check_container(const std::uint8_t* bytes, std::uint32_t byte_count) {
-    if (!is_glb(bytes, byte_count)) {
-        std::uint32_t first = 0;
-        while (first < byte_count &&
-               (bytes[first] == ' ' || bytes[first] == '\n' || bytes[first] == '\r' || bytes[first] == '\t'))
-            ++first;
-        if (first == byte_count || bytes[first] != '{') {
-            return fail(TXC_STATUS_BAD_MODEL,
-                        "the file begins neither with the letters glTF (a GLB) nor with a JSON object");
-        }
-        return check_json_depth(bytes, byte_count);
-    }
-    if (byte_count < 20)
-        return fail(TXC_STATUS_BAD_MODEL, "the file ends inside the GLB header (%u bytes)", byte_count);
-    const std::uint32_t version = read_u32(bytes + 4);
-    if (version != 2) return fail(TXC_STATUS_BAD_MODEL, "the GLB's version is %u; only glTF 2.0 is read", version);
-    const std::uint32_t length = read_u32(bytes + 8);
-    if (length > byte_count) {
-        return fail(TXC_STATUS_BAD_MODEL, "the file is cut short: its header says %u bytes, there are %u", length,
-                    byte_count);
-    }
-    const std::uint32_t json_length = read_u32(bytes + 12);
-    if (read_u32(bytes + 16) != kJsonChunk || json_length > length || length < 20 || json_length > length - 20) {
-        return fail(TXC_STATUS_BAD_MODEL, "the GLB's first chunk is not a JSON chunk inside the file (length %u)",
-                    json_length);
-    }
-    return check_json_depth(bytes + 20, json_length);
 }
 
 bool keep_no_picture(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
@@ -103,7 +43,6 @@ bool keep_no_picture(tinygltf::Image*, const int, std::string*, std::string*, in
 }
 
 TxcStatus parse(const std::uint8_t* bytes, std::uint32_t byte_count, Model& model) {
-    if (const TxcStatus status = check_container(bytes, byte_count); status != TXC_STATUS_OK) return status;
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(keep_no_picture, nullptr);
     std::string error;
@@ -115,6 +54,10 @@ TxcStatus parse(const std::uint8_t* bytes, std::uint32_t byte_count, Model& mode
     if (!loaded) {
         while (!error.empty() && (error.back() == '\n' || error.back() == ' ')) error.pop_back();
         return fail(TXC_STATUS_BAD_MODEL, "%s", error.empty() ? "the glTF document cannot be read" : error.c_str());
+    }
+    if (model.asset.version.rfind("2.", 0) != 0) {
+        return fail(TXC_STATUS_BAD_MODEL, "asset.version is \"%.20s\"; only glTF 2.0 is read",
+                    model.asset.version.c_str());
     }
     for (const std::string& extension : model.extensionsRequired) {
         // Extensions of looks and pictures change no triangle. Geometry is another matter: not to know it is to paint it wrongly.
@@ -250,8 +193,21 @@ TxcStatus find_accessor(const Model& model, int index, const tinygltf::Accessor*
     return TXC_STATUS_OK;
 }
 
+/// Grows the scratch memory by what an accessor's elements will take.
+TxcStatus reserve_scratch(BudgetShare& scratch, int accessor_index, std::uint64_t count, std::uint64_t element_bytes) {
+    char what[32];
+    std::snprintf(what, sizeof what, "accessors[%d]", accessor_index);
+    return scratch.resize(scratch.bytes() + count * element_bytes, what);
+}
+
+bool is_unsigned(int component_type) {
+    return component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
+           component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
 /// Reads an accessor as floats, `components` each; sparse values, strides and normalised integers included.
-TxcStatus read_floats(const Model& model, int index, std::uint32_t components, const MemoryBudget& budget,
+TxcStatus read_floats(const Model& model, int index, std::uint32_t components, BudgetShare& scratch,
                       std::vector<float>& out) {
     const tinygltf::Accessor* accessor = nullptr;
     if (const TxcStatus status = find_accessor(model, index, accessor); status != TXC_STATUS_OK) return status;
@@ -262,10 +218,6 @@ TxcStatus read_floats(const Model& model, int index, std::uint32_t components, c
                     accessor->type, accessor->componentType, components);
     }
     const std::uint64_t count = accessor->count;
-    if (!budget.fits(count * components * sizeof(float))) {
-        return fail(TXC_STATUS_OUT_OF_BUDGET, "accessors[%d]: its %llu elements do not fit the memory budget", index,
-                    static_cast<unsigned long long>(count));
-    }
     const std::uint64_t element_size = static_cast<std::uint64_t>(size) * components;
     Elements elements;
     if (accessor->bufferView >= 0) {
@@ -273,6 +225,9 @@ TxcStatus read_floats(const Model& model, int index, std::uint32_t components, c
                                                true, index, elements);
         if (status != TXC_STATUS_OK) return status;
     }
+    if (const TxcStatus status = reserve_scratch(scratch, index, count, components * sizeof(float));
+        status != TXC_STATUS_OK)
+        return status;
     out.assign(static_cast<std::size_t>(count * components), 0.0f);
     const auto read_element = [&](const std::uint8_t* from, std::uint64_t element) {
         for (std::uint32_t c = 0; c < components; ++c) {
@@ -292,7 +247,7 @@ TxcStatus read_floats(const Model& model, int index, std::uint32_t components, c
     }
     const auto sparse_count = static_cast<std::uint64_t>(sparse.count);
     const std::uint32_t index_size = component_size(sparse.indices.componentType);
-    if (index_size == 0)
+    if (!is_unsigned(sparse.indices.componentType))
         return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse.indices.componentType is %d", index,
                     sparse.indices.componentType);
     Elements at;
@@ -315,24 +270,20 @@ TxcStatus read_floats(const Model& model, int index, std::uint32_t components, c
     return TXC_STATUS_OK;
 }
 
-TxcStatus read_indices(const Model& model, int index, const MemoryBudget& budget, std::vector<std::uint32_t>& out) {
+TxcStatus read_indices(const Model& model, int index, BudgetShare& scratch, std::vector<std::uint32_t>& out) {
     const tinygltf::Accessor* accessor = nullptr;
     if (const TxcStatus status = find_accessor(model, index, accessor); status != TXC_STATUS_OK) return status;
     const std::uint32_t size = component_size(accessor->componentType);
-    const bool is_unsigned = accessor->componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
-                             accessor->componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
-                             accessor->componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
-    if (!is_unsigned || accessor->type != TINYGLTF_TYPE_SCALAR || accessor->sparse.isSparse) {
+    if (!is_unsigned(accessor->componentType) || accessor->type != TINYGLTF_TYPE_SCALAR || accessor->sparse.isSparse) {
         return fail(TXC_STATUS_BAD_MODEL, "accessors[%d]: indices must be plain unsigned integers", index);
-    }
-    if (!budget.fits(static_cast<std::uint64_t>(accessor->count) * 4)) {
-        return fail(TXC_STATUS_OUT_OF_BUDGET, "accessors[%d]: its %zu indices do not fit the memory budget", index,
-                    accessor->count);
     }
     Elements elements;
     const TxcStatus status =
         find_elements(model, accessor->bufferView, accessor->byteOffset, accessor->count, size, false, index, elements);
     if (status != TXC_STATUS_OK) return status;
+    if (const TxcStatus fits = reserve_scratch(scratch, index, accessor->count, sizeof(std::uint32_t));
+        fits != TXC_STATUS_OK)
+        return fits;
     out.resize(accessor->count);
     for (std::size_t i = 0; i < accessor->count; ++i)
         out[i] = read_index(elements.first + i * elements.stride, accessor->componentType);
@@ -370,11 +321,13 @@ void read_material(const Model& model, const tinygltf::Material& source, Materia
     int image = texture.source;
     for (const char* name : {"EXT_texture_webp", "KHR_texture_basisu"}) {
         const auto found = texture.extensions.find(name);
-        if (image < 0 && found != texture.extensions.end() && found->second.IsObject() && found->second.Has("source")) {
+        if (image < 0 && found != texture.extensions.end() && found->second.IsObject() &&
+            found->second.Get("source").IsInt()) {
             image = found->second.Get("source").GetNumberAsInt();
         }
     }
-    if (image >= 0) material.image = static_cast<std::uint32_t>(image);
+    if (image >= 0 && static_cast<std::size_t>(image) < model.images.size())
+        material.image = static_cast<std::uint32_t>(image);
     if (texture.sampler >= 0 && static_cast<std::size_t>(texture.sampler) < model.samplers.size()) {
         material.nearest_filter =
             model.samplers[static_cast<std::size_t>(texture.sampler)].magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
@@ -433,12 +386,13 @@ TxcStatus place_nodes(const Model& model, std::vector<glm::dmat4>& global, std::
     global.assign(count, glm::dmat4(1.0));
     std::vector<std::uint8_t> placed(count, 0);
     std::vector<std::size_t> stack;
+    // `visit` says whether to go on to the node's children.
     const auto descend = [&](std::size_t root, auto&& visit) {
         stack.assign(1, root);
         while (!stack.empty()) {
             const std::size_t n = stack.back();
             stack.pop_back();
-            visit(n);
+            if (!visit(n)) continue;
             const std::vector<int>& children = model.nodes[n].children;
             for (std::size_t c = children.size(); c > 0; --c)
                 stack.push_back(static_cast<std::size_t>(children[c - 1]));
@@ -450,6 +404,7 @@ TxcStatus place_nodes(const Model& model, std::vector<glm::dmat4>& global, std::
             const glm::dmat4 local = local_matrix(model.nodes[node]);
             global[node] = parent[node] >= 0 ? global[static_cast<std::size_t>(parent[node])] * local : local;
             placed[node] = 1;
+            return true;
         });
     }
     std::vector<int> roots;
@@ -471,8 +426,10 @@ TxcStatus place_nodes(const Model& model, std::vector<glm::dmat4>& global, std::
         if (placed[static_cast<std::size_t>(root)] == 0)
             return fail(TXC_STATUS_BAD_MODEL, "nodes[%d] is its own ancestor", root);
         descend(static_cast<std::size_t>(root), [&](std::size_t node) {
-            if (seen[node] == 0) scene_nodes.push_back(node);
+            if (seen[node] != 0) return false;
+            scene_nodes.push_back(node);
             seen[node] = 1;
+            return true;
         });
     }
     return TXC_STATUS_OK;
@@ -480,13 +437,13 @@ TxcStatus place_nodes(const Model& model, std::vector<glm::dmat4>& global, std::
 
 /// Joint matrices of a skin: the joint's place times its inverse bind matrix. The mesh node's own place does not count.
 TxcStatus joint_matrices(const Model& model, int skin_index, const std::vector<glm::dmat4>& global,
-                         const MemoryBudget& budget, std::vector<glm::dmat4>& out) {
+                         BudgetShare& scratch, std::vector<glm::dmat4>& out) {
     if (static_cast<std::size_t>(skin_index) >= model.skins.size())
         return fail(TXC_STATUS_BAD_MODEL, "there is no skins[%d]", skin_index);
     const tinygltf::Skin& skin = model.skins[static_cast<std::size_t>(skin_index)];
     std::vector<float> inverse_bind;
     if (skin.inverseBindMatrices >= 0) {
-        if (const TxcStatus status = read_floats(model, skin.inverseBindMatrices, 16, budget, inverse_bind);
+        if (const TxcStatus status = read_floats(model, skin.inverseBindMatrices, 16, scratch, inverse_bind);
             status != TXC_STATUS_OK)
             return status;
         if (inverse_bind.size() < skin.joints.size() * 16) {
@@ -513,8 +470,8 @@ TxcStatus joint_matrices(const Model& model, int skin_index, const std::vector<g
 
 struct Reader {
     const Model& model;
-    MemoryBudget& budget;
-    BudgetShare& share;
+    BudgetShare& share;    // the mesh's
+    BudgetShare& scratch;  // the primitive under way's
     const std::vector<UvTransform>& uv_transforms;
     Mesh& mesh;
     std::uint64_t vertex_total = 0;
@@ -540,40 +497,44 @@ int attribute(const std::map<std::string, int>& attributes, const std::string& n
     return found == attributes.end() ? -1 : found->second;
 }
 
-TxcStatus add_morph(const Reader& reader, const std::map<std::string, int>& target, const char* name, double weight,
+TxcStatus add_morph(Reader& reader, const std::map<std::string, int>& target, const char* name, double weight,
                     const char* whose, std::vector<float>& values) {
     const int accessor = attribute(target, name);
     if (accessor < 0 || weight == 0.0) return TXC_STATUS_OK;
+    const std::uint64_t scratch_before = reader.scratch.bytes();
     std::vector<float> delta;
-    if (const TxcStatus status = read_floats(reader.model, accessor, 3, reader.budget, delta); status != TXC_STATUS_OK)
+    if (const TxcStatus status = read_floats(reader.model, accessor, 3, reader.scratch, delta); status != TXC_STATUS_OK)
         return status;
     if (delta.size() != values.size())
         return fail(TXC_STATUS_BAD_MODEL, "%s: a morph target has %zu values for %zu", whose, delta.size(),
                     values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
         values[i] = static_cast<float>(static_cast<double>(values[i]) + weight * static_cast<double>(delta[i]));
-    return TXC_STATUS_OK;
+    return reader.scratch.resize(scratch_before, "a morph target");
 }
 
 /// The matrix that each vertex is placed by: its joints', weighted, or the node's own.
-TxcStatus skin_vertices(const Reader& reader, const tinygltf::Primitive& primitive,
-                        const std::vector<glm::dmat4>& joints, std::size_t vertex_count, const char* whose,
-                        std::vector<glm::dmat4>& out) {
-    if (!reader.budget.fits(static_cast<std::uint64_t>(vertex_count) * sizeof(glm::dmat4))) {
-        return fail(TXC_STATUS_OUT_OF_BUDGET, "%s: %zu skinned vertices do not fit the memory budget", whose,
-                    vertex_count);
-    }
+TxcStatus skin_vertices(Reader& reader, const tinygltf::Primitive& primitive, const std::vector<glm::dmat4>& joints,
+                        std::size_t vertex_count, const char* whose, std::vector<glm::dmat4>& out) {
+    const std::uint64_t bytes = static_cast<std::uint64_t>(vertex_count) * (sizeof(glm::dmat4) + sizeof(double));
+    if (const TxcStatus status = reader.scratch.resize(reader.scratch.bytes() + bytes, whose); status != TXC_STATUS_OK)
+        return status;
     out.assign(vertex_count, glm::dmat4(0.0));
     std::vector<double> total(vertex_count, 0.0);
     for (int set = 0;; ++set) {
         const int joint_accessor = attribute(primitive.attributes, "JOINTS_" + std::to_string(set));
         const int weight_accessor = attribute(primitive.attributes, "WEIGHTS_" + std::to_string(set));
         if (joint_accessor < 0 || weight_accessor < 0) break;
+        const std::uint64_t scratch_before = reader.scratch.bytes();
         std::vector<float> joint_values;
         std::vector<float> weights;
-        TxcStatus status = read_floats(reader.model, joint_accessor, 4, reader.budget, joint_values);
-        if (status == TXC_STATUS_OK) status = read_floats(reader.model, weight_accessor, 4, reader.budget, weights);
+        TxcStatus status = read_floats(reader.model, joint_accessor, 4, reader.scratch, joint_values);
+        if (status == TXC_STATUS_OK) status = read_floats(reader.model, weight_accessor, 4, reader.scratch, weights);
         if (status != TXC_STATUS_OK) return status;
+        // Signed or fractional joints would become other integers on other machines.
+        const int joint_type = reader.model.accessors[static_cast<std::size_t>(joint_accessor)].componentType;
+        if (joint_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && joint_type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+            return fail(TXC_STATUS_BAD_MODEL, "%s: JOINTS_%d must be unsigned bytes or shorts", whose, set);
         if (joint_values.size() != vertex_count * 4 || weights.size() != vertex_count * 4) {
             return fail(TXC_STATUS_BAD_MODEL, "%s: JOINTS_%d or WEIGHTS_%d has another length than POSITION", whose,
                         set, set);
@@ -588,6 +549,8 @@ TxcStatus skin_vertices(const Reader& reader, const tinygltf::Primitive& primiti
             out[i / 4] += joints[joint] * weight;
             total[i / 4] += weight;
         }
+        status = reader.scratch.resize(scratch_before, whose);
+        if (status != TXC_STATUS_OK) return status;
     }
     for (std::size_t v = 0; v < vertex_count; ++v) {
         // Weights ought to add up to 1; like common viewers, make them.
@@ -618,15 +581,16 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
     }
     const int position_accessor = attribute(primitive.attributes, "POSITION");
     if (position_accessor < 0) return TXC_STATUS_OK;  // glTF 2.0, 3.7.2.1: not drawn
+    reader.scratch.release();
     std::vector<float> positions;
-    if (const TxcStatus status = read_floats(model, position_accessor, 3, reader.budget, positions);
+    if (const TxcStatus status = read_floats(model, position_accessor, 3, reader.scratch, positions);
         status != TXC_STATUS_OK)
         return status;
     const std::size_t vertex_count = positions.size() / 3;
 
     std::vector<float> normals;
     if (const int accessor = attribute(primitive.attributes, "NORMAL"); accessor >= 0) {
-        if (const TxcStatus status = read_floats(model, accessor, 3, reader.budget, normals); status != TXC_STATUS_OK)
+        if (const TxcStatus status = read_floats(model, accessor, 3, reader.scratch, normals); status != TXC_STATUS_OK)
             return status;
         if (normals.size() != positions.size())
             return fail(TXC_STATUS_BAD_MODEL, "%s: NORMAL has another length than POSITION", whose);
@@ -648,7 +612,7 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
     if (const int accessor =
             attribute(primitive.attributes, "TEXCOORD_" + std::to_string(reader.mesh.materials[material].tex_coord));
         accessor >= 0) {
-        if (const TxcStatus status = read_floats(model, accessor, 2, reader.budget, uvs); status != TXC_STATUS_OK)
+        if (const TxcStatus status = read_floats(model, accessor, 2, reader.scratch, uvs); status != TXC_STATUS_OK)
             return status;
         if (uvs.size() != vertex_count * 2)
             return fail(TXC_STATUS_BAD_MODEL, "%s: TEXCOORD has another length than POSITION", whose);
@@ -662,12 +626,20 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
 
     std::vector<std::uint32_t> indices;
     if (primitive.indices >= 0) {
-        if (const TxcStatus status = read_indices(model, primitive.indices, reader.budget, indices);
+        if (const TxcStatus status = read_indices(model, primitive.indices, reader.scratch, indices);
             status != TXC_STATUS_OK)
             return status;
     } else {
+        if (const TxcStatus status = reader.scratch.resize(reader.scratch.bytes() + vertex_count * 4, whose);
+            status != TXC_STATUS_OK)
+            return status;
         indices.resize(vertex_count);
         for (std::size_t i = 0; i < vertex_count; ++i) indices[i] = static_cast<std::uint32_t>(i);
+    }
+    if (primitive.mode != TINYGLTF_MODE_TRIANGLES) {
+        if (const TxcStatus status = reader.scratch.resize(reader.scratch.bytes() + indices.size() * 24, whose);
+            status != TXC_STATUS_OK)
+            return status;
     }
     to_triangle_list(primitive.mode, indices);
 
@@ -711,10 +683,8 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
 }  // namespace
 
 TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryBudget& budget, Mesh& out_mesh) {
-    // tinygltf copies the binary chunk, and base64 or JSON values beside it; twice the file is a safe bound in practice.
     BudgetShare file_share(budget);
-    if (const TxcStatus status = file_share.resize(static_cast<std::uint64_t>(byte_count) * 2, "reading the model");
-        status != TXC_STATUS_OK)
+    if (const TxcStatus status = check_gltf_container(bytes, byte_count, file_share); status != TXC_STATUS_OK)
         return status;
     Model model;
     if (const TxcStatus status = parse(bytes, byte_count, model); status != TXC_STATUS_OK) return status;
@@ -730,7 +700,9 @@ TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryB
     if (const TxcStatus status = place_nodes(model, global, scene_nodes); status != TXC_STATUS_OK) return status;
 
     BudgetShare mesh_share(budget);
-    Reader reader{model, budget, mesh_share, uv_transforms, out_mesh};
+    BudgetShare scratch(budget);
+    BudgetShare skin_scratch(budget);
+    Reader reader{model, mesh_share, scratch, uv_transforms, out_mesh};
     for (const std::size_t n : scene_nodes) {
         const tinygltf::Node& node = model.nodes[n];
         if (node.mesh < 0) continue;
@@ -739,7 +711,8 @@ TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryB
         const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
         std::vector<glm::dmat4> joints;
         if (node.skin >= 0) {
-            if (const TxcStatus status = joint_matrices(model, node.skin, global, budget, joints);
+            skin_scratch.release();
+            if (const TxcStatus status = joint_matrices(model, node.skin, global, skin_scratch, joints);
                 status != TXC_STATUS_OK)
                 return status;
         }
