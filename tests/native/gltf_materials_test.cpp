@@ -1,0 +1,210 @@
+// What a material says of its texture: UV set, transform, picture, colour (spec section 1, "Paint target").
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/glb_builder.h"
+#include "support/read_model.h"
+#include "support/test_session.h"
+
+using namespace support;
+
+namespace {
+
+/// A plane with two UV sets (the second is the first, halved) and a material of the test's own with one texture.
+GlbBuilder with_material(const std::string& material) {
+    GlbBuilder glb;
+    const Shape plane = make_plane();
+    std::vector<float> second = plane.uvs;
+    for (float& uv : second) uv *= 0.5f;
+    glb.mesh(text(R"({"attributes":{"POSITION":%d,"TEXCOORD_0":%d,"TEXCOORD_1":%d},"indices":%d,"material":0})",
+                  glb.floats(plane.positions, 3), glb.floats(plane.uvs, 2), glb.floats(second, 2),
+                  glb.integers(plane.indices, kUnsignedInt, "SCALAR", 1)));
+    glb.add("nodes", R"({"mesh":0})");
+    glb.add("materials", material);
+    glb.add("textures", R"({"source":1,"sampler":0})");
+    glb.add("samplers", R"({"magFilter":9728})");
+    glb.add("images", R"({"uri":"a.png"})");
+    glb.add("images", R"({"uri":"b.png"})");
+    return glb;
+}
+
+std::string base_texture(const char* more) {
+    return text(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0%s}}})", more);
+}
+
+}  // namespace
+
+TEST_CASE("A material without a texture paints on the first UV set") {
+    const ReadModel model = read(with_material("{}").glb());
+    const txc::Material& material = model.mesh.materials.at(0);
+    CHECK(material.tex_coord == 0);
+    CHECK(material.image == TXC_NONE);
+    CHECK_FALSE(material.nearest_filter);
+    CHECK(near(model.mesh.uvs.at(3), 1, 1));
+}
+
+TEST_CASE("The base colour texture names the UV set") {
+    const ReadModel model = read(with_material(base_texture(R"(,"texCoord":1)")).glb());
+    const txc::Material& material = model.mesh.materials.at(0);
+    CHECK(material.tex_coord == 1);
+    CHECK(material.image == 1);
+    CHECK(material.nearest_filter);
+    CHECK(near(model.mesh.uvs.at(3), 0.5, 0.5));
+}
+
+TEST_CASE("A material whose UV set the mesh does not have cannot be painted") {
+    TestSession session;
+    session.load(with_material(base_texture(R"(,"texCoord":2)")).glb());
+    CHECK(session.material_info().paint_status == TXC_STATUS_NO_UVS);
+    CHECK(std::string(txc_error_detail()).find("TEXCOORD_2") != std::string::npos);
+    TxcTargetDef def;
+    txc_target_def_default(&def);
+    TxcTarget target = 0;
+    CHECK(txc_target_create(session.id(), &def, &target) == TXC_STATUS_NO_UVS);
+}
+
+TEST_CASE("A texture transform scales first, then turns counter-clockwise as seen with v down, then moves") {
+    const double angle = 0.6435011087932844;  // cosine 0.8, sine 0.6
+    const ReadModel model = read(
+        with_material(
+            base_texture(
+                text(R"(,"extensions":{"KHR_texture_transform":{"offset":[0.25,-0.5],"rotation":%.17g,"scale":[2,3]}})",
+                     angle)
+                    .c_str()))
+            .glb());
+    const double corners[4][2] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double u = corners[i][0] * 2;
+        const double v = corners[i][1] * 3;
+        CHECK(near(model.mesh.uvs.at(i), 0.8 * u + 0.6 * v + 0.25, -0.6 * u + 0.8 * v - 0.5));
+    }
+}
+
+TEST_CASE("A texture transform may name another UV set than the texture does") {
+    const ReadModel model = read(
+        with_material(
+            base_texture(R"(,"texCoord":0,"extensions":{"KHR_texture_transform":{"texCoord":1,"offset":[0.5,0]}})"))
+            .glb());
+    CHECK(model.mesh.materials.at(0).tex_coord == 1);
+    CHECK(near(model.mesh.uvs.at(3), 1.0, 0.5));
+}
+
+TEST_CASE("A required texture transform is known") {
+    GlbBuilder glb = with_material(base_texture(R"(,"extensions":{"KHR_texture_transform":{"scale":[0.5,0.5]}})"));
+    glb.set("extensionsUsed", R"(["KHR_texture_transform"])");
+    glb.set("extensionsRequired", R"(["KHR_texture_transform"])");
+    CHECK(near(read(glb.glb()).mesh.uvs.at(3), 0.5, 0.5));
+}
+
+TEST_CASE("Extensions of looks may be required; one that changes geometry is refused by name") {
+    for (const std::string known :
+         {"KHR_materials_unlit", "KHR_mesh_quantization", "EXT_texture_webp", "KHR_lights_punctual"}) {
+        CAPTURE(known);
+        GlbBuilder glb = with_material("{}");
+        glb.set("extensionsRequired", text(R"(["%s"])", known.c_str()));
+        CHECK(try_read(glb.glb()).status == TXC_STATUS_OK);
+    }
+    for (const std::string unknown :
+         {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing", "ACME"}) {
+        GlbBuilder glb = with_material("{}");
+        glb.set("extensionsRequired", text(R"(["%s"])", unknown.c_str()));
+        const ReadModel model = try_read(glb.glb());
+        CHECK(model.status == TXC_STATUS_UNSUPPORTED_MODEL);
+        CHECK(model.detail.find(unknown) != std::string::npos);
+    }
+}
+
+TEST_CASE("A picture in a WebP extension is found") {
+    GlbBuilder glb = make_model(make_plane());
+    glb.add("materials", base_texture(""));
+    glb.add("textures", R"({"extensions":{"EXT_texture_webp":{"source":1}}})");
+    glb.add("images", R"({"uri":"a.png"})");
+    glb.add("images", R"({"uri":"b.webp"})");
+    CHECK(read(glb.glb()).mesh.materials.at(1).image == 1);
+}
+
+TEST_CASE("A texture that the file does not have leaves the material without one") {
+    GlbBuilder glb = make_model(make_plane());
+    glb.add("materials", R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":7,"texCoord":3}}})");
+    const ReadModel model = read(glb.glb());
+    CHECK(model.mesh.materials.at(1).image == TXC_NONE);
+    CHECK(model.mesh.materials.at(1).tex_coord == 0);
+}
+
+TEST_CASE("A picture that the file does not have is no picture") {
+    for (const std::string texture :
+         {R"({"source":9})", R"({"source":-1})", R"({"extensions":{"EXT_texture_webp":{"source":9}}})",
+          R"({"extensions":{"EXT_texture_webp":{"source":"x"}}})"}) {
+        CAPTURE(texture);
+        GlbBuilder glb = make_model(make_plane());
+        glb.add("materials", base_texture(""));
+        glb.add("textures", texture);
+        CHECK(read(glb.glb()).mesh.materials.at(1).image == TXC_NONE);
+    }
+}
+
+TEST_CASE("Primitives without a material make one more after the last") {
+    GlbBuilder glb;
+    glb.mesh(glb.primitive(make_plane(), R"(,"material":1)") + "," + glb.primitive(make_plane()));
+    glb.add("nodes", R"({"mesh":0})");
+    glb.add("materials", "{}");
+    glb.add("materials", "{}");
+    const ReadModel model = read(glb.glb());
+    CHECK(model.mesh.has_default_material);
+    REQUIRE(model.mesh.materials.size() == 3);
+    CHECK(model.mesh.materials[0].triangles.empty());
+    CHECK(model.mesh.materials[1].triangles == std::vector<std::uint32_t>{0, 1});
+    CHECK(model.mesh.materials[2].triangles == std::vector<std::uint32_t>{2, 3});
+}
+
+TEST_CASE("Where every primitive has a material there is no default one") {
+    TestSession session;
+    session.load(make_model(make_plane()).glb());
+    const TxcModelInfo info = session.model_info();
+    CHECK(info.material_count == 1);
+    CHECK(info.has_default_material == 0);
+    CHECK(info.triangle_count == 2);
+    CHECK(info.vertex_count == 4);
+}
+
+TEST_CASE("A material that no triangle uses cannot be painted, and says so") {
+    GlbBuilder glb = make_model(make_plane());
+    glb.add("materials", "{}");
+    TestSession session;
+    session.load(glb.glb());
+    CHECK(session.material_info(1).paint_status == TXC_STATUS_NO_TRIANGLES);
+    CHECK(session.material_info(1).triangle_count == 0);
+    TxcMaterialInfo info{};
+    CHECK(txc_material_info(session.id(), 2, &info) == TXC_STATUS_NO_MATERIAL);
+}
+
+TEST_CASE("A material's counts tell of UVs outside the texture") {
+    Shape shape = make_plane(1.0, 0.0, {-0.5, 0.0, 0.5, 1.0});
+    shape.append(make_plane());
+    TestSession session;
+    session.load(make_model(shape).glb());
+    const TxcMaterialInfo info = session.material_info();
+    CHECK(info.paint_status == TXC_STATUS_OK);
+    CHECK(info.triangle_count == 4);
+    CHECK(info.out_of_range_uv_triangles == 2);
+    CHECK(info.degenerate_uv_triangles == 0);
+    CHECK(info.uv_min[0] == -0.5f);
+    CHECK(info.uv_max[0] == 1.0f);
+}
+
+TEST_CASE("The UV triangles come out as the reader placed them") {
+    TestSession session;
+    session.load(with_material(base_texture(R"(,"texCoord":1)")).glb());
+    std::vector<float> uvs(12, -1.0f);
+    must(txc_material_uvs(session.id(), 0, uvs.data(), 2));
+    CHECK(uvs == std::vector<float>{0, 0, 0, 0.5f, 0.5f, 0, 0.5f, 0, 0, 0.5f, 0.5f, 0.5f});
+    CHECK(txc_material_uvs(session.id(), 0, uvs.data(), 1) == TXC_STATUS_BAD_ARGUMENT);
+    CHECK(txc_material_uvs(session.id(), 1, uvs.data(), 2) == TXC_STATUS_NO_MATERIAL);
+}
+
+TEST_CASE("The base colour factor is read as it stands in the file") {
+    const ReadModel model =
+        read(with_material(R"({"pbrMetallicRoughness":{"baseColorFactor":[0.25,0.5,0.75,0.125]}})").glb());
+    CHECK(model.mesh.materials.at(0).base_color_factor == glm::vec4(0.25f, 0.5f, 0.75f, 0.125f));
+}
