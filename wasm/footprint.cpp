@@ -14,11 +14,14 @@ constexpr float kFinestPixels = 5.0f;
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
-// One sample where the footprint is at most half a pixel (bilinear already blurs more than that), else enough that they
-// lie 3/4 of a pixel apart: 40 dB and more against 8 x 8 samples on hard-edged pictures.
+// How dense the samples stand. Over random decals on a hard-edged checker, magnified and minified up to 8 times, the worst
+// is 43.9 dB against 8 x 8 samples; with 4/3 and one sample up to 0.5 pixels it was 39.2, with 2 and 0.35 it is 44.2.
+constexpr float kSamplesPerPixel = 1.6f;
+
+// One sample where the footprint is so small that the bilinear filter blurs far more than the footprint would.
 int sample_count(float pixels) {
-    if (pixels <= 0.5f) return 1;
-    return std::min(kMaxSamples, std::max(2, static_cast<int>(std::ceil(pixels * (4.0f / 3.0f)))));
+    if (pixels <= 0.4f) return 1;
+    return std::min(kMaxSamples, std::max(2, static_cast<int>(std::ceil(pixels * kSamplesPerPixel))));
 }
 
 }  // namespace
@@ -40,7 +43,7 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     std::uint32_t level = 0;
     float pixel = 1.0f;  // of the level, in pixels of the picture
     while (level + 1 < image.levels.size() &&
-           (shorter >= finest * pixel || longer * (4.0f / 3.0f) > static_cast<float>(kMaxSamples) * pixel)) {
+           (shorter >= finest * pixel || longer * kSamplesPerPixel > static_cast<float>(kMaxSamples) * pixel)) {
         ++level;
         pixel *= 2.0f;
     }

@@ -10,7 +10,7 @@ constexpr std::uint32_t kLeafSize = 4;
 constexpr int kBins = 16;
 // Made-up triangles can drive the splits into a chain; below this depth nodes are simply halved, which bounds the tree.
 constexpr int kMaxSahDepth = 48;
-constexpr double kLeastDistanceShare = 0.0003;
+constexpr double kLeastDistanceShare = 0.0005;
 
 double half_area(const Bounds& box) {
     if (box.empty) return 0.0;
