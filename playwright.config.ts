@@ -1,7 +1,7 @@
 import { defineConfig } from "@playwright/test";
 import { findChromium } from "./scripts/bootstrap/chromium.mjs";
 
-/** Name another where two checkouts are tested at once. */
+/** `npm test` names a free one. */
 const PORT = Number(process.env.TEXELCAST_TEST_PORT ?? 4173);
 // Chromium refuses its sandbox to root, as in a container.
 const AS_ROOT = process.getuid?.() === 0;

@@ -8,6 +8,7 @@ import { BUILD, inRoot } from "../bootstrap/paths.mjs";
 import { runVisibly } from "../bootstrap/run.mjs";
 import { CHECKS } from "../lint/checks.mjs";
 import { doctestCounts, playwrightCounts, vitestCounts } from "./counts.mjs";
+import { freePort } from "./free-port.mjs";
 import { runAndShow } from "./run-and-show.mjs";
 
 /** @typedef {import("./counts.mjs").Counts} Counts */
@@ -71,7 +72,9 @@ async function siteBuild() {
 /** @param {readonly string[]} args */
 async function playwright(args) {
   const report = freshReport("playwright.json");
-  const env = { ...process.env, TEXELCAST_CHROMIUM: findChromium() ?? "" };
+  // Another checkout may be under test on this machine.
+  const port = process.env.TEXELCAST_TEST_PORT ?? String(await freePort());
+  const env = { ...process.env, TEXELCAST_CHROMIUM: findChromium() ?? "", TEXELCAST_TEST_PORT: port };
   const exitCode = await runVisibly(
     process.execPath,
     [inRoot("node_modules/@playwright/test/cli.js"), "test", ...args],
