@@ -39,7 +39,9 @@ test("texels change in the middle of a drag, the old place gets the base's bytes
   const base = await editor.hash();
 
   const id = await editor.addDemoDecal("flower");
-  const start = await editor.hash();
+  // Small enough to be dragged clear of its old place.
+  await editor.setField("size-width", "0.016");
+  const start = await editor.settledHash();
   const oldPlace = await changedRegion(page, size);
   expect(oldPlace.width).toBeGreaterThan(10);
   const { bakeCount, projectionCount } = await editor.stats();
@@ -79,8 +81,10 @@ test("texels change in the middle of a drag, the old place gets the base's bytes
   await page.keyboard.press("Control+z");
   expect(await editor.settledHash()).toBe(start);
   await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
   expect(await editor.settledHash()).toBe(base);
   await page.keyboard.press("Control+Shift+z");
+  await page.keyboard.press("Control+y");
   await page.keyboard.press("Control+y");
   expect(await editor.settledHash()).toBe(moved);
 });
