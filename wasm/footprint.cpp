@@ -12,6 +12,9 @@ constexpr int kMaxSamples = 32;  // along one axis: grazing triangles stretch th
 // gives 45 dB, no pyramid at all 49 dB and four times the samples at 8 x minification.
 constexpr float kFinestPixels = 5.0f;
 
+// How far one sample may be from the mean where a smooth stretch spares the others, in 8-bit steps.
+constexpr float kSmoothError = 0.3f;
+
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
 // How dense the samples stand. Over random decals on a hard-edged checker, magnified and minified up to 8 times, the worst
@@ -61,6 +64,14 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     f.first_y = -0.5f * (f.across_step_y * static_cast<float>(f.across_samples - 1) +
                          f.down_step_y * static_cast<float>(f.down_samples - 1)) -
                 0.5f;
+    // Over a footprint with sides a and b the mean of a picture with second differences up to r is within
+    // (a^2 + b^2) r / 12 of the value at the centre (second moments of the parallelogram, mixed differences included).
+    const float squares = (across * across + down * down) / (pixel * pixel);
+    // Half a pixel more than the footprint itself is what its samples read.
+    const bool is_known =
+        std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y) + 0.5f <= static_cast<float>(kRoughnessReach);
+    f.smooth_limit =
+        is_known ? static_cast<std::int32_t>(std::min(255.0f, kSmoothError * 12.0f / std::max(squares, 1e-6f))) : -1;
     // All four pixels of every sample must exist, half a pixel of the level around it, and a little for rounding.
     f.inset_x = f.reach_x + 0.51f / on.scale_x;
     f.inset_y = f.reach_y + 0.51f / on.scale_y;
@@ -77,9 +88,13 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
 
 Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, float y) {
     const PyramidLevel& level = image.levels[f.level];
-    float row_x = x * level.scale_x + f.first_x;
-    float row_y = y * level.scale_y + f.first_y;
-    if (f.across_samples == 1 && f.down_samples == 1) return sample_bilinear_inside(level, row_x, row_y);
+    const float centre_x = x * level.scale_x;
+    const float centre_y = y * level.scale_y;
+    if (f.across_samples * f.down_samples == 1 || level.roughness_at(centre_x, centre_y) <= f.smooth_limit) {
+        return sample_bilinear_inside(level, centre_x - 0.5f, centre_y - 0.5f);
+    }
+    float row_x = centre_x + f.first_x;
+    float row_y = centre_y + f.first_y;
     Float4 sum = splat(0.0f);
     for (std::int32_t j = 0; j < f.down_samples; ++j) {
         float sample_x = row_x;

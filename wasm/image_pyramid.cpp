@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace txc {
 namespace {
@@ -39,14 +40,66 @@ void reduce(const PyramidLevel& fine, PyramidLevel& coarse) {
     }
 }
 
+std::int32_t largest_second_difference(const PyramidLevel& level, std::uint32_t x, std::uint32_t y) {
+    const std::uint16_t* at = level.pixel(x, y);
+    const std::uint16_t* right = x + 1 < level.width ? at + 4 : nullptr;
+    const std::uint16_t* below = y + 1 < level.height ? level.pixel(x, y + 1) : nullptr;
+    std::int32_t largest = 0;
+    for (int c = 0; c < 4; ++c) {
+        if (right != nullptr && x > 0) largest = std::max(largest, std::abs(at[c - 4] - 2 * at[c] + right[c]));
+        if (below != nullptr && y > 0) {
+            largest = std::max(largest, std::abs(level.pixel(x, y - 1)[c] - 2 * at[c] + below[c]));
+        }
+        if (right != nullptr && below != nullptr) {
+            largest = std::max(largest, std::abs(at[c] - right[c] - below[c] + below[c + 4]));
+        }
+    }
+    return largest;
+}
+
+/// The largest of the values at most kRoughnessReach away along one axis; `stride` apart, `count` of them.
+std::uint8_t largest_near(const std::uint8_t* values, std::uint32_t at, std::uint32_t count, std::size_t stride) {
+    std::uint8_t largest = 0;
+    const std::uint32_t last = std::min(at + kRoughnessReach, count - 1);
+    for (std::uint32_t i = at > kRoughnessReach ? at - kRoughnessReach : 0; i <= last; ++i) {
+        largest = std::max(largest, values[i * stride]);
+    }
+    return largest;
+}
+
+void measure_roughness(PyramidLevel& level) {
+    constexpr std::int32_t kStep = 255;  // an 8-bit step on the scale of kFullScale
+    const std::size_t pixels = static_cast<std::size_t>(level.width) * level.height;
+    level.roughness.resize(pixels);
+    std::vector<std::uint8_t> along_rows(pixels);
+    for (std::uint32_t y = 0; y < level.height; ++y) {
+        for (std::uint32_t x = 0; x < level.width; ++x) {
+            const std::int32_t steps = (largest_second_difference(level, x, y) + kStep - 1) / kStep;
+            level.roughness[static_cast<std::size_t>(y) * level.width + x] =
+                static_cast<std::uint8_t>(std::min(steps, 255));
+        }
+    }
+    for (std::uint32_t y = 0; y < level.height; ++y) {
+        const std::size_t row = static_cast<std::size_t>(y) * level.width;
+        for (std::uint32_t x = 0; x < level.width; ++x)
+            along_rows[row + x] = largest_near(level.roughness.data() + row, x, level.width, 1);
+    }
+    for (std::uint32_t y = 0; y < level.height; ++y) {
+        for (std::uint32_t x = 0; x < level.width; ++x) {
+            level.roughness[static_cast<std::size_t>(y) * level.width + x] =
+                largest_near(along_rows.data() + x, y, level.height, level.width);
+        }
+    }
+}
+
 }  // namespace
 
 TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba) {
     const std::uint64_t pixels = static_cast<std::uint64_t>(width) * height;
-    if (const TxcStatus status = share.resize(pixels * 8 * 4 / 3 + 4096, "the decal's picture");
+    if (const TxcStatus status = share.resize(pixels * (8 + 2) * 4 / 3 + 4096, "the decal's picture");
         status != TXC_STATUS_OK)
         return status;
-    levels.assign(1, PyramidLevel{width, height, 1.0f, 1.0f, {}});
+    levels.assign(1, PyramidLevel{width, height, 1.0f, 1.0f, {}, {}});
     levels[0].rgba.resize(static_cast<std::size_t>(pixels) * 4);
     for (std::size_t p = 0; p < pixels; ++p) {
         const std::uint32_t alpha = rgba[p * 4 + 3];
@@ -64,6 +117,7 @@ TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const s
         reduce(levels.back(), coarse);
         levels.push_back(std::move(coarse));
     }
+    for (PyramidLevel& level : levels) measure_roughness(level);
     return TXC_STATUS_OK;
 }
 
