@@ -100,6 +100,8 @@ test("arrow keys nudge the decal, Shift further; quick nudges are one step", asy
 test("keys mean the text while one types in a field", async ({ editor, page }) => {
   await editor.open();
   const before = await editor.design();
+  const downloads: string[] = [];
+  page.on("download", (download) => downloads.push(download.suggestedFilename()));
   const name = page.locator("tc-decal-properties #name");
   await name.click();
   await page.keyboard.press("ArrowLeft");
@@ -110,6 +112,9 @@ test("keys mean the text while one types in a field", async ({ editor, page }) =
   await page.keyboard.press("Delete");
   await page.keyboard.press("Escape");
   expect(await editor.design()).toEqual(before);
+  await editor.field("position-x").click();
+  await page.keyboard.press("Control+s");
+  await expect.poll(() => downloads, "saving is the page's, wherever the focus is").toEqual(["Mug.design.json"]);
 });
 
 test("decals are duplicated, reordered, hidden, renamed and deleted", async ({ editor, page }) => {

@@ -275,8 +275,6 @@ export const strings = {
     properties: "Edit",
     texture: "Texture",
     target: "Settings",
-    collapse: "Close the panel",
-    expand: "Open the panel",
   },
 
   splitter: "Width of the texture view",

@@ -147,7 +147,13 @@ export class Workbench extends EditorElement {
     const { editor, compact } = this;
     this.toggleAttribute("compact", compact);
     return html`
-      <tc-top-bar .editor=${editor} .compact=${compact} @help=${() => this.#help()}></tc-top-bar>
+      <tc-top-bar
+        role="banner"
+        aria-label=${strings.topBar.label}
+        .editor=${editor}
+        .compact=${compact}
+        @help=${() => this.#help()}
+      ></tc-top-bar>
       ${this.#views()}
       ${
         compact

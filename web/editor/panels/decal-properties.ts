@@ -63,7 +63,6 @@ export class DecalProperties extends EditorElement {
   #header(layer: PlanarDecal | FillLayer): TemplateResult {
     const input = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
     const keys = (event: KeyboardEvent): void => {
-      event.stopPropagation();
       if (event.key === "Escape") input(event).value = layer.name;
       if (event.key === "Escape" || event.key === "Enter") input(event).blur();
     };

@@ -9,8 +9,10 @@ export interface ShortcutActions {
 export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: ShortcutActions): boolean {
   if (event.defaultPrevented || event.isComposing) return false;
   const focus = focusOf(event);
-  if (focus === "text") return false;
-  if (event.ctrlKey || event.metaKey) return handleCommand(event, editor, actions);
+  if (event.ctrlKey || event.metaKey) {
+    const ofTheText = focus === "text" && !["s", "o"].includes(event.key.toLowerCase());
+    return !ofTheText && handleCommand(event, editor, actions);
+  }
   return focus === "page" && handlePlain(event, editor);
 }
 

@@ -182,8 +182,6 @@ export class NumberField extends LitElement {
   }
 
   #key(event: KeyboardEvent): void {
-    // Keys of the page (arrows, Delete, Ctrl+Z) mean the text while one types.
-    event.stopPropagation();
     if (event.key === "Enter") {
       this.#commitTyped();
       this.#input?.select();
@@ -197,7 +195,7 @@ export class NumberField extends LitElement {
       const steps = (event.key === "ArrowUp" ? 1 : -1) * factorOf(event);
       this.#emit("field-change", this.value + steps * this.step, true);
       this.#input?.select();
-    } else if ((event.ctrlKey || event.metaKey) && ["z", "y", "s"].includes(event.key.toLowerCase()) && !this.#typing) {
+    } else if ((event.ctrlKey || event.metaKey) && ["z", "y"].includes(event.key.toLowerCase()) && !this.#typing) {
       // Nothing typed that could be undone: the page's own undo is meant.
       event.preventDefault();
       this.dispatchEvent(new KeyboardEvent(event.type, event));
