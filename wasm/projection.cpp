@@ -85,6 +85,7 @@ private:
         const float margin_y = settings_.nearest ? 0.0f : d.footprint.reach_y + fade_;
         const float inset_x = d.footprint.inset_x;
         const float inset_y = d.footprint.inset_y;
+        if (misses_run(run, d, static_cast<float>(x0 - frame.x0), down, margin_x, margin_y)) return 0;
         std::uint32_t painted = 0;
         for (std::int32_t i = 0; i < run.length; ++i) {
             const auto across = static_cast<float>(x0 + i - frame.x0);
@@ -96,7 +97,6 @@ private:
             if (!(x >= -margin_x && x <= width_ + margin_x && y >= -margin_y && y <= height_ + margin_y)) continue;
             const float weight = facing_weight(run, d, frame, across, down);
             if (!(weight > 0.0f)) continue;
-            if (occluders_ != nullptr && is_hidden(run, frame, x0 + i, y0)) continue;
             Float4 color;
             if (settings_.nearest) {
                 color = sample_nearest(x, y);
@@ -105,11 +105,32 @@ private:
             } else {
                 color = sample_edge(image_, d.footprint, x, y, settings_.repeat);
             }
+            // Last, as it costs most: where the picture is transparent it need not be asked.
+            if (occluders_ != nullptr && color[3] > 0.0f && is_hidden(run, frame, x0 + i, y0)) continue;
             std::uint16_t* texel = texels + i * 4;
             store_rounded_ushort4(texel, color * splat(weight));
             if (texel[3] != 0) ++painted;
         }
         return painted;
+    }
+
+    /// True where no texel of the run can pass tests 1 and 2: what they look at is affine along the run, so it lies
+    /// between its values at the two ends.
+    bool misses_run(const TexelRun& run, const DecalFrame& d, float first, float down, float margin_x,
+                    float margin_y) const {
+        const float last = first + static_cast<float>(run.length - 1);
+        const auto below = [&](float at, float dx, float dy, float limit) {
+            return at + dx * first + dy * down < limit && at + dx * last + dy * down < limit;
+        };
+        const auto above = [&](float at, float dx, float dy, float limit) {
+            return at + dx * first + dy * down > limit && at + dx * last + dy * down > limit;
+        };
+        if (!settings_.backfaces && (run.flags & kRunHoldNormal) == 0 &&
+            below(d.facing, d.facing_dx, d.facing_dy, 0.0f))
+            return true;
+        return below(d.z, d.z_dx, d.z_dy, -0.5f) || above(d.z, d.z_dx, d.z_dy, 0.5f) ||
+               below(d.x, d.x_dx, d.x_dy, -margin_x) || above(d.x, d.x_dx, d.x_dy, width_ + margin_x) ||
+               below(d.y, d.y_dx, d.y_dy, -margin_y) || above(d.y, d.y_dx, d.y_dy, height_ + margin_y);
     }
 
     /// Tests 2 and 3: the weight by the angle between normal and ray, 0 where the texel is culled.
