@@ -29,9 +29,11 @@ export const propertyStyles = css`
   .titled h3 {
     flex: 1;
   }
-  button.small {
-    min-height: 24px;
-    min-width: 24px;
+  @media (pointer: fine) {
+    button.small {
+      min-height: 24px;
+      min-width: 24px;
+    }
   }
   .three {
     display: grid;
