@@ -1,0 +1,379 @@
+// A texel is painted only if no other triangle stands between it and the front of the volume (spec section 4, test 4).
+#include "occlusion.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "occluder_grid.h"
+#include "support/core_mesh.h"
+#include "support/reference_map.h"
+
+using namespace support;
+
+namespace {
+
+/// By asking every triangle, with plane and barycentric coordinates. `unsure` where a border or a bound is near.
+struct BruteForce {
+    const txc::Mesh& mesh;
+    double least;
+
+    bool is_blocked(const Vec3& origin, const Vec3& direction, double reach, std::uint32_t own, bool& unsure) const {
+        bool blocked = false;
+        unsure = false;
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            if (t == own) continue;
+            Vec3 corners[3];
+            for (int c = 0; c < 3; ++c) {
+                const glm::vec3 p = mesh.positions[mesh.triangles[t].vertex[c]];
+                corners[c] = {p.x, p.y, p.z};
+            }
+            const Vec3 normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+            const double slope = dot(normal, direction);
+            if (std::fabs(slope) < 1e-12) continue;
+            const double distance = dot(normal, corners[0] - origin) / slope;
+            if (!(distance > least * 0.9 && distance < reach * 1.01)) continue;
+            const Vec3 hit = origin + direction * distance;
+            double lowest = 1.0;
+            for (int c = 0; c < 3; ++c) {
+                const Vec3 edge = cross(corners[(c + 1) % 3] - corners[c], hit - corners[c]);
+                lowest = std::fmin(lowest, dot(edge, normal) / dot(normal, normal));
+            }
+            if (lowest < -1e-6) continue;
+            if (lowest < 1e-6 || std::fabs(distance - least) < least * 1e-3 || std::fabs(distance - reach) < 1e-6)
+                unsure = true;
+            if (distance > least && distance <= reach) blocked = true;
+        }
+        return blocked;
+    }
+};
+
+glm::dvec3 to_glm(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+constexpr Color kBase{10, 20, 30, 255};
+constexpr Color kPaint{200, 100, 50, 255};
+
+/// Paints the whole front of a shape from +Z; the first material is the target.
+Picture paint_front(TestSession& session, TxcTarget target, double depth, std::uint32_t occlusion, double z = 0.0) {
+    session.set_base(target, kBase);
+    TxcLayerDef def = decal_def(session.image(Picture(1, 1, kPaint)));
+    def.filter = TXC_FILTER_NEAREST;
+    def.occlusion = occlusion;
+    resize(def, 4, 4, depth);
+    place(def, 0, 0, z);
+    session.layer(target, def);
+    return session.paint(target);
+}
+
+}  // namespace
+
+TEST_CASE("The tree finds what a search of all triangles finds") {
+    Random random(70);
+    txc::MemoryBudget budget(1u << 28);
+    std::uint32_t blocked_count = 0;
+    std::uint32_t free_count = 0;
+    for (int round = 0; round < 12; ++round) {
+        const std::uint32_t count = round == 0 ? 1 : 5 + random.below(400);
+        const txc::Mesh mesh = make_core_mesh(make_random_triangles(random, count, 1.0, round % 2 == 0 ? 0.1 : 0.5));
+        txc::OcclusionTree tree(budget);
+        must(tree.build(mesh));
+        const BruteForce brute{mesh, tree.least_distance()};
+        for (int ray = 0; ray < 300; ++ray) {
+            const Vec3 origin{random.between(-1.5, 1.5), random.between(-1.5, 1.5), random.between(-1.5, 1.5)};
+            Vec3 direction{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+            // Along the axes too, where a ray runs inside the faces of boxes.
+            if (ray % 5 == 0) direction = ray % 2 == 0 ? Vec3{0, 0, 1} : Vec3{-1, 0, 0};
+            direction = unit(direction);
+            const double reach = random.between(0.01, 3.0);
+            const std::uint32_t own = random.below(count);
+            bool unsure = false;
+            const bool expected = brute.is_blocked(origin, direction, reach, own, unsure);
+            if (unsure) continue;
+            CHECK_UNARY(tree.is_blocked(to_glm(origin), to_glm(direction), reach, own) == expected);
+            ++(expected ? blocked_count : free_count);
+        }
+    }
+    CHECK(blocked_count > 400);
+    CHECK(free_count > 400);
+}
+
+TEST_CASE("Flat and axis-aligned triangles do not fall between the boxes") {
+    Shape shape;
+    for (int i = 0; i < 64; ++i) shape.append(make_plane(0.1 + 0.02 * (i % 5), i * 0.125));
+    const txc::Mesh mesh = make_core_mesh(shape);
+    txc::MemoryBudget budget(1u << 28);
+    txc::OcclusionTree tree(budget);
+    must(tree.build(mesh));
+    for (int i = 0; i < 63; ++i) {
+        const glm::dvec3 origin(0.01, 0.02, i * 0.125);
+        CHECK_UNARY(tree.is_blocked(origin, {0, 0, 1}, 0.2, 0xffffffffu));
+        CHECK_UNARY(!tree.is_blocked(origin, {0, 0, 1}, 0.1, 0xffffffffu));
+    }
+}
+
+TEST_CASE("Many triangles on one spot make a tree of bounded depth") {
+    Shape shape;
+    for (int i = 0; i < 3000; ++i) shape.append(make_plane(1.0, 0.5));
+    shape.append(make_plane(1.0, 1.0));
+    const txc::Mesh mesh = make_core_mesh(shape);
+    txc::MemoryBudget budget(1u << 28);
+    txc::OcclusionTree tree(budget);
+    must(tree.build(mesh));
+    CHECK(tree.is_blocked({0.1, 0.2, 0.0}, {0, 0, 1}, 2.0, 0));
+    CHECK_FALSE(tree.is_blocked({0.1, 0.2, 0.0}, {0, 0, 1}, 0.4, 0));
+    CHECK_FALSE(tree.is_blocked({0.1, 0.2, 1.0}, {0, 0, 1}, 2.0, 0));
+}
+
+TEST_CASE("A decal's grid of occluders answers as the tree's rays do") {
+    Random random(71);
+    txc::MemoryBudget budget(1u << 28);
+    std::uint32_t blocked_count = 0;
+    std::uint32_t compared = 0;
+    for (int round = 0; round < 24; ++round) {
+        const txc::Mesh mesh =
+            make_core_mesh(make_random_triangles(random, 2 + random.below(600), 1.0, round % 3 == 0 ? 0.6 : 0.1));
+        txc::OcclusionTree tree(budget);
+        must(tree.build(mesh));
+        TxcLayerDef def = decal_def(0);
+        random.rotation(def.rotation);
+        place(def, random.between(-0.5, 0.5), random.between(-0.5, 0.5), random.between(-0.5, 0.5));
+        resize(def, random.between(0.2, 2.5), random.between(0.2, 2.5), random.between(0.2, 2.5));
+        const txc::PlanarProjector projector = make_projector(def);
+        txc::OccluderGrid grid(mesh, tree, projector, budget);
+        must(grid.build());
+        const BruteForce brute{mesh, tree.least_distance()};
+        const Vec3 towards{projector.towards_viewer.x, projector.towards_viewer.y, projector.towards_viewer.z};
+        const glm::dmat3 to_model = glm::inverse(projector.to_decal.matrix);
+        for (int texel = 0; texel < 150; ++texel) {
+            // In the volume, and a little outside its sides, where a footprint still reaches in.
+            const glm::dvec3 q(random.between(-0.7, 0.7), random.between(-0.7, 0.7), random.between(-0.5, 0.5));
+            const glm::dvec3 p = to_model * (q - projector.to_decal.offset);
+            const std::uint32_t own = random.below(static_cast<std::uint32_t>(mesh.triangles.size()));
+            bool unsure = false;
+            const bool expected =
+                brute.is_blocked({p.x, p.y, p.z}, towards, (0.5 - q.z) * projector.depth, own, unsure);
+            if (unsure) continue;
+            CHECK_UNARY(grid.is_blocked(p, own) == expected);
+            blocked_count += expected ? 1 : 0;
+            ++compared;
+        }
+    }
+    CHECK(compared > 3000);
+    CHECK(blocked_count > 500);
+    CHECK(budget.used() == 0);
+}
+
+TEST_CASE("A plate before another hides it, and paint goes through it where that is asked for") {
+    TestSession session;
+    session.add(make_plane(1.0, 0.0), 0);
+    session.add(make_plane(0.5, 0.3), 1);  // another material, and still in the way
+    const TxcTarget target = session.target(64, 64);
+    const Picture hidden = paint_front(session, target, 1.0, TXC_OCCLUSION_SELF);
+    CHECK(hidden.at(32, 32) == kBase);
+    CHECK(hidden.at(17, 32) == kBase);
+    CHECK(hidden.at(15, 32) == kPaint);
+    CHECK(hidden.at(4, 60) == kPaint);
+    TestSession through;
+    through.add(make_plane(1.0, 0.0), 0);
+    through.add(make_plane(0.5, 0.3), 1);
+    const TxcTarget all = through.target(64, 64);
+    CHECK(paint_front(through, all, 1.0, TXC_OCCLUSION_NONE) == Picture(64, 64, kPaint));
+}
+
+TEST_CASE("A plate behind hides nothing") {
+    TestSession session;
+    session.add(make_plane(1.0, 0.0), 0);
+    session.add(make_plane(0.5, -0.3), 1);
+    CHECK(paint_front(session, session.target(32, 32), 1.0, TXC_OCCLUSION_SELF) == Picture(32, 32, kPaint));
+}
+
+TEST_CASE("A plate before the volume hides nothing: the decal begins behind it") {
+    TestSession session;
+    session.add(make_plane(1.0, 0.0), 0);
+    session.add(make_plane(0.5, 0.3), 1);
+    CHECK(paint_front(session, session.target(32, 32), 0.5, TXC_OCCLUSION_SELF) == Picture(32, 32, kPaint));
+    TestSession deeper;
+    deeper.add(make_plane(1.0, 0.0), 0);
+    deeper.add(make_plane(0.5, 0.3), 1);
+    CHECK(paint_front(deeper, deeper.target(32, 32), 0.7, TXC_OCCLUSION_SELF).at(16, 16) == kBase);
+}
+
+TEST_CASE("A back face hides as a front does") {
+    Shape turned = make_plane(0.5, 0.3);
+    for (std::size_t i = 0; i < turned.indices.size(); i += 3) std::swap(turned.indices[i], turned.indices[i + 1]);
+    TestSession session;
+    session.add(make_plane(1.0, 0.0), 0);
+    session.add(turned, 1);
+    CHECK(paint_front(session, session.target(32, 32), 1.0, TXC_OCCLUSION_SELF).at(16, 16) == kBase);
+}
+
+TEST_CASE("A twin that lies upon the surface, and a seam, hide nothing") {
+    TestSession session;
+    session.add(make_plane(1.0, 0.0), 0);
+    session.add(make_plane(1.0, 0.0), 1);
+    session.add(make_plane(1.0, 1e-5), 1);
+    CHECK(paint_front(session, session.target(32, 32), 1.0, TXC_OCCLUSION_SELF) == Picture(32, 32, kPaint));
+}
+
+TEST_CASE("A convex shape never hides itself") {
+    for (const bool occlusion : {true, false}) {
+        TestSession session(make_sphere(1.0, 32, 16));
+        const TxcTarget target = session.target(96, 64);
+        const Picture painted = paint_front(session, target, 4.0, occlusion ? TXC_OCCLUSION_SELF : TXC_OCCLUSION_NONE);
+        static Picture first;
+        if (occlusion) {
+            first = painted;
+            CHECK(count_color(painted, kPaint) > 1500);
+        } else {
+            CHECK(count_differences(first, painted) == 0);
+        }
+    }
+}
+
+TEST_CASE("A cube's back does not take the paint of its front") {
+    // Painted from +Z through the whole cube: its back faces away, and inside the cube nothing shows.
+    Shape inside_out = make_cube();
+    for (std::size_t i = 0; i < inside_out.indices.size(); i += 3)
+        std::swap(inside_out.indices[i], inside_out.indices[i + 1]);
+    TestSession session(inside_out);
+    const TxcTarget target = session.target(96, 64, 0);
+    const ReferenceMap map(inside_out, 96, 64);
+    const Picture painted = paint_front(session, target, 3.0, TXC_OCCLUSION_SELF);
+    // Inside out, the far wall faces the viewer, but the near wall stands before it.
+    CHECK(painted == Picture(96, 64, kBase));
+    TestSession again(inside_out);
+    const TxcTarget open = again.target(96, 64, 0);
+    const Picture through = paint_front(again, open, 3.0, TXC_OCCLUSION_NONE);
+    CHECK(count_color(through, kPaint) > 400);
+}
+
+TEST_CASE("The gutter at an inner corner is painted, though the neighbour stands before its continued plane") {
+    // A floor (y = 0) and a wall that rises from its far edge, seen from above and before: the floor's gutter runs on
+    // into the wall's solid.
+    Shape room;
+    const auto add_quad = [&room](const double(&p)[4][3], const double(&n)[3], const UvRect& chart) {
+        const std::uint32_t first = room.vertex_count();
+        const double uv[4][2] = {
+            {chart.left, chart.top}, {chart.right, chart.top}, {chart.right, chart.bottom}, {chart.left, chart.bottom}};
+        for (int c = 0; c < 4; ++c) {
+            room.add_vertex(p[c][0], p[c][1], p[c][2], uv[c][0], uv[c][1]);
+            room.add_normal(n[0], n[1], n[2]);
+        }
+        room.add_triangle(first, first + 3, first + 1);
+        room.add_triangle(first + 1, first + 3, first + 2);
+    };
+    // The top edge of each chart in the order: left, right; below it the near or lower edge.
+    add_quad({{-0.5, 0, 0}, {0.5, 0, 0}, {0.5, 0, 1}, {-0.5, 0, 1}}, {0, 1, 0}, {0.05, 0.1, 0.45, 0.9});
+    add_quad({{-0.5, 1, 0}, {0.5, 1, 0}, {0.5, 0, 0}, {-0.5, 0, 0}}, {0, 0, 1}, {0.55, 0.1, 0.95, 0.9});
+    TestSession session(room);
+    const TxcTarget target = session.target(64, 64, 3);
+    session.set_base(target, kBase);
+    TxcLayerDef def = decal_def(session.image(Picture(1, 1, kPaint)));
+    def.filter = TXC_FILTER_NEAREST;
+    def.occlusion = TXC_OCCLUSION_SELF;
+    turn(def, 1, 0, 0, -45);
+    resize(def, 6, 6, 6);
+    session.layer(target, def);
+    const Picture painted = session.paint(target);
+    const MapArrays map = session.map(target);
+    std::uint32_t gutter = 0;
+    for (std::uint32_t y = 0; y < 64; ++y) {
+        for (std::uint32_t x = 0; x < 64; ++x) {
+            if (map.coverage_at(x, y) == 0) continue;
+            CHECK_UNARY(painted.at(x, y) == kPaint);
+            gutter += map.coverage_at(x, y) == 2 ? 1 : 0;
+        }
+    }
+    CHECK(gutter > 300);
+}
+
+TEST_CASE("Every texel of a cluttered scene is hidden or painted as a search of all triangles says") {
+    Random random(72);
+    const Shape target_shape = make_sphere(0.6, 16, 8);
+    const Shape clutter = make_random_triangles(random, 60, 1.0, 0.3);
+    TestSession session;
+    session.add(target_shape, 0);
+    session.add(clutter, 1);
+    const TxcTarget target = session.target(64, 32, 0);
+    session.set_base(target, kBase);
+    // One mesh of both for the search; triangles of the target come first.
+    Shape bare = target_shape;
+    bare.normals.clear();
+    bare.uvs.clear();
+    bare.append(clutter);
+    const txc::Mesh mesh = make_core_mesh(bare);
+    const ReferenceMap map(target_shape, 64, 32);
+    const double least = 0.0005 * static_cast<double>(mesh.bounds.diagonal());
+    for (int round = 0; round < 6; ++round) {
+        TxcLayerDef def = decal_def(session.image(Picture(1, 1, kPaint)));
+        def.filter = TXC_FILTER_NEAREST;
+        def.occlusion = TXC_OCCLUSION_SELF;
+        def.backfaces = 1;
+        def.angle_fade_start = def.angle_fade_end = 90.0f;
+        random.rotation(def.rotation);
+        resize(def, 3, 3, 3);
+        const TxcLayer layer = session.layer(target, def);
+        const Picture painted = session.paint(target);
+        const txc::PlanarProjector projector = make_projector(def);
+        const Vec3 towards{projector.towards_viewer.x, projector.towards_viewer.y, projector.towards_viewer.z};
+        const BruteForce brute{mesh, least};
+        std::uint32_t wrong = 0;
+        std::uint32_t hidden = 0;
+        for (std::uint32_t y = 0; y < 32; ++y) {
+            for (std::uint32_t x = 0; x < 64; ++x) {
+                const ReferenceTexel& texel = map.at(x, y);
+                if (texel.triangle < 0 || !texel.sure) continue;
+                const Vec3 p = map.position(texel.triangle, texel.u, texel.v);
+                const double q_z = dot(p, towards) / 3.0;
+                bool unsure = false;
+                const bool expected =
+                    brute.is_blocked(p, towards, (0.5 - q_z) * 3.0, static_cast<std::uint32_t>(texel.triangle), unsure);
+                // Neighbours on the sphere that the ray only grazes, at about the least distance.
+                bool nearer = false;
+                bool ignored = false;
+                nearer = BruteForce{mesh, least * 0.25}.is_blocked(p, towards, (0.5 - q_z) * 3.0,
+                                                                   static_cast<std::uint32_t>(texel.triangle), ignored);
+                if (unsure || ignored || nearer != expected) continue;
+                wrong += (painted.at(x, y) == kBase) != expected ? 1 : 0;
+                hidden += expected ? 1 : 0;
+            }
+        }
+        CAPTURE(round);
+        CHECK(wrong == 0);
+        CHECK(hidden > 300);
+        must(txc_layer_destroy(session.id(), layer));
+    }
+}
+
+TEST_CASE("A tree that does not fit the budget is refused") {
+    Random random(73);
+    const txc::Mesh mesh = make_core_mesh(make_random_triangles(random, 1000, 1.0, 0.1));
+    txc::MemoryBudget budget(50000);
+    txc::OcclusionTree tree(budget);
+    CHECK(tree.build(mesh) == TXC_STATUS_OUT_OF_BUDGET);
+    CHECK(budget.used() == 0);
+}
+
+TEST_CASE("The point of a triangle nearest to another is found in each of its seven regions") {
+    Random random(74);
+    for (int round = 0; round < 200; ++round) {
+        const txc::Mesh mesh = make_core_mesh(make_random_triangles(random, 1, 1.0, 1.0));
+        const glm::dvec3 from(random.between(-3, 3), random.between(-3, 3), random.between(-3, 3));
+        const glm::dvec3 found = txc::nearest_point_on_triangle(mesh, 0, from);
+        const glm::dvec3 a(mesh.positions[0]);
+        const glm::dvec3 ab = glm::dvec3(mesh.positions[1]) - a;
+        const glm::dvec3 ac = glm::dvec3(mesh.positions[2]) - a;
+        // No sample of the triangle may be nearer.
+        double nearest = 1e9;
+        for (int i = 0; i <= 60; ++i) {
+            for (int j = 0; i + j <= 60; ++j)
+                nearest = std::fmin(nearest, glm::length(a + ab * (i / 60.0) + ac * (j / 60.0) - from));
+        }
+        const double distance = glm::length(found - from);
+        CHECK_UNARY(distance <= nearest + 1e-9);
+        CHECK_UNARY(distance >= nearest - 0.1);
+        // And it lies in the triangle.
+        const glm::dvec3 normal = glm::cross(ab, ac);
+        if (glm::length(normal) > 1e-3) CHECK_UNARY(std::fabs(glm::dot(normal, found - a)) < 1e-9);
+    }
+}
