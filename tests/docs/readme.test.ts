@@ -30,7 +30,12 @@ test("every file that the README and the documents name exists", async () => {
     const text = await readFile(`${root}${page}`, "utf8");
     const folder = page.includes("/") ? `${root}docs/` : root;
     const links = [...text.matchAll(/\]\(([^)#:]+)(?:#[^)]*)?\)/g)].map((match) => `${folder}${match[1]}`);
-    const paths = [...text.matchAll(/`((?:wasm|web|node|tests|scripts|docs|bench)\/[\w./-]+)`/g)].map((match) => `${root}${match[1]}`);
-    expect([...links, ...paths].filter((path) => !existsSync(path)), page).toEqual([]);
+    const paths = [...text.matchAll(/`((?:wasm|web|node|tests|scripts|docs|bench)\/[\w./-]+)`/g)].map(
+      (match) => `${root}${match[1]}`,
+    );
+    expect(
+      [...links, ...paths].filter((path) => !existsSync(path)),
+      page,
+    ).toEqual([]);
   }
 });

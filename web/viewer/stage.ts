@@ -2,6 +2,7 @@
 import CameraControls from "camera-controls";
 import {
   type Box3,
+  MathUtils,
   Matrix4,
   NeutralToneMapping,
   type Object3D,
@@ -235,6 +236,10 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO) * this.#drawnScale);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
+    // The angle is that of the shorter side: a view that grows taller (a phone whose panel closes) shows more above and
+    // below, and cuts nothing off at the sides.
+    const half = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2)) / Math.min(1, this.camera.aspect);
+    this.camera.fov = MathUtils.radToDeg(2 * Math.atan(half));
     this.camera.updateProjectionMatrix();
     // A view that was built outside the document has its style from here on.
     this.#readTheme();
