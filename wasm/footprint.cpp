@@ -19,15 +19,21 @@ constexpr float kSmoothError = 0.3f;
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
 // How dense the samples stand. Over random decals on a hard-edged checker, magnified and minified up to 8 times, the worst
-// is 43.9 dB against 8 x 8 samples; with 4/3 and one sample up to 0.5 pixels it was 39.2, with 2 and 0.35 it is 44.2.
+// is 43.9 dB against 8 x 8 samples; with 4/3 it was 39.2, with 2 it is 44.2.
 constexpr float kSamplesPerPixel = 1.6f;
 
-// One sample where the footprint is so small that the bilinear filter blurs far more than the footprint would.
+// One sample where the footprint is so small that the bilinear filter blurs far more than the footprint would: at the
+// limit a 5-pixel checker keeps 41 dB in the worst alignment, at 0.4 pixels it had 37.
 int sample_count(float pixels) {
-    if (pixels <= 0.4f) return 1;
+    if (pixels <= 0.25f) return 1;
     const int dense = std::max(2, static_cast<int>(std::ceil(pixels * kSamplesPerPixel)));
     return std::min(dense, pixels <= kFinestPixels ? kEdgeSamples : kMaxSamples);
 }
+
+// How far the samples of an axis stand apart, as a share of the footprint. Two stand a little further apart than in its
+// quarters: half way to Gauss's points, which serves the ramps of a bilinear picture best (at one pixel a texel 39 dB
+// instead of 34 in the worst alignment of a 5-pixel checker).
+float spacing(std::int32_t samples) { return samples == 2 ? 0.55f : 1.0f / static_cast<float>(samples); }
 
 }  // namespace
 
@@ -56,10 +62,10 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     f.across_samples = sample_count(across / pixel);
     f.down_samples = sample_count(down / pixel);
     const PyramidLevel& on = image.levels[level];
-    f.across_step_x = across_x * on.scale_x / static_cast<float>(f.across_samples);
-    f.across_step_y = across_y * on.scale_y / static_cast<float>(f.across_samples);
-    f.down_step_x = down_x * on.scale_x / static_cast<float>(f.down_samples);
-    f.down_step_y = down_y * on.scale_y / static_cast<float>(f.down_samples);
+    f.across_step_x = across_x * on.scale_x * spacing(f.across_samples);
+    f.across_step_y = across_y * on.scale_y * spacing(f.across_samples);
+    f.down_step_x = down_x * on.scale_x * spacing(f.down_samples);
+    f.down_step_y = down_y * on.scale_y * spacing(f.down_samples);
     f.first_x = -0.5f * (f.across_step_x * static_cast<float>(f.across_samples - 1) +
                          f.down_step_x * static_cast<float>(f.down_samples - 1)) -
                 0.5f;
@@ -116,20 +122,22 @@ Float4 sample_edge(const ImagePyramid& image, const Footprint& f, float x, float
     const PyramidLevel& level = image.levels[f.edge_level];
     const auto width = static_cast<float>(image.levels[0].width);
     const auto height = static_cast<float>(image.levels[0].height);
-    const float across_step = 1.0f / static_cast<float>(f.edge_across_samples);
-    const float down_step = 1.0f / static_cast<float>(f.edge_down_samples);
+    const float across_step = spacing(f.edge_across_samples);
+    const float down_step = spacing(f.edge_down_samples);
+    const float first_u = -0.5f * across_step * static_cast<float>(f.edge_across_samples - 1);
+    const float first_v = -0.5f * down_step * static_cast<float>(f.edge_down_samples - 1);
     Float4 sum = splat(0.0f);
     for (std::int32_t j = 0; j < f.edge_down_samples; ++j) {
-        const float v = (static_cast<float>(j) + 0.5f) * down_step - 0.5f;
+        const float v = first_v + static_cast<float>(j) * down_step;
         for (std::int32_t i = 0; i < f.edge_across_samples; ++i) {
-            const float u = (static_cast<float>(i) + 0.5f) * across_step - 0.5f;
+            const float u = first_u + static_cast<float>(i) * across_step;
             const float sample_x = x + (f.across_x * u + f.down_x * v);
             const float sample_y = y + (f.across_y * u + f.down_y * v);
             if (repeat && (sample_x < 0.0f || sample_x > width || sample_y < 0.0f || sample_y > height)) continue;
             sum += sample_bilinear(level, sample_x * level.scale_x, sample_y * level.scale_y, repeat);
         }
     }
-    return sum * splat(across_step * down_step);
+    return sum * splat(1.0f / static_cast<float>(f.edge_across_samples * f.edge_down_samples));
 }
 
 }  // namespace txc
