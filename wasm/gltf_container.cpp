@@ -13,7 +13,7 @@ constexpr std::uint32_t kGlbMagic = 0x46546C67u;   // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534Au;  // "JSON"
 constexpr std::uint64_t kMaxBytes = 0xffffffffu;   // of a GLB; a count or size above it can only be a lie
 constexpr std::size_t kMaxJsonDepth = 256;         // parsers of nested values recurse; no real model is so deep
-constexpr std::uint64_t kBudgetStep = 4u << 20;    // the share grows by so much at a time
+constexpr std::uint64_t kBudgetStep = 64u << 10;   // the share grows by so much at a time
 
 // What one JSON value becomes in tinygltf's model, bytes, with room for its arrays' growth. Measured on 64-bit: a material
 // takes 2144, a camera 920, a node 456 and other objects up to 424; a value inside extras or extensions takes 152.

@@ -1,3 +1,4 @@
+// Longer than other files here, for one reason: tinygltf stays behind this one file.
 #include "gltf_reader.h"
 
 // <fstream> must come before tinygltf's JSON: with JSON_NOEXCEPTION its own include order leaves std::ofstream incomplete.
