@@ -20,9 +20,16 @@ TileArea tile_area(const Target& target, std::uint32_t tile) {
     return {x, y, std::min(kTileSize, target.def.width - x), std::min(kTileSize, target.def.height - y)};
 }
 
-const std::uint8_t* base_texel(const Target& target, std::uint32_t x, std::uint32_t y) {
-    if (target.base.rgba.empty()) return target.base.color;
-    return target.base.rgba.data() + (static_cast<std::size_t>(y) * target.def.width + x) * 4;
+/// Copies the tile's part of the base into rows of kTileSize texels.
+void copy_base(const Target& target, const TileArea& area, std::uint8_t* bytes) {
+    if (target.base.rgba.empty()) {
+        for (std::uint32_t t = 0; t < kTileTexels; ++t) std::memcpy(bytes + t * 4, target.base.color, 4);
+        return;
+    }
+    for (std::uint32_t y = 0; y < area.height; ++y) {
+        const std::size_t first = static_cast<std::size_t>(area.y + y) * target.def.width + area.x;
+        std::memcpy(bytes + y * kTileSize * 4, target.base.rgba.data() + first * 4, area.width * 4);
+    }
 }
 
 void blend_fill(const Layer& layer, Float4* backdrops) {
@@ -45,10 +52,7 @@ void blend_texels(const std::uint16_t* texels, float opacity, Float4* backdrops)
 bool composite_tile(Target& target, const std::vector<const Layer*>& layers, std::uint32_t tile) {
     const TileArea area = tile_area(target, tile);
     std::uint8_t bytes[kTileTexels * 4] = {};  // texels beyond the target's edge stay 0 and are dropped
-    for (std::uint32_t y = 0; y < area.height; ++y) {
-        for (std::uint32_t x = 0; x < area.width; ++x)
-            std::memcpy(bytes + (y * kTileSize + x) * 4, base_texel(target, area.x + x, area.y + y), 4);
-    }
+    copy_base(target, area, bytes);
     Float4 backdrops[kTileTexels];
     bool touched = false;
     for (const Layer* layer : layers) {

@@ -76,9 +76,9 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     // Over a footprint with sides a and b the mean of a picture with second differences up to r is within
     // (a^2 + b^2) r / 12 of the value at the centre (second moments of the parallelogram, mixed differences included).
     const float squares = (across * across + down * down) / (pixel * pixel);
-    // Half a pixel more than the footprint itself is what its samples read.
-    const bool is_known =
-        std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y) + 0.5f <= static_cast<float>(kRoughnessReach);
+    const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
+    const bool is_known = reach <= static_cast<float>(kRoughnessReaches);
+    f.smooth_reach = reach <= 1.0f ? 1 : 2;
     f.smooth_limit =
         is_known ? static_cast<std::int32_t>(std::min(255.0f, kSmoothError * 12.0f / std::max(squares, 1e-6f))) : -1;
     // All four pixels of every sample must exist, half a pixel of the level around it, and a little for rounding.
@@ -99,7 +99,8 @@ Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, flo
     const PyramidLevel& level = image.levels[f.level];
     const float centre_x = x * level.scale_x;
     const float centre_y = y * level.scale_y;
-    if (f.across_samples * f.down_samples == 1 || level.roughness_at(centre_x, centre_y) <= f.smooth_limit) {
+    if (f.across_samples * f.down_samples == 1 ||
+        level.roughness_at(centre_x, centre_y, f.smooth_reach) <= f.smooth_limit) {
         return sample_bilinear_inside(level, centre_x - 0.5f, centre_y - 0.5f);
     }
     float row_x = centre_x + f.first_x;

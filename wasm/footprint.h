@@ -19,6 +19,7 @@ struct Footprint {
     float first_x, first_y;  // from the footprint's centre to the first sample's pixel corner
     float across_step_x, across_step_y;
     float down_step_x, down_step_y;
+    std::int32_t smooth_reach;  // how far the footprint reaches, whole pixels of the level, 1 or 2
     std::int32_t smooth_limit;  // where the level is no rougher than this, one sample is the mean
     float inset_x, inset_y;     // a centre this far from the picture's edges is well inside
 

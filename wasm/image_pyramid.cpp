@@ -40,55 +40,60 @@ void reduce(const PyramidLevel& fine, PyramidLevel& coarse) {
     }
 }
 
+/// How much the four pixels from (x, y) on depart from a plane, 0 where they do not all exist.
+std::int32_t mixed_difference(const PyramidLevel& level, std::int64_t x, std::int64_t y, int c) {
+    if (x < 0 || y < 0 || x + 1 >= level.width || y + 1 >= level.height) return 0;
+    const std::uint16_t* at = level.pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)) + c;
+    const std::uint16_t* below = at + static_cast<std::size_t>(level.width) * 4;
+    return std::abs(at[0] - at[4] - below[0] + below[4]);
+}
+
 std::int32_t largest_second_difference(const PyramidLevel& level, std::uint32_t x, std::uint32_t y) {
     const std::uint16_t* at = level.pixel(x, y);
-    const std::uint16_t* right = x + 1 < level.width ? at + 4 : nullptr;
-    const std::uint16_t* below = y + 1 < level.height ? level.pixel(x, y + 1) : nullptr;
+    const std::size_t row = static_cast<std::size_t>(level.width) * 4;
     std::int32_t largest = 0;
     for (int c = 0; c < 4; ++c) {
-        if (right != nullptr && x > 0) largest = std::max(largest, std::abs(at[c - 4] - 2 * at[c] + right[c]));
-        if (below != nullptr && y > 0) {
-            largest = std::max(largest, std::abs(level.pixel(x, y - 1)[c] - 2 * at[c] + below[c]));
+        if (x > 0 && x + 1 < level.width) largest = std::max(largest, std::abs(at[c - 4] - 2 * at[c] + at[c + 4]));
+        if (y > 0 && y + 1 < level.height) {
+            largest = std::max(largest, std::abs(*(at + c - row) - 2 * at[c] + *(at + c + row)));
         }
-        if (right != nullptr && below != nullptr) {
-            largest = std::max(largest, std::abs(at[c] - right[c] - below[c] + below[c + 4]));
+        for (const std::int64_t left : {static_cast<std::int64_t>(x) - 1, static_cast<std::int64_t>(x)}) {
+            for (const std::int64_t top : {static_cast<std::int64_t>(y) - 1, static_cast<std::int64_t>(y)}) {
+                largest = std::max(largest, mixed_difference(level, left, top, c));
+            }
         }
     }
     return largest;
 }
 
-/// The largest of the values at most kRoughnessReach away along one axis; `stride` apart, `count` of them.
-std::uint8_t largest_near(const std::uint8_t* values, std::uint32_t at, std::uint32_t count, std::size_t stride) {
-    std::uint8_t largest = 0;
-    const std::uint32_t last = std::min(at + kRoughnessReach, count - 1);
-    for (std::uint32_t i = at > kRoughnessReach ? at - kRoughnessReach : 0; i <= last; ++i) {
-        largest = std::max(largest, values[i * stride]);
+/// The larger of each value and its two neighbours, `stride` apart, along lines of `count`.
+void spread(std::vector<std::uint8_t>& values, std::uint32_t lines, std::size_t line_stride, std::uint32_t count,
+            std::size_t stride) {
+    for (std::uint32_t line = 0; line < lines; ++line) {
+        std::uint8_t* at = values.data() + line * line_stride;
+        std::uint8_t before = 0;
+        for (std::uint32_t i = 0; i < count; ++i, at += stride) {
+            const std::uint8_t own = *at;
+            const std::uint8_t after = i + 1 < count ? at[stride] : std::uint8_t{0};
+            *at = std::max(own, std::max(before, after));
+            before = own;
+        }
     }
-    return largest;
 }
 
 void measure_roughness(PyramidLevel& level) {
     constexpr std::int32_t kStep = 255;  // an 8-bit step on the scale of kFullScale
-    const std::size_t pixels = static_cast<std::size_t>(level.width) * level.height;
-    level.roughness.resize(pixels);
-    std::vector<std::uint8_t> along_rows(pixels);
+    std::vector<std::uint8_t> values(static_cast<std::size_t>(level.width) * level.height);
     for (std::uint32_t y = 0; y < level.height; ++y) {
         for (std::uint32_t x = 0; x < level.width; ++x) {
             const std::int32_t steps = (largest_second_difference(level, x, y) + kStep - 1) / kStep;
-            level.roughness[static_cast<std::size_t>(y) * level.width + x] =
-                static_cast<std::uint8_t>(std::min(steps, 255));
+            values[static_cast<std::size_t>(y) * level.width + x] = static_cast<std::uint8_t>(std::min(steps, 255));
         }
     }
-    for (std::uint32_t y = 0; y < level.height; ++y) {
-        const std::size_t row = static_cast<std::size_t>(y) * level.width;
-        for (std::uint32_t x = 0; x < level.width; ++x)
-            along_rows[row + x] = largest_near(level.roughness.data() + row, x, level.width, 1);
-    }
-    for (std::uint32_t y = 0; y < level.height; ++y) {
-        for (std::uint32_t x = 0; x < level.width; ++x) {
-            level.roughness[static_cast<std::size_t>(y) * level.width + x] =
-                largest_near(along_rows.data() + x, y, level.height, level.width);
-        }
+    for (std::vector<std::uint8_t>& roughness : level.roughness) {
+        spread(values, level.height, level.width, level.width, 1);
+        spread(values, level.width, 1, level.height, level.width);
+        roughness = values;
     }
 }
 
@@ -96,7 +101,7 @@ void measure_roughness(PyramidLevel& level) {
 
 TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba) {
     const std::uint64_t pixels = static_cast<std::uint64_t>(width) * height;
-    if (const TxcStatus status = share.resize(pixels * (8 + 2) * 4 / 3 + 4096, "the decal's picture");
+    if (const TxcStatus status = share.resize(pixels * (8 + 3) * 4 / 3 + 4096, "the decal's picture");
         status != TXC_STATUS_OK)
         return status;
     levels.assign(1, PyramidLevel{width, height, 1.0f, 1.0f, {}, {}});

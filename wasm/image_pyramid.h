@@ -12,7 +12,7 @@ namespace txc {
 /// 16 bits a channel, premultiplied. Full scale is 255 * 255, so that colour times alpha of an 8-bit picture is exact.
 inline constexpr float kFullScale = 65025.0f;
 
-inline constexpr std::uint32_t kRoughnessReach = 2;
+inline constexpr std::int32_t kRoughnessReaches = 2;
 
 struct PyramidLevel {
     std::uint32_t width = 0;
@@ -20,16 +20,17 @@ struct PyramidLevel {
     float scale_x = 1.0f;  // pixels of this level a pixel of the picture
     float scale_y = 1.0f;
     std::vector<std::uint16_t> rgba;
-    // Per pixel: the largest second difference of any channel within kRoughnessReach pixels, in 8-bit steps, rounded up.
-    // Where it is small the picture is as good as linear, and the mean over a footprint is the value at its centre.
-    // (Blocks of 8 pixels would take less room, but on a picture with fine detail they spared a seventh of the texels
-    // their samples, where pixels spare most.)
-    std::vector<std::uint8_t> roughness;
+    // Per pixel: the largest second difference of any channel at most 1 (first list) or 2 pixels away, in 8-bit steps,
+    // rounded up. Where it is small the picture is as good as linear, and the mean over a footprint that reaches no
+    // further is the value at its centre. (Blocks of 8 pixels would take less room, but on a picture with fine detail they
+    // spared an eighth of the texels their samples, where pixels spare three quarters.)
+    std::vector<std::uint8_t> roughness[kRoughnessReaches];
 
-    /// At a pixel position inside the level.
-    std::int32_t roughness_at(float x, float y) const {
-        return roughness[static_cast<std::size_t>(static_cast<std::int32_t>(y)) * width +
-                         static_cast<std::uint32_t>(static_cast<std::int32_t>(x))];
+    /// At a pixel position inside the level; `reach` is 1 or 2.
+    std::int32_t roughness_at(float x, float y, std::int32_t reach) const {
+        const auto column = static_cast<std::uint32_t>(static_cast<std::int32_t>(x));
+        const auto row = static_cast<std::uint32_t>(static_cast<std::int32_t>(y));
+        return roughness[reach - 1][static_cast<std::size_t>(row) * width + column];
     }
 
     const std::uint16_t* pixel(std::uint32_t x, std::uint32_t y) const {
