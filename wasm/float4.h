@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <glm/glm.hpp>
 
 #if defined(__wasm_simd128__)
 #include <wasm_simd128.h>
@@ -16,6 +17,23 @@ using Int4 = std::int32_t __attribute__((vector_size(16)));
 using UShort4 = std::uint16_t __attribute__((vector_size(8)));
 
 inline Float4 splat(float value) { return Float4{value, value, value, value}; }
+
+/// x, y and z, with 0 in the last lane.
+inline Float4 load_vec3(const glm::vec3& v) { return Float4{v.x, v.y, v.z, 0.0f}; }
+
+#if defined(__wasm_simd128__)
+// Clang 14 makes comparisons and selections of the conditional operator, where there is one instruction.
+inline Float4 lesser(Float4 a, Float4 b) {
+    return reinterpret_cast<Float4>(wasm_f32x4_pmin(reinterpret_cast<v128_t>(a), reinterpret_cast<v128_t>(b)));
+}
+inline Float4 greater(Float4 a, Float4 b) {
+    return reinterpret_cast<Float4>(wasm_f32x4_pmax(reinterpret_cast<v128_t>(a), reinterpret_cast<v128_t>(b)));
+}
+#else
+inline Float4 lesser(Float4 a, Float4 b) { return b < a ? b : a; }
+inline Float4 greater(Float4 a, Float4 b) { return a < b ? b : a; }
+#endif
+inline Float4 absolute(Float4 a) { return greater(a, -a); }
 
 #if defined(__wasm_simd128__)
 // Clang 14 turns "widen, then convert" into four conversions lane by lane (which cost a drag a third of its time) unless

@@ -8,8 +8,9 @@ namespace txc {
 std::uint64_t LocalSpaceMap::byte_count() const {
     std::uint64_t overlap_bytes = overlap_tiles.size() * sizeof(overlap_tiles[0]);
     for (const auto& tile : overlap_tiles) overlap_bytes += tile != nullptr ? kTileSize * kTileSize : 0;
-    return frames.size() * sizeof(TexelFrame) + runs.size() * sizeof(TexelRun) + tiles.size() * sizeof(MapTile) +
-           tile_of.size() * sizeof(std::uint32_t) + tree.byte_count() + overlap_bytes;
+    return frames.capacity() * sizeof(TexelFrame) + (runs.capacity() + gutter_runs.capacity()) * sizeof(TexelRun) +
+           tiles.capacity() * sizeof(MapTile) + tile_of.capacity() * sizeof(std::uint32_t) + tree.byte_count() +
+           overlap_bytes;
 }
 
 glm::vec3 LocalSpaceMap::unit_normal(const TexelRun& run, std::int32_t x, std::int32_t y) const {

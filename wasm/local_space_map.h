@@ -15,33 +15,13 @@
 
 #include "memory_budget.h"
 #include "mesh.h"
+#include "texel_frame.h"
 #include "tile_tree.h"
 
 namespace txc {
 
 inline constexpr std::uint32_t kTileSize = 16;  // texels along a side
 inline constexpr std::uint32_t kNoTile = 0xffffffffu;
-
-/// Position and normal of one triangle as affine functions of the texel. `x0`, `y0` is the texel at whose centre
-/// `position` and `normal` hold. A triangle whose UVs wrap has one frame for each repeat that owns texels.
-struct TexelFrame {
-    glm::vec3 position;     // model space, metres
-    glm::vec3 position_dx;  // metres a texel to the right
-    glm::vec3 position_dy;  // metres a texel down
-    glm::vec3 normal;       // not normalised: interpolated like the positions
-    glm::vec3 normal_dx;
-    glm::vec3 normal_dy;
-    std::int32_t x0;
-    std::int32_t y0;
-    std::uint32_t triangle;  // index into Mesh::triangles
-
-    glm::vec3 position_at(std::int32_t x, std::int32_t y) const {
-        return position + position_dx * static_cast<float>(x - x0) + position_dy * static_cast<float>(y - y0);
-    }
-    glm::vec3 normal_at(std::int32_t x, std::int32_t y) const {
-        return normal + normal_dx * static_cast<float>(x - x0) + normal_dy * static_cast<float>(y - y0);
-    }
-};
 
 enum RunFlags : std::uint8_t {
     kRunGutter = 1,
@@ -60,9 +40,11 @@ struct TexelRun {
 
 /// A tile that has texels: its runs, and bounds of their footprints' positions.
 struct MapTile {
-    std::uint32_t index;  // row-major among the map's tiles
-    std::uint32_t first_run;
+    std::uint32_t index;      // row-major among the map's tiles
+    std::uint32_t first_run;  // in LocalSpaceMap::runs
     std::uint32_t run_count;
+    std::uint32_t first_gutter_run;  // in LocalSpaceMap::gutter_runs
+    std::uint32_t gutter_run_count;
     ModelBox box;
 };
 
@@ -83,7 +65,8 @@ struct LocalSpaceMap {
     MapKey key;
     Bounds bounds;  // of the material's triangles
     std::vector<TexelFrame> frames;
-    std::vector<TexelRun> runs;          // by tile, then row, then column
+    std::vector<TexelRun> runs;          // covered texels: by tile, then frame, then row
+    std::vector<TexelRun> gutter_runs;   // by tile, then row, then column
     std::vector<MapTile> tiles;          // those with texels, by index
     std::vector<std::uint32_t> tile_of;  // per tile of the grid: place in `tiles`, or kNoTile
     std::vector<std::unique_ptr<std::uint8_t[]>>
@@ -107,7 +90,14 @@ struct LocalSpaceMap {
     void read_coverage(std::uint32_t row, std::uint32_t row_count, std::uint8_t* out) const;
     void read_overlap(std::uint32_t row, std::uint32_t row_count, std::uint8_t* out) const;
 
-    /// Calls visit(run, y) for each run of the rows, y in the target's coordinates, with the tile's first column.
+    /// Calls visit(run) for each run of a tile, the gutter's last.
+    template <typename Visit>
+    void for_each_run_of(const MapTile& tile, Visit&& visit) const {
+        for (std::uint32_t r = 0; r < tile.run_count; ++r) visit(runs[tile.first_run + r]);
+        for (std::uint32_t r = 0; r < tile.gutter_run_count; ++r) visit(gutter_runs[tile.first_gutter_run + r]);
+    }
+
+    /// Calls visit(run, tile_x, y) for each run of the rows: the tile's first column, and the row in the target.
     template <typename Visit>
     void for_each_run(std::uint32_t row, std::uint32_t row_count, Visit&& visit) const {
         const std::uint32_t columns = tile_columns();
@@ -116,11 +106,10 @@ struct LocalSpaceMap {
             for (std::uint32_t column = 0; column < columns; ++column) {
                 const std::uint32_t place = tile_of[tile_row * columns + column];
                 if (place == kNoTile) continue;
-                const MapTile& tile = tiles[place];
-                for (std::uint32_t r = tile.first_run; r < tile.first_run + tile.run_count; ++r) {
-                    const std::uint32_t y = tile_row * kTileSize + runs[r].y;
-                    if (y >= row && y < row + row_count) visit(runs[r], column * kTileSize, y);
-                }
+                for_each_run_of(tiles[place], [&](const TexelRun& run) {
+                    const std::uint32_t y = tile_row * kTileSize + run.y;
+                    if (y >= row && y < row + row_count) visit(run, column * kTileSize, y);
+                });
             }
         }
     }

@@ -1,87 +1,80 @@
 #include "map_baker.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
+#include <bit>
 #include <limits>
 
+#include "float4.h"
 #include "gutter.h"
 
 namespace txc {
 namespace {
 
-constexpr std::uint32_t kNobody = 0xffffffffu;
-constexpr std::uint32_t kGutterMark = 0x80000000u;
-constexpr std::uint32_t kHoldNormalMark = 0x40000000u;
-constexpr std::uint32_t kFrameMask = 0x3fffffffu;
-// A triangle that repeats the texture more often than this is no skin to paint, and would take hours to rasterise.
-constexpr double kMaxRepeats = 256.0;
+constexpr std::uint64_t kSpansAtOnce = 4096;
+constexpr std::uint32_t kHoldNormalMark = 0x80000000u;  // on a frame's index
 
-std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
-    if (value >= 0 && value < by) return 0;  // nearly always: UVs inside [0, 1)
-    const std::int64_t quotient = value / by;
-    return value % by < 0 ? quotient - 1 : quotient;
-}
-
-/// True where no texel of the span has an owner yet: without overlap, always.
-bool is_free(const std::uint32_t* owners, std::uint32_t count) {
-    std::uint32_t taken = 0;
-    for (std::uint32_t i = 0; i < count; ++i) taken |= owners[i] ^ kNobody;
-    return taken == 0;
-}
-
-TexelTriangle in_texels(const Mesh& mesh, std::uint32_t triangle, const MapKey& key) {
-    TexelTriangle texels;
-    for (int corner = 0; corner < 3; ++corner) {
-        const glm::vec2 uv = mesh.uvs[mesh.triangles[triangle].vertex[corner]];
-        texels.x[corner] = static_cast<double>(uv.x) * key.width;
-        texels.y[corner] = static_cast<double>(uv.y) * key.height;
+/// Where the texels of one frame lie, put into the boxes of their tiles.
+class FrameBounds {
+public:
+    void look_at(const std::vector<TexelFrame>& frames, std::uint32_t index) {
+        if (index == index_) return;
+        index_ = index;
+        const TexelFrame& frame = frames[index];
+        x0_ = frame.x0;
+        y0_ = frame.y0;
+        position_ = load_vec3(frame.position);
+        dx_ = load_vec3(frame.position_dx);
+        dy_ = load_vec3(frame.position_dy);
+        // The footprints reach half a texel beyond the first and last centre, and above and below.
+        reach_ = (absolute(dx_) + absolute(dy_)) * splat(0.5f);
     }
-    return texels;
-}
 
-double extent(const double (&values)[3]) {
-    return std::fmax(values[0], std::fmax(values[1], values[2])) -
-           std::fmin(values[0], std::fmin(values[1], values[2]));
-}
+    /// The texels [x, end) of row y.
+    void add_to(TileBox& box, std::uint32_t x, std::uint32_t end, std::uint32_t y) const {
+        const auto across = static_cast<float>(static_cast<std::int32_t>(x) - x0_);
+        const auto down = static_cast<float>(static_cast<std::int32_t>(y) - y0_);
+        const Float4 first = position_ + dx_ * splat(across) + dy_ * splat(down);
+        const Float4 last = first + dx_ * splat(static_cast<float>(end - x - 1));
+        box.low = lesser(box.low, lesser(first, last) - reach_);
+        box.high = greater(box.high, greater(first, last) + reach_);
+    }
 
-// A UV sliver can have a gradient that no float holds; it then keeps its position and normal over its few texels.
-glm::vec3 finite_or_zero(const glm::dvec3& gradient) {
-    const double largest = std::fmax(std::fabs(gradient.x), std::fmax(std::fabs(gradient.y), std::fabs(gradient.z)));
-    return largest < 1e18 ? glm::vec3(gradient) : glm::vec3(0.0f);
-}
+private:
+    std::uint32_t index_ = kNoTile;
+    std::int32_t x0_ = 0;
+    std::int32_t y0_ = 0;
+    Float4 position_{};
+    Float4 dx_{};
+    Float4 dy_{};
+    Float4 reach_{};
+};
 
 }  // namespace
 
 MapBaker::MapBaker(const Mesh& mesh, const MapKey& key, MemoryBudget& budget)
-    : mesh_(mesh),
-      material_(mesh.materials[key.material]),
-      map_(std::make_shared<LocalSpaceMap>(key, budget)),
-      scratch_(budget) {}
+    : map_(std::make_shared<LocalSpaceMap>(key, budget)), scratch_(budget), raster_(mesh, *map_, scratch_) {}
 
 TxcStatus MapBaker::begin(const Mesh& mesh, const MapKey& key, MemoryBudget& budget,
                           std::unique_ptr<MapBaker>& out_baker) {
-    const Material& material = mesh.materials[key.material];
-    for (const std::uint32_t triangle : material.triangles) {
-        const TexelTriangle texels = in_texels(mesh, triangle, key);
-        if (extent(texels.x) > kMaxRepeats * key.width || extent(texels.y) > kMaxRepeats * key.height) {
-            return fail(
-                TXC_STATUS_BAD_UVS,
-                "triangle %u of material %u repeats the texture more than %g times; unwrap the model to paint it",
-                triangle, key.material, kMaxRepeats);
-        }
-    }
+    if (const TxcStatus status = SpanRaster::check(mesh, key); status != TXC_STATUS_OK) return status;
+    // Counted before the arrays are made: the shares below only take over what is known to fit.
+    BudgetShare needed(budget);
+    const std::uint64_t tiles =
+        std::uint64_t{(key.width + kTileSize - 1) / kTileSize} * ((key.height + kTileSize - 1) / kTileSize);
+    const std::uint64_t map_bytes = tiles * sizeof(std::uint32_t);
+    // The raster's bits a second time: for a triangle that overlaps itself, and after it for the gutter.
+    const std::uint64_t scratch_bytes = SpanRaster::byte_count(key) + GutterSearch::byte_count(key.width, key.height) +
+                                        TileOwners::byte_count(key) + std::uint64_t{key.width} * kTileSize * 4;
+    if (const TxcStatus status = needed.resize(map_bytes + scratch_bytes, "baking the map"); status != TXC_STATUS_OK)
+        return status;
+    needed.release();
     std::unique_ptr<MapBaker> baker(new MapBaker(mesh, key, budget));
-    const std::uint64_t texels = static_cast<std::uint64_t>(key.width) * key.height;
-    const std::uint64_t tiles = static_cast<std::uint64_t>(baker->map_->tile_columns()) * baker->map_->tile_rows();
-    if (const TxcStatus status = baker->scratch_.resize(texels * 5 + tiles, "baking the map"); status != TXC_STATUS_OK)
+    if (const TxcStatus status = baker->scratch_.resize(scratch_bytes, "baking the map"); status != TXC_STATUS_OK)
         return status;
-    if (const TxcStatus status = baker->map_->share.resize(tiles * sizeof(std::uint32_t), "baking the map");
-        status != TXC_STATUS_OK)
+    if (const TxcStatus status = baker->map_->share.resize(map_bytes, "baking the map"); status != TXC_STATUS_OK)
         return status;
-    baker->map_->bounds = material.bounds;
+    baker->map_->bounds = mesh.materials[key.material].bounds;
     baker->map_->tile_of.assign(static_cast<std::size_t>(tiles), kNoTile);
-    baker->owners_.assign(static_cast<std::size_t>(texels), kNobody);
     out_baker = std::move(baker);
     return TXC_STATUS_OK;
 }
@@ -92,36 +85,30 @@ TxcStatus MapBaker::step(std::uint32_t work_limit) {
     while (work > 0 && phase_ != Phase::kDone) {
         switch (phase_) {
             case Phase::kRaster:
-                if (const TxcStatus status = raster(work); status != TXC_STATUS_OK) return status;
-                if (next_triangle_ < material_.triangles.size() || rows_.first < rows_.last) break;
-                claimed_ = {};
-                row_distances_.resize(owners_.size());
-                near_tiles_.assign(map_->tile_of.size(), 0);
-                next_row_ = 0;
-                phase_ = Phase::kRows;
+                if (const TxcStatus status = raster_.step(work); status != TXC_STATUS_OK) return status;
+                if (!raster_.done()) break;
+                if (const TxcStatus status = begin_sorting(); status != TXC_STATUS_OK) return status;
+                phase_ = Phase::kSort;
                 break;
-            case Phase::kRows:
-                measure_row(next_row_);
-                work -= key.width;
+            case Phase::kSort:
+                sort_spans(kSpansAtOnce);
+                work -= static_cast<std::int64_t>(kSpansAtOnce);
+                if (next_span_ < raster_.spans().size()) break;
+                begin_gutter();
+                phase_ = Phase::kPrepare;
+                break;
+            case Phase::kPrepare:
+                gutter_->prepare_row(next_row_);
+                work -= key.width / 8 + 1;
                 if (++next_row_ < key.height) break;
                 next_row_ = 0;
                 phase_ = Phase::kGutter;
                 break;
             case Phase::kGutter:
-                find_gutter_row(next_row_);
-                work -= key.width;
-                if (++next_row_ < key.height) break;
-                if (const TxcStatus status = begin_packing(); status != TXC_STATUS_OK) return status;
-                next_row_ = 0;
-                phase_ = Phase::kPack;
-                break;
-            case Phase::kPack:
-                pack_tile_row(next_row_);
+                if (const TxcStatus status = finish_tile_row(next_row_); status != TXC_STATUS_OK) return status;
                 work -= static_cast<std::int64_t>(key.width) * kTileSize;
                 if (++next_row_ < map_->tile_rows()) break;
-                map_->tree.build(*map_);
-                owners_ = {};
-                scratch_.release();
+                if (const TxcStatus status = finish(); status != TXC_STATUS_OK) return status;
                 phase_ = Phase::kDone;
                 break;
             case Phase::kDone:
@@ -132,316 +119,184 @@ TxcStatus MapBaker::step(std::uint32_t work_limit) {
 }
 
 float MapBaker::progress() const {
-    const float height = static_cast<float>(map_ != nullptr ? map_->key.height : 1);
+    const auto share = [](std::uint64_t part, std::uint64_t whole) {
+        return static_cast<float>(part) / static_cast<float>(std::max<std::uint64_t>(whole, 1));
+    };
     switch (phase_) {
         case Phase::kRaster:
-            return 0.6f * static_cast<float>(next_triangle_) /
-                   static_cast<float>(std::max<std::size_t>(material_.triangles.size(), 1));
-        case Phase::kRows:
-            return 0.6f + 0.1f * static_cast<float>(next_row_) / height;
+            return 0.6f * raster_.progress();
+        case Phase::kSort:
+            return 0.6f + 0.1f * share(next_span_, raster_.spans().size());
+        case Phase::kPrepare:
+            return 0.7f + 0.1f * share(next_row_, map_->key.height);
         case Phase::kGutter:
-            return 0.7f + 0.1f * static_cast<float>(next_row_) / height;
-        case Phase::kPack:
-            return 0.8f + 0.2f * static_cast<float>(next_row_ * kTileSize) / (height + kTileSize);
+            return 0.8f + 0.2f * share(next_row_, map_->tile_rows() + 1);
         case Phase::kDone:
             break;
     }
     return 1.0f;
 }
 
-// ---- Raster -----------------------------------------------------------------------------------------------------------
+// ---- Sorting spans into tiles -----------------------------------------------------------------------------------------
 
-TxcStatus MapBaker::raster(std::int64_t& work) {
-    while (work > 0) {
-        while (rows_.first < rows_.last && work > 0) {
-            const std::int64_t row = rows_.first++;
-            if (const TxcStatus status = raster_row(row, work); status != TXC_STATUS_OK) return status;
-        }
-        if (rows_.first < rows_.last) break;
-        if (next_triangle_ == material_.triangles.size()) break;
-        open_triangle(material_.triangles[next_triangle_++]);
-        work -= 16;
-    }
-    return TXC_STATUS_OK;
-}
-
-void MapBaker::open_triangle(std::uint32_t triangle) {
-    triangle_ = triangle;
-    rows_ = {0, 0};
-    for (const std::uint32_t vertex : mesh_.triangles[triangle].vertex) {
-        if (mesh_.vertex_has_uv[vertex] == 0) return;
-    }
-    texels_ = in_texels(mesh_, triangle, map_->key);
-    if (texels_.doubled_area() == 0.0) return;
-    rows_ = raster_rows(texels_);
-    open_frames_.clear();
-    overlaps_itself_ = extent(texels_.x) > map_->key.width || extent(texels_.y) > map_->key.height;
-    if (overlaps_itself_) claimed_.assign(owners_.size(), false);
-}
-
-TxcStatus MapBaker::raster_row(std::int64_t row, std::int64_t& work) {
-    const auto width = static_cast<std::int64_t>(map_->key.width);
-    const auto height = static_cast<std::int64_t>(map_->key.height);
-    const RowRange span = raster_span(texels_, row);
-    work -= 4 + std::max<std::int64_t>(span.last - span.first, 0);
-    const std::int64_t repeat_y = floor_divide(row, height);
-    for (std::int64_t x = span.first; x < span.last;) {
-        const std::int64_t repeat_x = floor_divide(x, width);
-        const std::int64_t wrapped = x - repeat_x * width;
-        const std::int64_t count = std::min(span.last - x, width - wrapped);
-        const TxcStatus status =
-            claim_span(static_cast<std::uint32_t>(row - repeat_y * height), static_cast<std::uint32_t>(wrapped),
-                       static_cast<std::uint32_t>(count), repeat_x, repeat_y);
-        if (status != TXC_STATUS_OK) return status;
-        x += count;
-    }
-    return TXC_STATUS_OK;
-}
-
-TxcStatus MapBaker::claim_span(std::uint32_t row, std::uint32_t first, std::uint32_t count, std::int64_t repeat_x,
-                               std::int64_t repeat_y) {
-    const std::size_t row_start = static_cast<std::size_t>(row) * map_->key.width;
-    std::uint32_t frame = kNobody;
-    if (!overlaps_itself_ && is_free(owners_.data() + row_start + first, count)) {
-        const TxcStatus status = frame_for(first, row, repeat_x, repeat_y, frame);
-        if (status != TXC_STATUS_OK) return status;
-        std::fill_n(owners_.begin() + static_cast<std::ptrdiff_t>(row_start + first), count, frame);
-        map_->covered_texels += count;
-        return TXC_STATUS_OK;
-    }
-    for (std::uint32_t x = first; x < first + count; ++x) {
-        const std::size_t texel = row_start + x;
-        if (overlaps_itself_) {
-            if (claimed_[texel]) continue;
-            claimed_[texel] = true;
-        }
-        if (owners_[texel] != kNobody) {
-            if (const TxcStatus status = count_overlap(x, row); status != TXC_STATUS_OK) return status;
-            continue;
-        }
-        if (frame == kNobody) {
-            if (const TxcStatus status = frame_for(x, row, repeat_x, repeat_y, frame); status != TXC_STATUS_OK)
-                return status;
-        }
-        owners_[texel] = frame;
-        ++map_->covered_texels;
-    }
-    return TXC_STATUS_OK;
-}
-
-TxcStatus MapBaker::count_overlap(std::uint32_t x, std::uint32_t y) {
+TxcStatus MapBaker::begin_sorting() {
     LocalSpaceMap& map = *map_;
-    if (map.overlap_tiles.empty()) map.overlap_tiles.resize(map.tile_of.size());
-    auto& claims = map.overlap_tiles[y / kTileSize * map.tile_columns() + x / kTileSize];
-    constexpr std::uint32_t kTileTexels = kTileSize * kTileSize;
-    if (claims == nullptr) {
-        if (const TxcStatus status = map.share.resize(map.share.bytes() + kTileTexels, "counting overlaps");
-            status != TXC_STATUS_OK)
-            return status;
-        claims = std::make_unique<std::uint8_t[]>(kTileTexels);
-        std::fill_n(claims.get(), kTileTexels, std::uint8_t{1});
+    run_ends_ = raster_.tile_run_counts();
+    std::uint64_t runs = 0;
+    for (std::uint32_t& end : run_ends_) {
+        const std::uint32_t count = end;
+        end = static_cast<std::uint32_t>(runs);
+        runs += count;
     }
-    std::uint8_t& claim = claims[y % kTileSize * kTileSize + x % kTileSize];
-    if (claim == 1) ++map.overlapping_texels;
-    if (claim < 255) ++claim;
-    return TXC_STATUS_OK;
-}
-
-TxcStatus MapBaker::frame_for(std::uint32_t x, std::uint32_t y, std::int64_t repeat_x, std::int64_t repeat_y,
-                              std::uint32_t& out_frame) {
-    for (auto open = open_frames_.rbegin(); open != open_frames_.rend(); ++open) {
-        if (open->repeat_x == repeat_x && open->repeat_y == repeat_y) {
-            out_frame = open->frame;
-            return TXC_STATUS_OK;
-        }
-    }
-    std::vector<TexelFrame>& frames = map_->frames;
-    if (frames.size() == frames.capacity()) {
-        const std::size_t larger = std::max<std::size_t>(1024, frames.size() + frames.size() / 2);
-        const std::uint64_t added = (larger - frames.size()) * sizeof(TexelFrame);
-        if (const TxcStatus status = map_->share.resize(map_->share.bytes() + added, "baking the map");
-            status != TXC_STATUS_OK)
-            return status;
-        frames.reserve(larger);
-    }
-    out_frame = static_cast<std::uint32_t>(frames.size());
-    frames.push_back(make_frame(x, y, repeat_x, repeat_y));
-    open_frames_.push_back({repeat_x, repeat_y, out_frame});
-    return TXC_STATUS_OK;
-}
-
-TexelFrame MapBaker::make_frame(std::uint32_t x, std::uint32_t y, std::int64_t repeat_x, std::int64_t repeat_y) const {
-    const Triangle& triangle = mesh_.triangles[triangle_];
-    const double area = texels_.doubled_area();
-    const double ab_x = texels_.x[1] - texels_.x[0];
-    const double ab_y = texels_.y[1] - texels_.y[0];
-    const double ac_x = texels_.x[2] - texels_.x[0];
-    const double ac_y = texels_.y[2] - texels_.y[0];
-    const double at_x = static_cast<double>(x) + 0.5 + static_cast<double>(repeat_x * map_->key.width) - texels_.x[0];
-    const double at_y = static_cast<double>(y) + 0.5 + static_cast<double>(repeat_y * map_->key.height) - texels_.y[0];
-    // Barycentric weights of the second and third corner, and how they change a texel to the right and a texel down.
-    const double b = (at_x * ac_y - at_y * ac_x) / area;
-    const double c = (ab_x * at_y - ab_y * at_x) / area;
-    const double b_dx = ac_y / area;
-    const double b_dy = -ac_x / area;
-    const double c_dx = -ab_y / area;
-    const double c_dy = ab_x / area;
-
-    const glm::dvec3 p0(mesh_.positions[triangle.vertex[0]]);
-    const glm::dvec3 p01 = glm::dvec3(mesh_.positions[triangle.vertex[1]]) - p0;
-    const glm::dvec3 p02 = glm::dvec3(mesh_.positions[triangle.vertex[2]]) - p0;
-    TexelFrame frame{};
-    frame.position = glm::vec3(p0 + p01 * b + p02 * c);
-    frame.position_dx = finite_or_zero(p01 * b_dx + p02 * c_dx);
-    frame.position_dy = finite_or_zero(p01 * b_dy + p02 * c_dy);
-    frame.x0 = static_cast<std::int32_t>(x);
-    frame.y0 = static_cast<std::int32_t>(y);
-    frame.triangle = triangle_;
-
-    const glm::dvec3 n0(mesh_.normals[triangle.vertex[0]]);
-    const glm::dvec3 n1(mesh_.normals[triangle.vertex[1]]);
-    const glm::dvec3 n2(mesh_.normals[triangle.vertex[2]]);
-    const glm::dvec3 n = n0 + (n1 - n0) * b + (n2 - n0) * c;
-    const glm::dvec3 zero(0.0);
-    if (n0 == zero || n1 == zero || n2 == zero || glm::dot(n, n) < 1e-12) {
-        frame.normal = mesh_.flat_normal(triangle);
-    } else {
-        frame.normal = glm::vec3(n);
-        frame.normal_dx = finite_or_zero((n1 - n0) * b_dx + (n2 - n0) * c_dx);
-        frame.normal_dy = finite_or_zero((n1 - n0) * b_dy + (n2 - n0) * c_dy);
-    }
-    return frame;
-}
-
-// ---- Gutter -----------------------------------------------------------------------------------------------------------
-
-void MapBaker::measure_row(std::uint32_t row) {
-    const std::uint32_t width = map_->key.width;
-    const std::uint32_t* owners = owners_.data() + static_cast<std::size_t>(row) * width;
-    std::int8_t* distances = row_distances_.data() + static_cast<std::size_t>(row) * width;
-    nearest_in_row(owners, kNobody, width, map_->key.gutter, distances);
-    std::uint8_t* near = near_tiles_.data() + static_cast<std::size_t>(row / kTileSize) * map_->tile_columns();
-    for (std::uint32_t column = 0; column < map_->tile_columns(); ++column) {
-        if (near[column] != 0) continue;
-        const std::uint32_t x_end = std::min((column + 1) * kTileSize, width);
-        for (std::uint32_t x = column * kTileSize; x < x_end && near[column] == 0; ++x) {
-            near[column] = distances[x] != kNoNeighbour ? 1 : 0;
-        }
-    }
-}
-
-bool MapBaker::may_have_texels(std::uint32_t row, std::uint32_t tile_column) const {
-    const std::uint32_t gutter = map_->key.gutter;
-    const std::uint32_t first = (row > gutter ? row - gutter : 0) / kTileSize;
-    const std::uint32_t last = std::min(row + gutter, map_->key.height - 1) / kTileSize;
-    for (std::uint32_t tile_row = first; tile_row <= last; ++tile_row) {
-        if (near_tiles_[static_cast<std::size_t>(tile_row) * map_->tile_columns() + tile_column] != 0) return true;
-    }
-    return false;
-}
-
-void MapBaker::find_gutter_row(std::uint32_t row) {
-    static constexpr std::int8_t kAllOwned[kTileSize] = {};
-    const MapKey& key = map_->key;
-    const std::uint32_t* owners = owners_.data() + static_cast<std::size_t>(row) * key.width;
-    const std::int8_t* distances = row_distances_.data() + static_cast<std::size_t>(row) * key.width;
-    for (std::uint32_t column = 0; column < map_->tile_columns(); ++column) {
-        const std::uint32_t x_begin = column * kTileSize;
-        const std::uint32_t x_end = std::min(x_begin + kTileSize, key.width);
-        if (x_end - x_begin == kTileSize && std::memcmp(distances + x_begin, kAllOwned, kTileSize) == 0) {
-            std::uint32_t changes = 0;
-            for (std::uint32_t x = x_begin + 1; x < x_end; ++x) changes += owners[x] != owners[x - 1] ? 1 : 0;
-            run_count_ += 1 + changes;
-            continue;
-        }
-        if (!may_have_texels(row, column)) continue;
-        std::uint32_t before = kNobody;
-        for (std::uint32_t x = x_begin; x < x_end; ++x) {
-            if (distances[x] != 0) extend_to(x, row);
-            if (owners[x] != kNobody && owners[x] != before) ++run_count_;
-            before = owners[x];
-        }
-    }
-}
-
-void MapBaker::extend_to(std::uint32_t x, std::uint32_t row) {
-    const MapKey& key = map_->key;
-    const NearestTexel nearest = nearest_owned(row_distances_, key.width, key.height, key.gutter, x, row);
-    if (!nearest.found) return;
-    // Rows above are marked already, but a covered texel's own entry never carries a mark.
-    const std::uint32_t owner =
-        owners_[static_cast<std::size_t>(nearest.y) * key.width + static_cast<std::size_t>(nearest.x)];
-    const TexelFrame& frame = map_->frames[owner];
-    const glm::vec3 there = frame.normal_at(nearest.x, nearest.y);
-    const glm::vec3 here = frame.normal_at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(row));
-    const float cosine = glm::dot(there, here);
-    const bool keeps_side = cosine > 0.0f && cosine * cosine >= 0.25f * glm::dot(there, there) * glm::dot(here, here);
-    owners_[static_cast<std::size_t>(row) * key.width + x] = owner | kGutterMark | (keeps_side ? 0u : kHoldNormalMark);
-    ++map_->gutter_texels;
-}
-
-// ---- Packing ----------------------------------------------------------------------------------------------------------
-
-TxcStatus MapBaker::begin_packing() {
-    LocalSpaceMap& map = *map_;
-    row_distances_ = {};
-    near_tiles_ = {};
-    map.frames.shrink_to_fit();
-    const std::uint64_t tiles = map.tile_of.size();
+    const std::uint64_t scratch = scratch_.bytes() + run_ends_.size() * (sizeof(std::uint32_t) + sizeof(TileBox));
+    if (const TxcStatus status = scratch_.resize(scratch, "baking the map"); status != TXC_STATUS_OK) return status;
     const std::uint64_t groups =
-        tiles / (TileTree::kGroupSize * TileTree::kGroupSize) + map.tile_columns() + map.tile_rows() + 1;
+        (map.tile_columns() / TileTree::kGroupSize + 1) * (map.tile_rows() / TileTree::kGroupSize + 1);
     const std::uint64_t bytes =
-        map.byte_count() + run_count_ * sizeof(TexelRun) + tiles * sizeof(MapTile) + groups * 32;
+        map.share.bytes() + runs * sizeof(TexelRun) + run_ends_.size() * sizeof(MapTile) + groups * 32;
     if (const TxcStatus status = map.share.resize(bytes, "baking the map"); status != TXC_STATUS_OK) return status;
-    map.runs.reserve(static_cast<std::size_t>(run_count_));
+    map.runs.resize(static_cast<std::size_t>(runs));
+    boxes_.assign(run_ends_.size(), TileBox{});
     return TXC_STATUS_OK;
 }
 
-void MapBaker::pack_tile_row(std::uint32_t tile_row) {
-    for (std::uint32_t column = 0; column < map_->tile_columns(); ++column) pack_tile(tile_row, column);
-}
-
-void MapBaker::pack_tile(std::uint32_t tile_row, std::uint32_t tile_column) {
-    LocalSpaceMap& map = *map_;
-    const std::uint32_t x_end = std::min(map.key.width - tile_column * kTileSize, kTileSize);
-    const std::uint32_t y_end = std::min(map.key.height - tile_row * kTileSize, kTileSize);
-    MapTile tile{};
-    tile.index = tile_row * map.tile_columns() + tile_column;
-    tile.first_run = static_cast<std::uint32_t>(map.runs.size());
-    glm::vec3 low(std::numeric_limits<float>::max());
-    glm::vec3 high(-std::numeric_limits<float>::max());
-    for (std::uint32_t y = 0; y < y_end; ++y) {
-        const std::uint32_t* owners = owners_.data() +
-                                      static_cast<std::size_t>(tile_row * kTileSize + y) * map.key.width +
-                                      tile_column * kTileSize;
-        for (std::uint32_t x = 0; x < x_end;) {
-            const std::uint32_t owner = owners[x];
-            std::uint32_t end = x + 1;
-            while (end < x_end && owners[end] == owner) ++end;
-            if (owner != kNobody) {
-                std::uint8_t flags = (owner & kGutterMark) != 0 ? kRunGutter : 0;
-                if ((owner & kHoldNormalMark) != 0) flags |= kRunHoldNormal;
-                map.runs.push_back({owner & kFrameMask, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
-                                    static_cast<std::uint8_t>(end - x), flags});
-                const TexelFrame& frame = map.frames[owner & kFrameMask];
-                const auto run_x =
-                    static_cast<float>(static_cast<std::int32_t>(tile_column * kTileSize + x) - frame.x0);
-                const auto run_y = static_cast<float>(static_cast<std::int32_t>(tile_row * kTileSize + y) - frame.y0);
-                const glm::vec3 first = frame.position + frame.position_dx * run_x + frame.position_dy * run_y;
-                const glm::vec3 last = first + frame.position_dx * static_cast<float>(end - x - 1);
-                // The footprints reach half a texel beyond the first and last centre, and above and below.
-                const glm::vec3 reach = (glm::abs(frame.position_dx) + glm::abs(frame.position_dy)) * 0.5f;
-                low = glm::min(low, glm::min(first, last) - reach);
-                high = glm::max(high, glm::max(first, last) + reach);
-            }
+void MapBaker::sort_spans(std::uint64_t count) {
+    const std::uint32_t columns = map_->tile_columns();
+    TexelRun* runs = map_->runs.data();
+    std::uint32_t* ends = run_ends_.data();
+    FrameBounds bounds;
+    next_span_ = raster_.spans().visit(next_span_, count, [&](const Span& span) {
+        const std::uint32_t last = span.x + span.length;
+        const auto row = static_cast<std::uint8_t>(span.y % kTileSize);
+        std::uint32_t tile = span.y / kTileSize * columns + span.x / kTileSize;
+        bounds.look_at(map_->frames, span.frame);
+        for (std::uint32_t x = span.x; x < last; ++tile) {
+            const std::uint32_t end = std::min(x / kTileSize * kTileSize + kTileSize, last);
+            TexelRun& run = runs[ends[tile]++];
+            run.frame = span.frame;
+            run.x = static_cast<std::uint8_t>(x % kTileSize);
+            run.y = row;
+            run.length = static_cast<std::uint8_t>(end - x);
+            run.flags = 0;
+            bounds.add_to(boxes_[tile], x, end, span.y);
             x = end;
         }
+    });
+}
+
+// ---- Gutter and bounds ------------------------------------------------------------------------------------------------
+
+void MapBaker::begin_gutter() {
+    const MapKey& key = map_->key;
+    raster_.release_spans();
+    gutter_ = std::make_unique<GutterSearch>(raster_.covered(), key.width, key.height, key.gutter);
+    owners_ = std::make_unique<TileOwners>(*map_, run_ends_);
+    gutter_bits_.resize(std::size_t{kTileSize} * raster_.covered().words());
+    gutter_owners_.resize(std::size_t{kTileSize} * key.width);
+    map_->tiles.reserve(run_ends_.size());
+}
+
+TxcStatus MapBaker::finish_tile_row(std::uint32_t tile_row) {
+    LocalSpaceMap& map = *map_;
+    const std::uint32_t rows = std::min(map.key.height - tile_row * kTileSize, kTileSize);
+    find_gutter(tile_row * kTileSize, rows);
+    for (std::uint32_t column = 0; column < map.tile_columns(); ++column) {
+        MapTile tile{};
+        tile.index = tile_row * map.tile_columns() + column;
+        tile.first_run = tile.index > 0 ? run_ends_[tile.index - 1] : 0;
+        tile.run_count = run_ends_[tile.index] - tile.first_run;
+        tile.first_gutter_run = static_cast<std::uint32_t>(map.gutter_runs.size());
+        if (const TxcStatus status = add_gutter_runs(tile_row, column, rows); status != TXC_STATUS_OK) return status;
+        tile.gutter_run_count = static_cast<std::uint32_t>(map.gutter_runs.size()) - tile.first_gutter_run;
+        if (tile.run_count + tile.gutter_run_count == 0) continue;
+        const TileBox& box = boxes_[tile.index];
+        tile.box = {{box.low[0], box.low[1], box.low[2]}, {box.high[0], box.high[1], box.high[2]}};
+        map.tile_of[tile.index] = static_cast<std::uint32_t>(map.tiles.size());
+        map.tiles.push_back(tile);
     }
-    tile.run_count = static_cast<std::uint32_t>(map.runs.size()) - tile.first_run;
-    if (tile.run_count == 0) return;
-    tile.box = {low, high};
-    map.tile_of[tile.index] = static_cast<std::uint32_t>(map.tiles.size());
-    map.tiles.push_back(tile);
+    return TXC_STATUS_OK;
+}
+
+void MapBaker::find_gutter(std::uint32_t first_row, std::uint32_t rows) {
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        const std::uint32_t y = first_row + row;
+        std::uint32_t* owners = gutter_owners_.data() + std::size_t{row} * map_->key.width;
+        gutter_->search_row(y, gutter_bits_.data() + std::size_t{row} * raster_.covered().words(),
+                            [&](std::uint32_t x, std::uint32_t nearest_x, std::uint32_t nearest_y) {
+                                owners[x] = extended_owner(x, y, nearest_x, nearest_y);
+                                ++map_->gutter_texels;
+                            });
+    }
+}
+
+/// The frame that a gutter texel takes from the nearest covered one, with kHoldNormalMark where its normal must not be
+/// continued.
+std::uint32_t MapBaker::extended_owner(std::uint32_t x, std::uint32_t y, std::uint32_t nearest_x,
+                                       std::uint32_t nearest_y) {
+    const std::uint32_t owner = owners_->owner(nearest_x, nearest_y);
+    const TexelFrame& frame = map_->frames[owner];
+    const glm::vec3 there = frame.normal_at(static_cast<std::int32_t>(nearest_x), static_cast<std::int32_t>(nearest_y));
+    const glm::vec3 here = frame.normal_at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
+    const float cosine = glm::dot(there, here);
+    const bool keeps_side = cosine > 0.0f && cosine * cosine >= 0.25f * glm::dot(there, there) * glm::dot(here, here);
+    return keeps_side ? owner : owner | kHoldNormalMark;
+}
+
+TxcStatus MapBaker::add_gutter_runs(std::uint32_t tile_row, std::uint32_t tile_column, std::uint32_t rows) {
+    constexpr std::uint32_t kTilesInWord = 64 / kTileSize;
+    const std::uint32_t tile_x = tile_column * kTileSize;
+    const std::uint32_t first_row = tile_row * kTileSize;
+    std::vector<TexelRun>& runs = map_->gutter_runs;
+    TileBox& box = boxes_[std::size_t{tile_row} * map_->tile_columns() + tile_column];
+    FrameBounds bounds;
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        const std::uint64_t word =
+            gutter_bits_[std::size_t{row} * raster_.covered().words() + tile_column / kTilesInWord];
+        auto bits = static_cast<std::uint32_t>(word >> (tile_column % kTilesInWord * kTileSize)) & 0xffffu;
+        if (bits == 0) continue;
+        if (const TxcStatus status = reserve_gutter_runs(kTileSize); status != TXC_STATUS_OK) return status;
+        const std::uint32_t* owners =
+            gutter_owners_.data() + std::size_t{row} * map_->key.width + tile_column * kTileSize;
+        while (bits != 0) {
+            const auto x = static_cast<std::uint32_t>(std::countr_zero(bits));
+            const std::uint32_t owner = owners[x];
+            std::uint32_t end = x;
+            while ((bits >> end & 1) != 0 && owners[end] == owner) bits ^= 1u << end++;
+            bounds.look_at(map_->frames, owner & ~kHoldNormalMark);
+            bounds.add_to(box, tile_x + x, tile_x + end, first_row + row);
+            const std::uint8_t flags = (owner & kHoldNormalMark) != 0 ? kRunGutter | kRunHoldNormal : kRunGutter;
+            runs.push_back({owner & ~kHoldNormalMark, static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(row),
+                            static_cast<std::uint8_t>(end - x), flags});
+        }
+    }
+    return TXC_STATUS_OK;
+}
+
+TxcStatus MapBaker::reserve_gutter_runs(std::size_t count) {
+    std::vector<TexelRun>& runs = map_->gutter_runs;
+    if (runs.capacity() - runs.size() >= count) return TXC_STATUS_OK;
+    const std::size_t larger = std::max<std::size_t>(1024, runs.capacity() + runs.capacity() / 2);
+    const std::uint64_t bytes = map_->share.bytes() + (larger - runs.capacity()) * sizeof(TexelRun);
+    if (const TxcStatus status = map_->share.resize(bytes, "baking the map"); status != TXC_STATUS_OK) return status;
+    runs.reserve(larger);
+    return TXC_STATUS_OK;
+}
+
+TxcStatus MapBaker::finish() {
+    LocalSpaceMap& map = *map_;
+    owners_.reset();
+    gutter_.reset();
+    gutter_bits_ = decltype(gutter_bits_)();
+    gutter_owners_ = decltype(gutter_owners_)();
+    run_ends_ = decltype(run_ends_)();
+    boxes_ = decltype(boxes_)();
+    scratch_.release();
+    map.tiles.shrink_to_fit();
+    map.gutter_runs.shrink_to_fit();
+    // Frames are as many as triangles; where most of those own no texel, the rest is given back.
+    if (map.frames.size() < map.frames.capacity() / 4 * 3) map.frames.shrink_to_fit();
+    map.tree.build(map);
+    return map.share.resize(map.byte_count(), "baking the map");
 }
 
 }  // namespace txc

@@ -1,15 +1,29 @@
-// The bake, in steps: rasterises a material's triangles in texture space, finds the gutter, and packs the result into a
-// local space map (spec section 2).
+// The bake, in steps: draws a material's triangles into texture space, sorts their spans into tiles, finds the gutter
+// and bounds the tiles; what is left is a local space map (spec section 2).
+//
+// Nothing here touches texels one by one but at the charts' borders. Rejected: an array of each texel's owner, filled by
+// the raster, searched for runs and scanned twice for the gutter; it took 3.3 times as long on 20,000 triangles at
+// 2048 x 2048 (2.2 times on 200,000), and 5 bytes a texel while at work.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
+#include "float4.h"
+#include "gutter.h"
 #include "local_space_map.h"
-#include "uv_raster.h"
+#include "span_raster.h"
+#include "tile_owners.h"
 
 namespace txc {
+
+/// Bounds of a tile's footprints in model space; the last lane is idle.
+struct TileBox {
+    Float4 low = splat(std::numeric_limits<float>::max());
+    Float4 high = splat(-std::numeric_limits<float>::max());
+};
 
 class MapBaker {
 public:
@@ -27,53 +41,32 @@ public:
     std::shared_ptr<LocalSpaceMap> take() { return std::move(map_); }
 
 private:
-    enum class Phase { kRaster, kRows, kGutter, kPack, kDone };
-
-    /// One repeat of the triangle under way, and its frame.
-    struct OpenFrame {
-        std::int64_t repeat_x;
-        std::int64_t repeat_y;
-        std::uint32_t frame;
-    };
+    enum class Phase { kRaster, kSort, kPrepare, kGutter, kDone };
 
     MapBaker(const Mesh& mesh, const MapKey& key, MemoryBudget& budget);
-    TxcStatus raster(std::int64_t& work);
-    void open_triangle(std::uint32_t triangle);
-    TxcStatus raster_row(std::int64_t row, std::int64_t& work);
-    TxcStatus claim_span(std::uint32_t row, std::uint32_t first, std::uint32_t count, std::int64_t repeat_x,
-                         std::int64_t repeat_y);
-    TxcStatus count_overlap(std::uint32_t x, std::uint32_t y);
-    TxcStatus frame_for(std::uint32_t x, std::uint32_t y, std::int64_t repeat_x, std::int64_t repeat_y,
-                        std::uint32_t& out_frame);
-    TexelFrame make_frame(std::uint32_t x, std::uint32_t y, std::int64_t repeat_x, std::int64_t repeat_y) const;
-    void measure_row(std::uint32_t row);
-    void find_gutter_row(std::uint32_t row);
-    bool may_have_texels(std::uint32_t row, std::uint32_t tile_column) const;
-    void extend_to(std::uint32_t x, std::uint32_t row);
-    TxcStatus begin_packing();
-    void pack_tile_row(std::uint32_t tile_row);
-    void pack_tile(std::uint32_t tile_row, std::uint32_t tile_column);
+    TxcStatus begin_sorting();
+    void sort_spans(std::uint64_t count);
+    void begin_gutter();
+    TxcStatus finish_tile_row(std::uint32_t tile_row);
+    void find_gutter(std::uint32_t first_row, std::uint32_t rows);
+    std::uint32_t extended_owner(std::uint32_t x, std::uint32_t y, std::uint32_t nearest_x, std::uint32_t nearest_y);
+    TxcStatus add_gutter_runs(std::uint32_t tile_row, std::uint32_t tile_column, std::uint32_t rows);
+    TxcStatus reserve_gutter_runs(std::size_t count);
+    TxcStatus finish();
 
-    const Mesh& mesh_;
-    const Material& material_;
     std::shared_ptr<LocalSpaceMap> map_;
     BudgetShare scratch_;
+    SpanRaster raster_;
     Phase phase_ = Phase::kRaster;
-
-    std::vector<std::uint32_t> owners_;       // per texel: a frame with the marks below, or kNobody
-    std::vector<std::int8_t> row_distances_;  // per texel: see gutter.h
-    std::size_t next_triangle_ = 0;           // in the material's list
-    std::vector<std::uint8_t> near_tiles_;    // per tile: some texel has an owned one in its row within the gutter
-    std::uint32_t next_row_ = 0;              // of the phase under way (tile row when packing)
-    std::uint64_t run_count_ = 0;
-
-    // The triangle under way.
-    std::uint32_t triangle_ = 0;
-    TexelTriangle texels_{};
-    RowRange rows_{0, 0};
-    bool overlaps_itself_ = false;  // spans more than one repeat of the texture
-    std::vector<bool> claimed_;     // per texel, for such a triangle: it counts once
-    std::vector<OpenFrame> open_frames_;
+    std::uint64_t next_span_ = 0;          // when sorting
+    std::vector<std::uint32_t> run_ends_;  // per tile: where its next run goes; once sorted, the end of its runs
+    std::vector<TileBox> boxes_;           // per tile
+    std::uint32_t next_row_ = 0;           // when preparing the gutter; of tiles, when finding it
+    std::unique_ptr<GutterSearch> gutter_;
+    // Of the tile row under way: which texels are gutter, and who owns those.
+    std::vector<std::uint64_t> gutter_bits_;
+    std::vector<std::uint32_t> gutter_owners_;
+    std::unique_ptr<TileOwners> owners_;
 };
 
 }  // namespace txc

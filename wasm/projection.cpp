@@ -37,11 +37,10 @@ public:
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
         std::uint32_t painted = 0;
-        for (std::uint32_t r = tile.first_run; r < tile.first_run + tile.run_count; ++r) {
-            const TexelRun& run = map_.runs[r];
+        map_.for_each_run_of(tile, [&](const TexelRun& run) {
             painted += paint_run(run, decal_frame(run.frame), tile_x + run.x, tile_y + run.y,
                                  texels + (run.y * kTileSize + run.x) * 4);
-        }
+        });
         return painted;
     }
 

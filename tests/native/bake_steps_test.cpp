@@ -60,8 +60,8 @@ TEST_CASE("A work limit bounds a step: no step of a large target runs away") {
     const TxcTarget target = session.open_target(1024, 1024);
     std::uint32_t steps = 0;
     while (txc_target_bake(session.id(), target, 64 * 1024, nullptr) == TXC_STATUS_PENDING) ++steps;
-    // Four passes over a million texels, 16 rows of tiles the coarsest grain.
-    CHECK(steps >= 40);
+    // Two passes over a million texels, a row of tiles the coarsest grain.
+    CHECK(steps >= 30);
 }
 
 TEST_CASE("A map is baked once for a material, size and gutter, and used again") {
@@ -159,7 +159,7 @@ TEST_CASE("A bake that does not fit the budget is refused before it begins, and 
     TestSession session(4);
     session.add(make_plane());
     const std::uint32_t before = session.stats().memory_used_kib;
-    const TxcTargetDef def = square(1024);
+    const TxcTargetDef def = square(4096);
     TxcTarget target = 0;
     CHECK(txc_target_create(session.id(), &def, &target) == TXC_STATUS_OUT_OF_BUDGET);
     CHECK(std::string(txc_error_detail()).find("baking the map needs") == 0);

@@ -24,9 +24,9 @@ public:
     explicit Claims(std::int64_t size) : size_(size), counts_(static_cast<std::size_t>(size * size)) {}
 
     void add(const TexelTriangle& triangle) {
-        const txc::RowRange rows = txc::raster_rows(triangle);
-        for (std::int64_t row = rows.first; row < rows.last; ++row) {
-            const txc::RowRange span = txc::raster_span(triangle, row);
+        const txc::TriangleRaster raster(triangle);
+        for (std::int32_t row = raster.rows().first; row < raster.rows().last; ++row) {
+            const txc::TexelRange span = raster.span(row);
             for (std::int64_t x = span.first; x < span.last; ++x) {
                 if (x < 0 || x >= size_ || row < 0 || row >= size_)
                     ++outside_;

@@ -1,0 +1,235 @@
+#include "span_raster.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace txc {
+namespace {
+
+// A triangle that repeats the texture more often than this is no skin to paint, and would take hours to draw.
+constexpr float kMaxRepeats = 256.0f;
+constexpr std::uint32_t kTileTexels = kTileSize * kTileSize;
+
+std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
+    const std::int64_t quotient = value / by;
+    return value % by < 0 ? quotient - 1 : quotient;
+}
+
+// Not std::fmin and fmax: they are calls in WebAssembly, for the sake of a NaN that no checked mesh has.
+template <typename T>
+T least(const T (&v)[3]) {
+    const T first = v[1] < v[0] ? v[1] : v[0];
+    return v[2] < first ? v[2] : first;
+}
+
+template <typename T>
+T greatest(const T (&v)[3]) {
+    const T first = v[1] > v[0] ? v[1] : v[0];
+    return v[2] > first ? v[2] : first;
+}
+
+}  // namespace
+
+SpanRaster::SpanRaster(const Mesh& mesh, LocalSpaceMap& map, BudgetShare& scratch)
+    : mesh_(mesh),
+      material_(mesh.materials[map.key.material]),
+      map_(map),
+      covered_(map.key.width, map.key.height),
+      spans_(scratch),
+      tile_run_counts_(static_cast<std::size_t>(map.tile_columns()) * map.tile_rows(), 0) {}
+
+TxcStatus SpanRaster::check(const Mesh& mesh, const MapKey& key) {
+    const Material& material = mesh.materials[key.material];
+    const glm::vec2 extent = material.uv_max - material.uv_min;
+    if (extent.x <= kMaxRepeats && extent.y <= kMaxRepeats) return TXC_STATUS_OK;
+    for (const std::uint32_t triangle : material.triangles) {
+        float u[3];
+        float v[3];
+        for (int corner = 0; corner < 3; ++corner) {
+            const glm::vec2 uv = mesh.uvs[mesh.triangles[triangle].vertex[corner]];
+            u[corner] = uv.x;
+            v[corner] = uv.y;
+        }
+        if (greatest(u) - least(u) > kMaxRepeats || greatest(v) - least(v) > kMaxRepeats) {
+            return fail(
+                TXC_STATUS_BAD_UVS,
+                "triangle %u of material %u repeats the texture more than %g times; unwrap the model to paint it",
+                triangle, key.material, static_cast<double>(kMaxRepeats));
+        }
+    }
+    return TXC_STATUS_OK;
+}
+
+std::uint64_t SpanRaster::byte_count(const MapKey& key) {
+    const std::uint64_t tiles =
+        std::uint64_t{(key.width + kTileSize - 1) / kTileSize} * ((key.height + kTileSize - 1) / kTileSize);
+    return CoverageBits::byte_count(key.width, key.height) + tiles * sizeof(std::uint32_t);
+}
+
+float SpanRaster::progress() const {
+    return static_cast<float>(next_triangle_) /
+           static_cast<float>(std::max<std::size_t>(material_.triangles.size(), 1));
+}
+
+TxcStatus SpanRaster::step(std::int64_t& work) {
+    while (work > 0) {
+        if (const TxcStatus status = wraps_ ? draw_wrapped_rows(work) : draw_rows(work); status != TXC_STATUS_OK)
+            return status;
+        if (done() || rows_.first < rows_.last) break;
+        open_triangle(material_.triangles[next_triangle_++]);
+        work -= 16;
+    }
+    return TXC_STATUS_OK;
+}
+
+void SpanRaster::open_triangle(std::uint32_t triangle) {
+    triangle_ = triangle;
+    rows_ = {0, 0};
+    const Triangle& corners = mesh_.triangles[triangle];
+    for (int corner = 0; corner < 3; ++corner) {
+        const std::uint32_t vertex = corners.vertex[corner];
+        if (mesh_.vertex_has_uv[vertex] == 0) return;
+        const glm::vec2 uv = mesh_.uvs[vertex];
+        texels_.x[corner] = static_cast<double>(uv.x) * map_.key.width;
+        texels_.y[corner] = static_cast<double>(uv.y) * map_.key.height;
+    }
+    if (texels_.doubled_area() == 0.0) return;
+    raster_ = TriangleRaster(texels_);
+    rows_ = raster_.rows();
+    open_frames_.clear();
+    const double left = least(texels_.x);
+    const double right = greatest(texels_.x);
+    const double top = least(texels_.y);
+    const double bottom = greatest(texels_.y);
+    wraps_ = left < 0.0 || top < 0.0 || right > map_.key.width || bottom > map_.key.height;
+    overlaps_itself_ = wraps_ && (right - left > map_.key.width || bottom - top > map_.key.height);
+    if (overlaps_itself_) claimed_ = CoverageBits(map_.key.width, map_.key.height);
+}
+
+TxcStatus SpanRaster::draw_rows(std::int64_t& work) {
+    const TriangleRaster raster = raster_;
+    while (rows_.first < rows_.last && work > 0) {
+        const std::int32_t row = rows_.first++;
+        const TexelRange span = raster.span(row);
+        work -= 4;
+        if (span.first >= span.last) continue;
+        work -= span.last - span.first;
+        const TxcStatus status = claim(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(span.first),
+                                       static_cast<std::uint32_t>(span.last - span.first), 0, 0);
+        if (status != TXC_STATUS_OK) return status;
+    }
+    return TXC_STATUS_OK;
+}
+
+TxcStatus SpanRaster::draw_wrapped_rows(std::int64_t& work) {
+    const auto width = static_cast<std::int64_t>(map_.key.width);
+    const auto height = static_cast<std::int64_t>(map_.key.height);
+    while (rows_.first < rows_.last && work > 0) {
+        const std::int32_t row = rows_.first++;
+        const TexelRange span = raster_.span(row);
+        work -= 4 + std::max(span.last - span.first, 0);
+        const std::int64_t repeat_y = floor_divide(row, height) * height;
+        for (std::int64_t x = span.first; x < span.last;) {
+            const std::int64_t repeat_x = floor_divide(x, width) * width;
+            const std::int64_t count = std::min(span.last - x, repeat_x + width - x);
+            const TxcStatus status =
+                claim(static_cast<std::uint32_t>(row - repeat_y), static_cast<std::uint32_t>(x - repeat_x),
+                      static_cast<std::uint32_t>(count), repeat_x, repeat_y);
+            if (status != TXC_STATUS_OK) return status;
+            x += count;
+        }
+    }
+    return TXC_STATUS_OK;
+}
+
+TxcStatus SpanRaster::claim(std::uint32_t row, std::uint32_t first, std::uint32_t count, std::int64_t repeat_x,
+                            std::int64_t repeat_y) {
+    if (!overlaps_itself_ && covered_.claim_span(first, row, count))
+        return keep_span(row, first, count, repeat_x, repeat_y);
+    return claim_free_texels(row, first, count, repeat_x, repeat_y);
+}
+
+TxcStatus SpanRaster::claim_free_texels(std::uint32_t row, std::uint32_t first, std::uint32_t count,
+                                        std::int64_t repeat_x, std::int64_t repeat_y) {
+    const std::uint32_t end = first + count;
+    for (std::uint32_t x = first; x < end;) {
+        const std::uint32_t start = x;
+        bool seen_before = false;
+        bool taken = false;
+        for (; x < end && !seen_before && !taken; ++x) {
+            seen_before = overlaps_itself_ && !claimed_.claim(x, row);
+            if (!seen_before) taken = !covered_.claim(x, row);
+        }
+        const std::uint32_t free = x - start - (seen_before || taken ? 1 : 0);
+        if (free > 0) {
+            if (const TxcStatus status = keep_span(row, start, free, repeat_x, repeat_y); status != TXC_STATUS_OK)
+                return status;
+        }
+        if (taken) {
+            if (const TxcStatus status = count_overlap(x - 1, row); status != TXC_STATUS_OK) return status;
+        }
+    }
+    return TXC_STATUS_OK;
+}
+
+TxcStatus SpanRaster::keep_span(std::uint32_t row, std::uint32_t first, std::uint32_t count, std::int64_t repeat_x,
+                                std::int64_t repeat_y) {
+    std::uint32_t frame = 0;
+    const RepeatedTexel at{static_cast<std::int32_t>(first), static_cast<std::int32_t>(row), repeat_x, repeat_y};
+    if (const TxcStatus status = frame_for(at, frame); status != TXC_STATUS_OK) return status;
+    map_.covered_texels += count;
+    std::uint32_t* run_counts = tile_run_counts_.data() + row / kTileSize * map_.tile_columns();
+    for (std::uint32_t column = first / kTileSize; column <= (first + count - 1) / kTileSize; ++column)
+        ++run_counts[column];
+    return spans_.add(frame, first, row, count);
+}
+
+TxcStatus SpanRaster::frame_for(const RepeatedTexel& at, std::uint32_t& out_frame) {
+    for (auto open = open_frames_.rbegin(); open != open_frames_.rend(); ++open) {
+        if (open->repeat_x == at.repeat_x && open->repeat_y == at.repeat_y) {
+            out_frame = open->frame;
+            return TXC_STATUS_OK;
+        }
+    }
+    std::vector<TexelFrame>& frames = map_.frames;
+    if (frames.size() == frames.capacity()) {
+        // One a triangle as a rule, and never more than texels.
+        const std::uint64_t texels = std::uint64_t{map_.key.width} * map_.key.height;
+        const std::uint64_t larger = frames.empty() ? std::min<std::uint64_t>(material_.triangles.size(), texels)
+                                                    : frames.size() + frames.size() / 2 + 16;
+        const std::uint64_t added = (larger - frames.size()) * sizeof(TexelFrame);
+        if (const TxcStatus status = map_.share.resize(map_.share.bytes() + added, "baking the map");
+            status != TXC_STATUS_OK)
+            return status;
+        frames.reserve(static_cast<std::size_t>(larger));
+    }
+    out_frame = static_cast<std::uint32_t>(frames.size());
+    make_texel_frame(mesh_, triangle_, texels_, at, frames.emplace_back());
+    open_frames_.push_back({at.repeat_x, at.repeat_y, out_frame});
+    return TXC_STATUS_OK;
+}
+
+TxcStatus SpanRaster::count_overlap(std::uint32_t x, std::uint32_t y) {
+    if (map_.overlap_tiles.empty()) {
+        const std::size_t tiles = map_.tile_of.size();
+        const std::uint64_t bytes = tiles * sizeof(map_.overlap_tiles[0]);
+        if (const TxcStatus status = map_.share.resize(map_.share.bytes() + bytes, "counting overlaps");
+            status != TXC_STATUS_OK)
+            return status;
+        map_.overlap_tiles.resize(tiles);
+    }
+    auto& claims = map_.overlap_tiles[y / kTileSize * map_.tile_columns() + x / kTileSize];
+    if (claims == nullptr) {
+        if (const TxcStatus status = map_.share.resize(map_.share.bytes() + kTileTexels, "counting overlaps");
+            status != TXC_STATUS_OK)
+            return status;
+        claims = std::make_unique<std::uint8_t[]>(kTileTexels);
+        std::fill_n(claims.get(), kTileTexels, std::uint8_t{1});
+    }
+    std::uint8_t& claim = claims[y % kTileSize * kTileSize + x % kTileSize];
+    if (claim == 1) ++map_.overlapping_texels;
+    if (claim < 255) ++claim;
+    return TXC_STATUS_OK;
+}
+
+}  // namespace txc
