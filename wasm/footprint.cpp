@@ -13,10 +13,39 @@ constexpr int kMaxSamples = 32;  // along one axis: grazing triangles stretch th
 // the samples are never denser than the reference's 8.
 constexpr float kFinestPixels = 8.5f;
 
-// How far one sample may be from the mean where a smooth stretch spares the others, in 8-bit steps.
-constexpr float kSmoothError = 0.3f;
+// How far one sample may be from the mean where a smooth stretch spares the others, in 8-bit steps: no further than the
+// rounding to bytes may go.
+constexpr float kSmoothError = 0.5f;
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
+
+/// Mean distance of a parallelogram's points from its centre along one axis, on which its sides have these lengths.
+float mean_distance(float side, float other_side) {
+    const float longer = std::max(std::fabs(side), std::fabs(other_side));
+    const float shorter = std::min(std::fabs(side), std::fabs(other_side));
+    return longer > 0.0f ? 0.25f * longer + shorter * shorter / (12.0f * longer) : 0.0f;
+}
+
+/// The same, where what lies beyond one pixel counts up to three times: so far away a second row of kinks comes in.
+float mean_bend(float side, float other_side) {
+    const float reach = 0.5f * (std::fabs(side) + std::fabs(other_side));
+    const float distance = mean_distance(side, other_side);
+    return reach > 1.0f ? distance * (1.0f + 2.0f * (reach - 1.0f) / reach) : distance;
+}
+
+/// The most that the mean over a footprint may be from the value at its centre, where no second difference of the level
+/// exceeds 1. Sides in pixels of the level.
+///
+/// A bilinear picture bends only where it crosses pixel centres, along either axis, and is twisted in between. In the worst
+/// alignment the footprint's centre lies on such a kink, and a point at the distance d from it is off by d / 2. The twist
+/// adds the product of the distances along both axes, whose mean the second moments bound. (Linear programming over all
+/// pictures, for 7500 footprints, found errors up to 0.999 of this and none beyond.)
+float largest_smooth_error(float across_x, float across_y, float down_x, float down_y) {
+    const float squares_x = across_x * across_x + down_x * down_x;
+    const float squares_y = across_y * across_y + down_y * down_y;
+    return 0.5f * (mean_bend(across_x, down_x) + mean_bend(across_y, down_y)) +
+           std::sqrt(squares_x * squares_y) / 12.0f;
+}
 
 // How dense the samples stand along an axis: so many a pixel, and half a one more. Over random and aligned decals on
 // checkers of 2 to 8 pixels, magnified and minified up to 8 times, the worst is 41.5 dB against 8 x 8 samples; with 1.6
@@ -73,14 +102,12 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     f.first_y = -0.5f * (f.across_step_y * static_cast<float>(f.across_samples - 1) +
                          f.down_step_y * static_cast<float>(f.down_samples - 1)) -
                 0.5f;
-    // Over a footprint with sides a and b the mean of a picture with second differences up to r is within
-    // (a^2 + b^2) r / 12 of the value at the centre (second moments of the parallelogram, mixed differences included).
-    const float squares = (across * across + down * down) / (pixel * pixel);
     const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
     const bool is_known = reach <= static_cast<float>(kRoughnessReaches);
+    const float error =
+        largest_smooth_error(across_x * on.scale_x, across_y * on.scale_y, down_x * on.scale_x, down_y * on.scale_y);
     f.smooth_reach = reach <= 1.0f ? 1 : 2;
-    f.smooth_limit =
-        is_known ? static_cast<std::int32_t>(std::min(255.0f, kSmoothError * 12.0f / std::max(squares, 1e-6f))) : -1;
+    f.smooth_limit = is_known ? static_cast<std::int32_t>(std::min(255.0f, kSmoothError / std::max(error, 1e-6f))) : -1;
     // All four pixels of every sample must exist, half a pixel of the level around it, and a little for rounding.
     f.inset_x = f.reach_x + 0.51f / on.scale_x;
     f.inset_y = f.reach_y + 0.51f / on.scale_y;

@@ -1,0 +1,127 @@
+// Where one sample stands for a footprint's mean, it is within half an 8-bit step of it (footprint.h).
+#include "footprint.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/picture.h"
+#include "support/shapes.h"
+
+using namespace support;
+
+namespace {
+
+constexpr std::uint32_t kSize = 12;
+
+/// Opaque pictures that one sample may stand for here and there. `kind` 0: a roof with its ridges on pixel centres, the
+/// worst there is; 1: a curved and twisted surface; 2: faint noise; 3: a curved surface with specks.
+Picture make_smooth(int kind, Random& random) {
+    Picture picture(kSize, kSize);
+    const double bend_x = random.between(-2.5, 2.5);
+    const double bend_y = random.between(-2.5, 2.5);
+    const double twist = random.between(-2.0, 2.0);
+    const std::uint32_t noise = 1 + random.below(6);
+    for (std::uint32_t y = 0; y < kSize; ++y) {
+        for (std::uint32_t x = 0; x < kSize; ++x) {
+            const double dx = x - kSize / 2.0;
+            const double dy = y - kSize / 2.0;
+            double value = 128.0;
+            if (kind == 0) value += std::round(2 * bend_x) * std::fabs(dx) + std::round(2 * bend_y) * std::fabs(dy);
+            if (kind == 1 || kind == 3) value += 0.5 * (bend_x * dx * dx + bend_y * dy * dy) + twist * dx * dy;
+            if (kind == 2) value += random.below(noise + 1);
+            if (kind == 3 && random.below(30) == 0) value = 255.0;
+            const auto byte = static_cast<std::uint8_t>(std::fmin(std::fmax(value, 0.0), 255.0));
+            picture.set(x, y, {byte, byte, byte, 255});
+        }
+    }
+    return picture;
+}
+
+/// The mean of red over the footprint by 24 x 24 samples, 0 to 255.
+double dense_mean(const txc::PyramidLevel& level, const txc::Footprint& f, float x, float y) {
+    constexpr int kSamples = 24;
+    double sum = 0.0;
+    for (int j = 0; j < kSamples; ++j) {
+        for (int i = 0; i < kSamples; ++i) {
+            const float u = (static_cast<float>(i) + 0.5f) / kSamples - 0.5f;
+            const float v = (static_cast<float>(j) + 0.5f) / kSamples - 0.5f;
+            const float sample_x = x + f.across_x * u + f.down_x * v;
+            const float sample_y = y + f.across_y * u + f.down_y * v;
+            sum += static_cast<double>(txc::sample_bilinear(level, sample_x, sample_y, false)[0]);
+        }
+    }
+    return sum / (kSamples * kSamples) / 255.0;
+}
+
+}  // namespace
+
+TEST_CASE("One sample stands for a footprint only where it is within half a step of the mean") {
+    Random random(46);
+    std::uint32_t spared[4] = {0, 0, 0, 0};
+    double worst = 0.0;
+    for (int round = 0; round < 1200; ++round) {
+        const int kind = round % 4;
+        const Picture picture = make_smooth(kind, random);
+        txc::MemoryBudget budget(1u << 20);
+        txc::ImagePyramid image(budget);
+        REQUIRE(image.build(kSize, kSize, picture.rgba.data()) == TXC_STATUS_OK);
+        for (int attempt = 0; attempt < 12; ++attempt) {
+            const double across = std::pow(10.0, random.between(-0.7, 0.6));
+            const double down = across * random.between(0.1, 1.0);
+            const double turned = random.below(3) * kPi / 4;
+            const double corner = random.between(0.3, 1.0) * kPi / 2;
+            const txc::Footprint f = txc::make_footprint(image, static_cast<float>(across * std::cos(turned)),
+                                                         static_cast<float>(across * std::sin(turned)),
+                                                         static_cast<float>(down * std::cos(turned + corner)),
+                                                         static_cast<float>(down * std::sin(turned + corner)), false);
+            // Half of them stand on a pixel's centre, where a kink counts most.
+            const bool centred = random.coin();
+            const double middle = kSize / 2 + 0.5;
+            const auto x = static_cast<float>(centred ? middle : random.between(f.inset_x, kSize - f.inset_x));
+            const auto y = static_cast<float>(centred ? middle : random.between(f.inset_y, kSize - f.inset_y));
+            const txc::PyramidLevel& level = image.levels[0];
+            // Footprints so small that they never take more than one sample are another matter.
+            if (f.level != 0 || f.across_samples * f.down_samples == 1) continue;
+            if (level.roughness_at(x, y, f.smooth_reach) > f.smooth_limit) continue;
+            const double one = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / 255.0;
+            worst = std::fmax(worst, std::fabs(one - dense_mean(level, f, x, y)));
+            ++spared[kind];
+        }
+    }
+    CHECK(worst <= 0.5);
+    // The claim is not empty, and the limit is not stricter than it need be.
+    CHECK(worst >= 0.4);
+    for (const std::uint32_t count : spared) CHECK(count > 200);
+}
+
+TEST_CASE("A footprint that a speck touches takes all its samples, and one well clear of it a single one") {
+    Picture picture(32, 32, {100, 100, 100, 255});
+    constexpr float kSpeck = 16.5f;
+    picture.set(16, 16, {255, 100, 100, 255});
+    txc::MemoryBudget budget(1u << 20);
+    txc::ImagePyramid image(budget);
+    REQUIRE(image.build(32, 32, picture.rgba.data()) == TXC_STATUS_OK);
+    // Two that reach nearly as far as the roughness knows, and one that reaches further.
+    for (const float width : {1.9f, 3.9f, 6.0f}) {
+        const txc::Footprint f = txc::make_footprint(image, width, 0.0f, 0.0f, width, false);
+        REQUIRE(f.level == 0);
+        std::uint32_t lost = 0;
+        std::uint32_t clear_but_not_spared = 0;
+        // Sixteenths of a pixel, so that every place in a pixel is tried.
+        for (int row = 8 * 16; row < 25 * 16; ++row) {
+            for (int column = 8 * 16; column < 25 * 16; ++column) {
+                const float x = static_cast<float>(column) / 16.0f;
+                const float y = static_cast<float>(row) / 16.0f;
+                const float away = std::fmax(std::fabs(x - kSpeck), std::fabs(y - kSpeck));
+                const bool spared = image.levels[0].roughness_at(x, y, f.smooth_reach) <= f.smooth_limit;
+                // The speck's bilinear ramp is a pixel wide on either side.
+                lost += spared && away < width / 2 + 1 ? 1 : 0;
+                clear_but_not_spared += !spared && away > width / 2 + 2 ? 1 : 0;
+            }
+        }
+        CAPTURE(width);
+        CHECK(lost == 0);
+        if (width < 4.0f) CHECK(clear_but_not_spared == 0);
+    }
+}
