@@ -97,6 +97,14 @@ void Mesh::summarise() {
         material.uv_min = first_with_uv ? low : glm::min(material.uv_min, low);
         material.uv_max = first_with_uv ? high : glm::max(material.uv_max, high);
     }
+    // The budget counts what the arrays hold, not the room that they grew into.
+    positions.shrink_to_fit();
+    normals.shrink_to_fit();
+    uvs.shrink_to_fit();
+    vertex_has_uv.shrink_to_fit();
+    triangles.shrink_to_fit();
+    triangle_materials.shrink_to_fit();
+    for (Material& material : materials) material.triangles.shrink_to_fit();
 }
 
 TxcStatus Material::paint_status(std::uint32_t index) const {
