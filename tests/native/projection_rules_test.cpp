@@ -320,16 +320,3 @@ TEST_CASE("Colour under a picture's transparent pixels does not leak at its soft
     }
     CHECK(easel.paint(decal_def(easel.session.image(picture))) == Picture(64, 64, {255, 255, 255, 255}));
 }
-
-TEST_CASE("A decal far from the model, or the model far from the origin, keeps its place") {
-    Easel easel(moved(make_plane(), 1000, 2000, -500), 64);
-    TxcLayerDef def = easel.solid();
-    place(def, 1000, 2000, -500);
-    resize(def, 0.5, 0.5, 0.01);
-    const Picture picture = easel.paint(def);
-    CHECK(picture.at(32, 32) == kPaint);
-    CHECK(picture.at(18, 32) == kPaint);
-    CHECK(picture.at(12, 32) == kBase);
-    place(def, 0, 0, 0);
-    CHECK(easel.paint(def) == Picture(64, 64, kBase));
-}

@@ -1,0 +1,104 @@
+// A decal's picture and its coarser levels, premultiplied (spec section 5).
+#include "image_pyramid.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "support/picture.h"
+
+using namespace support;
+
+namespace {
+
+struct Built {
+    txc::MemoryBudget budget{1u << 28};
+    txc::ImagePyramid image{budget};
+    explicit Built(const Picture& picture) {
+        REQUIRE(image.build(picture.width, picture.height, picture.rgba.data()) == TXC_STATUS_OK);
+    }
+    double mean_alpha(std::size_t level) const {
+        const txc::PyramidLevel& on = image.levels[level];
+        double sum = 0.0;
+        for (std::size_t i = 3; i < on.rgba.size(); i += 4) sum += on.rgba[i];
+        return sum / (static_cast<double>(on.width) * on.height);
+    }
+    /// Premultiplied, on 0 to 255.
+    double at(float x, float y, bool repeat, int channel) const {
+        const txc::Float4 color = txc::sample_bilinear(image.levels[0], x, y, repeat);
+        return static_cast<double>(color[channel]) * 255.0 / static_cast<double>(txc::kFullScale);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("The finest level holds colour times alpha exactly") {
+    const Picture picture = make_noise(9, 7, 150);
+    const Built built(picture);
+    for (std::uint32_t y = 0; y < 7; ++y) {
+        for (std::uint32_t x = 0; x < 9; ++x) {
+            const Color color = picture.at(x, y);
+            const std::uint16_t* pixel = built.image.levels[0].pixel(x, y);
+            CHECK_UNARY(pixel[0] == color.red * color.alpha);
+            CHECK_UNARY(pixel[2] == color.blue * color.alpha);
+            CHECK_UNARY(pixel[3] == color.alpha * 255);
+        }
+    }
+}
+
+TEST_CASE("Levels halve down to one pixel, odd sizes rounded down") {
+    const Built built(make_noise(21, 6, 151));
+    const std::uint32_t sizes[][2] = {{21, 6}, {10, 3}, {5, 1}, {2, 1}, {1, 1}};
+    REQUIRE(built.image.levels.size() == 5);
+    for (std::size_t level = 0; level < 5; ++level) {
+        CHECK(built.image.levels[level].width == sizes[level][0]);
+        CHECK(built.image.levels[level].height == sizes[level][1]);
+    }
+    CHECK(Built(make_noise(1, 1, 152)).image.levels.size() == 1);
+}
+
+TEST_CASE("A coarser level's pixel is the mean of the area that it stands for, at odd sizes too") {
+    // Five pixels make two: each stands for two and a half.
+    Picture row(5, 1, {0, 0, 0, 255});
+    for (std::uint32_t x = 0; x < 5; ++x) row.set(x, 0, {static_cast<std::uint8_t>(10 + 40 * x * x / 4), 0, 0, 255});
+    const Built built(row);
+    const double red[5] = {10, 20, 50, 100, 170};
+    REQUIRE(row.at(4, 0).red == 170);
+    const txc::PyramidLevel& half = built.image.levels[1];
+    CHECK(half.pixel(0, 0)[0] == doctest::Approx(255 * (red[0] + red[1] + red[2] / 2) / 2.5).epsilon(1e-4));
+    CHECK(half.pixel(1, 0)[0] == doctest::Approx(255 * (red[2] / 2 + red[3] + red[4]) / 2.5).epsilon(1e-4));
+    // So no level is lighter or darker than another.
+    for (const std::uint32_t width : {16u, 15u, 13u, 3u}) {
+        CAPTURE(width);
+        const Built noise(make_noise(width, 11, 153));
+        for (std::size_t level = 1; level < noise.image.levels.size(); ++level)
+            CHECK(std::fabs(noise.mean_alpha(level) - noise.mean_alpha(level - 1)) < 1.0);
+    }
+}
+
+TEST_CASE("A bilinear sample at a pixel's centre is that pixel, half way it is the mean") {
+    Picture picture(2, 1, {100, 0, 0, 255});
+    picture.set(1, 0, {200, 0, 0, 255});
+    const Built built(picture);
+    CHECK(built.at(0.5f, 0.5f, false, 0) == doctest::Approx(100).epsilon(1e-6));
+    CHECK(built.at(1.5f, 0.5f, false, 0) == doctest::Approx(200).epsilon(1e-6));
+    CHECK(built.at(1.0f, 0.5f, false, 0) == doctest::Approx(150).epsilon(1e-6));
+}
+
+TEST_CASE("Beyond the border all is transparent, or the picture again") {
+    const Built built(Picture(3, 2, {255, 255, 255, 255}));
+    CHECK(built.at(0.0f, 1.0f, false, 3) == doctest::Approx(127.5).epsilon(1e-6));
+    CHECK(built.at(-0.5f, 1.0f, false, 3) == 0.0);
+    CHECK(built.at(3.5f, 1.0f, false, 3) == 0.0);
+    CHECK(built.at(1.5f, -7.0f, false, 3) == 0.0);
+    for (const float x : {-100.25f, -0.5f, 0.0f, 3.0f, 57.75f})
+        CHECK(built.at(x, 0.1f, true, 3) == doctest::Approx(255));
+}
+
+TEST_CASE("A picture that does not fit the budget is refused") {
+    txc::MemoryBudget budget(1000);
+    txc::ImagePyramid image(budget);
+    const Picture picture(64, 64);
+    CHECK(image.build(64, 64, picture.rgba.data()) == TXC_STATUS_OUT_OF_BUDGET);
+    CHECK(budget.used() == 0);
+}
