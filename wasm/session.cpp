@@ -170,7 +170,8 @@ std::shared_ptr<LocalSpaceMap> Session::cached_map(const MapKey& key) const {
     return nullptr;
 }
 
-void Session::drop_unused_maps(std::size_t keep) {
+bool Session::drop_unused_maps(std::size_t keep) {
+    const std::size_t held = maps_.size();
     std::size_t unused = 0;
     for (const auto& map : maps_) unused += map.use_count() == 1 ? 1 : 0;
     for (auto map = maps_.begin(); map != maps_.end() && unused > keep;) {
@@ -181,6 +182,7 @@ void Session::drop_unused_maps(std::size_t keep) {
             ++map;
         }
     }
+    return maps_.size() < held;
 }
 
 TxcStatus Session::bake(TxcTarget id, std::uint32_t work_limit, float& out_progress) {
@@ -203,7 +205,11 @@ TxcStatus Session::bake(TxcTarget id, std::uint32_t work_limit, float& out_progr
     if (status != TXC_STATUS_OK) {
         // It stopped in mid-row, with texels left out: the next call begins anew.
         target->baker.reset();
-        return status;
+        if (status != TXC_STATUS_OUT_OF_BUDGET || !drop_unused_maps(0)) return status;
+        // What took its room was kept only in case that it is asked for again.
+        out_progress = 0.0f;
+        const TxcStatus again = begin_map(*target);
+        return again == TXC_STATUS_OK ? TXC_STATUS_PENDING : again;
     }
     target->map = target->baker->take();
     target->baker.reset();

@@ -50,7 +50,8 @@ public:
 private:
     TxcStatus begin_map(Target& target);
     std::shared_ptr<LocalSpaceMap> cached_map(const MapKey& key) const;
-    void drop_unused_maps(std::size_t keep);
+    /// Drops the oldest of the maps that no target uses, but for `keep`; false where there was none to drop.
+    bool drop_unused_maps(std::size_t keep);
     void forget_model();
     TxcStatus check_image(TxcImage id) const;
     TxcStatus check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings) const;
