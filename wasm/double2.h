@@ -19,10 +19,10 @@ inline Double2 splat2(double value) { return Double2{value, value}; }
 
 #if defined(__wasm_simd128__)
 inline Double2 ceil2(Double2 v) { return reinterpret_cast<Double2>(wasm_f64x2_ceil(reinterpret_cast<v128_t>(v))); }
-inline bool any_of(Long2 mask) { return wasm_v128_any_true(reinterpret_cast<v128_t>(mask)); }
+inline bool any_lane2(Long2 mask) { return wasm_v128_any_true(reinterpret_cast<v128_t>(mask)); }
 #else
 inline Double2 ceil2(Double2 v) { return Double2{std::ceil(v[0]), std::ceil(v[1])}; }
-inline bool any_of(Long2 mask) { return (mask[0] | mask[1]) != 0; }
+inline bool any_lane2(Long2 mask) { return (mask[0] | mask[1]) != 0; }
 #endif
 
 /// Whole numbers below 2^31 either way as integers: with 1.5 * 2^52 added they stand in the doubles' lowest bits, which

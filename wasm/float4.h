@@ -33,6 +33,12 @@ inline Float4 greater(Float4 a, Float4 b) {
 inline Float4 lesser(Float4 a, Float4 b) { return b < a ? b : a; }
 inline Float4 greater(Float4 a, Float4 b) { return a < b ? b : a; }
 #endif
+#if defined(__wasm_simd128__)
+inline bool any_lane(Int4 mask) { return wasm_v128_any_true(reinterpret_cast<v128_t>(mask)); }
+#else
+inline bool any_lane(Int4 mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+#endif
+
 inline Float4 absolute(Float4 a) { return greater(a, -a); }
 
 #if defined(__wasm_simd128__)
@@ -72,6 +78,17 @@ inline void store_rounded_ushort4(std::uint16_t* to, Float4 values) {
 #else
     const UShort4 narrow = __builtin_convertvector(rounded, UShort4);
     std::memcpy(to, &narrow, sizeof narrow);
+#endif
+}
+
+/// Stores lanes of 0 to 65535; what lies outside is clamped.
+inline void store_ushort4(std::uint16_t* to, Int4 values) {
+#if defined(__wasm_simd128__)
+    const v128_t wide = reinterpret_cast<v128_t>(values);
+    wasm_v128_store64_lane(to, wasm_u16x8_narrow_i32x4(wide, wide), 0);
+#else
+    for (int c = 0; c < 4; ++c)
+        to[c] = static_cast<std::uint16_t>(values[c] < 0 ? 0 : values[c] > 65535 ? 65535 : values[c]);
 #endif
 }
 

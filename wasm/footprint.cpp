@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bilinear.h"
+
 namespace txc {
 namespace {
 
@@ -65,6 +67,15 @@ int sample_count(float pixels) {
 // instead of 34 in the worst alignment of a 5-pixel checker).
 float spacing(std::int32_t samples) { return samples == 2 ? 0.55f : 1.0f / static_cast<float>(samples); }
 
+/// How four samples at a time go over the lattice: of short rows, several at once.
+struct LatticeGroup {
+    std::int32_t columns;
+    std::int32_t rows;
+};
+LatticeGroup lattice_group(std::int32_t across_samples) {
+    return across_samples == 1 ? LatticeGroup{1, 4} : across_samples == 2 ? LatticeGroup{2, 2} : LatticeGroup{4, 1};
+}
+
 }  // namespace
 
 Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
@@ -96,12 +107,13 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     f.across_step_y = across_y * on.scale_y * spacing(f.across_samples);
     f.down_step_x = down_x * on.scale_x * spacing(f.down_samples);
     f.down_step_y = down_y * on.scale_y * spacing(f.down_samples);
-    f.first_x = -0.5f * (f.across_step_x * static_cast<float>(f.across_samples - 1) +
-                         f.down_step_x * static_cast<float>(f.down_samples - 1)) -
-                0.5f;
-    f.first_y = -0.5f * (f.across_step_y * static_cast<float>(f.across_samples - 1) +
-                         f.down_step_y * static_cast<float>(f.down_samples - 1)) -
-                0.5f;
+    const LatticeGroup group = lattice_group(f.across_samples);
+    for (std::int32_t lane = 0; lane < 4; ++lane) {
+        const float i = static_cast<float>(lane % group.columns) - 0.5f * static_cast<float>(f.across_samples - 1);
+        const float j = static_cast<float>(lane / group.columns) - 0.5f * static_cast<float>(f.down_samples - 1);
+        f.lattice_x[lane] = i * f.across_step_x + j * f.down_step_x;
+        f.lattice_y[lane] = i * f.across_step_y + j * f.down_step_y;
+    }
     const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
     const bool is_known = reach <= static_cast<float>(kRoughnessReaches);
     const float error =
@@ -122,29 +134,35 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     return f;
 }
 
+Float4 sample_lattice(const PyramidLevel& level, const Footprint& f, float x, float y) {
+    const LatticeGroup group = lattice_group(f.across_samples);
+    const auto width = static_cast<std::int32_t>(level.width);
+    Int4 sum{};
+    for (std::int32_t j = 0; j < f.down_samples; j += group.rows) {
+        for (std::int32_t i = 0; i < f.across_samples; i += group.columns) {
+            const float at_x = x + static_cast<float>(i) * f.across_step_x + static_cast<float>(j) * f.down_step_x;
+            const float at_y = y + static_cast<float>(i) * f.across_step_y + static_cast<float>(j) * f.down_step_y;
+            const std::int32_t count =
+                std::min(group.columns, f.across_samples - i) * std::min(group.rows, f.down_samples - j);
+            sum +=
+                sum_samples(level, place_samples(splat(at_x) + f.lattice_x, splat(at_y) + f.lattice_y, width), count);
+        }
+    }
+    return __builtin_convertvector(sum, Float4) * splat(1.0f / static_cast<float>(f.across_samples * f.down_samples)) +
+           splat(static_cast<float>(kChannelBias));
+}
+
 Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, float y) {
     const PyramidLevel& level = image.levels[f.level];
-    const float centre_x = x * level.scale_x;
-    const float centre_y = y * level.scale_y;
-    if (f.across_samples * f.down_samples == 1 ||
-        level.roughness_at(centre_x, centre_y, f.smooth_reach) <= f.smooth_limit) {
-        return sample_bilinear_inside(level, centre_x - 0.5f, centre_y - 0.5f);
+    const float level_x = x * level.scale_x;
+    const float level_y = y * level.scale_y;
+    if (f.across_samples * f.down_samples > 1 &&
+        level.roughness_at(level_x, level_y, f.smooth_reach) > f.smooth_limit) {
+        return sample_lattice(level, f, level_x - 0.5f, level_y - 0.5f);
     }
-    float row_x = centre_x + f.first_x;
-    float row_y = centre_y + f.first_y;
-    Float4 sum = splat(0.0f);
-    for (std::int32_t j = 0; j < f.down_samples; ++j) {
-        float sample_x = row_x;
-        float sample_y = row_y;
-        for (std::int32_t i = 0; i < f.across_samples; ++i) {
-            sum += sample_bilinear_inside(level, sample_x, sample_y);
-            sample_x += f.across_step_x;
-            sample_y += f.across_step_y;
-        }
-        row_x += f.down_step_x;
-        row_y += f.down_step_y;
-    }
-    return sum * splat(1.0f / static_cast<float>(f.across_samples * f.down_samples));
+    const SamplePlaces place =
+        place_samples(splat(level_x - 0.5f), splat(level_y - 0.5f), static_cast<std::int32_t>(level.width));
+    return __builtin_convertvector(sum_samples(level, place, 1), Float4) + splat(static_cast<float>(kChannelBias));
 }
 
 Float4 sample_edge(const ImagePyramid& image, const Footprint& f, float x, float y, bool repeat) {

@@ -16,7 +16,7 @@ struct Footprint {
     std::uint32_t level;
     std::int32_t across_samples;
     std::int32_t down_samples;
-    float first_x, first_y;  // from the footprint's centre to the first sample's pixel corner
+    Float4 lattice_x, lattice_y;  // from the centre to four neighbouring samples: as many of a row as it has, then down
     float across_step_x, across_step_y;
     float down_step_x, down_step_y;
     std::int32_t smooth_reach;  // how far the footprint reaches, whole pixels of the level, 1 or 2
@@ -31,6 +31,9 @@ struct Footprint {
 
 Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
                          bool repeat);
+
+/// Mean colour by the footprint's lattice of samples alone. `x`, `y`: in pixels of its level, less 1/2.
+Float4 sample_lattice(const PyramidLevel& level, const Footprint& footprint, float x, float y);
 
 /// Mean colour over the footprint centred on (x, y), which lies well inside the picture (inset_x, inset_y).
 Float4 sample_inside(const ImagePyramid& image, const Footprint& footprint, float x, float y);

@@ -66,9 +66,9 @@ std::int32_t largest_second_difference(const PyramidLevel& level, std::uint32_t 
     return largest;
 }
 
-/// The larger of each value and its two neighbours, `stride` apart, along lines of `count`.
+/// The largest of each value, the one after it, and with `before` the one before it, `stride` apart, along lines.
 void spread(std::vector<std::uint8_t>& values, std::uint32_t lines, std::size_t line_stride, std::uint32_t count,
-            std::size_t stride) {
+            std::size_t stride, bool with_before) {
     for (std::uint32_t line = 0; line < lines; ++line) {
         std::uint8_t* at = values.data() + line * line_stride;
         std::uint8_t before = 0;
@@ -76,7 +76,7 @@ void spread(std::vector<std::uint8_t>& values, std::uint32_t lines, std::size_t 
             const std::uint8_t own = *at;
             const std::uint8_t after = i + 1 < count ? at[stride] : std::uint8_t{0};
             *at = std::max(own, std::max(before, after));
-            before = own;
+            if (with_before) before = own;
         }
     }
 }
@@ -90,10 +90,11 @@ void measure_roughness(PyramidLevel& level) {
             values[static_cast<std::size_t>(y) * level.width + x] = static_cast<std::uint8_t>(std::min(steps, 255));
         }
     }
-    for (std::vector<std::uint8_t>& roughness : level.roughness) {
-        spread(values, level.height, level.width, level.width, 1);
-        spread(values, level.width, 1, level.height, level.width);
-        roughness = values;
+    // A centre between two pixels' feels both up to a distance of 1, and one more on either side up to 2.
+    for (int reach = 0; reach < kRoughnessReaches; ++reach) {
+        spread(values, level.height, level.width, level.width, 1, reach > 0);
+        spread(values, level.width, 1, level.height, level.width, reach > 0);
+        level.roughness[reach] = values;
     }
 }
 

@@ -20,16 +20,17 @@ struct PyramidLevel {
     float scale_x = 1.0f;  // pixels of this level a pixel of the picture
     float scale_y = 1.0f;
     std::vector<std::uint16_t> rgba;
-    // Per pixel: the largest second difference of any channel at most 1 (first list) or 2 pixels away, in 8-bit steps,
-    // rounded up. Where it is small the picture is as good as linear, and the mean over a footprint that reaches no
-    // further is the value at its centre. (Blocks of 8 pixels would take less room, but on a picture with fine detail they
-    // spared an eighth of the texels their samples, where pixels spare three quarters.)
+    // Per pixel: the largest second difference of any channel, in 8-bit steps, rounded up, among the pixels where a
+    // footprint can feel it whose centre lies between this pixel's centre and those of its right and lower neighbours:
+    // up to 1 (first list) or 2 pixels away. Where it is small the picture is as good as linear, and the mean over the
+    // footprint is the value at its centre. (Blocks of 8 pixels would take less room, but on a picture with fine detail
+    // they spared an eighth of the texels their samples, where pixels spare three quarters.)
     std::vector<std::uint8_t> roughness[kRoughnessReaches];
 
-    /// At a pixel position inside the level; `reach` is 1 or 2.
+    /// Around a place in pixels of the level, at least half a pixel from its border; `reach` is 1 or 2.
     std::int32_t roughness_at(float x, float y, std::int32_t reach) const {
-        const auto column = static_cast<std::uint32_t>(static_cast<std::int32_t>(x));
-        const auto row = static_cast<std::uint32_t>(static_cast<std::int32_t>(y));
+        const auto column = static_cast<std::uint32_t>(static_cast<std::int32_t>(x - 0.5f));
+        const auto row = static_cast<std::uint32_t>(static_cast<std::int32_t>(y - 0.5f));
         return roughness[reach - 1][static_cast<std::size_t>(row) * width + column];
     }
 
@@ -52,20 +53,5 @@ struct ImagePyramid {
 /// kFullScale. Beyond the border all is transparent, so a picture fades out over the half pixel on either side of its
 /// edge; with `repeat` it goes on.
 Float4 sample_bilinear(const PyramidLevel& level, float x, float y, bool repeat);
-
-/// The same where all four pixels lie inside the level, in the coordinates of their corner: x and y are less by 1/2.
-inline Float4 sample_bilinear_inside(const PyramidLevel& level, float x, float y) {
-    const auto column = static_cast<std::int32_t>(x);  // x and y are not negative: truncation is the floor
-    const auto row = static_cast<std::int32_t>(y);
-    const Float4 fx = splat(x - static_cast<float>(column));
-    const Float4 fy = splat(y - static_cast<float>(row));
-    const std::uint16_t* upper = level.pixel(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
-    const std::uint16_t* lower = upper + static_cast<std::size_t>(level.width) * 4;
-    const Float4 upper_left = load_ushort4(upper);
-    const Float4 lower_left = load_ushort4(lower);
-    const Float4 above = upper_left + (load_ushort4(upper + 4) - upper_left) * fx;
-    const Float4 below = lower_left + (load_ushort4(lower + 4) - lower_left) * fx;
-    return above + (below - above) * fy;
-}
 
 }  // namespace txc

@@ -88,7 +88,7 @@ private:
             const Double2 quick = x + below * slope - splat2(0.5);
             const Double2 rounded = ceil2(quick);
             const Double2 above = rounded - quick;
-            if (!any_of((above < splat2(kUnsure)) | (above > splat2(1.0 - kUnsure)))) return whole_to_int(rounded);
+            if (!any_lane2((above < splat2(kUnsure)) | (above > splat2(1.0 - kUnsure)))) return whole_to_int(rounded);
             // Multiplied before divided: a crossing that falls exactly on a centre is then exact for edges of small
             // rational slope, so ties go where the top-left rule says.
             return whole_to_int(ceil2(x + below * x_extent / y_extent - splat2(0.5)));
