@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 
 #include "float4.h"
 #include "image_pyramid.h"
@@ -37,27 +36,39 @@ inline SamplePlaces place_samples(Float4 x, Float4 y, std::int32_t level_width) 
             (down << 16) + (one - down)};
 }
 
-/// One sample: channels around 0 (less kChannelBias). Weights as in SamplePlaces.
-inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, std::int32_t weights_x,
-                          std::int32_t weights_y) {
+/// One lane in all four.
+template <int kLane>
+Int4 broadcast(Int4 v) {
 #if defined(__wasm_simd128__)
-    const v128_t bias = wasm_i16x8_const_splat(static_cast<std::int16_t>(0x8000));
-    const v128_t wx = wasm_i32x4_splat(weights_x);
-    const v128_t wy = wasm_i32x4_splat(weights_y);
-    const auto blend_row = [&](const std::uint16_t* at) {
-        const v128_t two = wasm_v128_xor(wasm_v128_load(at), bias);
-        // Left and right of each channel side by side, as the multiplication of pairs wants them.
-        const v128_t pairs = wasm_i16x8_shuffle(two, two, 0, 4, 1, 5, 2, 6, 3, 7);
-        return wasm_i32x4_shr(wasm_i32x4_dot_i16x8(pairs, wx), kWeightBits);
-    };
-    const v128_t rows = wasm_i16x8_narrow_i32x4(blend_row(pixels), blend_row(pixels + row_stride));
-    const v128_t pairs = wasm_i16x8_shuffle(rows, rows, 0, 4, 1, 5, 2, 6, 3, 7);
-    return reinterpret_cast<Int4>(wasm_i32x4_shr(wasm_i32x4_dot_i16x8(pairs, wy), kWeightBits));
+    const v128_t lanes = reinterpret_cast<v128_t>(v);
+    return reinterpret_cast<Int4>(wasm_i32x4_shuffle(lanes, lanes, kLane, kLane, kLane, kLane));
 #else
-    const std::int32_t left = weights_x & 0xffff;
-    const std::int32_t right = weights_x >> 16;
-    const std::int32_t upper = weights_y & 0xffff;
-    const std::int32_t lower = weights_y >> 16;
+    return Int4{v[kLane], v[kLane], v[kLane], v[kLane]};
+#endif
+}
+
+/// One sample: channels around 0 (less kChannelBias). Each lane of the weights holds the same pair, as in SamplePlaces.
+inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, Int4 weights_x, Int4 weights_y) {
+#if defined(__wasm_simd128__)
+    // Only such shuffles as engines turn into one instruction: a mask of bytes costs V8 five.
+    const v128_t bias = wasm_i16x8_const_splat(static_cast<std::int16_t>(0x8000));
+    const auto blend_row = [&](const std::uint16_t* at) {
+        // Left and right of each channel side by side, as the multiplication of pairs wants them.
+        const v128_t left = wasm_v128_load64_zero(at);
+        const v128_t right = wasm_v128_load64_zero(at + 4);
+        const v128_t pairs = wasm_v128_xor(wasm_i16x8_shuffle(left, right, 0, 8, 1, 9, 2, 10, 3, 11), bias);
+        return wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_x));
+    };
+    const v128_t upper = wasm_i32x4_shl(blend_row(pixels), 16 - kWeightBits);
+    const v128_t lower = wasm_i32x4_shl(blend_row(pixels + row_stride), 16 - kWeightBits);
+    const v128_t pairs = wasm_v128_or(wasm_u32x4_shr(upper, 16), wasm_v128_and(lower, wasm_i32x4_const_splat(~0xffff)));
+    return reinterpret_cast<Int4>(
+        wasm_i32x4_shr(wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_y)), kWeightBits));
+#else
+    const std::int32_t left = weights_x[0] & 0xffff;
+    const std::int32_t right = weights_x[0] >> 16;
+    const std::int32_t upper = weights_y[0] & 0xffff;
+    const std::int32_t lower = weights_y[0] >> 16;
     Int4 out{};
     for (int c = 0; c < 4; ++c) {
         const std::uint16_t* below = pixels + row_stride + c;
@@ -71,23 +82,20 @@ inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, s
 #endif
 }
 
-/// Four lanes in memory, for loops over what they hold.
-struct Lanes {
-    alignas(16) std::int32_t at[4];
-    explicit Lanes(Int4 v) { std::memcpy(at, &v, sizeof at); }
-};
+/// The sample at one of four places.
+template <int kLane>
+Int4 sample_lane(const PyramidLevel& level, const SamplePlaces& places) {
+    return sample_biased(level.rgba.data() + static_cast<std::size_t>(places.offset[kLane]) * 4,
+                         static_cast<std::size_t>(level.width) * 4, broadcast<kLane>(places.weights_x),
+                         broadcast<kLane>(places.weights_y));
+}
 
 /// Adds up the first `count` of the four samples.
 inline Int4 sum_samples(const PyramidLevel& level, const SamplePlaces& places, std::int32_t count) {
-    const Lanes offsets(places.offset);
-    const Lanes weights_x(places.weights_x);
-    const Lanes weights_y(places.weights_y);
-    const std::size_t stride = static_cast<std::size_t>(level.width) * 4;
-    Int4 sum{};
-    for (std::int32_t i = 0; i < count; ++i) {
-        sum += sample_biased(level.rgba.data() + static_cast<std::size_t>(offsets.at[i]) * 4, stride, weights_x.at[i],
-                             weights_y.at[i]);
-    }
+    Int4 sum = sample_lane<0>(level, places);
+    if (count > 1) sum += sample_lane<1>(level, places);
+    if (count > 2) sum += sample_lane<2>(level, places);
+    if (count > 3) sum += sample_lane<3>(level, places);
     return sum;
 }
 

@@ -22,10 +22,10 @@ struct DecalFrame {
     Float4 at{};
     Float4 dx{};
     Float4 dy{};
+    std::uint32_t tile = kNoTile;  // that looked at it last
+    bool has_footprint = false;
     Footprint footprint{};
-    // The footprint's level: pixels of the level a pixel of the picture.
-    float scale_x = 1.0f;
-    float scale_y = 1.0f;
+    const PyramidLevel* level = nullptr;  // the footprint's
 
     Float4 at_texel(std::int32_t x, std::int32_t y) const {
         return at + dx * splat(static_cast<float>(x - x0)) + dy * splat(static_cast<float>(y - y0));
@@ -54,36 +54,54 @@ public:
     std::uint32_t paint_tile(const MapTile& tile, std::uint16_t* texels) {
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
-        std::uint32_t painted = 0;
+        tile_ = tile.index;
+        painted_ = 0;
         const TexelRun* run = map_.runs.data() + tile.first_run;
         const TexelRun* const end = run + tile.run_count;
         while (run != end) {
             const std::uint32_t frame = run->frame;
-            const DecalFrame& d = decal_frame(frame);
+            DecalFrame& d = decal_frame(frame);
             const Fate fate = fate_in_tile(d, tile_x, tile_y);
             for (; run != end && run->frame == frame; ++run) {
                 std::uint16_t* out = texels + (run->y * kTileSize + run->x) * 4;
                 if (fate == Fate::kAll) {
-                    painted += paint_whole_run(*run, d, tile_x + run->x, tile_y + run->y, out);
+                    paint_whole_run(*run, d, tile_x + run->x, tile_y + run->y, out);
                 } else if (fate == Fate::kSome) {
-                    painted += paint_run(*run, d, tile_x + run->x, tile_y + run->y, out);
+                    paint_run(*run, d, tile_x + run->x, tile_y + run->y, out);
                 }
             }
         }
         for (std::uint32_t r = 0; r < tile.gutter_run_count; ++r) {
             const TexelRun& gutter = map_.gutter_runs[tile.first_gutter_run + r];
-            painted += paint_run(gutter, decal_frame(gutter.frame), tile_x + gutter.x, tile_y + gutter.y,
-                                 texels + (gutter.y * kTileSize + gutter.x) * 4);
+            DecalFrame& d = decal_frame(gutter.frame);
+            std::uint16_t* out = texels + (gutter.y * kTileSize + gutter.x) * 4;
+            // A continued normal may be longer than 1, so only its sign is known.
+            const bool may_be_whole = settings_.fade_start_cosine <= 0.0f && (gutter.flags & kRunHoldNormal) == 0;
+            if (may_be_whole && fate_in_tile(d, tile_x, tile_y) == Fate::kAll) {
+                paint_whole_run(gutter, d, tile_x + gutter.x, tile_y + gutter.y, out);
+            } else {
+                paint_run(gutter, d, tile_x + gutter.x, tile_y + gutter.y, out);
+            }
         }
-        return painted;
+        paint_rough();
+        return painted_;
     }
 
 private:
     /// Frames recur from tile to tile; a direct-mapped cache spares most of their set-up.
-    const DecalFrame& decal_frame(std::uint32_t frame) {
+    DecalFrame& decal_frame(std::uint32_t frame) {
         DecalFrame& cached = cache_[frame % cache_.size()];
-        if (cached.frame != frame) make_decal_frame(frame, cached);
+        if (cached.frame != frame) {
+            if (cached.tile == tile_) paint_rough();  // texels of this tile may still look at the frame that goes
+            make_decal_frame(frame, cached);
+        }
+        cached.tile = tile_;
         return cached;
+    }
+
+    void paint_rough() {
+        painted_ += paint_lattices(rough_, rough_count_);
+        rough_count_ = 0;
     }
 
     void make_decal_frame(std::uint32_t index, DecalFrame& d) const {
@@ -97,17 +115,23 @@ private:
         d.y0 = frame.y0;
         const Float4 scale = {scale_x, scale_y, 1.0f, 1.0f};
         const Float4 corner = {0.5f * width_, 0.5f * height_, 0.0f, 0.0f};
-        d.at = Float4{seen.decal.x, seen.decal.y, seen.decal.z, seen.facing} * scale + corner;
-        d.dx = Float4{seen.decal_dx.x, seen.decal_dx.y, seen.decal_dx.z, seen.facing_dx} * scale;
-        d.dy = Float4{seen.decal_dy.x, seen.decal_dy.y, seen.decal_dy.z, seen.facing_dy} * scale;
+        d.at = seen.at * scale + corner;
+        d.dx = seen.dx * scale;
+        d.dy = seen.dy * scale;
+        d.has_footprint = false;
+    }
+
+    /// Only frames that paint need one.
+    void ensure_footprint(DecalFrame& d) const {
+        if (d.has_footprint) return;
         d.footprint = make_footprint(image_, d.dx[kX], d.dx[kY], d.dy[kX], d.dy[kY], settings_.repeat);
-        d.scale_x = image_.levels[d.footprint.level].scale_x;
-        d.scale_y = image_.levels[d.footprint.level].scale_y;
+        d.level = &image_.levels[d.footprint.level];
+        d.has_footprint = true;
     }
 
     /// All tests at once for the covered texels that a frame may have in a tile: what they look at is affine over the
     /// tile, so it lies within its bounds there.
-    Fate fate_in_tile(const DecalFrame& d, std::int32_t tile_x, std::int32_t tile_y) const {
+    Fate fate_in_tile(DecalFrame& d, std::int32_t tile_x, std::int32_t tile_y) const {
         constexpr float kHalf = 0.5f * static_cast<float>(kTileSize - 1);
         const Float4 centre = d.at + d.dx * splat(static_cast<float>(tile_x - d.x0) + kHalf) +
                               d.dy * splat(static_cast<float>(tile_y - d.y0) + kHalf);
@@ -115,11 +139,11 @@ private:
         const Float4 low = centre - reach;
         const Float4 high = centre + reach;
         constexpr float kAny = std::numeric_limits<float>::max();
-        const float margin_x = settings_.nearest ? 0.0f : d.footprint.reach_x + fade_;
-        const float margin_y = settings_.nearest ? 0.0f : d.footprint.reach_y + fade_;
-        const Float4 least = {-margin_x, -margin_y, -0.5f, settings_.backfaces ? -kAny : 0.0f};
-        const Float4 most = {width_ + margin_x, height_ + margin_y, 0.5f, kAny};
+        const Float4 margin = margins(d);
+        const Float4 least = Float4{0.0f, 0.0f, -0.5f, settings_.backfaces ? -kAny : 0.0f} - margin;
+        const Float4 most = Float4{width_, height_, 0.5f, kAny} + margin;
         if (any_lane((high < least) | (low > most))) return Fate::kNone;
+        ensure_footprint(d);
         if (settings_.nearest || occluders_ != nullptr) return Fate::kSome;
         // Covered texels' normals are means of unit ones, so no longer than 1: where n . ray is beyond the fade's start
         // the cosine is all the more.
@@ -129,57 +153,59 @@ private:
         return any_lane((low < inner_least) | (high > inner_most)) ? Fate::kSome : Fate::kAll;
     }
 
+    /// How far beyond the picture a texel's centre may lie: by its footprint, and by the half pixel over which a linear
+    /// picture fades out.
+    Float4 margins(const DecalFrame& d) const {
+        if (settings_.nearest) return splat(0.0f);
+        const Float4 reach = (absolute(d.dx) + absolute(d.dy)) * splat(0.5f) + splat(fade_);
+        return Float4{reach[kX], reach[kY], 0.0f, 0.0f};
+    }
+
     /// A run whose texels all lie well inside the picture and take its full weight.
-    std::uint32_t paint_whole_run(const TexelRun& run, const DecalFrame& d, std::int32_t x0, std::int32_t y0,
-                                  std::uint16_t* texels) const {
-        const Footprint& f = d.footprint;
-        const PyramidLevel& level = image_.levels[f.level];
-        const auto width = static_cast<std::int32_t>(level.width);
-        const std::size_t stride = static_cast<std::size_t>(level.width) * 4;
-        const bool single = f.across_samples * f.down_samples == 1;
-        const std::uint8_t* roughness = level.roughness[f.smooth_reach - 1].data();
+    void paint_whole_run(const TexelRun& run, const DecalFrame& d, std::int32_t x0, std::int32_t y0,
+                         std::uint16_t* texels) {
         const Float4 first = d.at_texel(x0, y0);
+        const Float4 step_x = splat(d.dx[kX] * d.level->scale_x);
+        const Float4 step_y = splat(d.dx[kY] * d.level->scale_y);
         const Float4 lanes = {0.0f, 1.0f, 2.0f, 3.0f};
-        const Float4 step_x = splat(d.dx[kX]);
-        const Float4 step_y = splat(d.dx[kY]);
-        std::uint32_t painted = 0;
-        for (std::int32_t i = 0; i < run.length; i += 4) {
-            const Float4 across = lanes + splat(static_cast<float>(i));
-            const Float4 x = (splat(first[kX]) + step_x * across) * splat(d.scale_x) - splat(0.5f);
-            const Float4 y = (splat(first[kY]) + step_y * across) * splat(d.scale_y) - splat(0.5f);
-            const SamplePlaces places = place_samples(x, y, width);
-            const Lanes offsets(places.offset);
-            const Lanes weights_x(places.weights_x);
-            const Lanes weights_y(places.weights_y);
-            const std::int32_t count = std::min(run.length - i, 4);
-            for (std::int32_t k = 0; k < count; ++k) {
-                const auto offset = static_cast<std::size_t>(offsets.at[k]);
-                std::uint16_t* texel = texels + (i + k) * 4;
-                if (single || roughness[offset] <= f.smooth_limit) {
-                    store_ushort4(
-                        texel, sample_biased(level.rgba.data() + offset * 4, stride, weights_x.at[k], weights_y.at[k]) +
-                                   kBias);
-                } else {
-                    store_rounded_ushort4(texel, sample_lattice(level, f, x[k], y[k]));
-                }
-                painted += texel[3] != 0 ? 1 : 0;
-            }
+        Float4 x = splat(first[kX] * d.level->scale_x - 0.5f) + step_x * lanes;
+        Float4 y = splat(first[kY] * d.level->scale_y - 0.5f) + step_y * lanes;
+        for (std::int32_t left = run.length;; left -= 4) {
+            const SamplePlaces places = place_samples(x, y, static_cast<std::int32_t>(d.level->width));
+            paint_lane<0>(d, places, x, y, texels);
+            if (left > 1) paint_lane<1>(d, places, x, y, texels);
+            if (left > 2) paint_lane<2>(d, places, x, y, texels);
+            if (left > 3) paint_lane<3>(d, places, x, y, texels);
+            if (left <= 4) return;
+            x += step_x * splat(4.0f);
+            y += step_y * splat(4.0f);
+            texels += 16;
         }
-        return painted;
+    }
+
+    template <int kLane>
+    void paint_lane(const DecalFrame& d, const SamplePlaces& places, Float4 x, Float4 y, std::uint16_t* texels) {
+        const Footprint& f = d.footprint;
+        std::uint16_t* texel = texels + kLane * 4;
+        if (d.level->roughness[f.smooth_reach - 1][static_cast<std::size_t>(places.offset[kLane])] <= f.smooth_limit) {
+            store_ushort4(texel, sample_lane<kLane>(*d.level, places) + kBias);
+            if (texel[3] != 0) ++painted_;
+        } else {
+            rough_[rough_count_++] = {d.level, &f, x[kLane], y[kLane], texel};
+        }
     }
 
     /// Any run, texel by texel.
-    std::uint32_t paint_run(const TexelRun& run, const DecalFrame& d, std::int32_t x0, std::int32_t y0,
-                            std::uint16_t* texels) const {
+    void paint_run(const TexelRun& run, DecalFrame& d, std::int32_t x0, std::int32_t y0, std::uint16_t* texels) {
         const TexelFrame& frame = map_.frames[run.frame];
-        // A linear picture reaches half a pixel beyond its rectangle, and its edge half a pixel into it.
-        const float margin_x = settings_.nearest ? 0.0f : d.footprint.reach_x + fade_;
-        const float margin_y = settings_.nearest ? 0.0f : d.footprint.reach_y + fade_;
+        const Float4 margin = margins(d);
+        const float margin_x = margin[kX];
+        const float margin_y = margin[kY];
+        const Float4 first = d.at_texel(x0, y0);
+        if (misses_run(run, d, first, margin)) return;
+        ensure_footprint(d);
         const float inset_x = d.footprint.inset_x;
         const float inset_y = d.footprint.inset_y;
-        const Float4 first = d.at_texel(x0, y0);
-        if (misses_run(run, d, first, margin_x, margin_y)) return 0;
-        std::uint32_t painted = 0;
         for (std::int32_t i = 0; i < run.length; ++i) {
             const Float4 q = first + d.dx * splat(static_cast<float>(i));
             // Test 1: depth on the centre, sides on the footprint.
@@ -201,19 +227,18 @@ private:
             if (occluders_ != nullptr && color[3] > 0.0f && is_hidden(run, frame, x0 + i, y0)) continue;
             std::uint16_t* texel = texels + i * 4;
             store_rounded_ushort4(texel, color * splat(weight));
-            if (texel[3] != 0) ++painted;
+            if (texel[3] != 0) ++painted_;
         }
-        return painted;
     }
 
     /// True where no texel of the run can pass tests 1 and 2: what they look at is affine along the run, so it lies
     /// between its values at the two ends.
-    bool misses_run(const TexelRun& run, const DecalFrame& d, Float4 first, float margin_x, float margin_y) const {
+    bool misses_run(const TexelRun& run, const DecalFrame& d, Float4 first, Float4 margin) const {
         constexpr float kAny = std::numeric_limits<float>::max();
         const bool culls = !settings_.backfaces && (run.flags & kRunHoldNormal) == 0;
         const Float4 last = first + d.dx * splat(static_cast<float>(run.length - 1));
-        const Float4 least = {-margin_x, -margin_y, -0.5f, culls ? 0.0f : -kAny};
-        const Float4 most = {width_ + margin_x, height_ + margin_y, 0.5f, kAny};
+        const Float4 least = Float4{0.0f, 0.0f, -0.5f, culls ? 0.0f : -kAny} - margin;
+        const Float4 most = Float4{width_, height_, 0.5f, kAny} + margin;
         return any_lane((greater(first, last) < least) | (lesser(first, last) > most));
     }
 
@@ -254,7 +279,11 @@ private:
     const OccluderGrid* occluders_;
     float width_;
     float height_;
-    float fade_;  // pixels on either side of the picture's edge
+    float fade_;                       // pixels on either side of the picture's edge
+    LatticeTexel rough_[kTileTexels];  // of the tile under way: they take their lattices in one go
+    std::uint32_t rough_count_ = 0;
+    std::uint32_t tile_ = kNoTile;
+    std::uint32_t painted_ = 0;  // of the tile under way
     std::vector<DecalFrame> cache_ = std::vector<DecalFrame>(1024);
 };
 

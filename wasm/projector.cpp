@@ -39,19 +39,31 @@ TxcStatus PlanarProjector::from_def(const TxcLayerDef& def, PlanarProjector& out
         out.to_decal.offset[r] = -glm::dot(rows[r], centre);
     }
     out.towards_viewer = towards;
+    for (int c = 0; c < 3; ++c) {
+        const glm::vec3 column(out.to_decal.matrix[c]);
+        out.columns[c] = Float4{column.x, column.y, column.z, static_cast<float>(towards[c])};
+    }
     out.depth = static_cast<double>(def.size[2]);
     return TXC_STATUS_OK;
 }
 
 ProjectedFrame project_frame(const PlanarProjector& projector, const TexelFrame& frame) {
-    const glm::dvec3 ray = projector.towards_viewer;
+    // The place in double: a small decal on a large model, far from the origin, is a difference of large numbers. The
+    // slopes are none, and float keeps them to a ten-thousandth of a pixel over any frame.
+    const glm::dvec3 place = projector.to_decal.apply(glm::dvec3(frame.position));
+    const Float4* columns = projector.columns;
+    // Model directions in the first three lanes, the frame's normals in the last: both go through the same columns.
+    const auto turn = [columns](const glm::vec3& p, const glm::vec3& n) {
+        return columns[0] * Float4{p.x, p.x, p.x, n.x} + columns[1] * Float4{p.y, p.y, p.y, n.y} +
+               columns[2] * Float4{p.z, p.z, p.z, n.z};
+    };
     ProjectedFrame seen;
-    seen.decal = glm::vec3(projector.to_decal.apply(glm::dvec3(frame.position)));
-    seen.decal_dx = glm::vec3(projector.to_decal.matrix * glm::dvec3(frame.position_dx));
-    seen.decal_dy = glm::vec3(projector.to_decal.matrix * glm::dvec3(frame.position_dy));
-    seen.facing = static_cast<float>(glm::dot(glm::dvec3(frame.normal), ray));
-    seen.facing_dx = static_cast<float>(glm::dot(glm::dvec3(frame.normal_dx), ray));
-    seen.facing_dy = static_cast<float>(glm::dot(glm::dvec3(frame.normal_dy), ray));
+    seen.at = turn(glm::vec3(0.0f), frame.normal);
+    seen.at[0] = static_cast<float>(place.x);
+    seen.at[1] = static_cast<float>(place.y);
+    seen.at[2] = static_cast<float>(place.z);
+    seen.dx = turn(frame.position_dx, frame.normal_dx);
+    seen.dy = turn(frame.position_dy, frame.normal_dy);
     return seen;
 }
 

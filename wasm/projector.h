@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include "float4.h"
 #include "local_space_map.h"
 #include "status.h"
 #include "tile_tree.h"
@@ -14,19 +15,18 @@ struct PlanarProjector {
     ModelToDecal to_decal;           // model space to the box [-1/2, 1/2]^3
     glm::dvec3 towards_viewer{0.0};  // unit, model space: the box's +Z
     double depth = 1.0;              // metres, the box's full extent along Z
+    Float4 columns[3] = {};          // to_decal.matrix's, and towards_viewer across their last lanes
 
     /// From an ABI layer's fields. BAD_ARGUMENT names the field.
     static TxcStatus from_def(const TxcLayerDef& def, PlanarProjector& out);
 };
 
-/// One texel frame seen through a projector: affine in the texel, `at` the frame's own texel (x0, y0).
+/// One texel frame seen through a projector, affine in the texel. Lanes: decal space x, y and z, and normal . ray before
+/// the normal is normalised.
 struct ProjectedFrame {
-    glm::vec3 decal;     // decal space
-    glm::vec3 decal_dx;  // a texel to the right
-    glm::vec3 decal_dy;  // a texel down
-    float facing;        // normal . ray, before the normal is normalised
-    float facing_dx;
-    float facing_dy;
+    Float4 at;  // the frame's own texel (x0, y0)
+    Float4 dx;  // a texel to the right
+    Float4 dy;  // a texel down
 };
 
 ProjectedFrame project_frame(const PlanarProjector& projector, const TexelFrame& frame);
