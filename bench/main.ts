@@ -1,96 +1,122 @@
 /**
- * The paper's two steps, ours against its plain method (bench/README.md).
- *   npm run bench -- [--sizes 1024,2048,4096] [--meshes torus20k] [--rounds 15] [--json FILE]
+ * The paper's two steps, ours against its plain method (bench/README.md). `npm run bench` builds what it needs and has
+ * checked the options.
  */
-import { writeFile } from "node:fs/promises";
+import { mkdir, writeFile } from "node:fs/promises";
+import { dirname } from "node:path";
 import { fileURLToPath } from "node:url";
-import { parseArgs } from "node:util";
 import type { PlanarProjector } from "../web/engine/engine-api.ts";
-import type { BenchEngine, Run } from "./engines/engine.ts";
+import type { BenchEngine, DragStep, Run } from "./engines/engine.ts";
 import { PlainNativeEngine } from "./engines/plain-native-engine.ts";
 import { PlainWasmEngine } from "./engines/plain-wasm-engine.ts";
 import { TexelcastEngine } from "./engines/texelcast-engine.ts";
-import { circumstances, figures, formatTable, type Row } from "./report.ts";
-import { loadWork } from "./work.ts";
+import { parseBenchOptions } from "./options.mjs";
+import { plotFigures } from "./plot/plot-figures.ts";
+import { circumstances, formatCircumstances, formatMemory, formatRows, type MemoryRow, type Row } from "./report.ts";
+import { takeTurns } from "./rounds.ts";
+import { decalsAround, loadWork } from "./work.ts";
 
-const WARM_UPS = 2;
 /** A drag moves the decal: by this much, metres, to and fro, so that no engine can reuse what it has. */
 const NUDGE = 1e-3;
+/** Floats of a position and a normal, for every texel of the map, covered or not. */
+const PLAIN_BYTES_PER_TEXEL = 24;
 
-const { values } = parseArgs({
-  options: {
-    sizes: { type: "string", default: "1024,2048,4096" },
-    meshes: { type: "string" },
-    rounds: { type: "string", default: "15" },
-    json: { type: "string" },
-  },
-});
-const sizes = values.sizes.split(",").map(Number);
-const rounds = Number(values.rounds);
-const shared = fileURLToPath(new URL("../../shared/bench", import.meta.url));
-const work = await loadWork(shared);
-const chosenMeshes = work.meshes.filter(({ name }) => !values.meshes || values.meshes.split(",").includes(name));
+const options = parseBenchOptions(process.argv.slice(2));
+if (options === "help") throw new Error("scripts/bench.mjs answers --help");
+const { sizes, meshes, works, rounds, json } = options;
+// Before an hour of figures that could not be written.
+if (json) await mkdir(dirname(json), { recursive: true });
 
+const work = await loadWork(fileURLToPath(new URL("../../shared/bench", import.meta.url)));
+const local10 = work.projectors.get("local10") as PlanarProjector;
 const native = new PlainNativeEngine();
 const plainWasm = await PlainWasmEngine.create();
 const ours = await TexelcastEngine.create();
+const oursOverOthers = await TexelcastEngine.create("Texelcast, over 20 others", decalsAround(local10, 20));
 const engines: readonly BenchEngine[] = [native, plainWasm, ours];
 
 const conditions = circumstances();
-console.log(conditions.machine);
-console.log(
-  Object.entries(conditions.versions)
-    .map(([name, version]) => `${name} ${version}`)
-    .join(" · "),
-);
+console.log(formatCircumstances(conditions));
 console.log(`Work: ${work.source}. ${rounds} rounds, engines in turn; milliseconds.\n`);
 
 const rows: Row[] = [];
-for (const mesh of chosenMeshes) {
-  for (const engine of engines) await engine.load(mesh, work.decal);
-  for (const size of sizes) {
-    rows.push(...(await measure("bake", mesh.name, size, (engine) => engine.bake(size))));
-    for (const [name, projector] of work.projectors) {
-      const project = (engine: BenchEngine, round: number) => engine.project(nudged(projector, round));
-      rows.push(...(await measure(name, mesh.name, size, project)));
-    }
-  }
+const memory: MemoryRow[] = [];
+for (const mesh of work.meshes.filter(({ name }) => meshes.some((chosen) => chosen === name))) {
+  for (const engine of [...engines, oursOverOthers]) await engine.load(mesh, work.decal);
+  for (const size of sizes) await measureAll(mesh.name, size);
 }
-for (const engine of engines) engine.close();
-console.log(formatTable(rows));
-if (values.json) {
-  await writeFile(values.json, `${JSON.stringify({ ...conditions, work: work.source, rounds, rows }, null, 2)}\n`);
+for (const engine of [...engines, oursOverOthers]) engine.close();
+
+console.log(formatRows(rows));
+if (memory.length > 0) console.log(`\n${formatMemory(memory)}`);
+if (json) {
+  const figures = { ...conditions, work: work.source, rounds, rows, memory };
+  await writeFile(json, `${JSON.stringify(figures, null, 2)}\n`);
+  const plot = plotFigures(figures);
+  if (plot) await writeFile(json.replace(/\.json$/, ".svg"), plot);
 }
 
-/** Takes turns between the engines, so that a slower moment of the machine meets all of them. */
+async function measureAll(mesh: string, size: number): Promise<void> {
+  if (works.includes("bake")) await measure("bake", mesh, size, engines, (engine) => engine.bake(size));
+  else for (const engine of engines) await engine.bake(size);
+  if (works.includes("memory")) memory.push(mapAtRest(mesh, size));
+  for (const [name, projector] of work.projectors) {
+    if (works.some((chosen) => chosen === name)) await measureDrag(name, mesh, size, engines, projector, "none");
+  }
+  if (works.includes("occluded")) await measureDrag("occluded", mesh, size, engines, local10, "self");
+  if (works.includes("stacked")) {
+    await oursOverOthers.bake(size);
+    await measureDrag("stacked", mesh, size, [...engines, oursOverOthers], local10, "none");
+  }
+}
+
+function measureDrag(
+  name: string,
+  mesh: string,
+  size: number,
+  contestants: readonly BenchEngine[],
+  projector: PlanarProjector,
+  occlusion: DragStep["occlusion"],
+): Promise<void> {
+  return measure(name, mesh, size, contestants, (engine, round) =>
+    engine.project({ projector: nudged(projector, round), occlusion }),
+  );
+}
+
 async function measure(
   name: string,
   mesh: string,
   size: number,
+  contestants: readonly BenchEngine[],
   run: (engine: BenchEngine, round: number) => Promise<Run>,
-): Promise<Row[]> {
-  const runs = new Map<BenchEngine, Run[]>(engines.map((engine) => [engine, []]));
-  for (let round = 0; round < WARM_UPS + rounds; round++) {
-    for (const engine of engines) {
-      const result = await run(engine, round);
-      if (round >= WARM_UPS) runs.get(engine)?.push(result);
-    }
+): Promise<void> {
+  const results = await takeTurns(contestants, rounds, run);
+  const medianOf = (engine: BenchEngine): number =>
+    results.find(({ contestant }) => contestant === engine)?.figures.median ?? Number.NaN;
+  for (const { contestant, figures } of results) {
+    rows.push({
+      work: name,
+      mesh,
+      size,
+      engine: contestant.name,
+      ...figures,
+      toPlainNative: figures.median / medianOf(native),
+      toPlainWasm: figures.median / medianOf(plainWasm),
+      ...(contestant === oursOverOthers && { toAlone: figures.median / medianOf(ours) }),
+    });
   }
-  const results = engines.map((engine) => {
-    const list = runs.get(engine) ?? [];
-    return { engine, texels: list[0].texels, ...figures(list.map(({ milliseconds }) => milliseconds)) };
-  });
-  const medianOf = (engine: BenchEngine) => results.find((result) => result.engine === engine)?.median ?? Number.NaN;
   process.stderr.write(`${name} ${mesh} ${size}²\n`);
-  return results.map(({ engine, ...rest }) => ({
-    work: name,
+}
+
+function mapAtRest(mesh: string, size: number): MemoryRow {
+  const map = ours.map();
+  return {
     mesh,
     size,
-    engine: engine.name,
-    ...rest,
-    toPlainNative: rest.median / medianOf(native),
-    toPlainWasm: rest.median / medianOf(plainWasm),
-  }));
+    ...map,
+    bytesPerCoveredTexel: map.bytes / map.coveredTexels,
+    plainBytesPerCoveredTexel: (size * size * PLAIN_BYTES_PER_TEXEL) / map.coveredTexels,
+  };
 }
 
 function nudged(projector: PlanarProjector, round: number): PlanarProjector {

@@ -1,51 +1,77 @@
-/** From runs to figures, and from figures to a table. */
+/** From figures to tables, and what machine and versions they are of. */
 import { execFileSync } from "node:child_process";
 import { arch, cpus, platform, release, totalmem } from "node:os";
 import { fileURLToPath } from "node:url";
+import type { Figures } from "./rounds.ts";
 
 /** Figures of one engine at one piece of work, milliseconds. */
-export interface Row {
+export interface Row extends Figures {
   readonly work: string;
   readonly mesh: string;
   /** Texels along a side of the map. */
   readonly size: number;
   readonly engine: string;
-  /** Written (bake) or painted (project). */
-  readonly texels: number;
-  readonly median: number;
-  readonly min: number;
-  readonly max: number;
   /** Median over the plain method's: below 1 is faster. */
   readonly toPlainNative: number;
   readonly toPlainWasm: number;
+  /** Median over that of the same decal without others below it; only where there are others. */
+  readonly toAlone?: number;
 }
 
-export function figures(milliseconds: readonly number[]): Pick<Row, "median" | "min" | "max"> {
-  const sorted = [...milliseconds].sort((a, b) => a - b);
-  const middle = sorted.length / 2;
-  const median = Number.isInteger(middle) ? (sorted[middle - 1] + sorted[middle]) / 2 : sorted[Math.floor(middle)];
-  return { median, min: sorted[0], max: sorted[sorted.length - 1] };
+/** A map at rest. */
+export interface MemoryRow {
+  readonly mesh: string;
+  readonly size: number;
+  /** All that is derived from the map included. */
+  readonly bytes: number;
+  readonly coveredTexels: number;
+  readonly gutterTexels: number;
+  readonly bytesPerCoveredTexel: number;
+  /** Of the plain method, which keeps 24 bytes for every texel of the map. */
+  readonly plainBytesPerCoveredTexel: number;
 }
 
-export function formatTable(rows: readonly Row[]): string {
-  const head = ["work", "mesh", "size", "engine", "texels", "median", "min", "max", "÷ native", "÷ WebAssembly"];
-  const cells = rows.map((row) => [
-    row.work,
-    row.mesh,
-    `${row.size}²`,
-    row.engine,
-    row.texels.toLocaleString("en"),
-    row.median.toFixed(2),
-    row.min.toFixed(2),
-    row.max.toFixed(2),
-    row.toPlainNative.toFixed(2),
-    row.toPlainWasm.toFixed(2),
-  ]);
-  const widths = head.map((title, column) => Math.max(title.length, ...cells.map((row) => row[column].length)));
+type Column<Item> = readonly [title: string, cell: (item: Item) => string];
+
+/** A Markdown table whose first columns, `texts` of them, hold words, and the others numbers. */
+export function formatTable<Item>(items: readonly Item[], texts: number, columns: readonly Column<Item>[]): string {
+  const cells = items.map((item) => columns.map(([, cell]) => cell(item)));
+  const widths = columns.map(([title], column) => Math.max(title.length, ...cells.map((row) => row[column].length)));
   const line = (row: readonly string[]) =>
-    `| ${row.map((cell, column) => (column < 4 ? cell.padEnd(widths[column]) : cell.padStart(widths[column]))).join(" | ")} |`;
-  const rule = `| ${widths.map((width, column) => (column < 4 ? "-".repeat(width) : `${"-".repeat(width - 1)}:`)).join(" | ")} |`;
-  return [line(head), rule, ...cells.map(line)].join("\n");
+    `| ${row.map((cell, column) => (column < texts ? cell.padEnd(widths[column]) : cell.padStart(widths[column]))).join(" | ")} |`;
+  const rule = widths.map((width, column) => (column < texts ? "-".repeat(width) : `${"-".repeat(width - 1)}:`));
+  return [line(columns.map(([title]) => title)), `| ${rule.join(" | ")} |`, ...cells.map(line)].join("\n");
+}
+
+const count = (number: number): string => number.toLocaleString("en");
+
+export function formatRows(rows: readonly Row[]): string {
+  const stacked = rows.some(({ toAlone }) => toAlone !== undefined);
+  return formatTable(rows, 4, [
+    ["work", ({ work }) => work],
+    ["mesh", ({ mesh }) => mesh],
+    ["size", ({ size }) => `${size}²`],
+    ["engine", ({ engine }) => engine],
+    ["texels", ({ texels }) => count(texels)],
+    ["median", ({ median }) => median.toFixed(2)],
+    ["min", ({ min }) => min.toFixed(2)],
+    ["max", ({ max }) => max.toFixed(2)],
+    ["÷ native", ({ toPlainNative }) => toPlainNative.toFixed(3)],
+    ["÷ WebAssembly", ({ toPlainWasm }) => toPlainWasm.toFixed(3)],
+    ...(stacked ? [["÷ alone", ({ toAlone }: Row) => toAlone?.toFixed(2) ?? ""] as const] : []),
+  ]);
+}
+
+export function formatMemory(rows: readonly MemoryRow[]): string {
+  return formatTable(rows, 2, [
+    ["mesh", ({ mesh }) => mesh],
+    ["size", ({ size }) => `${size}²`],
+    ["map, bytes", ({ bytes }) => count(bytes)],
+    ["covered texels", ({ coveredTexels }) => count(coveredTexels)],
+    ["gutter texels", ({ gutterTexels }) => count(gutterTexels)],
+    ["bytes ÷ covered", ({ bytesPerCoveredTexel }) => bytesPerCoveredTexel.toFixed(2)],
+    ["plain method's", ({ plainBytesPerCoveredTexel }) => plainBytesPerCoveredTexel.toFixed(2)],
+  ]);
 }
 
 export interface Circumstances {
@@ -54,7 +80,8 @@ export interface Circumstances {
   readonly versions: Readonly<Record<string, string>>;
 }
 
-export function circumstances(): Circumstances {
+/** @param more versions of what else took part */
+export function circumstances(more: Readonly<Record<string, string>> = {}): Circumstances {
   const gibibytes = Math.round(totalmem() / 2 ** 30);
   return {
     date: new Date().toISOString(),
@@ -65,8 +92,15 @@ export function circumstances(): Circumstances {
       v8: process.versions.v8,
       emscripten: firstLine("emcc", ["--version"]),
       compiler: firstLine("c++", ["--version"]),
+      ...more,
     },
   };
+}
+
+/** Machine and versions as the lines above a table. */
+export function formatCircumstances({ machine, versions }: Circumstances): string {
+  const named = Object.entries(versions).map(([name, version]) => `${name} ${version}`);
+  return `${machine}\n${named.join(" · ")}`;
 }
 
 function firstLine(program: string, args: readonly string[]): string {

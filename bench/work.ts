@@ -37,6 +37,23 @@ const PROJECTORS: ReadonlyMap<string, PlanarProjector> = new Map([
   ["whole", planar([0, 0, 0], [0.0962, 0.3053, 0.9036, 0.2848], [2.986, 2.986, 2.242])],
 ]);
 
+/**
+ * Decals to lie under `top`: of its size and direction, spread over half of it to each side so that all of them overlap
+ * it and most of them one another.
+ */
+export function decalsAround(top: PlanarProjector, count: number): PlanarProjector[] {
+  const [x, y, z] = top.position;
+  // The golden angle: no two of them alike, and no rows.
+  const turn = Math.PI * (3 - Math.sqrt(5));
+  return Array.from({ length: count }, (_, index) => {
+    const radius = (Math.sqrt((index + 0.5) / count) * top.size[0]) / 2;
+    return {
+      ...top,
+      position: [x + radius * Math.cos(index * turn), y + radius * Math.sin(index * turn), z],
+    };
+  });
+}
+
 /** Reads the work from `folder` where it is there, else makes work alike. */
 export async function loadWork(folder: string): Promise<BenchWork> {
   if (!existsSync(join(folder, "torus20k.glb"))) {

@@ -8,6 +8,13 @@ export interface Run {
   readonly texels: number;
 }
 
+/** One move of a drag. */
+export interface DragStep {
+  readonly projector: PlanarProjector;
+  /** The plain method knows none, and paints through. */
+  readonly occlusion: "none" | "self";
+}
+
 export interface BenchEngine {
   readonly name: string;
   /** Untimed: takes the mesh and the decal that the next runs are about. */
@@ -15,6 +22,6 @@ export interface BenchEngine {
   /** Bakes a map of size x size from nothing. */
   bake(size: number): Promise<Run>;
   /** Projects the decal over the newest bake's map, whose base is white. */
-  project(projector: PlanarProjector): Promise<Run>;
+  project(step: DragStep): Promise<Run>;
   close(): void;
 }

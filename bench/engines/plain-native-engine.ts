@@ -4,10 +4,10 @@ import { once } from "node:events";
 import { mkdir, writeFile } from "node:fs/promises";
 import { createInterface, type Interface } from "node:readline";
 import { fileURLToPath } from "node:url";
-import type { Picture, PlanarProjector } from "../../web/engine/engine-api.ts";
+import type { Picture } from "../../web/engine/engine-api.ts";
 import { decalFromModel, directionModel } from "../planar-matrix.ts";
 import type { BenchMesh } from "../work.ts";
-import type { BenchEngine, Run } from "./engine.ts";
+import type { BenchEngine, DragStep, Run } from "./engine.ts";
 
 const FOLDER = fileURLToPath(new URL("../../build/native-bench/", import.meta.url));
 const PROGRAM = `${FOLDER}plain_method${process.platform === "win32" ? ".exe" : ""}`;
@@ -50,7 +50,7 @@ export class PlainNativeEngine implements BenchEngine {
     return parseRun(await this.#ask(`bake ${size}`));
   }
 
-  async project(projector: PlanarProjector): Promise<Run> {
+  async project({ projector }: DragStep): Promise<Run> {
     return parseRun(
       await this.#ask(`project ${[...decalFromModel(projector), ...directionModel(projector)].join(" ")}`),
     );

@@ -1,9 +1,9 @@
 /** The paper's plain method (bench/plain) compiled to WebAssembly with SIMD. */
 import { readFile } from "node:fs/promises";
-import type { Picture, PlanarProjector } from "../../web/engine/engine-api.ts";
+import type { Picture } from "../../web/engine/engine-api.ts";
 import { decalFromModel, directionModel } from "../planar-matrix.ts";
 import type { BenchMesh } from "../work.ts";
-import type { BenchEngine, Run } from "./engine.ts";
+import type { BenchEngine, DragStep, Run } from "./engine.ts";
 
 interface PlainExports extends WebAssembly.Exports {
   readonly memory: WebAssembly.Memory;
@@ -77,7 +77,7 @@ export class PlainWasmEngine implements BenchEngine {
     return { milliseconds: performance.now() - start, texels };
   }
 
-  async project(projector: PlanarProjector): Promise<Run> {
+  async project({ projector }: DragStep): Promise<Run> {
     const { pointer, width, height, numbers } = this.#decal;
     const { size, positions, normals, base, out } = this.#map;
     const view = new Float32Array(this.#exports.memory.buffer, numbers, 15);

@@ -1,29 +1,33 @@
 /** Our core in WebAssembly, called as the engine calls it. */
-import { Filters, LayerKinds, Occlusions, Projectors } from "../../web/core/abi.ts";
+import { Filters, type LayerDef, LayerKinds, Occlusions, Projectors } from "../../web/core/abi.ts";
 import { Session } from "../../web/core/session.ts";
 import type { LayerHandle, Target } from "../../web/core/target.ts";
 import { type CoreModule, loadCore } from "../../web/core/wasm-module.ts";
 import type { Picture, PlanarProjector } from "../../web/engine/engine-api.ts";
 import type { BenchMesh } from "../work.ts";
-import type { BenchEngine, Run } from "./engine.ts";
+import type { BenchEngine, DragStep, Run } from "./engine.ts";
 
 const ALL_OF_IT = 0xffffffff;
 
 export class TexelcastEngine implements BenchEngine {
-  readonly name = "Texelcast";
+  readonly name: string;
   readonly #core: CoreModule;
+  readonly #below: readonly PlanarProjector[];
   #mesh: BenchMesh | null = null;
   #decal: Picture | null = null;
   #session: Session | null = null;
   #target: Target | null = null;
   #layer: { readonly handle: LayerHandle; readonly image: number } | null = null;
 
-  private constructor(core: CoreModule) {
+  private constructor(core: CoreModule, name: string, below: readonly PlanarProjector[]) {
     this.#core = core;
+    this.name = name;
+    this.#below = below;
   }
 
-  static async create(): Promise<TexelcastEngine> {
-    return new TexelcastEngine(await loadCore());
+  /** @param below decals that lie under the dragged one and stay where they are */
+  static async create(name = "Texelcast", below: readonly PlanarProjector[] = []): Promise<TexelcastEngine> {
+    return new TexelcastEngine(await loadCore(), name, below);
   }
 
   async load(mesh: BenchMesh, decal: Picture): Promise<void> {
@@ -48,20 +52,29 @@ export class TexelcastEngine implements BenchEngine {
   }
 
   /** A frame of a drag: the layer's projector changes, and the update projects, composites, and packs what changed. */
-  async project(projector: PlanarProjector): Promise<Run> {
+  async project({ projector, occlusion }: DragStep): Promise<Run> {
     const target = this.#target;
     if (!target) throw new Error("bake comes first");
     const layer = this.#layerOf(target);
     const start = performance.now();
-    target.updateLayer(layer.handle, definition(projector, layer.image));
+    target.updateLayer(layer.handle, definition(projector, occlusion, layer.image));
     const update = target.update();
     return { milliseconds: performance.now() - start, texels: update.projectedTexels };
+  }
+
+  /** What the newest bake's map holds at rest, all that is derived from it included. */
+  map(): { readonly bytes: number; readonly coveredTexels: number; readonly gutterTexels: number } {
+    const target = this.#target;
+    if (!target) throw new Error("bake comes first");
+    const { byteCount, coveredTexels, gutterTexels } = target.info();
+    return { bytes: byteCount, coveredTexels, gutterTexels };
   }
 
   #layerOf(target: Target): { readonly handle: LayerHandle; readonly image: number } {
     if (this.#layer) return this.#layer;
     if (!this.#session || !this.#decal) throw new Error("load comes first");
     const image = this.#session.createImage(this.#decal.width, this.#decal.height, this.#decal.rgba);
+    for (const projector of this.#below) target.createLayer(definition(projector, "none", image));
     const invisible = { kind: LayerKinds.decal, image, visible: 0 };
     this.#layer = { handle: target.createLayer(invisible), image };
     // The first update reports the whole texture, which is no part of a drag.
@@ -74,14 +87,18 @@ export class TexelcastEngine implements BenchEngine {
   }
 }
 
-/** As the shared designs have it: no occlusion, a hard angle. */
-function definition({ position, rotation, size }: PlanarProjector, image: number) {
+/** As the shared designs have it: a hard angle. */
+function definition(
+  { position, rotation, size }: PlanarProjector,
+  occlusion: DragStep["occlusion"],
+  image: number,
+): Partial<LayerDef> {
   return {
     kind: LayerKinds.decal,
     image,
     filter: Filters.linear,
     projector: Projectors.planar,
-    occlusion: Occlusions.none,
+    occlusion: Occlusions[occlusion],
     angleFadeStart: 90,
     angleFadeEnd: 90,
     positionModel: [...position],
