@@ -10,14 +10,13 @@ import type { BenchEngine, DragStep, Run } from "./engines/engine.ts";
 import { PlainNativeEngine } from "./engines/plain-native-engine.ts";
 import { PlainWasmEngine } from "./engines/plain-wasm-engine.ts";
 import { TexelcastEngine } from "./engines/texelcast-engine.ts";
+import { nudged } from "./nudged.ts";
 import { parseBenchOptions } from "./options.mjs";
 import { plotFigures } from "./plot/plot-figures.ts";
 import { circumstances, formatCircumstances, formatMemory, formatRows, type MemoryRow, type Row } from "./report.ts";
 import { takeTurns } from "./rounds.ts";
 import { decalsAround, loadWork } from "./work.ts";
 
-/** A drag moves the decal: by this much, metres, to and fro, so that no engine can reuse what it has. */
-const NUDGE = 1e-3;
 /** Floats of a position and a normal, for every texel of the map, covered or not. */
 const PLAIN_BYTES_PER_TEXEL = 24;
 
@@ -117,9 +116,4 @@ function mapAtRest(mesh: string, size: number): MemoryRow {
     bytesPerCoveredTexel: map.bytes / map.coveredTexels,
     plainBytesPerCoveredTexel: (size * size * PLAIN_BYTES_PER_TEXEL) / map.coveredTexels,
   };
-}
-
-function nudged(projector: PlanarProjector, round: number): PlanarProjector {
-  const [x, y, z] = projector.position;
-  return { ...projector, position: [x + (round % 2) * NUDGE, y, z] };
 }

@@ -1,6 +1,6 @@
 /**
- * The words behind `npm run bench --`. Node's built-ins alone and no TypeScript: scripts/bench.mjs reads them before it
- * sets up or builds anything, so that a slip of the keyboard is told at once.
+ * The words behind `npm run bench --` and `npm run bench:browser --`. Node's built-ins alone and no TypeScript: the
+ * scripts read them before they set up or build anything, so that a slip of the keyboard is told at once.
  */
 import { parseArgs } from "node:util";
 
@@ -9,6 +9,7 @@ const LARGEST_SIZE = 8192;
 export const MESHES = /** @type {const} */ (["torus20k", "torus200k"]);
 /** In the order in which they run. bench/README.md says what each is. */
 export const WORKS = /** @type {const} */ (["bake", "local1", "local10", "whole", "occluded", "stacked", "memory"]);
+export const BROWSER_WORKS = /** @type {const} */ (["bake", "local1", "local10", "whole"]);
 
 /** @typedef {(typeof MESHES)[number]} MeshName */
 /** @typedef {(typeof WORKS)[number]} WorkName */
@@ -21,17 +22,36 @@ export const WORKS = /** @type {const} */ (["bake", "local1", "local10", "whole"
  * @property {string | null} json where to write the figures; the plot goes beside it
  */
 
-export const HELP = `npm run bench -- [options]
+/** @typedef {{name: string, works: readonly WorkName[], what: string, json: string}} Command */
+/** @type {Command} */
+export const BENCH = {
+  name: "npm run bench",
+  works: WORKS,
+  what: "Times a bake and a decal's drag, ours against the paper's plain method, and prints a table (bench/README.md).",
+  json: "writes the figures there too, and a plot beside them (.svg for .json)",
+};
+/** @type {Command} */
+export const BROWSER_BENCH = {
+  name: "npm run bench:browser",
+  works: BROWSER_WORKS,
+  what: "Times the same work in Chromium: ours, Babylon.js and three.js, and the upload to the GPU (bench/README.md).",
+  json: "writes the figures there too",
+};
 
-Times a bake and a decal's drag, ours against the paper's plain method, and prints a table (bench/README.md).
+/** @param {Command} command */
+export function helpOf({ name, works, what, json }) {
+  return `${name} -- [options]
+
+${what}
 
   --sizes 1024,2048,4096   texels along a side, 1 to ${LARGEST_SIZE}
   --meshes NAME,…          of ${MESHES.join(", ")}; all by default
-  --works NAME,…           of ${WORKS.join(", ")}; all by default
+  --works NAME,…           of ${works.join(", ")}; all by default
   --rounds 15              runs that count, for each engine, after two to warm up
-  --json FILE              writes the figures there too, and a plot beside them (FILE with .svg for .json)
+  --json FILE.json         ${json}
   --help                   this
 `;
+}
 
 /** Wrong usage: what was asked, and what could have been. Exit code 2. */
 export class UsageError extends Error {
@@ -44,16 +64,16 @@ export class UsageError extends Error {
 }
 
 /**
- * @param {readonly string[]} args
+ * @param {readonly string[]} args @param {Command} [command]
  * @returns {BenchOptions | "help"}
  */
-export function parseBenchOptions(args) {
+export function parseBenchOptions(args, { works } = BENCH) {
   const values = parseWords(args);
   if (values.help) return "help";
   return {
     sizes: list("--sizes", values.sizes).map((text) => wholeNumber("--sizes", text, LARGEST_SIZE)),
     meshes: names("--meshes", values.meshes, MESHES),
-    works: names("--works", values.works, WORKS),
+    works: names("--works", values.works ?? works.join(), works),
     rounds: wholeNumber("--rounds", values.rounds, 10_000),
     json: values.json === undefined ? null : jsonFile(values.json),
   };
@@ -67,7 +87,7 @@ function parseWords(args) {
       options: {
         sizes: { type: "string", default: "1024,2048,4096" },
         meshes: { type: "string", default: MESHES.join() },
-        works: { type: "string", default: WORKS.join() },
+        works: { type: "string" },
         rounds: { type: "string", default: "15" },
         json: { type: "string" },
         help: { type: "boolean", short: "h" },
@@ -111,5 +131,21 @@ function wholeNumber(option, text, most) {
 /** @param {string} file */
 function jsonFile(file) {
   if (file.endsWith(".json")) return file;
-  throw new UsageError("--json", `--json takes a file that ends in .json, not "${file}": the plot goes beside it.`);
+  throw new UsageError("--json", `--json takes a file that ends in .json, not "${file}".`);
+}
+
+/**
+ * For a script that sets up before it runs: help and refusals are told, and end the process.
+ * @param {readonly string[]} args @param {Command} command
+ */
+export function checkOptionsOrExit(args, command) {
+  try {
+    if (parseBenchOptions(args, command) !== "help") return;
+    console.log(helpOf(command));
+    process.exit(0);
+  } catch (error) {
+    if (!(error instanceof UsageError)) throw error;
+    console.error(`${error.message}\n${command.name} -- --help lists the options.`);
+    process.exit(2);
+  }
 }

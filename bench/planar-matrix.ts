@@ -16,7 +16,7 @@ export function directionModel({ rotation }: PlanarProjector): number[] {
 }
 
 /** The box's x, y and z axes in model space: the columns of the rotation's matrix. */
-function boxAxes([x, y, z, w]: PlanarProjector["rotation"]): number[][] {
+export function boxAxes([x, y, z, w]: PlanarProjector["rotation"]): number[][] {
   return [
     [1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)],
     [2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)],

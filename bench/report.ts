@@ -4,13 +4,16 @@ import { arch, cpus, platform, release, totalmem } from "node:os";
 import { fileURLToPath } from "node:url";
 import type { Figures } from "./rounds.ts";
 
-/** Figures of one engine at one piece of work, milliseconds. */
-export interface Row extends Figures {
+/** Figures of one engine at one piece of work. */
+export interface EngineRow extends Figures {
   readonly work: string;
   readonly mesh: string;
   /** Texels along a side of the map. */
   readonly size: number;
   readonly engine: string;
+}
+
+export interface Row extends EngineRow {
   /** Median over the plain method's: below 1 is faster. */
   readonly toPlainNative: number;
   readonly toPlainWasm: number;
@@ -59,6 +62,21 @@ export function formatRows(rows: readonly Row[]): string {
     ["÷ native", ({ toPlainNative }) => toPlainNative.toFixed(3)],
     ["÷ WebAssembly", ({ toPlainWasm }) => toPlainWasm.toFixed(3)],
     ...(stacked ? [["÷ alone", ({ toAlone }: Row) => toAlone?.toFixed(2) ?? ""] as const] : []),
+  ]);
+}
+
+/** The page's engines, beside each other without a yardstick. */
+export function formatEngines(rows: readonly EngineRow[]): string {
+  return formatTable(rows, 4, [
+    ["work", ({ work }) => work],
+    ["mesh", ({ mesh }) => mesh],
+    ["size", ({ size }) => `${size}²`],
+    ["engine", ({ engine }) => engine],
+    ["texels", ({ texels }) => (texels > 0 ? count(texels) : "none")],
+    ["median", ({ median }) => median.toFixed(2)],
+    ["min", ({ min }) => min.toFixed(2)],
+    ["max", ({ max }) => max.toFixed(2)],
+    ["until read", ({ untilRead }) => untilRead?.toFixed(2) ?? ""],
   ]);
 }
 

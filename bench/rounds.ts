@@ -10,6 +10,8 @@ export interface Figures {
   readonly median: number;
   readonly min: number;
   readonly max: number;
+  /** Median, where a GPU takes part: from the start until a pixel of the result has been read, in the next frame. */
+  readonly untilRead?: number;
 }
 
 /** Takes turns between the contestants, so that a slower moment of the machine meets all of them. */
@@ -30,7 +32,11 @@ export async function takeTurns<Contestant>(
 
 function figuresOf(runs: readonly Run[]): Figures {
   const times = runs.map(({ milliseconds }) => milliseconds);
-  return { texels: runs[0].texels, median: median(times), min: Math.min(...times), max: Math.max(...times) };
+  const reads = runs.flatMap(({ untilRead }) => untilRead ?? []);
+  return {
+    ...{ texels: runs[0].texels, median: median(times), min: Math.min(...times), max: Math.max(...times) },
+    ...(reads.length > 0 && { untilRead: median(reads) }),
+  };
 }
 
 export function median(numbers: readonly number[]): number {

@@ -1,5 +1,5 @@
 /** `npm run bench`: builds the benchmark's yardstick natively and as WebAssembly, then runs bench/main.ts. */
-import { HELP, parseBenchOptions, UsageError } from "../bench/options.mjs";
+import { BENCH, checkOptionsOrExit } from "../bench/options.mjs";
 import { nativeEnvironment, wasmEnvironment } from "./bootstrap/build-tools.mjs";
 import { buildPreset } from "./bootstrap/cmake.mjs";
 import { inRoot } from "./bootstrap/paths.mjs";
@@ -7,16 +7,7 @@ import { runVisibly } from "./bootstrap/run.mjs";
 import { bootstrapOrExit } from "./bootstrap.mjs";
 
 const words = process.argv.slice(2);
-try {
-  if (parseBenchOptions(words) === "help") {
-    console.log(HELP);
-    process.exit(0);
-  }
-} catch (error) {
-  if (!(error instanceof UsageError)) throw error;
-  console.error(`${error.message}\nnpm run bench -- --help lists the options.`);
-  process.exit(2);
-}
+checkOptionsOrExit(words, BENCH);
 await bootstrapOrExit("bench", { quiet: true });
 await buildPreset("native-bench", "native-bench", nativeEnvironment());
 await buildPreset("wasm-bench", "wasm-bench", wasmEnvironment());

@@ -6,6 +6,8 @@ import type { BenchMesh } from "../work.ts";
 export interface Run {
   readonly milliseconds: number;
   readonly texels: number;
+  /** Where a GPU takes part: from the start until a pixel of the result has been read, in the next frame. */
+  readonly untilRead?: number;
 }
 
 /** One move of a drag. */

@@ -1,7 +1,7 @@
 /** Our core in WebAssembly, called as the engine calls it. */
 import { Filters, type LayerDef, LayerKinds, Occlusions, Projectors } from "../../web/core/abi.ts";
 import { Session } from "../../web/core/session.ts";
-import type { LayerHandle, Target } from "../../web/core/target.ts";
+import type { CoreUpdate, LayerHandle, Target } from "../../web/core/target.ts";
 import { type CoreModule, loadCore } from "../../web/core/wasm-module.ts";
 import type { Picture, PlanarProjector } from "../../web/engine/engine-api.ts";
 import type { BenchMesh } from "../work.ts";
@@ -17,6 +17,7 @@ export class TexelcastEngine implements BenchEngine {
   #decal: Picture | null = null;
   #session: Session | null = null;
   #target: Target | null = null;
+  #newest: CoreUpdate | null = null;
   #layer: { readonly handle: LayerHandle; readonly image: number } | null = null;
 
   private constructor(core: CoreModule, name: string, below: readonly PlanarProjector[]) {
@@ -59,7 +60,20 @@ export class TexelcastEngine implements BenchEngine {
     const start = performance.now();
     target.updateLayer(layer.handle, definition(projector, occlusion, layer.image));
     const update = target.update();
+    this.#newest = update;
     return { milliseconds: performance.now() - start, texels: update.projectedTexels };
+  }
+
+  /** What the newest step of a drag changed, for a GPU. */
+  get newestUpdate(): CoreUpdate {
+    if (!this.#newest) throw new Error("project comes first");
+    return this.#newest;
+  }
+
+  /** A copy of the whole texture, RGBA, row 0 at the top. */
+  readTexture(size: number): Uint8Array {
+    if (!this.#target) throw new Error("bake comes first");
+    return this.#target.read(0, 0, 0, size, size);
   }
 
   /** What the newest bake's map holds at rest, all that is derived from it included. */
