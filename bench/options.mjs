@@ -9,10 +9,10 @@ const LARGEST_SIZE = 8192;
 export const MESHES = /** @type {const} */ (["torus20k", "torus200k"]);
 /** In the order in which they run. bench/README.md says what each is. */
 export const WORKS = /** @type {const} */ (["bake", "local1", "local10", "whole", "occluded", "stacked", "memory"]);
-export const BROWSER_WORKS = /** @type {const} */ (["bake", "local1", "local10", "whole"]);
+export const BROWSER_WORKS = /** @type {const} */ (["bake", "local1", "local10", "whole", "drag"]);
 
 /** @typedef {(typeof MESHES)[number]} MeshName */
-/** @typedef {(typeof WORKS)[number]} WorkName */
+/** @typedef {(typeof WORKS)[number] | (typeof BROWSER_WORKS)[number]} WorkName */
 /**
  * @typedef {object} BenchOptions
  * @property {readonly number[]} sizes texels along a side

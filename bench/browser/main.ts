@@ -12,6 +12,8 @@ import { BROWSER_BENCH, parseBenchOptions } from "../options.mjs";
 import { circumstances, type EngineRow, formatCircumstances, formatEngines } from "../report.ts";
 import { loadWork } from "../work.ts";
 import type { EngineFigures } from "./page.ts";
+import { measurePageDrag } from "./page-drag.ts";
+import type { FrameWork } from "./trace-frames.ts";
 
 const options = parseBenchOptions(process.argv.slice(2), BROWSER_BENCH);
 if (options === "help") throw new Error("scripts/bench-browser.mjs answers --help");
@@ -63,7 +65,8 @@ try {
     rows.push(...(results ?? []).map((result) => ({ work: name, mesh, size, ...result })));
     process.stderr.write(`${name} ${mesh} ${size}²\n`);
   };
-  for (const mesh of work.meshes.filter(({ name }) => meshes.some((chosen) => chosen === name))) {
+  const timed = works.some((name) => name !== "drag") ? work.meshes : [];
+  for (const mesh of timed.filter(({ name }) => meshes.some((chosen) => chosen === name))) {
     await page.evaluate(([model, decal]) => window.bench?.load(model, decal), [mesh, work.decal] as const);
     for (const size of sizes) {
       if (works.includes("bake")) {
@@ -84,12 +87,23 @@ try {
       }
     }
   }
-  console.log(formatEngines(rows));
+  if (rows.length > 0) console.log(`${formatEngines(rows)}\n`);
+  const pageDrag = works.includes("drag") ? await measurePageDrag(browser) : null;
+  if (pageDrag) console.log(formatPageDrag(pageDrag));
   if (json) {
-    const figures = { ...conditions, work: work.source, rounds, rows };
+    const figures = { ...conditions, work: work.source, rounds, rows, pageDrag };
     await writeFile(json, `${JSON.stringify(figures, null, 2)}\n`);
   }
 } finally {
   await browser.close();
   await server.close();
+}
+
+function formatPageDrag({ frames, median, mean, p95, byKind }: FrameWork): string {
+  const kinds = Object.entries(byKind).sort(([, a], [, b]) => b - a);
+  return [
+    "A drag of local10 at 2048² in the editor page: processor time of the page's own thread in a frame.",
+    `median ${median.toFixed(2)}, mean ${mean.toFixed(2)}, 95 % under ${p95.toFixed(2)}; ${frames} frames`,
+    `mean by kind: ${kinds.map(([kind, share]) => `${kind} ${share.toFixed(2)}`).join(", ")}`,
+  ].join("\n");
 }

@@ -1,0 +1,95 @@
+/** What a page's own thread does from frame to frame, from a Chromium trace. */
+import { median } from "../rounds.ts";
+
+/** As in Chromium's trace files; microseconds. */
+export interface TraceEvent {
+  readonly name: string;
+  readonly ph: string;
+  readonly pid: number;
+  readonly tid: number;
+  readonly ts: number;
+  readonly dur?: number;
+  /** The thread's processor time: without the time in which it waited for others. */
+  readonly tdur?: number;
+  readonly args?: { readonly name?: string };
+}
+
+export const TRACE_CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline"];
+
+/** Kinds of work that are told apart, none within another; the rest of a task is "other". */
+const KINDS: Readonly<Record<string, string>> = {
+  FireAnimationFrame: "frame callbacks",
+  TimerFire: "timers",
+  HandlePostMessage: "answers of the engine",
+  EventDispatch: "input",
+  UpdateLayoutTree: "style and layout",
+  Layout: "style and layout",
+  PrePaint: "paint",
+  Paint: "paint",
+  Layerize: "paint",
+  Commit: "paint",
+};
+
+export interface FrameWork {
+  readonly frames: number;
+  /** Processor time of the page's thread in a frame, milliseconds. */
+  readonly median: number;
+  readonly mean: number;
+  /** 19 of 20 frames take less. */
+  readonly p95: number;
+  /** Mean of each kind. */
+  readonly byKind: Readonly<Record<string, number>>;
+}
+
+/** A frame is what lies between two commits of the page's thread, the busiest of its kind in the trace. */
+export function frameWork(events: readonly TraceEvent[]): FrameWork {
+  const thread = pageThread(events);
+  const commits = thread.filter(({ name }) => name === "Commit").map(({ ts, dur = 0 }) => ts + dur);
+  commits.sort((a, b) => a - b);
+  const frameOf = ({ ts }: TraceEvent): number => commits.findIndex((end) => ts < end) - 1;
+  const tasks = thread.filter((event) => event.name === "RunTask" && frameOf(event) >= 0);
+  const frames = new Array<number>(Math.max(0, commits.length - 1)).fill(0);
+  for (const task of tasks) frames[frameOf(task)] += milliseconds(task);
+  if (frames.length === 0 || !tasks.some(({ tdur }) => tdur)) {
+    throw new Error("The trace holds no frames with processor times: was the page drawn while it was taken?");
+  }
+  const sorted = [...frames].sort((a, b) => a - b);
+  const mean = frames.reduce((sum, frame) => sum + frame, 0) / frames.length;
+  return {
+    frames: frames.length,
+    median: median(frames),
+    mean,
+    p95: sorted[Math.floor(frames.length * 0.95)],
+    byKind: kindsOf(
+      thread.filter((event) => frameOf(event) >= 0),
+      frames.length,
+      mean,
+    ),
+  };
+}
+
+/** Means in a frame; what lies within another kind of work counts as that. */
+function kindsOf(events: readonly TraceEvent[], frames: number, mean: number): Record<string, number> {
+  const kinds: Record<string, number> = {};
+  let end = 0;
+  for (const event of events.filter(({ name }) => name in KINDS).sort((a, b) => a.ts - b.ts)) {
+    if (event.ts < end) continue;
+    end = event.ts + (event.dur ?? 0);
+    const kind = KINDS[event.name];
+    kinds[kind] = (kinds[kind] ?? 0) + milliseconds(event) / frames;
+  }
+  const named = Object.values(kinds).reduce((sum, share) => sum + share, 0);
+  return { ...kinds, other: mean - named };
+}
+
+function pageThread(events: readonly TraceEvent[]): TraceEvent[] {
+  const places = events
+    .filter(({ name, args }) => name === "thread_name" && args?.name === "CrRendererMain")
+    .map(({ pid, tid }) => `${pid} ${tid}`);
+  const threads = places.map((place) => events.filter(({ ph, pid, tid }) => ph === "X" && `${pid} ${tid}` === place));
+  return threads.sort((a, b) => b.length - a.length)[0] ?? [];
+}
+
+function milliseconds({ tdur = 0 }: TraceEvent): number {
+  return tdur / 1000;
+}
