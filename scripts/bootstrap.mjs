@@ -7,6 +7,7 @@
 import { pathToFileURL } from "node:url";
 import { testTools } from "./bootstrap/build-tools.mjs";
 import { chromium } from "./bootstrap/chromium.mjs";
+import { firefox } from "./bootstrap/firefox.mjs";
 import { withLock } from "./bootstrap/lock.mjs";
 import { nodePackages } from "./bootstrap/node-packages.mjs";
 import { commandLine, demoAssets, wasmModule } from "./bootstrap/products.mjs";
@@ -21,7 +22,7 @@ const GOALS = {
   start: [nodePackages, wasmModule, demoAssets],
   build: [nodePackages, wasmModule, demoAssets],
   cli: [nodePackages, wasmModule, commandLine],
-  test: [nodePackages, testTools, chromium, wasmModule, demoAssets, commandLine],
+  test: [nodePackages, testTools, chromium, firefox, wasmModule, demoAssets, commandLine],
   lint: [nodePackages, testTools],
   bench: [nodePackages, testTools, wasmModule],
   "bench:browser": [nodePackages, chromium, wasmModule, demoAssets],

@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { nativeEnvironment, wasmEnvironment } from "../bootstrap/build-tools.mjs";
 import { findChromium } from "../bootstrap/chromium.mjs";
 import { buildPreset } from "../bootstrap/cmake.mjs";
+import { whyNoFirefox } from "../bootstrap/firefox.mjs";
 import { BUILD, inRoot } from "../bootstrap/paths.mjs";
 import { runVisibly } from "../bootstrap/run.mjs";
 import { CHECKS } from "../lint/checks.mjs";
@@ -23,9 +24,10 @@ export const STAGES = [
   { key: "native", title: "Core, natively", run: (args) => nativeTests("native", args) },
   { key: "asan", title: "Core, natively, under ASan and UBSan", run: (args) => nativeTests("native-asan", args) },
   { key: "wasm", title: "Core, in WebAssembly", run: wasmTests },
-  { key: "vitest", title: "Engine, document, command line, viewer and scripts (vitest)", run: vitest },
+  { key: "vitest", title: "Engine, document, command line, viewer and scripts (vitest)", run: (args) => vitest(args) },
   { key: "build", title: "Static site (npm run build)", run: siteBuild },
   { key: "e2e", title: "The page in Chromium (Playwright)", run: playwright },
+  { key: "firefox", title: "The page in Firefox (WebDriver BiDi)", run: firefox },
 ];
 
 async function lint() {
@@ -51,17 +53,25 @@ async function wasmTests(args) {
   return doctestCounts(await runAndShow(process.execPath, [...flags, ...args]));
 }
 
-/** @param {readonly string[]} args */
-async function vitest(args) {
-  const report = freshReport("vitest.json");
-  const reporters = ["--reporter=default", "--reporter=json", `--outputFile.json=${report}`];
+/** @param {readonly string[]} args @param {string} [report] its file's name */
+async function vitest(args, report = "vitest.json") {
+  const file = freshReport(report);
+  const reporters = ["--reporter=default", "--reporter=json", `--outputFile.json=${file}`];
   const exitCode = await runVisibly(process.execPath, [
     inRoot("node_modules/vitest/vitest.mjs"),
     "run",
     ...reporters,
     ...args,
   ]);
-  return vitestCounts(report, exitCode);
+  return vitestCounts(file, exitCode);
+}
+
+/** @param {readonly string[]} args */
+async function firefox(args) {
+  const lack = whyNoFirefox();
+  if (lack === null) return vitest(["--config", inRoot("tests/firefox/vitest.config.ts"), ...args], "firefox.json");
+  console.log(`Skipped. ${lack}`);
+  return { passed: 0, failed: 0, skipped: 1 };
 }
 
 async function siteBuild() {

@@ -1,5 +1,6 @@
 import { mkdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
-import { afterEach, beforeEach, describe, expect, test } from "vitest";
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import { findFirefox, whyNoFirefox } from "../../scripts/bootstrap/firefox.mjs";
 import { inRoot } from "../../scripts/bootstrap/paths.mjs";
 import { Progress } from "../../scripts/bootstrap/progress.mjs";
 import { stampedStep } from "../../scripts/bootstrap/stamps.mjs";
@@ -98,4 +99,12 @@ test("what is missing is asked for by name, with one command for each kind of sy
   expect(message).toContain("sudo apt-get install --no-install-recommends cmake chromium");
   expect(message).toContain("brew install cmake\n");
   expect(message).toContain("Chromium: by Playwright");
+});
+
+test("without a Firefox to drive, the reason says what to install", () => {
+  vi.stubEnv("TEXELCAST_FIREFOX", inRoot("no-such-firefox"));
+  expect(findFirefox()).toBeNull();
+  expect(whyNoFirefox()).toContain("- Firefox, for the page's tests in it");
+  expect(whyNoFirefox()).toContain("sudo apt-get install --no-install-recommends firefox-esr");
+  vi.unstubAllEnvs();
 });

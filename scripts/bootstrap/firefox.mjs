@@ -1,0 +1,58 @@
+/**
+ * A Firefox for its stage of the tests, and a screen for it. WebGL wants a screen on Linux: Firefox gives none to a headless
+ * window there, while on a virtual one (Xvfb) Mesa draws it on the processor.
+ */
+import { existsSync, readFileSync } from "node:fs";
+import { canAptInstall, howToInstall, isProgram, onPath } from "./system.mjs";
+
+/** @type {import("./system.mjs").Need} */
+const FIREFOX = {
+  what: "Firefox, for the page's tests in it",
+  debian: "firefox-esr",
+  brew: "--cask firefox",
+  choco: "firefox",
+  note: "Firefox:         https://www.mozilla.org/firefox, or TEXELCAST_FIREFOX=/path/to/firefox (not a snap: it cannot read the tests' profile)",
+};
+/** @type {import("./system.mjs").Need} */
+const SCREEN = { what: "Xvfb, a screen that nobody sees", debian: "xvfb" };
+
+/** Installed on Debian; elsewhere the stage says what it lacks and is skipped. @type {import("./stamps.mjs").Step} */
+export const firefox = {
+  isFresh: () => !mayInstall() || firefoxNeeds().length === 0,
+  needs: () => (mayInstall() ? firefoxNeeds() : []),
+  bringUpToDate: async () => {},
+};
+
+/** The path of the Firefox to test with: TEXELCAST_FIREFOX, or the system's; null where there is none that can be driven. */
+export function findFirefox() {
+  const named = process.env.TEXELCAST_FIREFOX;
+  if (named) return isProgram(named) ? named : null;
+  const snap = existsSync("/snap/bin/firefox");
+  const known = [
+    "/Applications/Firefox.app/Contents/MacOS/firefox",
+    "C:\\Program Files\\Mozilla Firefox\\firefox.exe",
+  ].find((file) => existsSync(file));
+  return onPath("firefox-esr") ?? (snap ? null : onPath("firefox")) ?? known ?? null;
+}
+
+export function findXvfb() {
+  return onPath("Xvfb");
+}
+
+/** Why the tests in Firefox cannot run here, with what to install; null where they can. */
+export function whyNoFirefox() {
+  const needs = firefoxNeeds();
+  return needs.length === 0 ? null : howToInstall(needs);
+}
+
+function firefoxNeeds() {
+  const screen = process.platform !== "linux" || findXvfb() !== null || process.env.DISPLAY;
+  return [...(findFirefox() ? [] : [FIREFOX]), ...(screen ? [] : [SCREEN])];
+}
+
+/** Systems made from Debian, Ubuntu for one, have no package of this name. */
+function mayInstall() {
+  return (
+    canAptInstall() && existsSync("/etc/os-release") && /^ID=debian$/m.test(readFileSync("/etc/os-release", "utf8"))
+  );
+}

@@ -1,0 +1,84 @@
+import { fileURLToPath } from "node:url";
+import type { Page } from "puppeteer-core";
+import { type PreviewServer, preview } from "vite";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { freePort } from "../../scripts/test/free-port.mjs";
+import { manyLayersHash } from "../support/many-layers.ts";
+import { hashManyLayersInPage, manyLayersInput } from "../support/many-layers-page.ts";
+import { type FirefoxBrowser, launchFirefox } from "./support/firefox-browser.ts";
+
+let server: PreviewServer;
+let firefox: FirefoxBrowser;
+let page: Page;
+const faults: string[] = [];
+
+beforeAll(async () => {
+  const configFile = fileURLToPath(new URL("../../vite.config.ts", import.meta.url));
+  server = await preview({ configFile, logLevel: "warn", preview: { port: await freePort(), strictPort: true } });
+  firefox = await launchFirefox();
+  page = await firefox.browser.newPage();
+  page.on("console", (message) => {
+    if (message.type() === "error") faults.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => faults.push(`page: ${String(error)}`));
+  await page.setViewport({ width: 1280, height: 800 });
+  await page.goto(server.resolvedUrls?.local[0] ?? "");
+  await page.waitForFunction(() => window.texelcast !== undefined, { timeout: 60_000 });
+  await page.evaluate(() => window.texelcast.ready);
+  await page.evaluate(() => window.texelcast.idle());
+});
+
+afterAll(async () => {
+  await firefox?.close();
+  await server?.close();
+});
+
+/** Of the decal that the first demo has. */
+const decalPlace = () =>
+  page.evaluate(() => {
+    const [layer] = window.texelcast.design().layers;
+    if (layer?.type !== "decal" || layer.projector.kind !== "planar") throw new Error("The mug has no decal.");
+    const point = window.texelcast.project(...layer.projector.position);
+    if (!point) throw new Error("The decal is not in view.");
+    return { ...point, position: layer.projector.position };
+  });
+
+const settledHash = () =>
+  page.evaluate(async () => {
+    await window.texelcast.idle();
+    return window.texelcast.hash();
+  });
+
+test("the page opens on its first demo and draws it", async () => {
+  expect(await page.evaluate(() => navigator.userAgent)).toContain("Firefox/");
+  await page.waitForFunction(async () => (await window.texelcast.stats()).frames > 0, { timeout: 60_000 });
+  expect(await page.evaluate(() => window.texelcast.design().layers.length)).toBeGreaterThan(0);
+  const { shownRevision, bakeCount } = await page.evaluate(() => window.texelcast.stats());
+  expect(bakeCount).toBe(1);
+  expect(shownRevision).toBeGreaterThan(0);
+  expect(faults).toEqual([]);
+});
+
+test("the decal is dragged with the mouse, texels change under way, and undo gives the first bytes back", async () => {
+  const start = await settledHash();
+  const from = await decalPlace();
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 40, from.y - 10, { steps: 8 });
+  await page.waitForFunction(async (hash) => (await window.texelcast.hash()) !== hash, { timeout: 60_000 }, start);
+  await page.mouse.move(from.x + 60, from.y - 15, { steps: 4 });
+  await page.mouse.up();
+  const moved = await settledHash();
+  expect(moved).not.toBe(start);
+  expect((await decalPlace()).position).not.toEqual(from.position);
+
+  await page.keyboard.down("Control");
+  await page.keyboard.press("z");
+  await page.keyboard.up("Control");
+  expect(await settledHash()).toBe(start);
+  expect(faults).toEqual([]);
+});
+
+test("many layers give the one hash in Firefox that Chromium, Node and native code give", async () => {
+  expect(await page.evaluate(hashManyLayersInPage, manyLayersInput())).toBe(manyLayersHash);
+});

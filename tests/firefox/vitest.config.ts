@@ -1,0 +1,14 @@
+import { fileURLToPath } from "node:url";
+import { defineConfig } from "vitest/config";
+
+/** The built site in Firefox with software WebGL. `npm run build` first; `npm test` does. */
+export default defineConfig({
+  root: fileURLToPath(new URL("../..", import.meta.url)),
+  test: {
+    environment: "node",
+    include: ["tests/firefox/*.spec.ts"],
+    // Mesa compiles the first frame's shaders on the processor.
+    testTimeout: 90_000,
+    hookTimeout: 90_000,
+  },
+});
