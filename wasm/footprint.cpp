@@ -145,7 +145,8 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
 namespace {
 
 /// Mean colour by the footprint's lattice of samples alone. `x`, `y`: in pixels of its level, less 1/2.
-__attribute__((always_inline)) inline Float4 sample_lattice(const PyramidLevel& level, const Footprint& f, float x, float y) {
+__attribute__((always_inline)) inline Float4 sample_lattice(const PyramidLevel& level, const Footprint& f, float x,
+                                                            float y) {
     const LatticeGroup& group = lattice_group(f.across_samples);
     const auto width = static_cast<std::int32_t>(level.width);
     Int4 sum{};

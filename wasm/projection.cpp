@@ -14,6 +14,9 @@ namespace {
 /// and top edge), how deep they lie (decal space), how they face (normal . ray, before the normal is normalised).
 enum Lane { kX, kY, kDepth, kFacing };
 
+/// What is known of the triangles that may hide a frame.
+enum class Hiding { kUnasked, kNone, kBlockers, kUnknown };
+
 /// A frame as this decal sees it.
 struct DecalFrame {
     std::uint32_t frame = 0xffffffffu;
@@ -26,6 +29,8 @@ struct DecalFrame {
     bool has_footprint = false;
     Footprint footprint{};
     const PyramidLevel* level = nullptr;  // the footprint's
+    Hiding hiding = Hiding::kUnasked;
+    std::vector<std::uint32_t> blockers;  // where hiding says that these are all
 
     Float4 at_texel(std::int32_t x, std::int32_t y) const {
         return at + dx * splat(static_cast<float>(x - x0)) + dy * splat(static_cast<float>(y - y0));
@@ -40,7 +45,7 @@ enum class Fate { kNone, kSome, kAll };
 class DecalPainter {
 public:
     DecalPainter(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings, const ImagePyramid& image,
-                 const OccluderGrid* occluders)
+                 OccluderGrid* occluders)
         : map_(map),
           mesh_(mesh),
           settings_(settings),
@@ -48,7 +53,9 @@ public:
           occluders_(occluders),
           width_(static_cast<float>(image.levels[0].width)),
           height_(static_cast<float>(image.levels[0].height)),
-          fade_(settings.repeat ? 0.0f : 0.5f) {}
+          fade_(settings.repeat ? 0.0f : 0.5f) {
+        if (occluders != nullptr) known_clear_.assign(map.frames.size(), 0);
+    }
 
     /// Paints one tile's texels into `texels` (zeroed before). Returns how many took colour.
     std::uint32_t paint_tile(const MapTile& tile, std::uint16_t* texels) {
@@ -119,6 +126,8 @@ private:
         d.dx = seen.dx * scale;
         d.dy = seen.dy * scale;
         d.has_footprint = false;
+        d.hiding = Hiding::kUnasked;
+        d.blockers.clear();
     }
 
     /// Only frames that paint need one.
@@ -129,9 +138,19 @@ private:
         d.has_footprint = true;
     }
 
+    Hiding hiding_of(DecalFrame& d) {
+        if (d.hiding == Hiding::kUnasked && known_clear_[d.frame] != 0) d.hiding = Hiding::kNone;
+        if (d.hiding == Hiding::kUnasked) {
+            const bool is_known = occluders_->find_blockers(map_.frames[d.frame].triangle, d.blockers);
+            d.hiding = !is_known ? Hiding::kUnknown : d.blockers.empty() ? Hiding::kNone : Hiding::kBlockers;
+            known_clear_[d.frame] = d.hiding == Hiding::kNone ? 1 : 0;
+        }
+        return d.hiding;
+    }
+
     /// All tests at once for the covered texels that a frame may have in a tile: what they look at is affine over the
     /// tile, so it lies within its bounds there.
-    Fate fate_in_tile(DecalFrame& d, std::int32_t tile_x, std::int32_t tile_y) const {
+    Fate fate_in_tile(DecalFrame& d, std::int32_t tile_x, std::int32_t tile_y) {
         constexpr float kHalf = 0.5f * static_cast<float>(kTileSize - 1);
         const Float4 centre = d.at + d.dx * splat(static_cast<float>(tile_x - d.x0) + kHalf) +
                               d.dy * splat(static_cast<float>(tile_y - d.y0) + kHalf);
@@ -144,13 +163,14 @@ private:
         const Float4 most = Float4{width_, height_, 0.5f, kAny} + margin;
         if (any_lane((high < least) | (low > most))) return Fate::kNone;
         ensure_footprint(d);
-        if (settings_.nearest || occluders_ != nullptr) return Fate::kSome;
+        if (settings_.nearest) return Fate::kSome;
         // Covered texels' normals are means of unit ones, so no longer than 1: where n . ray is beyond the fade's start
         // the cosine is all the more.
         const Float4 inner_least = {d.footprint.inset_x, d.footprint.inset_y, -0.5f,
                                     std::max(settings_.fade_start_cosine, 1e-6f)};
         const Float4 inner_most = {width_ - d.footprint.inset_x, height_ - d.footprint.inset_y, 0.5f, kAny};
-        return any_lane((low < inner_least) | (high > inner_most)) ? Fate::kSome : Fate::kAll;
+        if (any_lane((low < inner_least) | (high > inner_most))) return Fate::kSome;
+        return occluders_ != nullptr && hiding_of(d) != Hiding::kNone ? Fate::kSome : Fate::kAll;
     }
 
     /// How far beyond the picture a texel's centre may lie: by its footprint, and by the half pixel over which a linear
@@ -224,7 +244,7 @@ private:
                 color = sample_edge(image_, d.footprint, x, y, settings_.repeat);
             }
             // Last, as it costs most: where the picture is transparent it need not be asked.
-            if (occluders_ != nullptr && color[3] > 0.0f && is_hidden(run, frame, x0 + i, y0)) continue;
+            if (occluders_ != nullptr && color[3] > 0.0f && is_hidden(run, d, frame, x0 + i, y0)) continue;
             std::uint16_t* texel = texels + i * 4;
             store_rounded_ushort4(texel, color * splat(weight));
             if (texel[3] != 0) ++painted_;
@@ -259,10 +279,11 @@ private:
 
     /// Test 4. A gutter texel's own place lies off the surface, so it asks for the nearest point of its triangle: else
     /// the gutter at an inner edge would be hidden by the neighbour, and a seam would show.
-    bool is_hidden(const TexelRun& run, const TexelFrame& frame, std::int32_t x, std::int32_t y) const {
+    bool is_hidden(const TexelRun& run, DecalFrame& d, const TexelFrame& frame, std::int32_t x, std::int32_t y) {
         glm::dvec3 origin(frame.position_at(x, y));
         if ((run.flags & kRunGutter) != 0) origin = nearest_point_on_triangle(mesh_, frame.triangle, origin);
-        return occluders_->is_blocked(origin, frame.triangle);
+        if (hiding_of(d) == Hiding::kUnknown) return occluders_->is_blocked(origin, frame.triangle);
+        return occluders_->is_blocked_by(d.blockers, origin, frame.triangle);
     }
 
     Float4 sample_nearest(float x, float y) const {
@@ -276,11 +297,12 @@ private:
     const Mesh& mesh_;
     const DecalSettings& settings_;
     const ImagePyramid& image_;
-    const OccluderGrid* occluders_;
+    OccluderGrid* occluders_;
     float width_;
     float height_;
-    float fade_;                       // pixels on either side of the picture's edge
-    LatticeTexel rough_[kTileTexels];  // of the tile under way: they take their lattices in one go
+    float fade_;                             // pixels on either side of the picture's edge
+    std::vector<std::uint8_t> known_clear_;  // per frame: 1 where nothing hides it (the cache below forgets)
+    LatticeTexel rough_[kTileTexels];        // of the tile under way: they take their lattices in one go
     std::uint32_t rough_count_ = 0;
     std::uint32_t tile_ = kNoTile;
     std::uint32_t painted_ = 0;  // of the tile under way
@@ -290,7 +312,7 @@ private:
 }  // namespace
 
 TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                        const ImagePyramid& image, const OccluderGrid* occluders, LayerTiles& out,
+                        const ImagePyramid& image, OccluderGrid* occluders, LayerTiles& out,
                         std::uint32_t& out_texels) {
     out.indices.clear();
     out.texels.clear();

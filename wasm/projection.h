@@ -25,7 +25,6 @@ struct DecalSettings {
 /// Paints the decal into `out` (in place of what was there). `occluders` null paints through. `out_texels`: how many
 /// texels took colour. Errors: OUT_OF_BUDGET; `out` is then empty.
 TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                        const ImagePyramid& image, const OccluderGrid* occluders, LayerTiles& out,
-                        std::uint32_t& out_texels);
+                        const ImagePyramid& image, OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels);
 
 }  // namespace txc

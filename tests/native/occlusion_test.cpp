@@ -163,6 +163,46 @@ TEST_CASE("A decal's grid of occluders answers as the tree's rays do") {
     CHECK(budget.used() == 0);
 }
 
+TEST_CASE("A triangle's blockers are all that ever hide a point of it, and a surface without folds has none") {
+    Shape folded = make_sphere(0.6, 14, 7);
+    folded.append(moved(make_cylinder(0.3, 1.4, 12), 0.3, 0.1, 0.4));
+    const txc::Mesh mesh = make_core_mesh(folded);
+    txc::MemoryBudget budget(1u << 28);
+    txc::OcclusionTree tree(budget);
+    must(tree.build(mesh));
+    Random random(62);
+    int blocked_count = 0;
+    int clear_count = 0;
+    for (int round = 0; round < 20; ++round) {
+        TxcLayerDef def = decal_def(0);
+        random.rotation(def.rotation);
+        place(def, random.between(-0.3, 0.3), random.between(-0.3, 0.3), random.between(-0.3, 0.3));
+        resize(def, random.between(1.0, 3.0), random.between(1.0, 3.0), random.between(1.0, 3.0));
+        const txc::PlanarProjector projector = make_projector(def);
+        txc::OccluderGrid grid(mesh, tree, projector, budget);
+        must(grid.build());
+        std::vector<std::uint32_t> blockers;
+        for (std::uint32_t own = 0; own < mesh.triangles.size(); ++own) {
+            if (!grid.find_blockers(own, blockers)) continue;
+            clear_count += blockers.empty() ? 1 : 0;
+            for (int point = 0; point < 6; ++point) {
+                const double b = random.between(0.02, 0.97);
+                const double c = random.between(0.02, 1.0 - b);
+                if (b + c > 0.98) continue;
+                const auto corner = [&](int i) { return glm::dvec3(mesh.positions[mesh.triangles[own].vertex[i]]); };
+                const glm::dvec3 p = corner(0) * (1.0 - b - c) + corner(1) * b + corner(2) * c;
+                const glm::dvec3 q = projector.to_decal.apply(p);
+                if (std::fabs(q.x) > 0.5 || std::fabs(q.y) > 0.5 || std::fabs(q.z) > 0.5) continue;
+                const bool blocked = grid.is_blocked(p, own);
+                CHECK_UNARY(grid.is_blocked_by(blockers, p, own) == blocked);
+                blocked_count += blocked ? 1 : 0;
+            }
+        }
+    }
+    CHECK(blocked_count > 500);
+    CHECK(clear_count > 500);
+}
+
 TEST_CASE("A plate before another hides it, and paint goes through it where that is asked for") {
     TestSession session;
     session.add(make_plane(1.0, 0.0), 0);
