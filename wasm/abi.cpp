@@ -387,6 +387,18 @@ TxcStatus txc_target_read(TxcSession session, TxcTarget target, uint32_t level, 
     });
 }
 
+TxcStatus txc_target_read_bled(TxcSession session, TxcTarget id, uint32_t row, uint32_t row_count, uint8_t* out_rgba) {
+    return in_session(session, out_rgba, "out_rgba", [&](Session& s) {
+        const txc::MipLevel* mip = nullptr;
+        if (const TxcStatus status = find_region(s, id, 0, 0, row, 0, row_count, mip); status != TXC_STATUS_OK)
+            return status;
+        Target* target = nullptr;
+        if (const TxcStatus status = s.find_bleed(id, target); status != TXC_STATUS_OK) return status;
+        txc::read_bled_rows(*target, row, row_count, out_rgba);
+        return TXC_STATUS_OK;
+    });
+}
+
 TxcStatus txc_target_hash(TxcSession session, TxcTarget target, uint32_t x, uint32_t y, uint32_t width, uint32_t height,
                           uint32_t* out_hash) {
     return in_session(session, out_hash, "out_hash", [&](Session& s) {

@@ -37,6 +37,8 @@ public:
         return claim_long_span(words, from, count);
     }
 
+    bool is_claimed(std::uint32_t x, std::uint32_t y) const { return (row(y)[x / 64] >> (x % 64) & 1) != 0; }
+
     /// Sets one bit; false where it was set already.
     bool claim(std::uint32_t x, std::uint32_t y) {
         std::uint64_t& word = row(y)[x / 64];

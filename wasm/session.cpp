@@ -438,6 +438,11 @@ TxcStatus Session::project_layer(const Target& target, Layer& layer, TxcUpdate& 
     return TXC_STATUS_OK;
 }
 
+TxcStatus Session::find_bleed(TxcTarget id, Target*& out_target) {
+    if (const TxcStatus status = find_baked(id, out_target); status != TXC_STATUS_OK) return status;
+    return txc::find_bleed(*out_target, budget_);
+}
+
 TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
     Target* target = nullptr;
     if (const TxcStatus status = find_baked(id, target); status != TXC_STATUS_OK) return status;
@@ -454,6 +459,7 @@ TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
         }
         visible.push_back(&layer);
     }
+    target->bleed.forget();
     if (const TxcStatus status = composite_target(*target, visible, update.composited_texels); status != TXC_STATUS_OK)
         return status;
     projected_texels_ = update.projected_texels;

@@ -32,6 +32,8 @@ public:
     TxcStatus find_target(TxcTarget id, Target*& out_target) const;
     /// Like find_target, and NOT_BAKED before its map is ready.
     TxcStatus find_baked(TxcTarget id, Target*& out_target) const;
+    /// The target with its bled texels known.
+    TxcStatus find_bleed(TxcTarget id, Target*& out_target);
     TxcStatus set_base(TxcTarget target, std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba,
                        bool nearest);
     TxcStatus set_base_color(TxcTarget target, const std::uint8_t (&rgba)[4]);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base_picture.h"
+#include "bleed.h"
 #include "layer_tiles.h"
 #include "local_space_map.h"
 #include "map_baker.h"
@@ -26,7 +27,7 @@ struct Layer {
 
 struct Target {
     Target(const TxcTargetDef& target_def, MemoryBudget& budget)
-        : def(target_def), base_share(budget), output_share(budget) {}
+        : def(target_def), bleed(budget), base_share(budget), output_share(budget) {}
 
     TxcTargetDef def;
     std::unique_ptr<MapBaker> baker;     // while the bake is under way
@@ -40,6 +41,8 @@ struct Target {
     // The newest update's report.
     std::vector<TxcRect> rects;
     std::vector<std::uint8_t> packed;
+
+    Bleed bleed;  // for exports
 
     BudgetShare base_share;
     BudgetShare output_share;  // output, packed bytes, tile marks

@@ -296,6 +296,10 @@ TXC_API const uint8_t* txc_target_update_bytes(TxcSession session, TxcTarget tar
 /* Copies a rectangle of a level, as of the newest update. RGBA, straight alpha, rows packed. */
 TXC_API TxcStatus txc_target_read(TxcSession session, TxcTarget target, uint32_t level, uint32_t x, uint32_t y,
                                   uint32_t width, uint32_t height, uint8_t* out_rgba);
+/* Rows [row, row + row_count) of level 0 as of the newest update, as they are to be exported: colour bled outward from
+ * charts that layers changed, 16 texels at 1024 and in proportion, never less. Errors: NOT_BAKED, OUT_OF_BUDGET. */
+TXC_API TxcStatus txc_target_read_bled(TxcSession session, TxcTarget target, uint32_t row, uint32_t row_count,
+                                       uint8_t* out_rgba);
 /* FNV-1a, 64 bits, over the bytes that txc_target_read would give for level 0: out_hash[0] low, out_hash[1] high. */
 TXC_API TxcStatus txc_target_hash(TxcSession session, TxcTarget target, uint32_t x, uint32_t y, uint32_t width,
                                   uint32_t height, uint32_t* out_hash);

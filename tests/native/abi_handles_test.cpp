@@ -96,6 +96,7 @@ std::vector<Call> calls_on_target(TxcTarget target) {
              return txc_target_update(s, target, &update);
          }},
         {"txc_target_read", [=](TxcSession s) { return txc_target_read(s, target, 0, 0, 0, 1, 1, bytes.data()); }},
+        {"txc_target_read_bled", [=](TxcSession s) { return txc_target_read_bled(s, target, 0, 1, bytes.data()); }},
         {"txc_target_hash",
          [=](TxcSession s) {
              std::uint32_t hash[2];
@@ -241,6 +242,7 @@ TEST_CASE("Null pointers are refused, not followed") {
         txc_layer_def(s, handles.layer, nullptr),
         txc_target_update(s, handles.target, nullptr),
         txc_target_read(s, handles.target, 0, 0, 0, 1, 1, nullptr),
+        txc_target_read_bled(s, handles.target, 0, 1, nullptr),
         txc_target_hash(s, handles.target, 0, 0, 1, 1, nullptr),
     };
     for (std::size_t place_in_list = 0; place_in_list < std::size(statuses); ++place_in_list) {

@@ -162,6 +162,7 @@ export const CORE_FUNCTIONS = {
   txc_target_update_rects: 2,
   txc_target_update_bytes: 2,
   txc_target_read: 8,
+  txc_target_read_bled: 5,
   txc_target_hash: 7,
 } as const;
 

@@ -189,6 +189,13 @@ export class Target {
     });
   }
 
+  /** Rows of level 0 as they are exported: colour bled outward from charts that layers changed (spec.md, 6). RGBA. */
+  readBled(row: number, rowCount: number, width: number): Uint8Array<ArrayBuffer> {
+    return this.#core.collect(rowCount * width * 4, (out) => {
+      this.#core.run("txc_target_read_bled", this.#session, this.#handle, row, rowCount, out);
+    });
+  }
+
   /** 64-bit FNV-1a over a rectangle of level 0: 16 hex digits, high word first. */
   hash(x: number, y: number, width: number, height: number): string {
     const bytes = this.#core.collect(8, (out) => {

@@ -184,7 +184,7 @@ export class EngineHost implements Engine {
   exportPng(material: number): Promise<Uint8Array> {
     return this.#enqueue((session) => {
       this.#draw(session);
-      return encodePng(this.#requireTarget(material).picture());
+      return encodePng(this.#requireTarget(material).exportedPicture());
     });
   }
 
@@ -194,7 +194,7 @@ export class EngineHost implements Engine {
       this.#draw(session);
       const edits: TextureEdit[] = [];
       for (const [material, target] of this.#targets) {
-        const png = await encodePng(target.picture());
+        const png = await encodePng(target.exportedPicture());
         const { texCoord } = session.materialInfo(material);
         edits.push({ material, png, texCoord, factorBaked: target.factorBaked });
       }

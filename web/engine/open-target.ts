@@ -99,10 +99,10 @@ export class OpenTarget {
     return this.#target.read(0, x, y, width, height);
   }
 
-  /** The whole texture as of the newest `draw`. */
-  picture(): Picture {
+  /** The whole texture as of the newest `draw`, as it is exported: with colour bled beyond the gutter. */
+  exportedPicture(): Picture {
     const { width, height } = this.info;
-    return { width, height, rgba: this.#copyRows(4, (row, count) => this.#target.read(0, 0, row, width, count)) };
+    return { width, height, rgba: this.#copyRows(4, (row, count) => this.#target.readBled(row, count, width)) };
   }
 
   hash(x: number, y: number, width: number, height: number): string {
