@@ -2,6 +2,7 @@
 // and WebAssembly run the same operations in the same order and give the same bytes (spec section 7).
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <glm/glm.hpp>
@@ -40,6 +41,19 @@ inline bool any_lane(Int4 mask) { return (mask[0] | mask[1] | mask[2] | mask[3])
 #endif
 
 inline Float4 absolute(Float4 a) { return greater(a, -a); }
+
+/// Lanes of `yes` where the mask (of a comparison) is set, of `no` elsewhere.
+inline Float4 select(Int4 mask, Float4 yes, Float4 no) {
+    return reinterpret_cast<Float4>((mask & reinterpret_cast<Int4>(yes)) | (~mask & reinterpret_cast<Int4>(no)));
+}
+
+inline Float4 square_root(Float4 a) {
+#if defined(__wasm_simd128__)
+    return reinterpret_cast<Float4>(wasm_f32x4_sqrt(reinterpret_cast<v128_t>(a)));
+#else
+    return Float4{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
+#endif
+}
 
 #if defined(__wasm_simd128__)
 // Clang 14 turns "widen, then convert" into four conversions lane by lane (which cost a drag a third of its time) unless

@@ -230,8 +230,30 @@ TXC_API TxcStatus txc_image_destroy(TxcSession session, TxcImage image);
 /* ---- Layers ----------------------------------------------------------------------------------------------------- */
 typedef enum TxcLayerKind { TXC_LAYER_DECAL, TXC_LAYER_FILL, TXC_LAYER_KIND_COUNT } TxcLayerKind;
 typedef enum TxcProjector { TXC_PROJECTOR_PLANAR, TXC_PROJECTOR_COUNT } TxcProjector;
-typedef enum TxcBlend { TXC_BLEND_NORMAL, TXC_BLEND_COUNT } TxcBlend;
-typedef enum TxcBlendSpace { TXC_BLEND_SPACE_SRGB, TXC_BLEND_SPACE_COUNT } TxcBlendSpace;
+/* The modes of W3C Compositing and Blending Level 1 under their names there, and erase: destination out, which takes the
+ * target's alpha away by the layer's and leaves colour alone. */
+typedef enum TxcBlend {
+    TXC_BLEND_NORMAL,
+    TXC_BLEND_MULTIPLY,
+    TXC_BLEND_SCREEN,
+    TXC_BLEND_OVERLAY,
+    TXC_BLEND_DARKEN,
+    TXC_BLEND_LIGHTEN,
+    TXC_BLEND_COLOR_DODGE,
+    TXC_BLEND_COLOR_BURN,
+    TXC_BLEND_HARD_LIGHT,
+    TXC_BLEND_SOFT_LIGHT,
+    TXC_BLEND_DIFFERENCE,
+    TXC_BLEND_EXCLUSION,
+    TXC_BLEND_HUE,
+    TXC_BLEND_SATURATION,
+    TXC_BLEND_COLOR,
+    TXC_BLEND_LUMINOSITY,
+    TXC_BLEND_ERASE,
+    TXC_BLEND_COUNT
+} TxcBlend;
+/* Where colours are mixed: as encoded (CSS, Canvas 2D, image editors), or in linear light. */
+typedef enum TxcBlendSpace { TXC_BLEND_SPACE_SRGB, TXC_BLEND_SPACE_LINEAR, TXC_BLEND_SPACE_COUNT } TxcBlendSpace;
 typedef enum TxcWrap { TXC_WRAP_NONE, TXC_WRAP_REPEAT, TXC_WRAP_COUNT } TxcWrap;
 typedef enum TxcOcclusion { TXC_OCCLUSION_SELF, TXC_OCCLUSION_NONE, TXC_OCCLUSION_COUNT } TxcOcclusion;
 
@@ -241,9 +263,9 @@ typedef struct TxcLayerDef {
     uint32_t image;          /* decal: its TxcImage */
     uint32_t visible;        /* 1 */
     float opacity;           /* 0 to 1; 1 */
-    uint32_t blend;          /* TxcBlend */
-    uint32_t blend_space;    /* TxcBlendSpace */
-    uint32_t lock_alpha;     /* 0 */
+    uint32_t blend;          /* TxcBlend; normal */
+    uint32_t blend_space;    /* TxcBlendSpace; sRGB */
+    uint32_t lock_alpha;     /* 0: 1 leaves the target's alpha as it was (an erasing layer then does nothing) */
     uint32_t filter;         /* TxcFilter; linear */
     uint32_t wrap;           /* TxcWrap; none */
     uint32_t flip_x;         /* 0: 1 mirrors the picture left to right */

@@ -14,8 +14,26 @@ export const MapViews = { positions: 0, normals: 1, coverage: 2, overlap: 3 } as
 export const Filters = { linear: 0, nearest: 1 } as const;
 export const LayerKinds = { decal: 0, fill: 1 } as const;
 export const Projectors = { planar: 0 } as const;
-export const Blends = { normal: 0 } as const;
-export const BlendSpaces = { srgb: 0 } as const;
+export const Blends = {
+  normal: 0,
+  multiply: 1,
+  screen: 2,
+  overlay: 3,
+  darken: 4,
+  lighten: 5,
+  colorDodge: 6,
+  colorBurn: 7,
+  hardLight: 8,
+  softLight: 9,
+  difference: 10,
+  exclusion: 11,
+  hue: 12,
+  saturation: 13,
+  color: 14,
+  luminosity: 15,
+  erase: 16,
+} as const;
+export const BlendSpaces = { srgb: 0, linear: 1 } as const;
 export const Wraps = { none: 0, repeat: 1 } as const;
 export const Occlusions = { self: 0, none: 1 } as const;
 
