@@ -93,6 +93,8 @@ Plan random_plan(Random& random) {
     resize(def, random.between(0.1, 2), random.between(0.1, 2), random.between(0.1, 3));
     def.opacity = static_cast<float>(random.unit());
     def.lock_alpha = random.below(4) == 0 ? 1 : 0;
+    if (random.coin()) def.blend = random.below(TXC_BLEND_COUNT);
+    def.blend_space = random.below(4) == 0 ? TXC_BLEND_SPACE_LINEAR : TXC_BLEND_SPACE_SRGB;
     def.filter = random.below(3) == 0 ? TXC_FILTER_NEAREST : TXC_FILTER_LINEAR;
     def.wrap = random.below(4) == 0 ? TXC_WRAP_REPEAT : TXC_WRAP_NONE;
     def.backfaces = random.below(4) == 0 ? 1 : 0;

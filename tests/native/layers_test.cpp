@@ -229,6 +229,8 @@ TEST_CASE("Every field of a change shows") {
         return differs;
     };
     CHECK(changes([&] { def.opacity = 0.5f; }));
+    CHECK(changes([&] { def.blend = TXC_BLEND_MULTIPLY; }));
+    CHECK(changes([&] { def.blend_space = TXC_BLEND_SPACE_LINEAR; }));
     CHECK(changes([&] { def.filter = TXC_FILTER_NEAREST; }));
     CHECK(changes([&] { def.flip_x = 1; }));
     CHECK(changes([&] { def.flip_y = 1; }));
