@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import {
   BLEND_MODES,
+  BLEND_SPACES,
   emptyDesign,
   makeDecalLayer,
   makeFillLayer,
@@ -67,26 +68,24 @@ describe("resolving layers for the engine", () => {
     expect(resolveLayers({ ...emptyDesign(), layers: [fill] })).toEqual(resolve({ type: "fill", color: "#00ff00" }));
   });
 
-  it.each(BLEND_MODES.filter((mode) => mode !== "normal"))("refuses the blend mode %s by name", (blend) => {
-    const error = refusal(decal({ blend }));
-    expect(error).toMatchObject({
+  it.each(BLEND_MODES)("hands on the blend mode %s, in both spaces, of decals and fills", (blend) => {
+    for (const blendSpace of BLEND_SPACES) {
+      const mixing = { blend, blendSpace, lockAlpha: true };
+      expect(resolve(decal(mixing))[0]).toMatchObject(mixing);
+      expect(resolve({ type: "fill", color: "#000000", ...mixing })[0]).toMatchObject(mixing);
+    }
+  });
+
+  it("names the file, the field and the value of what it refuses", () => {
+    expect(refusal(decal({ projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } }))).toMatchObject({
       code: "unsupported",
       subject: "shirt.json",
-      field: "layers[0].blend",
-      value: `"${blend}"`,
+      field: "layers[0].projector.kind",
+      value: '"uv"',
     });
-    expect(error.hint).toBe('What works there: "normal".');
   });
 
   it.each<[string, object, string, string]>([
-    ["blending in linear light", decal({ blendSpace: "linear" }), "layers[0].blendSpace", '"srgb"'],
-    [
-      "blending a fill in linear light",
-      { type: "fill", color: "#000000", blendSpace: "linear" },
-      "layers[0].blendSpace",
-      '"srgb"',
-    ],
-    ["erasing by a fill", { type: "fill", color: "#000000", blend: "erase" }, "layers[0].blend", '"normal"'],
     [
       "a perspective projector",
       decal({
@@ -137,7 +136,12 @@ describe("resolving layers for the engine", () => {
       "layers[0].type",
       "decal and fill layers",
     ],
-    ["a hidden layer all the same", decal({ visible: false, blend: "screen" }), "layers[0].blend", '"normal"'],
+    [
+      "a hidden layer all the same",
+      decal({ visible: false, projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } }),
+      "layers[0].projector.kind",
+      '"planar"',
+    ],
   ])("refuses %s, saying what works", (_what, layer, field, works) => {
     const error = refusal(layer);
     expect(error.code).toBe("unsupported");

@@ -197,6 +197,38 @@ test("every switch of the panel reaches the texture or the design", async ({ edi
   });
 });
 
+test("a layer's blend mode is chosen in the list, its mixing and its hold on alpha in the panel", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const id = await editor.addDemoDecal("number");
+  const start = await editor.settledHash();
+  const mode = page.getByRole("combobox", { name: "Blend mode of Number 07" });
+  await expect(mode).toHaveValue("normal");
+  await expect(mode.getByRole("option")).toHaveCount(17);
+  await mode.selectOption("Difference");
+  const inSrgb = await editor.settledHash();
+  expect(inSrgb).not.toBe(start);
+  await page.getByRole("radio", { name: "As light" }).check();
+  expect(await editor.settledHash()).not.toBe(inSrgb);
+  await page.locator("#lockAlpha").check();
+  expect(await editor.decal(id)).toMatchObject({ blend: "difference", blendSpace: "linear", lockAlpha: true });
+
+  const { name } = await editor.decal(id);
+  await mode.focus();
+  await page.keyboard.press("Alt+ArrowDown");
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("ArrowUp");
+  expect((await editor.decal(id)).name, "the keys are the choice's, not the list's or the model's").toBe(name);
+  expect((await editor.decal(id)).projector).toEqual((await editor.decal(id)).projector);
+
+  for (let step = 0; step < 4; step += 1) await page.keyboard.press("Control+z");
+  await expect.poll(() => editor.settledHash()).toBe(start);
+  await expect(mode).toHaveValue("normal");
+});
+
 test("texture size and gutter are the user's choice, and the decal is drawn anew at each size", async ({
   editor,
   page,

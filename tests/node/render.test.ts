@@ -106,6 +106,28 @@ describe("texelcast render to .png", () => {
     expect(await bench.texel("out.png", 8, 8)).toEqual([0, 128, 128, 255]);
   });
 
+  it("blends by the design's modes, in sRGB or in linear light, and erases", async () => {
+    const over = { filter: "nearest", blend: "multiply" };
+    const bench = await workbench([
+      { type: "fill", color: "#808000" },
+      decal(over),
+      decal({ ...over, blendSpace: "linear", opacity: 0.5 }),
+      { type: "fill", color: "#000000", blend: "erase", opacity: 0.2 },
+    ]);
+    const run = await bench.render("--out", "out.png", "--size", "64");
+    expect(run.stdout).toContain("4 layers");
+    expect(await bench.texel("out.png", 4, 4)).toEqual([128, 128, 0, 204]);
+    const [red, green, blue, grey] = await corners(bench, "out.png");
+    // Both multiply by the picture's 0 and 1: red keeps the first channel, green the second, blue none.
+    expect([red, green, blue]).toEqual([
+      [128, 0, 0, 204],
+      [0, 128, 0, 204],
+      [0, 0, 0, 204],
+    ]);
+    // 128 · 128 / 255 = 64.3; half of that times 0.2159, which is 128 in linear light: 49.6.
+    expect(grey).toEqual([50, 50, 0, 204]);
+  });
+
   it("writes the same bytes each time", async () => {
     const bench = await workbench([decal({ opacity: 0.7 })]);
     await bench.render("--out", "first.png", "--size", "64");
@@ -210,10 +232,10 @@ describe("what texelcast render refuses", () => {
     ["a ground that is missing", [], ["--base", "ground.png"], "ground.png: there is no such file"],
     ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
     [
-      "a blend mode of a later day",
-      [decal({ blend: "multiply" })],
+      "a projector of a later day",
+      [decal({ projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } })],
       [],
-      "layers[0].blend: blend modes other than normal cannot be drawn yet",
+      "layers[0].projector.kind: projectors other than planar cannot be drawn yet",
     ],
   ])("%s: exit code 3, nothing written, nothing on stdout", async (_what, layers, args, told) => {
     const bench = await workbench(layers);

@@ -22,6 +22,26 @@ export interface PlanarProjector {
   readonly size: Vec3;
 }
 
+/** W3C Compositing and Blending Level 1 by its own names, and `erase` (destination out). */
+export type BlendMode =
+  | "normal"
+  | "multiply"
+  | "screen"
+  | "overlay"
+  | "darken"
+  | "lighten"
+  | "color-dodge"
+  | "color-burn"
+  | "hard-light"
+  | "soft-light"
+  | "difference"
+  | "exclusion"
+  | "hue"
+  | "saturation"
+  | "color"
+  | "luminosity"
+  | "erase";
+
 interface EngineLayerBase {
   /** Unique within a design. */
   readonly id: string;
@@ -30,8 +50,9 @@ interface EngineLayerBase {
   readonly visible: boolean;
   /** 0 to 1. */
   readonly opacity: number;
-  readonly blend: "normal";
-  readonly blendSpace: "srgb";
+  readonly blend: BlendMode;
+  readonly blendSpace: "srgb" | "linear";
+  /** The target's alpha stays as it was. */
   readonly lockAlpha: boolean;
 }
 

@@ -6,7 +6,16 @@ import { BlendSpaces, Blends, Filters, type LayerDef, LayerKinds, Occlusions, Pr
 import type { ImageHandle } from "../core/session.ts";
 import type { LayerHandle, Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import type { EngineLayer } from "./engine-api.ts";
+import type { BlendMode, EngineLayer } from "./engine-api.ts";
+
+/** The ABI's numbers under the standard's names, which are hyphenated. */
+const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
+  ...Blends,
+  "color-dodge": Blends.colorDodge,
+  "color-burn": Blends.colorBurn,
+  "hard-light": Blends.hardLight,
+  "soft-light": Blends.softLight,
+};
 
 interface SyncedLayer {
   readonly id: string;
@@ -101,7 +110,7 @@ function coreLayer(layer: EngineLayer, image: ImageHandle): Partial<LayerDef> {
   const shared = {
     visible: Number(layer.visible),
     opacity: layer.opacity,
-    blend: Blends[layer.blend],
+    blend: BLEND_NUMBERS[layer.blend],
     blendSpace: BlendSpaces[layer.blendSpace],
     lockAlpha: Number(layer.lockAlpha),
   };

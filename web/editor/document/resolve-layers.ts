@@ -22,34 +22,20 @@ function resolveLayer(layer: DesignLayer, index: number, name: string): EngineLa
   if (layer.type === "text" || layer.type === "stroke") {
     throw unsupported(name, [...place, "type"], layer.type, `${layer.type} layers`, "decal and fill layers");
   }
-  return layer.type === "decal" ? resolveDecal(layer, place, name) : resolveFill(layer, place, name);
+  return layer.type === "decal" ? resolveDecal(layer, place, name) : resolveFill(layer);
 }
 
 function resolveDecal(layer: DecalLayer, place: readonly (string | number)[], name: string): EngineLayer {
   const { name: _shownName, ...fields } = layer;
   return {
     ...fields,
-    ...resolveBlending(layer, place, name),
     projector: resolveProjector(layer.projector, [...place, "projector"], name),
   };
 }
 
-function resolveFill(layer: FillLayer, place: readonly (string | number)[], name: string): EngineLayer {
+function resolveFill(layer: FillLayer): EngineLayer {
   const { name: _shownName, ...fields } = layer;
-  return { ...fields, ...resolveBlending(layer, place, name), color: parseHexColor(layer.color) };
-}
-
-function resolveBlending(
-  { blend, blendSpace }: DecalLayer | FillLayer,
-  place: readonly (string | number)[],
-  name: string,
-): { readonly blend: "normal"; readonly blendSpace: "srgb" } {
-  if (blend !== "normal")
-    throw unsupported(name, [...place, "blend"], blend, "blend modes other than normal", '"normal"');
-  if (blendSpace !== "srgb") {
-    throw unsupported(name, [...place, "blendSpace"], blendSpace, "blending in linear light", '"srgb"');
-  }
-  return { blend, blendSpace };
+  return { ...fields, color: parseHexColor(layer.color) };
 }
 
 function resolveProjector(projector: Projector, place: readonly (string | number)[], name: string): PlanarProjector {

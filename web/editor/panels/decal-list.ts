@@ -3,9 +3,10 @@
  * arrows, or by its buttons.
  */
 import { css, html, nothing, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
 import { repeat } from "lit/directives/repeat.js";
 import { ArrowDown, ArrowUp, Copy, Eye, EyeOff, GripVertical, type IconNode, Trash } from "lucide";
-import type { DesignLayer } from "../document/index.ts";
+import { BLEND_MODES, type BlendMode, type DesignLayer } from "../document/index.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
@@ -122,7 +123,15 @@ export class DecalList extends EditorElement {
       }
       .actions {
         display: flex;
+        align-items: center;
         padding-inline-end: 2px;
+      }
+      .actions select {
+        max-width: 6.25rem;
+        color: var(--text-quiet);
+        background: none;
+        font-size: var(--text-small);
+        cursor: pointer;
       }
     `,
   ];
@@ -192,6 +201,7 @@ export class DecalList extends EditorElement {
           <span>${name}</span>
         </button>
         <div class="actions">
+          ${this.#blend(layer)}
           <button
             class="icon"
             data-action="visible"
@@ -204,6 +214,20 @@ export class DecalList extends EditorElement {
           </button>
         </div>
       </li>
+    `;
+  }
+
+  #blend({ id, name, blend }: DesignLayer): TemplateResult {
+    const choose = (event: Event): void => {
+      const chosen = (event.target as HTMLSelectElement).value as BlendMode;
+      this.editor.decals.change(id, { blend: chosen }, strings.steps.change(words.blend));
+    };
+    return html`
+      <select data-action="blend" aria-label=${words.blendOf(name)} title=${words.blend} .value=${live(blend)} @change=${choose}>
+        ${BLEND_MODES.map(
+          (mode) => html`<option value=${mode} ?selected=${mode === blend}>${words.blendModes[mode]}</option>`,
+        )}
+      </select>
     `;
   }
 
@@ -229,7 +253,8 @@ export class DecalList extends EditorElement {
 
   #key(event: KeyboardEvent): void {
     const step = stepOf(event);
-    if (step === 0) return;
+    // A choice keeps its arrows.
+    if (step === 0 || event.target instanceof HTMLSelectElement) return;
     if (event.altKey) {
       this.#reorderKey(event);
     } else {

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Ratio, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical, Unlink2 } from "lucide";
 import type { PlanarProjector, Vec3 } from "../../engine/engine-api.ts";
-import type { DecalLayer, FillLayer } from "../document/index.ts";
+import type { DecalLayer, DesignLayer, FillLayer } from "../document/index.ts";
 import type { DecalPatch } from "../state/decal-commands.ts";
 import { layerById, patchLayer } from "../state/design-edits.ts";
 import { isPlanarDecal, type PlanarDecal } from "../state/design-session.ts";
@@ -14,6 +14,7 @@ import { icon } from "../ui/icon.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { controls } from "../ui/theme.ts";
 import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
+import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
 const words = strings.properties;
@@ -199,7 +200,7 @@ export class DecalProperties extends EditorElement {
     `;
     return html`
       <section aria-label=${words.look}>
-        ${this.#opacity(layer)}
+        ${this.#opacity(layer)}${this.#mixing(layer)}
         ${this.#choice(layer, "filter", words.filter, { linear: words.filterLinear, nearest: words.filterNearest })}
         ${this.#choice(layer, "wrap", words.wrap, { none: words.wrapNone, repeat: words.wrapRepeat })}
         <div class="field">
@@ -214,7 +215,6 @@ export class DecalProperties extends EditorElement {
 
   #reach(layer: PlanarDecal): TemplateResult {
     const [start, end] = layer.angleFade;
-    const { decals } = this.editor;
     const fade = (label: string, value: number, patch: (value: number) => DecalPatch) =>
       this.#number(layer, label, {
         label,
@@ -227,18 +227,6 @@ export class DecalProperties extends EditorElement {
         max: 90,
         patch,
       });
-    const toggle = (id: string, label: string, on: boolean, patch: (on: boolean) => DecalPatch) => html`
-      <label class="check">
-        <input
-          type="checkbox"
-          id=${id}
-          .checked=${on}
-          @change=${(event: Event) =>
-            decals.change(layer.id, patch((event.target as HTMLInputElement).checked), strings.steps.change(label))}
-        />
-        ${label}
-      </label>
-    `;
     return html`
       <section aria-label=${words.reach}>
         <h3>${words.reach}</h3>
@@ -246,8 +234,8 @@ export class DecalProperties extends EditorElement {
           ${fade(words.fadeStart, start, (value) => ({ angleFade: [value, Math.max(value, end)] }))}
           ${fade(words.fadeEnd, end, (value) => ({ angleFade: [Math.min(start, value), value] }))}
         </div>
-        ${toggle("backfaces", words.backfaces, layer.backfaces, (on) => ({ backfaces: on }))}
-        ${toggle("through", words.through, layer.occlusion === "none", (on) => ({ occlusion: on ? "none" : "self" }))}
+        ${this.#toggle(layer, "backfaces", words.backfaces, layer.backfaces, (on) => ({ backfaces: on }))}
+        ${this.#toggle(layer, "through", words.through, layer.occlusion === "none", (on) => ({ occlusion: on ? "none" : "self" }))}
         ${this.#material(layer)}
       </section>
     `;
@@ -268,7 +256,7 @@ export class DecalProperties extends EditorElement {
           <label for="color">${words.color}</label>
           <input type="color" id="color" .value=${layer.color.slice(0, 7)} @change=${recolour} />
         </div>
-        ${this.#opacity(layer)}${this.#material(layer)}
+        ${this.#opacity(layer)}${this.#mixing(layer)}${this.#material(layer)}
       </section>
     `;
   }
@@ -306,31 +294,28 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #choice<K extends "filter" | "wrap">(
-    layer: PlanarDecal,
+  #mixing(layer: PlanarDecal | FillLayer): TemplateResult {
+    const spaces = { srgb: words.blendSpaceSrgb, linear: words.blendSpaceLinear };
+    return html`
+      ${this.#choice(layer, "blendSpace", words.blendSpace, spaces)}
+      ${this.#toggle(layer, "lockAlpha", words.lockAlpha, layer.lockAlpha, (on) => ({ lockAlpha: on }))}
+    `;
+  }
+
+  #toggle({ id }: DesignLayer, name: string, label: string, on: boolean, patch: (on: boolean) => DecalPatch) {
+    const change = (next: boolean): void => this.editor.decals.change(id, patch(next), strings.steps.change(label));
+    return checkField(name, label, on, change);
+  }
+
+  #choice<K extends "filter" | "wrap" | "blendSpace">(
+    layer: Pick<DecalLayer, "id" | K>,
     key: K,
     label: string,
     options: Record<DecalLayer[K], string>,
   ): TemplateResult {
-    return html`
-      <div class="field" role="radiogroup" aria-label=${label}>
-        <span>${label}</span>
-        <div class="segments">
-          ${Object.entries<string>(options).map(
-            ([value, text]) => html`<label>
-              <input
-                type="radio"
-                name=${key}
-                value=${value}
-                .checked=${layer[key] === value}
-                @change=${() => this.editor.decals.change(layer.id, { [key]: value }, strings.steps.change(label))}
-              />
-              <span>${text}</span>
-            </label>`,
-          )}
-        </div>
-      </div>
-    `;
+    return choiceField<DecalLayer[K]>(key, label, options, layer[key], (value) =>
+      this.editor.decals.change(layer.id, { [key]: value }, strings.steps.change(label)),
+    );
   }
 
   #material(layer: PlanarDecal | FillLayer): TemplateResult {

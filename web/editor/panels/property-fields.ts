@@ -1,0 +1,44 @@
+/** Fields of the property panel that hold one of a few values; their looks are in property-styles.ts. */
+import { html, type TemplateResult } from "lit";
+
+export function checkField(
+  id: string,
+  label: string,
+  checked: boolean,
+  change: (checked: boolean) => void,
+): TemplateResult {
+  return html`
+    <label class="check">
+      <input
+        type="checkbox"
+        id=${id}
+        .checked=${checked}
+        @change=${(event: Event) => change((event.target as HTMLInputElement).checked)}
+      />
+      ${label}
+    </label>
+  `;
+}
+
+/** `options`: what each value is called. */
+export function choiceField<T extends string>(
+  name: string,
+  label: string,
+  options: Readonly<Record<T, string>>,
+  chosen: T,
+  change: (value: T) => void,
+): TemplateResult {
+  return html`
+    <div class="field" role="radiogroup" aria-label=${label}>
+      <span>${label}</span>
+      <div class="segments">
+        ${(Object.entries(options) as [T, string][]).map(
+          ([value, text]) => html`<label>
+            <input type="radio" name=${name} value=${value} .checked=${value === chosen} @change=${() => change(value)} />
+            <span>${text}</span>
+          </label>`,
+        )}
+      </div>
+    </div>
+  `;
+}
