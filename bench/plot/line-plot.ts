@@ -92,18 +92,22 @@ export function drawLegend(series: readonly Omit<Series, "points">[], x: number,
   return entries.join("");
 }
 
-export function drawSvg(width: number, height: number, parts: readonly string[]): string {
+/** @param title what readers hear who do not see it */
+export function drawSvg(title: string, width: number, height: number, parts: readonly string[]): string {
   return (
     `<svg xmlns="http://www.w3.org/2000/svg" width="${width}" height="${height}" viewBox="0 0 ${width} ${height}"` +
-    ` font-family="system-ui, sans-serif" font-size="12">\n` +
+    ` font-family="system-ui, sans-serif" font-size="12">\n<title>${escaped(title)}</title>\n` +
     `<rect width="${width}" height="${height}" fill="#fff"/>\n${parts.join("\n")}\n</svg>\n`
   );
 }
 
 export function text(x: number, y: number, words: string, attributes = ""): string {
-  const safe = words.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
   const fill = attributes.includes("fill=") ? "" : ` fill="${INK}"`;
-  return `<text x="${round(x)}" y="${round(y)}"${fill} ${attributes}>${safe}</text>`;
+  return `<text x="${round(x)}" y="${round(y)}"${fill} ${attributes}>${escaped(words)}</text>`;
+}
+
+function escaped(words: string): string {
+  return words.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 }
 
 function round(pixels: number): number {

@@ -37,7 +37,7 @@ export function plotFigures(input: PlotInput): string | null {
   const height = HEADER + rows.length * PANEL_HEIGHT + MARGIN;
   const { machine, versions, date, rounds } = input;
   const origin = `${date.slice(0, 10)}, ${versions.texelcast}, node ${versions.node}, ${machine}`;
-  return drawSvg(width, height, [
+  return drawSvg("Time of a bake and of a step of a drag, Texelcast and the plain method", width, height, [
     text(
       MARGIN,
       24,
