@@ -10,10 +10,16 @@ export interface ScreenPoint {
 export class ScreenSpace {
   readonly #camera: PerspectiveCamera;
   readonly #element: HTMLElement;
+  #size: { readonly width: number; readonly height: number } | null = null;
 
   constructor(camera: PerspectiveCamera, element: HTMLElement) {
     this.#camera = camera;
     this.#element = element;
+    // Asked of the document once a size and not once a point: the gizmo changes its drawing in each frame of a drag, and
+    // after a change each question makes the browser lay the page out anew.
+    new ResizeObserver(() => {
+      this.#size = null;
+    }).observe(element);
   }
 
   /** Null for points behind the camera. */
@@ -23,10 +29,13 @@ export class ScreenSpace {
       return null;
     }
     projected.applyMatrix4(this.#camera.projectionMatrix);
-    return {
-      x: ((projected.x + 1) / 2) * this.#element.clientWidth,
-      y: ((1 - projected.y) / 2) * this.#element.clientHeight,
-    };
+    const { width, height } = this.#viewSize();
+    return { x: ((projected.x + 1) / 2) * width, y: ((1 - projected.y) / 2) * height };
+  }
+
+  #viewSize(): { readonly width: number; readonly height: number } {
+    this.#size ??= { width: this.#element.clientWidth, height: this.#element.clientHeight };
+    return this.#size;
   }
 
   /** Where an event is in the view. */
@@ -37,10 +46,8 @@ export class ScreenSpace {
 
   /** From the eye through a point of the view; the direction is unit. */
   rayThrough(point: ScreenPoint): Ray {
-    const device = new Vector2(
-      (point.x / (this.#element.clientWidth || 1)) * 2 - 1,
-      1 - (point.y / (this.#element.clientHeight || 1)) * 2,
-    );
+    const { width, height } = this.#viewSize();
+    const device = new Vector2((point.x / (width || 1)) * 2 - 1, 1 - (point.y / (height || 1)) * 2);
     const origin = this.#camera.getWorldPosition(new Vector3());
     const direction = new Vector3(device.x, device.y, 0.5).unproject(this.#camera).sub(origin).normalize();
     return new Ray(origin, direction);
