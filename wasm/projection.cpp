@@ -80,15 +80,8 @@ public:
         }
         for (std::uint32_t r = 0; r < tile.gutter_run_count; ++r) {
             const TexelRun& gutter = map_.gutter_runs[tile.first_gutter_run + r];
-            DecalFrame& d = decal_frame(gutter.frame);
-            std::uint16_t* out = texels + (gutter.y * kTileSize + gutter.x) * 4;
-            // A continued normal may be longer than 1, so only its sign is known.
-            const bool may_be_whole = settings_.fade_start_cosine <= 0.0f && (gutter.flags & kRunHoldNormal) == 0;
-            if (may_be_whole && fate_in_tile(d, tile_x, tile_y) == Fate::kAll) {
-                paint_whole_run(gutter, d, tile_x + gutter.x, tile_y + gutter.y, out);
-            } else {
-                paint_run(gutter, d, tile_x + gutter.x, tile_y + gutter.y, out);
-            }
+            paint_run(gutter, decal_frame(gutter.frame), tile_x + gutter.x, tile_y + gutter.y,
+                      texels + (gutter.y * kTileSize + gutter.x) * 4);
         }
         paint_rough();
         return painted_;
@@ -148,24 +141,29 @@ private:
         return d.hiding;
     }
 
-    /// All tests at once for the covered texels that a frame may have in a tile: what they look at is affine over the
+    /// What becomes of the covered texels that a frame may have in a tile: all that the tests look at is affine over the
     /// tile, so it lies within its bounds there.
     Fate fate_in_tile(DecalFrame& d, std::int32_t tile_x, std::int32_t tile_y) {
         constexpr float kHalf = 0.5f * static_cast<float>(kTileSize - 1);
         const Float4 centre = d.at + d.dx * splat(static_cast<float>(tile_x - d.x0) + kHalf) +
                               d.dy * splat(static_cast<float>(tile_y - d.y0) + kHalf);
         const Float4 reach = (absolute(d.dx) + absolute(d.dy)) * splat(kHalf);
-        const Float4 low = centre - reach;
-        const Float4 high = centre + reach;
+        return fate_between(d, centre - reach, centre + reach, 0);
+    }
+
+    /// All tests at once for texels between these bounds, of runs with these flags.
+    Fate fate_between(DecalFrame& d, Float4 low, Float4 high, std::uint8_t flags) {
         constexpr float kAny = std::numeric_limits<float>::max();
+        const bool holds_normal = (flags & kRunHoldNormal) != 0;
         const Float4 margin = margins(d);
-        const Float4 least = Float4{0.0f, 0.0f, -0.5f, settings_.backfaces ? -kAny : 0.0f} - margin;
+        const Float4 least = Float4{0.0f, 0.0f, -0.5f, settings_.backfaces || holds_normal ? -kAny : 0.0f} - margin;
         const Float4 most = Float4{width_, height_, 0.5f, kAny} + margin;
         if (any_lane((high < least) | (low > most))) return Fate::kNone;
         ensure_footprint(d);
-        if (settings_.nearest) return Fate::kSome;
         // Covered texels' normals are means of unit ones, so no longer than 1: where n . ray is beyond the fade's start
-        // the cosine is all the more.
+        // the cosine is all the more. A continued normal may be longer, so of that only the sign is known.
+        const bool fades_in_gutter = (flags & kRunGutter) != 0 && settings_.fade_start_cosine > 0.0f;
+        if (settings_.nearest || holds_normal || fades_in_gutter) return Fate::kSome;
         const Float4 inner_least = {d.footprint.inset_x, d.footprint.inset_y, -0.5f,
                                     std::max(settings_.fade_start_cosine, 1e-6f)};
         const Float4 inner_most = {width_ - d.footprint.inset_x, height_ - d.footprint.inset_y, 0.5f, kAny};
@@ -215,15 +213,20 @@ private:
         }
     }
 
-    /// Any run, texel by texel.
+    /// Any run: by its bounds, which are its ends, or else texel by texel.
     void paint_run(const TexelRun& run, DecalFrame& d, std::int32_t x0, std::int32_t y0, std::uint16_t* texels) {
+        const Float4 first = d.at_texel(x0, y0);
+        const Float4 last = first + d.dx * splat(static_cast<float>(run.length - 1));
+        const Fate fate = fate_between(d, lesser(first, last), greater(first, last), run.flags);
+        if (fate == Fate::kNone) return;
+        if (fate == Fate::kAll) {
+            paint_whole_run(run, d, x0, y0, texels);
+            return;
+        }
         const TexelFrame& frame = map_.frames[run.frame];
         const Float4 margin = margins(d);
         const float margin_x = margin[kX];
         const float margin_y = margin[kY];
-        const Float4 first = d.at_texel(x0, y0);
-        if (misses_run(run, d, first, margin)) return;
-        ensure_footprint(d);
         const float inset_x = d.footprint.inset_x;
         const float inset_y = d.footprint.inset_y;
         for (std::int32_t i = 0; i < run.length; ++i) {
@@ -249,17 +252,6 @@ private:
             store_rounded_ushort4(texel, color * splat(weight));
             if (texel[3] != 0) ++painted_;
         }
-    }
-
-    /// True where no texel of the run can pass tests 1 and 2: what they look at is affine along the run, so it lies
-    /// between its values at the two ends.
-    bool misses_run(const TexelRun& run, const DecalFrame& d, Float4 first, Float4 margin) const {
-        constexpr float kAny = std::numeric_limits<float>::max();
-        const bool culls = !settings_.backfaces && (run.flags & kRunHoldNormal) == 0;
-        const Float4 last = first + d.dx * splat(static_cast<float>(run.length - 1));
-        const Float4 least = Float4{0.0f, 0.0f, -0.5f, culls ? 0.0f : -kAny} - margin;
-        const Float4 most = Float4{width_, height_, 0.5f, kAny} + margin;
-        return any_lane((greater(first, last) < least) | (lesser(first, last) > most));
     }
 
     /// Tests 2 and 3: the weight by the angle between normal and ray, 0 where the texel is culled.
