@@ -127,6 +127,7 @@ export class DecalList extends EditorElement {
         padding-inline-end: 2px;
       }
       .actions select {
+        field-sizing: content;
         max-width: 6.25rem;
         color: var(--text-quiet);
         background: none;
