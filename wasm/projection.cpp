@@ -298,7 +298,7 @@ private:
     std::uint32_t rough_count_ = 0;
     std::uint32_t tile_ = kNoTile;
     std::uint32_t painted_ = 0;  // of the tile under way
-    std::vector<DecalFrame> cache_ = std::vector<DecalFrame>(1024);
+    std::vector<DecalFrame> cache_ = std::vector<DecalFrame>(256);
 };
 
 }  // namespace
