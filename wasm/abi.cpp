@@ -324,6 +324,16 @@ void txc_layer_def_default(TxcLayerDef* def) {
     def->occlusion = TXC_OCCLUSION_SELF;
     def->rotation[3] = 1.0f;
     for (float& extent : def->size) extent = 1.0f;
+    def->fov_degrees = 45.0f;
+    def->aspect = 1.0f;
+    def->near_distance = 0.1f;
+    def->far_distance = 100.0f;
+    def->radius = 0.5f;
+    def->height = 1.0f;
+    def->arc_degrees = 180.0f;
+    def->depth = 0.1f;
+    for (float& coordinate : def->uv_center) coordinate = 0.5f;
+    for (float& extent : def->uv_size) extent = 1.0f;
     def->color[3] = 1.0f;
 }
 

@@ -30,6 +30,28 @@ double cosine_near_zero(double x) {
     return sum;
 }
 
+constexpr double kEighthAngles[9] = {0.0,
+                                     0.12435499454676144,
+                                     0.24497866312686414,
+                                     0.35877067027057225,
+                                     0.4636476090008061,
+                                     0.5585993153435624,
+                                     0.6435011087932844,
+                                     0.7188299996216245,
+                                     0.7853981633974483};
+
+// The arc tangent of a value from 0 to 1: atan(t) = atan(c) + atan((t - c) / (1 + t c)) with c the nearest eighth, so
+// that the Taylor series runs on [-1/16, 1/16], where the first omitted term is below 1e-20.
+double arc_tangent_to_one(double t) {
+    const int eighth = static_cast<int>(t * 8.0 + 0.5);
+    const double c = eighth * 0.125;
+    const double x = (t - c) / (1.0 + t * c);
+    const double x2 = x * x;
+    double sum = 0.0;
+    for (int n = 7; n >= 0; --n) sum = 1.0 / (2 * n + 1) - x2 * sum;
+    return kEighthAngles[eighth] + x * sum;
+}
+
 // The n-th root of a value in (0, 4] by Newton's method. It starts above the root and falls to it, so the loop ends.
 double nth_root(double value, int n) {
     if (value <= 0.0) return 0.0;
@@ -59,6 +81,15 @@ void exact_sin_cos(double radians, double& sine, double& cosine) {
 double exact_cos_degrees(double degrees) {
     if (degrees <= 45.0) return cosine_near_zero(degrees * (kPi / 180.0));
     return sine_near_zero((90.0 - degrees) * (kPi / 180.0));
+}
+
+double exact_atan2(double y, double x) {
+    const double across = std::fabs(x);
+    const double up = std::fabs(y);
+    if (across == 0.0 && up == 0.0) return 0.0;
+    double angle = up <= across ? arc_tangent_to_one(up / across) : kPi / 2 - arc_tangent_to_one(across / up);
+    if (x < 0.0) angle = kPi - angle;
+    return y < 0.0 ? -angle : angle;
 }
 
 double srgb_to_linear(double encoded) {

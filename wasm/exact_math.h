@@ -12,6 +12,10 @@ void exact_sin_cos(double radians, double& sine, double& cosine);
 /// Cosine of an angle in degrees, 0 to 90; exact at both ends.
 double exact_cos_degrees(double degrees);
 
+/// The angle of the point (x, y) from the X axis towards the Y axis, radians, above -pi and up to pi; 0 at the origin.
+/// Zeros have no sign: (-1, -0) is at pi. Error below 1e-15.
+double exact_atan2(double y, double x);
+
 /// The sRGB transfer functions (IEC 61966-2-1) on 0 to 1.
 double srgb_to_linear(double encoded);
 double linear_to_srgb(double linear);

@@ -1,47 +1,26 @@
 #include "projector.h"
 
-#include <cmath>
-
 namespace txc {
 
 TxcStatus PlanarProjector::from_def(const TxcLayerDef& def, PlanarProjector& out) {
+    ProjectorPose pose;
+    if (const TxcStatus status = ProjectorPose::from_def(def, pose); status != TXC_STATUS_OK) return status;
     for (int c = 0; c < 3; ++c) {
-        if (!(std::fabs(def.position_model[c]) <= kMaxCoordinate)) {
-            return fail(TXC_STATUS_BAD_ARGUMENT, "position[%d] is %g; it must be a finite number of metres", c,
-                        static_cast<double>(def.position_model[c]));
-        }
-        if (!(def.size[c] > 0.0f) || !(def.size[c] <= kMaxCoordinate)) {
-            return fail(TXC_STATUS_BAD_ARGUMENT, "size[%d] is %g; it must be above 0 and finite", c,
-                        static_cast<double>(def.size[c]));
-        }
+        static constexpr const char* kFields[3] = {"size[0]", "size[1]", "size[2]"};
+        if (const TxcStatus status = check_length(def.size[c], kFields[c]); status != TXC_STATUS_OK) return status;
     }
-    double length_squared = 0.0;
-    for (const float part : def.rotation) length_squared += static_cast<double>(part) * static_cast<double>(part);
-    if (!(length_squared > 1e-12) || !(length_squared < 1e12)) {
-        return fail(TXC_STATUS_BAD_ARGUMENT, "rotation (%g, %g, %g, %g) is not a quaternion",
-                    static_cast<double>(def.rotation[0]), static_cast<double>(def.rotation[1]),
-                    static_cast<double>(def.rotation[2]), static_cast<double>(def.rotation[3]));
-    }
-    const double length = std::sqrt(length_squared);
-    const double x = def.rotation[0] / length;
-    const double y = def.rotation[1] / length;
-    const double z = def.rotation[2] / length;
-    const double w = def.rotation[3] / length;
-    const glm::dvec3 right(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y));
-    const glm::dvec3 up(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));
-    const glm::dvec3 towards(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));
     // Rows of the inverse: a rotation's inverse is its transpose, each row divided by the box's extent.
-    const glm::dvec3 rows[3] = {right / static_cast<double>(def.size[0]), up / static_cast<double>(def.size[1]),
-                                towards / static_cast<double>(def.size[2])};
-    const glm::dvec3 centre(def.position_model[0], def.position_model[1], def.position_model[2]);
+    const glm::dvec3 rows[3] = {pose.right / static_cast<double>(def.size[0]),
+                                pose.up / static_cast<double>(def.size[1]),
+                                pose.towards / static_cast<double>(def.size[2])};
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) out.to_decal.matrix[c][r] = rows[r][c];
-        out.to_decal.offset[r] = -glm::dot(rows[r], centre);
+        out.to_decal.offset[r] = -glm::dot(rows[r], pose.position);
     }
-    out.towards_viewer = towards;
+    out.towards_viewer = pose.towards;
     for (int c = 0; c < 3; ++c) {
         const glm::vec3 column(out.to_decal.matrix[c]);
-        out.columns[c] = Float4{column.x, column.y, column.z, static_cast<float>(towards[c])};
+        out.columns[c] = Float4{column.x, column.y, column.z, static_cast<float>(pose.towards[c])};
     }
     out.depth = static_cast<double>(def.size[2]);
     return TXC_STATUS_OK;

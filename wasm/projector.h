@@ -1,10 +1,12 @@
-// A projector says where a texel's outward ray meets the decal (spec section 3).
+// A projector says where a texel's outward ray meets the decal (spec section 3): the planar one. The others are in
+// curved_projection.h.
 #pragma once
 
 #include <glm/glm.hpp>
 
 #include "float4.h"
 #include "local_space_map.h"
+#include "projector_pose.h"
 #include "status.h"
 #include "tile_tree.h"
 

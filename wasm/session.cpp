@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 #include "compositor.h"
@@ -30,14 +31,20 @@ TxcStatus check_size(std::uint32_t width, std::uint32_t height) {
                 TXC_MAX_SIZE);
 }
 
+/// The fields of all projectors stand in one piece.
+bool same_projector_fields(const TxcLayerDef& a, const TxcLayerDef& b) {
+    constexpr std::size_t kFirst = offsetof(TxcLayerDef, position_model);
+    constexpr std::size_t kEnd = offsetof(TxcLayerDef, color);
+    return std::memcmp(reinterpret_cast<const char*>(&a) + kFirst, reinterpret_cast<const char*>(&b) + kFirst,
+                       kEnd - kFirst) == 0;
+}
+
 /// Fields that change what a decal paints, as against how its paint is laid on.
 bool same_projection(const TxcLayerDef& a, const TxcLayerDef& b) {
     return a.kind == b.kind && a.image == b.image && a.filter == b.filter && a.wrap == b.wrap && a.flip_x == b.flip_x &&
            a.flip_y == b.flip_y && a.backfaces == b.backfaces && a.angle_fade_start == b.angle_fade_start &&
            a.angle_fade_end == b.angle_fade_end && a.occlusion == b.occlusion && a.projector == b.projector &&
-           std::memcmp(a.position_model, b.position_model, sizeof a.position_model) == 0 &&
-           std::memcmp(a.rotation, b.rotation, sizeof a.rotation) == 0 &&
-           std::memcmp(a.size, b.size, sizeof a.size) == 0;
+           same_projector_fields(a, b);
 }
 
 }  // namespace
@@ -287,7 +294,8 @@ TxcStatus Session::destroy_image(TxcImage id) {
 
 // ---- Layers -----------------------------------------------------------------------------------------------------------
 
-TxcStatus Session::check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings) const {
+TxcStatus Session::check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings,
+                                   CurvedProjector& out_curved) const {
     const struct {
         std::uint32_t value;
         std::uint32_t count;
@@ -331,6 +339,7 @@ TxcStatus Session::check_layer_def(const TxcLayerDef& def, DecalSettings& out_se
     out_settings.backfaces = def.backfaces != 0;
     out_settings.fade_start_cosine = static_cast<float>(exact_cos_degrees(static_cast<double>(def.angle_fade_start)));
     out_settings.fade_end_cosine = static_cast<float>(exact_cos_degrees(static_cast<double>(def.angle_fade_end)));
+    if (def.projector != TXC_PROJECTOR_PLANAR) return read_curved_projector(def, out_curved);
     return PlanarProjector::from_def(def, out_settings.projector);
 }
 
@@ -343,7 +352,8 @@ TxcStatus Session::create_layer(TxcTarget target_id, const TxcLayerDef& def, Txc
     Target* target = nullptr;
     if (const TxcStatus status = find_target(target_id, target); status != TXC_STATUS_OK) return status;
     auto layer = std::make_unique<Layer>(budget_);
-    if (const TxcStatus status = check_layer_def(def, layer->settings); status != TXC_STATUS_OK) return status;
+    if (const TxcStatus status = check_layer_def(def, layer->settings, layer->curved); status != TXC_STATUS_OK)
+        return status;
     if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
     layer->target = target_id;
     layer->def = def;
@@ -359,7 +369,8 @@ TxcStatus Session::update_layer(TxcLayer id, const TxcLayerDef& def) {
     Layer* layer = nullptr;
     if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
     DecalSettings settings{};
-    if (const TxcStatus status = check_layer_def(def, settings); status != TXC_STATUS_OK) return status;
+    CurvedProjector curved;
+    if (const TxcStatus status = check_layer_def(def, settings, curved); status != TXC_STATUS_OK) return status;
     // An image that was destroyed under the layer may stay named: the layer is transparent until it gets another.
     if (def.image != layer->def.image) {
         if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
@@ -371,6 +382,7 @@ TxcStatus Session::update_layer(TxcLayer id, const TxcLayerDef& def) {
     if (!same_projection(layer->def, def)) layer->needs_projection = true;
     layer->def = def;
     layer->settings = settings;
+    layer->curved = curved;
     if (def.kind == TXC_LAYER_FILL) target.mark_all_dirty();
     return TXC_STATUS_OK;
 }
@@ -421,16 +433,8 @@ TxcStatus Session::project_layer(const Target& target, Layer& layer, TxcUpdate& 
         layer.needs_projection = false;
         return TXC_STATUS_OK;
     }
-    std::unique_ptr<OccluderGrid> occluders;
-    if (layer.def.occlusion == TXC_OCCLUSION_SELF) {
-        if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
-        occluders = std::make_unique<OccluderGrid>(*mesh_, *occlusion_, layer.settings.projector, budget_);
-        if (const TxcStatus status = occluders->build(); status != TXC_STATUS_OK) return status;
-    }
     std::uint32_t texels = 0;
-    const TxcStatus status =
-        project_decal(*target.map, *mesh_, layer.settings, *image, occluders.get(), layer.tiles, texels);
-    if (status != TXC_STATUS_OK) return status;
+    if (const TxcStatus status = project(*target.map, *image, layer, texels); status != TXC_STATUS_OK) return status;
     layer.needs_projection = false;
     ++projection_count_;
     ++update.projected_layers;
@@ -441,6 +445,25 @@ TxcStatus Session::project_layer(const Target& target, Layer& layer, TxcUpdate& 
 TxcStatus Session::find_bleed(TxcTarget id, Target*& out_target) {
     if (const TxcStatus status = find_baked(id, out_target); status != TXC_STATUS_OK) return status;
     return txc::find_bleed(*out_target, budget_);
+}
+
+TxcStatus Session::project(const LocalSpaceMap& map, const ImagePyramid& image, Layer& layer,
+                           std::uint32_t& out_texels) {
+    // The flat stamp asks no surface what hides it.
+    const bool occludes = layer.def.occlusion == TXC_OCCLUSION_SELF && layer.def.projector != TXC_PROJECTOR_UV;
+    if (occludes) {
+        if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
+    }
+    if (layer.def.projector != TXC_PROJECTOR_PLANAR) {
+        return project_curved_decal(map, *mesh_, layer.settings, layer.curved, image,
+                                    occludes ? occlusion_.get() : nullptr, layer.tiles, out_texels);
+    }
+    std::unique_ptr<OccluderGrid> occluders;
+    if (occludes) {
+        occluders = std::make_unique<OccluderGrid>(*mesh_, *occlusion_, layer.settings.projector, budget_);
+        if (const TxcStatus status = occluders->build(); status != TXC_STATUS_OK) return status;
+    }
+    return project_decal(map, *mesh_, layer.settings, image, occluders.get(), layer.tiles, out_texels);
 }
 
 TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {

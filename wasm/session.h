@@ -56,8 +56,9 @@ private:
     bool drop_unused_maps(std::size_t keep);
     void forget_model();
     TxcStatus check_image(TxcImage id) const;
-    TxcStatus check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings) const;
+    TxcStatus check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings, CurvedProjector& out_curved) const;
     TxcStatus project_layer(const Target& target, Layer& layer, TxcUpdate& update);
+    TxcStatus project(const LocalSpaceMap& map, const ImagePyramid& image, Layer& layer, std::uint32_t& out_texels);
     TxcStatus ensure_occlusion_tree();
 
     // The budget outlives everything that holds a share of it.

@@ -7,11 +7,11 @@
 
 #include "base_picture.h"
 #include "bleed.h"
+#include "curved_projection.h"
 #include "layer_tiles.h"
 #include "local_space_map.h"
 #include "map_baker.h"
 #include "mip_chain.h"
-#include "projection.h"
 
 namespace txc {
 
@@ -21,6 +21,7 @@ struct Layer {
     TxcTarget target = 0;
     TxcLayerDef def{};
     DecalSettings settings{};       // of a decal, derived from def
+    CurvedProjector curved;         // of a decal whose projector is not planar, derived from def
     LayerTiles tiles;               // of a decal
     bool needs_projection = false;  // `tiles` show an older def
 };

@@ -34,7 +34,7 @@ extern "C" {
 #define TXC_API
 #endif
 
-#define TXC_ABI_VERSION 1u
+#define TXC_ABI_VERSION 2u
 #define TXC_MAX_SIZE 8192u /* texels along one side of a target or an image */
 
 /* ---- Statuses ---------------------------------------------------------------------------------------------------
@@ -229,7 +229,13 @@ TXC_API TxcStatus txc_image_destroy(TxcSession session, TxcImage image);
 
 /* ---- Layers ----------------------------------------------------------------------------------------------------- */
 typedef enum TxcLayerKind { TXC_LAYER_DECAL, TXC_LAYER_FILL, TXC_LAYER_KIND_COUNT } TxcLayerKind;
-typedef enum TxcProjector { TXC_PROJECTOR_PLANAR, TXC_PROJECTOR_COUNT } TxcProjector;
+typedef enum TxcProjector {
+    TXC_PROJECTOR_PLANAR,      /* a box: position, rotation, size */
+    TXC_PROJECTOR_PERSPECTIVE, /* an eye that looks along its own -Z: position, rotation, fov to far_distance */
+    TXC_PROJECTOR_CYLINDRICAL, /* rays away from the Y axis: position, rotation, radius to depth */
+    TXC_PROJECTOR_UV,          /* a flat stamp in the texture: uv_*; culling, fade and occlusion do not apply to it */
+    TXC_PROJECTOR_COUNT
+} TxcProjector;
 /* The modes of W3C Compositing and Blending Level 1 under their names there, and erase: destination out, which takes the
  * target's alpha away by the layer's and leaves colour alone. */
 typedef enum TxcBlend {
@@ -257,7 +263,8 @@ typedef enum TxcBlendSpace { TXC_BLEND_SPACE_SRGB, TXC_BLEND_SPACE_LINEAR, TXC_B
 typedef enum TxcWrap { TXC_WRAP_NONE, TXC_WRAP_REPEAT, TXC_WRAP_COUNT } TxcWrap;
 typedef enum TxcOcclusion { TXC_OCCLUSION_SELF, TXC_OCCLUSION_NONE, TXC_OCCLUSION_COUNT } TxcOcclusion;
 
-/* The defaults are those of spec section 8. Flags are 0 or 1. */
+/* The defaults are those of spec section 8. Flags are 0 or 1. Of the projectors' fields those of the layer's own kind
+ * are checked and count, the others are kept. */
 typedef struct TxcLayerDef {
     uint32_t kind;           /* TxcLayerKind */
     uint32_t image;          /* decal: its TxcImage */
@@ -275,9 +282,20 @@ typedef struct TxcLayerDef {
     float angle_fade_end;    /* degrees, start to 90; 90 */
     uint32_t occlusion;      /* TxcOcclusion; self */
     uint32_t projector;      /* TxcProjector */
-    float position_model[3]; /* planar: the box's centre, metres */
-    float rotation[4];       /* planar: quaternion x, y, z, w; normalised by the core; not all 0 */
-    float size[3];           /* planar: full extents, metres, above 0 */
+    float position_model[3]; /* metres; planar, cylindrical: the centre, perspective: the eye; not of uv */
+    float rotation[4];       /* quaternion x, y, z, w; normalised by the core; not all 0; not of uv */
+    float size[3];           /* planar: full extents, metres, above 0; 1 each */
+    float fov_degrees;       /* perspective: vertical, above 0 and below 180; 45 */
+    float aspect;            /* perspective: width by height, above 0; 1 */
+    float near_distance;     /* perspective: metres before the eye, above 0; 0.1 */
+    float far_distance;      /* perspective: metres, not below near_distance; 100 */
+    float radius;            /* cylindrical: metres, above 0; 0.5 */
+    float height;            /* cylindrical: full extent along the axis, metres, above 0; 1 */
+    float arc_degrees;       /* cylindrical: width of the picture, above 0, at most 360; 180 */
+    float depth;             /* cylindrical: how far from the radius, either side, metres, above 0; 0.1 */
+    float uv_center[2];      /* uv: u and v; 1/2 each */
+    float uv_size[2];        /* uv: full extents in u and v, above 0; 1 each */
+    float uv_angle_degrees;  /* uv: clockwise as seen on the texture; 0 */
     float color[4];          /* fill: sRGB 0 to 1, straight alpha */
 } TxcLayerDef;
 

@@ -32,22 +32,33 @@ void TileTree::build(const LocalSpaceMap& map) {
     }
 }
 
-void TileTree::find(const LocalSpaceMap& map, const ModelToDecal& to_decal, std::vector<std::uint32_t>& out) const {
+template <typename MayTouch>
+void TileTree::collect(const LocalSpaceMap& map, const MayTouch& may_touch, std::vector<std::uint32_t>& out) const {
     out.clear();
     const std::uint32_t columns = map.tile_columns();
     const std::uint32_t rows = map.tile_rows();
     for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-        if (groups_[g].empty || !to_decal.may_touch(groups_[g].box)) continue;
+        if (groups_[g].empty || !may_touch(groups_[g].box)) continue;
         const std::uint32_t first_row = g / group_columns_ * kGroupSize;
         const std::uint32_t first_column = g % group_columns_ * kGroupSize;
         for (std::uint32_t row = first_row; row < std::min(first_row + kGroupSize, rows); ++row) {
             for (std::uint32_t column = first_column; column < std::min(first_column + kGroupSize, columns); ++column) {
                 const std::uint32_t place = map.tile_of[row * columns + column];
-                if (place != kNoTile && to_decal.may_touch(map.tiles[place].box)) out.push_back(place);
+                if (place != kNoTile && may_touch(map.tiles[place].box)) out.push_back(place);
             }
         }
     }
     std::sort(out.begin(), out.end());
+}
+
+void TileTree::find(const LocalSpaceMap& map, const ModelToDecal& to_decal, std::vector<std::uint32_t>& out) const {
+    collect(
+        map, [&](const ModelBox& box) { return to_decal.may_touch(box); }, out);
+}
+
+void TileTree::find(const LocalSpaceMap& map, const std::function<bool(const ModelBox&)>& may_touch,
+                    std::vector<std::uint32_t>& out) const {
+    collect(map, may_touch, out);
 }
 
 }  // namespace txc

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -38,9 +39,16 @@ public:
     /// Places (in LocalSpaceMap::tiles) of the tiles that may touch the decal's volume, ascending.
     void find(const LocalSpaceMap& map, const ModelToDecal& to_decal, std::vector<std::uint32_t>& out) const;
 
+    /// The same for a volume of any form: `may_touch` says whether a box may hold texels that take paint.
+    void find(const LocalSpaceMap& map, const std::function<bool(const ModelBox&)>& may_touch,
+              std::vector<std::uint32_t>& out) const;
+
     std::uint64_t byte_count() const { return groups_.size() * sizeof(Group); }
 
 private:
+    template <typename MayTouch>
+    void collect(const LocalSpaceMap& map, const MayTouch& may_touch, std::vector<std::uint32_t>& out) const;
+
     struct Group {
         ModelBox box;
         bool empty = true;

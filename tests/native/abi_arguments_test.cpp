@@ -74,7 +74,7 @@ TEST_CASE("A bad field of a layer is named with its value, and changes nothing")
         {[](TxcLayerDef& d) { d.flip_y = 0xffffffffu; }, "flip_y is 4294967295"},
         {[](TxcLayerDef& d) { d.backfaces = 2; }, "backfaces is 2"},
         {[](TxcLayerDef& d) { d.occlusion = 5; }, "occlusion is 5"},
-        {[](TxcLayerDef& d) { d.projector = 1; }, "projector is 1"},
+        {[](TxcLayerDef& d) { d.projector = 4; }, "projector is 4"},
         {[](TxcLayerDef& d) {
              d.angle_fade_start = 80;
              d.angle_fade_end = 60;
@@ -111,6 +111,77 @@ TEST_CASE("A bad field of a layer is named with its value, and changes nothing")
         CHECK(std::memcmp(&kept, &good, sizeof good) == 0);
     }
     CHECK(session.update(handles.target).rect_count == 0);
+}
+
+TEST_CASE("A projector's own fields are checked, and no other's") {
+    TestSession session(make_plane());
+    const OneOfEach handles = make_one_of_each(session);
+    const TxcLayerDef good = session.layer_def(handles.layer);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const float infinity = std::numeric_limits<float>::infinity();
+    struct Case {
+        std::uint32_t projector;
+        std::function<void(TxcLayerDef&)> spoil;
+        const char* said;
+    };
+    const std::uint32_t slide = TXC_PROJECTOR_PERSPECTIVE;
+    const std::uint32_t label = TXC_PROJECTOR_CYLINDRICAL;
+    const std::uint32_t stamp = TXC_PROJECTOR_UV;
+    const Case cases[] = {
+        {slide, [=](TxcLayerDef& d) { d.position_model[0] = nan; }, "position[0] is "},
+        {slide, [](TxcLayerDef& d) { d.rotation[3] = 0; }, "rotation (0, 0, 0, 0)"},
+        {slide, [](TxcLayerDef& d) { d.fov_degrees = 0; }, "fov_degrees is 0"},
+        {slide, [](TxcLayerDef& d) { d.fov_degrees = 180; }, "fov_degrees is 180"},
+        {slide, [=](TxcLayerDef& d) { d.fov_degrees = nan; }, "fov_degrees is "},
+        {slide, [](TxcLayerDef& d) { d.aspect = -1; }, "aspect is -1"},
+        {slide, [=](TxcLayerDef& d) { d.aspect = infinity; }, "aspect is inf"},
+        {slide, [](TxcLayerDef& d) { d.near_distance = 0; }, "near_distance is 0"},
+        {slide, [=](TxcLayerDef& d) { d.near_distance = nan; }, "near_distance is "},
+        {slide, [=](TxcLayerDef& d) { d.far_distance = infinity; }, "far_distance is inf"},
+        {slide, [](TxcLayerDef& d) { d.far_distance = 0.0625f; },
+         "far_distance is 0.0625; it must not be below near_distance, 0.1"},
+        {label, [=](TxcLayerDef& d) { d.position_model[2] = infinity; }, "position[2] is inf"},
+        {label, [=](TxcLayerDef& d) { d.rotation[1] = nan; }, "rotation ("},
+        {label, [](TxcLayerDef& d) { d.radius = 0; }, "radius is 0"},
+        {label, [=](TxcLayerDef& d) { d.radius = nan; }, "radius is "},
+        {label, [](TxcLayerDef& d) { d.height = -3; }, "height is -3"},
+        {label, [](TxcLayerDef& d) { d.arc_degrees = 0; }, "arc_degrees is 0"},
+        {label, [](TxcLayerDef& d) { d.arc_degrees = 361; }, "arc_degrees is 361"},
+        {label, [=](TxcLayerDef& d) { d.arc_degrees = nan; }, "arc_degrees is "},
+        {label, [](TxcLayerDef& d) { d.depth = 0; }, "depth is 0"},
+        {label, [=](TxcLayerDef& d) { d.depth = infinity; }, "depth is inf"},
+        {stamp, [=](TxcLayerDef& d) { d.uv_center[1] = nan; }, "uv_center[1] is "},
+        {stamp, [](TxcLayerDef& d) { d.uv_size[0] = 0; }, "uv_size[0] is 0"},
+        {stamp, [](TxcLayerDef& d) { d.uv_size[1] = -2; }, "uv_size[1] is -2"},
+        {stamp, [=](TxcLayerDef& d) { d.uv_angle_degrees = infinity; }, "uv_angle_degrees is inf"},
+    };
+    for (const Case& c : cases) {
+        CAPTURE(std::string(c.said));
+        TxcLayerDef def = good;
+        def.projector = c.projector;
+        c.spoil(def);
+        CHECK(txc_layer_update(session.id(), handles.layer, &def) == TXC_STATUS_BAD_ARGUMENT);
+        CHECK(detail().find(c.said) != std::string::npos);
+        const TxcLayerDef kept = session.layer_def(handles.layer);
+        CHECK(std::memcmp(&kept, &good, sizeof good) == 0);
+        // In a projector that does not read the field the value does no harm; position and rotation the stamp alone
+        // does not read.
+        for (const std::uint32_t other : {slide, label, stamp}) {
+            const std::string said = c.said;
+            const bool is_pose = said.find("position") == 0 || said.find("rotation") == 0;
+            if (other == c.projector || (is_pose && other != stamp)) continue;
+            def.projector = other;
+            CHECK(txc_layer_update(session.id(), handles.layer, &def) == TXC_STATUS_OK);
+            must(txc_layer_update(session.id(), handles.layer, &good));
+        }
+    }
+    // What a planar box needs, the others do not.
+    TxcLayerDef def = good;
+    def.size[0] = -1;
+    for (const std::uint32_t other : {slide, label, stamp}) {
+        def.projector = other;
+        CHECK(txc_layer_update(session.id(), handles.layer, &def) == TXC_STATUS_OK);
+    }
 }
 
 TEST_CASE("Bad arguments of the other calls are named with their values") {

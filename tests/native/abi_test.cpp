@@ -88,6 +88,19 @@ TEST_CASE("The defaults are those that the header and spec section 8 name") {
         CHECK(layer.rotation[c] == 0.0f);
         CHECK(layer.size[c] == 1.0f);
     }
+    CHECK(layer.fov_degrees == 45.0f);
+    CHECK(layer.aspect == 1.0f);
+    CHECK(layer.near_distance == 0.1f);
+    CHECK(layer.far_distance == 100.0f);
+    CHECK(layer.radius == 0.5f);
+    CHECK(layer.height == 1.0f);
+    CHECK(layer.arc_degrees == 180.0f);
+    CHECK(layer.depth == 0.1f);
+    for (int c = 0; c < 2; ++c) {
+        CHECK(layer.uv_center[c] == 0.5f);
+        CHECK(layer.uv_size[c] == 1.0f);
+    }
+    CHECK(layer.uv_angle_degrees == 0.0f);
     CHECK(layer.rotation[3] == 1.0f);
     CHECK(layer.color[3] == 1.0f);
 
@@ -118,13 +131,18 @@ TEST_CASE("A layer's every field is kept apart and read back as it was given") {
     place(def, 21, 22, 23);
     for (int c = 0; c < 4; ++c) def.rotation[c] = 31.0f + static_cast<float>(c);
     resize(def, 41, 42, 43);
+    float number = 51.0f;
+    for (float* field : {&def.fov_degrees, &def.aspect, &def.near_distance, &def.far_distance, &def.radius, &def.height,
+                         &def.arc_degrees, &def.depth, &def.uv_center[0], &def.uv_center[1], &def.uv_size[0],
+                         &def.uv_size[1], &def.uv_angle_degrees})
+        *field = number++;
     for (int c = 0; c < 4; ++c) def.color[c] = 0.0625f * static_cast<float>(c + 1);
     const TxcLayer layer = session.layer(target, def);
     TxcLayerDef back;
     std::memset(&back, 0xcd, sizeof back);
     must(txc_layer_def(session.id(), layer, &back));
     CHECK(std::memcmp(&def, &back, sizeof def) == 0);
-    CHECK(sizeof(TxcLayerDef) == 30 * 4);
+    CHECK(sizeof(TxcLayerDef) == 43 * 4);
     def.flip_x = 0;
     def.flip_y = 1;
     session.change(layer, def);

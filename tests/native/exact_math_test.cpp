@@ -51,6 +51,33 @@ TEST_CASE("The cosine of degrees is exact at both ends and falls between them") 
     CHECK(worst < 1e-12);
 }
 
+TEST_CASE("The angle of a point agrees with the platform's all the way round, near the axes and far out") {
+    support::Random random(11);
+    double worst = 0.0;
+    for (int i = 0; i < 20000; ++i) {
+        const double scale = std::pow(10.0, random.between(-30, 30));
+        double x = random.between(-1, 1) * scale;
+        double y = random.between(-1, 1) * scale;
+        if (i % 5 == 0) x *= 1e-9;
+        if (i % 7 == 0) y *= 1e-17;
+        if (i % 11 == 0) y = x * (random.coin() ? 1 : -1);
+        worst = std::fmax(worst, std::fabs(txc::exact_atan2(y, x) - std::atan2(y, x)));
+    }
+    CHECK(worst < 1e-15);
+}
+
+TEST_CASE("The angles of the eight winds are exact, and the back has one sign") {
+    CHECK(txc::exact_atan2(0.0, 3.0) == 0.0);
+    CHECK(txc::exact_atan2(3.0, 3.0) == kPi / 4);
+    CHECK(txc::exact_atan2(3.0, 0.0) == kPi / 2);
+    CHECK(txc::exact_atan2(3.0, -3.0) == 3 * kPi / 4);
+    CHECK(txc::exact_atan2(0.0, -3.0) == kPi);
+    CHECK(txc::exact_atan2(-0.0, -3.0) == kPi);
+    CHECK(txc::exact_atan2(-3.0, -0.0) == -kPi / 2);
+    CHECK(txc::exact_atan2(-3.0, -3.0) == -3 * kPi / 4);
+    CHECK(txc::exact_atan2(0.0, 0.0) == 0.0);
+}
+
 TEST_CASE("The sRGB curves agree with the standard's powers within 1e-12") {
     double worst = 0.0;
     for (int step = 0; step <= 10000; ++step) {

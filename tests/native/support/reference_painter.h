@@ -7,6 +7,7 @@
 
 #include "picture.h"
 #include "reference_map.h"
+#include "reference_projector.h"
 #include "texelcast.h"
 
 namespace support {
@@ -64,21 +65,6 @@ private:
         return static_cast<std::uint8_t>(std::floor(std::fmin(std::fmax(value, 0.0), 1.0) * 255.0 + 0.5));
     }
 
-    /// v turned by the inverse of the layer's rotation: Rodrigues' form of conjugation by a unit quaternion.
-    static Vec3 into_box(const TxcLayerDef& def, const Vec3& v) {
-        const double norm = std::sqrt(static_cast<double>(def.rotation[0]) * def.rotation[0] +
-                                      static_cast<double>(def.rotation[1]) * def.rotation[1] +
-                                      static_cast<double>(def.rotation[2]) * def.rotation[2] +
-                                      static_cast<double>(def.rotation[3]) * def.rotation[3]);
-        const Vec3 axis{-def.rotation[0] / norm, -def.rotation[1] / norm, -def.rotation[2] / norm};
-        const Vec3 twice = cross(axis, v) * 2.0;
-        return v + twice * (def.rotation[3] / norm) + cross(axis, twice);
-    }
-    static Vec3 to_decal(const TxcLayerDef& def, const Vec3& p) {
-        const Vec3 q = into_box(def, p - vec3(def.position_model));
-        return {q.x / def.size[0], q.y / def.size[1], q.z / def.size[2]};
-    }
-
     static Sample pixel(const Picture& picture, std::int64_t x, std::int64_t y, bool repeat) {
         const std::int64_t w = picture.width;
         const std::int64_t h = picture.height;
@@ -112,27 +98,51 @@ private:
         return sum;
     }
 
+    /// The picture at a point of the decal. One that goes round a cylinder is met from both its ends; where it closes
+    /// and repeats it has no end.
+    static Sample decal_at(const TxcLayerDef& def, const Picture& picture, double x, double y) {
+        const bool repeat = def.wrap == TXC_WRAP_REPEAT;
+        const double period = period_of(def);
+        const bool endless = repeat && period == 1.0;
+        Sample sum;
+        for (int turn = period > 0.0 && !endless ? -1 : 0; turn <= (period > 0.0 && !endless ? 1 : 0); ++turn) {
+            const double at = x + turn * period;
+            if (repeat && ((!endless && std::fabs(at) > 0.5) || std::fabs(y) > 0.5)) continue;
+            add(sum, bilinear(picture, in_pixels_x(def, picture, at), in_pixels_y(def, picture, y), repeat), 1.0);
+        }
+        return sum;
+    }
+
     void paint_texel(const TxcLayerDef& def, const Picture& picture, std::uint32_t x, std::uint32_t y) {
         const ReferenceTexel& owner = map_.at(x, y);
-        const Vec3 centre = to_decal(def, map_.position(owner.triangle, owner.u, owner.v));
+        const auto look_from = [&](double right, double down) {
+            const double du = right / map_.width;
+            const double dv = down / map_.height;
+            return look(def, map_.position(owner.triangle, owner.u + du, owner.v + dv), (x + 0.5 + right) / map_.width,
+                        (y + 0.5 + down) / map_.height);
+        };
+        const ReferenceSight centre = look_from(0, 0);
         std::vector<bool>::reference sure = sure_[y * map_.width + x];
-        if (std::fabs(std::fabs(centre.z) - 0.5) < 1e-5) sure = false;
-        if (std::fabs(centre.z) > 0.5) return;
+        if (std::fabs(centre.depth_slack) < 1e-5) sure = false;
+        if (centre.depth_slack < 0.0) return;
 
-        const double f_signed = into_box(def, map_.normal(owner.triangle, owner.u, owner.v)).z;
-        const double f = def.backfaces != 0 ? std::fabs(f_signed) : f_signed;
-        const double cos_start = std::cos(def.angle_fade_start * kPi / 180.0);
-        const double cos_end = std::cos(def.angle_fade_end * kPi / 180.0);
-        // Where the weight jumps, rounding decides.
-        if (std::fabs(f) < 1e-5 || (cos_start - cos_end < 1e-5 && std::fabs(f - cos_start) < 1e-5)) sure = false;
-        if (!(f > 0.0)) return;
-        const double weight = f >= cos_start ? 1.0 : f <= cos_end ? 0.0 : (f - cos_end) / (cos_start - cos_end);
+        double weight = 1.0;
+        if (def.projector != TXC_PROJECTOR_UV) {
+            const double f_signed = dot(map_.normal(owner.triangle, owner.u, owner.v), centre.towards);
+            const double f = def.backfaces != 0 ? std::fabs(f_signed) : f_signed;
+            const double cos_start = std::cos(def.angle_fade_start * kPi / 180.0);
+            const double cos_end = std::cos(def.angle_fade_end * kPi / 180.0);
+            // Where the weight jumps, rounding decides.
+            if (std::fabs(f) < 1e-5 || (cos_start - cos_end < 1e-5 && std::fabs(f - cos_start) < 1e-5)) sure = false;
+            if (!(f > 0.0)) return;
+            weight = f >= cos_start ? 1.0 : f <= cos_end ? 0.0 : (f - cos_end) / (cos_start - cos_end);
+        }
         if (weight == 0.0) return;
 
         Sample mean;
         if (def.filter == TXC_FILTER_NEAREST) {
-            const double px = in_pixels_x(def, picture, centre);
-            const double py = in_pixels_y(def, picture, centre);
+            const double px = in_pixels_x(def, picture, centre.x);
+            const double py = in_pixels_y(def, picture, centre.y);
             if (std::fabs(px - std::floor(px + 0.5)) < 1e-3 || std::fabs(py - std::floor(py + 0.5)) < 1e-3)
                 sure = false;
             if (std::fabs(centre.x) > 0.5 || std::fabs(centre.y) > 0.5) return;
@@ -140,24 +150,19 @@ private:
         } else {
             for (int j = 0; j < 8; ++j) {
                 for (int i = 0; i < 8; ++i) {
-                    const double u = owner.u + ((i + 0.5) / 8 - 0.5) / map_.width;
-                    const double v = owner.v + ((j + 0.5) / 8 - 0.5) / map_.height;
-                    const Vec3 q = to_decal(def, map_.position(owner.triangle, u, v));
-                    const bool repeat = def.wrap == TXC_WRAP_REPEAT;
-                    if (repeat && (std::fabs(q.x) > 0.5 || std::fabs(q.y) > 0.5)) continue;
-                    add(mean, bilinear(picture, in_pixels_x(def, picture, q), in_pixels_y(def, picture, q), repeat),
-                        1.0 / 64);
+                    const ReferenceSight at = look_from((i + 0.5) / 8 - 0.5, (j + 0.5) / 8 - 0.5);
+                    add(mean, decal_at(def, picture, at.x, at.y), 1.0 / 64);
                 }
             }
         }
         blend(def, mean, weight * def.opacity, texels_[y * map_.width + x]);
     }
 
-    static double in_pixels_x(const TxcLayerDef& def, const Picture& picture, const Vec3& q) {
-        return ((def.flip_x != 0 ? -q.x : q.x) + 0.5) * picture.width;
+    static double in_pixels_x(const TxcLayerDef& def, const Picture& picture, double x) {
+        return ((def.flip_x != 0 ? -x : x) + 0.5) * picture.width;
     }
-    static double in_pixels_y(const TxcLayerDef& def, const Picture& picture, const Vec3& q) {
-        return (0.5 - (def.flip_y != 0 ? -q.y : q.y)) * picture.height;
+    static double in_pixels_y(const TxcLayerDef& def, const Picture& picture, double y) {
+        return (0.5 - (def.flip_y != 0 ? -y : y)) * picture.height;
     }
 
     /// W3C source over; with lock_alpha source atop.
