@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it, vi } from "vitest";
-import { CORE_FUNCTIONS } from "../../web/core/abi.ts";
+import { ABI_VERSION, CORE_FUNCTIONS } from "../../web/core/abi.ts";
 import { Session } from "../../web/core/session.ts";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { makeImports } from "../../web/core/wasm-imports.ts";
@@ -12,7 +12,7 @@ const address = new URL("../../build/wasm/texelcast.wasm", import.meta.url);
 function fakeCore(functions: Record<string, unknown>): CoreModule {
   const exports: Record<string, unknown> = { memory: new WebAssembly.Memory({ initial: 1 }) };
   for (const name of Object.keys(CORE_FUNCTIONS)) exports[name] = () => 0;
-  Object.assign(exports, { txc_abi_version: () => 1, ...functions });
+  Object.assign(exports, { txc_abi_version: () => ABI_VERSION, ...functions });
   return new CoreModule({ exports } as unknown as WebAssembly.Instance, { memory: null });
 }
 

@@ -2,7 +2,7 @@ import { beforeAll, describe, expect, it } from "vitest";
 import { DEMO_DECALS } from "../../scripts/demo/catalogue.ts";
 import { add, cross, dot, length, rotate, subtract } from "../../scripts/demo/geometry/vector.ts";
 import { type Design, parseDesign, resolveLayers } from "../../web/editor/document/index.ts";
-import type { EngineDecalLayer } from "../../web/engine/engine-api.ts";
+import type { EngineDecalLayer, PlanarProjector } from "../../web/engine/engine-api.ts";
 import {
   type DemoFiles,
   demoFile,
@@ -83,7 +83,7 @@ describe("the starting designs", () => {
 
   it("keep the proportions of their pictures", () => {
     for (const model of index.models) {
-      for (const layer of resolveLayers(designOf(model)) as EngineDecalLayer[]) {
+      for (const layer of planarDecalsOf(model)) {
         const png = Buffer.from(demoFile(files, `decals/${layer.asset}.png`));
         const [width, height] = layer.projector.size;
         expect(width / height, `${model.id} ${layer.id}`).toBeCloseTo(png.readUInt32BE(16) / png.readUInt32BE(20), 6);
@@ -93,7 +93,7 @@ describe("the starting designs", () => {
 
   it("open the mug with the Texelcast mark on its outer wall", () => {
     const mug = index.models[0] as DemoIndex["models"][number];
-    const [mark] = resolveLayers(designOf(mug)) as EngineDecalLayer[];
+    const [mark] = planarDecalsOf(mug);
     expect(mug.id).toBe("mug");
     expect(mark?.asset).toBe("mark");
     expect(mark?.projector.position[2]).toBeCloseTo(0.041, 6);
@@ -103,7 +103,7 @@ describe("the starting designs", () => {
     for (const model of index.models) {
       const { document, parts } = await readDemoModel(files, model.id);
       const painted = document.getRoot().listMaterials()[model.material]?.getName() ?? "";
-      for (const layer of resolveLayers(designOf(model)) as EngineDecalLayer[]) {
+      for (const layer of planarDecalsOf(model)) {
         const hits = lightThrough(layer, parts);
         const good = hits.filter((hit) => hit?.material === painted && hit.facing > 0.3);
         // Decals may hang over an edge, as the waves on the board's tail do.
@@ -112,6 +112,15 @@ describe("the starting designs", () => {
     }
   });
 });
+
+type PlanarDecal = EngineDecalLayer & { readonly projector: PlanarProjector };
+
+/** The demo's designs hold planar decals and nothing else. */
+const planarDecalsOf = (model: DemoIndex["models"][number]): PlanarDecal[] =>
+  resolveLayers(designOf(model)).map((layer) => {
+    if (layer.type === "decal" && layer.projector.kind === "planar") return { ...layer, projector: layer.projector };
+    throw new Error(`${model.id}: ${layer.id} is not a planar decal`);
+  });
 
 interface Hit {
   readonly material: string;
@@ -127,7 +136,7 @@ interface Triangle {
 }
 
 /** What nine by nine rays through a decal's box meet first; undefined where they meet nothing. */
-function lightThrough(layer: EngineDecalLayer, parts: readonly MaterialGeometry[]): (Hit | undefined)[] {
+function lightThrough(layer: PlanarDecal, parts: readonly MaterialGeometry[]): (Hit | undefined)[] {
   const { position, rotation, size } = layer.projector;
   const triangles = trianglesNear(position, length(size) / 2, parts);
   const direction = rotate(rotation, [0, 0, -1]);

@@ -76,54 +76,40 @@ describe("resolving layers for the engine", () => {
     }
   });
 
+  it.each([
+    {
+      kind: "perspective",
+      position: [0, 0, 1],
+      rotation: [0, 0, 0, 1],
+      fov: 40,
+      aspect: 1.5,
+      near: 0.1,
+      far: 9,
+    },
+    {
+      kind: "cylindrical",
+      position: [0, 0, 1],
+      rotation: [0, 0, 0, 1],
+      radius: 1,
+      height: 2,
+      arc: 360,
+      depth: 0.1,
+    },
+    { kind: "uv", center: [0.5, 0.25], size: [1, 0.5], angle: -30 },
+  ])("hands on a decal by the projector $kind, its numbers as they are", (projector) => {
+    expect(resolve(decal({ projector }))[0]).toMatchObject({ type: "decal", projector });
+  });
+
   it("names the file, the field and the value of what it refuses", () => {
-    expect(refusal(decal({ projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } }))).toMatchObject({
+    expect(refusal({ type: "text", text: "Ada", font: "serif", projector: planar })).toMatchObject({
       code: "unsupported",
       subject: "shirt.json",
-      field: "layers[0].projector.kind",
-      value: '"uv"',
+      field: "layers[0].type",
+      value: '"text"',
     });
   });
 
   it.each<[string, object, string, string]>([
-    [
-      "a perspective projector",
-      decal({
-        projector: {
-          kind: "perspective",
-          position: [0, 0, 1],
-          rotation: [0, 0, 0, 1],
-          fov: 40,
-          aspect: 1,
-          near: 0.1,
-          far: 9,
-        },
-      }),
-      "layers[0].projector.kind",
-      '"planar"',
-    ],
-    [
-      "a cylindrical projector",
-      decal({
-        projector: {
-          kind: "cylindrical",
-          position: [0, 0, 1],
-          rotation: [0, 0, 0, 1],
-          radius: 1,
-          height: 1,
-          arc: 360,
-          depth: 0.1,
-        },
-      }),
-      "layers[0].projector.kind",
-      '"planar"',
-    ],
-    [
-      "a flat stamp",
-      decal({ projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } }),
-      "layers[0].projector.kind",
-      '"planar"',
-    ],
     [
       "text",
       { type: "text", text: "Ada", font: "serif", projector: planar },
@@ -138,9 +124,9 @@ describe("resolving layers for the engine", () => {
     ],
     [
       "a hidden layer all the same",
-      decal({ visible: false, projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } }),
-      "layers[0].projector.kind",
-      '"planar"',
+      { type: "stroke", brush: { color: "#000000" }, dabs: [planar], visible: false },
+      "layers[0].type",
+      "decal and fill layers",
     ],
   ])("refuses %s, saying what works", (_what, layer, field, works) => {
     const error = refusal(layer);

@@ -83,6 +83,47 @@ TxcLayerDef decal(int k, const TxcImage (&pictures)[3]) {
     return def;
 }
 
+TxcLayerDef other_projector(int j, const TxcImage (&pictures)[3]) {
+    const auto f = static_cast<float>(j);
+    TxcLayerDef def;
+    txc_layer_def_default(&def);
+    def.image = pictures[j % 3];
+    def.opacity = (10 - f) / 16;
+    def.wrap = j % 2 == 1 ? TXC_WRAP_REPEAT : TXC_WRAP_NONE;
+    def.flip_y = j % 3 == 1 ? 1 : 0;
+    def.occlusion = j % 4 == 1 ? TXC_OCCLUSION_NONE : TXC_OCCLUSION_SELF;
+    const auto pose = [&def](float x, float y, float z, float qx, float qy, float qz) {
+        const float position[3] = {x, y, z};
+        const float rotation[4] = {qx, qy, qz, 4};
+        for (int c = 0; c < 3; ++c) def.position_model[c] = position[c];
+        for (int c = 0; c < 4; ++c) def.rotation[c] = rotation[c];
+    };
+    if (j < 2) {
+        def.projector = TXC_PROJECTOR_PERSPECTIVE;
+        pose(0.25f + f / 2, 2, 0.75f, -4, 1 - 2 * f, f);
+        def.fov_degrees = 40 + 16 * f;
+        def.aspect = (5 - 2 * f) / 4;
+        def.near_distance = 0.5f;
+        def.far_distance = 3;
+    } else if (j < 4) {
+        def.projector = TXC_PROJECTOR_CYLINDRICAL;
+        if (j == 2) pose(0.5f, -0.5f, 0.5f, 4, 0, 1);
+        if (j == 3) pose(0.5f, -0.5f, 0.5f, -4, 1, 0);
+        def.radius = 1;
+        def.height = 0.625f;
+        def.arc_degrees = j == 2 ? 360.0f : 50.0f;
+        def.depth = 0.75f;
+    } else {
+        def.projector = TXC_PROJECTOR_UV;
+        def.uv_center[0] = (2 * f - 5) / 8;
+        def.uv_center[1] = (11 - f) / 16;
+        def.uv_size[0] = 0.5f;
+        def.uv_size[1] = 0.375f;
+        def.uv_angle_degrees = j == 4 ? 30.0f : -100.0f;
+    }
+    return def;
+}
+
 TxcLayerDef fill() {
     TxcLayerDef def;
     txc_layer_def_default(&def);
@@ -117,9 +158,13 @@ std::string paint_many_layers() {
         const TxcLayerDef over = fill();
         REQUIRE(txc_layer_create(session, target, &over, &layer) == TXC_STATUS_OK);
     }
+    for (int j = 0; j < 6; ++j) {
+        const TxcLayerDef def = other_projector(j, pictures);
+        REQUIRE(txc_layer_create(session, target, &def, &layer) == TXC_STATUS_OK);
+    }
     TxcUpdate update;
     REQUIRE(txc_target_update(session, target, &update) == TXC_STATUS_OK);
-    REQUIRE(update.projected_layers == 12);
+    REQUIRE(update.projected_layers == 18);
     uint32_t hash[2] = {0, 0};
     REQUIRE(txc_target_hash(session, target, 0, 0, kSize, kSize, hash) == TXC_STATUS_OK);
     REQUIRE(txc_session_destroy(session) == TXC_STATUS_OK);

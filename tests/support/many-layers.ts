@@ -1,6 +1,7 @@
 /** The recipe of tests/golden/README.md, for Node and for the page. */
 import { readFileSync } from "node:fs";
-import type { EngineLayer } from "../../web/engine/engine-api.ts";
+import type { EngineLayer, Projector, Quaternion } from "../../web/engine/engine-api.ts";
+import { decal } from "./layers.ts";
 import { buildGlb, type MeshParts } from "./model-builder.ts";
 import { makePng } from "./png-file.ts";
 
@@ -84,5 +85,42 @@ export function manyLayers(): EngineLayer[] {
     lockAlpha: true,
     color: [0.25, 0.5, 0.75, 0.125],
   };
-  return [...decals.slice(0, 6), fill, ...decals.slice(6)];
+  return [...decals.slice(0, 6), fill, ...decals.slice(6), ...otherProjectors()];
+}
+
+function otherProjectors(): EngineLayer[] {
+  const eye = (j: number): Projector => ({
+    kind: "perspective",
+    position: [1 / 4 + j / 2, 2, 3 / 4],
+    rotation: [-4, 1 - 2 * j, j, 4],
+    fov: 40 + 16 * j,
+    aspect: (5 - 2 * j) / 4,
+    near: 1 / 2,
+    far: 3,
+  });
+  const label = (rotation: Quaternion, arc: number): Projector => ({
+    kind: "cylindrical",
+    position: [1 / 2, -1 / 2, 1 / 2],
+    rotation,
+    radius: 1,
+    height: 5 / 8,
+    arc,
+    depth: 3 / 4,
+  });
+  const stamp = (j: number, angle: number): Projector => ({
+    kind: "uv",
+    center: [(2 * j - 5) / 8, (11 - j) / 16],
+    size: [1 / 2, 3 / 8],
+    angle,
+  });
+  const projectors = [eye(0), eye(1), label([4, 0, 1, 4], 360), label([-4, 1, 0, 4], 50), stamp(4, 30), stamp(5, -100)];
+  return projectors.map((projector, j) =>
+    decal(`other-${j}`, `picture-${j % 3}`, {
+      opacity: (10 - j) / 16,
+      wrap: j % 2 === 1 ? "repeat" : "none",
+      flipY: j % 3 === 1,
+      occlusion: j % 4 === 1 ? "none" : "self",
+      projector,
+    }),
+  );
 }

@@ -4,7 +4,7 @@
  */
 import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
 
-export const ABI_VERSION = 1;
+export const ABI_VERSION = 2;
 /** Texels along one side of a target or an image, at most. */
 export const MAX_SIZE = 8192;
 /** TXC_NONE: "no such index", and "the default" for a gutter. */
@@ -13,7 +13,7 @@ export const NONE = 0xffffffff;
 export const MapViews = { positions: 0, normals: 1, coverage: 2, overlap: 3 } as const;
 export const Filters = { linear: 0, nearest: 1 } as const;
 export const LayerKinds = { decal: 0, fill: 1 } as const;
-export const Projectors = { planar: 0 } as const;
+export const Projectors = { planar: 0, perspective: 1, cylindrical: 2, uv: 3 } as const;
 export const Blends = {
   normal: 0,
   multiply: 1,
@@ -110,6 +110,17 @@ export const LayerDefLayout = defineStruct({
   positionModel: f32Array(3),
   rotation: f32Array(4),
   size: f32Array(3),
+  fovDegrees: f32,
+  aspect: f32,
+  nearDistance: f32,
+  farDistance: f32,
+  radius: f32,
+  height: f32,
+  arcDegrees: f32,
+  depth: f32,
+  uvCenter: f32Array(2),
+  uvSize: f32Array(2),
+  uvAngleDegrees: f32,
   color: f32Array(4),
 });
 

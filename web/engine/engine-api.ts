@@ -22,6 +22,39 @@ export interface PlanarProjector {
   readonly size: Vec3;
 }
 
+/** spec.md, 3: the eye looks along its own -Z; `fov` vertical, degrees; `near` and `far` metres. */
+export interface PerspectiveProjector {
+  readonly kind: "perspective";
+  readonly position: Vec3;
+  readonly rotation: Quaternion;
+  readonly fov: number;
+  /** Width by height. */
+  readonly aspect: number;
+  readonly near: number;
+  readonly far: number;
+}
+
+/** spec.md, 3: the axis is the box's Y; lengths metres, `arc` degrees up to 360. */
+export interface CylindricalProjector {
+  readonly kind: "cylindrical";
+  readonly position: Vec3;
+  readonly rotation: Quaternion;
+  readonly radius: number;
+  readonly height: number;
+  readonly arc: number;
+  readonly depth: number;
+}
+
+/** spec.md, 3: a flat stamp in the texture; `center` and `size` in u and v, `angle` degrees clockwise. */
+export interface UvProjector {
+  readonly kind: "uv";
+  readonly center: readonly [number, number];
+  readonly size: readonly [number, number];
+  readonly angle: number;
+}
+
+export type Projector = PlanarProjector | PerspectiveProjector | CylindricalProjector | UvProjector;
+
 /** W3C Compositing and Blending Level 1 by its own names, and `erase` (destination out). */
 export type BlendMode =
   | "normal"
@@ -68,7 +101,7 @@ export interface EngineDecalLayer extends EngineLayerBase {
   /** Degrees, start to end, 0 to 90. */
   readonly angleFade: readonly [number, number];
   readonly occlusion: "self" | "none";
-  readonly projector: PlanarProjector;
+  readonly projector: Projector;
 }
 
 export interface EngineFillLayer extends EngineLayerBase {

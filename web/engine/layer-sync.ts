@@ -6,7 +6,7 @@ import { BlendSpaces, Blends, Filters, type LayerDef, LayerKinds, Occlusions, Pr
 import type { ImageHandle } from "../core/session.ts";
 import type { LayerHandle, Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import type { BlendMode, EngineLayer } from "./engine-api.ts";
+import type { BlendMode, EngineLayer, Projector } from "./engine-api.ts";
 
 /** The ABI's numbers under the standard's names, which are hyphenated. */
 const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
@@ -115,7 +115,6 @@ function coreLayer(layer: EngineLayer, image: ImageHandle): Partial<LayerDef> {
     lockAlpha: Number(layer.lockAlpha),
   };
   if (layer.type === "fill") return { ...shared, kind: LayerKinds.fill, color: layer.color };
-  const { projector } = layer;
   return {
     ...shared,
     kind: LayerKinds.decal,
@@ -128,11 +127,26 @@ function coreLayer(layer: EngineLayer, image: ImageHandle): Partial<LayerDef> {
     angleFadeStart: layer.angleFade[0],
     angleFadeEnd: layer.angleFade[1],
     occlusion: Occlusions[layer.occlusion],
-    projector: Projectors[projector.kind],
-    positionModel: projector.position,
-    rotation: projector.rotation,
-    size: projector.size,
+    ...coreProjector(layer.projector),
   };
+}
+
+function coreProjector(projector: Projector): Partial<LayerDef> {
+  const kind = { projector: Projectors[projector.kind] };
+  if (projector.kind === "uv") {
+    const { center, size, angle } = projector;
+    return { ...kind, uvCenter: center, uvSize: size, uvAngleDegrees: angle };
+  }
+  const posed = { ...kind, positionModel: projector.position, rotation: projector.rotation };
+  if (projector.kind === "perspective") {
+    const { fov, aspect, near, far } = projector;
+    return { ...posed, fovDegrees: fov, aspect, nearDistance: near, farDistance: far };
+  }
+  if (projector.kind === "cylindrical") {
+    const { radius, height, arc, depth } = projector;
+    return { ...posed, radius, height, arcDegrees: arc, depth };
+  }
+  return { ...posed, size: projector.size };
 }
 
 function sameDef(a: Partial<LayerDef>, b: Partial<LayerDef>): boolean {

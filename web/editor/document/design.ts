@@ -2,7 +2,15 @@
  * The design document: the recipe that the editor edits, files hold and the engine replays (spec.md, 8). Plain data;
  * every type here has all its fields set, because reading a file fills in the defaults (`parseDesign`).
  */
-import type { PlanarProjector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
+import type {
+  CylindricalProjector,
+  PerspectiveProjector,
+  PlanarProjector,
+  Projector,
+  Quaternion,
+  UvProjector,
+  Vec3,
+} from "../../engine/engine-api.ts";
 
 export const DESIGN_FORMAT = "texelcast-design";
 export const DESIGN_VERSION = 1;
@@ -41,38 +49,7 @@ export type Wrap = (typeof WRAPS)[number];
 export type Occlusion = (typeof OCCLUSIONS)[number];
 export type AssetType = (typeof PICTURE_TYPES)[number] | (typeof FONT_TYPES)[number];
 
-/** spec.md, 3: the eye looks along its own -Z; `fov` vertical, degrees; `near` and `far` metres. */
-export interface PerspectiveProjector {
-  readonly kind: "perspective";
-  readonly position: Vec3;
-  readonly rotation: Quaternion;
-  readonly fov: number;
-  readonly aspect: number;
-  readonly near: number;
-  readonly far: number;
-}
-
-/** spec.md, 3: the axis is the box's Y; lengths metres, `arc` degrees up to 360. */
-export interface CylindricalProjector {
-  readonly kind: "cylindrical";
-  readonly position: Vec3;
-  readonly rotation: Quaternion;
-  readonly radius: number;
-  readonly height: number;
-  readonly arc: number;
-  readonly depth: number;
-}
-
-/** spec.md, 3: a flat stamp in the texture; `center` and `size` in u and v, `angle` degrees clockwise. */
-export interface UvProjector {
-  readonly kind: "uv";
-  readonly center: readonly [number, number];
-  readonly size: readonly [number, number];
-  readonly angle: number;
-}
-
-export type Projector = PlanarProjector | PerspectiveProjector | CylindricalProjector | UvProjector;
-export type { PlanarProjector, Quaternion, Vec3 };
+export type { CylindricalProjector, PerspectiveProjector, PlanarProjector, Projector, Quaternion, UvProjector, Vec3 };
 
 /** What every layer has. */
 export interface LayerBase {

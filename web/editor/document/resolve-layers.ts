@@ -1,7 +1,7 @@
 /** From the design's vocabulary to what the engine of today draws; what it cannot draw is refused by name. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { EngineLayer } from "../../engine/engine-api.ts";
-import type { DecalLayer, Design, DesignLayer, FillLayer, PlanarProjector, Projector } from "./design.ts";
+import type { DecalLayer, Design, DesignLayer, FillLayer } from "./design.ts";
 import { describeValue, formatPath } from "./design-problem.ts";
 import { parseHexColor } from "./hex-color.ts";
 
@@ -22,25 +22,17 @@ function resolveLayer(layer: DesignLayer, index: number, name: string): EngineLa
   if (layer.type === "text" || layer.type === "stroke") {
     throw unsupported(name, [...place, "type"], layer.type, `${layer.type} layers`, "decal and fill layers");
   }
-  return layer.type === "decal" ? resolveDecal(layer, place, name) : resolveFill(layer);
+  return layer.type === "decal" ? resolveDecal(layer) : resolveFill(layer);
 }
 
-function resolveDecal(layer: DecalLayer, place: readonly (string | number)[], name: string): EngineLayer {
+function resolveDecal(layer: DecalLayer): EngineLayer {
   const { name: _shownName, ...fields } = layer;
-  return {
-    ...fields,
-    projector: resolveProjector(layer.projector, [...place, "projector"], name),
-  };
+  return fields;
 }
 
 function resolveFill(layer: FillLayer): EngineLayer {
   const { name: _shownName, ...fields } = layer;
   return { ...fields, color: parseHexColor(layer.color) };
-}
-
-function resolveProjector(projector: Projector, place: readonly (string | number)[], name: string): PlanarProjector {
-  if (projector.kind === "planar") return projector;
-  throw unsupported(name, [...place, "kind"], projector.kind, "projectors other than planar", '"planar"');
 }
 
 function unsupported(
