@@ -225,6 +225,17 @@ describe("a layer", () => {
       positionModel: [1.5, 2.5, 3.5],
       rotation: [0, 0, 1, 0],
       size: [4.5, 5.5, 6.5],
+      fovDegrees: 7.5,
+      aspect: 8.5,
+      nearDistance: 9.5,
+      farDistance: 10.5,
+      radius: 11.5,
+      height: 12.5,
+      arcDegrees: 13.5,
+      depth: 14.5,
+      uvCenter: [15.5, 16.5],
+      uvSize: [17.5, 18.5],
+      uvAngleDegrees: 19.5,
       color: [0.125, 0.375, 0.625, 0.875],
     };
     expect(Object.keys(def)).toEqual(Object.keys(LayerDefLayout.fields));
