@@ -198,6 +198,36 @@ describe("refusing a design", () => {
       "layers[0].projector.size[2]: must be at least 1e-9, is 1e-40",
     ],
     [
+      "a field of view that is half a turn in 32 bits",
+      decal({
+        projector: {
+          kind: "perspective",
+          position: [0, 0, 1],
+          rotation: [0, 0, 0, 1],
+          fov: 179.9999999999,
+          aspect: 1,
+          near: 1,
+          far: 2,
+        },
+      }),
+      "layers[0].projector.fov: must be below 180 degrees, is 179.9999999999",
+    ],
+    [
+      "an arc that 32 bits cannot hold",
+      decal({
+        projector: {
+          kind: "cylindrical",
+          position: [0, 0, 1],
+          rotation: [0, 0, 0, 1],
+          radius: 1,
+          height: 1,
+          arc: 1e-60,
+          depth: 1,
+        },
+      }),
+      "layers[0].projector.arc: must be above 0 degrees, is 1e-60",
+    ],
+    [
       "a fade that ends before it starts",
       decal({ angleFade: [80, 70] }),
       "layers[0].angleFade: must not end before it starts, is [80, 70]",

@@ -72,6 +72,41 @@ describe("texelcast render to .png", () => {
     }
   });
 
+  it.each([
+    {
+      kind: "perspective",
+      position: [0, 2.5, 0],
+      rotation: FACING_DOWN,
+      fov: (2 * Math.atan(0.25) * 180) / Math.PI,
+      aspect: 2,
+      near: 1,
+      far: 3,
+    },
+    {
+      kind: "cylindrical",
+      position: [0, 0.5 - 100, 0],
+      rotation: FACING_DOWN,
+      radius: 100,
+      height: 1,
+      arc: (2 * Math.asin(0.01) * 180) / Math.PI,
+      depth: 0.1,
+    },
+    { kind: "uv", center: [0.5, 0.5], size: [0.25, 0.25], angle: 0 },
+  ])("puts it in the same place by the projector $kind, where that covers the same", async (projector) => {
+    const bench = await workbench([decal({ filter: "nearest", projector })]);
+    const run = await bench.render("--out", "out.png", "--size", "64", "--base", "#102030");
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(await corners(bench, "out.png")).toEqual([RED, GREEN, BLUE, GREY]);
+    for (const [i, j] of [
+      [22, 30],
+      [41, 30],
+      [30, 22],
+      [30, 41],
+    ] as const) {
+      expect(await bench.texel("out.png", i, j)).toEqual([16, 32, 48, 255]);
+    }
+  });
+
   it("mirrors the picture by flipX and flipY", async () => {
     const bench = await workbench([decal({ filter: "nearest", flipX: true, flipY: true })]);
     await bench.render("--out", "out.png", "--size", "64");

@@ -1,13 +1,16 @@
 /** The decals under the pointer: selecting, dragging, hovering; and the drawing of the selected one. */
 import type { Vector3 } from "three";
+import type { Projector } from "../engine/engine-api.ts";
 import type { SizeLimits } from "./decal-handles.ts";
 import { drapeOutline, type OutlinePoint } from "./decal-outline.ts";
 import { decalsAt, rectangleHit } from "./decal-picking.ts";
-import { axisOf, type DecalPose, poseOf, projectorOf, type SurfacePoint } from "./decal-pose.ts";
+import { axisOf, poseOf } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
-import { type DragPointer, depthDrag, type GizmoDrag, rotateDrag, scaleDrag, slideDrag } from "./gizmo-drag.ts";
-import { GizmoOverlay, type HandleName } from "./gizmo-overlay.ts";
-import { drawGizmo, type GizmoView, handleHeight, hoverPath } from "./gizmo-picture.ts";
+import { type DragPointer, depthDrag, rotateDrag, scaleDrag, slideDrag } from "./gizmo-drag.ts";
+import { GizmoOverlay, type GizmoPicture, type HandleName } from "./gizmo-overlay.ts";
+import { drawGizmo, drawVolume, type GizmoView, handleHeight, hoverPath } from "./gizmo-picture.ts";
+import { boxDrag, type PictureGrab, type ProjectorDrag, pictureDrag } from "./projector-drag.ts";
+import { throwOutline, volumeEdges } from "./projector-outline.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
 import type { DecalGesture, ViewerDecal } from "./viewer-api.ts";
@@ -22,19 +25,11 @@ export interface GizmoHost {
   dragging(active: boolean): void;
 }
 
-/** A decal with what was computed from it. */
-interface PosedDecal {
-  readonly decal: ViewerDecal;
-  readonly pose: DecalPose;
-}
-
 interface ActiveDrag {
-  readonly id: string;
-  readonly drag: GizmoDrag;
-  readonly handle: HandleName | null;
-  readonly start: DecalPose;
-  readonly material: number;
-  pose: DecalPose;
+  readonly decal: ViewerDecal;
+  readonly drag: ProjectorDrag;
+  /** Where the drag has brought the decal: the design may lag a frame behind. */
+  projector: Projector;
 }
 
 export class DecalGizmo {
@@ -45,12 +40,12 @@ export class DecalGizmo {
   #query: SurfaceQuery | null = null;
   #enabled = true;
   #decals: readonly ViewerDecal[] = [];
-  #selected: PosedDecal | null = null;
-  #hovered: PosedDecal | null = null;
+  #selected: ViewerDecal | null = null;
+  #hovered: ViewerDecal | null = null;
   #drag: ActiveDrag | null = null;
   #pointer: (DragPointer & { at: ScreenPoint }) | null = null;
-  /** Draping casts a ray for each point, so it is kept while the box stays where it is. */
-  #outlines = new WeakMap<DecalPose, OutlinePoint[]>();
+  /** Draping casts a ray for each point, so it is kept while the projector stays what it is. */
+  #outlines = new WeakMap<Projector, OutlinePoint[]>();
 
   constructor(host: GizmoHost) {
     this.#host = host;
@@ -78,18 +73,16 @@ export class DecalGizmo {
 
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {
     this.#decals = decals;
-    const selected = decals.find((decal) => decal.id === selectedId) ?? null;
-    this.#selected = selected && { decal: selected, pose: this.#poseFor(selected) };
-    const hovered = decals.find((decal) => decal.id === this.#hovered?.decal.id) ?? null;
-    this.#hovered = hovered && { decal: hovered, pose: poseOf(hovered.projector) };
-    if (this.#drag !== null && !decals.some((decal) => decal.id === this.#drag?.id)) {
+    this.#selected = decals.find((decal) => decal.id === selectedId) ?? null;
+    this.#hovered = decals.find((decal) => decal.id === this.#hovered?.id) ?? null;
+    if (this.#drag !== null && !decals.some((decal) => decal.id === this.#drag?.decal.id)) {
       this.#stopDrag();
     }
     this.#drawTask.request();
   }
 
   get selectedDecal(): ViewerDecal | null {
-    return this.#selected?.decal ?? null;
+    return this.#selected;
   }
 
   handleAt(target: EventTarget | null): HandleName | null {
@@ -101,42 +94,50 @@ export class DecalGizmo {
     return this.#enabled ? decalsAt(this.#decals, sample) : [];
   }
 
-  /** Where a press takes hold of the selected decal: on the surface inside its box, or beside the model on its rectangle. */
-  grabOfSelected(pointer: DragPointer, sample: SurfaceSample | null): SurfacePoint | null {
+  /** Where a press takes hold of the selected decal: on the surface it reaches, or beside the model on its box's rectangle. */
+  grabOfSelected(pointer: DragPointer, sample: SurfaceSample | null): PictureGrab | null {
     const selected = this.#selected;
-    if (!this.#enabled || selected === null || selected.decal.locked === true || !selected.decal.visible) {
+    if (!this.#enabled || selected === null || selected.locked === true || !selected.visible) {
       return null;
     }
     if (sample !== null) {
-      return decalsAt([selected.decal], sample).length > 0 ? sample : null;
+      return decalsAt([selected], sample).length > 0 ? sample : null;
     }
-    const position = rectangleHit(selected.pose, pointer.ray);
-    return position === null ? null : { position, normal: axisOf(selected.pose, 2) };
+    if (selected.projector.kind !== "planar") {
+      return null;
+    }
+    const pose = poseOf(selected.projector);
+    const position = rectangleHit(pose, pointer.ray);
+    return position === null ? null : { position, normal: axisOf(pose, 2) };
   }
 
-  startSlide(decal: ViewerDecal, grab: SurfacePoint): void {
+  startSlide(decal: ViewerDecal, grab: PictureGrab): void {
     if (this.#query !== null) {
-      const pose = poseOf(decal.projector);
-      this.#startDrag(decal, pose, slideDrag(this.#query, pose, grab), null);
+      const { projector } = decal;
+      const drag =
+        projector.kind === "planar"
+          ? boxDrag(slideDrag(this.#query, poseOf(projector), grab))
+          : pictureDrag(this.#query, projector, grab);
+      this.#startDrag(decal, drag, null);
     }
   }
 
   /** Returns false where the handle has no decal to act on. */
   startHandle(handle: HandleName, pointer: DragPointer): boolean {
     const selected = this.#selected;
-    if (this.#query === null || selected === null) {
+    if (this.#query === null || selected === null || selected.projector.kind !== "planar") {
       return false;
     }
-    const { pose, decal } = selected;
+    const pose = poseOf(selected.projector);
     const limits = this.#limits(this.#query);
-    const height = handleHeight(handle, this.#outlineOf(pose));
+    const height = handleHeight(handle, this.#outlineOf(selected.projector));
     const drag =
       handle === "rotate"
         ? rotateDrag(pose, height, pointer.ray)
         : handle === "depth"
           ? depthDrag(pose, pointer.ray, limits)
           : scaleDrag(pose, handle, height, pointer.ray, limits);
-    this.#startDrag(decal, pose, drag, handle);
+    this.#startDrag(selected, boxDrag(drag), handle);
     return true;
   }
 
@@ -152,7 +153,7 @@ export class DecalGizmo {
     const active = this.#drag;
     if (active !== null) {
       this.#stopDrag();
-      this.#emit(active, "end", active.pose);
+      this.#emit(active, "end", active.projector);
     }
   }
 
@@ -163,13 +164,13 @@ export class DecalGizmo {
       return false;
     }
     this.#stopDrag();
-    this.#emit(active, "cancel", active.start);
+    this.#emit(active, "cancel", active.decal.projector);
     return true;
   }
 
   hover(decal: ViewerDecal | null): void {
-    if (decal?.id !== this.#hovered?.decal.id) {
-      this.#hovered = decal && { decal, pose: poseOf(decal.projector) };
+    if (decal?.id !== this.#hovered?.id) {
+      this.#hovered = decal;
       this.#drawTask.request();
     }
   }
@@ -187,15 +188,16 @@ export class DecalGizmo {
       query: this.#query,
       metresPerPixel: (point) => this.#host.metresPerPixel(point),
     };
-    const hovered = this.#drag === null && this.#hovered?.decal.id !== selected?.decal.id ? this.#hovered : null;
-    const hover = hovered === null ? "" : hoverPath(view, this.#outlineOf(hovered.pose));
-    if (selected === null) {
-      this.#overlay.draw({ ...NOTHING, hover });
-      return;
-    }
-    const outline = this.#outlineOf(selected.pose);
-    const handles = selected.decal.locked !== true;
-    this.#overlay.draw(drawGizmo(view, selected.pose, outline, { handles, hover }));
+    const hovered = this.#drag === null && this.#hovered?.id !== selected?.id ? this.#hovered : null;
+    const hover = hovered === null ? "" : hoverPath(view, this.#outlineOf(hovered.projector));
+    this.#overlay.draw(selected === null ? { ...NOTHING, hover } : this.#pictureOf(view, selected, hover));
+  }
+
+  #pictureOf(view: GizmoView, { projector, locked }: ViewerDecal, hover: string): GizmoPicture {
+    const outline = this.#outlineOf(projector);
+    return projector.kind === "planar"
+      ? drawGizmo(view, poseOf(projector), outline, { handles: locked !== true, hover })
+      : drawVolume(view, outline, volumeEdges(view.query, projector), hover);
   }
 
   dispose(): void {
@@ -204,12 +206,12 @@ export class DecalGizmo {
     this.#overlay.dispose();
   }
 
-  #startDrag(decal: ViewerDecal, pose: DecalPose, drag: GizmoDrag, handle: HandleName | null): void {
-    this.#drag = { id: decal.id, drag, handle, start: pose, material: decal.material, pose };
+  #startDrag(decal: ViewerDecal, drag: ProjectorDrag, handle: HandleName | null): void {
+    this.#drag = { decal, drag, projector: decal.projector };
     this.#host.root.dataset.gesture = drag.kind;
     this.#overlay.setActive(handle);
     this.#host.dragging(true);
-    this.#emit(this.#drag, "start", pose);
+    this.#emit(this.#drag, "start", decal.projector);
   }
 
   #stopDrag(): void {
@@ -226,41 +228,37 @@ export class DecalGizmo {
   #moveDrag(): void {
     const active = this.#drag;
     const pointer = this.#pointer;
-    const pose = active !== null && pointer !== null ? active.drag.move(pointer) : null;
-    if (active === null || pointer === null || pose === null) {
+    const projector = active !== null && pointer !== null ? active.drag.move(pointer) : null;
+    if (active === null || pointer === null || projector === null) {
       return;
     }
-    active.pose = pose;
-    const text = active.drag.readout(pose);
+    active.projector = projector;
+    const text = active.drag.readout(projector);
     this.#overlay.setReadout(text === null ? null : { text, ...pointer.at });
-    this.#emit(active, "move", pose);
+    this.#emit(active, "move", projector);
     this.drawNow();
   }
 
-  #emit(active: ActiveDrag, phase: DecalGesture["phase"], pose: DecalPose): void {
-    const material = phase === "cancel" ? active.material : (active.drag.material ?? active.material);
-    this.#host.gesture({ id: active.id, kind: active.drag.kind, phase, projector: projectorOf(pose), material });
+  #emit({ decal, drag }: ActiveDrag, phase: DecalGesture["phase"], projector: Projector): void {
+    const material = phase === "cancel" ? decal.material : (drag.material ?? decal.material);
+    this.#host.gesture({ id: decal.id, kind: drag.kind, phase, projector, material });
   }
 
-  /** The decal under way, where the drag has it: the design may lag a frame behind. */
-  #draggedDecal(): PosedDecal | null {
+  /** The decal under way, where the drag has it. */
+  #draggedDecal(): ViewerDecal | null {
     const active = this.#drag;
-    const decal = this.#decals.find((candidate) => candidate.id === active?.id);
-    return active === null || decal === undefined ? null : { decal, pose: active.pose };
+    const decal = this.#decals.find((candidate) => candidate.id === active?.decal.id);
+    return active === null || decal === undefined ? null : { ...decal, projector: active.projector };
   }
 
-  #poseFor(decal: ViewerDecal): DecalPose {
-    const same = this.#selected?.decal.projector === decal.projector ? this.#selected.pose : null;
-    return same ?? poseOf(decal.projector);
-  }
-
-  #outlineOf(pose: DecalPose): OutlinePoint[] {
-    const known = this.#outlines.get(pose);
+  #outlineOf(projector: Projector): OutlinePoint[] {
+    const known = this.#outlines.get(projector);
     if (known !== undefined || this.#query === null) {
       return known ?? [];
     }
-    const outline = drapeOutline(this.#query, pose);
-    this.#outlines.set(pose, outline);
+    const outline =
+      projector.kind === "planar" ? drapeOutline(this.#query, poseOf(projector)) : throwOutline(this.#query, projector);
+    this.#outlines.set(projector, outline);
     return outline;
   }
 

@@ -60,7 +60,8 @@ export function bridgeGaps(heights: readonly (number | null)[]): number[] {
   return filled;
 }
 
-function rectangleBorder(): [number, number][] {
+/** Decal space, x and y, in the outline's order. */
+export function rectangleBorder(): [number, number][] {
   const corners = [
     [-0.5, -0.5],
     [0.5, -0.5],

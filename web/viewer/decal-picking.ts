@@ -1,21 +1,14 @@
 /** Which decal a point of the surface, or a ray beside the model, belongs to. */
 import { Plane, type Ray, Vector3 } from "three";
-import { axisOf, containsPoint, type DecalPose, facesNormal, poseOf, toLocal } from "./decal-pose.ts";
+import { axisOf, type DecalPose, toLocal } from "./decal-pose.ts";
+import { reachesPoint } from "./projector-sight.ts";
 import type { SurfaceSample } from "./surface-query.ts";
 import type { ViewerDecal } from "./viewer-api.ts";
 
-/** The visible decals whose box holds the point and looks at it, topmost first; `decals` lie bottom to top. */
+/** The visible decals whose volume holds the point and looks at it, topmost first; `decals` lie bottom to top. */
 export function decalsAt(decals: readonly ViewerDecal[], sample: SurfaceSample): ViewerDecal[] {
   return decals
-    .filter((decal) => {
-      const pose = poseOf(decal.projector);
-      return (
-        decal.visible &&
-        decal.material === sample.material &&
-        containsPoint(pose, sample.position) &&
-        facesNormal(pose, sample.normal)
-      );
-    })
+    .filter((decal) => decal.visible && decal.material === sample.material && reachesPoint(decal.projector, sample))
     .reverse();
 }
 

@@ -93,6 +93,28 @@ export function drawGizmo(
   };
 }
 
+/** A projector without handles: its picture's border on the surface, and its volume's edges. */
+export function drawVolume(
+  view: GizmoView,
+  outline: readonly OutlinePoint[],
+  edges: readonly (readonly Vector3[])[],
+  hover: string,
+): GizmoPicture {
+  const lines = outlinePaths(view, outline);
+  const box = linePaths(view, edges);
+  return {
+    outline: lines.seen,
+    outlineHidden: lines.hidden,
+    box: box.seen,
+    boxHidden: box.hidden,
+    guide: "",
+    arrow: "",
+    arrowHead: "",
+    hover,
+    handles: new Map(),
+  };
+}
+
 /** Where a handle's drag begins, in the box's own metric frame: on the draped outline, at its height. */
 export function handleHeight(name: HandleName, outline: readonly OutlinePoint[]): number {
   const index = name === "rotate" ? OUTLINE_INDEX.n : name === "depth" ? 0 : OUTLINE_INDEX[name];
@@ -100,6 +122,9 @@ export function handleHeight(name: HandleName, outline: readonly OutlinePoint[])
 }
 
 function outlinePaths(view: GizmoView, outline: readonly OutlinePoint[]): { seen: string; hidden: string } {
+  if (outline.length === 0) {
+    return { seen: "", hidden: "" };
+  }
   const closed = [...outline, outline[0] as OutlinePoint];
   const points = closed.map((point) => view.screen.project(point.position));
   const seen = closed.map((point) => point.onSurface && view.query.isClear(view.screen.eye, point.position));
@@ -108,10 +133,20 @@ function outlinePaths(view: GizmoView, outline: readonly OutlinePoint[]): { seen
 
 function boxPaths(view: GizmoView, pose: DecalPose): { seen: string; hidden: string } {
   const corners = boxCorners(pose);
-  const paths = BOX_EDGES.map(([from, to]) => {
-    const points = Array.from({ length: EDGE_PIECES + 1 }, (_, piece) =>
-      (corners[from] as Vector3).clone().lerp(corners[to] as Vector3, piece / EDGE_PIECES),
-    );
+  return linePaths(
+    view,
+    BOX_EDGES.map(([from, to]) => [corners[from] as Vector3, corners[to] as Vector3]),
+  );
+}
+
+function linePaths(view: GizmoView, polylines: readonly (readonly Vector3[])[]): { seen: string; hidden: string } {
+  const paths = polylines.map((polyline) => {
+    // A line of two points is cut in pieces that are told apart; a curve has its own.
+    const [from, to] = polyline as readonly [Vector3, Vector3];
+    const points =
+      polyline.length > 2
+        ? polyline
+        : Array.from({ length: EDGE_PIECES + 1 }, (_, piece) => from.clone().lerp(to, piece / EDGE_PIECES));
     return splitPath(
       points.map((point) => view.screen.project(point)),
       points.map((point) => view.query.isClear(view.screen.eye, point)),

@@ -1,7 +1,7 @@
 /** The 3D view: the model, its live texture, picking and the decal gizmo, behind one interface. */
 import { type Box3, Raycaster, Vector2, Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import type { ModelInfo, PlanarProjector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
+import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
 import { boundsOf, frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
 import { nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
@@ -10,6 +10,8 @@ import { EventHub } from "./event-hub.ts";
 import { ModelAnimation } from "./model-animation.ts";
 import { loadModelScene, type ModelScene } from "./model-scene.ts";
 import { PaintedMaterials } from "./painted-materials.ts";
+import { nudged } from "./projector-drag.ts";
+import { pictureBox } from "./projector-outline.ts";
 import { gatherRestingSurface } from "./resting-surface.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { Stage } from "./stage.ts";
@@ -166,9 +168,12 @@ class ThreeModelViewer implements ModelViewer {
     return projectorOf(placeOnSurface(query, place, width, aspect, this.#screen.axes, kept));
   }
 
-  nudge(projector: PlanarProjector, rightMetres: number, upMetres: number): PlanarProjector {
+  nudge(projector: Projector, rightMetres: number, upMetres: number): Projector {
     const { query } = this.#requireModel();
     this.setAnimationPlaying(false);
+    if (projector.kind !== "planar") {
+      return nudged(projector, this.#screen.axes, rightMetres, upMetres, 2 * query.bounds.radius);
+    }
     return projectorOf(nudgeOnSurface(query, poseOf(projector), this.#screen.axes, rightMetres, upMetres));
   }
 
@@ -180,9 +185,16 @@ class ThreeModelViewer implements ModelViewer {
 
   frameDecal(id: string): void {
     const decal = this.#decals.find((candidate) => candidate.id === id);
-    if (decal !== undefined) {
-      this.setAnimationPlaying(false);
-      frameDecal(this.#stage, poseOf(decal.projector));
+    if (decal === undefined || this.#model === null) {
+      return;
+    }
+    this.setAnimationPlaying(false);
+    const { projector } = decal;
+    const pose = projector.kind === "planar" ? poseOf(projector) : pictureBox(this.#model.query, projector);
+    if (pose === null) {
+      this.frameModel();
+    } else {
+      frameDecal(this.#stage, pose);
     }
   }
 

@@ -3,10 +3,10 @@
  * controls do and keeps from them what belongs to a decal.
  */
 import type { DecalGizmo } from "./decal-gizmo.ts";
-import type { SurfacePoint } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
 import type { DragPointer } from "./gizmo-drag.ts";
 import type { HandleName } from "./gizmo-overlay.ts";
+import type { PictureGrab } from "./projector-drag.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
 import type { ViewerDecal } from "./viewer-api.ts";
@@ -26,7 +26,7 @@ export interface ViewInputHooks {
 interface Press {
   readonly event: PointerEvent;
   readonly decal: ViewerDecal | null;
-  readonly grab: SurfacePoint | null;
+  readonly grab: PictureGrab | null;
   /** What a release without a drag selects; undefined leaves the selection. */
   readonly onClick: string | null | undefined;
 }

@@ -1,5 +1,13 @@
 /** What the two views offer to the editor above them. The editor owns the design; the views only show it and report gestures. */
-import type { MapView, ModelInfo, PlanarProjector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
+import type {
+  MapView,
+  ModelInfo,
+  PlanarProjector,
+  Projector,
+  TargetInfo,
+  TargetUpdate,
+  Vec3,
+} from "../engine/engine-api.ts";
 
 /** A decal as the gizmo needs it. */
 export interface ViewerDecal {
@@ -8,7 +16,8 @@ export interface ViewerDecal {
   readonly material: number;
   readonly visible: boolean;
   readonly locked?: boolean;
-  readonly projector: PlanarProjector;
+  /** A box has handles; the other kinds are shown by their lines and dragged by their picture. */
+  readonly projector: Projector;
   /** Width / height of its picture: scaling by a corner handle keeps the box's own proportions, this is for resets. */
   readonly aspect: number;
 }
@@ -18,7 +27,7 @@ export interface DecalGesture {
   readonly id: string;
   readonly kind: "slide" | "rotate" | "scale" | "depth";
   readonly phase: "start" | "move" | "end" | "cancel";
-  readonly projector: PlanarProjector;
+  readonly projector: Projector;
   /**
    * glTF material of the surface that the decal was dragged onto (its own, until it reaches another): the editor may hand
    * the decal over to that material, else it stops painting there.
@@ -63,8 +72,11 @@ export interface ModelViewer {
   surfaceAtPointer(clientX: number, clientY: number): SurfaceHit | null;
   /** The decal's box laid flat on the surface at a hit, upright to the camera, of this width (metres) and aspect. */
   projectorAt(hit: SurfaceHit, width: number, aspect: number, keep?: PlanarProjector): PlanarProjector;
-  /** Slides a decal along the surface by view-space steps (keyboard nudges), following the surface as a drag does. */
-  nudge(projector: PlanarProjector, rightMetres: number, upMetres: number): PlanarProjector;
+  /**
+   * Moves a decal by view-space steps (keyboard nudges): a box along the surface as a drag does, a label round its axis and
+   * along it, an eye beside itself, a flat stamp in its texture.
+   */
+  nudge(projector: Projector, rightMetres: number, upMetres: number): Projector;
   frameModel(): void;
   frameDecal(id: string): void;
   setAnimationPlaying(playing: boolean): void;

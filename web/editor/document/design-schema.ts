@@ -88,6 +88,10 @@ const rotation = v.pipe(
   }, "must be a unit quaternion x, y, z, w (a length from 0.001 to 1000 is made one)"),
 );
 
+// The engine counts in 32-bit floats: what is 0 or 180 degrees there must not pass here.
+const isAbove0 = (degrees: number): boolean => Math.fround(degrees) > 0;
+const isBelow180 = (degrees: number): boolean => Math.fround(degrees) < 180;
+
 const planar = strict({
   kind: v.literal("planar"),
   position: point,
@@ -102,8 +106,8 @@ const perspective = v.pipe(
     rotation,
     fov: v.pipe(
       v.number("must be a number of degrees"),
-      v.gtValue(0, "must be above 0 degrees"),
-      v.ltValue(180, "must be below 180 degrees"),
+      v.check(isAbove0, "must be above 0 degrees"),
+      v.check(isBelow180, "must be below 180 degrees"),
     ),
     aspect: length,
     near: length,
@@ -123,7 +127,7 @@ const cylindrical = strict({
   height: length,
   arc: v.pipe(
     v.number("must be a number of degrees"),
-    v.gtValue(0, "must be above 0 degrees"),
+    v.check(isAbove0, "must be above 0 degrees"),
     v.maxValue(360, "must be at most 360 degrees"),
   ),
   depth: length,

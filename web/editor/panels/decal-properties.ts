@@ -1,19 +1,25 @@
 /** Everything about the selected layer, as fields. */
 import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Ratio, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical, Unlink2 } from "lucide";
-import type { PlanarProjector, Vec3 } from "../../engine/engine-api.ts";
+import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import type { DecalLayer, DesignLayer, FillLayer } from "../document/index.ts";
 import type { DecalPatch } from "../state/decal-commands.ts";
 import { layerById, patchLayer } from "../state/design-edits.ts";
-import { isPlanarDecal, type PlanarDecal } from "../state/design-session.ts";
 import type { EditorState } from "../state/editor-state.ts";
-import { type Orientation, orientationOf, quaternionOf, wrapDegrees } from "../state/rotation.ts";
+import { type Orientation, orientationOf } from "../state/rotation.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { controls } from "../ui/theme.ts";
 import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
+import {
+  type PosedProjector,
+  type ProjectorFieldGroup,
+  poseFields,
+  projectorFields,
+  withAxis,
+} from "./projector-fields.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
@@ -52,8 +58,8 @@ export class DecalProperties extends EditorElement {
   override render(): TemplateResult {
     const { design, selectedId } = this.state;
     const layer = layerById(design, selectedId);
-    if (isPlanarDecal(layer))
-      return html`${this.#header(layer)}${this.#placement(layer)}${this.#look(layer)}${this.#reach(layer)}`;
+    if (layer?.type === "decal")
+      return html`${this.#header(layer)}${this.#placement(layer, layer.projector)}${this.#look(layer)}${this.#reach(layer)}`;
     if (layer?.type === "fill") return html`${this.#header(layer)}${this.#fill(layer)}`;
     return html`<div class="none">
       <h2>${words.none}</h2>
@@ -61,7 +67,7 @@ export class DecalProperties extends EditorElement {
     </div>`;
   }
 
-  #header(layer: PlanarDecal | FillLayer): TemplateResult {
+  #header(layer: DecalLayer | FillLayer): TemplateResult {
     const input = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
     const keys = (event: KeyboardEvent): void => {
       if (event.key === "Escape") input(event).value = layer.name;
@@ -83,51 +89,40 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #placement(layer: PlanarDecal): TemplateResult {
-    const { projector } = layer;
-    this.#orientation = orientationOf(projector.rotation, this.#orientation);
-    const orientation = this.#orientation;
+  #placement(layer: DecalLayer, projector: Projector): TemplateResult {
     const step = this.#lengthStep();
-    const set = (patch: Partial<PlanarProjector>): DecalPatch => ({ projector: { ...projector, ...patch } });
-    const position = (axis: 0 | 1 | 2, label: string) =>
-      this.#number(layer, words.position, {
-        label,
-        name: words.axis(words.position, label),
-        value: projector.position[axis],
-        step,
-        patch: (value) => set({ position: withAxis(projector.position, axis, value) }),
-      });
-    const turn = (key: keyof Orientation, label: string, hint: string) =>
-      this.#number(layer, words.direction, {
-        label,
-        name: label,
-        hint,
-        unit: words.degrees,
-        value: orientation[key],
-        step: 1,
-        ...(key === "tilt" && { min: -90, max: 90 }),
-        patch: (value) => {
-          const next = { ...orientation, [key]: key === "tilt" ? value : wrapDegrees(value) };
-          this.#orientation = next;
-          return set({ rotation: quaternionOf(next) });
-        },
-      });
     return html`
       <section aria-label=${words.placement}>
-        <h3>${words.position}</h3>
-        <div class="three">${position(0, "X")}${position(1, "Y")}${position(2, "Z")}</div>
-        <h3>${words.direction}</h3>
-        <div class="three">
-          ${turn("heading", words.heading, words.headingHint)} ${turn("tilt", words.tilt, words.tiltHint)}
-          ${turn("spin", words.spin, words.spinHint)}
-        </div>
-        ${this.#size(layer, step)}
+        ${projector.kind === "uv" ? nothing : this.#pose(layer, projector, step)}
+        ${
+          projector.kind === "planar"
+            ? this.#size(layer, projector, step)
+            : projectorFields(projector, step).map((group) => this.#group(layer, group))
+        }
       </section>
     `;
   }
 
-  #size(layer: PlanarDecal, step: number): TemplateResult {
-    const { projector } = layer;
+  #pose(layer: DecalLayer, projector: PosedProjector, step: number): TemplateResult[] {
+    this.#orientation = orientationOf(projector.rotation, this.#orientation);
+    const groups = poseFields(projector, step, this.#orientation, (orientation) => {
+      this.#orientation = orientation;
+    });
+    return groups.map((group) => this.#group(layer, group));
+  }
+
+  #group(layer: DecalLayer, { title, fields }: ProjectorFieldGroup): TemplateResult {
+    return html`
+      <h3>${title}</h3>
+      <div class=${fields.length === 3 ? "three" : "two"}>
+        ${fields.map(({ set, ...field }) =>
+          this.#number(layer, title, { ...field, patch: (value) => ({ projector: set(value) }) }),
+        )}
+      </div>
+    `;
+  }
+
+  #size(layer: DecalLayer, projector: PlanarProjector, step: number): TemplateResult {
     const picture = this.editor.library.get(this.state.design.assets[layer.asset]);
     const resized = (axis: 0 | 1 | 2, value: number): DecalPatch => {
       const size = withAxis(projector.size, axis, value);
@@ -184,7 +179,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #look(layer: PlanarDecal): TemplateResult {
+  #look(layer: DecalLayer): TemplateResult {
     const { decals } = this.editor;
     const flip = (key: "flipX" | "flipY", label: string, drawing: typeof Link2) => html`
       <button
@@ -213,7 +208,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #reach(layer: PlanarDecal): TemplateResult {
+  #reach(layer: DecalLayer): TemplateResult {
     const [start, end] = layer.angleFade;
     const fade = (label: string, value: number, patch: (value: number) => DecalPatch) =>
       this.#number(layer, label, {
@@ -227,6 +222,8 @@ export class DecalProperties extends EditorElement {
         max: 90,
         patch,
       });
+    // A flat stamp lies on the texture: no surface turns away from it or stands before it.
+    if (layer.projector.kind === "uv") return this.#material(layer);
     return html`
       <section aria-label=${words.reach}>
         <h3>${words.reach}</h3>
@@ -261,7 +258,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #opacity(layer: PlanarDecal | FillLayer): TemplateResult {
+  #opacity(layer: DecalLayer | FillLayer): TemplateResult {
     const { decals } = this.editor;
     const percent = Math.round(layer.opacity * 1000) / 10;
     const share = (event: Event): number => Number((event.target as HTMLInputElement).value) / 100;
@@ -294,7 +291,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #mixing(layer: PlanarDecal | FillLayer): TemplateResult {
+  #mixing(layer: DecalLayer | FillLayer): TemplateResult {
     const spaces = { srgb: words.blendSpaceSrgb, linear: words.blendSpaceLinear };
     return html`
       ${this.#choice(layer, "blendSpace", words.blendSpace, spaces)}
@@ -318,7 +315,7 @@ export class DecalProperties extends EditorElement {
     );
   }
 
-  #material(layer: PlanarDecal | FillLayer): TemplateResult {
+  #material(layer: DecalLayer | FillLayer): TemplateResult {
     const materials = this.state.model?.info.materials ?? [];
     if (materials.length < 2 && materials[0]?.index === layer.material) return html``;
     const known = materials.some(({ index }) => index === layer.material);
@@ -346,7 +343,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #number(layer: PlanarDecal | FillLayer, group: string, options: FieldOptions): TemplateResult {
+  #number(layer: DecalLayer | FillLayer, group: string, options: FieldOptions): TemplateResult {
     const { label, name, hint = "", unit = "", value, step, min, max, patch } = options;
     const { decals } = this.editor;
     const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
@@ -379,8 +376,3 @@ export class DecalProperties extends EditorElement {
   }
 }
 customElements.define("tc-decal-properties", DecalProperties);
-
-function withAxis([x, y, z]: Vec3, axis: 0 | 1 | 2, value: number): Vec3 {
-  if (axis === 0) return [value, y, z];
-  return axis === 1 ? [x, value, z] : [x, y, value];
-}

@@ -1,14 +1,14 @@
 /** What a user does to decals, each a step of the history. */
-import type { PlanarProjector, Vec3 } from "../../engine/engine-api.ts";
+import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { DecalLayer } from "../document/index.ts";
 import { strings } from "../strings.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { addDecal, duplicateLayer, layerById, moveLayer, patchLayer, removeLayer, withAsset } from "./design-edits.ts";
-import { type DesignSession, isPlanarDecal, type PlanarDecal } from "./design-session.ts";
+import type { DesignSession } from "./design-session.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";
-import { spun } from "./rotation.ts";
+import { scaledProjector, spunProjector } from "./projector-steps.ts";
 import type { Store } from "./store.ts";
 
 export type DecalPatch = Partial<Omit<DecalLayer, "id" | "type">>;
@@ -34,9 +34,9 @@ export class DecalCommands {
     viewer.on("select", ({ id }) => this.select(id));
   }
 
-  get selected(): PlanarDecal | undefined {
+  get selected(): DecalLayer | undefined {
     const { selected } = this.#session;
-    return isPlanarDecal(selected) ? selected : undefined;
+    return selected?.type === "decal" ? selected : undefined;
   }
 
   select(id: string | null): void {
@@ -79,7 +79,7 @@ export class DecalCommands {
     const layer = layerById(this.#session.recordedDesign, id);
     if (!layer) return;
     const step = COPY_SHARE * this.#diagonal();
-    const patch = isPlanarDecal(layer) ? { projector: this.#viewer.nudge(layer.projector, step, -step) } : {};
+    const patch = layer.type === "decal" ? { projector: this.#viewer.nudge(layer.projector, step, -step) } : {};
     const copy = duplicateLayer<DecalLayer>(this.#session.recordedDesign, layer.id, patch);
     if (!copy) return;
     this.#session.record(copy.design, strings.steps.duplicate);
@@ -130,22 +130,18 @@ export class DecalCommands {
 
   /** Turns the selected decal by `steps` degrees. */
   spin(steps: number, coarse: boolean): boolean {
-    return this.#step("spin", strings.steps.rotate, (projector) => ({
-      ...projector,
-      rotation: spun(projector.rotation, steps * (coarse ? COARSE : 1)),
-    }));
+    return this.#step("spin", strings.steps.rotate, (projector) =>
+      spunProjector(projector, steps * (coarse ? COARSE : 1)),
+    );
   }
 
   /** Scales the selected decal by `steps` percent. */
   scale(steps: number, coarse: boolean): boolean {
     const factor = 1 + (steps * (coarse ? COARSE : 1)) / 100;
-    return this.#step("scale", strings.steps.scale, (projector) => {
-      const [x, y, z] = projector.size;
-      return { ...projector, size: [x * factor, y * factor, z] as Vec3 };
-    });
+    return this.#step("scale", strings.steps.scale, (projector) => scaledProjector(projector, factor));
   }
 
-  #step(kind: string, label: string, change: (projector: PlanarProjector) => PlanarProjector): boolean {
+  #step(kind: string, label: string, change: (projector: Projector) => Projector): boolean {
     const layer = this.selected;
     if (!layer) return false;
     this.change(layer.id, { projector: change(layer.projector) }, label, `${kind}:${layer.id}`);

@@ -1,7 +1,7 @@
 /** The design under edit: its history, the selection, and the engine's and the viewer's copies of it. */
-import type { Engine, EngineLayer, PlanarProjector } from "../../engine/engine-api.ts";
+import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
 import type { ModelViewer, ViewerDecal } from "../../viewer/viewer-api.ts";
-import { type DecalLayer, type Design, type DesignLayer, emptyDesign, resolveLayers } from "../document/index.ts";
+import { type Design, type DesignLayer, emptyDesign, resolveLayers } from "../document/index.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState, ModelRef, Snapshot } from "./editor-state.ts";
@@ -142,11 +142,13 @@ export class DesignSession {
 
   #showDecals(): void {
     const { design } = this;
-    const decals = design.layers.filter(isPlanarDecal).map((layer): ViewerDecal => {
-      const picture = this.#library.get(design.assets[layer.asset]);
-      const { id, name, material, visible, projector } = layer;
-      return { id, name, material, visible, projector, aspect: picture ? picture.width / picture.height : 1 };
-    });
+    const decals = design.layers
+      .filter((layer) => layer.type === "decal")
+      .map((layer): ViewerDecal => {
+        const picture = this.#library.get(design.assets[layer.asset]);
+        const { id, name, material, visible, projector } = layer;
+        return { id, name, material, visible, projector, aspect: picture ? picture.width / picture.height : 1 };
+      });
     this.#viewer.setDecals(decals, this.#store.state.selectedId);
   }
 
@@ -154,10 +156,4 @@ export class DesignSession {
     const newest = [...new Set([...this.#history.values()].map(({ model }) => model).reverse())].slice(0, MODELS_KEPT);
     this.#history.dropOldest(({ model }) => !newest.includes(model));
   }
-}
-
-export type PlanarDecal = DecalLayer & { readonly projector: PlanarProjector };
-
-export function isPlanarDecal(layer: DesignLayer | undefined): layer is PlanarDecal {
-  return layer?.type === "decal" && layer.projector.kind === "planar";
 }

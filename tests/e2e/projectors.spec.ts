@@ -1,0 +1,127 @@
+import { expect, test } from "./support/editor-page.ts";
+import { file, ringPicture } from "./support/test-files.ts";
+
+/** On the demo's mug: a slide from the front, a label round it, a stamp in its texture. */
+const DESIGN = {
+  format: "texelcast-design",
+  version: 1,
+  assets: { ring: { type: "image/png", uri: "pictures/ring.png" } },
+  layers: [
+    {
+      id: "stamp",
+      name: "Stamp",
+      type: "decal",
+      asset: "ring",
+      projector: { kind: "uv", center: [0.5, 0.5], size: [0.2, 0.2], angle: 15 },
+    },
+    {
+      id: "label",
+      name: "Label",
+      type: "decal",
+      asset: "ring",
+      wrap: "repeat",
+      projector: {
+        kind: "cylindrical",
+        position: [0, 0.05, 0],
+        rotation: [0, 0, 0, 1],
+        radius: 0.041,
+        height: 0.03,
+        arc: 120,
+        depth: 0.004,
+      },
+    },
+    {
+      id: "slide",
+      name: "Slide",
+      type: "decal",
+      asset: "ring",
+      projector: {
+        kind: "perspective",
+        position: [0, 0.08, 0.3],
+        rotation: [0, 0, 0, 1],
+        fov: 5,
+        aspect: 1,
+        near: 0.1,
+        far: 1,
+      },
+    },
+  ],
+};
+
+const designFile = file("three.design.json", JSON.stringify(DESIGN), "application/json");
+
+test("a design with slides, labels and stamps opens, each is painted, selected and edited by its numbers", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.removeAllDecals();
+  const bare = await editor.settledHash();
+  await editor.openDesign([designFile, ringPicture()]);
+  const whole = await editor.settledHash();
+  expect(whole).not.toBe(bare);
+  const hashes = new Set([bare, whole]);
+  for (const [name, field, value] of [
+    ["Slide", "field-of-view", "8"],
+    ["Label", "arc", "200"],
+    ["Label", "position-y", "0.06"],
+    ["Stamp", "angle", "40"],
+    ["Stamp", "size-u", "0.3"],
+  ] as const) {
+    await editor.row(name).getByText(name, { exact: true }).click();
+    await expect(page.locator("tc-decal-properties #name")).toHaveValue(name);
+    await editor.setField(field, value);
+    const hash = await editor.settledHash();
+    expect(hashes.has(hash), `${name} ${field}`).toBe(false);
+    hashes.add(hash);
+  }
+  const numbers = (await editor.design()).layers.map((layer) => (layer.type === "decal" ? layer.projector : null));
+  expect(numbers).toMatchObject([{ angle: 40, size: [0.3, 0.2] }, { arc: 200, position: [0, 0.06, 0] }, { fov: 8 }]);
+  for (let step = 0; step < 5; step += 1) await page.locator("#undo").click();
+  expect(await editor.settledHash()).toBe(whole);
+});
+
+test("a label is dragged round its mug and stays on its axis; its lines are shown, handles are not", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openDesign([designFile, ringPicture()]);
+  await editor.select("label");
+  await page.evaluate(() => document.querySelector<HTMLElement>("tc-app")?.focus());
+  const start = await editor.settledHash();
+  const middle = await page.evaluate(() => window.texelcast.project(0, 0.05, 0.041) ?? null);
+  if (!middle) throw new Error("The label is not in view.");
+  await page.mouse.move(middle.x, middle.y);
+  await expect(page.locator(".tcv-overlay .tcv-outline").first()).toHaveAttribute("d", /M/);
+  await expect(page.locator(".tcv-overlay .tcv-box").first()).toHaveAttribute("d", /M/);
+  await expect(page.locator(".tcv-overlay [data-handle]:visible")).toHaveCount(0);
+  await editor.drag(middle, { x: middle.x + 60, y: middle.y - 30 }, 6);
+  const { projector } = await editor.decal("label");
+  if (projector.kind !== "cylindrical") throw new Error("The label is none any more.");
+  expect(projector.position[0]).toBeCloseTo(0, 9);
+  expect(projector.position[2]).toBeCloseTo(0, 9);
+  expect(projector.position[1], "up, as the pointer").toBeGreaterThan(0.052);
+  expect(projector.rotation[1], "to the right").toBeGreaterThan(0.05);
+  expect(await editor.settledHash()).not.toBe(start);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(start);
+});
+
+test("keys nudge, turn and duplicate what is no box", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openDesign([designFile, ringPicture()]);
+  await page.locator("tc-stage").hover();
+  for (const id of ["slide", "label", "stamp"]) {
+    await editor.select(id);
+    const before = (await editor.decal(id)).projector;
+    await page.keyboard.press("Shift+ArrowRight");
+    const moved = (await editor.decal(id)).projector;
+    expect(moved, id).not.toEqual(before);
+    await page.keyboard.press("Control+d");
+    await expect.poll(async () => (await editor.design()).layers.length).toBe(4);
+    await page.keyboard.press("Control+z");
+    await page.keyboard.press("Control+z");
+    expect((await editor.decal(id)).projector).toEqual(before);
+  }
+});
