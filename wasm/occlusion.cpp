@@ -163,9 +163,13 @@ bool OcclusionTree::is_blocked(const glm::dvec3& origin, const glm::dvec3& direc
         for (int axis = 0; axis < 3; ++axis) {
             const double near = (static_cast<double>(node.min[axis]) - origin[axis]) * inverse[axis];
             const double far = (static_cast<double>(node.max[axis]) - origin[axis]) * inverse[axis];
-            // fmin and fmax pass over the NaN of a ray that runs inside a face of the box.
-            enter = std::fmax(enter, std::fmin(near, far));
-            leave = std::fmin(leave, std::fmax(near, far));
+            // Written so that the NaN of a ray that runs inside a flat box changes nothing. (fmin and fmax do the same, but
+            // are calls: a third of a ray's time.)
+            const bool ascends = near < far;
+            const double first = ascends ? near : far;
+            const double last = ascends ? far : near;
+            if (first > enter) enter = first;
+            if (last < leave) leave = last;
         }
         // Slack for the rounding of the two sides: a flat box must not fall between them.
         if (enter > leave + least_distance_ * 1e-3) continue;
