@@ -267,10 +267,10 @@ describe("what texelcast render refuses", () => {
     ["a ground that is missing", [], ["--base", "ground.png"], "ground.png: there is no such file"],
     ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
     [
-      "a projector of a later day",
-      [decal({ projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } })],
+      "a layer of a later day",
+      [{ type: "stroke", brush: { color: "#000000" }, dabs: [middle] }],
       [],
-      "layers[0].projector.kind: projectors other than planar cannot be drawn yet",
+      "layers[0].type: stroke layers cannot be drawn yet",
     ],
   ])("%s: exit code 3, nothing written, nothing on stdout", async (_what, layers, args, told) => {
     const bench = await workbench(layers);
