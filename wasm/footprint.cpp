@@ -60,7 +60,9 @@ constexpr float kSamplesPerPixel = 1.8f;
 // limit a 5-pixel checker keeps 41 dB in the worst alignment, at 0.4 pixels it had 37.
 int sample_count(float pixels) {
     if (pixels <= 0.25f) return 1;
-    const int dense = std::max(2, static_cast<int>(std::ceil(pixels * kSamplesPerPixel + 0.5f)));
+    // Bounded before it becomes a whole number: a footprint may be larger than any.
+    const float wanted = std::ceil(std::min(pixels, 1e4f) * kSamplesPerPixel + 0.5f);
+    const int dense = std::max(2, static_cast<int>(wanted));
     return std::min(dense, pixels <= kFinestPixels ? kEdgeSamples : kMaxSamples);
 }
 
