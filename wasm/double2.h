@@ -25,12 +25,13 @@ inline Double2 ceil2(Double2 v) { return Double2{std::ceil(v[0]), std::ceil(v[1]
 inline bool any_lane2(Long2 mask) { return (mask[0] | mask[1]) != 0; }
 #endif
 
-/// Whole numbers below 2^31 either way as integers: with 1.5 * 2^52 added they stand in the doubles' lowest bits, which
-/// is a third of the cost of a conversion that must look for overflow.
 struct WholePair {
     std::int32_t first;
     std::int32_t second;
 };
+
+/// Whole numbers below 2^31 either way as integers: with 1.5 * 2^52 added they stand in the doubles' lowest bits, which
+/// is a third of the cost of a conversion that must look for overflow.
 inline WholePair whole_to_int(Double2 whole) {
     const Double2 shifted = whole + splat2(6755399441055744.0);
     const Long2 bits = reinterpret_cast<Long2>(shifted);

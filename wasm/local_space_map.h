@@ -3,7 +3,7 @@
 // *texel frame* a triangle and, tile by tile, the runs of texels that each frame owns; a texel's position and normal
 // are evaluated where they are read.
 //
-// Why not two float images (the paper's form, 24 bytes a texel): frames and runs take 3 to 9 bytes a texel on real
+// Why not two float images (the paper's form, 24 bytes a texel): frames and runs take 2 to 9 bytes a texel on real
 // models, a decal's transform is applied once a triangle instead of once a texel, footprints come for free as they are
 // constant within a frame, and a gutter texel is the very same thing as a covered one: its triangle's plane continued.
 #pragma once

@@ -39,7 +39,7 @@ struct DecalFrame {
 
 const Int4 kBias = {kChannelBias, kChannelBias, kChannelBias, kChannelBias};
 
-/// How the texels of a frame lie in one tile.
+/// What becomes of texels that the decal's tests see together: none, some or all of them are painted at full weight.
 enum class Fate { kNone, kSome, kAll };
 
 class DecalPainter {

@@ -20,7 +20,7 @@ public:
     /// BAD_UVS where a triangle repeats the texture too often to be drawn.
     static TxcStatus check(const Mesh& mesh, const MapKey& key);
 
-    /// Bytes that reserve() and the arrays of a map of this size will hold, without the spans.
+    /// Bytes that the raster of a map of this size holds, without its spans.
     static std::uint64_t byte_count(const MapKey& key);
 
     /// Draws on until `work` texels (about) were visited, which it counts down.
