@@ -124,6 +124,21 @@ TxcLayerDef other_projector(int j, const TxcImage (&pictures)[3]) {
     return def;
 }
 
+TxcLayerDef blend_mode(int m, const TxcImage (&pictures)[3]) {
+    TxcLayerDef def;
+    txc_layer_def_default(&def);
+    def.image = pictures[m % 3];
+    def.opacity = 0.75f;
+    def.blend = static_cast<std::uint32_t>(m);
+    def.blend_space = m % 3 == 2 ? TXC_BLEND_SPACE_LINEAR : TXC_BLEND_SPACE_SRGB;
+    def.projector = TXC_PROJECTOR_UV;
+    def.uv_center[0] = static_cast<float>(2 * (m % 4) + 1) / 8;
+    def.uv_center[1] = static_cast<float>(2 * (m / 4) + 1) / 16;
+    def.uv_size[0] = 0.3125f;
+    def.uv_size[1] = 0.1875f;
+    return def;
+}
+
 TxcLayerDef fill() {
     TxcLayerDef def;
     txc_layer_def_default(&def);
@@ -162,9 +177,13 @@ std::string paint_many_layers() {
         const TxcLayerDef def = other_projector(j, pictures);
         REQUIRE(txc_layer_create(session, target, &def, &layer) == TXC_STATUS_OK);
     }
+    for (int m = 0; m < TXC_BLEND_COUNT; ++m) {
+        const TxcLayerDef def = blend_mode(m, pictures);
+        REQUIRE(txc_layer_create(session, target, &def, &layer) == TXC_STATUS_OK);
+    }
     TxcUpdate update;
     REQUIRE(txc_target_update(session, target, &update) == TXC_STATUS_OK);
-    REQUIRE(update.projected_layers == 18);
+    REQUIRE(update.projected_layers == 35);
     uint32_t hash[2] = {0, 0};
     REQUIRE(txc_target_hash(session, target, 0, 0, kSize, kSize, hash) == TXC_STATUS_OK);
     REQUIRE(txc_session_destroy(session) == TXC_STATUS_OK);

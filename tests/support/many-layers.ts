@@ -1,5 +1,6 @@
 /** The recipe of tests/golden/README.md, for Node and for the page. */
 import { readFileSync } from "node:fs";
+import { BLEND_MODES } from "../../web/editor/document/design.ts";
 import type { EngineLayer, Projector, Quaternion } from "../../web/engine/engine-api.ts";
 import { decal } from "./layers.ts";
 import { buildGlb, type MeshParts } from "./model-builder.ts";
@@ -85,7 +86,23 @@ export function manyLayers(): EngineLayer[] {
     lockAlpha: true,
     color: [0.25, 0.5, 0.75, 0.125],
   };
-  return [...decals.slice(0, 6), fill, ...decals.slice(6), ...otherProjectors()];
+  return [...decals.slice(0, 6), fill, ...decals.slice(6), ...otherProjectors(), ...blendModes()];
+}
+
+function blendModes(): EngineLayer[] {
+  return BLEND_MODES.map((blend, m) =>
+    decal(`blend-${m}`, `picture-${m % 3}`, {
+      opacity: 3 / 4,
+      blend,
+      blendSpace: m % 3 === 2 ? "linear" : "srgb",
+      projector: {
+        kind: "uv",
+        center: [(2 * (m % 4) + 1) / 8, (2 * Math.floor(m / 4) + 1) / 16],
+        size: [5 / 16, 3 / 16],
+        angle: 0,
+      },
+    }),
+  );
 }
 
 function otherProjectors(): EngineLayer[] {
