@@ -122,11 +122,9 @@ private:
         Bleed& bleed = target_.bleed;
         if (bleed.texels.size() == bleed.texels.capacity()) {
             const std::size_t larger = bleed.texels.size() + bleed.texels.size() / 2 + 1024;
-            if (const TxcStatus status =
-                    bleed.share.resize(larger * sizeof(BledTexel), "bleeding the exported texture");
-                status != TXC_STATUS_OK)
-                return status;
-            bleed.texels.reserve(larger);
+            const TxcStatus status =
+                reserve_counted(bleed.texels, larger, bleed.share, "bleeding the exported texture");
+            if (status != TXC_STATUS_OK) return status;
         }
         bleed.texels.push_back({index, {before[0], before[1], before[2], before[3]}});
         return TXC_STATUS_OK;

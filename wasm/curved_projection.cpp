@@ -90,10 +90,7 @@ private:
         if (settings_.backfaces) facing = std::fabs(facing);
         if (!(facing > 0.0)) return 0.0f;
         if (settings_.fade_start_cosine <= 0.0f) return 1.0f;  // a hard angle of 90 degrees needs no cosine
-        const auto f = static_cast<float>(facing / std::sqrt(glm::dot(normal, normal)));
-        if (f >= settings_.fade_start_cosine) return 1.0f;
-        if (f <= settings_.fade_end_cosine) return 0.0f;
-        return (f - settings_.fade_end_cosine) / (settings_.fade_start_cosine - settings_.fade_end_cosine);
+        return settings_.fade_weight(static_cast<float>(facing / std::sqrt(glm::dot(normal, normal))));
     }
 
     /// Test 4. A gutter texel's own place lies off the surface, so it asks for the nearest point of its triangle, as
@@ -152,33 +149,6 @@ double period_of(const UvProjector&) { return 0.0; }
 PictureSettings picture_settings(const DecalSettings& settings, const CurvedProjector& projector) {
     const double period = std::visit([](const auto& p) { return period_of(p); }, projector);
     return {settings.nearest, settings.repeat, settings.flip_x, settings.flip_y, period};
-}
-
-template <typename Painter>
-TxcStatus paint_tiles(const LocalSpaceMap& map, const std::vector<std::uint32_t>& candidates, Painter&& painter,
-                      LayerTiles& out, std::uint32_t& out_texels) {
-    out.indices.clear();
-    out.texels.clear();
-    out_texels = 0;
-    constexpr std::size_t kTileBytes = kTileTexels * 4 * sizeof(std::uint16_t) + sizeof(std::uint32_t);
-    // Dragged layers keep their arrays from step to step; one that shrank a lot gives them back.
-    if (out.texels.capacity() > candidates.size() * kTileTexels * 4 * 4) out.texels.shrink_to_fit();
-    const std::size_t tiles = std::max(candidates.size(), out.texels.capacity() / (kTileTexels * 4));
-    if (const TxcStatus status = out.share.resize(tiles * kTileBytes, "projecting a layer"); status != TXC_STATUS_OK)
-        return status;
-    out.texels.reserve(candidates.size() * kTileTexels * 4);
-    for (const std::uint32_t place : candidates) {
-        const std::size_t start = out.texels.size();
-        out.texels.resize(start + kTileTexels * 4);
-        const std::uint32_t painted = painter.paint_tile(map.tiles[place], out.texels.data() + start);
-        if (painted == 0) {
-            out.texels.resize(start);
-            continue;
-        }
-        out.indices.push_back(map.tiles[place].index);
-        out_texels += painted;
-    }
-    return TXC_STATUS_OK;
 }
 
 void find_stamp_candidates(const LocalSpaceMap& map, const UvProjector& projector, const PictureMargin& margin,

@@ -1,6 +1,7 @@
 // A decal's picture, premultiplied, with its coarser levels: what footprint sampling reads (spec section 5).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -53,5 +54,12 @@ struct ImagePyramid {
 /// kFullScale. Beyond the border all is transparent, so a picture fades out over the half pixel on either side of its
 /// edge; with `repeat` it goes on.
 Float4 sample_bilinear(const PyramidLevel& level, float x, float y, bool repeat);
+
+/// The one pixel under (x, y), which lies in the picture or on its edge.
+inline Float4 sample_nearest(const PyramidLevel& level, float x, float y) {
+    const std::uint32_t column = std::min(static_cast<std::uint32_t>(x), level.width - 1);
+    const std::uint32_t row = std::min(static_cast<std::uint32_t>(y), level.height - 1);
+    return load_ushort4(level.pixel(column, row));
+}
 
 }  // namespace txc

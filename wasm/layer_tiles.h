@@ -29,4 +29,34 @@ struct LayerTiles {
     }
 };
 
+/// Paints a layer anew: `painter.paint_tile(tile, texels)` for each candidate (a place in map.tiles, ascending), which
+/// fills a zeroed tile and says how many of its texels took colour. `out_texels`: of all of them. Errors: OUT_OF_BUDGET;
+/// `out` is then empty.
+template <typename Painter>
+TxcStatus paint_tiles(const LocalSpaceMap& map, const std::vector<std::uint32_t>& candidates, Painter&& painter,
+                      LayerTiles& out, std::uint32_t& out_texels) {
+    out.indices.clear();
+    out.texels.clear();
+    out_texels = 0;
+    constexpr std::size_t kTileBytes = kTileTexels * 4 * sizeof(std::uint16_t) + sizeof(std::uint32_t);
+    // Dragged layers keep their arrays from step to step; one that shrank a lot gives them back.
+    if (out.texels.capacity() > candidates.size() * kTileTexels * 4 * 4) out.texels.shrink_to_fit();
+    const std::size_t tiles = std::max(candidates.size(), out.texels.capacity() / (kTileTexels * 4));
+    if (const TxcStatus status = out.share.resize(tiles * kTileBytes, "projecting a layer"); status != TXC_STATUS_OK)
+        return status;
+    out.texels.reserve(candidates.size() * kTileTexels * 4);
+    for (const std::uint32_t place : candidates) {
+        const std::size_t start = out.texels.size();
+        out.texels.resize(start + kTileTexels * 4);
+        const std::uint32_t painted = painter.paint_tile(map.tiles[place], out.texels.data() + start);
+        if (painted == 0) {
+            out.texels.resize(start);
+            continue;
+        }
+        out.indices.push_back(map.tiles[place].index);
+        out_texels += painted;
+    }
+    return TXC_STATUS_OK;
+}
+
 }  // namespace txc

@@ -55,6 +55,10 @@ struct MapKey {
     std::uint32_t height = 0;
     std::uint32_t gutter = 0;
     bool operator==(const MapKey& other) const = default;
+
+    std::uint32_t tile_columns() const { return (width + kTileSize - 1) / kTileSize; }
+    std::uint32_t tile_rows() const { return (height + kTileSize - 1) / kTileSize; }
+    std::size_t tile_count() const { return static_cast<std::size_t>(tile_columns()) * tile_rows(); }
 };
 
 enum Coverage : std::uint8_t { kEmpty = 0, kCovered = 1, kGutter = 2 };
@@ -77,8 +81,8 @@ struct LocalSpaceMap {
     std::uint32_t overlapping_texels = 0;
     BudgetShare share;
 
-    std::uint32_t tile_columns() const { return (key.width + kTileSize - 1) / kTileSize; }
-    std::uint32_t tile_rows() const { return (key.height + kTileSize - 1) / kTileSize; }
+    std::uint32_t tile_columns() const { return key.tile_columns(); }
+    std::uint32_t tile_rows() const { return key.tile_rows(); }
     std::uint64_t byte_count() const;
 
     /// Unit normal of a run's texel, in the target's coordinates.

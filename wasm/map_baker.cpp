@@ -59,8 +59,7 @@ TxcStatus MapBaker::begin(const Mesh& mesh, const MapKey& key, MemoryBudget& bud
     if (const TxcStatus status = SpanRaster::check(mesh, key); status != TXC_STATUS_OK) return status;
     // Counted before the arrays are made: the shares below only take over what is known to fit.
     BudgetShare needed(budget);
-    const std::uint64_t tiles =
-        std::uint64_t{(key.width + kTileSize - 1) / kTileSize} * ((key.height + kTileSize - 1) / kTileSize);
+    const std::uint64_t tiles = key.tile_count();
     const std::uint64_t map_bytes = tiles * sizeof(std::uint32_t);
     // The raster's bits a second time: for a triangle that overlaps itself, and after it for the gutter.
     const std::uint64_t scratch_bytes = SpanRaster::byte_count(key) + GutterSearch::byte_count(key.width, key.height) +
@@ -276,10 +275,7 @@ TxcStatus MapBaker::reserve_gutter_runs(std::size_t count) {
     std::vector<TexelRun>& runs = map_->gutter_runs;
     if (runs.capacity() - runs.size() >= count) return TXC_STATUS_OK;
     const std::size_t larger = std::max<std::size_t>(1024, runs.capacity() + runs.capacity() / 2);
-    const std::uint64_t bytes = map_->share.bytes() + (larger - runs.capacity()) * sizeof(TexelRun);
-    if (const TxcStatus status = map_->share.resize(bytes, "baking the map"); status != TXC_STATUS_OK) return status;
-    runs.reserve(larger);
-    return TXC_STATUS_OK;
+    return reserve_counted(runs, larger, map_->share, "baking the map");
 }
 
 TxcStatus MapBaker::finish() {

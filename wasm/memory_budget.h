@@ -2,7 +2,9 @@
 // typed error and never an abort of the module.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "status.h"
 
@@ -70,5 +72,14 @@ private:
     MemoryBudget* budget_ = nullptr;
     std::uint64_t bytes_ = 0;
 };
+
+/// Makes room for `capacity` elements, which is more than there is, counting it with `share` first. OUT_OF_BUDGET.
+template <typename T>
+TxcStatus reserve_counted(std::vector<T>& elements, std::size_t capacity, BudgetShare& share, const char* what) {
+    const std::uint64_t added = std::uint64_t{capacity - elements.capacity()} * sizeof(T);
+    if (const TxcStatus status = share.resize(share.bytes() + added, what); status != TXC_STATUS_OK) return status;
+    elements.reserve(capacity);
+    return TXC_STATUS_OK;
+}
 
 }  // namespace txc

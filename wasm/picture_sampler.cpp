@@ -72,7 +72,7 @@ bool PictureSampler::aim(const PictureSight& sight) {
 }
 
 Float4 PictureSampler::sample() {
-    if (settings_.nearest) return sample_nearest();
+    if (settings_.nearest) return sample_nearest(image_.levels[0], x_, y_);
     if (!has_footprint_) footprint_ = make_footprint(image_, across_x_, across_y_, down_x_, down_y_, settings_.repeat);
     has_footprint_ = true;
     const Footprint& f = footprint_;
@@ -87,13 +87,6 @@ Float4 PictureSampler::sample() {
         if (meets(x)) sum += sample_edge(image_, f, x, y_, settings_.repeat);
     }
     return lesser(sum, splat(kFullScale));
-}
-
-Float4 PictureSampler::sample_nearest() const {
-    const PyramidLevel& level = image_.levels[0];
-    const std::uint32_t column = std::min(static_cast<std::uint32_t>(x_), level.width - 1);
-    const std::uint32_t row = std::min(static_cast<std::uint32_t>(y_), level.height - 1);
-    return load_ushort4(level.pixel(column, row));
 }
 
 /// A repeated picture is cut by its rectangle sample by sample, so two copies laid side by side could both miss a sample

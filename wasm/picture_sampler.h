@@ -33,7 +33,6 @@ public:
 
 private:
     bool meets(float x) const { return x >= -margin_x_ && x <= width_ + margin_x_; }
-    Float4 sample_nearest() const;
     Float4 sample_ring() const;
 
     const ImagePyramid& image_;

@@ -240,7 +240,7 @@ private:
             if (!(weight > 0.0f)) continue;
             Float4 color;
             if (settings_.nearest) {
-                color = sample_nearest(x, y);
+                color = sample_nearest(image_.levels[0], x, y);
             } else if (x >= inset_x && x <= width_ - inset_x && y >= inset_y && y <= height_ - inset_y) {
                 color = sample_inside(image_, d.footprint, x, y);
             } else {
@@ -263,10 +263,7 @@ private:
         if (!(facing > 0.0f)) return 0.0f;
         if (settings_.fade_start_cosine <= 0.0f) return 1.0f;  // a hard angle of 90 degrees needs no cosine
         const glm::vec3 n = hold ? frame.normal : frame.normal_at(x, y);
-        const float f = facing / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-        if (f >= settings_.fade_start_cosine) return 1.0f;
-        if (f <= settings_.fade_end_cosine) return 0.0f;
-        return (f - settings_.fade_end_cosine) / (settings_.fade_start_cosine - settings_.fade_end_cosine);
+        return settings_.fade_weight(facing / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
     }
 
     /// Test 4. A gutter texel's own place lies off the surface, so it asks for the nearest point of its triangle: else
@@ -276,13 +273,6 @@ private:
         if ((run.flags & kRunGutter) != 0) origin = nearest_point_on_triangle(mesh_, frame.triangle, origin);
         if (hiding_of(d) == Hiding::kUnknown) return occluders_->is_blocked(origin, frame.triangle);
         return occluders_->is_blocked_by(d.blockers, origin, frame.triangle);
-    }
-
-    Float4 sample_nearest(float x, float y) const {
-        const PyramidLevel& level = image_.levels[0];
-        const std::uint32_t column = std::min(static_cast<std::uint32_t>(x), level.width - 1);
-        const std::uint32_t row = std::min(static_cast<std::uint32_t>(y), level.height - 1);
-        return load_ushort4(level.pixel(column, row));
     }
 
     const LocalSpaceMap& map_;
@@ -306,9 +296,6 @@ private:
 TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
                         const ImagePyramid& image, OccluderGrid* occluders, LayerTiles& out,
                         std::uint32_t& out_texels) {
-    out.indices.clear();
-    out.texels.clear();
-    out_texels = 0;
     std::vector<std::uint32_t> candidates;
     ModelToDecal to_decal = settings.projector.to_decal;
     if (!settings.nearest && !settings.repeat) {
@@ -316,26 +303,7 @@ TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalS
         to_decal.reach.y += 0.5 / image.levels[0].height;
     }
     map.tree.find(map, to_decal, candidates);
-    constexpr std::size_t kTileBytes = kTileTexels * 4 * sizeof(std::uint16_t) + sizeof(std::uint32_t);
-    // Dragged layers keep their arrays from step to step; one that shrank a lot gives them back.
-    if (out.texels.capacity() > candidates.size() * kTileTexels * 4 * 4) out.texels.shrink_to_fit();
-    const std::size_t tiles = std::max(candidates.size(), out.texels.capacity() / (kTileTexels * 4));
-    if (const TxcStatus status = out.share.resize(tiles * kTileBytes, "projecting a layer"); status != TXC_STATUS_OK)
-        return status;
-    out.texels.reserve(candidates.size() * kTileTexels * 4);
-    DecalPainter painter(map, mesh, settings, image, occluders);
-    for (const std::uint32_t place : candidates) {
-        const std::size_t start = out.texels.size();
-        out.texels.resize(start + kTileTexels * 4);
-        const std::uint32_t painted = painter.paint_tile(map.tiles[place], out.texels.data() + start);
-        if (painted == 0) {
-            out.texels.resize(start);
-            continue;
-        }
-        out.indices.push_back(map.tiles[place].index);
-        out_texels += painted;
-    }
-    return TXC_STATUS_OK;
+    return paint_tiles(map, candidates, DecalPainter(map, mesh, settings, image, occluders), out, out_texels);
 }
 
 }  // namespace txc

@@ -20,6 +20,13 @@ struct DecalSettings {
     bool backfaces = false;
     float fade_start_cosine = 0.0f;  // weight 1 from here up
     float fade_end_cosine = 0.0f;    // weight 0 from here down
+
+    /// Test 3: the weight of a texel whose normal and ray meet at this cosine.
+    float fade_weight(float cosine) const {
+        if (cosine >= fade_start_cosine) return 1.0f;
+        if (cosine <= fade_end_cosine) return 0.0f;
+        return (cosine - fade_end_cosine) / (fade_start_cosine - fade_end_cosine);
+    }
 };
 
 /// Paints the decal into `out` (in place of what was there). `occluders` null paints through. `out_texels`: how many

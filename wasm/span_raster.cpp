@@ -36,7 +36,7 @@ SpanRaster::SpanRaster(const Mesh& mesh, LocalSpaceMap& map, BudgetShare& scratc
       map_(map),
       covered_(map.key.width, map.key.height),
       spans_(scratch),
-      tile_run_counts_(static_cast<std::size_t>(map.tile_columns()) * map.tile_rows(), 0) {}
+      tile_run_counts_(map.key.tile_count(), 0) {}
 
 TxcStatus SpanRaster::check(const Mesh& mesh, const MapKey& key) {
     const Material& material = mesh.materials[key.material];
@@ -61,8 +61,7 @@ TxcStatus SpanRaster::check(const Mesh& mesh, const MapKey& key) {
 }
 
 std::uint64_t SpanRaster::byte_count(const MapKey& key) {
-    const std::uint64_t tiles =
-        std::uint64_t{(key.width + kTileSize - 1) / kTileSize} * ((key.height + kTileSize - 1) / kTileSize);
+    const std::uint64_t tiles = key.tile_count();
     return CoverageBits::byte_count(key.width, key.height) + tiles * sizeof(std::uint32_t);
 }
 
@@ -197,11 +196,9 @@ TxcStatus SpanRaster::frame_for(const RepeatedTexel& at, std::uint32_t& out_fram
         const std::uint64_t texels = std::uint64_t{map_.key.width} * map_.key.height;
         const std::uint64_t larger = frames.empty() ? std::min<std::uint64_t>(material_.triangles.size(), texels)
                                                     : frames.size() + frames.size() / 2 + 16;
-        const std::uint64_t added = (larger - frames.size()) * sizeof(TexelFrame);
-        if (const TxcStatus status = map_.share.resize(map_.share.bytes() + added, "baking the map");
-            status != TXC_STATUS_OK)
-            return status;
-        frames.reserve(static_cast<std::size_t>(larger));
+        const TxcStatus status =
+            reserve_counted(frames, static_cast<std::size_t>(larger), map_.share, "baking the map");
+        if (status != TXC_STATUS_OK) return status;
     }
     out_frame = static_cast<std::uint32_t>(frames.size());
     make_texel_frame(mesh_, triangle_, texels_, at, frames.emplace_back());

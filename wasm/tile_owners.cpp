@@ -10,9 +10,7 @@ constexpr std::uint32_t kTileTexels = kTileSize * kTileSize;
 /// Rows of tiles that a gutter around one row of tiles can look into.
 std::uint32_t band_rows(const MapKey& key) { return 2 * ((key.gutter + kTileSize - 1) / kTileSize) + 1; }
 
-std::size_t band_tiles(const MapKey& key) {
-    return static_cast<std::size_t>(band_rows(key)) * ((key.width + kTileSize - 1) / kTileSize);
-}
+std::size_t band_tiles(const MapKey& key) { return static_cast<std::size_t>(band_rows(key)) * key.tile_columns(); }
 
 }  // namespace
 
