@@ -189,21 +189,7 @@ TEST_CASE("A convex shape never hides itself from an eye or an axis") {
 
 TEST_CASE(
     "The gutter at an inner corner is painted by a slide, though the neighbour stands before its continued plane") {
-    Shape room;
-    const auto add_quad = [&room](const double(&p)[4][3], const double(&n)[3], const UvRect& chart) {
-        const std::uint32_t first = room.vertex_count();
-        const double uv[4][2] = {
-            {chart.left, chart.top}, {chart.right, chart.top}, {chart.right, chart.bottom}, {chart.left, chart.bottom}};
-        for (int c = 0; c < 4; ++c) {
-            room.add_vertex(p[c][0], p[c][1], p[c][2], uv[c][0], uv[c][1]);
-            room.add_normal(n[0], n[1], n[2]);
-        }
-        room.add_triangle(first, first + 3, first + 1);
-        room.add_triangle(first + 1, first + 3, first + 2);
-    };
-    add_quad({{-0.5, 0, 0}, {0.5, 0, 0}, {0.5, 0, 1}, {-0.5, 0, 1}}, {0, 1, 0}, {0.05, 0.1, 0.45, 0.9});
-    add_quad({{-0.5, 1, 0}, {0.5, 1, 0}, {0.5, 0, 0}, {-0.5, 0, 0}}, {0, 0, 1}, {0.55, 0.1, 0.95, 0.9});
-    TestSession session(room);
+    TestSession session(make_inner_corner());
     const TxcTarget target = session.target(64, 64, 3);
     TxcLayerDef def = perspective_def(session.image(Picture(1, 1, kPaint)), 100, 1, 0.1, 9);
     def.filter = TXC_FILTER_NEAREST;

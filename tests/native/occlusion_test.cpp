@@ -252,24 +252,8 @@ TEST_CASE("A cube's back does not take the paint of its front") {
 }
 
 TEST_CASE("The gutter at an inner corner is painted, though the neighbour stands before its continued plane") {
-    // A floor (y = 0) and a wall that rises from its far edge, seen from above and before: the floor's gutter runs on
-    // into the wall's solid.
-    Shape room;
-    const auto add_quad = [&room](const double(&p)[4][3], const double(&n)[3], const UvRect& chart) {
-        const std::uint32_t first = room.vertex_count();
-        const double uv[4][2] = {
-            {chart.left, chart.top}, {chart.right, chart.top}, {chart.right, chart.bottom}, {chart.left, chart.bottom}};
-        for (int c = 0; c < 4; ++c) {
-            room.add_vertex(p[c][0], p[c][1], p[c][2], uv[c][0], uv[c][1]);
-            room.add_normal(n[0], n[1], n[2]);
-        }
-        room.add_triangle(first, first + 3, first + 1);
-        room.add_triangle(first + 1, first + 3, first + 2);
-    };
-    // The top edge of each chart in the order: left, right; below it the near or lower edge.
-    add_quad({{-0.5, 0, 0}, {0.5, 0, 0}, {0.5, 0, 1}, {-0.5, 0, 1}}, {0, 1, 0}, {0.05, 0.1, 0.45, 0.9});
-    add_quad({{-0.5, 1, 0}, {0.5, 1, 0}, {0.5, 0, 0}, {-0.5, 0, 0}}, {0, 0, 1}, {0.55, 0.1, 0.95, 0.9});
-    TestSession session(room);
+    // Seen from above and before, the floor's gutter runs on into the wall's solid.
+    TestSession session(make_inner_corner());
     const TxcTarget target = session.target(64, 64, 3);
     session.set_base(target, kBase);
     TxcLayerDef def = decal_def(session.image(Picture(1, 1, kPaint)));

@@ -247,14 +247,9 @@ TEST_CASE("Eyes of every kind and place are survived") {
         random.rotation(def.rotation);
         for (float& coordinate : def.position_model)
             coordinate = static_cast<float>(round % 3 == 0 ? draw(-6, 11.9) : random.between(-2, 2));
-        def.filter = random.below(2);
-        def.wrap = random.below(2);
-        def.backfaces = random.below(2);
-        def.occlusion = random.below(2);
+        draw_switches(def, random);
         const Picture picture = paint(session, target, def);
-        std::uint32_t opaque = 0;
-        for (std::size_t i = 3; i < picture.rgba.size(); i += 4) opaque += picture.rgba[i] == 255 ? 1 : 0;
-        CHECK(opaque == 32 * 32);
+        CHECK(count_opaque(picture) == 32 * 32);
         painted += picture == Picture(32, 32, kBase) ? 0 : 1;
     }
     CHECK(painted > 40);

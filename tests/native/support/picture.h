@@ -51,6 +51,12 @@ inline std::uint32_t count_differences(const Picture& a, const Picture& b) {
     return count;
 }
 
+inline std::uint32_t count_opaque(const Picture& picture) {
+    std::uint32_t count = 0;
+    for (std::size_t i = 3; i < picture.rgba.size(); i += 4) count += picture.rgba[i] == 255 ? 1 : 0;
+    return count;
+}
+
 inline std::uint32_t count_color(const Picture& picture, Color color) {
     std::uint32_t count = 0;
     for (std::uint32_t y = 0; y < picture.height; ++y) {

@@ -142,6 +142,26 @@ inline Shape make_cube(double size = 1.0) {
     return cube;
 }
 
+/// A floor (y = 0) and a wall that rises from its far edge, each in a chart of its own.
+inline Shape make_inner_corner() {
+    Shape room;
+    const auto add_quad = [&room](const double(&p)[4][3], const double(&n)[3], const UvRect& chart) {
+        const std::uint32_t first = room.vertex_count();
+        const double uv[4][2] = {
+            {chart.left, chart.top}, {chart.right, chart.top}, {chart.right, chart.bottom}, {chart.left, chart.bottom}};
+        for (int c = 0; c < 4; ++c) {
+            room.add_vertex(p[c][0], p[c][1], p[c][2], uv[c][0], uv[c][1]);
+            room.add_normal(n[0], n[1], n[2]);
+        }
+        room.add_triangle(first, first + 3, first + 1);
+        room.add_triangle(first + 1, first + 3, first + 2);
+    };
+    // The top edge of each chart in the order: left, right; below it the near or lower edge.
+    add_quad({{-0.5, 0, 0}, {0.5, 0, 0}, {0.5, 0, 1}, {-0.5, 0, 1}}, {0, 1, 0}, {0.05, 0.1, 0.45, 0.9});
+    add_quad({{-0.5, 1, 0}, {0.5, 1, 0}, {0.5, 0, 0}, {-0.5, 0, 0}}, {0, 0, 1}, {0.55, 0.1, 0.95, 0.9});
+    return room;
+}
+
 /// A copy with every vertex moved.
 inline Shape moved(Shape shape, double x, double y, double z) {
     const double by[3] = {x, y, z};

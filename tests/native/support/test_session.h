@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "picture.h"
+#include "random.h"
 #include "shapes.h"
 #include "texelcast.h"
 
@@ -214,6 +215,14 @@ inline TxcLayerDef fill_def(float red, float green, float blue, float alpha = 1.
     def.color[2] = blue;
     def.color[3] = alpha;
     return def;
+}
+
+/// Filter, wrap, back faces and occlusion, each either way.
+inline void draw_switches(TxcLayerDef& def, Random& random) {
+    def.filter = random.below(2);
+    def.wrap = random.below(2);
+    def.backfaces = random.below(2);
+    def.occlusion = random.below(2);
 }
 
 inline void place(TxcLayerDef& def, double x, double y, double z) {
