@@ -15,6 +15,7 @@ import { controls } from "../ui/theme.ts";
 import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
 import {
   type PosedProjector,
+  type ProjectorField,
   type ProjectorFieldGroup,
   poseFields,
   projectorFields,
@@ -25,15 +26,7 @@ import { propertyStyles } from "./property-styles.ts";
 
 const words = strings.properties;
 
-interface FieldOptions {
-  readonly label: string;
-  readonly name: string;
-  readonly value: number;
-  readonly step: number;
-  readonly min?: number;
-  readonly max?: number;
-  readonly unit?: string;
-  readonly hint?: string;
+interface FieldOptions extends Omit<ProjectorField, "set"> {
   readonly patch: (value: number) => DecalPatch;
 }
 
