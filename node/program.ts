@@ -29,6 +29,10 @@ Examples:
   texelcast render shirt.glb design.json --out decals.png --material 1 --base "#ff8000"
   texelcast render shirt.glb design.json --out shirt.png --base cloth.jpg`;
 
+const SCHEMA_EXAMPLES = `
+Examples:
+  texelcast schema > design.schema.json`;
+
 /** A program that throws CommanderError instead of ending the process. */
 export function createProgram(): Command {
   const program = new Command("texelcast")
@@ -38,7 +42,7 @@ export function createProgram(): Command {
     .helpCommand("help [command]", "print the help of a command")
     .addHelpText(
       "after",
-      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}\n${EXIT_CODES}`,
+      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
     )
     .exitOverride()
     .configureOutput({
@@ -104,6 +108,15 @@ export function createProgram(): Command {
     .addHelpText("after", RENDER_EXAMPLES)
     .action(async (model: string, design: string, options: RenderOptions) => {
       await (await import("./commands/render.ts")).render(model, design, options);
+    });
+
+  program
+    .command("schema")
+    .summary("print the JSON Schema of design documents")
+    .description("Prints the JSON Schema (draft 2020-12) of design documents, for editors and other programs.")
+    .addHelpText("after", SCHEMA_EXAMPLES)
+    .action(async () => {
+      await (await import("./commands/schema.ts")).schema();
     });
 
   return program;

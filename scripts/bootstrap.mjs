@@ -10,7 +10,7 @@ import { chromium } from "./bootstrap/chromium.mjs";
 import { firefox } from "./bootstrap/firefox.mjs";
 import { withLock } from "./bootstrap/lock.mjs";
 import { nodePackages } from "./bootstrap/node-packages.mjs";
-import { commandLine, demoAssets, wasmModule } from "./bootstrap/products.mjs";
+import { commandLine, demoAssets, designSchema, wasmModule } from "./bootstrap/products.mjs";
 import { Progress } from "./bootstrap/progress.mjs";
 import { SetUpError } from "./bootstrap/set-up-error.mjs";
 import { provide } from "./bootstrap/system.mjs";
@@ -20,9 +20,9 @@ const OLDEST_NODE = [20, 19];
 /** What each command needs, in the order in which it can be made. */
 const GOALS = {
   start: [nodePackages, wasmModule, demoAssets],
-  build: [nodePackages, wasmModule, demoAssets],
-  cli: [nodePackages, wasmModule, commandLine],
-  test: [nodePackages, testTools, chromium, firefox, wasmModule, demoAssets, commandLine],
+  build: [nodePackages, wasmModule, demoAssets, designSchema],
+  cli: [nodePackages, wasmModule, designSchema, commandLine],
+  test: [nodePackages, testTools, chromium, firefox, wasmModule, demoAssets, designSchema, commandLine],
   lint: [nodePackages, testTools],
   bench: [nodePackages, testTools, wasmModule],
   figures: [nodePackages, chromium, wasmModule, demoAssets],

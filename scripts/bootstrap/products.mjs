@@ -1,4 +1,4 @@
-/** What the checkout builds for itself: the WebAssembly module, the demo's assets, the bundled command line. */
+/** What the checkout builds for itself: the WebAssembly module, the demo's assets, the design's schema, the command line. */
 import { chmodSync } from "node:fs";
 import { wasmEnvironment, wasmNeeds } from "./build-tools.mjs";
 import { buildPreset } from "./cmake.mjs";
@@ -15,12 +15,23 @@ export const wasmModule = stampedStep({
   work: async () => buildPreset("wasm", "wasm", wasmEnvironment()),
 });
 
+/** @param {string} script in the checkout */
+const runScript = (script) => run(process.execPath, [inRoot("node_modules/tsx/dist/cli.mjs"), script]);
+
 export const demoAssets = stampedStep({
   name: "demo",
   title: "the demo's models and decals (build/public/demo)",
   inputs: ["scripts/demo", "package-lock.json"],
   outputs: ["build/public/demo/demo.json"],
-  work: () => run(process.execPath, [inRoot("node_modules/tsx/dist/cli.mjs"), "scripts/demo/main.ts"]),
+  work: () => runScript("scripts/demo/main.ts"),
+});
+
+export const designSchema = stampedStep({
+  name: "design-schema",
+  title: "the design document's JSON Schema (build/design.schema.json)",
+  inputs: ["web/editor/document", "scripts/schema", "package-lock.json"],
+  outputs: ["build/design.schema.json"],
+  work: () => runScript("scripts/schema/main.ts"),
 });
 
 export const commandLine = stampedStep({

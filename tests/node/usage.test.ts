@@ -11,6 +11,7 @@ describe("the command line's usage", () => {
     ["inspect --help", ["inspect", "--help"]],
     ["bake --help", ["bake", "--help"]],
     ["render --help", ["render", "--help"]],
+    ["schema --help", ["schema", "--help"]],
   ])("is told on stdout with examples by %s", async (_what, args) => {
     const { code, stdout, stderr } = await texelcast(args);
     expect(code).toBe(0);

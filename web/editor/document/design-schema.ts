@@ -19,7 +19,7 @@ import {
   PROJECTED_DEFAULTS,
   WRAPS,
 } from "./design.ts";
-import { isHexColor } from "./hex-color.ts";
+import { HEX_COLOR } from "./hex-color.ts";
 
 /** Bounds that no honest design meets; they keep a hostile file from costing more than its reading. */
 const DESIGN_LIMITS = {
@@ -106,6 +106,8 @@ const perspective = v.pipe(
     rotation,
     fov: v.pipe(
       v.number("must be a number of degrees"),
+      v.gtValue(0, "must be above 0 degrees"),
+      v.ltValue(180, "must be below 180 degrees"),
       v.check(isAbove0, "must be above 0 degrees"),
       v.check(isBelow180, "must be below 180 degrees"),
     ),
@@ -127,6 +129,7 @@ const cylindrical = strict({
   height: length,
   arc: v.pipe(
     v.number("must be a number of degrees"),
+    v.gtValue(0, "must be above 0 degrees"),
     v.check(isAbove0, "must be above 0 degrees"),
     v.maxValue(360, "must be at most 360 degrees"),
   ),
@@ -146,12 +149,15 @@ const projector = v.variant("kind", [planar, perspective, cylindrical, uv], (iss
 
 const hexColor = v.pipe(
   v.string('must be a colour as "#rrggbb" or "#rrggbbaa"'),
-  v.check(isHexColor, 'must be a colour as "#rrggbb" or "#rrggbbaa"'),
+  v.regex(HEX_COLOR, 'must be a colour as "#rrggbb" or "#rrggbbaa"'),
 );
 
 const materialMessage = "must be a glTF material index: a whole number, 0 or above";
 const angle = numberBetween(0, 90, " degrees");
-const assetName = filledText(DESIGN_LIMITS.idLength);
+const assetName = v.pipe(
+  filledText(DESIGN_LIMITS.idLength),
+  v.notValues(RESERVED_KEYS, `must not be ${RESERVED_KEYS.map((key) => `"${key}"`).join(" or ")}`),
+);
 
 const layerEntries = {
   id: v.optional(filledText(DESIGN_LIMITS.idLength)),
@@ -235,7 +241,10 @@ function boundedList<Item extends v.GenericSchema>(max: number, noun: string, it
   );
 }
 
-const asset = strict({ type: oneOf([...PICTURE_TYPES, ...FONT_TYPES]), uri: filledText(Number.MAX_SAFE_INTEGER) });
+const asset = strict({
+  type: oneOf([...PICTURE_TYPES, ...FONT_TYPES]),
+  uri: v.pipe(v.string("must be a string"), v.nonEmpty("must not be empty")),
+});
 
 const isObject = (value: unknown): value is Record<string, unknown> =>
   typeof value === "object" && value !== null && !Array.isArray(value);
@@ -243,10 +252,7 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 /** valibot drops reserved keys of a record without a word; a name that vanishes is worse than one refused. */
 const assets = v.pipe(
   v.custom<Record<string, unknown>>(isObject, "must be an object of named assets"),
-  v.check(
-    (value) => Object.keys(value).length <= DESIGN_LIMITS.assets,
-    `must not hold more than ${DESIGN_LIMITS.assets} assets`,
-  ),
+  v.maxEntries(DESIGN_LIMITS.assets, `must not hold more than ${DESIGN_LIMITS.assets} assets`),
   v.check(
     (value) => !RESERVED_KEYS.some((key) => Object.hasOwn(value, key)),
     `must not name an asset ${RESERVED_KEYS.map((key) => `"${key}"`).join(" or ")}`,
@@ -260,6 +266,26 @@ export const designSchema = strict({
   assets: v.optional(assets, () => ({})),
   layers: v.optional(boundedList(DESIGN_LIMITS.layers, "layers", layer), () => []),
 });
+
+/** The parts of the schema that a reader knows by name; the published JSON Schema gives each a definition of its own. */
+export const designParts = {
+  decal,
+  text: textLayer,
+  stroke,
+  fill,
+  layer,
+  asset,
+  assetName,
+  planar,
+  perspective,
+  cylindrical,
+  uv,
+  projector,
+  point,
+  rotation,
+  length,
+  hexColor,
+};
 
 /** A layer as the schema leaves it: ids and names may still be missing. */
 export type ParsedLayer = v.InferOutput<typeof layer>;

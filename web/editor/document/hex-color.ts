@@ -2,7 +2,10 @@
 
 export type Rgba = readonly [number, number, number, number];
 
-export const isHexColor = (text: string): boolean => /^#(?:[0-9a-f]{6}|[0-9a-f]{8})$/i.test(text);
+/** Without flags, which a JSON Schema's patterns do not have. */
+export const HEX_COLOR = /^#(?:[0-9a-fA-F]{6}|[0-9a-fA-F]{8})$/;
+
+export const isHexColor = (text: string): boolean => HEX_COLOR.test(text);
 
 /** Red, green, blue and alpha, each 0 to 1. The text must satisfy `isHexColor`. */
 export function parseHexColor(text: string): Rgba {
