@@ -1,4 +1,5 @@
 /** Values of options: from the words of the command line to what they mean, or commander's own error. */
+import path from "node:path";
 import { InvalidArgumentError } from "commander";
 import { isHexColor, parseHexColor } from "../web/editor/document/hex-color.ts";
 
@@ -39,12 +40,29 @@ export function parseBase(text: string): BaseOption {
   return { file: text };
 }
 
-export function parseRenderOutput(text: string): { readonly file: string; readonly kind: "png" | "glb" } {
+/** Stands in the name of a picture for the index of the material that it shows. */
+export const MATERIAL_IN_NAME = "{material}";
+
+/** "pngs" is one picture for each material, told apart by their names. */
+export interface RenderOutput {
+  readonly file: string;
+  readonly kind: "png" | "pngs" | "glb";
+}
+
+export function parseRenderOutput(text: string): RenderOutput {
   const kind = /\.(png|glb)$/i.exec(text)?.[1]?.toLowerCase();
   if (kind !== "png" && kind !== "glb") {
     throw new InvalidArgumentError("It must end in .png (the texture) or .glb (the model with it inside).");
   }
-  return { file: text, kind };
+  const each = path.basename(text).includes(MATERIAL_IN_NAME);
+  if (each && kind === "glb")
+    throw new InvalidArgumentError("A .glb holds all materials, so its name has no {material}.");
+  return { file: text, kind: each ? "pngs" : kind };
+}
+
+/** The picture's path for one material. */
+export function fileOfMaterial(file: string, material: number): string {
+  return path.join(path.dirname(file), path.basename(file).replaceAll(MATERIAL_IN_NAME, String(material)));
 }
 
 export function parseFolder(text: string): string {

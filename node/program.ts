@@ -26,6 +26,7 @@ const RENDER_EXAMPLES = `
 Examples:
   texelcast render mug.glb design.json --out mug-painted.glb
   texelcast render mug.glb design.json --out print.png --size 4096
+  texelcast render board.glb design.json --out "print-{material}.png"
   texelcast render shirt.glb design.json --out decals.png --material 1 --base "#ff8000"
   texelcast render shirt.glb design.json --out shirt.png --base cloth.jpg`;
 
@@ -86,16 +87,21 @@ export function createProgram(): Command {
     .command("render")
     .summary("replay a design on a model: the finished texture, or the model with it inside")
     .description(
-      "Replays a design on a model. A .png holds one material's finished texture; a .glb is the model with the textures " +
+      "Replays a design on a model. A .png holds one material's finished texture ({material} in its name: one picture for each " +
+        "that the design paints); a .glb is the model with the textures " +
         "of all materials that the design paints replaced, everything else of the file as it was.",
     )
     .argument("<model>", "a .glb, or a .gltf with its side files")
     .argument("<design>", "a design document, JSON")
-    .addOption(new Option("--out <file>", "FILE.png or FILE.glb").argParser(parseRenderOutput).makeOptionMandatory())
+    .addOption(
+      new Option("--out <file>", "FILE.png, FILE.glb, or with {material} in its name one .png each")
+        .argParser(parseRenderOutput)
+        .makeOptionMandatory(),
+    )
     .addOption(
       new Option(
         "--material <index>",
-        "glTF material index (default: 0 for .png, all that are painted for .glb)",
+        "glTF material index (default: 0 for one .png, else all that are painted)",
       ).argParser(parseMaterial),
     )
     .addOption(sizeOption("default: the base picture's own, 1024 without"))

@@ -1,9 +1,10 @@
 /** `texelcast render`: a design replayed on a model, as the finished texture or as the model with it inside. */
 import type { EngineLayer, ModelInfo, TargetOptions } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
+import { materialsOf, paintsMaterial } from "../../web/engine/layer-materials.ts";
 import { findMaterial } from "../find-material.ts";
 import { openEngine } from "../open-engine.ts";
-import type { BaseOption, Size } from "../options.ts";
+import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from "../options.ts";
 import { Progress } from "../progress.ts";
 import { type LoadedDesign, readAsset, readDesign } from "../read-design.ts";
 import { readFileBytes } from "../read-file.ts";
@@ -12,8 +13,8 @@ import { formatCount, plural, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
 
 export interface RenderOptions {
-  readonly out: { readonly file: string; readonly kind: "png" | "glb" };
-  /** Without it: material 0 for a .png, every material that the design paints for a .glb. */
+  readonly out: RenderOutput;
+  /** Without it: material 0 for one .png, else every material that the design paints. */
   readonly material?: number;
   readonly size?: Size;
   /** Without it: the material's own picture or colour. */
@@ -24,7 +25,7 @@ const DEFAULT_MATERIAL = 0;
 
 export async function render(modelFile: string, designFile: string, options: RenderOptions): Promise<void> {
   const { out } = options;
-  await checkOutputFile(out.file);
+  await checkOutputFile(out.kind === "pngs" ? fileOfMaterial(out.file, DEFAULT_MATERIAL) : out.file);
   const design = await readDesign(designFile);
   const model = await readModel(modelFile);
   const base = await readBase(options.base);
@@ -35,24 +36,31 @@ export async function render(modelFile: string, designFile: string, options: Ren
     progress.report("Reading the model");
     const info = await engine.loadModel(model);
     const materials = chooseMaterials(info, design, options);
-    const layers = design.layers.filter((layer) => layer.visible && materials.includes(layer.material));
+    const layers = design.layers.filter(
+      (layer) => layer.visible && materials.some((material) => paintsMaterial(layer, material)),
+    );
     await setAssets(engine, design, layers, progress);
-    const sizes = [];
+    const sizes = new Map<number, string>();
     for (const material of materials) {
       const target: TargetOptions = { material, ...options.size, base };
       const { width, height } = await engine.openTarget(target, (share) => progress.report("Baking", share));
-      sizes.push(`${width} x ${height}`);
+      sizes.set(material, `material ${material} at ${width} x ${height}`);
     }
     progress.report("Painting");
     await paint(engine, layers);
     progress.report("Writing");
-    const bytes = await (out.kind === "png" ? engine.exportPng(materials[0] ?? DEFAULT_MATERIAL) : engine.exportGlb());
-    await files.write(out.file, bytes);
+    const lines: string[] = [];
+    for (const result of resultsOf(options.out, materials)) {
+      const bytes = await result.bytes(engine);
+      await files.write(result.file, bytes);
+      const drawn = layers.filter((layer) => result.materials.some((material) => paintsMaterial(layer, material)));
+      const where = result.materials.map((material) => sizes.get(material)).join(", ") || "no material";
+      const what = `${formatCount(bytes.length)} bytes, ${plural(drawn.length, "layer")}, ${where}`;
+      lines.push(`${printable(result.file)}: ${what}\n`);
+    }
     await files.commit();
     progress.end();
-    const painted = sizes.map((size, index) => `material ${materials[index]} at ${size}`).join(", ") || "no material";
-    const made = `${formatCount(bytes.length)} bytes, ${plural(layers.length, "layer")}, ${painted}`;
-    process.stdout.write(`${printable(out.file)}: ${made}\n`);
+    process.stdout.write(lines.join("") || "no material is painted, so there is no picture to write\n");
   } finally {
     progress.end();
     await files.discard();
@@ -68,13 +76,32 @@ async function readBase(base: BaseOption | undefined): Promise<NonNullable<Targe
 
 /** Every material that a layer names must be there, even one that this run leaves out: the design is for another model. */
 function chooseMaterials(model: ModelInfo, { file, design }: LoadedDesign, options: RenderOptions): number[] {
-  design.layers.forEach(({ material }, index) => {
-    findMaterial(model, material, { file, field: `layers[${index}].material` });
+  design.layers.forEach((layer, index) => {
+    materialsOf(layer).forEach((material, place) => {
+      const at = typeof layer.material === "number" ? "" : `[${place}]`;
+      findMaterial(model, material, { file, field: `layers[${index}].material${at}` });
+    });
   });
   if (options.material !== undefined) return [findMaterial(model, options.material).index];
   if (options.out.kind === "png") return [findMaterial(model, DEFAULT_MATERIAL).index];
-  const painted = design.layers.filter((layer) => layer.visible).map((layer) => layer.material);
+  const painted = design.layers.filter((layer) => layer.visible).flatMap(materialsOf);
   return [...new Set(painted)].sort((a, b) => a - b);
+}
+
+interface Result {
+  readonly file: string;
+  /** Those whose textures it holds. */
+  readonly materials: readonly number[];
+  bytes(engine: EngineHost): Promise<Uint8Array>;
+}
+
+function resultsOf({ file, kind }: RenderOutput, materials: readonly number[]): Result[] {
+  if (kind === "glb") return [{ file, materials, bytes: (engine) => engine.exportGlb() }];
+  return materials.map((material) => ({
+    file: fileOfMaterial(file, material),
+    materials: [material],
+    bytes: (engine) => engine.exportPng(material),
+  }));
 }
 
 async function setAssets(

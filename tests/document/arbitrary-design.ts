@@ -60,7 +60,7 @@ const projector: fc.Arbitrary<Projector> = fc.oneof(
 
 const base = {
   name: fc.string(),
-  material: fc.nat(65_535),
+  material: fc.oneof(fc.nat(65_535), fc.uniqueArray(fc.nat(65_535), { minLength: 1, maxLength: 4 })),
   visible: fc.boolean(),
   opacity: finite(0, 1),
   blend: fc.constantFrom(...BLEND_MODES),

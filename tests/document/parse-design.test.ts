@@ -69,6 +69,11 @@ describe("reading a design", () => {
     expect((parseDesign(decal({ angleFade: [90, 90] })).layers[0] as DecalLayer).angleFade).toEqual([90, 90]);
   });
 
+  it("keeps a list of materials as it is", () => {
+    expect(parseDesign(decal({ material: [3, 0] })).layers[0]?.material).toEqual([3, 0]);
+    expect(serialiseDesign(parseDesign(decal({ material: [3, 0] })))).toContain('"material": [3, 0],');
+  });
+
   it("does not share its defaults between layers", () => {
     const layers = parseDesign(design([decal().layers, decal().layers].flat())).layers as DecalLayer[];
     expect(layers[0]?.angleFade).not.toBe(layers[1]?.angleFade);
@@ -239,6 +244,22 @@ describe("refusing a design", () => {
     ],
     ["a material of half a number", decal({ material: 0.5 }), "layers[0].material: must be a glTF material index"],
     ["a material below zero", decal({ material: -1 }), "layers[0].material: must be a glTF material index"],
+    [
+      "a material by name",
+      decal({ material: "body" }),
+      'layers[0].material: must be a glTF material index: a whole number, 0 or above, or a list of such, is "body"',
+    ],
+    ["a list of no materials", decal({ material: [] }), "layers[0].material: must name one material at least, is []"],
+    [
+      "a list with half a material",
+      decal({ material: [0, 0.5] }),
+      "layers[0].material[1]: must be a glTF material index",
+    ],
+    [
+      "a material twice",
+      decal({ material: [2, 0, 2] }),
+      "layers[0].material: must not name a material twice, is [2, 0, 2]",
+    ],
     ["a flag that is no flag", decal({ visible: 1 }), "layers[0].visible: must be true or false, is 1"],
     ["null where a default could be", decal({ visible: null }), "layers[0].visible: must be true or false, is null"],
     ["an empty id", decal({ id: "" }), 'layers[0].id: must not be empty, is ""'],

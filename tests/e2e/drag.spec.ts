@@ -169,6 +169,55 @@ test("a demo decal is dragged from the palette onto the model, and on to another
   expect(await editor.settledHash()).toBe(painted);
 });
 
+test("a decal that is dragged over the border of two materials paints both while it is dragged", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([twoSquaresGlb()]);
+  const at = (x: number) =>
+    page.evaluate((place) => window.texelcast.project(place, 0, 0) as { x: number; y: number }, x);
+  const hashOf = (material: number) => page.evaluate((index) => window.texelcast.engine.hash(index), material);
+  const source = await page.locator("tc-decal-palette [data-decal=badge]").boundingBox();
+  if (!source) throw new Error("The palette has no badge.");
+  const [right, border] = [await at(0.55), await at(0.06)];
+  await editor.drag({ x: source.x + 20, y: source.y + 20 }, right, 8);
+  await expect.poll(async () => (await editor.design()).layers.length).toBe(1);
+  await editor.idle();
+  const [layer] = (await editor.design()).layers;
+  const material = page.locator("tc-decal-properties #material");
+  expect(layer?.material).toBe(1);
+  await expect(material).toHaveValue("1");
+
+  await page.mouse.move(right.x, right.y);
+  await page.mouse.down();
+  await page.mouse.move(border.x, border.y, { steps: 10 });
+  await expect.poll(async () => (await editor.design()).layers[0]?.material).toEqual([0, 1]);
+  await editor.idle();
+  const [left, both] = [await hashOf(0), await hashOf(1)];
+  await page.mouse.move(border.x, border.y - 12, { steps: 4 });
+  await editor.idle();
+  expect(await hashOf(0)).not.toBe(left);
+  expect(await hashOf(1)).not.toBe(both);
+  await page.mouse.up();
+  await editor.idle();
+  await expect(page.locator("tc-decal-list li")).toHaveCount(1);
+  await expect(material.locator("option:checked")).toHaveText("Left, Right");
+  // The texture view stays where it was: the decal is on that material still.
+  await expect(page.locator("tc-target-settings #material")).toHaveValue("1");
+
+  // Kept to one side, it leaves the other one bare, and comes back by the choice of all.
+  const crossing = await hashOf(0);
+  await material.selectOption("1");
+  await editor.idle();
+  expect((await editor.design()).layers[0]?.material).toBe(1);
+  expect(await hashOf(0)).not.toBe(crossing);
+  await material.selectOption({ label: "All that it meets" });
+  await editor.idle();
+  expect((await editor.design()).layers[0]?.material).toEqual([0, 1]);
+  expect(await hashOf(0)).toBe(crossing);
+});
+
 test("a click on a decal in the view selects it", async ({ editor, page }) => {
   await editor.open();
   const { id, name } = (await editor.design()).layers[0] ?? { id: "", name: "" };

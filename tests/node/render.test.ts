@@ -4,6 +4,7 @@ import { validateBytes } from "gltf-validator";
 import { describe, expect, it } from "vitest";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
+import { halvesGlb } from "../support/two-halves.ts";
 import { FACING_DOWN, plainPng, planeGlb, readGlbJson } from "./plane-model.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
@@ -195,6 +196,51 @@ describe("texelcast render to .png", () => {
   });
 });
 
+describe("texelcast render of several materials", () => {
+  /** Stands upright, over the border between the halves. */
+  const crossing = decal({
+    material: [0, 1],
+    projector: { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [0.5, 0.5, 0.2] },
+    filter: "nearest",
+  });
+  const halves = halvesGlb({ materials: 2 });
+
+  it("paints one decal on both sides of a border, in a picture for each material", async () => {
+    const bench = await workbench([crossing, { type: "fill", color: "#000000", material: 1, opacity: 0 }], halves);
+    const run = await bench.render("--out", "print-{material}.png", "--size", "64", "--base", "#102030");
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toMatch(
+      /^print-0\.png: [\d,]+ bytes, 1 layer, material 0 at 64 x 64\nprint-1\.png: [\d,]+ bytes, 2 layers, material 1 at 64 x 64\n$/,
+    );
+    expect(await bench.texel("print-0.png", 28, 28)).toEqual(RED);
+    expect(await bench.texel("print-0.png", 28, 36)).toEqual(BLUE);
+    expect(await bench.texel("print-1.png", 36, 28)).toEqual(GREEN);
+    expect(await bench.texel("print-1.png", 36, 36)).toEqual(GREY);
+  });
+
+  it("puts every picture into the .glb, those of the .png files byte for byte", async () => {
+    const bench = await workbench([crossing], halves);
+    await bench.render("--out", "print-{material}.png", "--size", "64");
+    const run = await bench.render("--out", "out.glb", "--size", "64");
+    expect(run.stdout).toContain("1 layer, material 0 at 64 x 64, material 1 at 64 x 64");
+    const glb = Buffer.from(bench.read("out.glb"));
+    for (const name of ["print-0.png", "print-1.png"]) expect(glb.includes(Buffer.from(bench.read(name)))).toBe(true);
+  });
+
+  it("writes the one picture that --material chooses", async () => {
+    const bench = await workbench([crossing], halves);
+    await bench.render("--out", "print-{material}.png", "--size", "64", "--material", "1");
+    expect(readdirSync(bench.folder).filter((name) => name.startsWith("print"))).toEqual(["print-1.png"]);
+  });
+
+  it("writes no picture where nothing is painted, and says so", async () => {
+    const bench = await workbench([{ ...crossing, visible: false }], halves);
+    const run = await bench.render("--out", "print-{material}.png");
+    expect(run).toMatchObject({ code: 0, stdout: "no material is painted, so there is no picture to write\n" });
+    expect(readdirSync(bench.folder).filter((name) => name.endsWith(".png"))).toEqual(["logo.png"]);
+  });
+});
+
 describe("texelcast render to .glb", () => {
   it("puts the finished texture into the model, byte for byte that of the .png, and stays valid", async () => {
     const bench = await workbench([decal()], planeGlb({ texture: await plainPng(64, 64, [1, 2, 3, 255]) }));
@@ -256,6 +302,12 @@ describe("what texelcast render refuses", () => {
       [{ type: "fill", color: "#000000", material: 7 }],
       [],
       "design.json: layers[0].material: the model has no material 7, it has materials 0 to 1",
+    ],
+    [
+      "a material in a list that the model lacks",
+      [{ type: "fill", color: "#000000", material: [0, 7] }],
+      [],
+      "design.json: layers[0].material[1]: the model has no material 7, it has materials 0 to 1",
     ],
     [
       "a material of the command line that the model lacks",

@@ -47,6 +47,11 @@ describe("the command line's usage", () => {
     ["a size of one side and a half", ["bake", "a.glb", "--out", "x", "--size", "2x"], "from 1 to 8192"],
     ["a gutter above the largest", ["bake", "a.glb", "--out", "x", "--gutter", "65"], "from 0 to 64"],
     ["an output of another kind", ["render", "a.glb", "b.json", "--out", "a.jpg"], "must end in .png"],
+    [
+      "a model for each material",
+      ["render", "a.glb", "b.json", "--out", "a-{material}.glb"],
+      "A .glb holds all materials",
+    ],
     ["an output without a kind", ["render", "a.glb", "b.json", "--out", "png"], "must end in .png"],
     [
       "a colour of four digits",

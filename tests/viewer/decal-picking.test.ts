@@ -8,7 +8,7 @@ import { expectVector, poseAt } from "./pose-helpers.ts";
 
 function decal(id: string, changes: Partial<ViewerDecal> = {}): ViewerDecal {
   const projector = projectorOf(poseAt({ size: [1, 1, 0.5] }));
-  return { id, name: id, material: 0, visible: true, aspect: 1, projector, ...changes };
+  return { id, name: id, materials: [0], visible: true, aspect: 1, projector, ...changes };
 }
 
 function sample(x: number, y: number, normal = new Vector3(0, 0, 1)): SurfaceSample {
@@ -29,7 +29,9 @@ describe("the decals under a point", () => {
   });
 
   it("are not hidden ones, nor those of another material", () => {
-    expect(decalsAt([decal("hidden", { visible: false }), decal("other", { material: 1 })], sample(0, 0))).toEqual([]);
+    expect(decalsAt([decal("hidden", { visible: false }), decal("other", { materials: [1] })], sample(0, 0))).toEqual(
+      [],
+    );
   });
 });
 

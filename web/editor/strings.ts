@@ -171,6 +171,7 @@ export const strings = {
     backfaces: "Paint back faces",
     through: "Paint through the model",
     material: "Material",
+    materialsMet: "All that it meets",
     color: "Colour",
     degrees: "°",
     percent: "%",

@@ -3,6 +3,8 @@
  * worker's client (browser) and by the host itself (Node), so the page and the command line run the same engine.
  */
 
+import type { LayerMaterials } from "./layer-materials.ts";
+
 /** A model's bytes with the side files that its `.gltf` names (relative address to bytes). */
 export interface ModelSource {
   /** File name as the user knows it; errors name it. */
@@ -78,8 +80,8 @@ export type BlendMode =
 interface EngineLayerBase {
   /** Unique within a design. */
   readonly id: string;
-  /** glTF material index. */
-  readonly material: number;
+  /** glTF material index, or several: a decal that crosses from one material to another paints both. */
+  readonly material: LayerMaterials;
   readonly visible: boolean;
   /** 0 to 1. */
   readonly opacity: number;

@@ -6,6 +6,7 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import { applyBase, loadBasePicture, targetSize } from "./base-picture.ts";
 import type { EngineLayer, MapView, Picture, TargetInfo, TargetOptions, TargetUpdate, Vec3 } from "./engine-api.ts";
 import { nextTurn } from "./event-loop.ts";
+import { paintsMaterial } from "./layer-materials.ts";
 import { LayerSync } from "./layer-sync.ts";
 import type { LoadedModel } from "./model-loader.ts";
 
@@ -87,7 +88,7 @@ export class OpenTarget {
   ): TargetUpdate | null {
     const start = performance.now();
     const { material } = this.info;
-    const own = layers.filter((layer) => layer.material === material);
+    const own = layers.filter((layer) => paintsMaterial(layer, material));
     this.#layers.apply(own, imageOf, report);
     const update = this.#target.update();
     if (update.rects.length === 0) return null;

@@ -240,7 +240,7 @@ export class DecalGizmo {
   }
 
   #emit({ decal, drag }: ActiveDrag, phase: DecalGesture["phase"], projector: Projector): void {
-    const material = phase === "cancel" ? decal.material : (drag.material ?? decal.material);
+    const material = phase === "cancel" ? null : drag.material;
     this.#host.gesture({ id: decal.id, kind: drag.kind, phase, projector, material });
   }
 

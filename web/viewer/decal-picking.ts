@@ -8,7 +8,9 @@ import type { ViewerDecal } from "./viewer-api.ts";
 /** The visible decals whose volume holds the point and looks at it, topmost first; `decals` lie bottom to top. */
 export function decalsAt(decals: readonly ViewerDecal[], sample: SurfaceSample): ViewerDecal[] {
   return decals
-    .filter((decal) => decal.visible && decal.material === sample.material && reachesPoint(decal.projector, sample))
+    .filter(
+      (decal) => decal.visible && decal.materials.includes(sample.material) && reachesPoint(decal.projector, sample),
+    )
     .reverse();
 }
 

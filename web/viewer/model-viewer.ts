@@ -12,6 +12,7 @@ import { loadModelScene, type ModelScene } from "./model-scene.ts";
 import { PaintedMaterials } from "./painted-materials.ts";
 import { nudged } from "./projector-drag.ts";
 import { pictureBox } from "./projector-outline.ts";
+import { reachVolume } from "./reached-materials.ts";
 import { gatherRestingSurface } from "./resting-surface.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { Stage } from "./stage.ts";
@@ -175,6 +176,11 @@ class ThreeModelViewer implements ModelViewer {
       return nudged(projector, this.#screen.axes, rightMetres, upMetres, 2 * query.bounds.radius);
     }
     return projectorOf(nudgeOnSurface(query, poseOf(projector), this.#screen.axes, rightMetres, upMetres));
+  }
+
+  materialsReached(projector: Projector, backfaces: boolean): readonly number[] {
+    const volume = reachVolume(projector, backfaces);
+    return (volume && this.#model?.query.materialsWithin(volume)) ?? [];
   }
 
   frameModel(): void {

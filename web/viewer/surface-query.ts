@@ -2,6 +2,7 @@
 import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Sphere, Triangle, Vector3 } from "three";
 import { type HitPointInfo, MeshBVH } from "three-mesh-bvh";
 import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
+import type { ReachVolume } from "./reached-materials.ts";
 import { DOUBLE_SIDED, FACETED, type RestingSurface } from "./resting-surface.ts";
 import { shellsOf } from "./surface-shells.ts";
 
@@ -28,6 +29,7 @@ export class SurfaceQuery {
   readonly #surface: RestingSurface;
   readonly #bvh: MeshBVH | null;
   readonly #shells: Uint32Array;
+  readonly #materialCount: number;
   readonly #ray = new Ray();
   readonly #triangle = new Triangle();
   readonly bounds = new Sphere();
@@ -35,6 +37,7 @@ export class SurfaceQuery {
   constructor(surface: RestingSurface) {
     this.#surface = surface;
     this.#shells = shellsOf(surface);
+    this.#materialCount = new Set(surface.materialOfTriangle).size;
     if (surface.index.length === 0) {
       this.#bvh = null;
       return;
@@ -84,6 +87,23 @@ export class SurfaceQuery {
     direction.divideScalar(distance || 1);
     const slack = this.bounds.radius * 2e-3;
     return this.raycast(from, direction, Math.max(0, distance - slack)) === null;
+  }
+
+  /** The materials, ascending, with a triangle that the volume reaches. */
+  materialsWithin(volume: ReachVolume): number[] {
+    const { materialOfTriangle } = this.#surface;
+    const found = new Set<number>();
+    this.#bvh?.shapecast({
+      intersectsBounds: (box) => volume.touchesBox(box),
+      intersectsTriangle: (triangle, index) => {
+        const material = materialOfTriangle[index] as number;
+        if (!found.has(material) && volume.reachesTriangle(triangle)) {
+          found.add(material);
+        }
+        return found.size === this.#materialCount;
+      },
+    });
+    return [...found].sort((a, b) => a - b);
   }
 
   closest(point: Vector3, within = Number.POSITIVE_INFINITY): SurfaceSample | null {

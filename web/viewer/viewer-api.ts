@@ -13,7 +13,8 @@ import type {
 export interface ViewerDecal {
   readonly id: string;
   readonly name: string;
-  readonly material: number;
+  /** glTF material indices of the surfaces that it paints. */
+  readonly materials: readonly number[];
   readonly visible: boolean;
   readonly locked?: boolean;
   /** A box has handles; the other kinds are shown by their lines and dragged by their picture. */
@@ -29,10 +30,10 @@ export interface DecalGesture {
   readonly phase: "start" | "move" | "end" | "cancel";
   readonly projector: Projector;
   /**
-   * glTF material of the surface that the decal was dragged onto (its own, until it reaches another): the editor may hand
-   * the decal over to that material, else it stops painting there.
+   * glTF material of the surface that the decal was dragged onto; null until it was dragged onto one. The editor may give
+   * the decal that material and others that it reaches, else it does not paint there.
    */
-  readonly material: number;
+  readonly material: number | null;
 }
 
 /** A point on the model under the pointer. */
@@ -77,6 +78,11 @@ export interface ModelViewer {
    * along it, an eye beside itself, a flat stamp in its texture.
    */
   nudge(projector: Projector, rightMetres: number, upMetres: number): Projector;
+  /**
+   * glTF materials, ascending, with a triangle inside the projector's volume that it meets from the front (with `backfaces`,
+   * from either side); none for a flat stamp. Occlusion is not looked at, and a label counts as its bounding box.
+   */
+  materialsReached(projector: Projector, backfaces: boolean): readonly number[];
   frameModel(): void;
   frameDecal(id: string): void;
   setAnimationPlaying(playing: boolean): void;

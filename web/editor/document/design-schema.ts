@@ -26,6 +26,7 @@ const DESIGN_LIMITS = {
   layers: 10_000,
   assets: 10_000,
   dabs: 100_000,
+  materials: 65_536,
   idLength: 200,
   nameLength: 1000,
   textLength: 10_000,
@@ -153,6 +154,20 @@ const hexColor = v.pipe(
 );
 
 const materialMessage = "must be a glTF material index: a whole number, 0 or above";
+const materialIndex = v.pipe(
+  v.number(materialMessage),
+  v.integer(materialMessage),
+  v.minValue(0, materialMessage),
+  v.maxValue(DESIGN_LIMITS.materials - 1, `must be at most ${DESIGN_LIMITS.materials - 1}`),
+);
+const materialList = v.pipe(
+  boundedList(DESIGN_LIMITS.materials, "materials", materialIndex),
+  v.nonEmpty("must name one material at least"),
+  v.check((materials) => new Set(materials).size === materials.length, "must not name a material twice"),
+  // For the published JSON Schema, which has a word for the check above.
+  v.metadata({ uniqueItems: true }),
+);
+const material = v.union([materialIndex, materialList], `${materialMessage}, or a list of such`);
 const angle = numberBetween(0, 90, " degrees");
 const assetName = v.pipe(
   filledText(DESIGN_LIMITS.idLength),
@@ -162,15 +177,7 @@ const assetName = v.pipe(
 const layerEntries = {
   id: v.optional(filledText(DESIGN_LIMITS.idLength)),
   name: v.optional(text(DESIGN_LIMITS.nameLength)),
-  material: v.optional(
-    v.pipe(
-      v.number(materialMessage),
-      v.integer(materialMessage),
-      v.minValue(0, materialMessage),
-      v.maxValue(65_535, "must be at most 65535"),
-    ),
-    LAYER_DEFAULTS.material,
-  ),
+  material: v.optional(material, LAYER_DEFAULTS.material),
   visible: v.optional(flag, LAYER_DEFAULTS.visible),
   opacity: v.optional(numberBetween(0, 1), LAYER_DEFAULTS.opacity),
   blend: v.optional(oneOf(BLEND_MODES), LAYER_DEFAULTS.blend),
@@ -274,6 +281,7 @@ export const designParts = {
   stroke,
   fill,
   layer,
+  material,
   asset,
   assetName,
   planar,

@@ -11,6 +11,7 @@ import type {
   UvProjector,
   Vec3,
 } from "../../engine/engine-api.ts";
+import type { LayerMaterials } from "../../engine/layer-materials.ts";
 
 export const DESIGN_FORMAT = "texelcast-design";
 export const DESIGN_VERSION = 1;
@@ -49,15 +50,25 @@ export type Wrap = (typeof WRAPS)[number];
 export type Occlusion = (typeof OCCLUSIONS)[number];
 export type AssetType = (typeof PICTURE_TYPES)[number] | (typeof FONT_TYPES)[number];
 
-export type { CylindricalProjector, PerspectiveProjector, PlanarProjector, Projector, Quaternion, UvProjector, Vec3 };
+export { layerMaterials, materialsOf, paintsMaterial } from "../../engine/layer-materials.ts";
+export type {
+  CylindricalProjector,
+  LayerMaterials,
+  PerspectiveProjector,
+  PlanarProjector,
+  Projector,
+  Quaternion,
+  UvProjector,
+  Vec3,
+};
 
 /** What every layer has. */
 export interface LayerBase {
   /** Unique within the design. */
   readonly id: string;
   readonly name: string;
-  /** glTF material index. */
-  readonly material: number;
+  /** glTF material index, or a list of different ones, all of which the layer paints. */
+  readonly material: LayerMaterials;
   readonly visible: boolean;
   /** 0 to 1. */
   readonly opacity: number;

@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Ratio, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical, Unlink2 } from "lucide";
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
-import type { DecalLayer, DesignLayer, FillLayer } from "../document/index.ts";
+import { type DecalLayer, type DesignLayer, type FillLayer, materialsOf } from "../document/index.ts";
 import type { DecalPatch } from "../state/decal-commands.ts";
 import { layerById, patchLayer } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
@@ -25,6 +25,8 @@ import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
 const words = strings.properties;
+/** A choice of the list of materials, beside their indices. */
+const ALL_MET = "all-met";
 
 interface FieldOptions extends Omit<ProjectorField, "set"> {
   readonly patch: (value: number) => DecalPatch;
@@ -310,25 +312,36 @@ export class DecalProperties extends EditorElement {
 
   #material(layer: DecalLayer | FillLayer): TemplateResult {
     const materials = this.state.model?.info.materials ?? [];
-    if (materials.length < 2 && materials[0]?.index === layer.material) return html``;
-    const known = materials.some(({ index }) => index === layer.material);
+    const own = materialsOf(layer);
+    if (materials.length < 2 && own.every((material) => material === materials[0]?.index)) return html``;
     const choose = (event: Event): void => {
-      const material = Number((event.target as HTMLSelectElement).value);
+      const select = event.target as HTMLSelectElement;
+      if (select.value === ALL_MET) {
+        // Where that is what it paints already, nothing is drawn anew: the list must not stay on this word.
+        select.value = own.join(" ");
+        if (layer.type === "decal") this.editor.decals.paintAllMet(layer);
+        return;
+      }
+      const material = Number(select.value);
       this.editor.decals.change(layer.id, { material }, strings.steps.change(words.material));
       this.editor.showMaterial(material);
     };
+    const nameOf = (material: number): string =>
+      strings.materialName(material, materials.find(({ index }) => index === material)?.name ?? "");
+    const single = own.length === 1 ? own[0] : undefined;
+    const listed = single === undefined || !materials.some(({ index }) => index === single);
     return html`
       <div class="field">
         <label for="material">${words.material}</label>
         <select id="material" @change=${choose}>
-          ${known ? nothing : html`<option value=${layer.material} selected>${strings.materialName(layer.material, "")}</option>`}
+          ${listed ? html`<option value=${own.join(" ")} .selected=${true} disabled>${own.map(nameOf).join(", ")}</option>` : nothing}
+          ${layer.type === "decal" ? html`<option value=${ALL_MET}>${words.materialsMet}</option>` : nothing}
           ${materials.map(
             ({
               index,
-              name,
               refusal,
-            }) => html`<option value=${index} ?disabled=${refusal !== null} ?selected=${index === layer.material}>
-              ${strings.materialName(index, name)}
+            }) => html`<option value=${index} ?disabled=${refusal !== null} .selected=${index === single}>
+              ${nameOf(index)}
             </option>`,
           )}
         </select>

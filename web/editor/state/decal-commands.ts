@@ -1,9 +1,10 @@
 /** What a user does to decals, each a step of the history. */
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
-import type { DecalLayer } from "../document/index.ts";
+import { type DecalLayer, materialsOf } from "../document/index.ts";
 import { strings } from "../strings.ts";
 import type { LibraryPicture } from "./asset-library.ts";
+import { DecalReach } from "./decal-reach.ts";
 import { addDecal, duplicateLayer, layerById, moveLayer, patchLayer, removeLayer, withAsset } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { EditorState } from "./editor-state.ts";
@@ -24,12 +25,14 @@ export class DecalCommands {
   readonly #viewer: ModelViewer;
   readonly #store: Store<EditorState>;
   readonly #board: NoticeBoard;
+  readonly #reach: DecalReach;
 
   constructor(session: DesignSession, viewer: ModelViewer, store: Store<EditorState>, board: NoticeBoard) {
     this.#session = session;
     this.#viewer = viewer;
     this.#store = store;
     this.#board = board;
+    this.#reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     viewer.on("gesture", (gesture) => this.#follow(gesture));
     viewer.on("select", ({ id }) => this.select(id));
   }
@@ -54,7 +57,7 @@ export class DecalCommands {
     const aspect = picture.width / picture.height;
     const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
     const projector = place ? this.#viewer.projectorAt(place, width, aspect) : this.#inFront(width, aspect);
-    const material = place?.material ?? this.#store.state.material ?? 0;
+    const material = this.#reach.at(projector, false, place?.material ?? this.#store.state.material ?? 0);
     const { design: withPicture, key } = withAsset(this.#session.recordedDesign, name, picture.asset);
     const { design, id } = addDecal(withPicture, { name, material, asset: key, projector });
     this.#session.record(design, strings.steps.add);
@@ -141,22 +144,31 @@ export class DecalCommands {
     return this.#step("scale", strings.steps.scale, (projector) => scaledProjector(projector, factor));
   }
 
+  /** Gives a decal all materials that it meets where it lies. */
+  paintAllMet(layer: DecalLayer): void {
+    const material = this.#reach.at(layer.projector, layer.backfaces, materialsOf(layer)[0] ?? 0);
+    this.change(layer.id, { material }, strings.steps.change(strings.properties.material));
+  }
+
   #step(kind: string, label: string, change: (projector: Projector) => Projector): boolean {
     const layer = this.selected;
     if (!layer) return false;
-    this.change(layer.id, { projector: change(layer.projector) }, label, `${kind}:${layer.id}`);
+    const projector = change(layer.projector);
+    const patch = { projector, material: this.#reach.movedTo(layer, projector, null) };
+    this.change(layer.id, patch, label, `${kind}:${layer.id}`);
     return true;
   }
 
-  #follow({ id, kind, phase, projector, material: reached }: DecalGesture): void {
-    // Dragged onto another material, the decal goes over to it, where that can be painted.
-    const own = layerById(this.#session.recordedDesign, id)?.material ?? reached;
-    const material = this.#store.state.model?.info.materials.find(({ index }) => index === reached);
-    const patch = { projector, material: material?.refusal === null ? reached : own };
+  #follow({ id, kind, phase, projector, material: onto }: DecalGesture): void {
     if (phase === "start") this.select(id);
     else if (phase === "cancel") this.#session.cancelPreview();
-    else if (phase === "move") this.preview(id, patch);
-    else this.change(id, patch, strings.steps[kind]);
+    else {
+      const layer = layerById(this.#session.recordedDesign, id);
+      if (layer?.type !== "decal") return;
+      const patch = { projector, material: this.#reach.movedTo(layer, projector, onto) };
+      if (phase === "move") this.preview(id, patch);
+      else this.change(id, patch, strings.steps[kind]);
+    }
   }
 
   #diagonal(): number {

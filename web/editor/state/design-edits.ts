@@ -6,6 +6,7 @@ import {
   type DesignLayer,
   freeLayerId,
   makeDecalLayer,
+  materialsOf,
 } from "../document/index.ts";
 
 export function layerById(design: Design, id: string | null): DesignLayer | undefined {
@@ -84,7 +85,7 @@ export function withAsset(design: Design, name: string, asset: DesignAsset): { d
 }
 
 export function usedMaterials(design: Design): Set<number> {
-  return new Set(design.layers.map((layer) => layer.material));
+  return new Set(design.layers.flatMap(materialsOf));
 }
 
 function withoutUnusedAssets(design: Design): Design {

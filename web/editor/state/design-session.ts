@@ -1,7 +1,7 @@
 /** The design under edit: its history, the selection, and the engine's and the viewer's copies of it. */
 import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
 import type { ModelViewer, ViewerDecal } from "../../viewer/viewer-api.ts";
-import { type Design, type DesignLayer, emptyDesign, resolveLayers } from "../document/index.ts";
+import { type Design, type DesignLayer, emptyDesign, materialsOf, resolveLayers } from "../document/index.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState, ModelRef, Snapshot } from "./editor-state.ts";
@@ -146,8 +146,9 @@ export class DesignSession {
       .filter((layer) => layer.type === "decal")
       .map((layer): ViewerDecal => {
         const picture = this.#library.get(design.assets[layer.asset]);
-        const { id, name, material, visible, projector } = layer;
-        return { id, name, material, visible, projector, aspect: picture ? picture.width / picture.height : 1 };
+        const { id, name, visible, projector } = layer;
+        const aspect = picture ? picture.width / picture.height : 1;
+        return { id, name, materials: materialsOf(layer), visible, projector, aspect };
       });
     this.#viewer.setDecals(decals, this.#store.state.selectedId);
   }

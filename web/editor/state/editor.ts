@@ -4,7 +4,7 @@
  */
 import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-api.ts";
-import type { DesignLayer } from "../document/index.ts";
+import { type DesignLayer, materialsOf } from "../document/index.ts";
 import { loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import { strings } from "../strings.ts";
 import { AssetLibrary } from "./asset-library.ts";
@@ -153,10 +153,13 @@ export class Editor {
     if (selected && (other || movedOn)) this.#follow(selected, now);
   }
 
-  /** The texture view and the target settings follow the selected layer to its material. */
-  #follow({ material }: DesignLayer, { model }: EditorState): void {
-    const paintable = model?.info.materials.some(({ index, refusal }) => index === material && refusal === null);
-    if (paintable) this.showMaterial(material);
+  /** The texture view and the target settings follow the selected layer to its material, or stay on one of them. */
+  #follow(layer: DesignLayer, { model, material: shown }: EditorState): void {
+    const materials = materialsOf(layer);
+    if (shown !== null && materials.includes(shown)) return;
+    const paintable = model?.info.materials.filter(({ refusal }) => refusal === null).map(({ index }) => index);
+    const first = materials.find((material) => paintable?.includes(material));
+    if (first !== undefined) this.showMaterial(first);
   }
 
   #mark(hit: SurfaceHit | null): void {

@@ -2,7 +2,14 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import { type Design, emptyDesign, parseDesign, resolveLayers, serialiseDesign } from "../document/index.ts";
+import {
+  type Design,
+  emptyDesign,
+  materialsOf,
+  parseDesign,
+  resolveLayers,
+  serialiseDesign,
+} from "../document/index.ts";
 import { type DemoDecal, type DemoModel, fetchBytes } from "../files/demo-catalogue.ts";
 import { download, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
@@ -189,7 +196,9 @@ export class FileCommands {
     session.markSaved();
     session.select(design.layers.at(-1)?.id ?? null);
     const materials = new Set(store.state.model?.info.materials.map(({ index }) => index));
-    const lost = design.layers.filter(({ material }) => !materials.has(material)).length;
+    const lost = design.layers.filter(
+      (layer) => !materialsOf(layer).every((material) => materials.has(material)),
+    ).length;
     if (lost > 0) board.info({ title: strings.notices.otherModel, message: strings.notices.lostLayers(lost) });
     board.announce(strings.announce.opened(fileName));
   }

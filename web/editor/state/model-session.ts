@@ -5,7 +5,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine, MaterialInfo, ModelInfo, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
-import type { Design } from "../document/index.ts";
+import { type Design, materialsOf } from "../document/index.ts";
 import { strings } from "../strings.ts";
 import { usedMaterials } from "./design-edits.ts";
 import {
@@ -208,8 +208,9 @@ export class ModelSession {
 /** The material that the design's top layer paints, else the paintable one with the most triangles. */
 function firstPaintable(info: ModelInfo, design: Design): number {
   const paintable = info.materials.filter(({ refusal }) => refusal === null);
-  const wanted = design.layers.findLast(({ material }) => paintable.some(({ index }) => index === material));
-  if (wanted) return wanted.material;
+  const isPaintable = (material: number): boolean => paintable.some(({ index }) => index === material);
+  const wanted = design.layers.toReversed().flatMap(materialsOf).find(isPaintable);
+  if (wanted !== undefined) return wanted;
   const [best] = paintable.toSorted((a, b) => b.triangles - a.triangles);
   if (best) return best.index;
   throw refusalOf(info);

@@ -1,0 +1,56 @@
+/** Which materials a decal paints from where it lies, and how that follows it when it is moved. */
+import type { MaterialInfo, Projector } from "../../engine/engine-api.ts";
+import type { ModelViewer } from "../../viewer/viewer-api.ts";
+import { type DecalLayer, type LayerMaterials, layerMaterials, materialsOf } from "../document/index.ts";
+
+export class DecalReach {
+  readonly #viewer: Pick<ModelViewer, "materialsReached">;
+  readonly #materials: () => readonly MaterialInfo[];
+  /** Asked in each frame of a drag, of the layer as it was before. */
+  readonly #follows = new WeakMap<DecalLayer, boolean>();
+
+  constructor(viewer: Pick<ModelViewer, "materialsReached">, materials: () => readonly MaterialInfo[]) {
+    this.#viewer = viewer;
+    this.#materials = materials;
+  }
+
+  /** All paintable materials that a projector reaches; `otherwise` where it reaches none. */
+  at(projector: Projector, backfaces: boolean, otherwise: number): LayerMaterials {
+    const reached = this.#paintable(projector, backfaces);
+    return reached.length === 0 ? otherwise : layerMaterials(reached);
+  }
+
+  /**
+   * The materials of a decal that was moved. One that painted everything it reached goes on to do so: over a border it
+   * paints both sides. One that was kept off a material it reached stays on its own, until it is dragged onto another.
+   *
+   * @param onto the material of the surface that it was dragged onto; null where it was moved without touching one
+   */
+  movedTo(layer: DecalLayer, projector: Projector, onto: number | null): LayerMaterials {
+    const own = materialsOf(layer);
+    const landed = onto !== null && !own.includes(onto) && this.#canPaint(onto) ? onto : null;
+    if (!this.#followsSurface(layer)) return landed ?? layer.material;
+    const reached = this.#paintable(projector, layer.backfaces);
+    return reached.length === 0 ? (landed ?? layer.material) : layerMaterials(reached);
+  }
+
+  #followsSurface(layer: DecalLayer): boolean {
+    const known = this.#follows.get(layer);
+    if (known !== undefined) return known;
+    const own = materialsOf(layer);
+    const follows = this.#paintable(layer.projector, layer.backfaces).every((material) => own.includes(material));
+    this.#follows.set(layer, follows);
+    return follows;
+  }
+
+  #paintable(projector: Projector, backfaces: boolean): number[] {
+    // Most models have one material, and then there is nothing to ask.
+    const paintable = this.#materials().filter(({ refusal }) => refusal === null);
+    if (this.#materials().length < 2) return paintable.map(({ index }) => index);
+    return this.#viewer.materialsReached(projector, backfaces).filter((material) => this.#canPaint(material));
+  }
+
+  #canPaint(material: number): boolean {
+    return this.#materials().some(({ index, refusal }) => index === material && refusal === null);
+  }
+}
