@@ -1,5 +1,4 @@
 /** The decals under the pointer: selecting, dragging, hovering; and the drawing of the selected one. */
-import type { Vector3 } from "three";
 import type { Projector } from "../engine/engine-api.ts";
 import type { SizeLimits } from "./decal-handles.ts";
 import { drapeOutline, type OutlinePoint } from "./decal-outline.ts";
@@ -19,7 +18,6 @@ import type { DecalGesture, ViewerDecal } from "./viewer-api.ts";
 export interface GizmoHost {
   readonly root: HTMLElement;
   readonly screen: ScreenSpace;
-  metresPerPixel(point: Vector3): number;
   gesture(gesture: DecalGesture): void;
   /** A drag began or ended, whatever became of it. */
   dragging(active: boolean): void;
@@ -43,6 +41,8 @@ export class DecalGizmo {
   #selected: ViewerDecal | null = null;
   #hovered: ViewerDecal | null = null;
   #drag: ActiveDrag | null = null;
+  /** A move is being told: the decals that come back by it are drawn with it. */
+  #telling = false;
   #pointer: (DragPointer & { at: ScreenPoint }) | null = null;
   /** Draping casts a ray for each point, so it is kept while the projector stays what it is. */
   #outlines = new WeakMap<Projector, OutlinePoint[]>();
@@ -78,7 +78,9 @@ export class DecalGizmo {
     if (this.#drag !== null && !decals.some((decal) => decal.id === this.#drag?.decal.id)) {
       this.#stopDrag();
     }
-    this.#drawTask.request();
+    if (!this.#telling) {
+      this.#drawTask.request();
+    }
   }
 
   get selectedDecal(): ViewerDecal | null {
@@ -183,11 +185,7 @@ export class DecalGizmo {
       this.#overlay.draw(null);
       return;
     }
-    const view: GizmoView = {
-      screen: this.#host.screen,
-      query: this.#query,
-      metresPerPixel: (point) => this.#host.metresPerPixel(point),
-    };
+    const view: GizmoView = { screen: this.#host.screen, query: this.#query };
     const hovered = this.#drag === null && this.#hovered?.id !== selected?.id ? this.#hovered : null;
     const hover = hovered === null ? "" : hoverPath(view, this.#outlineOf(hovered.projector));
     this.#overlay.draw(selected === null ? { ...NOTHING, hover } : this.#pictureOf(view, selected, hover));
@@ -196,8 +194,13 @@ export class DecalGizmo {
   #pictureOf(view: GizmoView, { projector, locked }: ViewerDecal, hover: string): GizmoPicture {
     const outline = this.#outlineOf(projector);
     return projector.kind === "planar"
-      ? drawGizmo(view, poseOf(projector), outline, { handles: locked !== true, hover })
+      ? drawGizmo(view, poseOf(projector), outline, { handles: locked !== true && !this.#slides, hover })
       : drawVolume(view, outline, volumeEdges(view.query, projector), hover);
+  }
+
+  /** Handles fade out where they are while the decal slides away under them. */
+  get #slides(): boolean {
+    return this.#drag?.drag.kind === "slide";
   }
 
   dispose(): void {
@@ -209,7 +212,7 @@ export class DecalGizmo {
   #startDrag(decal: ViewerDecal, drag: ProjectorDrag, handle: HandleName | null): void {
     this.#drag = { decal, drag, projector: decal.projector };
     this.#host.root.dataset.gesture = drag.kind;
-    this.#overlay.setActive(handle);
+    this.#overlay.startGesture(handle);
     this.#host.dragging(true);
     this.#emit(this.#drag, "start", decal.projector);
   }
@@ -219,7 +222,7 @@ export class DecalGizmo {
     this.#pointer = null;
     this.#dragTask.cancel();
     delete this.#host.root.dataset.gesture;
-    this.#overlay.setActive(null);
+    this.#overlay.endGesture();
     this.#host.dragging(false);
     this.#overlay.setReadout(null);
     this.#drawTask.request();
@@ -235,7 +238,9 @@ export class DecalGizmo {
     active.projector = projector;
     const text = active.drag.readout(projector);
     this.#overlay.setReadout(text === null ? null : { text, ...pointer.at });
+    this.#telling = true;
     this.#emit(active, "move", projector);
+    this.#telling = false;
     this.drawNow();
   }
 

@@ -57,6 +57,7 @@ export class GizmoOverlay {
   readonly #handles = new Map<HandleName, SVGGElement>();
   readonly #readout = document.createElement("div");
   readonly #coarse = matchMedia("(pointer: coarse)");
+  #gesture: { readonly handle: HandleName | null } | null = null;
 
   constructor(root: HTMLElement) {
     this.element.classList.add("tcv-overlay");
@@ -85,6 +86,10 @@ export class GizmoOverlay {
       }
     }
     for (const [name, handle] of this.#handles) {
+      // The others fade out where they were grabbed from, and need not be moved unseen.
+      if (this.#gesture !== null && this.#gesture.handle !== name) {
+        continue;
+      }
       const place = picture?.handles.get(name);
       handle.toggleAttribute("hidden", place === undefined);
       handle.style.display = place === undefined ? "none" : "";
@@ -105,16 +110,22 @@ export class GizmoOverlay {
     return (handle?.getAttribute("data-handle") as HandleName | null) ?? null;
   }
 
-  /** Keeps a handle highlighted while it is dragged. */
-  setActive(active: HandleName | null): void {
-    for (const [name, handle] of this.#handles) {
-      handle.toggleAttribute("data-active", name === active);
-    }
+  /** A drag began: its handle, if it has one, stays highlighted, and the others stay behind until it ends. */
+  startGesture(handle: HandleName | null): void {
+    this.#gesture = { handle };
+    this.#highlight(handle);
+  }
+
+  endGesture(): void {
+    this.#gesture = null;
+    this.#highlight(null);
   }
 
   /** A small label beside the pointer that says what a gesture has come to; null hides it. */
   setReadout(readout: { readonly text: string; readonly x: number; readonly y: number } | null): void {
-    this.#readout.hidden = readout === null;
+    if (this.#readout.hidden !== (readout === null)) {
+      this.#readout.hidden = readout === null;
+    }
     if (readout !== null) {
       this.#readout.textContent = readout.text;
       this.#readout.style.transform = `translate(${round(readout.x + 18)}px, ${round(readout.y + 18)}px)`;
@@ -124,6 +135,12 @@ export class GizmoOverlay {
   dispose(): void {
     this.element.remove();
     this.#readout.remove();
+  }
+
+  #highlight(active: HandleName | null): void {
+    for (const [name, handle] of this.#handles) {
+      handle.toggleAttribute("data-active", name === active);
+    }
   }
 
   #makeHandle(name: HandleName): SVGGElement {

@@ -10,7 +10,6 @@ import type { SurfaceQuery } from "./surface-query.ts";
 export interface GizmoView {
   readonly screen: ScreenSpace;
   readonly query: SurfaceQuery;
-  metresPerPixel(point: Vector3): number;
 }
 
 /** Lengths on the screen, CSS pixels. */
@@ -212,7 +211,7 @@ function addRotateHandle(
   if (top === undefined) {
     return "";
   }
-  const stem = ROTATE_STEM * view.metresPerPixel(top.position);
+  const stem = ROTATE_STEM * view.screen.metresPerPixel(top.position);
   const knob = fromLocal(pose, 0, pose.size.y / 2 + stem, top.height);
   const from = view.screen.project(top.position);
   const to = view.screen.project(knob);
@@ -231,7 +230,7 @@ function arrowOf(
   outline: readonly OutlinePoint[],
 ): { line: string; head: string; handle: HandlePlace | null } {
   const none = { line: "", head: "", handle: null };
-  const perPixel = view.metresPerPixel(pose.position);
+  const perPixel = view.screen.metresPerPixel(pose.position);
   const grip = Math.max(pose.size.z / 2, ARROW_LENGTH * perPixel);
   const from = view.screen.project(pose.position);
   const at = view.screen.project(fromLocal(pose, 0, 0, grip));

@@ -2,6 +2,10 @@
 
 /** How often the fence is looked at, milliseconds. */
 const POLL = 6;
+/** Share of the time that the work before took, before which nobody looks: each look costs the page a task. */
+const UNSEEN_SHARE = 0.75;
+/** A slow piece of work says little about the next: after this, milliseconds, looking begins anyway. */
+const LONGEST_UNSEEN = 60;
 
 /** Learns by fences when the GPU is done with what it was given, without ever waiting for it. */
 export class GpuPace {
@@ -10,6 +14,8 @@ export class GpuPace {
   #fence: WebGLSync | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #waiting: (() => void)[] = [];
+  /** What the newest work took, milliseconds. */
+  #expected = 0;
 
   /** @param note told what each fenced piece of work took, milliseconds */
   constructor(gl: WebGL2RenderingContext, note?: (milliseconds: number) => void) {
@@ -23,7 +29,7 @@ export class GpuPace {
       const fence = this.#gl.fenceSync(this.#gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
       this.#gl.flush();
       this.#fence = fence;
-      this.#poll(performance.now());
+      this.#poll(performance.now(), Math.min(Math.max(this.#expected * UNSEEN_SHARE, POLL), LONGEST_UNSEEN));
     }
   }
 
@@ -43,19 +49,20 @@ export class GpuPace {
     this.#waiting = [];
   }
 
-  #poll(begin: number): void {
+  #poll(begin: number, wait: number): void {
     this.#timer = setTimeout(() => {
       const gl = this.#gl;
       if (this.#fence === null || gl.isContextLost()) {
         this.#done();
       } else if (gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.SIGNALED) {
         gl.deleteSync(this.#fence);
-        this.#note?.(performance.now() - begin);
+        this.#expected = performance.now() - begin;
+        this.#note?.(this.#expected);
         this.#done();
       } else {
-        this.#poll(begin);
+        this.#poll(begin, POLL);
       }
-    }, POLL);
+    }, wait);
   }
 
   #done(): void {

@@ -82,7 +82,6 @@ class ThreeModelViewer implements ModelViewer {
     this.#gizmo = new DecalGizmo({
       root,
       screen: this.#screen,
-      metresPerPixel: (point) => this.#stage.metresPerPixel(point),
       gesture: (gesture) => this.#events.emit("gesture", gesture),
       dragging: (active) => {
         this.#stage.inGesture = active;

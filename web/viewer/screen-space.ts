@@ -38,6 +38,12 @@ export class ScreenSpace {
     return this.#size;
   }
 
+  /** Metres that one CSS pixel spans at a point of model space. */
+  metresPerPixel(point: Vector3): number {
+    const depth = Math.abs(point.clone().applyMatrix4(this.#camera.matrixWorldInverse).z);
+    return (2 * depth * Math.tan((this.#camera.fov * Math.PI) / 360)) / (this.#viewSize().height || 1);
+  }
+
   /** Where an event is in the view. */
   pointOf(clientX: number, clientY: number): ScreenPoint {
     const box = this.#element.getBoundingClientRect();

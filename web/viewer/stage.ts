@@ -165,13 +165,6 @@ export class Stage {
     this.controls.mouseButtons.left = pans ? CameraControls.ACTION.TRUCK : CameraControls.ACTION.ROTATE;
   }
 
-  /** Metres that one CSS pixel spans at a point of the scene. */
-  metresPerPixel(point: Vector3): number {
-    const depth = Math.abs(point.clone().applyMatrix4(this.camera.matrixWorldInverse).z);
-    const height = this.#root.clientHeight || 1;
-    return (2 * depth * Math.tan((this.camera.fov * Math.PI) / 360)) / height;
-  }
-
   dispose(): void {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = -1;

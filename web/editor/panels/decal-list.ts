@@ -143,7 +143,7 @@ export class DecalList extends EditorElement {
   }
 
   protected watched({ design, selectedId, model }: EditorState): readonly unknown[] {
-    return [design, selectedId, model === null];
+    return [design.assets, selectedId, model === null, ...design.layers.flatMap(shownOf)];
   }
 
   override render(): TemplateResult {
@@ -317,6 +317,13 @@ export class DecalList extends EditorElement {
   }
 }
 customElements.define("tc-decal-list", DecalList);
+
+/** What a row reads of its layer: of a decal all but its place, which changes in each frame of a drag. */
+function shownOf(layer: DesignLayer): readonly unknown[] {
+  if (layer.type !== "decal") return [layer];
+  const { id, name, visible, blend, asset } = layer;
+  return [id, name, visible, blend, asset];
+}
 
 /** Rows down the list; 0 for other keys. */
 function stepOf({ key }: KeyboardEvent): number {

@@ -6,6 +6,8 @@ import { StoreController } from "../state/store.ts";
 import { strings } from "../strings.ts";
 
 const words = strings.status;
+/** Milliseconds between two changes of the figures: faster ones nobody reads. */
+const PACE = 150;
 const whole = new Intl.NumberFormat("en-GB");
 
 export class StatusLine extends LitElement {
@@ -43,6 +45,7 @@ export class StatusLine extends LitElement {
       this,
       () => this.editor?.figures,
       ({ updates }) => [updates],
+      PACE,
     );
   }
 

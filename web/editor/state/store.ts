@@ -38,20 +38,32 @@ export class Store<State extends object> {
   }
 }
 
-/** Renders its element again when one of the values that `pick` names has changed, and only then. */
+/**
+ * Renders its element again when one of the values that `pick` names has changed, and only then. With a `pace`, changes that
+ * follow each other faster than that wait: the first is shown at once, the newest when the time is over.
+ */
 export class StoreController<State extends object> implements ReactiveController {
   readonly #host: ReactiveControllerHost;
   readonly #store: () => Store<State> | undefined;
   readonly #pick: (state: State) => readonly unknown[];
+  readonly #pace: number;
   #seen: readonly unknown[] = [];
   #unsubscribe: (() => void) | undefined;
+  #waiting: ReturnType<typeof setTimeout> | undefined;
+  #requested = Number.NEGATIVE_INFINITY;
 
-  /** `store` is a function because an element is made before its properties are set. */
+  /**
+   * `store` is a function because an element is made before its properties are set.
+   *
+   * @param pace least milliseconds between two renders; default 0
+   */
   constructor(
     host: ReactiveControllerHost,
     store: () => Store<State> | undefined,
     pick: (state: State) => readonly unknown[],
+    pace = 0,
   ) {
+    this.#pace = pace;
     this.#host = host;
     this.#store = store;
     this.#pick = pick;
@@ -70,12 +82,30 @@ export class StoreController<State extends object> implements ReactiveController
       const now = this.#pick(store.state);
       if (now.length === this.#seen.length && now.every((value, index) => Object.is(value, this.#seen[index]))) return;
       this.#seen = now;
-      this.#host.requestUpdate();
+      this.#request();
     });
     this.#host.requestUpdate();
   }
 
+  #request(): void {
+    if (this.#waiting !== undefined) return;
+    const wait = this.#requested + this.#pace - performance.now();
+    if (wait > 0) {
+      this.#waiting = setTimeout(() => this.#render(), wait);
+    } else {
+      this.#render();
+    }
+  }
+
+  #render(): void {
+    this.#waiting = undefined;
+    this.#requested = performance.now();
+    this.#host.requestUpdate();
+  }
+
   hostDisconnected(): void {
+    clearTimeout(this.#waiting);
+    this.#waiting = undefined;
     this.#unsubscribe?.();
     this.#unsubscribe = undefined;
   }

@@ -8,12 +8,14 @@ export abstract class EditorElement extends LitElement {
   static override properties: PropertyDeclarations = { editor: { attribute: false } };
   declare editor: Editor;
 
-  constructor() {
+  /** @param pace least milliseconds between two renders, for a panel of numbers that change in each frame of a drag */
+  constructor(pace = 0) {
     super();
     new StoreController<EditorState>(
       this,
       () => this.editor?.store,
       (state) => this.watched(state),
+      pace,
     );
   }
 
