@@ -24,7 +24,18 @@ describe("the resolution of moving pictures", () => {
   });
 
   it("rises again when frames have long been fast", () => {
-    expect(scaleAfter(80, 80, ...Array.from({ length: 40 }, () => 8))).toBe(1);
-    expect(scaleAfter(80, 80, ...Array.from({ length: 20 }, () => 8))).toBe(0.75);
+    expect(scaleAfter(80, 80, ...Array.from({ length: 14 }, () => 8))).toBe(1);
+    expect(scaleAfter(80, 80, ...Array.from({ length: 13 }, () => 8))).toBe(0.75);
+  });
+
+  it("asks for the cost of every frame at first and while frames are slow, else of one in three", () => {
+    const resolution = new MotionResolution();
+    const asked = (): number =>
+      Array.from({ length: 30 }, (_, frame) => resolution.asksFor(frame)).filter(Boolean).length;
+    expect(asked()).toBe(30);
+    resolution.note(8);
+    expect(asked()).toBe(10);
+    resolution.note(40);
+    expect(asked()).toBe(30);
   });
 });

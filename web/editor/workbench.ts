@@ -63,8 +63,17 @@ export class Workbench extends EditorElement {
         grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
         grid-template-areas: "bar" "views" "panel";
       }
+      /* What is a stacking context keeps its painting while its neighbours change: in a drag the view changes in each frame. */
+      tc-top-bar,
+      .views,
+      .views > *,
+      tc-side-panel,
+      tc-status-line {
+        isolation: isolate;
+      }
       tc-top-bar {
         grid-area: bar;
+        z-index: 20;
       }
       .views {
         grid-area: views;

@@ -7,7 +7,7 @@ import { axisOf, poseOf } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
 import { type DragPointer, depthDrag, rotateDrag, scaleDrag, slideDrag } from "./gizmo-drag.ts";
 import { GizmoOverlay, type GizmoPicture, type HandleName } from "./gizmo-overlay.ts";
-import { drawGizmo, drawVolume, type GizmoView, handleHeight, hoverPath } from "./gizmo-picture.ts";
+import { drawGizmo, drawOutline, drawVolume, type GizmoView, handleHeight, hoverPath } from "./gizmo-picture.ts";
 import { boxDrag, type PictureGrab, type ProjectorDrag, pictureDrag } from "./projector-drag.ts";
 import { throwOutline, volumeEdges } from "./projector-outline.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
@@ -193,14 +193,13 @@ export class DecalGizmo {
 
   #pictureOf(view: GizmoView, { projector, locked }: ViewerDecal, hover: string): GizmoPicture {
     const outline = this.#outlineOf(projector);
+    // While it slides a decal is looked at, not its box; and what is not drawn casts no rays in each frame.
+    if (this.#drag?.drag.kind === "slide") {
+      return { ...NOTHING, ...drawOutline(view, outline) };
+    }
     return projector.kind === "planar"
-      ? drawGizmo(view, poseOf(projector), outline, { handles: locked !== true && !this.#slides, hover })
+      ? drawGizmo(view, poseOf(projector), outline, { handles: locked !== true, hover })
       : drawVolume(view, outline, volumeEdges(view.query, projector), hover);
-  }
-
-  /** Handles fade out where they are while the decal slides away under them. */
-  get #slides(): boolean {
-    return this.#drag?.drag.kind === "slide";
   }
 
   dispose(): void {

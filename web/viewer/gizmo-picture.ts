@@ -24,7 +24,7 @@ const LEAST_CORNER_REACH = 40;
 /** An arrow shorter than this on the screen points at the viewer: nothing to pull on. */
 const LEAST_ARROW = 30;
 /** Pieces of a box edge that are told apart as hidden or seen. */
-const EDGE_PIECES = 6;
+const EDGE_PIECES = 4;
 
 /** Index of each corner and edge middle in the outline. */
 const OUTLINE_INDEX: Readonly<Record<Exclude<HandleName, "rotate" | "depth">, number>> = {
@@ -57,6 +57,15 @@ const BOX_EDGES = [
 /** The outline alone, for a decal under the pointer. */
 export function hoverPath(view: GizmoView, outline: readonly OutlinePoint[]): string {
   return outlinePaths(view, outline).seen;
+}
+
+/** The outline alone of a decal under way. */
+export function drawOutline(
+  view: GizmoView,
+  outline: readonly OutlinePoint[],
+): Pick<GizmoPicture, "outline" | "outlineHidden"> {
+  const lines = outlinePaths(view, outline);
+  return { outline: lines.seen, outlineHidden: lines.hidden };
 }
 
 /** The whole gizmo of a selected decal. `handles: false` for one that is locked. */
@@ -131,27 +140,48 @@ function outlinePaths(view: GizmoView, outline: readonly OutlinePoint[]): { seen
 }
 
 function boxPaths(view: GizmoView, pose: DecalPose): { seen: string; hidden: string } {
-  const corners = boxCorners(pose);
-  return linePaths(
-    view,
-    BOX_EDGES.map(([from, to]) => [corners[from] as Vector3, corners[to] as Vector3]),
+  // Three edges share a corner, which is looked at once: each look casts a ray.
+  const corners = boxCorners(pose).map((corner) => seenFrom(view, corner));
+  return joined(
+    BOX_EDGES.map(([from, to]) => {
+      const [start, end] = [corners[from] as SeenPoint, corners[to] as SeenPoint];
+      const between = Array.from({ length: EDGE_PIECES - 1 }, (_, piece) =>
+        seenFrom(view, start.position.clone().lerp(end.position, (piece + 1) / EDGE_PIECES)),
+      );
+      return [start, ...between, end];
+    }),
   );
 }
 
+interface SeenPoint {
+  readonly position: Vector3;
+  readonly pixel: ScreenPoint | null;
+  readonly isClear: boolean;
+}
+
+function seenFrom({ screen, query }: GizmoView, position: Vector3): SeenPoint {
+  return { position, pixel: screen.project(position), isClear: query.isClear(screen.eye, position) };
+}
+
+function joined(polylines: readonly (readonly SeenPoint[])[]): { seen: string; hidden: string } {
+  const paths = polylines.map((points) =>
+    splitPath(
+      points.map((point) => point.pixel),
+      points.map((point) => point.isClear),
+    ),
+  );
+  return { seen: paths.map((path) => path.seen).join(""), hidden: paths.map((path) => path.hidden).join("") };
+}
+
 function linePaths(view: GizmoView, polylines: readonly (readonly Vector3[])[]): { seen: string; hidden: string } {
-  const paths = polylines.map((polyline) => {
+  const pieces = polylines.map((polyline) => {
     // A line of two points is cut in pieces that are told apart; a curve has its own.
     const [from, to] = polyline as readonly [Vector3, Vector3];
-    const points =
-      polyline.length > 2
-        ? polyline
-        : Array.from({ length: EDGE_PIECES + 1 }, (_, piece) => from.clone().lerp(to, piece / EDGE_PIECES));
-    return splitPath(
-      points.map((point) => view.screen.project(point)),
-      points.map((point) => view.query.isClear(view.screen.eye, point)),
-    );
+    return polyline.length > 2
+      ? polyline
+      : Array.from({ length: EDGE_PIECES + 1 }, (_, piece) => from.clone().lerp(to, piece / EDGE_PIECES));
   });
-  return { seen: paths.map((path) => path.seen).join(""), hidden: paths.map((path) => path.hidden).join("") };
+  return joined(pieces.map((points) => points.map((point) => seenFrom(view, point))));
 }
 
 function addScaleHandles(

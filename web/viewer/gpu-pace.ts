@@ -23,11 +23,17 @@ export class GpuPace {
     this.#note = note;
   }
 
-  /** Sets a fence behind the commands given so far, unless one is under way. */
-  mark(): void {
+  /**
+   * Sets a fence behind the commands given so far, unless one is under way.
+   *
+   * @param flush whether to send the commands off, too; a frame's own go off when it is shown
+   */
+  mark({ flush }: { readonly flush: boolean }): void {
     if (this.#fence === null) {
       const fence = this.#gl.fenceSync(this.#gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
-      this.#gl.flush();
+      if (flush) {
+        this.#gl.flush();
+      }
       this.#fence = fence;
       this.#poll(performance.now(), Math.min(Math.max(this.#expected * UNSEEN_SHARE, POLL), LONGEST_UNSEEN));
     }

@@ -11,12 +11,20 @@ const SLOW = 45;
 /** Frames faster than this leave room for a step up. */
 const FAST = 12;
 const SLOW_FRAMES_TO_STEP_DOWN = 2;
-const FAST_FRAMES_TO_STEP_UP = 40;
+const FAST_FRAMES_TO_STEP_UP = 14;
+/** Asking costs the page's thread a task: while frames are well in time, one in so many is asked for. */
+const FRAMES_A_QUESTION = 3;
 
 export class MotionResolution {
   #step = 0;
   #slow = 0;
   #fast = 0;
+  #newest = Number.POSITIVE_INFINITY;
+
+  /** Whether it wants to be told what this frame costs; frames are counted. */
+  asksFor(frame: number): boolean {
+    return this.#newest > SLOW / 2 || frame % FRAMES_A_QUESTION === 0;
+  }
 
   /** Share of the full resolution to draw moving pictures with, along a side. */
   get scale(): number {
@@ -25,6 +33,7 @@ export class MotionResolution {
 
   /** Takes note of what a frame cost, in milliseconds. */
   note(milliseconds: number): void {
+    this.#newest = milliseconds;
     this.#slow = milliseconds > SLOW ? this.#slow + 1 : 0;
     this.#fast = milliseconds < FAST ? this.#fast + 1 : 0;
     if (this.#slow >= SLOW_FRAMES_TO_STEP_DOWN && this.#step < STEPS.length - 1) {

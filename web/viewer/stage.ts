@@ -132,7 +132,7 @@ export class Stage {
 
   /** Runs a task once the GPU is done with what it was given so far. */
   whenGpuDone(task: () => void): void {
-    this.#pace.mark();
+    this.#pace.mark({ flush: true });
     this.#pace.whenDone(task);
   }
 
@@ -195,7 +195,9 @@ export class Stage {
     this.camera.updateMatrixWorld();
     this.renderer.render(this.scene, this.camera);
     this.frames += 1;
-    this.#pace.mark();
+    if (this.#resolution.asksFor(this.frames)) {
+      this.#pace.mark({ flush: false });
+    }
     this.#restSoon();
     this.#hooks.afterFrame(moved || resized);
     this.#frameEnd = performance.now();

@@ -184,7 +184,7 @@ class GlTextureView implements TextureView {
 
   /** The GPU serves all of the page: a fence of this view's own is passed when the 3D view's frame is done, too. */
   #whenFree(task: () => void): void {
-    this.#pace.mark();
+    this.#pace.mark({ flush: true });
     this.#pace.whenDone(task);
   }
 
@@ -233,7 +233,10 @@ class GlTextureView implements TextureView {
   }
 
   #placeMarker(): void {
-    this.#marker.hidden = this.#markedUv === null || this.#target === null;
+    const hidden = this.#markedUv === null || this.#target === null;
+    if (this.#marker.hidden !== hidden) {
+      this.#marker.hidden = hidden;
+    }
     if (this.#markedUv !== null) {
       const { x, y } = this.#camera.pixelOf(this.#markedUv);
       this.#marker.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;

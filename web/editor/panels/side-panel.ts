@@ -25,6 +25,9 @@ export class SidePanel extends EditorElement {
         scrollbar-width: thin;
         scrollbar-color: var(--line-strong) transparent;
       }
+      .section > * {
+        isolation: isolate;
+      }
       .section {
         display: grid;
         gap: var(--space-3);

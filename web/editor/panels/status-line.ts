@@ -16,18 +16,23 @@ export class StatusLine extends LitElement {
 
   static override styles = css`
     :host {
-      display: flex;
-      align-items: center;
-      gap: var(--space-4);
-      min-height: 26px;
-      padding: 0 var(--space-3);
-      overflow: hidden;
+      display: block;
+      height: 26px;
       border-top: 1px solid var(--line);
       background: var(--surface);
       color: var(--text-quiet);
       font-size: var(--text-small);
       font-variant-numeric: tabular-nums;
       white-space: nowrap;
+    }
+    /* Its figures change all the time: they lay out this line and not the page. */
+    .line {
+      display: flex;
+      align-items: center;
+      gap: var(--space-4);
+      height: 100%;
+      padding: 0 var(--space-3);
+      contain: strict;
     }
     .gap {
       flex: 1;
@@ -53,8 +58,8 @@ export class StatusLine extends LitElement {
     const { targets, material, model } = this.editor.store.state;
     const target = material === null ? undefined : targets.get(material);
     const { update, uploadMilliseconds } = this.editor.figures.state;
-    if (!target) return html`<span>${model ? words.ready : words.noModel}</span>`;
-    return html`
+    if (!target) return html`<div class="line"><span>${model ? words.ready : words.noModel}</span></div>`;
+    return html`<div class="line">
       <span>${words.size(target.width, target.height)}</span>
       ${
         update
@@ -66,7 +71,7 @@ export class StatusLine extends LitElement {
             `
           : nothing
       }
-    `;
+    </div>`;
   }
 }
 customElements.define("tc-status-line", StatusLine);

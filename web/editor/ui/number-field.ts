@@ -66,10 +66,9 @@ export class NumberField extends LitElement {
     controls,
     css`
       :host {
-        display: flex;
-        align-items: center;
+        display: block;
         min-width: 0;
-        min-height: var(--target);
+        height: var(--target);
         border: 1px solid transparent;
         border-radius: var(--radius);
         background: var(--surface-low);
@@ -77,6 +76,14 @@ export class NumberField extends LitElement {
       }
       :host(:hover) {
         border-color: var(--line);
+      }
+      /* A number that changes lays out its own field and not the page. The host cannot keep that to itself: as an item of a
+         grid it is laid out by the grid. */
+      .box {
+        display: flex;
+        align-items: center;
+        height: 100%;
+        contain: strict;
       }
       :host(:focus-within) {
         outline: 2px solid var(--accent);
@@ -124,7 +131,7 @@ export class NumberField extends LitElement {
   ];
 
   override render(): TemplateResult {
-    return html`
+    return html`<div class="box">
       <label
         for="input"
         title=${this.hint || this.name}
@@ -154,7 +161,7 @@ export class NumberField extends LitElement {
         @blur=${this.#commitTyped}
       />
       ${this.unit ? html`<span class="unit" aria-hidden="true">${this.unit}</span>` : ""}
-    `;
+    </div>`;
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -173,7 +180,7 @@ export class NumberField extends LitElement {
     const input = this.#input;
     if (!input) return;
     input.value = formatNumber(this.value, this.step);
-    input.setAttribute("aria-invalid", "false");
+    if (input.getAttribute("aria-invalid") !== "false") input.setAttribute("aria-invalid", "false");
   }
 
   #type(): void {
