@@ -140,6 +140,15 @@ private:
     std::uint8_t color_row_[kTileSize * 4];
 };
 
+/// The texels of charts, gutters included.
+CoverageBits charted_texels(const Target& target) {
+    CoverageBits charts(target.def.width, target.def.height);
+    target.map->for_each_run(0, target.def.height, [&](const TexelRun& run, std::uint32_t tile_x, std::uint32_t y) {
+        charts.claim_span(tile_x + run.x, y, run.length);
+    });
+    return charts;
+}
+
 /// A level's rectangle that depends on the tiles, outward to whole texels; empty where an odd last column dropped out.
 TxcRect rect_on_level(const MipLevel& mip, const TileRect& tiles, std::uint32_t level) {
     const std::uint32_t round_up = (1u << level) - 1;
@@ -195,11 +204,14 @@ TxcStatus composite_target(Target& target, const std::vector<const Layer*>& laye
     if (first) {
         // The picture and, at the most, as much again for the packed copy of all of it.
         const std::uint64_t bytes = MipChain::byte_count(target.def.width, target.def.height, target.def.mip_levels);
+        const std::uint64_t charts =
+            MipChain::coverage_byte_count(target.def.width, target.def.height, target.def.mip_levels);
         if (const TxcStatus status =
-                target.output_share.resize(bytes * 2 + target.tile_count() * 2, "the target texture");
+                target.output_share.resize(bytes * 2 + charts + target.tile_count() * 2, "the target texture");
             status != TXC_STATUS_OK)
             return status;
         target.output.allocate(target.def.width, target.def.height, target.def.mip_levels);
+        if (target.def.mip_levels > 1) target.output.note_charts(charted_texels(target));
         target.all_dirty = true;
     }
     std::vector<std::uint8_t> changed_tiles(target.tile_count(), 0);

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/test_session.h"
@@ -90,4 +91,46 @@ TEST_CASE("Odd sizes have levels of the halved size, and narrow ones end as a co
     const Shown column(Picture(1, 16, {40, 50, 60, 255}));
     for (std::uint32_t level = 0; level < 5; ++level)
         CHECK(column.level(level) == Picture(1, 16u >> level, {40, 50, 60, 255}));
+}
+
+TEST_CASE("Texels of no chart lend no colour to a coarser texel that holds some of one") {
+    txc::MipChain mips;
+    mips.allocate(4, 2, 3);
+    const Color red{200, 0, 0, 255};
+    const Color clear{0, 90, 0, 0};
+    const Color white{255, 255, 255, 255};
+    // Charts: the two columns at the left but for their last texel, and of those one is transparent.
+    const Color texels[8] = {red, red, white, white, clear, white, white, white};
+    for (std::size_t t = 0; t < 8; ++t) {
+        const std::uint8_t bytes[4] = {texels[t].red, texels[t].green, texels[t].blue, texels[t].alpha};
+        std::copy_n(bytes, 4, mips.levels[0].rgba.begin() + static_cast<std::ptrdiff_t>(t * 4));
+    }
+    txc::CoverageBits charts(4, 2);
+    charts.claim_span(0, 0, 2);
+    charts.claim(0, 1);
+    mips.note_charts(charts);
+    mips.reduce(1, 0, 0, 2, 1);
+    mips.reduce(2, 0, 0, 1, 1);
+    const auto at = [&](std::uint32_t level, std::size_t x) {
+        const std::uint8_t* texel = mips.levels[level].rgba.data() + x * 4;
+        return Color{texel[0], texel[1], texel[2], texel[3]};
+    };
+    CHECK(at(1, 0) == Color{200, 0, 0, 170});  // two of three opaque, the white one left out
+    CHECK(at(1, 1) == white);                  // no chart: all four
+    CHECK(at(2, 0) == Color{200, 0, 0, 170});  // the half without a chart is left out there, too
+}
+
+TEST_CASE("A chart on a level one texel wide or high is known on the coarser ones") {
+    for (const bool upright : {false, true}) {
+        txc::MipChain mips;
+        mips.allocate(upright ? 1 : 8, upright ? 8 : 1, 4);
+        txc::CoverageBits charts(upright ? 1 : 8, upright ? 8 : 1);
+        charts.claim(upright ? 0 : 5, upright ? 5 : 0);
+        mips.note_charts(charts);
+        for (std::uint32_t level = 1; level < 3; ++level) {
+            const std::uint32_t at = 5u >> level;
+            CHECK(mips.covered[level].is_claimed(upright ? 0 : at, upright ? at : 0));
+            CHECK_FALSE(mips.covered[level].is_claimed(0, 0) != (at == 0));
+        }
+    }
 }
