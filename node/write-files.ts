@@ -1,6 +1,6 @@
 /** Writing results so that no reader, and no interruption, ever meets half a file. */
 import { randomUUID } from "node:crypto";
-import { rmSync } from "node:fs";
+import { closeSync, openSync, rmSync } from "node:fs";
 import { type FileHandle, mkdir, open, rename, stat } from "node:fs/promises";
 import path from "node:path";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
@@ -14,7 +14,7 @@ export interface PendingFile {
  * place, where a rename is one step of the file system.
  */
 export class PendingFiles {
-  readonly #pending = new Map<string, { readonly temporary: string; readonly file: FileHandle }>();
+  readonly #pending = new Map<string, { readonly temporary: string; file?: FileHandle }>();
 
   /** Ctrl-C and kill must not leave what is half written; at any other time the system's own way of ending is fine. */
   readonly #onSignal = (signal: NodeJS.Signals): void => {
@@ -29,9 +29,12 @@ export class PendingFiles {
       if (this.#pending.size === 0) process.on("SIGINT", this.#onSignal).on("SIGTERM", this.#onSignal);
       await mkdir(path.dirname(target), { recursive: true });
       const temporary = path.join(path.dirname(target), `.texelcast-${randomUUID()}.tmp`);
-      const file = await open(temporary, "wx");
-      this.#pending.set(target, { temporary, file });
-      return file;
+      // Made and listed in one go: a signal between the two would leave it behind.
+      const pending: { readonly temporary: string; file?: FileHandle } = { temporary };
+      closeSync(openSync(temporary, "wx"));
+      this.#pending.set(target, pending);
+      pending.file = await open(temporary, "a");
+      return pending.file;
     });
     return { append: (bytes) => writing(target, () => file.appendFile(bytes)) };
   }
@@ -42,7 +45,7 @@ export class PendingFiles {
   }
 
   async commit(): Promise<void> {
-    for (const [target, { file }] of this.#pending) await writing(target, () => file.close());
+    for (const [target, { file }] of this.#pending) await writing(target, async () => file?.close());
     for (const [target, { temporary }] of this.#pending) {
       await writing(target, () => rename(temporary, target));
       this.#pending.delete(target);
@@ -52,7 +55,7 @@ export class PendingFiles {
 
   /** Removes what was not committed. Does nothing after a commit that succeeded. */
   async discard(): Promise<void> {
-    for (const { file } of this.#pending.values()) await file.close().catch(() => {});
+    for (const { file } of this.#pending.values()) await file?.close().catch(() => {});
     this.#removeTemporaries();
     this.#release();
   }
