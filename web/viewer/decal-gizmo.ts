@@ -224,7 +224,8 @@ export class DecalGizmo {
     this.#overlay.endGesture();
     this.#host.dragging(false);
     this.#overlay.setReadout(null);
-    this.#drawTask.request();
+    // At once: the handles that stayed behind may be grabbed before the next frame.
+    this.drawNow();
   }
 
   #moveDrag(): void {
