@@ -335,6 +335,8 @@ void txc_layer_def_default(TxcLayerDef* def) {
     for (float& coordinate : def->uv_center) coordinate = 0.5f;
     for (float& extent : def->uv_size) extent = 1.0f;
     def->color[3] = 1.0f;
+    def->hardness = 1.0f;
+    def->flow = 1.0f;
 }
 
 TxcStatus txc_layer_create(TxcSession session, TxcTarget target, const TxcLayerDef* def, TxcLayer* out_layer) {
@@ -359,6 +361,46 @@ TxcStatus txc_layer_def(TxcSession session, TxcLayer id, TxcLayerDef* out_def) {
         txc::Layer* layer = nullptr;
         if (const TxcStatus status = s.find_layer(id, layer); status != TXC_STATUS_OK) return status;
         *out_def = layer->def;
+        return TXC_STATUS_OK;
+    });
+}
+
+// ---- Strokes ----------------------------------------------------------------------------------------------------------
+
+void txc_dab_default(TxcDab* dab) {
+    if (dab == nullptr) return;
+    TxcLayerDef def;
+    txc_layer_def_default(&def);
+    *dab = txc::dab_from_def(def);
+}
+
+TxcStatus txc_stroke_add_dabs(TxcSession session, TxcLayer layer, const TxcDab* dabs, uint32_t dab_count) {
+    return in_session(session, dabs, "dabs", [&](Session& s) { return s.add_dabs(layer, dabs, dab_count); });
+}
+
+TxcStatus txc_stroke_clear(TxcSession session, TxcLayer layer) {
+    return in_session(session, [&](Session& s) { return s.clear_dabs(layer); });
+}
+
+TxcStatus txc_stroke_dab_count(TxcSession session, TxcLayer id, uint32_t* out_count) {
+    return in_session(session, out_count, "out_count", [&](Session& s) {
+        txc::Layer* layer = nullptr;
+        if (const TxcStatus status = s.find_stroke(id, layer); status != TXC_STATUS_OK) return status;
+        *out_count = static_cast<uint32_t>(layer->stroke.dabs.size());
+        return TXC_STATUS_OK;
+    });
+}
+
+TxcStatus txc_stroke_dabs(TxcSession session, TxcLayer id, uint32_t first, uint32_t dab_count, TxcDab* out_dabs) {
+    return in_session(session, out_dabs, "out_dabs", [&](Session& s) {
+        txc::Layer* layer = nullptr;
+        if (const TxcStatus status = s.find_stroke(id, layer); status != TXC_STATUS_OK) return status;
+        const std::vector<TxcDab>& dabs = layer->stroke.dabs;
+        if (first > dabs.size() || dab_count > dabs.size() - first) {
+            return fail(TXC_STATUS_BAD_ARGUMENT, "dabs %u and %u more: the stroke has %zu", first, dab_count,
+                        dabs.size());
+        }
+        for (uint32_t i = 0; i < dab_count; ++i) out_dabs[i] = dabs[first + i];
         return TXC_STATUS_OK;
     });
 }

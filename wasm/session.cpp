@@ -1,15 +1,13 @@
 #include "session.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <cstring>
 
 #include "compositor.h"
 #include "exact_math.h"
 #include "gltf_reader.h"
 #include "gutter.h"
-#include "occluder_grid.h"
+#include "layer_def.h"
 
 namespace txc {
 namespace {
@@ -20,31 +18,10 @@ constexpr std::uint32_t kMaxRawMaterials = 1024;
 
 MapKey key_of(const TxcTargetDef& def) { return {def.material, def.width, def.height, def.gutter}; }
 
-TxcStatus check_flag(std::uint32_t value, std::uint32_t count, const char* field) {
-    if (value < count) return TXC_STATUS_OK;
-    return fail(TXC_STATUS_BAD_ARGUMENT, "%s is %u; it must be below %u", field, value, count);
-}
-
 TxcStatus check_size(std::uint32_t width, std::uint32_t height) {
     if (width >= 1 && width <= TXC_MAX_SIZE && height >= 1 && height <= TXC_MAX_SIZE) return TXC_STATUS_OK;
     return fail(TXC_STATUS_BAD_SIZE, "the size is %u x %u; each side must be from 1 to %u", width, height,
                 TXC_MAX_SIZE);
-}
-
-/// The fields of all projectors stand in one piece.
-bool same_projector_fields(const TxcLayerDef& a, const TxcLayerDef& b) {
-    constexpr std::size_t kFirst = offsetof(TxcLayerDef, position_model);
-    constexpr std::size_t kEnd = offsetof(TxcLayerDef, color);
-    return std::memcmp(reinterpret_cast<const char*>(&a) + kFirst, reinterpret_cast<const char*>(&b) + kFirst,
-                       kEnd - kFirst) == 0;
-}
-
-/// Fields that change what a decal paints, as against how its paint is laid on.
-bool same_projection(const TxcLayerDef& a, const TxcLayerDef& b) {
-    return a.kind == b.kind && a.image == b.image && a.filter == b.filter && a.wrap == b.wrap && a.flip_x == b.flip_x &&
-           a.flip_y == b.flip_y && a.backfaces == b.backfaces && a.angle_fade_start == b.angle_fade_start &&
-           a.angle_fade_end == b.angle_fade_end && a.occlusion == b.occlusion && a.projector == b.projector &&
-           same_projector_fields(a, b);
 }
 
 }  // namespace
@@ -264,7 +241,7 @@ TxcStatus Session::set_base(TxcTarget id, std::uint32_t width, std::uint32_t hei
 TxcStatus Session::set_base_color(TxcTarget id, const std::uint8_t (&rgba)[4]) {
     Target* target = nullptr;
     if (const TxcStatus status = find_target(id, target); status != TXC_STATUS_OK) return status;
-    target->base.rgba = {};
+    target->base.rgba = std::vector<std::uint8_t>();  // `= {}` would keep the room
     target->base_share.release();
     std::memcpy(target->base.color, rgba, 4);
     target->mark_all_dirty();
@@ -294,55 +271,6 @@ TxcStatus Session::destroy_image(TxcImage id) {
 
 // ---- Layers -----------------------------------------------------------------------------------------------------------
 
-TxcStatus Session::check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings,
-                                   CurvedProjector& out_curved) const {
-    const struct {
-        std::uint32_t value;
-        std::uint32_t count;
-        const char* field;
-    } choices[] = {
-        {def.kind, TXC_LAYER_KIND_COUNT, "kind"},
-        {def.visible, 2, "visible"},
-        {def.blend, TXC_BLEND_COUNT, "blend"},
-        {def.blend_space, TXC_BLEND_SPACE_COUNT, "blend_space"},
-        {def.lock_alpha, 2, "lock_alpha"},
-        {def.filter, TXC_FILTER_COUNT, "filter"},
-        {def.wrap, TXC_WRAP_COUNT, "wrap"},
-        {def.flip_x, 2, "flip_x"},
-        {def.flip_y, 2, "flip_y"},
-        {def.backfaces, 2, "backfaces"},
-        {def.occlusion, TXC_OCCLUSION_COUNT, "occlusion"},
-        {def.projector, TXC_PROJECTOR_COUNT, "projector"},
-    };
-    for (const auto& choice : choices) {
-        if (const TxcStatus status = check_flag(choice.value, choice.count, choice.field); status != TXC_STATUS_OK)
-            return status;
-    }
-    if (!(def.opacity >= 0.0f && def.opacity <= 1.0f)) {
-        return fail(TXC_STATUS_BAD_ARGUMENT, "opacity is %g; it must be from 0 to 1", static_cast<double>(def.opacity));
-    }
-    for (int c = 0; c < 4; ++c) {
-        if (!(def.color[c] >= 0.0f && def.color[c] <= 1.0f)) {
-            return fail(TXC_STATUS_BAD_ARGUMENT, "color[%d] is %g; it must be from 0 to 1", c,
-                        static_cast<double>(def.color[c]));
-        }
-    }
-    if (def.kind == TXC_LAYER_FILL) return TXC_STATUS_OK;
-    if (!(def.angle_fade_start >= 0.0f && def.angle_fade_start <= def.angle_fade_end && def.angle_fade_end <= 90.0f)) {
-        return fail(TXC_STATUS_BAD_ARGUMENT, "angle_fade is %g to %g degrees; it must rise within 0 to 90",
-                    static_cast<double>(def.angle_fade_start), static_cast<double>(def.angle_fade_end));
-    }
-    out_settings.nearest = def.filter == TXC_FILTER_NEAREST;
-    out_settings.repeat = def.wrap == TXC_WRAP_REPEAT;
-    out_settings.flip_x = def.flip_x != 0;
-    out_settings.flip_y = def.flip_y != 0;
-    out_settings.backfaces = def.backfaces != 0;
-    out_settings.fade_start_cosine = static_cast<float>(exact_cos_degrees(static_cast<double>(def.angle_fade_start)));
-    out_settings.fade_end_cosine = static_cast<float>(exact_cos_degrees(static_cast<double>(def.angle_fade_end)));
-    if (def.projector != TXC_PROJECTOR_PLANAR) return read_curved_projector(def, out_curved);
-    return PlanarProjector::from_def(def, out_settings.projector);
-}
-
 TxcStatus Session::check_image(TxcImage id) const {
     if (id == 0 || images_.find(id) != nullptr) return TXC_STATUS_OK;
     return fail(TXC_STATUS_STALE_HANDLE, "there is no image %u", id);
@@ -352,8 +280,7 @@ TxcStatus Session::create_layer(TxcTarget target_id, const TxcLayerDef& def, Txc
     Target* target = nullptr;
     if (const TxcStatus status = find_target(target_id, target); status != TXC_STATUS_OK) return status;
     auto layer = std::make_unique<Layer>(budget_);
-    if (const TxcStatus status = check_layer_def(def, layer->settings, layer->curved); status != TXC_STATUS_OK)
-        return status;
+    if (const TxcStatus status = read_layer_def(def, layer->cast); status != TXC_STATUS_OK) return status;
     if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
     layer->target = target_id;
     layer->def = def;
@@ -368,9 +295,8 @@ TxcStatus Session::create_layer(TxcTarget target_id, const TxcLayerDef& def, Txc
 TxcStatus Session::update_layer(TxcLayer id, const TxcLayerDef& def) {
     Layer* layer = nullptr;
     if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
-    DecalSettings settings{};
-    CurvedProjector curved;
-    if (const TxcStatus status = check_layer_def(def, settings, curved); status != TXC_STATUS_OK) return status;
+    PictureCast cast;
+    if (const TxcStatus status = read_layer_def(def, cast); status != TXC_STATUS_OK) return status;
     // An image that was destroyed under the layer may stay named: the layer is transparent until it gets another.
     if (def.image != layer->def.image) {
         if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
@@ -381,9 +307,9 @@ TxcStatus Session::update_layer(TxcLayer id, const TxcLayerDef& def) {
     target.mark_dirty(*layer);
     if (!same_projection(layer->def, def)) layer->needs_projection = true;
     layer->def = def;
-    layer->settings = settings;
-    layer->curved = curved;
+    layer->cast = cast;
     if (def.kind == TXC_LAYER_FILL) target.mark_all_dirty();
+    if (def.kind != TXC_LAYER_STROKE) layer->stroke.clear();
     return TXC_STATUS_OK;
 }
 
@@ -415,6 +341,28 @@ TxcStatus Session::find_layer(TxcLayer id, Layer*& out_layer) const {
     return out_layer != nullptr ? TXC_STATUS_OK : fail(TXC_STATUS_STALE_HANDLE, "there is no layer %u", id);
 }
 
+// ---- Strokes ----------------------------------------------------------------------------------------------------------
+
+TxcStatus Session::find_stroke(TxcLayer id, Layer*& out_layer) const {
+    if (const TxcStatus status = find_layer(id, out_layer); status != TXC_STATUS_OK) return status;
+    return out_layer->def.kind == TXC_LAYER_STROKE ? TXC_STATUS_OK
+                                                   : fail(TXC_STATUS_BAD_ARGUMENT, "layer %u is not a stroke", id);
+}
+
+TxcStatus Session::add_dabs(TxcLayer id, const TxcDab* dabs, std::uint32_t count) {
+    Layer* layer = nullptr;
+    if (const TxcStatus status = find_stroke(id, layer); status != TXC_STATUS_OK) return status;
+    return layer->stroke.add(dabs, count);
+}
+
+TxcStatus Session::clear_dabs(TxcLayer id) {
+    Layer* layer = nullptr;
+    if (const TxcStatus status = find_stroke(id, layer); status != TXC_STATUS_OK) return status;
+    layer->stroke.clear();
+    layer->needs_projection = true;
+    return TXC_STATUS_OK;
+}
+
 // ---- Update -----------------------------------------------------------------------------------------------------------
 
 TxcStatus Session::ensure_occlusion_tree() {
@@ -425,45 +373,99 @@ TxcStatus Session::ensure_occlusion_tree() {
     return TXC_STATUS_OK;
 }
 
-TxcStatus Session::project_layer(const Target& target, Layer& layer, TxcUpdate& update) {
+TxcStatus Session::project_layer(Target& target, Layer& layer, TxcUpdate& update) {
+    if (layer.def.kind == TXC_LAYER_STROKE) return project_stroke(target, layer, update);
+    target.mark_dirty(layer);
     const ImagePyramid* image = images_.find(layer.def.image);
-    if (layer.def.kind != TXC_LAYER_DECAL || image == nullptr) {
+    if (layer.def.kind == TXC_LAYER_FILL || image == nullptr) {
         layer.tiles.indices.clear();
         layer.tiles.texels.clear();
         layer.needs_projection = false;
         return TXC_STATUS_OK;
     }
+    if (layer.cast.asks_for_occluders()) {
+        if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
+    }
     std::uint32_t texels = 0;
-    if (const TxcStatus status = project(*target.map, *image, layer, texels); status != TXC_STATUS_OK) return status;
+    const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
+    if (const TxcStatus status = cast_picture(scene, layer.cast, *image, layer.tiles, texels); status != TXC_STATUS_OK)
+        return status;
     layer.needs_projection = false;
     ++projection_count_;
     ++update.projected_layers;
     update.projected_texels += texels;
+    target.mark_dirty(layer);
+    return TXC_STATUS_OK;
+}
+
+TxcStatus Session::find_tip(Layer& layer, const ImagePyramid*& out_picture) {
+    if (layer.def.tip != TXC_TIP_ROUND) {
+        layer.stroke.tip.reset();
+        out_picture = images_.find(layer.def.image);
+        return TXC_STATUS_OK;
+    }
+    std::shared_ptr<RoundTip>& tip = layer.stroke.tip;
+    if (tip == nullptr || tip->hardness != layer.def.hardness) {
+        tip.reset();
+        std::erase_if(round_tips_, [](const auto& other) { return other.use_count() == 1; });
+        for (const auto& other : round_tips_) {
+            if (other->hardness == layer.def.hardness) tip = other;
+        }
+    }
+    if (tip == nullptr) {
+        auto made = std::make_shared<RoundTip>(budget_);
+        if (const TxcStatus status = made->make(layer.def.hardness); status != TXC_STATUS_OK) return status;
+        round_tips_.push_back(made);
+        tip = std::move(made);
+    }
+    out_picture = &tip->picture;
+    return TXC_STATUS_OK;
+}
+
+TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& update) {
+    Stroke& stroke = layer.stroke;
+    if (layer.needs_projection) {
+        target.mark_dirty(layer);
+        release_tiles(layer.tiles);
+        stroke.painted = 0;
+        layer.needs_projection = false;
+    }
+    if (stroke.painted == stroke.dabs.size()) return TXC_STATUS_OK;
+    const ImagePyramid* picture = nullptr;
+    if (const TxcStatus status = find_tip(layer, picture); status != TXC_STATUS_OK) return status;
+    if (picture == nullptr) {
+        stroke.painted = stroke.dabs.size();
+        return TXC_STATUS_OK;
+    }
+    const bool asks_for_occluders = std::any_of(
+        stroke.dabs.begin() + static_cast<std::ptrdiff_t>(stroke.painted), stroke.dabs.end(),
+        [&](const TxcDab& dab) { return layer.cast.occludes && dab.projector != TXC_PROJECTOR_UV; });
+    if (asks_for_occluders) {
+        if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
+    }
+    const TxcLayerDef& def = layer.def;
+    const Brush brush{*picture, def.tip != TXC_TIP_PICTURE,
+                      Float4{def.color[0], def.color[1], def.color[2], def.color[3]}, def.flow};
+    const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
+    std::uint64_t texels = 0;
+    target.ensure_tile_marks();
+    const TxcStatus status = paint_dabs(scene, layer.cast, brush, stroke.dabs, stroke.painted, layer.tiles,
+                                        target.dirty_tiles, texels);
+    if (status != TXC_STATUS_OK) {
+        // Some of the dabs may be there: the next update begins anew.
+        layer.needs_projection = true;
+        return status;
+    }
+    stroke.painted = stroke.dabs.size();
+    ++projection_count_;
+    ++update.projected_layers;
+    update.projected_texels += static_cast<std::uint32_t>(std::min<std::uint64_t>(texels, 0xffffffffu));
     return TXC_STATUS_OK;
 }
 
 TxcStatus Session::find_bleed(TxcTarget id, Target*& out_target) {
     if (const TxcStatus status = find_baked(id, out_target); status != TXC_STATUS_OK) return status;
     return txc::find_bleed(*out_target, budget_);
-}
-
-TxcStatus Session::project(const LocalSpaceMap& map, const ImagePyramid& image, Layer& layer,
-                           std::uint32_t& out_texels) {
-    // The flat stamp asks no surface what hides it.
-    const bool occludes = layer.def.occlusion == TXC_OCCLUSION_SELF && layer.def.projector != TXC_PROJECTOR_UV;
-    if (occludes) {
-        if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
-    }
-    if (layer.def.projector != TXC_PROJECTOR_PLANAR) {
-        return project_curved_decal(map, *mesh_, layer.settings, layer.curved, image,
-                                    occludes ? occlusion_.get() : nullptr, layer.tiles, out_texels);
-    }
-    std::unique_ptr<OccluderGrid> occluders;
-    if (occludes) {
-        occluders = std::make_unique<OccluderGrid>(*mesh_, *occlusion_, layer.settings.projector, budget_);
-        if (const TxcStatus status = occluders->build(); status != TXC_STATUS_OK) return status;
-    }
-    return project_decal(map, *mesh_, layer.settings, image, occluders.get(), layer.tiles, out_texels);
 }
 
 TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
@@ -475,10 +477,8 @@ TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
         Layer& layer = *layers_.find(layer_id);
         // A hidden layer's projection can wait until it is shown.
         if (layer.def.visible == 0) continue;
-        if (layer.needs_projection) {
-            target->mark_dirty(layer);
+        if (layer.is_behind()) {
             if (const TxcStatus status = project_layer(*target, layer, update); status != TXC_STATUS_OK) return status;
-            target->mark_dirty(layer);
         }
         visible.push_back(&layer);
     }

@@ -47,6 +47,11 @@ public:
     TxcStatus destroy_layer(TxcLayer layer);
     TxcStatus find_layer(TxcLayer id, Layer*& out_layer) const;
 
+    TxcStatus add_dabs(TxcLayer layer, const TxcDab* dabs, std::uint32_t count);
+    TxcStatus clear_dabs(TxcLayer layer);
+    /// Like find_layer, and BAD_ARGUMENT for a layer of another kind.
+    TxcStatus find_stroke(TxcLayer id, Layer*& out_layer) const;
+
     TxcStatus update_target(TxcTarget target, TxcUpdate& out_update);
 
 private:
@@ -56,9 +61,10 @@ private:
     bool drop_unused_maps(std::size_t keep);
     void forget_model();
     TxcStatus check_image(TxcImage id) const;
-    TxcStatus check_layer_def(const TxcLayerDef& def, DecalSettings& out_settings, CurvedProjector& out_curved) const;
-    TxcStatus project_layer(const Target& target, Layer& layer, TxcUpdate& update);
-    TxcStatus project(const LocalSpaceMap& map, const ImagePyramid& image, Layer& layer, std::uint32_t& out_texels);
+    /// Brings the layer's tiles up to date and marks those that change.
+    TxcStatus project_layer(Target& target, Layer& layer, TxcUpdate& update);
+    TxcStatus project_stroke(Target& target, Layer& layer, TxcUpdate& update);
+    TxcStatus find_tip(Layer& layer, const ImagePyramid*& out_picture);
     TxcStatus ensure_occlusion_tree();
 
     // The budget outlives everything that holds a share of it.
@@ -68,6 +74,7 @@ private:
     std::unique_ptr<OcclusionTree> occlusion_;
     std::vector<std::shared_ptr<LocalSpaceMap>> maps_;  // oldest first; those that no target uses may be dropped
     IdTable<ImagePyramid> images_;
+    std::vector<std::shared_ptr<RoundTip>> round_tips_;  // those in use, and the newest
     IdTable<Layer> layers_;
     IdTable<Target> targets_;
     std::uint32_t bake_count_ = 0;

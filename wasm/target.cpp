@@ -7,7 +7,7 @@ void Target::mark_dirty(const Layer& layer) {
         all_dirty = true;
         return;
     }
-    if (dirty_tiles.empty()) dirty_tiles.assign(tile_count(), 0);
+    ensure_tile_marks();
     for (const std::uint32_t tile : layer.tiles.indices) dirty_tiles[tile] = 1;
 }
 

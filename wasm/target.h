@@ -7,23 +7,27 @@
 
 #include "base_picture.h"
 #include "bleed.h"
-#include "curved_projection.h"
 #include "layer_tiles.h"
 #include "local_space_map.h"
 #include "map_baker.h"
 #include "mip_chain.h"
+#include "picture_cast.h"
+#include "stroke.h"
 
 namespace txc {
 
 struct Layer {
-    explicit Layer(MemoryBudget& budget) : tiles(budget) {}
+    explicit Layer(MemoryBudget& budget) : tiles(budget), stroke(budget) {}
 
     TxcTarget target = 0;
     TxcLayerDef def{};
-    DecalSettings settings{};       // of a decal, derived from def
-    CurvedProjector curved;         // of a decal whose projector is not planar, derived from def
-    LayerTiles tiles;               // of a decal
+    PictureCast cast;               // of a decal, and of a stroke but for the projector; derived from def
+    LayerTiles tiles;               // of a decal and of a stroke
+    Stroke stroke;                  // empty for the other kinds
     bool needs_projection = false;  // `tiles` show an older def
+
+    /// `tiles` lack something: an older def, or fewer dabs.
+    bool is_behind() const { return needs_projection || stroke.painted < stroke.dabs.size(); }
 };
 
 struct Target {
@@ -52,6 +56,10 @@ struct Target {
     std::uint32_t tile_rows() const { return (def.height + kTileSize - 1) / kTileSize; }
     std::uint32_t tile_count() const { return tile_columns() * tile_rows(); }
 
+    /// Makes the list of marks, where there is none yet.
+    void ensure_tile_marks() {
+        if (dirty_tiles.empty()) dirty_tiles.assign(tile_count(), 0);
+    }
     /// Marks the tiles that a layer paints, so that the next update composites them.
     void mark_dirty(const Layer& layer);
     void mark_all_dirty() { all_dirty = true; }

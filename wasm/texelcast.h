@@ -3,7 +3,7 @@
  * The one public header of the core. It is plain C, so that a WebAssembly host can call it without glue, and it is
  * written in the order in which a program calls it:
  *
- *   session -> model -> target (bake) -> base picture -> images -> layers -> update -> read
+ *   session -> model -> target (bake) -> base picture -> images -> layers -> strokes' dabs -> update -> read
  *
  * Rules that hold for every call:
  *   - Structs hold 4-byte fields only, so their layout is the same in wasm32 and natively. Fill one with its
@@ -34,8 +34,9 @@ extern "C" {
 #define TXC_API
 #endif
 
-#define TXC_ABI_VERSION 2u
-#define TXC_MAX_SIZE 8192u /* texels along one side of a target or an image */
+#define TXC_ABI_VERSION 3u
+#define TXC_MAX_SIZE 8192u    /* texels along one side of a target or an image */
+#define TXC_MAX_DABS 1000000u /* of one stroke */
 
 /* ---- Statuses ---------------------------------------------------------------------------------------------------
  * One list; names and messages are read from the module itself (txc_status_name, txc_status_message), so that no
@@ -228,7 +229,7 @@ TXC_API TxcStatus txc_image_create(TxcSession session, uint32_t width, uint32_t 
 TXC_API TxcStatus txc_image_destroy(TxcSession session, TxcImage image);
 
 /* ---- Layers ----------------------------------------------------------------------------------------------------- */
-typedef enum TxcLayerKind { TXC_LAYER_DECAL, TXC_LAYER_FILL, TXC_LAYER_KIND_COUNT } TxcLayerKind;
+typedef enum TxcLayerKind { TXC_LAYER_DECAL, TXC_LAYER_FILL, TXC_LAYER_STROKE, TXC_LAYER_KIND_COUNT } TxcLayerKind;
 typedef enum TxcProjector {
     TXC_PROJECTOR_PLANAR,      /* a box: position, rotation, size */
     TXC_PROJECTOR_PERSPECTIVE, /* an eye that looks along its own -Z: position, rotation, fov to far_distance */
@@ -262,12 +263,19 @@ typedef enum TxcBlend {
 typedef enum TxcBlendSpace { TXC_BLEND_SPACE_SRGB, TXC_BLEND_SPACE_LINEAR, TXC_BLEND_SPACE_COUNT } TxcBlendSpace;
 typedef enum TxcWrap { TXC_WRAP_NONE, TXC_WRAP_REPEAT, TXC_WRAP_COUNT } TxcWrap;
 typedef enum TxcOcclusion { TXC_OCCLUSION_SELF, TXC_OCCLUSION_NONE, TXC_OCCLUSION_COUNT } TxcOcclusion;
+/* What a stroke's brush prints with each dab. */
+typedef enum TxcTip {
+    TXC_TIP_ROUND,   /* a disc of `color` as wide as the dab, softened by `hardness` */
+    TXC_TIP_PICTURE, /* `image` as it is */
+    TXC_TIP_MASK,    /* the alpha of `image` in `color` */
+    TXC_TIP_COUNT
+} TxcTip;
 
 /* The defaults are those of spec section 8. Flags are 0 or 1. Of the projectors' fields those of the layer's own kind
- * are checked and count, the others are kept. */
+ * are checked and count, the others are kept; a stroke's projectors are its dabs'. */
 typedef struct TxcLayerDef {
     uint32_t kind;           /* TxcLayerKind */
-    uint32_t image;          /* decal: its TxcImage */
+    uint32_t image;          /* decal, stroke with a picture as its tip: the TxcImage */
     uint32_t visible;        /* 1 */
     float opacity;           /* 0 to 1; 1 */
     uint32_t blend;          /* TxcBlend; normal */
@@ -296,20 +304,58 @@ typedef struct TxcLayerDef {
     float uv_center[2];      /* uv: u and v; 1/2 each */
     float uv_size[2];        /* uv: full extents in u and v, above 0; 1 each */
     float uv_angle_degrees;  /* uv: clockwise as seen on the texture; 0 */
-    float color[4];          /* fill: sRGB 0 to 1, straight alpha */
+    float color[4];          /* fill, stroke: sRGB 0 to 1, straight alpha */
+    uint32_t tip;            /* stroke: TxcTip; round */
+    float hardness;          /* stroke with a round tip: the share of the radius that is solid, 0 to 1; 1 */
+    float flow;              /* stroke: what share of the tip's alpha a dab lays down, 0 to 1; 1 */
 } TxcLayerDef;
 
 TXC_API void txc_layer_def_default(TxcLayerDef* def);
 /* Adds a layer on top of the target's others. */
 TXC_API TxcStatus txc_layer_create(TxcSession session, TxcTarget target, const TxcLayerDef* def, TxcLayer* out_layer);
-/* Changes any field. Only a change of image, filter, wrap, flips, culling, fade, occlusion or projector projects again;
- * the rest recomposites. */
+/* Changes any field. Only a change of image, filter, wrap, flips, culling, fade, occlusion, projector or a stroke's brush
+ * projects again; the rest recomposites. A layer that stops being a stroke loses its dabs. */
 TXC_API TxcStatus txc_layer_update(TxcSession session, TxcLayer layer, const TxcLayerDef* def);
 /* Puts the layer at `index` from the bottom; an index past the top is the top. */
 TXC_API TxcStatus txc_layer_move(TxcSession session, TxcLayer layer, uint32_t index);
 TXC_API TxcStatus txc_layer_destroy(TxcSession session, TxcLayer layer);
 /* Reads back what the layer was last given. */
 TXC_API TxcStatus txc_layer_def(TxcSession session, TxcLayer layer, TxcLayerDef* out_def);
+
+/* ---- Strokes ----------------------------------------------------------------------------------------------------
+ * A stroke is a brush's path over the surface: the layer's fields say what the brush is, its dabs where it touched. Each
+ * dab lays the tip over those before it, by the layer's flow times its own (flow builds up); the whole is then laid on the
+ * target once, by the layer's opacity and blend (opacity does not). The bytes do not depend on whether dabs came in one
+ * call or in many, and an update paints those alone that came since the update before. */
+typedef struct TxcDab {
+    float flow;              /* 0 to 1: its share of the layer's flow, such as a pen's pressure; 1 */
+    uint32_t projector;      /* TxcProjector; this and all that follows as in TxcLayerDef */
+    float position_model[3];
+    float rotation[4];
+    float size[3];
+    float fov_degrees;
+    float aspect;
+    float near_distance;
+    float far_distance;
+    float radius;
+    float height;
+    float arc_degrees;
+    float depth;
+    float uv_center[2];
+    float uv_size[2];
+    float uv_angle_degrees;
+} TxcDab;
+
+TXC_API void txc_dab_default(TxcDab* dab);
+/* Adds dabs after the stroke's others: all, or none where one is bad (the detail says which). BAD_ARGUMENT for a layer of
+ * another kind and above TXC_MAX_DABS in all; OUT_OF_BUDGET. */
+TXC_API TxcStatus txc_stroke_add_dabs(TxcSession session, TxcLayer layer, const TxcDab* dabs, uint32_t dab_count);
+/* Takes all dabs away. */
+TXC_API TxcStatus txc_stroke_clear(TxcSession session, TxcLayer layer);
+TXC_API TxcStatus txc_stroke_dab_count(TxcSession session, TxcLayer layer, uint32_t* out_count);
+/* Reads back dabs [first, first + dab_count) as they were given. */
+TXC_API TxcStatus txc_stroke_dabs(TxcSession session, TxcLayer layer, uint32_t first, uint32_t dab_count,
+                                  TxcDab* out_dabs);
 
 /* ---- Update and read --------------------------------------------------------------------------------------------- */
 typedef struct TxcRect {

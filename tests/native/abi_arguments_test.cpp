@@ -60,7 +60,7 @@ TEST_CASE("A bad field of a layer is named with its value, and changes nothing")
         const char* said;
     };
     const Case cases[] = {
-        {[](TxcLayerDef& d) { d.kind = 2; }, "kind is 2"},
+        {[](TxcLayerDef& d) { d.kind = 3; }, "kind is 3"},
         {[](TxcLayerDef& d) { d.visible = 7; }, "visible is 7"},
         {[](TxcLayerDef& d) { d.opacity = 1.5f; }, "opacity is 1.5"},
         {[](TxcLayerDef& d) { d.opacity = -0.25f; }, "opacity is -0.25"},

@@ -142,7 +142,7 @@ TEST_CASE("A layer's every field is kept apart and read back as it was given") {
     std::memset(&back, 0xcd, sizeof back);
     must(txc_layer_def(session.id(), layer, &back));
     CHECK(std::memcmp(&def, &back, sizeof def) == 0);
-    CHECK(sizeof(TxcLayerDef) == 43 * 4);
+    CHECK(sizeof(TxcLayerDef) == 46 * 4);
     def.flip_x = 0;
     def.flip_y = 1;
     session.change(layer, def);

@@ -1,0 +1,38 @@
+// One picture cast at the surface by one projector of any kind: what a decal is, and each dab of a stroke.
+#pragma once
+
+#include "curved_projection.h"
+#include "projection.h"
+
+namespace txc {
+
+/// How a picture is cast; from an ABI layer's fields.
+struct PictureCast {
+    DecalSettings settings{};  // with the projector, where it is planar
+    CurvedProjector curved;    // the projector, where it is not
+    std::uint32_t projector = TXC_PROJECTOR_PLANAR;
+    bool occludes = false;
+
+    /// Reads all but the projector.
+    void read_settings(const TxcLayerDef& def);
+    /// Reads the projector. BAD_ARGUMENT names the field.
+    TxcStatus read_projector(const TxcLayerDef& def);
+
+    /// The flat stamp asks no surface what hides it.
+    bool asks_for_occluders() const { return occludes && projector != TXC_PROJECTOR_UV; }
+};
+
+/// What pictures are cast at.
+struct CastScene {
+    const LocalSpaceMap& map;
+    const Mesh& mesh;
+    const OcclusionTree* tree;  // of `mesh`; null where no cast asks for occluders
+    MemoryBudget& budget;
+};
+
+/// Paints the picture into `out` (in place of what was there). `out_texels`: how many texels took colour. Errors:
+/// OUT_OF_BUDGET; `out` is then empty, or as it was.
+TxcStatus cast_picture(const CastScene& scene, const PictureCast& cast, const ImagePyramid& image, LayerTiles& out,
+                       std::uint32_t& out_texels);
+
+}  // namespace txc
