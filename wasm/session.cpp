@@ -437,9 +437,9 @@ TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& updat
         stroke.painted = stroke.dabs.size();
         return TXC_STATUS_OK;
     }
-    const bool asks_for_occluders = std::any_of(
-        stroke.dabs.begin() + static_cast<std::ptrdiff_t>(stroke.painted), stroke.dabs.end(),
-        [&](const TxcDab& dab) { return layer.cast.occludes && dab.projector != TXC_PROJECTOR_UV; });
+    const bool asks_for_occluders =
+        std::any_of(stroke.dabs.begin() + static_cast<std::ptrdiff_t>(stroke.painted), stroke.dabs.end(),
+                    [&](const TxcDab& dab) { return layer.cast.occludes && dab.projector != TXC_PROJECTOR_UV; });
     if (asks_for_occluders) {
         if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
     }
@@ -449,8 +449,8 @@ TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& updat
     const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
     std::uint64_t texels = 0;
     target.ensure_tile_marks();
-    const TxcStatus status = paint_dabs(scene, layer.cast, brush, stroke.dabs, stroke.painted, layer.tiles,
-                                        target.dirty_tiles, texels);
+    const TxcStatus status =
+        paint_dabs(scene, layer.cast, brush, stroke.dabs, stroke.painted, layer.tiles, target.dirty_tiles, texels);
     if (status != TXC_STATUS_OK) {
         // Some of the dabs may be there: the next update begins anew.
         layer.needs_projection = true;

@@ -328,8 +328,8 @@ TXC_API TxcStatus txc_layer_def(TxcSession session, TxcLayer layer, TxcLayerDef*
  * target once, by the layer's opacity and blend (opacity does not). The bytes do not depend on whether dabs came in one
  * call or in many, and an update paints those alone that came since the update before. */
 typedef struct TxcDab {
-    float flow;              /* 0 to 1: its share of the layer's flow, such as a pen's pressure; 1 */
-    uint32_t projector;      /* TxcProjector; this and all that follows as in TxcLayerDef */
+    float flow;         /* 0 to 1: its share of the layer's flow, such as a pen's pressure; 1 */
+    uint32_t projector; /* TxcProjector; this and all that follows as in TxcLayerDef */
     float position_model[3];
     float rotation[4];
     float size[3];

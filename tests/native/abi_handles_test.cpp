@@ -119,6 +119,23 @@ std::vector<Call> calls_on_layer(TxcLayer layer) {
              return txc_layer_update(s, layer, &def);
          }},
         {"txc_layer_move", [=](TxcSession s) { return txc_layer_move(s, layer, 0); }},
+        {"txc_stroke_add_dabs",
+         [=](TxcSession s) {
+             TxcDab dab;
+             txc_dab_default(&dab);
+             return txc_stroke_add_dabs(s, layer, &dab, 1);
+         }},
+        {"txc_stroke_clear", [=](TxcSession s) { return txc_stroke_clear(s, layer); }},
+        {"txc_stroke_dab_count",
+         [=](TxcSession s) {
+             std::uint32_t count;
+             return txc_stroke_dab_count(s, layer, &count);
+         }},
+        {"txc_stroke_dabs",
+         [=](TxcSession s) {
+             TxcDab dab;
+             return txc_stroke_dabs(s, layer, 0, 0, &dab);
+         }},
         {"txc_layer_destroy", [=](TxcSession s) { return txc_layer_destroy(s, layer); }},
     };
 }
@@ -240,6 +257,9 @@ TEST_CASE("Null pointers are refused, not followed") {
         txc_layer_create(s, handles.target, &layer_def, nullptr),
         txc_layer_update(s, handles.layer, nullptr),
         txc_layer_def(s, handles.layer, nullptr),
+        txc_stroke_add_dabs(s, handles.layer, nullptr, 0),
+        txc_stroke_dab_count(s, handles.layer, nullptr),
+        txc_stroke_dabs(s, handles.layer, 0, 0, nullptr),
         txc_target_update(s, handles.target, nullptr),
         txc_target_read(s, handles.target, 0, 0, 0, 1, 1, nullptr),
         txc_target_read_bled(s, handles.target, 0, 1, nullptr),
