@@ -40,6 +40,7 @@ describe("the tables of the C ABI", () => {
     ["TxcTargetDef", abi.TargetDefLayout],
     ["TxcMapInfo", abi.MapInfoLayout],
     ["TxcLayerDef", abi.LayerDefLayout],
+    ["TxcDab", abi.DabLayout],
     ["TxcRect", abi.RectLayout],
     ["TxcUpdate", abi.UpdateLayout],
   ] as [string, StructLayout<StructFields>][])("have the fields of %s in the header's order", (name, layout) => {
@@ -61,6 +62,7 @@ describe("the tables of the C ABI", () => {
     ["TxcBlendSpace", "TXC_BLEND_SPACE_", abi.BlendSpaces],
     ["TxcWrap", "TXC_WRAP_", abi.Wraps],
     ["TxcOcclusion", "TXC_OCCLUSION_", abi.Occlusions],
+    ["TxcTip", "TXC_TIP_", abi.Tips],
   ] as [string, string, Record<string, number>][])("number %s as the header does", (name, prefix, numbers) => {
     expect(Object.entries(numbers)).toEqual(enumOfHeader(name, prefix));
   });
@@ -75,6 +77,7 @@ describe("the tables of the C ABI", () => {
   it("have the header's constants", () => {
     expect(code).toContain(`#define TXC_ABI_VERSION ${abi.ABI_VERSION}u`);
     expect(code).toContain(`#define TXC_MAX_SIZE ${abi.MAX_SIZE}u`);
+    expect(code).toContain(`#define TXC_MAX_DABS ${abi.MAX_DABS}u`);
     expect(code).toContain(`#define TXC_NONE 0x${abi.NONE.toString(16)}u`);
   });
 });

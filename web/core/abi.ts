@@ -4,15 +4,17 @@
  */
 import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
 
-export const ABI_VERSION = 2;
+export const ABI_VERSION = 3;
 /** Texels along one side of a target or an image, at most. */
 export const MAX_SIZE = 8192;
+/** Dabs of one stroke, at most. */
+export const MAX_DABS = 1_000_000;
 /** TXC_NONE: "no such index", and "the default" for a gutter. */
 export const NONE = 0xffffffff;
 
 export const MapViews = { positions: 0, normals: 1, coverage: 2, overlap: 3 } as const;
 export const Filters = { linear: 0, nearest: 1 } as const;
-export const LayerKinds = { decal: 0, fill: 1 } as const;
+export const LayerKinds = { decal: 0, fill: 1, stroke: 2 } as const;
 export const Projectors = { planar: 0, perspective: 1, cylindrical: 2, uv: 3 } as const;
 export const Blends = {
   normal: 0,
@@ -36,6 +38,7 @@ export const Blends = {
 export const BlendSpaces = { srgb: 0, linear: 1 } as const;
 export const Wraps = { none: 0, repeat: 1 } as const;
 export const Occlusions = { self: 0, none: 1 } as const;
+export const Tips = { round: 0, picture: 1, mask: 2 } as const;
 
 export const SessionDefLayout = defineStruct({ memoryBudgetMib: u32 });
 
@@ -90,6 +93,25 @@ export const MapInfoLayout = defineStruct({
   boundsMaxModel: f32Array(3),
 });
 
+/** A projector of any kind, as layers and dabs have it. */
+const projectorFields = {
+  projector: u32,
+  positionModel: f32Array(3),
+  rotation: f32Array(4),
+  size: f32Array(3),
+  fovDegrees: f32,
+  aspect: f32,
+  nearDistance: f32,
+  farDistance: f32,
+  radius: f32,
+  height: f32,
+  arcDegrees: f32,
+  depth: f32,
+  uvCenter: f32Array(2),
+  uvSize: f32Array(2),
+  uvAngleDegrees: f32,
+} as const;
+
 export const LayerDefLayout = defineStruct({
   kind: u32,
   image: u32,
@@ -106,23 +128,14 @@ export const LayerDefLayout = defineStruct({
   angleFadeStart: f32,
   angleFadeEnd: f32,
   occlusion: u32,
-  projector: u32,
-  positionModel: f32Array(3),
-  rotation: f32Array(4),
-  size: f32Array(3),
-  fovDegrees: f32,
-  aspect: f32,
-  nearDistance: f32,
-  farDistance: f32,
-  radius: f32,
-  height: f32,
-  arcDegrees: f32,
-  depth: f32,
-  uvCenter: f32Array(2),
-  uvSize: f32Array(2),
-  uvAngleDegrees: f32,
+  ...projectorFields,
   color: f32Array(4),
+  tip: u32,
+  hardness: f32,
+  flow: f32,
 });
+
+export const DabLayout = defineStruct({ flow: f32, ...projectorFields });
 
 export const RectLayout = defineStruct({ x: u32, y: u32, width: u32, height: u32, level: u32, byteOffset: u32 });
 
@@ -145,6 +158,7 @@ export type MeshDef = ValueOf<typeof MeshDefLayout>;
 export type TargetDef = ValueOf<typeof TargetDefLayout>;
 export type MapInfo = ValueOf<typeof MapInfoLayout>;
 export type LayerDef = ValueOf<typeof LayerDefLayout>;
+export type Dab = ValueOf<typeof DabLayout>;
 export type Rect = ValueOf<typeof RectLayout>;
 export type Update = ValueOf<typeof UpdateLayout>;
 
@@ -187,6 +201,11 @@ export const CORE_FUNCTIONS = {
   txc_layer_move: 3,
   txc_layer_destroy: 2,
   txc_layer_def: 3,
+  txc_dab_default: 1,
+  txc_stroke_add_dabs: 4,
+  txc_stroke_clear: 2,
+  txc_stroke_dab_count: 3,
+  txc_stroke_dabs: 5,
   txc_target_update: 3,
   txc_target_update_rects: 2,
   txc_target_update_bytes: 2,

@@ -1,5 +1,7 @@
 /** One material's texture at a size: its baked map, its base picture and its layers. Made by `Session.createTarget`. */
 import {
+  type Dab,
+  DabLayout,
   type LayerDef,
   LayerDefLayout,
   type MapInfo,
@@ -8,6 +10,7 @@ import {
   RectLayout,
   UpdateLayout,
 } from "./abi.ts";
+import { readStruct, writeStruct } from "./struct-layout.ts";
 import { TexelcastError } from "./texelcast-error.ts";
 import type { CoreModule } from "./wasm-module.ts";
 
@@ -159,6 +162,37 @@ export class Target {
     return this.#core.collectStruct(LayerDefLayout, (out) =>
       this.#core.run("txc_layer_def", this.#session, layer, out),
     );
+  }
+
+  /** Adds dabs after a stroke's others, all or none; what a dab leaves out has the ABI's default. */
+  addDabs(stroke: LayerHandle, dabs: readonly Partial<Dab>[]): void {
+    const core = this.#core;
+    const plain = core.collect(DabLayout.byteSize, (out) => core.call("txc_dab_default", out));
+    const bytes = new Uint8Array(dabs.length * DabLayout.byteSize);
+    const view = new DataView(bytes.buffer);
+    dabs.forEach((dab, index) => {
+      bytes.set(plain, index * DabLayout.byteSize);
+      writeStruct(DabLayout, view, index * DabLayout.byteSize, dab);
+    });
+    core.withBytes(bytes, (pointer) => {
+      core.run("txc_stroke_add_dabs", this.#session, stroke, pointer, dabs.length);
+    });
+  }
+
+  /** Takes all dabs of a stroke away. */
+  clearDabs(stroke: LayerHandle): void {
+    this.#core.run("txc_stroke_clear", this.#session, stroke);
+  }
+
+  /** A stroke's dabs as they were given. */
+  dabs(stroke: LayerHandle): Dab[] {
+    const core = this.#core;
+    const count = core.collectU32((out) => core.run("txc_stroke_dab_count", this.#session, stroke, out));
+    const bytes = core.collect(count * DabLayout.byteSize, (out) => {
+      core.run("txc_stroke_dabs", this.#session, stroke, 0, count, out);
+    });
+    const view = new DataView(bytes.buffer);
+    return Array.from({ length: count }, (_, index) => readStruct(DabLayout, view, index * DabLayout.byteSize));
   }
 
   /** Projects and composites what changed since the update before. */

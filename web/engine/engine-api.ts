@@ -91,10 +91,11 @@ interface EngineLayerBase {
   readonly lockAlpha: boolean;
 }
 
-export interface EngineDecalLayer extends EngineLayerBase {
-  readonly type: "decal";
-  /** Key of a picture given to `setAsset`. */
-  readonly asset: string;
+/** sRGB with alpha, each 0 to 1. */
+export type EngineColor = readonly [number, number, number, number];
+
+/** A layer whose pictures are thrown at the surface. */
+interface EngineCastLayer extends EngineLayerBase {
   readonly filter: "linear" | "nearest";
   readonly wrap: "none" | "repeat";
   readonly flipX: boolean;
@@ -103,17 +104,56 @@ export interface EngineDecalLayer extends EngineLayerBase {
   /** Degrees, start to end, 0 to 90. */
   readonly angleFade: readonly [number, number];
   readonly occlusion: "self" | "none";
+}
+
+export interface EngineDecalLayer extends EngineCastLayer {
+  readonly type: "decal";
+  /** Key of a picture given to `setAsset`. */
+  readonly asset: string;
   readonly projector: Projector;
 }
 
 export interface EngineFillLayer extends EngineLayerBase {
   readonly type: "fill";
-  /** sRGB with alpha, each 0 to 1. */
-  readonly color: readonly [number, number, number, number];
+  readonly color: EngineColor;
+}
+
+export interface EngineRoundBrush {
+  readonly tip: "round";
+  readonly color: EngineColor;
+  /** The share of the radius that is solid, 0 to 1. */
+  readonly hardness: number;
+  /** What share of the tip's alpha a dab lays down, 0 to 1. */
+  readonly flow: number;
+}
+
+export interface EnginePictureBrush {
+  readonly tip: "picture";
+  /** Key of a picture given to `setAsset`. */
+  readonly asset: string;
+  /** Paints the picture's alpha in this colour; null: the picture as it is. */
+  readonly color: EngineColor | null;
+  readonly flow: number;
+}
+
+export type EngineBrush = EngineRoundBrush | EnginePictureBrush;
+
+/** One touch of a brush: where it comes from, and its share of the brush's flow, 0 to 1 (a pen's pressure). */
+export type EngineDab = Projector & { readonly flow: number };
+
+/** A brush's dabs lie over each other by their flow; opacity and blend are the whole's. */
+export interface EngineStrokeLayer extends EngineCastLayer {
+  readonly type: "stroke";
+  readonly brush: EngineBrush;
+  /**
+   * In order. A list that begins with the objects of the list before costs only what is new in it: neither are the others
+   * sent to the worker again, nor painted.
+   */
+  readonly dabs: readonly EngineDab[];
 }
 
 /** A layer with every field set: the design document's defaults are already filled in. */
-export type EngineLayer = EngineDecalLayer | EngineFillLayer;
+export type EngineLayer = EngineDecalLayer | EngineStrokeLayer | EngineFillLayer;
 
 export interface MaterialInfo {
   readonly index: number;

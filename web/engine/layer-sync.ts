@@ -2,33 +2,36 @@
  * Brings the core's layers of one target in line with a list: by id, with the fewest calls, so that only what changed
  * is projected again. The list is the truth; what the core has is derived from it.
  */
-import { BlendSpaces, Blends, Filters, type LayerDef, LayerKinds, Occlusions, Projectors, Wraps } from "../core/abi.ts";
+import type { LayerDef } from "../core/abi.ts";
 import type { ImageHandle } from "../core/session.ts";
 import type { LayerHandle, Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import type { BlendMode, EngineLayer, Projector } from "./engine-api.ts";
+import { coreDab, coreLayer } from "./core-layer.ts";
+import type { EngineDab, EngineLayer } from "./engine-api.ts";
+import { pictureOf } from "./layer-picture.ts";
 
-/** The ABI's numbers under the standard's names, which are hyphenated. */
-const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
-  ...Blends,
-  "color-dodge": Blends.colorDodge,
-  "color-burn": Blends.colorBurn,
-  "hard-light": Blends.hardLight,
-  "soft-light": Blends.softLight,
-};
+/** What the core is told of a layer. */
+interface WantedLayer {
+  readonly def: Partial<LayerDef>;
+  /** Of a stroke; none for the other kinds. */
+  readonly dabs: readonly EngineDab[];
+}
 
 interface SyncedLayer {
   readonly id: string;
   readonly handle: LayerHandle;
   def: Partial<LayerDef>;
+  dabs: readonly EngineDab[];
 }
+
+const NO_DABS: readonly EngineDab[] = [];
 
 export class LayerSync {
   readonly #target: Target;
   /** Bottom to top, as the core has them. */
   #order: SyncedLayer[] = [];
   /** Layers that the core refused, so that each is reported once and not once a frame. */
-  readonly #refused = new Map<string, Partial<LayerDef>>();
+  readonly #refused = new Map<string, WantedLayer>();
 
   constructor(target: Target) {
     this.#target = target;
@@ -43,10 +46,13 @@ export class LayerSync {
     imageOf: (asset: string) => ImageHandle | undefined,
     report: (error: TexelcastError) => void,
   ): void {
-    const wanted = new Map<string, Partial<LayerDef>>();
+    const wanted = new Map<string, WantedLayer>();
     for (const layer of layers) {
-      const image = layer.type === "decal" ? imageOf(layer.asset) : 0;
-      if (image !== undefined) wanted.set(layer.id, coreLayer(layer, image));
+      const picture = pictureOf(layer);
+      const image = picture === null ? 0 : imageOf(picture);
+      if (image === undefined) continue;
+      const dabs = layer.type === "stroke" ? layer.dabs : NO_DABS;
+      wanted.set(layer.id, { def: coreLayer(layer, image), dabs });
     }
     this.#order = this.#order.filter((layer) => {
       if (wanted.has(layer.id)) return true;
@@ -54,33 +60,48 @@ export class LayerSync {
       return false;
     });
     let index = 0;
-    for (const [id, def] of wanted) {
+    for (const [id, layer] of wanted) {
       try {
-        if (this.#place(id, def, index)) index++;
+        if (this.#place(id, layer, index)) index++;
       } catch (error) {
         if (!(error instanceof TexelcastError) || error.code === "engine-crashed") throw error;
-        this.#refuse(id, def, error, report);
+        this.#refuse(id, layer, error, report);
       }
     }
   }
 
   /** Creates, changes and moves one layer as needed; false for one that was refused as it is. */
-  #place(id: string, def: Partial<LayerDef>, index: number): boolean {
+  #place(id: string, wanted: WantedLayer, index: number): boolean {
+    const { def } = wanted;
     const refused = this.#refused.get(id);
-    if (refused !== undefined && sameDef(refused, def)) return false;
+    if (refused !== undefined && sameNumbersOf(refused.def, def) && sameDabs(refused.dabs, wanted.dabs)) return false;
     const at = this.#order.findIndex((layer) => layer.id === id);
     const found = this.#order[at];
     if (found === undefined) {
-      const handle = this.#target.createLayer(def);
-      this.#order.push({ id, handle, def });
+      const made: SyncedLayer = { id, handle: this.#target.createLayer(def), def, dabs: NO_DABS };
+      this.#order.push(made);
+      this.#syncDabs(made, wanted.dabs);
       this.#move(this.#order.length - 1, index);
     } else {
-      if (!sameDef(found.def, def)) this.#target.updateLayer(found.handle, def);
+      if (found.def.kind !== def.kind) found.dabs = NO_DABS;
+      if (!sameNumbersOf(found.def, def)) this.#target.updateLayer(found.handle, def);
       found.def = def;
+      this.#syncDabs(found, wanted.dabs);
       this.#move(at, index);
     }
     this.#refused.delete(id);
     return true;
+  }
+
+  /** A stroke that grew is told of its new dabs alone; any other change begins it anew. */
+  #syncDabs(layer: SyncedLayer, dabs: readonly EngineDab[]): void {
+    let kept = commonDabs(layer.dabs, dabs);
+    if (kept < layer.dabs.length) {
+      this.#target.clearDabs(layer.handle);
+      kept = 0;
+    }
+    if (kept < dabs.length) this.#target.addDabs(layer.handle, dabs.slice(kept).map(coreDab));
+    layer.dabs = dabs;
   }
 
   #move(from: number, to: number): void {
@@ -91,12 +112,12 @@ export class LayerSync {
     this.#order.splice(to, 0, layer);
   }
 
-  #refuse(id: string, def: Partial<LayerDef>, error: TexelcastError, report: (error: TexelcastError) => void): void {
+  #refuse(id: string, wanted: WantedLayer, error: TexelcastError, report: (error: TexelcastError) => void): void {
     this.#order = this.#order.filter((layer) => {
       if (layer.id === id) this.#target.destroyLayer(layer.handle);
       return layer.id !== id;
     });
-    this.#refused.set(id, def);
+    this.#refused.set(id, wanted);
     report(
       new TexelcastError(error.code, `The layer “${id}” cannot be drawn: ${error.message}`, {
         field: `layers[id=${id}]`,
@@ -106,51 +127,25 @@ export class LayerSync {
   }
 }
 
-function coreLayer(layer: EngineLayer, image: ImageHandle): Partial<LayerDef> {
-  const shared = {
-    visible: Number(layer.visible),
-    opacity: layer.opacity,
-    blend: BLEND_NUMBERS[layer.blend],
-    blendSpace: BlendSpaces[layer.blendSpace],
-    lockAlpha: Number(layer.lockAlpha),
-  };
-  if (layer.type === "fill") return { ...shared, kind: LayerKinds.fill, color: layer.color };
-  return {
-    ...shared,
-    kind: LayerKinds.decal,
-    image,
-    filter: Filters[layer.filter],
-    wrap: Wraps[layer.wrap],
-    flipX: Number(layer.flipX),
-    flipY: Number(layer.flipY),
-    backfaces: Number(layer.backfaces),
-    angleFadeStart: layer.angleFade[0],
-    angleFadeEnd: layer.angleFade[1],
-    occlusion: Occlusions[layer.occlusion],
-    ...coreProjector(layer.projector),
-  };
+/** How many dabs two lists begin with alike. */
+function commonDabs(a: readonly EngineDab[], b: readonly EngineDab[]): number {
+  const most = Math.min(a.length, b.length);
+  for (let i = 0; i < most; i++) {
+    const [left, right] = [a[i], b[i]];
+    // Lists that grow share their objects, so the numbers are seldom looked at.
+    if (left === undefined || right === undefined) return i;
+    if (left !== right && !sameNumbersOf(coreDab(left), coreDab(right))) return i;
+  }
+  return most;
 }
 
-function coreProjector(projector: Projector): Partial<LayerDef> {
-  const kind = { projector: Projectors[projector.kind] };
-  if (projector.kind === "uv") {
-    const { center, size, angle } = projector;
-    return { ...kind, uvCenter: center, uvSize: size, uvAngleDegrees: angle };
-  }
-  const posed = { ...kind, positionModel: projector.position, rotation: projector.rotation };
-  if (projector.kind === "perspective") {
-    const { fov, aspect, near, far } = projector;
-    return { ...posed, fovDegrees: fov, aspect, nearDistance: near, farDistance: far };
-  }
-  if (projector.kind === "cylindrical") {
-    const { radius, height, arc, depth } = projector;
-    return { ...posed, radius, height, arcDegrees: arc, depth };
-  }
-  return { ...posed, size: projector.size };
-}
+const sameDabs = (a: readonly EngineDab[], b: readonly EngineDab[]): boolean =>
+  a.length === b.length && commonDabs(a, b) === a.length;
 
-function sameDef(a: Partial<LayerDef>, b: Partial<LayerDef>): boolean {
-  const keys = new Set([...Object.keys(a), ...Object.keys(b)]) as Set<keyof LayerDef>;
+type Numbers = Readonly<Record<string, number | readonly number[] | undefined>>;
+
+function sameNumbersOf(a: Numbers, b: Numbers): boolean {
+  const keys = new Set([...Object.keys(a), ...Object.keys(b)]);
   return [...keys].every((key) => sameNumbers(a[key], b[key]));
 }
 
