@@ -1,6 +1,17 @@
 import { BufferGeometry, TorusGeometry } from "three";
 import { beforeAll, beforeEach, describe, expect, it } from "vitest";
-import { Filters, LayerDefLayout, LayerKinds, NONE, Occlusions, TargetDefLayout, Wraps } from "../../web/core/abi.ts";
+import {
+  DabLayout,
+  Filters,
+  LayerDefLayout,
+  LayerKinds,
+  NONE,
+  Occlusions,
+  Projectors,
+  TargetDefLayout,
+  Tips,
+  Wraps,
+} from "../../web/core/abi.ts";
 import { Session } from "../../web/core/session.ts";
 import type { Target } from "../../web/core/target.ts";
 import { type CoreModule, loadCore } from "../../web/core/wasm-module.ts";
@@ -237,12 +248,48 @@ describe("a layer", () => {
       uvSize: [17.5, 18.5],
       uvAngleDegrees: 19.5,
       color: [0.125, 0.375, 0.625, 0.875],
+      tip: Tips.mask,
+      hardness: 0.0625,
+      flow: 0.3125,
     };
     expect(Object.keys(def)).toEqual(Object.keys(LayerDefLayout.fields));
     const layer = target.createLayer({ image, size: [1, 1, 1] });
     target.updateLayer(layer, def);
     expect(target.layerDef(layer)).toEqual(def);
     expect(target.layerDef(target.createLayer(def))).toEqual(def);
+  });
+
+  it("gives a stroke's dabs back as they were added, with the defaults for what they left out", () => {
+    const target = planeTarget();
+    const layer = target.createLayer({ kind: LayerKinds.stroke });
+    expect(target.dabs(layer)).toEqual([]);
+    const dab = {
+      flow: 0.25,
+      projector: Projectors.cylindrical,
+      positionModel: [1.5, 2.5, 3.5],
+      rotation: [0, 0, 1, 0],
+      size: [4.5, 5.5, 6.5],
+      fovDegrees: 7.5,
+      aspect: 8.5,
+      nearDistance: 9.5,
+      farDistance: 10.5,
+      radius: 11.5,
+      height: 12.5,
+      arcDegrees: 13.5,
+      depth: 14.5,
+      uvCenter: [15.5, 16.5],
+      uvSize: [17.5, 18.5],
+      uvAngleDegrees: 19.5,
+    };
+    expect(Object.keys(dab)).toEqual(Object.keys(DabLayout.fields));
+    target.addDabs(layer, [dab, { size: [1, 2, 3] }]);
+    target.addDabs(layer, []);
+    expect(target.dabs(layer)[0]).toEqual(dab);
+    expect(target.dabs(layer)[1]).toMatchObject({ flow: 1, projector: 0, rotation: [0, 0, 0, 1], size: [1, 2, 3] });
+    expect(() => target.addDabs(layer, [{}, { flow: Number.NaN }])).toThrow(coded("bad-argument"));
+    expect(target.dabs(layer)).toHaveLength(2);
+    target.clearDabs(layer);
+    expect(target.dabs(layer)).toEqual([]);
   });
 
   it("has the design document's defaults for what is left out", () => {

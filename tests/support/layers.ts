@@ -1,5 +1,11 @@
 /** Layers with every field set, as the design document's defaults would fill them in. */
-import type { EngineDecalLayer, EngineFillLayer, PlanarProjector } from "../../web/engine/engine-api.ts";
+import type {
+  EngineDab,
+  EngineDecalLayer,
+  EngineFillLayer,
+  EngineStrokeLayer,
+  PlanarProjector,
+} from "../../web/engine/engine-api.ts";
 
 export const FRONT: PlanarProjector = {
   kind: "planar",
@@ -48,4 +54,37 @@ export function fill(
     lockAlpha: false,
     ...changes,
   };
+}
+
+/** A black round brush. */
+export function stroke(
+  id: string,
+  dabs: readonly EngineDab[],
+  changes: Partial<EngineStrokeLayer> = {},
+): EngineStrokeLayer {
+  return {
+    id,
+    type: "stroke",
+    brush: { tip: "round", color: [0, 0, 0, 1], hardness: 1, flow: 1 },
+    dabs,
+    material: 0,
+    visible: true,
+    opacity: 1,
+    blend: "normal",
+    blendSpace: "srgb",
+    lockAlpha: false,
+    filter: "linear",
+    wrap: "none",
+    flipX: false,
+    flipY: false,
+    backfaces: false,
+    angleFade: [70, 90],
+    occlusion: "self",
+    ...changes,
+  };
+}
+
+/** A dab on the plane z = 0, metres. */
+export function dab(x: number, y: number, size = 0.25, flow = 1): EngineDab {
+  return { ...FRONT, position: [x, y, 0], size: [size, size, 0.5], flow };
 }

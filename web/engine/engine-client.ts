@@ -17,6 +17,7 @@ import type {
   TargetUpdate,
 } from "./engine-api.ts";
 import type { Call, CallArguments, CallName, CallResult, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
+import { LayerSender } from "./sent-layers.ts";
 
 export interface EngineClientOptions {
   /** Address of the core's WebAssembly, relative to the page; default: the bundler's asset of build/wasm/texelcast.wasm. */
@@ -57,6 +58,8 @@ class EngineClient implements Engine {
   readonly #targets = new Map<number, TargetOptions>();
   #layers: { readonly layers: readonly EngineLayer[]; readonly revision: number } | null = null;
 
+  /** What the worker has of the layers. */
+  #sender = new LayerSender();
   /** The worker has a list of layers that it has not drawn yet. */
   #layersUnderWay = false;
   /** `#layers` was not sent yet. */
@@ -197,7 +200,8 @@ class EngineClient implements Engine {
     if (this.#layers === null) return;
     this.#layersWaiting = false;
     this.#layersUnderWay = true;
-    this.#send({ type: "layers", ...this.#layers });
+    const { layers, revision } = this.#layers;
+    this.#send({ type: "layers", layers: this.#sender.pack(layers), revision });
   }
 
   #startWorker(): void {
@@ -209,6 +213,7 @@ class EngineClient implements Engine {
     worker.onerror = (event) => this.#crash(crashError(event.message || "its script could not be loaded or run"));
     worker.onmessageerror = () => this.#crash(crashError("one of its messages could not be read"));
     this.#worker = worker;
+    this.#sender = new LayerSender();
     this.#send({
       type: "start",
       ...(wasm !== undefined && { wasm: absolute(wasm) }),

@@ -1,6 +1,7 @@
 /** What the engine's client and its worker say to each other. */
 import type { TexelcastErrorJson } from "../core/texelcast-error.ts";
-import type { Engine, EngineLayer, TargetOptions, TargetUpdate } from "./engine-api.ts";
+import type { Engine, TargetOptions, TargetUpdate } from "./engine-api.ts";
+import type { SentLayer } from "./sent-layers.ts";
 
 /** Calls that are answered, by name; arguments and results are the interface's own. */
 export type CallName =
@@ -33,7 +34,7 @@ export type ClientMessage =
   | { readonly type: "start"; readonly wasm?: string; readonly memoryBudgetMib?: number }
   | { readonly type: "call"; readonly id: number; readonly call: Call }
   | { readonly type: "cancel"; readonly id: number }
-  | { readonly type: "layers"; readonly layers: readonly EngineLayer[]; readonly revision: number };
+  | { readonly type: "layers"; readonly layers: readonly SentLayer[]; readonly revision: number };
 
 export type WorkerMessage =
   | { readonly type: "result"; readonly id: number; readonly value: unknown }

@@ -3,6 +3,7 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import { EngineHost } from "./engine-host.ts";
 import type { Call, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
 import { callLater } from "./event-loop.ts";
+import { LayerReceiver } from "./sent-layers.ts";
 
 /** What a worker's global scope and a MessagePort have in common. */
 export interface ServerPort {
@@ -13,6 +14,7 @@ export interface ServerPort {
 /** Serves one engine on the port until the thread ends. */
 export function serveEngine(port: ServerPort): void {
   let host: EngineHost | null = null;
+  const receiver = new LayerReceiver();
   const cancels = new Map<number, AbortController>();
   const send = (message: WorkerMessage, transfer: Transferable[] = []): void => port.postMessage(message, transfer);
 
@@ -52,7 +54,7 @@ export function serveEngine(port: ServerPort): void {
         cancels.get(data.id)?.abort();
         break;
       case "layers":
-        host.setLayers(data.layers, data.revision);
+        host.setLayers(receiver.unpack(data.layers), data.revision);
         // The host draws in a turn that it has just asked for, so this one comes after it.
         callLater(() => send({ type: "drawn" }));
         break;
