@@ -2,6 +2,7 @@
 import type { EngineLayer, ModelInfo, TargetOptions } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
 import { materialsOf, paintsMaterial } from "../../web/engine/layer-materials.ts";
+import { pictureOf } from "../../web/engine/layer-picture.ts";
 import { findMaterial } from "../find-material.ts";
 import { openEngine } from "../open-engine.ts";
 import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from "../options.ts";
@@ -110,7 +111,7 @@ async function setAssets(
   layers: readonly EngineLayer[],
   progress: Progress,
 ): Promise<void> {
-  const keys = new Set(layers.flatMap((layer) => (layer.type === "decal" ? [layer.asset] : [])));
+  const keys = new Set(layers.map(pictureOf).filter((key) => key !== null));
   for (const key of keys) {
     progress.report("Reading pictures");
     await engine.setAsset(key, await readAsset(design, key));

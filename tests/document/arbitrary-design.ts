@@ -3,6 +3,7 @@ import fc from "fast-check";
 import {
   BLEND_MODES,
   BLEND_SPACES,
+  type Dab,
   type Design,
   type DesignAsset,
   type DesignLayer,
@@ -77,7 +78,6 @@ const picture = {
   wrap: fc.constantFrom(...WRAPS),
   flipX: fc.boolean(),
   flipY: fc.boolean(),
-  projector,
 };
 
 function layers(pictures: readonly string[]): fc.Arbitrary<DesignLayer[]> {
@@ -87,6 +87,7 @@ function layers(pictures: readonly string[]): fc.Arbitrary<DesignLayer[]> {
     ...base,
     ...projected,
     ...picture,
+    projector,
     asset: fc.constantFrom(...pictures),
   });
   const text = fc.record({
@@ -95,6 +96,7 @@ function layers(pictures: readonly string[]): fc.Arbitrary<DesignLayer[]> {
     ...base,
     ...projected,
     ...picture,
+    projector,
     text: fc.string(),
     font: fc.constant("the font"),
     fontSize: length,
@@ -106,8 +108,20 @@ function layers(pictures: readonly string[]): fc.Arbitrary<DesignLayer[]> {
     id: fc.constant(""),
     ...base,
     ...projected,
-    brush: fc.record({ color, hardness: finite(0, 1) }),
-    dabs: fc.array(projector, { maxLength: 3 }),
+    ...picture,
+    brush: fc.oneof(
+      fc.record({ tip: fc.constant("round" as const), color, hardness: finite(0, 1), flow: finite(0, 1) }),
+      fc.record({
+        tip: fc.constant("picture" as const),
+        asset: fc.constantFrom(...pictures),
+        color: fc.option(color),
+        flow: finite(0, 1),
+      }),
+    ),
+    dabs: fc.array(
+      fc.tuple(projector, finite(0, 1)).map(([from, flow]): Dab => ({ ...from, flow })),
+      { maxLength: 3 },
+    ),
   });
   const fill = fc.record({ type: fc.constant("fill" as const), id: fc.constant(""), ...base, color });
   const any: fc.Arbitrary<DesignLayer> = fc.oneof(decal, text, stroke, fill);

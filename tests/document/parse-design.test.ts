@@ -11,6 +11,7 @@ const logo = { logo: { type: "image/png", uri: "logo.png" } };
 function design(layers: unknown, assets: unknown = logo): Record<string, unknown> {
   return { format: "texelcast-design", version: 1, assets, layers };
 }
+const stroke = (fields: object = {}) => design([{ type: "stroke", brush: {}, dabs: [planar], ...fields }]);
 const decal = (fields: object = {}) => design([{ type: "decal", asset: "logo", projector: planar, ...fields }]);
 
 /** The error that reading the value gives. */
@@ -47,6 +48,32 @@ describe("reading a design", () => {
       occlusion: "self",
       projector: planar,
     });
+  });
+
+  it("gives a stroke of brush and dabs alone the defaults of the specification", () => {
+    const [layer] = parseDesign(stroke()).layers;
+    expect(layer).toEqual({
+      id: "layer-1",
+      type: "stroke",
+      name: "Stroke",
+      material: 0,
+      visible: true,
+      brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 },
+      opacity: 1,
+      blend: "normal",
+      blendSpace: "srgb",
+      lockAlpha: false,
+      filter: "linear",
+      wrap: "none",
+      flipX: false,
+      flipY: false,
+      backfaces: false,
+      angleFade: [70, 90],
+      occlusion: "self",
+      dabs: [{ ...planar, flow: 1 }],
+    });
+    const [print] = parseDesign(stroke({ brush: { tip: "picture", asset: "logo" }, dabs: [] })).layers;
+    expect(print).toMatchObject({ brush: { tip: "picture", asset: "logo", color: null, flow: 1 }, dabs: [] });
   });
 
   it("reads the specification's own example, from text, with a byte order mark before it", () => {
@@ -132,6 +159,11 @@ describe("refusing a design", () => {
     const { message } = refusal(design(Array.from({ length: 1000 }, () => ({ type: "fill", color: "red" }))));
     expect(message.split("; ")).toHaveLength(21);
     expect(message).toMatch(/; and 980 more$/);
+  });
+
+  it("refuses a stroke of a million dabs without reading them", () => {
+    const error = refusal(stroke({ dabs: new Array(1_000_000).fill({}) }));
+    expect(error.message).toBe("layers[0].dabs: must not hold more than 100000 dabs, is a list of 1000000");
   });
 
   it.each<[string, unknown, string]>([
@@ -274,6 +306,32 @@ describe("refusing a design", () => {
       design([], { logo: { type: "image/bmp", uri: "a" } }),
       "assets.logo.type: must be one of",
     ],
+    ["a stroke without a brush", design([{ type: "stroke", dabs: [] }]), "layers[0].brush: is missing"],
+    ["a stroke without dabs", design([{ type: "stroke", brush: {} }]), "layers[0].dabs: is missing"],
+    [
+      "an unknown tip",
+      stroke({ brush: { tip: "flat" } }),
+      'layers[0].brush.tip: must be one of "round", "picture", is "flat',
+    ],
+    ["a round tip of a picture", stroke({ brush: { asset: "logo" } }), "layers[0].brush.asset: is not a known field"],
+    ["a picture tip without a picture", stroke({ brush: { tip: "picture" } }), "layers[0].brush.asset: is missing"],
+    [
+      "a picture tip that is not there",
+      stroke({ brush: { tip: "picture", asset: "lago" } }),
+      'layers[0].brush.asset: must name one of the design\'s assets (there are: "logo"), is "lago"',
+    ],
+    [
+      "a brush too hard",
+      stroke({ brush: { hardness: 2 } }),
+      "layers[0].brush.hardness: must be a number from 0 to 1, is 2",
+    ],
+    ["a brush without colour", stroke({ brush: { color: null } }), "layers[0].brush.color: must be a colour as"],
+    [
+      "a dab that presses too hard",
+      stroke({ dabs: [planar, { ...planar, flow: 1.5 }] }),
+      "layers[0].dabs[1].flow: must be a number from 0 to 1, is 1.5",
+    ],
+    ["a dab of no kind", stroke({ dabs: [{}] }), 'layers[0].dabs[0].kind: is missing: must be one of "planar"'],
     ["an asset without an address", design([], { logo: { type: "image/png" } }), "assets.logo.uri: is missing"],
     ["assets in a list", design([], [1]), "assets: must be an object of named assets, is [1]"],
     [

@@ -6,6 +6,7 @@ import {
   emptyDesign,
   makeDecalLayer,
   makeFillLayer,
+  makeStrokeLayer,
   parseDesign,
   resolveLayers,
 } from "../../web/editor/document/index.ts";
@@ -66,6 +67,11 @@ describe("resolving layers for the engine", () => {
     expect(resolveLayers({ ...emptyDesign(), assets, layers: [made] })).toEqual(resolve(decal()));
     const fill = makeFillLayer({ id: "layer-1", color: "#00ff00" });
     expect(resolveLayers({ ...emptyDesign(), layers: [fill] })).toEqual(resolve({ type: "fill", color: "#00ff00" }));
+    const brush = { tip: "round", color: "#00ff00", hardness: 1, flow: 1 } as const;
+    const stroke = makeStrokeLayer({ id: "layer-1", brush, dabs: [{ ...planar, flow: 1 }] });
+    expect(resolveLayers({ ...emptyDesign(), layers: [stroke] })).toEqual(
+      resolve({ type: "stroke", brush: { color: "#00ff00" }, dabs: [planar] }),
+    );
   });
 
   it.each(BLEND_MODES)("hands on the blend mode %s, in both spaces, of decals and fills", (blend) => {
@@ -109,24 +115,57 @@ describe("resolving layers for the engine", () => {
     });
   });
 
+  it("hands on a stroke with every field, its colours as numbers and its dabs as they are", () => {
+    const dabs = [planar, { kind: "uv", center: [0, 0], size: [1, 1], angle: 0, flow: 0.5 }];
+    expect(resolve({ type: "stroke", brush: { color: "#ff800033" }, dabs })[0]).toEqual({
+      id: "layer-1",
+      type: "stroke",
+      material: 0,
+      visible: true,
+      brush: { tip: "round", color: [1, 128 / 255, 0, 0.2], hardness: 1, flow: 1 },
+      opacity: 1,
+      blend: "normal",
+      blendSpace: "srgb",
+      lockAlpha: false,
+      filter: "linear",
+      wrap: "none",
+      flipX: false,
+      flipY: false,
+      backfaces: false,
+      angleFade: [70, 90],
+      occlusion: "self",
+      dabs: [{ ...planar, flow: 1 }, dabs[1]],
+    });
+    const brush = { tip: "picture", asset: "logo", flow: 0.25 };
+    expect(resolve({ type: "stroke", brush, dabs: [] })[0]).toMatchObject({ brush: { ...brush, color: null } });
+    expect(resolve({ type: "stroke", brush: { ...brush, color: "#0000ff" }, dabs: [] })[0]).toMatchObject({
+      brush: { ...brush, color: [0, 0, 1, 1] },
+    });
+  });
+
+  it("keeps a stroke's dabs the same objects, by which the engine knows what is new", () => {
+    const dab = { ...planar, flow: 1 };
+    const made = makeStrokeLayer({
+      id: "s",
+      brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 },
+      dabs: [dab],
+    });
+    const [layer] = resolveLayers({ ...emptyDesign(), layers: [made] });
+    expect(layer?.type === "stroke" && layer.dabs[0]).toBe(dab);
+  });
+
   it.each<[string, object, string, string]>([
     [
       "text",
       { type: "text", text: "Ada", font: "serif", projector: planar },
       "layers[0].type",
-      "decal and fill layers",
-    ],
-    [
-      "a stroke",
-      { type: "stroke", brush: { color: "#000000" }, dabs: [planar] },
-      "layers[0].type",
-      "decal and fill layers",
+      "decal, stroke and fill layers",
     ],
     [
       "a hidden layer all the same",
-      { type: "stroke", brush: { color: "#000000" }, dabs: [planar], visible: false },
+      { type: "text", text: "Ada", font: "serif", projector: planar, visible: false },
       "layers[0].type",
-      "decal and fill layers",
+      "decal, stroke and fill layers",
     ],
   ])("refuses %s, saying what works", (_what, layer, field, works) => {
     const error = refusal(layer);

@@ -320,9 +320,9 @@ describe("what texelcast render refuses", () => {
     ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
     [
       "a layer of a later day",
-      [{ type: "stroke", brush: { color: "#000000" }, dabs: [middle] }],
+      [{ type: "text", text: "Ada", font: "serif", projector: middle }],
       [],
-      "layers[0].type: stroke layers cannot be drawn yet",
+      "layers[0].type: text layers cannot be drawn yet",
     ],
   ])("%s: exit code 3, nothing written, nothing on stdout", async (_what, layers, args, told) => {
     const bench = await workbench(layers);

@@ -8,6 +8,7 @@ import * as v from "valibot";
 import {
   BLEND_MODES,
   BLEND_SPACES,
+  BRUSH_DEFAULTS,
   DESIGN_FORMAT,
   DESIGN_VERSION,
   FILTERS,
@@ -22,7 +23,7 @@ import {
 import { HEX_COLOR } from "./hex-color.ts";
 
 /** Bounds that no honest design meets; they keep a hostile file from costing more than its reading. */
-const DESIGN_LIMITS = {
+export const DESIGN_LIMITS = {
   layers: 10_000,
   assets: 10_000,
   dabs: 100_000,
@@ -144,8 +145,29 @@ const uv = strict({
   angle: coordinate,
 });
 
-const projector = v.variant("kind", [planar, perspective, cylindrical, uv], (issue) =>
-  issue.expected === "Object" ? "must be an object" : 'must be one of "planar", "perspective", "cylindrical", "uv"',
+const projectorMessage = (issue: { readonly expected: string | null }): string =>
+  issue.expected === "Object" ? "must be an object" : 'must be one of "planar", "perspective", "cylindrical", "uv"';
+
+const projector = v.variant("kind", [planar, perspective, cylindrical, uv], projectorMessage);
+
+/** What dabs and brushes have. */
+const flow = { flow: v.optional(numberBetween(0, 1), BRUSH_DEFAULTS.flow) };
+
+const dab = v.variant(
+  "kind",
+  [
+    strict({ ...planar.entries, ...flow }),
+    v.pipe(
+      strict({ ...perspective.entries, ...flow }),
+      v.forward(
+        v.check(({ near, far }) => near < far, "must be above near"),
+        ["far"],
+      ),
+    ),
+    strict({ ...cylindrical.entries, ...flow }),
+    strict({ ...uv.entries, ...flow }),
+  ],
+  projectorMessage,
 );
 
 const hexColor = v.pipe(
@@ -202,7 +224,6 @@ const pictureEntries = {
   wrap: v.optional(oneOf(WRAPS), PICTURE_DEFAULTS.wrap),
   flipX: v.optional(flag, PICTURE_DEFAULTS.flipX),
   flipY: v.optional(flag, PICTURE_DEFAULTS.flipY),
-  projector,
 };
 
 const decal = strict({
@@ -211,6 +232,7 @@ const decal = strict({
   asset: assetName,
   ...projectedEntries,
   ...pictureEntries,
+  projector,
 });
 
 const textLayer = strict({
@@ -223,14 +245,34 @@ const textLayer = strict({
   outline: v.optional(v.nullable(strict({ color: hexColor, width: length })), null),
   ...projectedEntries,
   ...pictureEntries,
+  projector,
 });
+
+const roundBrush = strict({
+  tip: v.optional(v.literal("round"), "round"),
+  color: v.optional(hexColor, BRUSH_DEFAULTS.color),
+  hardness: v.optional(numberBetween(0, 1), BRUSH_DEFAULTS.hardness),
+  ...flow,
+});
+
+const pictureBrush = strict({
+  tip: v.literal("picture"),
+  asset: assetName,
+  color: v.optional(v.nullable(hexColor), null),
+  ...flow,
+});
+
+const brush = v.variant("tip", [roundBrush, pictureBrush], (issue) =>
+  issue.expected === "Object" ? "must be an object" : 'must be one of "round", "picture"',
+);
 
 const stroke = strict({
   type: v.literal("stroke"),
   ...layerEntries,
-  brush: strict({ color: hexColor, hardness: v.optional(numberBetween(0, 1), 1) }),
-  dabs: boundedList(DESIGN_LIMITS.dabs, "dabs", projector),
+  brush,
+  dabs: boundedList(DESIGN_LIMITS.dabs, "dabs", dab),
   ...projectedEntries,
+  ...pictureEntries,
 });
 
 const fill = strict({ type: v.literal("fill"), ...layerEntries, color: hexColor });

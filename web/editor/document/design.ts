@@ -85,19 +85,19 @@ export interface ProjectedLayer extends LayerBase {
   readonly occlusion: Occlusion;
 }
 
-/** What every layer has that projects one picture. */
+/** What every layer has that throws a picture: how the picture is read. */
 export interface PictureLayer extends ProjectedLayer {
   readonly filter: Filter;
   readonly wrap: Wrap;
   readonly flipX: boolean;
   readonly flipY: boolean;
-  readonly projector: Projector;
 }
 
 export interface DecalLayer extends PictureLayer {
   readonly type: "decal";
   /** Key in the design's `assets`. */
   readonly asset: string;
+  readonly projector: Projector;
 }
 
 /** A decal whose picture is written words. */
@@ -112,14 +112,40 @@ export interface TextLayer extends PictureLayer {
   readonly color: string;
   /** `width` as a share of the em; null without an outline. */
   readonly outline: { readonly color: string; readonly width: number } | null;
+  readonly projector: Projector;
 }
 
-/** A brush drawn over the surface: one projector for each dab, in order. */
-export interface StrokeLayer extends ProjectedLayer {
+/** A disc as wide as the dab. */
+export interface RoundBrush {
+  readonly tip: "round";
+  /** "#rrggbb" or "#rrggbbaa", sRGB. */
+  readonly color: string;
+  /** The share of the radius that is solid: 0 (soft to the middle) to 1 (sharp edge). */
+  readonly hardness: number;
+  /** What share of the tip's alpha a dab lays down, 0 to 1. */
+  readonly flow: number;
+}
+
+export interface PictureBrush {
+  readonly tip: "picture";
+  /** Key in the design's `assets`. */
+  readonly asset: string;
+  /** Paints the picture's alpha in this colour; null: the picture as it is. */
+  readonly color: string | null;
+  readonly flow: number;
+}
+
+export type Brush = RoundBrush | PictureBrush;
+
+/** One touch of a brush: where it comes from, and its share of the brush's flow, 0 to 1 (a pen's pressure). */
+export type Dab = Projector & { readonly flow: number };
+
+/** A brush drawn over the surface. Dabs build up by their flow; opacity and blend are the whole stroke's. */
+export interface StrokeLayer extends PictureLayer {
   readonly type: "stroke";
-  /** `hardness` 0 (soft to the middle) to 1 (sharp edge). */
-  readonly brush: { readonly color: string; readonly hardness: number };
-  readonly dabs: readonly Projector[];
+  readonly brush: Brush;
+  /** In order. */
+  readonly dabs: readonly Dab[];
 }
 
 /** One colour over the whole target. */
@@ -168,6 +194,8 @@ export const PICTURE_DEFAULTS = {
   flipY: false,
 } as const;
 
+export const BRUSH_DEFAULTS = { color: "#000000", hardness: 1, flow: 1 } as const;
+
 /** A design without assets and layers. */
 export function emptyDesign(): Design {
   return { format: DESIGN_FORMAT, version: DESIGN_VERSION, assets: {}, layers: [] };
@@ -203,4 +231,11 @@ export function makeDecalLayer(
 /** A fill with every field that is not given at its default. */
 export function makeFillLayer(fields: Pick<FillLayer, "id" | "color"> & Partial<Omit<FillLayer, "type">>): FillLayer {
   return { type: "fill", ...LAYER_DEFAULTS, name: "Fill", ...fields };
+}
+
+/** A stroke with every field that is not given at its default. */
+export function makeStrokeLayer(
+  fields: Pick<StrokeLayer, "id" | "brush" | "dabs"> & Partial<Omit<StrokeLayer, "type">>,
+): StrokeLayer {
+  return { type: "stroke", ...LAYER_DEFAULTS, ...PROJECTED_DEFAULTS, ...PICTURE_DEFAULTS, name: "Stroke", ...fields };
 }

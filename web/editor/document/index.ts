@@ -4,3 +4,10 @@ export { isHexColor, parseHexColor, type Rgba } from "./hex-color.ts";
 export { parseDesign } from "./parse-design.ts";
 export { resolveLayers } from "./resolve-layers.ts";
 export { serialiseDesign } from "./serialise-design.ts";
+export {
+  type PathPoint,
+  type PathTail,
+  placeDabs,
+  type StrokePathOptions,
+  type StrokePiece,
+} from "./stroke-path.ts";

@@ -101,6 +101,8 @@ function referenceProblems(design: ParsedDesign): DesignProblem[] {
     }
     if (layer.type === "decal")
       problems.push(...assetProblems(design, ["layers", index, "asset"], layer.asset, "image/"));
+    if (layer.type === "stroke" && layer.brush.tip === "picture")
+      problems.push(...assetProblems(design, ["layers", index, "brush", "asset"], layer.brush.asset, "image/"));
     if (layer.type === "text") problems.push(...assetProblems(design, ["layers", index, "font"], layer.font, "font/"));
   });
   return problems;

@@ -1,7 +1,7 @@
 /** From the design's vocabulary to what the engine of today draws; what it cannot draw is refused by name. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import type { EngineLayer } from "../../engine/engine-api.ts";
-import type { DecalLayer, Design, DesignLayer, FillLayer } from "./design.ts";
+import type { EngineBrush, EngineLayer } from "../../engine/engine-api.ts";
+import type { Brush, DecalLayer, Design, DesignLayer, FillLayer, StrokeLayer } from "./design.ts";
 import { describeValue, formatPath } from "./design-problem.ts";
 import { parseHexColor } from "./hex-color.ts";
 
@@ -19,15 +19,27 @@ export function resolveLayers(design: Design, name = "design"): EngineLayer[] {
 
 function resolveLayer(layer: DesignLayer, index: number, name: string): EngineLayer {
   const place = ["layers", index];
-  if (layer.type === "text" || layer.type === "stroke") {
-    throw unsupported(name, [...place, "type"], layer.type, `${layer.type} layers`, "decal and fill layers");
+  if (layer.type === "text") {
+    throw unsupported(name, [...place, "type"], layer.type, "text layers", "decal, stroke and fill layers");
   }
+  if (layer.type === "stroke") return resolveStroke(layer);
   return layer.type === "decal" ? resolveDecal(layer) : resolveFill(layer);
 }
 
 function resolveDecal(layer: DecalLayer): EngineLayer {
   const { name: _shownName, ...fields } = layer;
   return fields;
+}
+
+function resolveStroke(layer: StrokeLayer): EngineLayer {
+  const { name: _shownName, ...fields } = layer;
+  // The dabs' own objects: by them the engine knows what is new in a stroke that grows.
+  return { ...fields, brush: resolveBrush(layer.brush) };
+}
+
+function resolveBrush(brush: Brush): EngineBrush {
+  if (brush.tip === "round") return { ...brush, color: parseHexColor(brush.color) };
+  return { ...brush, color: brush.color === null ? null : parseHexColor(brush.color) };
 }
 
 function resolveFill(layer: FillLayer): EngineLayer {

@@ -34,6 +34,7 @@ const LAYER_FIELDS = [
   "projector",
   "dabs",
 ] as const;
+/** A dab's flow is among them. */
 const PROJECTOR_FIELDS = [
   "kind",
   "position",
@@ -49,9 +50,10 @@ const PROJECTOR_FIELDS = [
   "height",
   "arc",
   "depth",
+  "flow",
 ] as const;
 const OUTLINE_FIELDS = ["color", "width"] as const;
-const BRUSH_FIELDS = ["color", "hardness"] as const;
+const BRUSH_FIELDS = ["tip", "asset", "color", "hardness", "flow"] as const;
 
 /** The design as JSON text, two spaces of indent, one line feed at the end. */
 export function serialiseDesign(design: Design): string {

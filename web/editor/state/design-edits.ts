@@ -92,6 +92,7 @@ function withoutUnusedAssets(design: Design): Design {
   const used = new Set<string>();
   for (const layer of design.layers) {
     if (layer.type === "decal") used.add(layer.asset);
+    if (layer.type === "stroke" && layer.brush.tip === "picture") used.add(layer.brush.asset);
     if (layer.type === "text") used.add(layer.font);
   }
   const kept = Object.entries(design.assets).filter(([key]) => used.has(key));

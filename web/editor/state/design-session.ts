@@ -1,5 +1,6 @@
 /** The design under edit: its history, the selection, and the engine's and the viewer's copies of it. */
 import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
+import { pictureOf, withPicture } from "../../engine/layer-picture.ts";
 import type { ModelViewer, ViewerDecal } from "../../viewer/viewer-api.ts";
 import { type Design, type DesignLayer, emptyDesign, materialsOf, resolveLayers } from "../document/index.ts";
 import type { AssetLibrary } from "./asset-library.ts";
@@ -121,8 +122,9 @@ export class DesignSession {
 
   #engineLayers(design: Design): EngineLayer[] {
     return resolveLayers(design).map((layer) => {
-      const picture = layer.type === "decal" ? this.#library.get(design.assets[layer.asset]) : undefined;
-      return layer.type === "decal" && picture ? { ...layer, asset: picture.engineKey } : layer;
+      const asset = pictureOf(layer);
+      const picture = asset === null ? undefined : this.#library.get(design.assets[asset]);
+      return picture ? withPicture(layer, picture.engineKey) : layer;
     });
   }
 
