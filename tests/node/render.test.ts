@@ -2,6 +2,8 @@ import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { validateBytes } from "gltf-validator";
 import { describe, expect, it } from "vitest";
+import { parseDesign, resolveLayers } from "../../web/editor/document/index.ts";
+import { createEngineHost } from "../../web/engine/engine-host.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
 import { halvesGlb } from "../support/two-halves.ts";
@@ -32,7 +34,10 @@ async function workbench(layers: readonly object[], glb = planeGlb()): Promise<W
   const logo = await encodePng({ width: 2, height: 2, rgba: new Uint8Array([...RED, ...GREEN, ...BLUE, ...GREY]) });
   writeFileSync(inFolder("plane.glb"), glb);
   writeFileSync(inFolder("logo.png"), logo);
-  const assets = { logo: { type: "image/png", uri: "logo.png" } };
+  const assets = {
+    logo: { type: "image/png", uri: "logo.png" },
+    serif: { type: "font/ttf", uri: "serif.ttf" },
+  };
   writeFileSync(inFolder("design.json"), JSON.stringify({ format: "texelcast-design", version: 1, assets, layers }));
   return {
     folder,
@@ -106,6 +111,33 @@ describe("texelcast render to .png", () => {
     ] as const) {
       expect(await bench.texel("out.png", i, j)).toEqual([16, 32, 48, 255]);
     }
+  });
+
+  it("paints strokes with round and with picture brushes, as the engine paints them", async () => {
+    const size = [0.5, 0.25, 0.2];
+    const dab = (x: number, flow = 1) => ({ ...middle, position: [x, 0.5, 0], size, flow });
+    const layers = [
+      { type: "stroke", brush: { color: "#ff8000" }, opacity: 0.5, dabs: [dab(-1), dab(-1), dab(-0.75, 0.5)] },
+      { type: "stroke", brush: { tip: "picture", asset: "logo" }, filter: "nearest", dabs: [middle] },
+      { type: "stroke", brush: {}, blend: "erase", dabs: [{ ...dab(1.5), size: [1, 0.5, 0.2] }] },
+    ];
+    const bench = await workbench(layers);
+    const run = await bench.render("--out", "out.png", "--size", "64", "--base", "white");
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toContain("3 layers");
+    expect(await corners(bench, "out.png")).toEqual([RED, GREEN, BLUE, GREY]);
+    const engine = createEngineHost();
+    await engine.loadModel({ name: "plane.glb", bytes: planeGlb() });
+    await engine.openTarget({ material: 0, width: 64, height: 64, base: [1, 1, 1, 1] });
+    await engine.setAsset("logo", { name: "logo.png", bytes: bench.read("logo.png") });
+    const assets = { logo: { type: "image/png", uri: "logo.png" } };
+    engine.setLayers(resolveLayers(parseDesign({ format: "texelcast-design", version: 1, assets, layers })), 1);
+    await engine.idle();
+    expect(bench.read("out.png")).toEqual(Buffer.from(await engine.exportPng(0)));
+    engine.dispose();
+    const { rgba } = await decodePicture(bench.read("out.png"), "out.png");
+    expect(rgba.some((value, i) => i % 4 === 3 && value === 0)).toBe(true);
+    expect(rgba.some((value, i) => i % 4 === 2 && value === 128)).toBe(true);
   });
 
   it("mirrors the picture by flipX and flipY", async () => {
