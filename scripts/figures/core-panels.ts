@@ -1,10 +1,10 @@
 /** The panels that are pictures of the core itself: maps, textures, and models with another texture inside. */
 import { type Design, resolveLayers } from "../../web/editor/document/index.ts";
-import type { Picture, TargetOptions } from "../../web/engine/engine-api.ts";
+import type { TargetOptions } from "../../web/engine/engine-api.ts";
 import { createEngineHost, type EngineHost } from "../../web/engine/engine-host.ts";
-import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
-import { avatar, decalPng, designOf, type Stamp } from "./subject.ts";
+import { frontOf, strokesDesign } from "./brush-strokes.ts";
+import { avatar, designOf, type Stamp } from "./subject.ts";
 
 /** Texels along a side: the avatar's own. */
 export const SIZE = 1024;
@@ -56,26 +56,26 @@ export function blankModel(): Promise<Uint8Array> {
   return withAvatar(CLAY, (engine) => engine.exportGlb());
 }
 
+/** A design of strokes painted on the avatar by hand. */
+export function handPainted(): Promise<Design> {
+  return withAvatar("model", async (engine) => strokesDesign(await frontOf(engine, SIZE)));
+}
+
 /**
  * A decal laid flat into the texture, where and as large as the projected one is in its middle: what painting without the
  * local space texture comes to.
  */
-export async function flatStamp(stamp: Stamp): Promise<{ texture: Uint8Array; model: Uint8Array }> {
-  const place = await placeInTexture(stamp);
-  const decal = await decodePicture(await decalPng(stamp.decal), stamp.decal);
-  const texture = await withAvatar("model", async (engine) => {
-    const rgba = await engine.readTexels(0, 0, 0, SIZE, SIZE);
-    layFlat({ width: SIZE, height: SIZE, rgba }, decal, place);
-    return encodePng({ width: SIZE, height: SIZE, rgba });
-  });
-  const model = await withAvatar({ name: "flat.png", bytes: texture }, (engine) => engine.exportGlb());
-  return { texture, model };
+export async function flatStamp(stamp: Stamp): Promise<Design> {
+  const projected = await designOf([stamp]);
+  const { center, side } = await placeInTexture(stamp);
+  const projector = { kind: "uv", center, size: [side, side], angle: 0 } as const;
+  const layers = projected.layers.map((layer) => (layer.type === "decal" ? { ...layer, projector } : layer));
+  return { ...projected, layers };
 }
 
+/** In u and v. */
 interface Place {
-  /** Texels. */
-  readonly x: number;
-  readonly y: number;
+  readonly center: readonly [number, number];
   readonly side: number;
 }
 
@@ -92,39 +92,7 @@ async function placeInTexture(stamp: Stamp): Promise<Place> {
       [left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x), Math.max(bottom, y)];
     }
     if (right < left) throw new Error("The stamp misses the avatar.");
-    return { x: (left + right + 1) / 2, y: (top + bottom + 1) / 2, side: (right - left + 1) * 10 };
+    const middle = (from: number, to: number): number => (from + to + 1) / 2 / SIZE;
+    return { center: [middle(left, right), middle(top, bottom)], side: ((right - left + 1) * 10) / SIZE };
   });
-}
-
-/** Source over, each texel the mean of the decal's pixels under it. */
-function layFlat(target: Picture, decal: Picture, { x, y, side }: Place): void {
-  const scale = decal.width / side;
-  for (let row = Math.floor(y - side / 2); row < y + side / 2; row++) {
-    for (let column = Math.floor(x - side / 2); column < x + side / 2; column++) {
-      if (row < 0 || column < 0 || row >= target.height || column >= target.width) continue;
-      const [u, v] = [(column - x + side / 2) * scale, (row - y + side / 2) * scale];
-      const [red, green, blue, alpha] = meanOf(decal, u, v, scale);
-      const at = (row * target.width + column) * 4;
-      for (const [channel, value] of [red, green, blue].entries()) {
-        target.rgba[at + channel] = value + target.rgba[at + channel] * (1 - alpha);
-      }
-    }
-  }
-}
-
-/** Premultiplied, 0 to 255; alpha 0 to 1. */
-function meanOf(picture: Picture, left: number, top: number, side: number): [number, number, number, number] {
-  const sum: [number, number, number, number] = [0, 0, 0, 0];
-  let count = 0;
-  for (let y = Math.floor(top); y < top + side; y++) {
-    for (let x = Math.floor(left); x < left + side; x++) {
-      count++;
-      if (x < 0 || y < 0 || x >= picture.width || y >= picture.height) continue;
-      const at = (y * picture.width + x) * 4;
-      const alpha = picture.rgba[at + 3] / 255;
-      for (let channel = 0; channel < 3; channel++) sum[channel] += picture.rgba[at + channel] * alpha;
-      sum[3] += alpha;
-    }
-  }
-  return [sum[0] / count, sum[1] / count, sum[2] / count, sum[3] / count];
 }

@@ -1,7 +1,6 @@
 /**
  * The paper's teaser from the real page and core, panel by panel: docs/figures/*.png, and all of them on one sheet,
- * docs/figures/teaser.png. The flat stamp is laid into the texture here, by hand: it stands for painting without the method. The
- * paper's hand-painted strokes are missing until the engine paints strokes.
+ * docs/figures/teaser.png. The flat stamp, by the `uv` projector, stands for painting without the method.
  */
 import { mkdir, writeFile } from "node:fs/promises";
 import { chromium } from "@playwright/test";
@@ -10,7 +9,7 @@ import { EditorPage } from "../../tests/e2e/support/editor-page.ts";
 import { findChromium } from "../bootstrap/chromium.mjs";
 import { inRoot } from "../bootstrap/paths.mjs";
 import { composeSheet, drawUnfolded, type Panel, resized } from "./compose.ts";
-import { blankModel, flatStamp, mapPanels, targetPanel } from "./core-panels.ts";
+import { blankModel, flatStamp, handPainted, mapPanels, targetPanel } from "./core-panels.ts";
 import { PagePanels } from "./page-panels.ts";
 import { avatar, BELT, DRESSED, decalPng, designOf, LOGO, TRANSFORMS } from "./subject.ts";
 
@@ -45,14 +44,15 @@ try {
   const belt = await designOf([BELT]);
   const dressed = await designOf(DRESSED);
   const flat = await flatStamp(BELT);
+  const strokes = await handPainted();
 
   const mesh = await pages.model("mesh.glb", await blankModel());
-  await pages.model("flat.glb", flat.model);
-  await pages.comeClose(BELT.position[1]);
-  const flatOnModel = await pages.design(await designOf([]));
   const bare = await pages.model("avatar.glb", await avatar());
   const painted = await pages.design(dressed);
+  const strokesOnModel = await pages.design(strokes);
   await pages.comeClose(BELT.position[1]);
+  const strokesNearBy = await pages.design(strokes);
+  const flatOnModel = await pages.design(flat);
   const logo = await pages.design(await designOf([LOGO]));
   const projectedOnModel = await pages.design(belt);
   const stamps: Panel[] = [];
@@ -72,7 +72,7 @@ try {
     ],
     [{ name: "decal", caption: "decal", png: await texture(await decalPng(BELT.decal)) }, ...stamps],
     [
-      { name: "flat-texture", caption: "flat stamp, texture", png: await texture(flat.texture) },
+      { name: "flat-texture", caption: "flat stamp, texture", png: await texture(await targetPanel(flat)) },
       { name: "flat-model", caption: "flat stamp, model", png: flatOnModel },
       { name: "projected-texture", caption: "projection, texture", png: await texture(await targetPanel(belt)) },
       { name: "projected-model", caption: "projection, model", png: projectedOnModel },
@@ -82,6 +82,15 @@ try {
       { name: "painted", caption: "target texture on the model", png: painted },
       { name: "logo", caption: "logo", png: await texture(await decalPng(LOGO.decal)) },
       { name: "logo-model", caption: "logo on the model", png: logo },
+    ],
+    [
+      {
+        name: "strokes-texture",
+        caption: "hand-painted strokes, texture",
+        png: await texture(await targetPanel(strokes)),
+      },
+      { name: "strokes", caption: "hand-painted strokes", png: strokesOnModel },
+      { name: "strokes-near", caption: "hand-painted strokes, near by", png: strokesNearBy },
     ],
   ];
   const folder = inRoot("docs/figures");

@@ -23,7 +23,10 @@ export const thumbnailStyles = css`
 `;
 
 export function thumbnail(library: AssetLibrary, design: Design, layer: DesignLayer): TemplateResult {
-  if (layer.type === "fill") return html`<span class="thumbnail" style=${`background:${layer.color}`}></span>`;
-  const picture = layer.type === "decal" ? library.get(design.assets[layer.asset]) : undefined;
+  const brush = layer.type === "stroke" ? layer.brush : undefined;
+  const color = layer.type === "fill" ? layer.color : brush?.tip === "round" ? brush.color : undefined;
+  if (color) return html`<span class="thumbnail" style=${`background:${color}`}></span>`;
+  const asset = layer.type === "decal" ? layer.asset : brush?.tip === "picture" ? brush.asset : undefined;
+  const picture = asset === undefined ? undefined : library.get(design.assets[asset]);
   return html`<span class="thumbnail">${picture ? html`<img src=${picture.url} alt="" draggable="false" />` : nothing}</span>`;
 }
