@@ -398,28 +398,21 @@ TxcStatus Session::project_layer(Target& target, Layer& layer, TxcUpdate& update
     return TXC_STATUS_OK;
 }
 
-TxcStatus Session::find_tip(Layer& layer, const ImagePyramid*& out_picture) {
-    if (layer.def.tip != TXC_TIP_ROUND) {
-        layer.stroke.tip.reset();
-        out_picture = images_.find(layer.def.image);
-        return TXC_STATUS_OK;
-    }
-    std::shared_ptr<RoundTip>& tip = layer.stroke.tip;
-    if (tip == nullptr || tip->hardness != layer.def.hardness) {
-        tip.reset();
-        std::erase_if(round_tips_, [](const auto& other) { return other.use_count() == 1; });
+RoundTips& Session::round_tips_of(Layer& layer) {
+    const float hardness = layer.def.hardness;
+    std::shared_ptr<RoundTips>& tips = layer.stroke.round_tips;
+    if (tips == nullptr || tips->hardness() != hardness) {
+        tips.reset();
+        std::erase_if(round_tips_, [](const auto& other) { return other.expired(); });
         for (const auto& other : round_tips_) {
-            if (other->hardness == layer.def.hardness) tip = other;
+            if (const auto known = other.lock(); known->hardness() == hardness) tips = known;
+        }
+        if (tips == nullptr) {
+            tips = std::make_shared<RoundTips>(hardness, budget_);
+            round_tips_.push_back(tips);
         }
     }
-    if (tip == nullptr) {
-        auto made = std::make_shared<RoundTip>(budget_);
-        if (const TxcStatus status = made->make(layer.def.hardness); status != TXC_STATUS_OK) return status;
-        round_tips_.push_back(made);
-        tip = std::move(made);
-    }
-    out_picture = &tip->picture;
-    return TXC_STATUS_OK;
+    return *tips;
 }
 
 TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& update) {
@@ -431,11 +424,20 @@ TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& updat
         layer.needs_projection = false;
     }
     if (stroke.painted == stroke.dabs.size()) return TXC_STATUS_OK;
-    const ImagePyramid* picture = nullptr;
-    if (const TxcStatus status = find_tip(layer, picture); status != TXC_STATUS_OK) return status;
-    if (picture == nullptr) {
-        stroke.painted = stroke.dabs.size();
-        return TXC_STATUS_OK;
+    const TxcLayerDef& def = layer.def;
+    Brush brush;
+    brush.is_mask = def.tip != TXC_TIP_PICTURE;
+    brush.color = Float4{def.color[0], def.color[1], def.color[2], def.color[3]};
+    brush.flow = def.flow;
+    if (def.tip == TXC_TIP_ROUND) {
+        brush.round_tips = &round_tips_of(layer);
+    } else {
+        stroke.round_tips.reset();
+        brush.picture = images_.find(def.image);
+        if (brush.picture == nullptr) {
+            stroke.painted = stroke.dabs.size();
+            return TXC_STATUS_OK;
+        }
     }
     const bool asks_for_occluders =
         std::any_of(stroke.dabs.begin() + static_cast<std::ptrdiff_t>(stroke.painted), stroke.dabs.end(),
@@ -443,9 +445,6 @@ TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& updat
     if (asks_for_occluders) {
         if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
     }
-    const TxcLayerDef& def = layer.def;
-    const Brush brush{*picture, def.tip != TXC_TIP_PICTURE,
-                      Float4{def.color[0], def.color[1], def.color[2], def.color[3]}, def.flow};
     const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
     std::uint64_t texels = 0;
     target.ensure_tile_marks();

@@ -64,7 +64,8 @@ private:
     /// Brings the layer's tiles up to date and marks those that change.
     TxcStatus project_layer(Target& target, Layer& layer, TxcUpdate& update);
     TxcStatus project_stroke(Target& target, Layer& layer, TxcUpdate& update);
-    TxcStatus find_tip(Layer& layer, const ImagePyramid*& out_picture);
+    /// The tips of the layer's brush, shared with other strokes of its hardness.
+    RoundTips& round_tips_of(Layer& layer);
     TxcStatus ensure_occlusion_tree();
 
     // The budget outlives everything that holds a share of it.
@@ -74,7 +75,7 @@ private:
     std::unique_ptr<OcclusionTree> occlusion_;
     std::vector<std::shared_ptr<LocalSpaceMap>> maps_;  // oldest first; those that no target uses may be dropped
     IdTable<ImagePyramid> images_;
-    std::vector<std::shared_ptr<RoundTip>> round_tips_;  // those in use, and the newest
+    std::vector<std::weak_ptr<RoundTips>> round_tips_;  // those that strokes use
     IdTable<Layer> layers_;
     IdTable<Target> targets_;
     std::uint32_t bake_count_ = 0;

@@ -1,6 +1,7 @@
 #include "stroke.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 
@@ -142,6 +143,28 @@ void lay_over(const std::uint16_t* dab, const Ink& ink, std::uint16_t* below) {
     }
 }
 
+// Texels across a dab whose texels are not looked at one by one: its tip is then sharp enough for most.
+constexpr double kUsualTexelsAcross = 200.0;
+
+/// How many texels a dab is wide where they are finest. Of a frame that is seen askew its longer side counts.
+double texels_across(const LocalSpaceMap& map, const PictureCast& cast, std::vector<std::uint32_t>& tiles) {
+    if (cast.projector != TXC_PROJECTOR_PLANAR) return kUsualTexelsAcross;
+    map.tree.find(map, cast.settings.projector.to_decal, tiles);
+    float finest = 1.0f;  // the square of a texel's side, in dabs
+    std::uint32_t frame = 0xffffffffu;
+    for (const std::uint32_t tile : tiles) {
+        map.for_each_run_of(map.tiles[tile], [&](const TexelRun& run) {
+            if (run.frame == frame) return;
+            frame = run.frame;
+            const ProjectedFrame seen = project_frame(cast.settings.projector, map.frames[frame]);
+            const float across = seen.dx[0] * seen.dx[0] + seen.dx[1] * seen.dx[1];
+            const float down = seen.dy[0] * seen.dy[0] + seen.dy[1] * seen.dy[1];
+            finest = std::min(finest, std::max(across, down));
+        });
+    }
+    return 1.0 / std::sqrt(std::max(static_cast<double>(finest), 1e-12));
+}
+
 }  // namespace
 
 TxcDab dab_from_def(const TxcLayerDef& def) {
@@ -188,7 +211,7 @@ TxcStatus Stroke::add(const TxcDab* added, std::uint32_t count) {
 
 void Stroke::clear() {
     dabs = decltype(dabs)();
-    tip.reset();
+    round_tips.reset();
     painted = 0;
     share.release();
 }
@@ -202,13 +225,18 @@ TxcStatus paint_dabs(const CastScene& scene, PictureCast cast, const Brush& brus
         status != TXC_STATUS_OK)
         return status;
     LayerTiles dab_tiles(scene.budget);  // one for all dabs
+    std::vector<std::uint32_t> near_tiles;
     for (std::size_t d = first; d < dabs.size(); ++d) {
         const float flow = brush.flow * dabs[d].flow;
         if (!(flow > 0.0f)) continue;
         if (const TxcStatus status = read_dab(dabs[d], cast); status != TXC_STATUS_OK) return status;
+        const ImagePyramid* picture = brush.picture;
+        if (brush.round_tips != nullptr) {
+            const TxcStatus status = brush.round_tips->find(texels_across(scene.map, cast, near_tiles), picture);
+            if (status != TXC_STATUS_OK) return status;
+        }
         std::uint32_t texels = 0;
-        if (const TxcStatus status = cast_picture(scene, cast, brush.picture, dab_tiles, texels);
-            status != TXC_STATUS_OK)
+        if (const TxcStatus status = cast_picture(scene, cast, *picture, dab_tiles, texels); status != TXC_STATUS_OK)
             return status;
         out_texels += texels;
         const Ink ink(brush, flow);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "picture_cast.h"
-#include "round_tip.h"
+#include "round_tips.h"
 
 namespace txc {
 
@@ -15,10 +15,10 @@ namespace txc {
 struct Stroke {
     explicit Stroke(MemoryBudget& budget) : share(budget) {}
 
-    std::vector<TxcDab> dabs;       // in order
-    std::size_t painted = 0;        // so many of them are in the layer's tiles
-    std::shared_ptr<RoundTip> tip;  // while the brush has a round one
-    BudgetShare share;              // of `dabs`
+    std::vector<TxcDab> dabs;               // in order
+    std::size_t painted = 0;                // so many of them are in the layer's tiles
+    std::shared_ptr<RoundTips> round_tips;  // while the brush has a round one
+    BudgetShare share;                      // of `dabs`
 
     /// Adds dabs, whose numbers must be checked: all or none. Errors: BAD_ARGUMENT, OUT_OF_BUDGET.
     TxcStatus add(const TxcDab* added, std::uint32_t count);
@@ -33,9 +33,10 @@ TxcStatus read_dab(const TxcDab& dab, PictureCast& cast);
 
 /// What each dab prints.
 struct Brush {
-    const ImagePyramid& picture;
-    bool is_mask = false;  // the picture's alpha in `color`, as against its own colours
-    Float4 color{};        // sRGB and straight alpha, 0 to 1
+    const ImagePyramid* picture = nullptr;  // either this...
+    RoundTips* round_tips = nullptr;        // ...or these, which are masks
+    bool is_mask = false;                   // the picture's alpha in `color`, as against its own colours
+    Float4 color{};                         // sRGB and straight alpha, 0 to 1
     float flow = 1.0f;
 };
 

@@ -171,14 +171,30 @@ TEST_CASE("Hardness 1 is a disc with an antialiased edge") {
         for (std::uint32_t x = 0; x < kSize; ++x) {
             const std::uint8_t value = picture.at(x, y).red;
             const double radius = radius_of(x, y);
-            if (radius < 31) CHECK(value == 0);
-            if (radius > 33) CHECK(value == 255);
+            if (radius < 30.5) CHECK(value == 0);
+            if (radius > 33.5) CHECK(value == 255);
             between += value != 0 && value != 255 ? 1 : 0;
             area += (255 - value) / 255.0;
         }
     }
     CHECK(between > 150);
     CHECK(std::fabs(area / (kPi * 32 * 32) - 1.0) < 0.003);
+}
+
+TEST_CASE("A hard edge is as sharp under a small dab as under a large one") {
+    for (const double texels : {6.0, 15.0, 40.0, 77.0, 110.0}) {
+        CAPTURE(texels);
+        const Picture picture = paint_stroke(stroke_def(), {dab_at(0, 0, texels / kSize)});
+        double area = 0.0;
+        std::uint32_t between = 0;
+        for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+            area += (255 - picture.rgba[i]) / 255.0;
+            between += picture.rgba[i] != 0 && picture.rgba[i] != 255 ? 1 : 0;
+        }
+        // A band of three texels or less along the rim.
+        CHECK(between < 3 * kPi * texels);
+        CHECK(std::fabs(area / (kPi * texels * texels / 4) - 1.0) < 0.01);
+    }
 }
 
 TEST_CASE("Hardness 0 falls smoothly from the middle to the rim") {
@@ -269,7 +285,7 @@ TEST_CASE("A dab that is added is painted alone, and only its tiles are composit
     add_dabs(canvas.session(), layer, {added});
     const TxcUpdate update = canvas.session().update(canvas.target());
     CHECK(update.projected_layers == 1);
-    CHECK(update.projected_texels < 14 * 14);
+    CHECK(update.projected_texels < 16 * 16);
     CHECK(update.composited_texels <= 4 * 16 * 16);
     CHECK(update.rect_count == 1);
     const TxcUpdate quiet = canvas.session().update(canvas.target());
