@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "support/test_session.h"
+#include "support/strokes.h"
 
 using namespace support;
 
@@ -36,6 +36,7 @@ Picture picture_of(std::uint32_t which) {
 struct Plan {
     TxcLayerDef def;
     std::uint32_t picture;
+    std::vector<TxcDab> dabs = {};  // of a stroke
 };
 
 struct Design {
@@ -49,8 +50,19 @@ public:
         for (std::uint32_t which = 0; which < 4; ++which) images_.push_back(session_.image(picture_of(which)));
     }
 
-    TxcLayer add(const Plan& plan) { return session_.layer(target_, with_image(plan)); }
-    void change(TxcLayer layer, const Plan& plan) { session_.change(layer, with_image(plan)); }
+    TxcLayer add(const Plan& plan) {
+        const TxcLayer layer = session_.layer(target_, with_image(plan));
+        grow(layer, plan.dabs);
+        return layer;
+    }
+    void grow(TxcLayer layer, const std::vector<TxcDab>& dabs) { add_dabs(session_, layer, dabs); }
+    /// All but a stroke's dabs.
+    void adjust(TxcLayer layer, const Plan& plan) { session_.change(layer, with_image(plan)); }
+    void change(TxcLayer layer, const Plan& plan) {
+        adjust(layer, plan);
+        if (plan.def.kind == TXC_LAYER_STROKE) must(txc_stroke_clear(session_.id(), layer));
+        grow(layer, plan.dabs);
+    }
     void set_base(std::uint32_t which) {
         if (which % 3 == 0) session_.set_base(target_, {static_cast<std::uint8_t>(which * 40), 90, 200, 255});
         if (which % 3 == 1) session_.set_base(target_, make_noise(kWidth, kHeight, which));
@@ -72,7 +84,7 @@ public:
 private:
     TxcLayerDef with_image(const Plan& plan) const {
         TxcLayerDef def = plan.def;
-        if (def.kind == TXC_LAYER_DECAL) def.image = images_[plan.picture];
+        if (def.kind != TXC_LAYER_FILL) def.image = images_[plan.picture];
         return def;
     }
 
@@ -80,6 +92,14 @@ private:
     TxcTarget target_;
     std::vector<TxcImage> images_;
 };
+
+TxcDab random_dab(Random& random) {
+    TxcDab dab = dab_at(random.between(-1, 1), random.between(-1, 1), random.between(0.1, 1), random.unit());
+    random.rotation(dab.rotation);
+    dab.projector = random.below(TXC_PROJECTOR_COUNT);
+    dab.uv_size[0] = dab.uv_size[1] = 0.25f;
+    return dab;
+}
 
 Plan random_plan(Random& random) {
     Plan plan{decal_def(0), random.below(4)};
@@ -100,6 +120,14 @@ Plan random_plan(Random& random) {
     def.backfaces = random.below(4) == 0 ? 1 : 0;
     def.occlusion = random.coin() ? TXC_OCCLUSION_SELF : TXC_OCCLUSION_NONE;
     def.visible = random.below(6) == 0 ? 0 : 1;
+    if (def.kind == TXC_LAYER_DECAL && random.below(3) == 0) {
+        def.kind = TXC_LAYER_STROKE;
+        def.tip = random.below(TXC_TIP_COUNT);
+        def.hardness = static_cast<float>(random.below(3)) / 2;
+        def.flow = static_cast<float>(random.unit());
+        for (float& channel : def.color) channel = static_cast<float>(random.unit());
+        for (std::uint32_t count = random.below(6); count > 0; --count) plan.dabs.push_back(random_dab(random));
+    }
     return plan;
 }
 
@@ -136,15 +164,23 @@ void edit(Random& random, Design& design, Stage& stage, std::vector<TxcLayer>& l
         stage.set_base(design.base);
     } else {
         Plan& plan = design.layers[which];
+        if (plan.def.kind == TXC_LAYER_STROKE && kind < 16) {
+            plan.dabs.push_back(random_dab(random));
+            stage.grow(layers[which], {plan.dabs.back()});
+            return;
+        }
+        if (kind >= 18) {
+            plan = random_plan(random);
+            stage.change(layers[which], plan);
+            return;
+        }
         if (kind < 12)
             plan.def.visible = 1 - plan.def.visible;
         else if (kind < 14)
             plan.def.opacity = static_cast<float>(random.unit());
-        else if (kind < 18)
-            place(plan.def, random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
         else
-            plan = random_plan(random);
-        stage.change(layers[which], plan);
+            place(plan.def, random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+        stage.adjust(layers[which], plan);
     }
 }
 
