@@ -2,7 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Ratio, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical, Unlink2 } from "lucide";
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
-import { type DecalLayer, type DesignLayer, type FillLayer, materialsOf } from "../document/index.ts";
+import { type DecalLayer, type DesignLayer, type FillLayer, materialsOf, type StrokeLayer } from "../document/index.ts";
 import type { DecalPatch } from "../state/decal-commands.ts";
 import { layerById, patchLayer } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
@@ -57,6 +57,7 @@ export class DecalProperties extends EditorElement {
     const layer = layerById(design, selectedId);
     if (layer?.type === "decal")
       return html`${this.#header(layer)}${this.#placement(layer, layer.projector)}${this.#look(layer)}${this.#reach(layer)}`;
+    if (layer?.type === "stroke") return html`${this.#header(layer)}${this.#look(layer)}${this.#reach(layer)}`;
     if (layer?.type === "fill") return html`${this.#header(layer)}${this.#fill(layer)}`;
     return html`<div class="none">
       <h2>${words.none}</h2>
@@ -64,7 +65,7 @@ export class DecalProperties extends EditorElement {
     </div>`;
   }
 
-  #header(layer: DecalLayer | FillLayer): TemplateResult {
+  #header(layer: DecalLayer | StrokeLayer | FillLayer): TemplateResult {
     const input = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
     const keys = (event: KeyboardEvent): void => {
       if (event.key === "Escape") input(event).value = layer.name;
@@ -176,7 +177,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #look(layer: DecalLayer): TemplateResult {
+  #look(layer: DecalLayer | StrokeLayer): TemplateResult {
     const { decals } = this.editor;
     const flip = (key: "flipX" | "flipY", label: string, drawing: typeof Link2) => html`
       <button
@@ -205,7 +206,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #reach(layer: DecalLayer): TemplateResult {
+  #reach(layer: DecalLayer | StrokeLayer): TemplateResult {
     const [start, end] = layer.angleFade;
     const fade = (label: string, value: number, patch: (value: number) => DecalPatch) =>
       this.#number(layer, label, {
@@ -220,7 +221,7 @@ export class DecalProperties extends EditorElement {
         patch,
       });
     // A flat stamp lies on the texture: no surface turns away from it or stands before it.
-    if (layer.projector.kind === "uv") return this.#material(layer);
+    if (layer.type === "decal" && layer.projector.kind === "uv") return this.#material(layer);
     return html`
       <section aria-label=${words.reach}>
         <h3>${words.reach}</h3>
@@ -255,7 +256,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #opacity(layer: DecalLayer | FillLayer): TemplateResult {
+  #opacity(layer: DecalLayer | StrokeLayer | FillLayer): TemplateResult {
     const { decals } = this.editor;
     const percent = Math.round(layer.opacity * 1000) / 10;
     const share = (event: Event): number => Number((event.target as HTMLInputElement).value) / 100;
@@ -288,7 +289,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #mixing(layer: DecalLayer | FillLayer): TemplateResult {
+  #mixing(layer: DecalLayer | StrokeLayer | FillLayer): TemplateResult {
     const spaces = { srgb: words.blendSpaceSrgb, linear: words.blendSpaceLinear };
     return html`
       ${this.#choice(layer, "blendSpace", words.blendSpace, spaces)}
@@ -312,7 +313,7 @@ export class DecalProperties extends EditorElement {
     );
   }
 
-  #material(layer: DecalLayer | FillLayer): TemplateResult {
+  #material(layer: DecalLayer | StrokeLayer | FillLayer): TemplateResult {
     const materials = this.state.model?.info.materials ?? [];
     const own = materialsOf(layer);
     if (materials.length < 2 && own.every((material) => material === materials[0]?.index)) return html``;
@@ -351,7 +352,7 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #number(layer: DecalLayer | FillLayer, group: string, options: FieldOptions): TemplateResult {
+  #number(layer: DecalLayer | StrokeLayer | FillLayer, group: string, options: FieldOptions): TemplateResult {
     const { label, name, hint = "", unit = "", value, step, min, max, patch } = options;
     const { decals } = this.editor;
     const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;

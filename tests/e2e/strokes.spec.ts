@@ -1,0 +1,58 @@
+import { expect, test } from "./support/editor-page.ts";
+import { file, ringPicture } from "./support/test-files.ts";
+
+/** On the front of the demo's mug: a line by a round brush, and rings by a picture. */
+const DESIGN = {
+  format: "texelcast-design",
+  version: 1,
+  assets: { ring: { type: "image/png", uri: "pictures/ring.png" } },
+  layers: [
+    {
+      id: "line",
+      name: "Line",
+      type: "stroke",
+      brush: { color: "#c02050", hardness: 0.5, flow: 0.5 },
+      dabs: Array.from({ length: 20 }, (_, i) => dab(-0.02 + 0.002 * i, 0.04)),
+    },
+    {
+      id: "rings",
+      name: "Rings",
+      type: "stroke",
+      brush: { tip: "picture", asset: "ring" },
+      dabs: [-0.02, 0, 0.02].map((x) => dab(x, 0.065)),
+    },
+  ],
+};
+
+function dab(x: number, y: number): object {
+  return { kind: "planar", position: [x, y, 0.04], rotation: [0, 0, 0, 1], size: [0.012, 0.012, 0.03] };
+}
+
+test("a design of strokes opens, is painted and listed, and its strokes are edited and undone", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.removeAllDecals();
+  const bare = await editor.settledHash();
+  await editor.openDesign([file("strokes.design.json", JSON.stringify(DESIGN), "application/json"), ringPicture()]);
+  const whole = await editor.settledHash();
+  const hashes = new Set([bare, whole]);
+  expect(hashes.size).toBe(2);
+  for (const name of ["Line", "Rings"]) {
+    await editor.row(name).getByText(name, { exact: true }).click();
+    await expect(page.locator("tc-decal-properties #name")).toHaveValue(name);
+    await editor.setField("opacity", "40");
+    const hash = await editor.settledHash();
+    expect(hashes.has(hash), name).toBe(false);
+    hashes.add(hash);
+  }
+  const { layers } = await editor.design();
+  expect(layers).toMatchObject([
+    { type: "stroke", opacity: 0.4, brush: { tip: "round", hardness: 0.5, flow: 0.5 } },
+    { type: "stroke", opacity: 0.4, brush: { tip: "picture", color: null } },
+  ]);
+  expect(layers[0]?.type === "stroke" && layers[0].dabs).toHaveLength(20);
+  for (let step = 0; step < 2; step += 1) await page.locator("#undo").click();
+  expect(await editor.settledHash()).toBe(whole);
+});
