@@ -139,6 +139,85 @@ TxcLayerDef blend_mode(int m, const TxcImage (&pictures)[3]) {
     return def;
 }
 
+/// A layer's projector as a dab's.
+TxcDab dab_of(const TxcLayerDef& def, float flow) {
+    TxcDab dab;
+    txc_dab_default(&dab);
+    dab.flow = flow;
+    dab.projector = def.projector;
+    for (int c = 0; c < 3; ++c) dab.position_model[c] = def.position_model[c];
+    for (int c = 0; c < 4; ++c) dab.rotation[c] = def.rotation[c];
+    for (int c = 0; c < 3; ++c) dab.size[c] = def.size[c];
+    dab.fov_degrees = def.fov_degrees;
+    dab.aspect = def.aspect;
+    dab.near_distance = def.near_distance;
+    dab.far_distance = def.far_distance;
+    dab.radius = def.radius;
+    dab.height = def.height;
+    dab.arc_degrees = def.arc_degrees;
+    dab.depth = def.depth;
+    for (int c = 0; c < 2; ++c) dab.uv_center[c] = def.uv_center[c];
+    for (int c = 0; c < 2; ++c) dab.uv_size[c] = def.uv_size[c];
+    dab.uv_angle_degrees = def.uv_angle_degrees;
+    return dab;
+}
+
+struct Stroke {
+    TxcLayerDef def;
+    std::vector<TxcDab> dabs;
+};
+
+Stroke stroke(int s, const TxcImage (&pictures)[3]) {
+    Stroke stroke;
+    TxcLayerDef& def = stroke.def;
+    txc_layer_def_default(&def);
+    def.kind = TXC_LAYER_STROKE;
+    if (s == 0) {
+        def.hardness = 0.5f;
+        def.flow = 0.5f;
+        def.opacity = 0.75f;
+        def.occlusion = TXC_OCCLUSION_NONE;
+        const float color[4] = {0.75f, 0.125f, 0.25f, 1};
+        for (int c = 0; c < 4; ++c) def.color[c] = color[c];
+        for (int d = 0; d < 24; ++d) {
+            TxcDab dab;
+            txc_dab_default(&dab);
+            dab.flow = static_cast<float>(1 + d % 4) / 4;
+            dab.position_model[0] = static_cast<float>(d + 4) / 32;
+            dab.position_model[1] = 0.25f;
+            dab.position_model[2] = static_cast<float>(7 * d % 32) / 32;
+            dab.rotation[0] = -4;
+            dab.rotation[3] = 4;
+            dab.size[0] = dab.size[1] = static_cast<float>(1 + d % 3) / 16;
+            dab.size[2] = 2;
+            stroke.dabs.push_back(dab);
+        }
+    } else if (s == 1) {
+        def.tip = TXC_TIP_PICTURE;
+        def.image = pictures[1];
+        def.flow = 0.75f;
+        def.opacity = 0.5f;
+        def.blend = TXC_BLEND_MULTIPLY;
+        stroke.dabs = {dab_of(decal(7, pictures), 1), dab_of(other_projector(1, pictures), 0.75f),
+                       dab_of(other_projector(3, pictures), 0.5f), dab_of(other_projector(5, pictures), 0.25f)};
+    } else {
+        def.tip = TXC_TIP_MASK;
+        def.image = pictures[2];
+        def.opacity = 0.5f;
+        def.blend = TXC_BLEND_ERASE;
+        for (int e = 0; e < 8; ++e) {
+            TxcDab dab;
+            txc_dab_default(&dab);
+            dab.projector = TXC_PROJECTOR_UV;
+            dab.uv_center[0] = static_cast<float>(2 * e + 1) / 16;
+            dab.uv_center[1] = 0.375f;
+            dab.uv_size[0] = dab.uv_size[1] = 0.1875f;
+            stroke.dabs.push_back(dab);
+        }
+    }
+    return stroke;
+}
+
 TxcLayerDef fill() {
     TxcLayerDef def;
     txc_layer_def_default(&def);
@@ -181,9 +260,15 @@ std::string paint_many_layers() {
         const TxcLayerDef def = blend_mode(m, pictures);
         REQUIRE(txc_layer_create(session, target, &def, &layer) == TXC_STATUS_OK);
     }
+    for (int s = 0; s < 3; ++s) {
+        const Stroke painted = stroke(s, pictures);
+        REQUIRE(txc_layer_create(session, target, &painted.def, &layer) == TXC_STATUS_OK);
+        REQUIRE(txc_stroke_add_dabs(session, layer, painted.dabs.data(), static_cast<uint32_t>(painted.dabs.size())) ==
+                TXC_STATUS_OK);
+    }
     TxcUpdate update;
     REQUIRE(txc_target_update(session, target, &update) == TXC_STATUS_OK);
-    REQUIRE(update.projected_layers == 35);
+    REQUIRE(update.projected_layers == 38);
     uint32_t hash[2] = {0, 0};
     REQUIRE(txc_target_hash(session, target, 0, 0, kSize, kSize, hash) == TXC_STATUS_OK);
     REQUIRE(txc_session_destroy(session) == TXC_STATUS_OK);

@@ -1,8 +1,8 @@
 /** The recipe of tests/golden/README.md, for Node and for the page. */
 import { readFileSync } from "node:fs";
 import { BLEND_MODES } from "../../web/editor/document/design.ts";
-import type { EngineLayer, Projector, Quaternion } from "../../web/engine/engine-api.ts";
-import { decal } from "./layers.ts";
+import type { EngineDab, EngineLayer, Projector, Quaternion } from "../../web/engine/engine-api.ts";
+import { decal, stroke } from "./layers.ts";
 import { buildGlb, type MeshParts } from "./model-builder.ts";
 import { makePng } from "./png-file.ts";
 
@@ -70,12 +70,7 @@ export function manyLayers(): EngineLayer[] {
       backfaces: false,
       angleFade: k % 3 === 1 ? [30, 75] : [70, 90],
       occlusion: k % 2 === 1 ? "none" : "self",
-      projector: {
-        kind: "planar",
-        position: [((5 * k) % 16) / 16, (k % 4) / 8, ((11 * k) % 16) / 16],
-        rotation: [-4, (k % 3) - 1, (k % 5) - 2, 4],
-        size: [(3 + (k % 5)) / 8, (2 + (k % 4)) / 8, 1 + (k % 2)],
-      },
+      projector: decalProjector(k),
     }),
   );
   const fill: EngineLayer = {
@@ -86,8 +81,15 @@ export function manyLayers(): EngineLayer[] {
     lockAlpha: true,
     color: [0.25, 0.5, 0.75, 0.125],
   };
-  return [...decals.slice(0, 6), fill, ...decals.slice(6), ...otherProjectors(), ...blendModes()];
+  return [...decals.slice(0, 6), fill, ...decals.slice(6), ...otherLayers(), ...blendModes(), ...strokes()];
 }
+
+const decalProjector = (k: number): Projector => ({
+  kind: "planar",
+  position: [((5 * k) % 16) / 16, (k % 4) / 8, ((11 * k) % 16) / 16],
+  rotation: [-4, (k % 3) - 1, (k % 5) - 2, 4],
+  size: [(3 + (k % 5)) / 8, (2 + (k % 4)) / 8, 1 + (k % 2)],
+});
 
 function blendModes(): EngineLayer[] {
   return BLEND_MODES.map((blend, m) =>
@@ -105,7 +107,46 @@ function blendModes(): EngineLayer[] {
   );
 }
 
-function otherProjectors(): EngineLayer[] {
+function strokes(): EngineLayer[] {
+  const round = Array.from(
+    { length: 24 },
+    (_, d): EngineDab => ({
+      kind: "planar",
+      position: [(d + 4) / 32, 1 / 4, ((7 * d) % 32) / 32],
+      rotation: [-4, 0, 0, 4],
+      size: [(1 + (d % 3)) / 16, (1 + (d % 3)) / 16, 2],
+      flow: (1 + (d % 4)) / 4,
+    }),
+  );
+  const others = otherProjectors();
+  const thrown = [decalProjector(7), others[1], others[3], others[5]].map((projector, i): EngineDab => {
+    if (projector === undefined) throw new Error("There are six other projectors.");
+    return { ...projector, flow: (4 - i) / 4 };
+  });
+  const stamps = Array.from(
+    { length: 8 },
+    (_, e): EngineDab => ({ kind: "uv", center: [(2 * e + 1) / 16, 3 / 8], size: [3 / 16, 3 / 16], angle: 0, flow: 1 }),
+  );
+  return [
+    stroke("stroke-0", round, {
+      brush: { tip: "round", color: [3 / 4, 1 / 8, 1 / 4, 1], hardness: 1 / 2, flow: 1 / 2 },
+      opacity: 3 / 4,
+      occlusion: "none",
+    }),
+    stroke("stroke-1", thrown, {
+      brush: { tip: "picture", asset: "picture-1", color: null, flow: 3 / 4 },
+      opacity: 1 / 2,
+      blend: "multiply",
+    }),
+    stroke("stroke-2", stamps, {
+      brush: { tip: "picture", asset: "picture-2", color: [0, 0, 0, 1], flow: 1 },
+      opacity: 1 / 2,
+      blend: "erase",
+    }),
+  ];
+}
+
+function otherProjectors(): Projector[] {
   const eye = (j: number): Projector => ({
     kind: "perspective",
     position: [1 / 4 + j / 2, 2, 3 / 4],
@@ -130,8 +171,11 @@ function otherProjectors(): EngineLayer[] {
     size: [1 / 2, 3 / 8],
     angle,
   });
-  const projectors = [eye(0), eye(1), label([4, 0, 1, 4], 360), label([-4, 1, 0, 4], 50), stamp(4, 30), stamp(5, -100)];
-  return projectors.map((projector, j) =>
+  return [eye(0), eye(1), label([4, 0, 1, 4], 360), label([-4, 1, 0, 4], 50), stamp(4, 30), stamp(5, -100)];
+}
+
+function otherLayers(): EngineLayer[] {
+  return otherProjectors().map((projector, j) =>
     decal(`other-${j}`, `picture-${j % 3}`, {
       opacity: (10 - j) / 16,
       wrap: j % 2 === 1 ? "repeat" : "none",
