@@ -15,6 +15,16 @@ inline constexpr std::int32_t kWeightOne = 1 << kWeightBits;
 /// Channels stand on 0 to 65025; signed 16-bit factors need them around 0.
 inline constexpr std::int32_t kChannelBias = 32768;
 
+inline const Int4 kBias = {kChannelBias, kChannelBias, kChannelBias, kChannelBias};
+
+/// Places in fixed point: pixels times kWeightOne.
+inline std::int32_t to_fixed(float pixels) {
+    return static_cast<std::int32_t>(pixels * static_cast<float>(kWeightOne));
+}
+inline float to_float(std::int32_t fixed) {
+    return static_cast<float>(fixed) * (1.0f / static_cast<float>(kWeightOne));
+}
+
 /// Where four samples lie on a level: the upper left of each one's four pixels, and the weights, (1 - w) in the low half
 /// and w in the high half of each lane.
 struct SamplePlaces {
@@ -23,17 +33,21 @@ struct SamplePlaces {
     Int4 weights_y;
 };
 
-/// `x`, `y`: in pixels of the level, less 1/2, so that whole numbers are pixel centres; not negative.
-inline SamplePlaces place_samples(Float4 x, Float4 y, std::int32_t level_width) {
-    constexpr float kOne = static_cast<float>(kWeightOne);
-    const Int4 fixed_x = __builtin_convertvector(x * splat(kOne), Int4);
-    const Int4 fixed_y = __builtin_convertvector(y * splat(kOne), Int4);
+/// `x`, `y`: in pixels of the level, less 1/2, so that whole numbers are pixel centres, in fixed point; not negative.
+inline SamplePlaces place_samples(Int4 x, Int4 y, std::int32_t level_width) {
     const Int4 one = {kWeightOne, kWeightOne, kWeightOne, kWeightOne};
     const Int4 width = {level_width, level_width, level_width, level_width};
-    const Int4 right = fixed_x & (one - 1);
-    const Int4 down = fixed_y & (one - 1);
-    return {(fixed_y >> kWeightBits) * width + (fixed_x >> kWeightBits), (right << 16) + (one - right),
+    const Int4 right = x & (one - 1);
+    const Int4 down = y & (one - 1);
+    return {(y >> kWeightBits) * width + (x >> kWeightBits), (right << 16) + (one - right),
             (down << 16) + (one - down)};
+}
+
+/// The same of places in floats.
+inline SamplePlaces place_samples(Float4 x, Float4 y, std::int32_t level_width) {
+    constexpr float kOne = static_cast<float>(kWeightOne);
+    return place_samples(__builtin_convertvector(x * splat(kOne), Int4), __builtin_convertvector(y * splat(kOne), Int4),
+                         level_width);
 }
 
 /// One lane in all four.
@@ -52,18 +66,17 @@ inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, I
 #if defined(__wasm_simd128__)
     // Only such shuffles as engines turn into one instruction: a mask of bytes costs V8 five.
     const v128_t bias = wasm_i16x8_const_splat(static_cast<std::int16_t>(0x8000));
-    const auto blend_row = [&](const std::uint16_t* at) {
-        // Left and right of each channel side by side, as the multiplication of pairs wants them.
-        const v128_t left = wasm_v128_load64_zero(at);
-        const v128_t right = wasm_v128_load64_zero(at + 4);
-        const v128_t pairs = wasm_v128_xor(wasm_i16x8_shuffle(left, right, 0, 8, 1, 9, 2, 10, 3, 11), bias);
-        return wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_x));
+    const v128_t upper = wasm_v128_xor(wasm_v128_load(pixels), bias);
+    const v128_t lower = wasm_v128_xor(wasm_v128_load(pixels + row_stride), bias);
+    // Each column's two channels side by side, as the multiplication of pairs wants them.
+    const auto blend_column = [&](v128_t pairs) {
+        return wasm_i32x4_shl(wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_y)), 16 - kWeightBits);
     };
-    const v128_t upper = wasm_i32x4_shl(blend_row(pixels), 16 - kWeightBits);
-    const v128_t lower = wasm_i32x4_shl(blend_row(pixels + row_stride), 16 - kWeightBits);
-    const v128_t pairs = wasm_v128_or(wasm_u32x4_shr(upper, 16), wasm_v128_and(lower, wasm_i32x4_const_splat(~0xffff)));
+    const v128_t left = blend_column(wasm_i16x8_shuffle(upper, lower, 0, 8, 1, 9, 2, 10, 3, 11));
+    const v128_t right = blend_column(wasm_i16x8_shuffle(upper, lower, 4, 12, 5, 13, 6, 14, 7, 15));
+    const v128_t pairs = wasm_v128_or(wasm_u32x4_shr(left, 16), wasm_v128_and(right, wasm_i32x4_const_splat(~0xffff)));
     return reinterpret_cast<Int4>(
-        wasm_i32x4_shr(wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_y)), kWeightBits));
+        wasm_i32x4_shr(wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_x)), kWeightBits));
 #else
     const std::int32_t left = weights_x[0] & 0xffff;
     const std::int32_t right = weights_x[0] >> 16;
@@ -72,11 +85,11 @@ inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, I
     Int4 out{};
     for (int c = 0; c < 4; ++c) {
         const std::uint16_t* below = pixels + row_stride + c;
-        const std::int32_t above =
-            ((pixels[c] - kChannelBias) * left + (pixels[c + 4] - kChannelBias) * right) >> kWeightBits;
-        const std::int32_t under =
-            ((below[0] - kChannelBias) * left + (below[4] - kChannelBias) * right) >> kWeightBits;
-        out[c] = (above * upper + under * lower) >> kWeightBits;
+        const std::int32_t at_left =
+            ((pixels[c] - kChannelBias) * upper + (below[0] - kChannelBias) * lower) >> kWeightBits;
+        const std::int32_t at_right =
+            ((pixels[c + 4] - kChannelBias) * upper + (below[4] - kChannelBias) * lower) >> kWeightBits;
+        out[c] = (at_left * left + at_right * right) >> kWeightBits;
     }
     return out;
 #endif
@@ -84,18 +97,20 @@ inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, I
 
 /// The sample at one of four places.
 template <int kLane>
-Int4 sample_lane(const PyramidLevel& level, const SamplePlaces& places) {
-    return sample_biased(level.rgba.data() + static_cast<std::size_t>(places.offset[kLane]) * 4,
-                         static_cast<std::size_t>(level.width) * 4, broadcast<kLane>(places.weights_x),
+Int4 sample_lane(const std::uint16_t* pixels, std::int32_t width, const SamplePlaces& places) {
+    return sample_biased(pixels + static_cast<std::size_t>(places.offset[kLane]) * 4,
+                         static_cast<std::size_t>(width) * 4, broadcast<kLane>(places.weights_x),
                          broadcast<kLane>(places.weights_y));
 }
 
 /// Adds up the first `count` of the four samples.
 inline Int4 sum_samples(const PyramidLevel& level, const SamplePlaces& places, std::int32_t count) {
-    Int4 sum = sample_lane<0>(level, places);
-    if (count > 1) sum += sample_lane<1>(level, places);
-    if (count > 2) sum += sample_lane<2>(level, places);
-    if (count > 3) sum += sample_lane<3>(level, places);
+    const std::uint16_t* pixels = level.rgba.data();
+    const auto width = static_cast<std::int32_t>(level.width);
+    Int4 sum = sample_lane<0>(pixels, width, places);
+    if (count > 1) sum += sample_lane<1>(pixels, width, places);
+    if (count > 2) sum += sample_lane<2>(pixels, width, places);
+    if (count > 3) sum += sample_lane<3>(pixels, width, places);
     return sum;
 }
 

@@ -24,16 +24,14 @@ public:
                   PictureSampler& sampler, const OcclusionTree* tree)
         : map_(map), mesh_(mesh), settings_(settings), projector_(projector), sampler_(sampler), tree_(tree) {}
 
-    /// Paints one tile's texels into `texels` (zeroed before). Returns how many took colour.
-    std::uint32_t paint_tile(const MapTile& tile, std::uint16_t* texels) {
+    /// Paints one tile's texels into `texels` (zeroed before).
+    void paint_tile(const MapTile& tile, std::uint16_t* texels) {
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
-        std::uint32_t painted = 0;
         map_.for_each_run_of(tile, [&](const TexelRun& run) {
-            painted += paint_run(run, seen_frame(run.frame), tile_x + run.x, tile_y + run.y,
-                                 texels + (run.y * kTileSize + run.x) * 4);
+            paint_run(run, seen_frame(run.frame), tile_x + run.x, tile_y + run.y,
+                      texels + (run.y * kTileSize + run.x) * 4);
         });
-        return painted;
     }
 
 private:
@@ -49,21 +47,24 @@ private:
         const ProjectorPose& pose = projector_.pose;
         SeenFrame seen;
         seen.frame = index;
-        seen.place.position = pose.to_view(glm::dvec3(frame.position));
-        seen.place.across = pose.turn_to_view(glm::dvec3(frame.position_dx));
-        seen.place.down = pose.turn_to_view(glm::dvec3(frame.position_dy));
-        seen.normal = pose.turn_to_view(glm::dvec3(frame.normal));
-        seen.normal_dx = pose.turn_to_view(glm::dvec3(frame.normal_dx));
-        seen.normal_dy = pose.turn_to_view(glm::dvec3(frame.normal_dy));
+        using Coordinate = TexelFrame::Coordinate;
+        const auto part = [](const Coordinate(&of)[3], float Coordinate::*member) {
+            return glm::dvec3(TexelFrame::part(of, member));
+        };
+        seen.place.position = pose.to_view(part(frame.position, &Coordinate::at));
+        seen.place.across = pose.turn_to_view(part(frame.position, &Coordinate::dx));
+        seen.place.down = pose.turn_to_view(part(frame.position, &Coordinate::dy));
+        seen.normal = pose.turn_to_view(part(frame.normal, &Coordinate::at));
+        seen.normal_dx = pose.turn_to_view(part(frame.normal, &Coordinate::dx));
+        seen.normal_dy = pose.turn_to_view(part(frame.normal, &Coordinate::dy));
         return seen;
     }
 
-    std::uint32_t paint_run(const TexelRun& run, const SeenFrame& seen, std::int32_t x0, std::int32_t y0,
-                            std::uint16_t* texels) {
+    void paint_run(const TexelRun& run, const SeenFrame& seen, std::int32_t x0, std::int32_t y0,
+                   std::uint16_t* texels) {
         const TexelFrame& frame = map_.frames[run.frame];
         const double down = y0 - frame.y0;
         const bool holds_normal = (run.flags & kRunHoldNormal) != 0;
-        std::uint32_t painted = 0;
         for (std::int32_t i = 0; i < run.length; ++i) {
             const double across = x0 + i - frame.x0;
             TexelPlace at = seen.place;
@@ -77,11 +78,8 @@ private:
             const Float4 color = sampler_.sample();
             // Last, as it costs most: where the picture is transparent it need not be asked.
             if (tree_ != nullptr && color[3] > 0.0f && is_hidden(run, frame, at.position)) continue;
-            std::uint16_t* texel = texels + i * 4;
-            store_rounded_ushort4(texel, color * splat(weight));
-            if (texel[3] != 0) ++painted;
+            store_rounded_ushort4(texels + i * 4, color * splat(weight));
         }
-        return painted;
     }
 
     /// Tests 2 and 3: the weight by the angle between normal and ray, 0 where the texel is culled.
@@ -120,20 +118,16 @@ public:
     StampPainter(const LocalSpaceMap& map, const UvProjector& projector, PictureSampler& sampler)
         : map_(map), projector_(projector), sampler_(sampler) {}
 
-    std::uint32_t paint_tile(const MapTile& tile, std::uint16_t* texels) {
+    void paint_tile(const MapTile& tile, std::uint16_t* texels) {
         const std::uint32_t tile_x = tile.index % map_.tile_columns() * kTileSize;
         const std::uint32_t tile_y = tile.index / map_.tile_columns() * kTileSize;
-        std::uint32_t painted = 0;
         map_.for_each_run_of(tile, [&](const TexelRun& run) {
             for (std::uint32_t x = run.x; x < std::uint32_t{run.x} + run.length; ++x) {
                 if (!sampler_.aim(projector_.look(tile_x + x, tile_y + run.y, map_.key.width, map_.key.height)))
                     continue;
-                std::uint16_t* texel = texels + (run.y * kTileSize + x) * 4;
-                store_rounded_ushort4(texel, sampler_.sample());
-                if (texel[3] != 0) ++painted;
+                store_rounded_ushort4(texels + (run.y * kTileSize + x) * 4, sampler_.sample());
             }
         });
-        return painted;
     }
 
 private:

@@ -18,6 +18,7 @@ using Int4 = std::int32_t __attribute__((vector_size(16)));
 using UShort4 = std::uint16_t __attribute__((vector_size(8)));
 
 inline Float4 splat(float value) { return Float4{value, value, value, value}; }
+inline Int4 splat(std::int32_t value) { return Int4{value, value, value, value}; }
 
 /// x, y and z, with 0 in the last lane.
 inline Float4 load_vec3(const glm::vec3& v) { return Float4{v.x, v.y, v.z, 0.0f}; }
@@ -30,9 +31,17 @@ inline Float4 lesser(Float4 a, Float4 b) {
 inline Float4 greater(Float4 a, Float4 b) {
     return reinterpret_cast<Float4>(wasm_f32x4_pmax(reinterpret_cast<v128_t>(a), reinterpret_cast<v128_t>(b)));
 }
+inline Int4 lesser(Int4 a, Int4 b) {
+    return reinterpret_cast<Int4>(wasm_i32x4_min(reinterpret_cast<v128_t>(a), reinterpret_cast<v128_t>(b)));
+}
+inline Int4 greater(Int4 a, Int4 b) {
+    return reinterpret_cast<Int4>(wasm_i32x4_max(reinterpret_cast<v128_t>(a), reinterpret_cast<v128_t>(b)));
+}
 #else
 inline Float4 lesser(Float4 a, Float4 b) { return b < a ? b : a; }
 inline Float4 greater(Float4 a, Float4 b) { return a < b ? b : a; }
+inline Int4 lesser(Int4 a, Int4 b) { return b < a ? b : a; }
+inline Int4 greater(Int4 a, Int4 b) { return a < b ? b : a; }
 #endif
 #if defined(__wasm_simd128__)
 inline bool any_lane(Int4 mask) { return wasm_v128_any_true(reinterpret_cast<v128_t>(mask)); }
@@ -45,6 +54,35 @@ inline Float4 absolute(Float4 a) { return greater(a, -a); }
 /// Lanes of `yes` where the mask (of a comparison) is set, of `no` elsewhere.
 inline Float4 select(Int4 mask, Float4 yes, Float4 no) {
     return reinterpret_cast<Float4>((mask & reinterpret_cast<Int4>(yes)) | (~mask & reinterpret_cast<Int4>(no)));
+}
+
+/// Lanes 1, 2 and 3 to 0, 1 and 2.
+inline Float4 move_down(Float4 a) {
+#if defined(__wasm_simd128__)
+    const v128_t lanes = reinterpret_cast<v128_t>(a);
+    return reinterpret_cast<Float4>(wasm_i32x4_shuffle(lanes, lanes, 1, 2, 3, 0));
+#else
+    return Float4{a[1], a[2], a[3], a[0]};
+#endif
+}
+
+/// The first three columns of the matrix with these rows.
+inline void transpose3(Float4 a, Float4 b, Float4 c, Float4 d, Float4& first, Float4& second, Float4& third) {
+#if defined(__wasm_simd128__)
+    // Only such shuffles as engines turn into one instruction: what the compiler makes of lanes costs V8 seven each.
+    const auto v = [](Float4 row) { return reinterpret_cast<v128_t>(row); };
+    const v128_t ab = wasm_i32x4_shuffle(v(a), v(b), 0, 4, 1, 5);
+    const v128_t cd = wasm_i32x4_shuffle(v(c), v(d), 0, 4, 1, 5);
+    const v128_t ab_high = wasm_i32x4_shuffle(v(a), v(b), 2, 6, 3, 7);
+    const v128_t cd_high = wasm_i32x4_shuffle(v(c), v(d), 2, 6, 3, 7);
+    first = reinterpret_cast<Float4>(wasm_i64x2_shuffle(ab, cd, 0, 2));
+    second = reinterpret_cast<Float4>(wasm_i64x2_shuffle(ab, cd, 1, 3));
+    third = reinterpret_cast<Float4>(wasm_i64x2_shuffle(ab_high, cd_high, 0, 2));
+#else
+    first = Float4{a[0], b[0], c[0], d[0]};
+    second = Float4{a[1], b[1], c[1], d[1]};
+    third = Float4{a[2], b[2], c[2], d[2]};
+#endif
 }
 
 inline Float4 square_root(Float4 a) {
@@ -95,6 +133,17 @@ inline void store_rounded_ushort4(std::uint16_t* to, Float4 values) {
 #endif
 }
 
+/// To nearest; halves to even.
+inline Int4 round_to_int(Float4 values) {
+#if defined(__wasm_simd128__)
+    return reinterpret_cast<Int4>(wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_nearest(reinterpret_cast<v128_t>(values))));
+#else
+    return __builtin_convertvector(Float4{std::nearbyint(values[0]), std::nearbyint(values[1]),
+                                          std::nearbyint(values[2]), std::nearbyint(values[3])},
+                                   Int4);
+#endif
+}
+
 /// Stores lanes of 0 to 65535; what lies outside is clamped.
 inline void store_ushort4(std::uint16_t* to, Int4 values) {
 #if defined(__wasm_simd128__)
@@ -106,7 +155,17 @@ inline void store_ushort4(std::uint16_t* to, Int4 values) {
 #endif
 }
 
-/// The same to bytes; what lies above 255 becomes 255. No lane may be negative.
+/// Two times four of them.
+inline void store_ushort8(std::uint16_t* to, Int4 low, Int4 high) {
+#if defined(__wasm_simd128__)
+    wasm_v128_store(to, wasm_u16x8_narrow_i32x4(reinterpret_cast<v128_t>(low), reinterpret_cast<v128_t>(high)));
+#else
+    store_ushort4(to, low);
+    store_ushort4(to + 4, high);
+#endif
+}
+
+/// The same as store_rounded_ushort4 to bytes; what lies above 255 becomes 255. No lane may be negative.
 inline void store_rounded_bytes4(std::uint8_t* to, Float4 values) {
     const Int4 rounded = __builtin_convertvector(values + splat(0.5f), Int4);
 #if defined(__wasm_simd128__)

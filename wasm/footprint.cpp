@@ -15,9 +15,10 @@ constexpr int kMaxSamples = 32;  // along one axis: grazing triangles stretch th
 // the samples are never denser than the reference's 8.
 constexpr float kFinestPixels = 8.5f;
 
-// How far one sample may be from the mean where a smooth stretch spares the others, in 8-bit steps: no further than the
-// rounding to bytes may go.
-constexpr float kSmoothError = 0.5f;
+// How far one sample may be from the mean where a smooth stretch spares the others, in 8-bit steps. (With half a step a
+// drag took an eighth longer, as the rounding of a smooth gradient to bytes comes to one and a half; with two or three it
+// was no faster.)
+constexpr float kSmoothError = 1.0f;
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
@@ -49,6 +50,24 @@ float largest_smooth_error(float across_x, float across_y, float down_x, float d
     const float squares_y = across_y * across_y + down_y * down_y;
     return 0.5f * (mean_bend(across_x, down_x) + mean_bend(across_y, down_y)) +
            (squares_x + squares_y) * (1.0f / 24.0f);
+}
+
+// How far a colour interpolated between two samples may be from its own. Worst cases both, that hardly ever meet: on the
+// reference pictures the two together cost a tenth of a decibel.
+constexpr float kChordError = 1.75f;
+
+/// The most that a straight line between two samples this far apart may be from the picture, where no second difference of
+/// the level exceeds 1: along an axis the picture bends once a pixel, at the worst once half way.
+float largest_chord_error(float x, float y) {
+    const auto bend = [](float distance) { return 0.25f * distance * std::max(1.0f, 0.5f * distance + 0.25f); };
+    const float along_x = std::fabs(x);
+    const float along_y = std::fabs(y);
+    return bend(along_x) + bend(along_y) + 0.25f * along_x * along_y;
+}
+
+/// The largest roughness at which `error_a_step` times it stays within `error`.
+std::int32_t steps_within(float error, float error_a_step) {
+    return static_cast<std::int32_t>(std::min(255.0f, error / std::max(error_a_step, 1e-6f)));
 }
 
 // How dense the samples stand along an axis: so many a pixel, and half a one more. Over random and aligned decals on
@@ -85,6 +104,46 @@ const LatticeGroup& lattice_group(std::int32_t across_samples) {
     return kLatticeGroups[across_samples < 3 ? across_samples - 1 : 2];
 }
 
+// The longer side of a part that its kernel serves, by the shorter one: so the worst stays above 39 dB, and where the two
+// are alike above 44.
+bool kernel_serves(float longer, float shorter) { return longer <= 0.88f + 0.2f * shorter; }
+
+// More parts than these cost more than the lattice does.
+constexpr std::int32_t kMostParts = 4;
+
+bool find_parts(float across, float down, std::int32_t& out_across, std::int32_t& out_down) {
+    float part_across = across;
+    float part_down = down;
+    out_across = out_down = 1;
+    while (!kernel_serves(std::max(part_across, part_down), std::min(part_across, part_down))) {
+        if (part_across >= part_down) {
+            part_across = across / static_cast<float>(++out_across);
+        } else {
+            part_down = down / static_cast<float>(++out_down);
+        }
+        if (out_across * out_down > kMostParts) {
+            out_across = out_down = 0;
+            return false;
+        }
+    }
+    return true;
+}
+
+/// `across`, `down`: lengths on the level, in its pixels.
+void make_lattice(const PyramidLevel& on, float across, float down, Footprint& f) {
+    f.across_samples = sample_count(across);
+    f.down_samples = sample_count(down);
+    f.across_step_x = f.across_x * on.scale_x * spacing(f.across_samples);
+    f.across_step_y = f.across_y * on.scale_y * spacing(f.across_samples);
+    f.down_step_x = f.down_x * on.scale_x * spacing(f.down_samples);
+    f.down_step_y = f.down_y * on.scale_y * spacing(f.down_samples);
+    const LatticeGroup& group = lattice_group(f.across_samples);
+    const Float4 i = group.column - splat(0.5f * static_cast<float>(f.across_samples - 1));
+    const Float4 j = group.row - splat(0.5f * static_cast<float>(f.down_samples - 1));
+    f.lattice_x = i * splat(f.across_step_x) + j * splat(f.down_step_x);
+    f.lattice_y = i * splat(f.across_step_y) + j * splat(f.down_step_y);
+}
+
 }  // namespace
 
 Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
@@ -109,35 +168,40 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
         pixel *= 2.0f;
     }
     f.level = level;
-    f.across_samples = sample_count(across / pixel);
-    f.down_samples = sample_count(down / pixel);
     const PyramidLevel& on = image.levels[level];
-    f.across_step_x = across_x * on.scale_x * spacing(f.across_samples);
-    f.across_step_y = across_y * on.scale_y * spacing(f.across_samples);
-    f.down_step_x = down_x * on.scale_x * spacing(f.down_samples);
-    f.down_step_y = down_y * on.scale_y * spacing(f.down_samples);
-    const LatticeGroup& group = lattice_group(f.across_samples);
-    const Float4 i = group.column - splat(0.5f * static_cast<float>(f.across_samples - 1));
-    const Float4 j = group.row - splat(0.5f * static_cast<float>(f.down_samples - 1));
-    f.lattice_x = i * splat(f.across_step_x) + j * splat(f.down_step_x);
-    f.lattice_y = i * splat(f.across_step_y) + j * splat(f.down_step_y);
+    // All four pixels of a sample must exist, half a pixel of the level around it, and a little for rounding.
+    float rim = 0.51f;
+    if (level == 0 && find_parts(across, down, f.across_parts, f.down_parts)) {
+        rim = 1.51f;  // of a kernel, one more
+        const float across_share = 1.0f / static_cast<float>(f.across_parts);
+        const float down_share = 1.0f / static_cast<float>(f.down_parts);
+        f.across_step_x = across_x * across_share;
+        f.across_step_y = across_y * across_share;
+        f.down_step_x = down_x * down_share;
+        f.down_step_y = down_y * down_share;
+        f.kernel = make_footprint_kernel(f.across_step_x, f.across_step_y, f.down_step_x, f.down_step_y);
+    } else {
+        make_lattice(on, across / pixel, down / pixel, f);
+    }
+    f.inset_x = f.reach_x + rim / on.scale_x;
+    f.inset_y = f.reach_y + rim / on.scale_y;
     const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
     const bool is_known = reach <= static_cast<float>(kRoughnessReaches);
     const float error =
         largest_smooth_error(across_x * on.scale_x, across_y * on.scale_y, down_x * on.scale_x, down_y * on.scale_y);
     f.smooth_reach = reach <= 1.0f ? 1 : 2;
-    const bool single = f.across_samples * f.down_samples == 1;
-    f.smooth_limit = single     ? 255
-                     : is_known ? static_cast<std::int32_t>(std::min(255.0f, kSmoothError / std::max(error, 1e-6f)))
-                                : -1;
-    // All four pixels of every sample must exist, half a pixel of the level around it, and a little for rounding.
-    f.inset_x = f.reach_x + 0.51f / on.scale_x;
-    f.inset_y = f.reach_y + 0.51f / on.scale_y;
+    f.smooth_limit = is_known ? steps_within(kSmoothError, error) : -1;
+    const auto limit_over = [&](float texels) {
+        const float most = largest_chord_error(across_x * on.scale_x * texels, across_y * on.scale_y * texels);
+        return std::min(f.smooth_limit, steps_within(kChordError, most));
+    };
+    f.pair_limit = limit_over(2.0f);
+    f.four_limit = limit_over(4.0f);
     // At the edge a coarse level would fade over too wide a rim, and a repeated picture is cut hard: there the samples
     // are as many as the reference has. A level whose pixels are no larger than their distance is still fine enough.
     const bool dense = repeat || level > 0;
-    f.edge_across_samples = dense ? kEdgeSamples : f.across_samples;
-    f.edge_down_samples = dense ? kEdgeSamples : f.down_samples;
+    f.edge_across_samples = dense ? kEdgeSamples : sample_count(across);
+    f.edge_down_samples = dense ? kEdgeSamples : sample_count(down);
     f.edge_level = 0;
     while (f.edge_level + 1 < image.levels.size() && longer >= static_cast<float>((2 * kEdgeSamples) << f.edge_level))
         ++f.edge_level;
@@ -166,28 +230,65 @@ __attribute__((always_inline)) inline Float4 sample_lattice(const PyramidLevel& 
            splat(static_cast<float>(kChannelBias));
 }
 
+/// Mean colour by the kernels of the footprint's parts. `x`, `y` as in RoughTexel. Channels less kChannelBias.
+Float4 sample_parts(const PyramidLevel& level, const Footprint& f, std::int32_t x, std::int32_t y) {
+    const auto width = static_cast<std::int32_t>(level.width);
+    Int4 sum{};
+    for (std::int32_t j = 0; j < f.down_parts; ++j) {
+        const float v = static_cast<float>(j) - 0.5f * static_cast<float>(f.down_parts - 1);
+        for (std::int32_t i = 0; i < f.across_parts; ++i) {
+            const float u = static_cast<float>(i) - 0.5f * static_cast<float>(f.across_parts - 1);
+            sum +=
+                sample_kernel(level.rgba.data(), width, f.kernel, x + to_fixed(u * f.across_step_x + v * f.down_step_x),
+                              y + to_fixed(u * f.across_step_y + v * f.down_step_y));
+        }
+    }
+    return __builtin_convertvector(sum, Float4) * splat(1.0f / static_cast<float>(f.across_parts * f.down_parts));
+}
+
+/// Kernels that lean may go a little beyond black, white and the colour that an alpha allows.
+Float4 within_alpha(Float4 color) {
+    const float alpha = std::min(std::max(color[3], 0.0f), kFullScale);
+    return lesser(greater(color, splat(0.0f)), splat(alpha));
+}
+
+Int4 within_alpha(Int4 color) {
+    constexpr auto kFull = static_cast<std::int32_t>(kFullScale);
+    return lesser(greater(color, splat(0)), splat(std::min(std::max(color[3], 0), kFull)));
+}
+
+Float4 sample_rough(const PyramidLevel& level, const Footprint& f, std::int32_t x, std::int32_t y) {
+    if (f.across_parts == 0) return sample_lattice(level, f, to_float(x), to_float(y));
+    return within_alpha(sample_parts(level, f, x, y) + splat(static_cast<float>(kChannelBias)));
+}
+
+/// The same of a single part, in whole numbers throughout.
+void paint_small(const RoughTexel& texel) {
+    const Int4 sample = sample_kernel(texel.level->rgba.data(), static_cast<std::int32_t>(texel.level->width),
+                                      texel.footprint->kernel, texel.x, texel.y);
+    store_ushort4(texel.out, within_alpha(sample + kBias));
+}
+
 }  // namespace
 
-std::uint32_t paint_lattices(const LatticeTexel* texels, std::uint32_t count) {
-    std::uint32_t painted = 0;
+void paint_rough(const RoughTexel* texels, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
-        const LatticeTexel& texel = texels[i];
-        store_rounded_ushort4(texel.out, sample_lattice(*texel.level, *texel.footprint, texel.x, texel.y));
-        painted += texel.out[3] != 0 ? 1 : 0;
+        const RoughTexel& texel = texels[i];
+        if (texel.footprint->across_parts * texel.footprint->down_parts == 1) {
+            paint_small(texel);
+        } else {
+            store_rounded_ushort4(texel.out, sample_rough(*texel.level, *texel.footprint, texel.x, texel.y));
+        }
     }
-    return painted;
 }
 
 Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, float y) {
     const PyramidLevel& level = image.levels[f.level];
-    const float level_x = x * level.scale_x;
-    const float level_y = y * level.scale_y;
-    if (f.across_samples * f.down_samples > 1 &&
-        level.roughness_at(level_x, level_y, f.smooth_reach) > f.smooth_limit) {
-        return sample_lattice(level, f, level_x - 0.5f, level_y - 0.5f);
-    }
-    const SamplePlaces place =
-        place_samples(splat(level_x - 0.5f), splat(level_y - 0.5f), static_cast<std::int32_t>(level.width));
+    const float level_x = x * level.scale_x - 0.5f;
+    const float level_y = y * level.scale_y - 0.5f;
+    const SamplePlaces place = place_samples(splat(level_x), splat(level_y), static_cast<std::int32_t>(level.width));
+    if (level.roughness[f.smooth_reach - 1][static_cast<std::size_t>(place.offset[0])] > f.smooth_limit)
+        return sample_rough(level, f, to_fixed(level_x), to_fixed(level_y));
     return __builtin_convertvector(sum_samples(level, place, 1), Float4) + splat(static_cast<float>(kChannelBias));
 }
 

@@ -2,6 +2,7 @@
 // under the frame's affine map: a parallelogram, the same for every texel of a frame.
 #pragma once
 
+#include "footprint_kernel.h"
 #include "image_pyramid.h"
 
 namespace txc {
@@ -12,16 +13,26 @@ struct Footprint {
     float down_x, down_y;      // along the texel's column
     float reach_x, reach_y;    // half of its bounding box
 
-    // Footprints well inside the picture: a lattice of samples on one level, in pixels of that level.
+    // Footprints well inside the picture. Where the level is no rougher than smooth_limit (-1: never), one sample is the
+    // mean; up to pair_limit and four_limit, what lies between samples of every second or fourth texel of a row is as
+    // good as interpolated.
     std::uint32_t level;
+    std::int32_t smooth_reach;  // how far the footprint reaches, whole pixels of the level, 1 or 2
+    std::int32_t smooth_limit;
+    std::int32_t pair_limit;
+    std::int32_t four_limit;
+    float inset_x, inset_y;  // a centre this far from the picture's edges is well inside
+    // Else, of small ones: so many parts along either side (0: there are none), the mean of each by its kernel.
+    std::int32_t across_parts;
+    std::int32_t down_parts;
+    FootprintKernel kernel;
+    // Of the others: a lattice of samples.
     std::int32_t across_samples;
     std::int32_t down_samples;
     Float4 lattice_x, lattice_y;  // from the centre to four neighbouring samples: as many of a row as it has, then down
+    // From a part or sample to the next, in pixels of the level.
     float across_step_x, across_step_y;
     float down_step_x, down_step_y;
-    std::int32_t smooth_reach;  // how far the footprint reaches, whole pixels of the level, 1 or 2
-    std::int32_t smooth_limit;  // where the level is no rougher than this, one sample is the mean
-    float inset_x, inset_y;     // a centre this far from the picture's edges is well inside
 
     // Footprints that the picture's edge cuts.
     std::uint32_t edge_level;
@@ -32,17 +43,16 @@ struct Footprint {
 Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
                          bool repeat);
 
-/// A texel that takes its footprint's whole lattice of samples.
-struct LatticeTexel {
+/// A texel whose footprint one sample does not stand for.
+struct RoughTexel {
     const PyramidLevel* level;  // the footprint's
     const Footprint* footprint;
-    float x, y;  // the footprint's centre, in pixels of the level, less 1/2
+    std::int32_t x, y;  // the footprint's centre, in pixels of the level, less 1/2, times kWeightOne
     std::uint16_t* out;
 };
 
-/// Paints texels by their lattices, many in one call: alone, a call's own cost came to half of that of a small lattice.
-/// Returns how many took colour.
-std::uint32_t paint_lattices(const LatticeTexel* texels, std::uint32_t count);
+/// Paints texels by their kernels or lattices, many in one call.
+void paint_rough(const RoughTexel* texels, std::uint32_t count);
 
 /// Mean colour over the footprint centred on (x, y), which lies well inside the picture (inset_x, inset_y).
 Float4 sample_inside(const ImagePyramid& image, const Footprint& footprint, float x, float y);

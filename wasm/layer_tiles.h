@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "local_space_map.h"
 #include "memory_budget.h"
+#include "texel_bytes.h"
 
 namespace txc {
 
@@ -29,8 +31,19 @@ struct LayerTiles {
     }
 };
 
+/// How many texels of a tile have taken colour.
+inline std::uint32_t count_painted(const std::uint16_t* texels) {
+    UShort8 clear{};  // minus one for each that has not
+    for (std::uint32_t i = 0; i < kTileTexels * 4; i += 8) {
+        UShort8 two;
+        std::memcpy(&two, texels + i, sizeof two);
+        clear += reinterpret_cast<UShort8>(two == 0);
+    }
+    return kTileTexels - (static_cast<std::uint16_t>(-clear[3]) + std::uint32_t{static_cast<std::uint16_t>(-clear[7])});
+}
+
 /// Paints a layer anew: `painter.paint_tile(tile, texels)` for each candidate (a place in map.tiles, ascending), which
-/// fills a zeroed tile and says how many of its texels took colour. `out_texels`: of all of them. Errors: OUT_OF_BUDGET;
+/// fills a zeroed tile. `out_texels`: how many texels took colour. Errors: OUT_OF_BUDGET;
 /// `out` is then empty.
 template <typename Painter>
 TxcStatus paint_tiles(const LocalSpaceMap& map, const std::vector<std::uint32_t>& candidates, Painter&& painter,
@@ -48,7 +61,9 @@ TxcStatus paint_tiles(const LocalSpaceMap& map, const std::vector<std::uint32_t>
     for (const std::uint32_t place : candidates) {
         const std::size_t start = out.texels.size();
         out.texels.resize(start + kTileTexels * 4);
-        const std::uint32_t painted = painter.paint_tile(map.tiles[place], out.texels.data() + start);
+        std::uint16_t* texels = out.texels.data() + start;
+        painter.paint_tile(map.tiles[place], texels);
+        const std::uint32_t painted = count_painted(texels);
         if (painted == 0) {
             out.texels.resize(start);
             continue;

@@ -15,7 +15,7 @@ std::uint64_t LocalSpaceMap::byte_count() const {
 
 glm::vec3 LocalSpaceMap::unit_normal(const TexelRun& run, std::int32_t x, std::int32_t y) const {
     const TexelFrame& frame = frames[run.frame];
-    const glm::vec3 n = (run.flags & kRunHoldNormal) != 0 ? frame.normal : frame.normal_at(x, y);
+    const glm::vec3 n = (run.flags & kRunHoldNormal) != 0 ? frame.normal_at(frame.x0, frame.y0) : frame.normal_at(x, y);
     const float length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
     return length > 0.0f ? n / length : glm::vec3(0.0f, 1.0f, 0.0f);
 }

@@ -22,9 +22,10 @@ public:
         const TexelFrame& frame = frames[index];
         x0_ = frame.x0;
         y0_ = frame.y0;
-        position_ = load_vec3(frame.position);
-        dx_ = load_vec3(frame.position_dx);
-        dy_ = load_vec3(frame.position_dy);
+        using Coordinate = TexelFrame::Coordinate;
+        position_ = load_vec3(TexelFrame::part(frame.position, &Coordinate::at));
+        dx_ = load_vec3(TexelFrame::part(frame.position, &Coordinate::dx));
+        dy_ = load_vec3(TexelFrame::part(frame.position, &Coordinate::dy));
         // The footprints reach half a texel beyond the first and last centre, and above and below.
         reach_ = (absolute(dx_) + absolute(dy_)) * splat(0.5f);
     }

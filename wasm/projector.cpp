@@ -1,5 +1,8 @@
 #include "projector.h"
 
+#include <cstddef>
+#include <cstring>
+
 namespace txc {
 
 TxcStatus PlanarProjector::from_def(const TxcLayerDef& def, PlanarProjector& out) {
@@ -19,30 +22,37 @@ TxcStatus PlanarProjector::from_def(const TxcLayerDef& def, PlanarProjector& out
     }
     out.towards_viewer = pose.towards;
     for (int c = 0; c < 3; ++c) {
-        const glm::vec3 column(out.to_decal.matrix[c]);
-        out.columns[c] = Float4{column.x, column.y, column.z, static_cast<float>(pose.towards[c])};
+        for (int r = 0; r < 3; ++r) out.rows[r][c] = splat(static_cast<float>(rows[r][c]));
+        out.rows[3][c] = splat(static_cast<float>(pose.towards[c]));
+        out.centre[c] = Float4{def.position_model[c], 0.0f, 0.0f, 0.0f};
     }
     out.depth = static_cast<double>(def.size[2]);
     return TXC_STATUS_OK;
 }
 
 ProjectedFrame project_frame(const PlanarProjector& projector, const TexelFrame& frame) {
-    // The place in double: a small decal on a large model, far from the origin, is a difference of large numbers. The
-    // slopes are none, and float keeps them to a ten-thousandth of a pixel over any frame.
-    const glm::dvec3 place = projector.to_decal.apply(glm::dvec3(frame.position));
-    const Float4* columns = projector.columns;
-    // Model directions in the first three lanes, the frame's normals in the last: both go through the same columns.
-    const auto turn = [columns](const glm::vec3& p, const glm::vec3& n) {
-        return columns[0] * Float4{p.x, p.x, p.x, n.x} + columns[1] * Float4{p.y, p.y, p.y, n.y} +
-               columns[2] * Float4{p.z, p.z, p.z, n.z};
+    // The three parts of a coordinate, with the float before (which there is none of before the first) or after them.
+    const auto load = [&frame](std::size_t offset) {
+        Float4 parts;
+        std::memcpy(&parts, reinterpret_cast<const char*>(&frame) + offset, sizeof parts);
+        return parts;
     };
+    constexpr std::size_t kPosition = offsetof(TexelFrame, position);
+    constexpr std::size_t kBeforeNormal = offsetof(TexelFrame, normal) - sizeof(float);
+    constexpr std::size_t kNext = sizeof(TexelFrame::Coordinate);
+    const auto turn = [](const Float4(&row)[3], Float4 x, Float4 y, Float4 z) {
+        return row[0] * x + row[1] * y + row[2] * z;
+    };
+    // The centre is taken off first: a small decal on a large model, far from the origin, would else be a difference of
+    // large products.
+    const Float4 x = load(kPosition) - projector.centre[0];
+    const Float4 y = load(kPosition + kNext) - projector.centre[1];
+    const Float4 z = load(kPosition + 2 * kNext) - projector.centre[2];
+    const Float4 facing =
+        turn(projector.rows[3], load(kBeforeNormal), load(kBeforeNormal + kNext), load(kBeforeNormal + 2 * kNext));
     ProjectedFrame seen;
-    seen.at = turn(glm::vec3(0.0f), frame.normal);
-    seen.at[0] = static_cast<float>(place.x);
-    seen.at[1] = static_cast<float>(place.y);
-    seen.at[2] = static_cast<float>(place.z);
-    seen.dx = turn(frame.position_dx, frame.normal_dx);
-    seen.dy = turn(frame.position_dy, frame.normal_dy);
+    transpose3(turn(projector.rows[0], x, y, z), turn(projector.rows[1], x, y, z), turn(projector.rows[2], x, y, z),
+               move_down(facing), seen.at, seen.dx, seen.dy);
     return seen;
 }
 

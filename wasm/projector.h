@@ -17,7 +17,9 @@ struct PlanarProjector {
     ModelToDecal to_decal;           // model space to the box [-1/2, 1/2]^3
     glm::dvec3 towards_viewer{0.0};  // unit, model space: the box's +Z
     double depth = 1.0;              // metres, the box's full extent along Z
-    Float4 columns[3] = {};          // to_decal.matrix's, and towards_viewer across their last lanes
+    // For frames, in all lanes each: to_decal's matrix by rows, and as a fourth towards_viewer.
+    Float4 rows[4][3] = {};
+    Float4 centre[3] = {};  // model space, in the first lane
 
     /// From an ABI layer's fields. BAD_ARGUMENT names the field.
     static TxcStatus from_def(const TxcLayerDef& def, PlanarProjector& out);

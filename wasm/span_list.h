@@ -26,12 +26,7 @@ public:
 
     TxcStatus add(std::uint32_t frame, std::uint32_t x, std::uint32_t y, std::uint32_t length) {
         if (next_ == end_) {
-            if (const TxcStatus status = share_.resize(share_.bytes() + kBlock * sizeof(Span), "baking the map");
-                status != TXC_STATUS_OK)
-                return status;
-            blocks_.emplace_back(new Span[kBlock]);
-            next_ = blocks_.back().get();
-            end_ = next_ + kBlock;
+            if (const TxcStatus status = add_block(); status != TXC_STATUS_OK) return status;
         }
         // Field by field: a whole span put together on the stack first, then copied, costs three times as much.
         next_->frame = frame;
@@ -66,6 +61,16 @@ public:
 
 private:
     static constexpr std::uint64_t kBlock = 16384;
+
+    __attribute__((noinline)) TxcStatus add_block() {
+        if (const TxcStatus status = share_.resize(share_.bytes() + kBlock * sizeof(Span), "baking the map");
+            status != TXC_STATUS_OK)
+            return status;
+        blocks_.emplace_back(new Span[kBlock]);
+        next_ = blocks_.back().get();
+        end_ = next_ + kBlock;
+        return TXC_STATUS_OK;
+    }
 
     BudgetShare& share_;
     std::vector<std::unique_ptr<Span[]>> blocks_;

@@ -105,17 +105,40 @@ void SpanRaster::open_triangle(std::uint32_t triangle) {
     if (overlaps_itself_) claimed_ = CoverageBits(map_.key.width, map_.key.height);
 }
 
+inline TxcStatus SpanRaster::add_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first,
+                                      std::uint32_t count) {
+    map_.covered_texels += count;
+    std::uint32_t* run_counts = tile_run_counts_.data() + row / kTileSize * map_.tile_columns();
+    for (std::uint32_t column = first / kTileSize; column <= (first + count - 1) / kTileSize; ++column)
+        ++run_counts[column];
+    return spans_.add(frame, first, row, count);
+}
+
+/// A triangle inside the texture has one frame and meets no texel twice: nearly all do, so their rows take no call.
 TxcStatus SpanRaster::draw_rows(std::int64_t& work) {
     const TriangleRaster raster = raster_;
+    constexpr std::uint32_t kNone = 0xffffffffu;
+    std::uint32_t frame = open_frames_.empty() ? kNone : open_frames_[0].frame;
     while (rows_.first < rows_.last && work > 0) {
         const std::int32_t row = rows_.first++;
         const TexelRange span = raster.span(row);
         work -= 4;
         if (span.first >= span.last) continue;
         work -= span.last - span.first;
-        const TxcStatus status = claim(static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(span.first),
-                                       static_cast<std::uint32_t>(span.last - span.first), 0, 0);
-        if (status != TXC_STATUS_OK) return status;
+        const auto first = static_cast<std::uint32_t>(span.first);
+        const auto y = static_cast<std::uint32_t>(row);
+        const auto count = static_cast<std::uint32_t>(span.last - span.first);
+        if (!covered_.claim_span(first, y, count)) {
+            if (const TxcStatus status = claim_free_texels(y, first, count, 0, 0); status != TXC_STATUS_OK)
+                return status;
+            if (!open_frames_.empty()) frame = open_frames_[0].frame;
+            continue;
+        }
+        if (frame == kNone) {
+            if (const TxcStatus status = frame_for({span.first, row, 0, 0}, frame); status != TXC_STATUS_OK)
+                return status;
+        }
+        if (const TxcStatus status = add_span(frame, y, first, count); status != TXC_STATUS_OK) return status;
     }
     return TXC_STATUS_OK;
 }
@@ -176,11 +199,7 @@ TxcStatus SpanRaster::keep_span(std::uint32_t row, std::uint32_t first, std::uin
     std::uint32_t frame = 0;
     const RepeatedTexel at{static_cast<std::int32_t>(first), static_cast<std::int32_t>(row), repeat_x, repeat_y};
     if (const TxcStatus status = frame_for(at, frame); status != TXC_STATUS_OK) return status;
-    map_.covered_texels += count;
-    std::uint32_t* run_counts = tile_run_counts_.data() + row / kTileSize * map_.tile_columns();
-    for (std::uint32_t column = first / kTileSize; column <= (first + count - 1) / kTileSize; ++column)
-        ++run_counts[column];
-    return spans_.add(frame, first, row, count);
+    return add_span(frame, row, first, count);
 }
 
 TxcStatus SpanRaster::frame_for(const RepeatedTexel& at, std::uint32_t& out_frame) {

@@ -53,6 +53,7 @@ private:
                                 std::int64_t repeat_y);
     TxcStatus keep_span(std::uint32_t row, std::uint32_t first, std::uint32_t count, std::int64_t repeat_x,
                         std::int64_t repeat_y);
+    TxcStatus add_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first, std::uint32_t count);
     TxcStatus frame_for(const RepeatedTexel& at, std::uint32_t& out_frame);
     TxcStatus count_overlap(std::uint32_t x, std::uint32_t y);
 

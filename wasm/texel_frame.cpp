@@ -13,6 +13,10 @@ glm::vec3 finite_or_zero(const glm::dvec3& gradient) {
     return finite ? glm::vec3(gradient) : glm::vec3(0.0f);
 }
 
+void set(TexelFrame::Coordinate (&out)[3], const glm::vec3& at, const glm::vec3& dx, const glm::vec3& dy) {
+    for (int axis = 0; axis < 3; ++axis) out[axis] = {at[axis], dx[axis], dy[axis]};
+}
+
 }  // namespace
 
 // In double: a sliver's gradients cancel, and over its length a float's rounding would move its texels off the surface.
@@ -37,9 +41,8 @@ void make_texel_frame(const Mesh& mesh, std::uint32_t triangle, const TexelTrian
     const glm::dvec3 p0(mesh.positions[corners.vertex[0]]);
     const glm::dvec3 p01 = glm::dvec3(mesh.positions[corners.vertex[1]]) - p0;
     const glm::dvec3 p02 = glm::dvec3(mesh.positions[corners.vertex[2]]) - p0;
-    out.position = glm::vec3(p0 + p01 * b + p02 * c);
-    out.position_dx = finite_or_zero(p01 * b_dx + p02 * c_dx);
-    out.position_dy = finite_or_zero(p01 * b_dy + p02 * c_dy);
+    set(out.position, glm::vec3(p0 + p01 * b + p02 * c), finite_or_zero(p01 * b_dx + p02 * c_dx),
+        finite_or_zero(p01 * b_dy + p02 * c_dy));
     out.x0 = at.x;
     out.y0 = at.y;
     out.triangle = triangle;
@@ -52,12 +55,9 @@ void make_texel_frame(const Mesh& mesh, std::uint32_t triangle, const TexelTrian
     const glm::dvec3 n02 = glm::dvec3(normals[2]) - n0;
     const glm::dvec3 n = n0 + n01 * b + n02 * c;
     if (normals[0] == zero || normals[1] == zero || normals[2] == zero || glm::dot(n, n) < 1e-12) {
-        out.normal = mesh.flat_normal(corners);
-        out.normal_dx = out.normal_dy = zero;
+        set(out.normal, mesh.flat_normal(corners), zero, zero);
     } else {
-        out.normal = glm::vec3(n);
-        out.normal_dx = finite_or_zero(n01 * b_dx + n02 * c_dx);
-        out.normal_dy = finite_or_zero(n01 * b_dy + n02 * c_dy);
+        set(out.normal, glm::vec3(n), finite_or_zero(n01 * b_dx + n02 * c_dx), finite_or_zero(n01 * b_dy + n02 * c_dy));
     }
 }
 

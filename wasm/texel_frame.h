@@ -9,24 +9,34 @@
 
 namespace txc {
 
-/// `x0`, `y0` is the texel at whose centre `position` and `normal` hold. A triangle whose UVs wrap has one frame for
-/// each repeat that owns texels.
+/// `x0`, `y0` is the texel at whose centre position and normal hold. A triangle whose UVs wrap has one frame for each
+/// repeat that owns texels.
 struct TexelFrame {
-    glm::vec3 position;     // model space, metres
-    glm::vec3 position_dx;  // metres a texel to the right
-    glm::vec3 position_dy;  // metres a texel down
-    glm::vec3 normal;       // not normalised: interpolated like the positions
-    glm::vec3 normal_dx;
-    glm::vec3 normal_dy;
+    /// One coordinate over the texels. Coordinate by coordinate a projector turns all three parts in one go.
+    struct Coordinate {
+        float at;  // the texel (x0, y0)
+        float dx;  // change a texel to the right
+        float dy;  // change a texel down
+    };
+
+    Coordinate position[3];  // model space, metres
+    Coordinate normal[3];    // not normalised: interpolated like the positions
     std::int32_t x0;
     std::int32_t y0;
     std::uint32_t triangle;  // index into Mesh::triangles
 
-    glm::vec3 position_at(std::int32_t x, std::int32_t y) const {
-        return position + position_dx * static_cast<float>(x - x0) + position_dy * static_cast<float>(y - y0);
+    glm::vec3 position_at(std::int32_t x, std::int32_t y) const { return at(position, x, y); }
+    glm::vec3 normal_at(std::int32_t x, std::int32_t y) const { return at(normal, x, y); }
+
+    /// A member of all three coordinates: part(frame.position, &TexelFrame::Coordinate::dx).
+    static glm::vec3 part(const Coordinate (&of)[3], float Coordinate::*member) {
+        return {of[0].*member, of[1].*member, of[2].*member};
     }
-    glm::vec3 normal_at(std::int32_t x, std::int32_t y) const {
-        return normal + normal_dx * static_cast<float>(x - x0) + normal_dy * static_cast<float>(y - y0);
+
+private:
+    glm::vec3 at(const Coordinate (&of)[3], std::int32_t x, std::int32_t y) const {
+        return part(of, &Coordinate::at) + part(of, &Coordinate::dx) * static_cast<float>(x - x0) +
+               part(of, &Coordinate::dy) * static_cast<float>(y - y0);
     }
 };
 

@@ -1,4 +1,4 @@
-// Where one sample stands for a footprint's mean, it is within half an 8-bit step of it (footprint.h).
+// Where one sample stands for a footprint's mean, it is within an 8-bit step of it (footprint.h).
 #include "footprint.h"
 
 #include <doctest/doctest.h>
@@ -56,7 +56,7 @@ double dense_mean(const txc::PyramidLevel& level, const txc::Footprint& f, float
 
 }  // namespace
 
-TEST_CASE("One sample stands for a footprint only where it is within half a step of the mean") {
+TEST_CASE("One sample stands for a footprint only where it is within a step of the mean") {
     Random random(46);
     std::uint32_t spared[4] = {0, 0, 0, 0};
     double worst = 0.0;
@@ -81,17 +81,16 @@ TEST_CASE("One sample stands for a footprint only where it is within half a step
             const auto x = static_cast<float>(centred ? middle : random.between(f.inset_x, kSize - f.inset_x));
             const auto y = static_cast<float>(centred ? middle : random.between(f.inset_y, kSize - f.inset_y));
             const txc::PyramidLevel& level = image.levels[0];
-            // Footprints so small that they never take more than one sample are another matter.
-            if (f.level != 0 || f.across_samples * f.down_samples == 1) continue;
+            if (f.level != 0) continue;
             if (level.roughness_at(x, y, f.smooth_reach) > f.smooth_limit) continue;
             const double one = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / 255.0;
             worst = std::fmax(worst, std::fabs(one - dense_mean(level, f, x, y)));
             ++spared[kind];
         }
     }
-    CHECK(worst <= 0.5);
+    CHECK(worst <= 1.0);
     // The claim is not empty, and the limit is not stricter than it need be.
-    CHECK(worst >= 0.4);
+    CHECK(worst >= 0.7);
     for (const std::uint32_t count : spared) CHECK(count > 200);
 }
 

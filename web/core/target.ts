@@ -196,7 +196,7 @@ export class Target {
   }
 
   /** Projects and composites what changed since the update before. */
-  update(): CoreUpdate {
+  update(into?: ArrayBuffer): CoreUpdate {
     const core = this.#core;
     const update = core.collectStruct(UpdateLayout, (out) => {
       core.run("txc_target_update", this.#session, this.#handle, out);
@@ -209,7 +209,7 @@ export class Target {
     const bytesPointer = core.call("txc_target_update_bytes", this.#session, this.#handle);
     return {
       rects,
-      bytes: core.copyOut(bytesPointer, update.byteCount),
+      bytes: core.copyOut(bytesPointer, update.byteCount, into),
       projectedLayers: update.projectedLayers,
       projectedTexels: update.projectedTexels,
       compositedTexels: update.compositedTexels,

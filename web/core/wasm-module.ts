@@ -178,9 +178,17 @@ export class CoreModule {
     });
   }
 
-  /** A copy of bytes of the module. */
-  copyOut(pointer: number, byteCount: number): Uint8Array<ArrayBuffer> {
-    return new Uint8Array(this.#memory.buffer, pointer, byteCount).slice();
+  /**
+   * A copy of bytes of the module.
+   * @param into memory that may be written over, and is used where it is large enough: fresh memory of some megabytes
+   * costs more than the copy
+   */
+  copyOut(pointer: number, byteCount: number, into?: ArrayBuffer): Uint8Array<ArrayBuffer> {
+    const bytes = new Uint8Array(this.#memory.buffer, pointer, byteCount);
+    if (!into || into.byteLength < byteCount) return bytes.slice();
+    const copy = new Uint8Array(into, 0, byteCount);
+    copy.set(bytes);
+    return copy;
   }
 
   /** Lets `fill` write `byteCount` bytes into the module, and returns a copy of them. */
