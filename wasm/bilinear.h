@@ -3,6 +3,8 @@
 // the time of floats (four pixels to convert, three interpolations).
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "float4.h"
@@ -25,7 +27,7 @@ inline float to_float(std::int32_t fixed) {
     return static_cast<float>(fixed) * (1.0f / static_cast<float>(kWeightOne));
 }
 
-/// Where four samples lie on a level: the upper left of each one's four pixels, and the weights, (1 - w) in the low half
+/// Where four samples lie on a level: the upper left of each one's four pixels, counted from the picture's first, and the weights, (1 - w) in the low half
 /// and w in the high half of each lane.
 struct SamplePlaces {
     Int4 offset;
@@ -33,21 +35,19 @@ struct SamplePlaces {
     Int4 weights_y;
 };
 
-/// `x`, `y`: in pixels of the level, less 1/2, so that whole numbers are pixel centres, in fixed point; not negative.
-inline SamplePlaces place_samples(Int4 x, Int4 y, std::int32_t level_width) {
+/// `x`, `y`: in pixels of the level, less 1/2, so that whole numbers are pixel centres, in fixed point.
+inline SamplePlaces place_samples(Int4 x, Int4 y, std::int32_t stride) {
     const Int4 one = {kWeightOne, kWeightOne, kWeightOne, kWeightOne};
-    const Int4 width = {level_width, level_width, level_width, level_width};
     const Int4 right = x & (one - 1);
     const Int4 down = y & (one - 1);
-    return {(y >> kWeightBits) * width + (x >> kWeightBits), (right << 16) + (one - right),
+    return {(y >> kWeightBits) * splat(stride) + (x >> kWeightBits), (right << 16) + (one - right),
             (down << 16) + (one - down)};
 }
 
 /// The same of places in floats.
-inline SamplePlaces place_samples(Float4 x, Float4 y, std::int32_t level_width) {
+inline SamplePlaces place_samples(Float4 x, Float4 y, std::int32_t stride) {
     constexpr float kOne = static_cast<float>(kWeightOne);
-    return place_samples(__builtin_convertvector(x * splat(kOne), Int4), __builtin_convertvector(y * splat(kOne), Int4),
-                         level_width);
+    return place_samples(round_to_int(x * splat(kOne)), round_to_int(y * splat(kOne)), stride);
 }
 
 /// One lane in all four.
@@ -97,20 +97,19 @@ inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, I
 
 /// The sample at one of four places.
 template <int kLane>
-Int4 sample_lane(const std::uint16_t* pixels, std::int32_t width, const SamplePlaces& places) {
-    return sample_biased(pixels + static_cast<std::size_t>(places.offset[kLane]) * 4,
-                         static_cast<std::size_t>(width) * 4, broadcast<kLane>(places.weights_x),
+Int4 sample_lane(const std::uint16_t* pixels, std::int32_t stride, const SamplePlaces& places) {
+    return sample_biased(pixels + std::ptrdiff_t{places.offset[kLane]} * 4, std::size_t(stride) * 4, broadcast<kLane>(places.weights_x),
                          broadcast<kLane>(places.weights_y));
 }
 
 /// Adds up the first `count` of the four samples.
 inline Int4 sum_samples(const PyramidLevel& level, const SamplePlaces& places, std::int32_t count) {
-    const std::uint16_t* pixels = level.rgba.data();
-    const auto width = static_cast<std::int32_t>(level.width);
-    Int4 sum = sample_lane<0>(pixels, width, places);
-    if (count > 1) sum += sample_lane<1>(pixels, width, places);
-    if (count > 2) sum += sample_lane<2>(pixels, width, places);
-    if (count > 3) sum += sample_lane<3>(pixels, width, places);
+    const std::uint16_t* pixels = level.first_pixel();
+    const std::int32_t stride = level.stride();
+    Int4 sum = sample_lane<0>(pixels, stride, places);
+    if (count > 1) sum += sample_lane<1>(pixels, stride, places);
+    if (count > 2) sum += sample_lane<2>(pixels, stride, places);
+    if (count > 3) sum += sample_lane<3>(pixels, stride, places);
     return sum;
 }
 

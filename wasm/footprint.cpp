@@ -108,23 +108,30 @@ const LatticeGroup& lattice_group(std::int32_t across_samples) {
 // are alike above 44.
 bool kernel_serves(float longer, float shorter) { return longer <= 0.88f + 0.2f * shorter; }
 
-// More parts than these cost more than the lattice does.
-constexpr std::int32_t kMostParts = 4;
-
-bool find_parts(float across, float down, std::int32_t& out_across, std::int32_t& out_down) {
+/// Cuts a footprint on the finest level, whose sides have these lengths, into parts that a kernel serves. False where they
+/// are too many.
+bool cut_into_parts(float across, float down, Footprint& f) {
+    std::int32_t columns = 1;
+    std::int32_t rows = 1;
     float part_across = across;
     float part_down = down;
-    out_across = out_down = 1;
     while (!kernel_serves(std::max(part_across, part_down), std::min(part_across, part_down))) {
         if (part_across >= part_down) {
-            part_across = across / static_cast<float>(++out_across);
+            part_across = across / static_cast<float>(++columns);
         } else {
-            part_down = down / static_cast<float>(++out_down);
+            part_down = down / static_cast<float>(++rows);
         }
-        if (out_across * out_down > kMostParts) {
-            out_across = out_down = 0;
-            return false;
-        }
+        if (columns * rows > kMostParts) return false;
+    }
+    const float u = 1.0f / static_cast<float>(columns);
+    const float v = 1.0f / static_cast<float>(rows);
+    f.kernel = make_footprint_kernel(f.across_x * u, f.across_y * u, f.down_x * v, f.down_y * v);
+    f.parts = columns * rows;
+    for (std::int32_t i = 0; i < f.parts; ++i) {
+        const float right = (static_cast<float>(i % columns) + 0.5f) * u - 0.5f;
+        const float below = (static_cast<float>(i / columns) + 0.5f) * v - 0.5f;
+        f.part_x[i] = to_fixed(f.across_x * right + f.down_x * below);
+        f.part_y[i] = to_fixed(f.across_y * right + f.down_y * below);
     }
     return true;
 }
@@ -171,18 +178,13 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     const PyramidLevel& on = image.levels[level];
     // All four pixels of a sample must exist, half a pixel of the level around it, and a little for rounding.
     float rim = 0.51f;
-    if (level == 0 && find_parts(across, down, f.across_parts, f.down_parts)) {
+    if (level == 0 && cut_into_parts(across, down, f)) {
         rim = 1.51f;  // of a kernel, one more
-        const float across_share = 1.0f / static_cast<float>(f.across_parts);
-        const float down_share = 1.0f / static_cast<float>(f.down_parts);
-        f.across_step_x = across_x * across_share;
-        f.across_step_y = across_y * across_share;
-        f.down_step_x = down_x * down_share;
-        f.down_step_y = down_y * down_share;
-        f.kernel = make_footprint_kernel(f.across_step_x, f.across_step_y, f.down_step_x, f.down_step_y);
     } else {
         make_lattice(on, across / pixel, down / pixel, f);
     }
+    // On the picture itself what it is padded with serves as well. Not where it repeats and is cut hard.
+    if (level == 0 && !repeat) rim -= static_cast<float>(kPad);
     f.inset_x = f.reach_x + rim / on.scale_x;
     f.inset_y = f.reach_y + rim / on.scale_y;
     const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
@@ -214,7 +216,7 @@ namespace {
 __attribute__((always_inline)) inline Float4 sample_lattice(const PyramidLevel& level, const Footprint& f, float x,
                                                             float y) {
     const LatticeGroup& group = lattice_group(f.across_samples);
-    const auto width = static_cast<std::int32_t>(level.width);
+    const std::int32_t stride = level.stride();
     Int4 sum{};
     for (std::int32_t j = 0; j < f.down_samples; j += group.rows) {
         for (std::int32_t i = 0; i < f.across_samples; i += group.columns) {
@@ -223,50 +225,37 @@ __attribute__((always_inline)) inline Float4 sample_lattice(const PyramidLevel& 
             const std::int32_t count =
                 std::min(group.columns, f.across_samples - i) * std::min(group.rows, f.down_samples - j);
             sum +=
-                sum_samples(level, place_samples(splat(at_x) + f.lattice_x, splat(at_y) + f.lattice_y, width), count);
+                sum_samples(level, place_samples(splat(at_x) + f.lattice_x, splat(at_y) + f.lattice_y, stride), count);
         }
     }
     return __builtin_convertvector(sum, Float4) * splat(1.0f / static_cast<float>(f.across_samples * f.down_samples)) +
            splat(static_cast<float>(kChannelBias));
 }
 
-/// Mean colour by the kernels of the footprint's parts. `x`, `y` as in RoughTexel. Channels less kChannelBias.
-Float4 sample_parts(const PyramidLevel& level, const Footprint& f, std::int32_t x, std::int32_t y) {
-    const auto width = static_cast<std::int32_t>(level.width);
-    Int4 sum{};
-    for (std::int32_t j = 0; j < f.down_parts; ++j) {
-        const float v = static_cast<float>(j) - 0.5f * static_cast<float>(f.down_parts - 1);
-        for (std::int32_t i = 0; i < f.across_parts; ++i) {
-            const float u = static_cast<float>(i) - 0.5f * static_cast<float>(f.across_parts - 1);
-            sum +=
-                sample_kernel(level.rgba.data(), width, f.kernel, x + to_fixed(u * f.across_step_x + v * f.down_step_x),
-                              y + to_fixed(u * f.across_step_y + v * f.down_step_y));
-        }
-    }
-    return __builtin_convertvector(sum, Float4) * splat(1.0f / static_cast<float>(f.across_parts * f.down_parts));
-}
-
 /// Kernels that lean may go a little beyond black, white and the colour that an alpha allows.
-Float4 within_alpha(Float4 color) {
-    const float alpha = std::min(std::max(color[3], 0.0f), kFullScale);
-    return lesser(greater(color, splat(0.0f)), splat(alpha));
-}
-
 Int4 within_alpha(Int4 color) {
     constexpr auto kFull = static_cast<std::int32_t>(kFullScale);
     return lesser(greater(color, splat(0)), splat(std::min(std::max(color[3], 0), kFull)));
 }
 
-Float4 sample_rough(const PyramidLevel& level, const Footprint& f, std::int32_t x, std::int32_t y) {
-    if (f.across_parts == 0) return sample_lattice(level, f, to_float(x), to_float(y));
-    return within_alpha(sample_parts(level, f, x, y) + splat(static_cast<float>(kChannelBias)));
+/// Mean colour by the kernels of the footprint's parts. `x`, `y` as in RoughTexel.
+__attribute__((always_inline)) inline Int4 sample_parts(const PyramidLevel& level, const Footprint& f, std::int32_t x,
+                                                        std::int32_t y) {
+    const std::uint16_t* pixels = level.first_pixel();
+    const std::int32_t stride = level.stride();
+    Int4 sum = sample_kernel(pixels, stride, f.kernel, x + f.part_x[0], y + f.part_y[0]);
+    for (std::int32_t i = 1; i < f.parts; ++i)
+        sum += sample_kernel(pixels, stride, f.kernel, x + f.part_x[i], y + f.part_y[i]);
+    if (f.parts == 2) sum = sum >> 1;
+    if (f.parts == 4) sum = sum >> 2;
+    // A third, to the nearest: of three times a number it is that number.
+    if (f.parts == 3) sum = round_to_int(__builtin_convertvector(sum, Float4) * splat(1.0f / 3.0f));
+    return within_alpha(sum + kBias);
 }
 
-/// The same of a single part, in whole numbers throughout.
-void paint_small(const RoughTexel& texel) {
-    const Int4 sample = sample_kernel(texel.level->rgba.data(), static_cast<std::int32_t>(texel.level->width),
-                                      texel.footprint->kernel, texel.x, texel.y);
-    store_ushort4(texel.out, within_alpha(sample + kBias));
+Float4 sample_rough(const PyramidLevel& level, const Footprint& f, std::int32_t x, std::int32_t y) {
+    if (f.parts > 0) return __builtin_convertvector(sample_parts(level, f, x, y), Float4);
+    return sample_lattice(level, f, to_float(x), to_float(y));
 }
 
 }  // namespace
@@ -274,8 +263,8 @@ void paint_small(const RoughTexel& texel) {
 void paint_rough(const RoughTexel* texels, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         const RoughTexel& texel = texels[i];
-        if (texel.footprint->across_parts * texel.footprint->down_parts == 1) {
-            paint_small(texel);
+        if (texel.footprint->parts > 0) {
+            store_ushort4(texel.out, sample_parts(*texel.level, *texel.footprint, texel.x, texel.y));
         } else {
             store_rounded_ushort4(texel.out, sample_rough(*texel.level, *texel.footprint, texel.x, texel.y));
         }
@@ -286,8 +275,8 @@ Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, flo
     const PyramidLevel& level = image.levels[f.level];
     const float level_x = x * level.scale_x - 0.5f;
     const float level_y = y * level.scale_y - 0.5f;
-    const SamplePlaces place = place_samples(splat(level_x), splat(level_y), static_cast<std::int32_t>(level.width));
-    if (level.roughness[f.smooth_reach - 1][static_cast<std::size_t>(place.offset[0])] > f.smooth_limit)
+    const SamplePlaces place = place_samples(splat(level_x), splat(level_y), level.stride());
+    if (level.first_roughness(f.smooth_reach)[place.offset[0]] > f.smooth_limit)
         return sample_rough(level, f, to_fixed(level_x), to_fixed(level_y));
     return __builtin_convertvector(sum_samples(level, place, 1), Float4) + splat(static_cast<float>(kChannelBias));
 }

@@ -7,6 +7,9 @@
 
 namespace txc {
 
+/// More parts than these cost more than a lattice does.
+inline constexpr std::int32_t kMostParts = 4;
+
 /// How a frame's texels sample a picture. Lengths in pixels of the picture unless said.
 struct Footprint {
     float across_x, across_y;  // along the texel's row
@@ -22,15 +25,15 @@ struct Footprint {
     std::int32_t pair_limit;
     std::int32_t four_limit;
     float inset_x, inset_y;  // a centre this far from the picture's edges is well inside
-    // Else, of small ones: so many parts along either side (0: there are none), the mean of each by its kernel.
-    std::int32_t across_parts;
-    std::int32_t down_parts;
+    // Else, of small ones: up to four parts (0: there are none), each with its mean by the kernel, and where they lie from the
+    // centre, in fixed point on the level.
+    std::int32_t parts;
+    std::int32_t part_x[kMostParts], part_y[kMostParts];
     FootprintKernel kernel;
     // Of the others: a lattice of samples.
     std::int32_t across_samples;
     std::int32_t down_samples;
     Float4 lattice_x, lattice_y;  // from the centre to four neighbouring samples: as many of a row as it has, then down
-    // From a part or sample to the next, in pixels of the level.
     float across_step_x, across_step_y;
     float down_step_x, down_step_y;
 

@@ -64,16 +64,16 @@ inline v128_t weigh(const PixelPairs& pixels, v128_t rows, v128_t columns) {
 }  // namespace detail
 #endif
 
-/// The mean around (x, y): as of place_samples, in fixed point. All 4 x 4 pixels must exist. Channels less kChannelBias;
+/// The mean around (x, y): as of place_samples, in fixed point. `pixels`, `stride`: of the level; all 4 x 4 must exist. Channels less kChannelBias;
 /// they may leave the range of colours by a little where the footprint leans.
-inline Int4 sample_kernel(const std::uint16_t* pixels, std::int32_t width, const FootprintKernel& kernel,
+inline Int4 sample_kernel(const std::uint16_t* pixels, std::int32_t stride, const FootprintKernel& kernel,
                           std::int32_t x, std::int32_t y) {
     constexpr std::int32_t kHalfPhase = 1 << (kWeightBits - kPhaseBits - 1);
     const std::int32_t phase_x = ((x & (kWeightOne - 1)) + kHalfPhase) >> (kWeightBits - kPhaseBits);
     const std::int32_t phase_y = ((y & (kWeightOne - 1)) + kHalfPhase) >> (kWeightBits - kPhaseBits);
     const std::uint16_t* first =
-        pixels + static_cast<std::size_t>(((y >> kWeightBits) - 1) * width + (x >> kWeightBits) - 1) * 4;
-    const std::size_t row = static_cast<std::size_t>(width) * 4;
+        pixels + std::ptrdiff_t{((y >> kWeightBits) - 1) * stride + (x >> kWeightBits) - 1} * 4;
+    const std::size_t row = static_cast<std::size_t>(stride) * 4;
 #if defined(__wasm_simd128__)
     const v128_t bias = wasm_i16x8_const_splat(static_cast<std::int16_t>(0x8000));
     const auto load = [&](std::size_t at) { return wasm_v128_xor(wasm_v128_load(first + at), bias); };

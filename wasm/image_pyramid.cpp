@@ -34,34 +34,27 @@ void reduce(const PyramidLevel& fine, PyramidLevel& coarse) {
                     area += weight;
                 }
             }
-            std::uint16_t* out = coarse.rgba.data() + (static_cast<std::size_t>(y) * coarse.width + x) * 4;
+            std::uint16_t* out = coarse.pixel(x, y);
             for (int c = 0; c < 4; ++c) out[c] = static_cast<std::uint16_t>(sum[c] / area + 0.5);
         }
     }
 }
 
-/// How much the four pixels from (x, y) on depart from a plane, 0 where they do not all exist.
-std::int32_t mixed_difference(const PyramidLevel& level, std::int64_t x, std::int64_t y, int c) {
-    if (x < 0 || y < 0 || x + 1 >= level.width || y + 1 >= level.height) return 0;
-    const std::uint16_t* at = level.pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)) + c;
-    const std::uint16_t* below = at + static_cast<std::size_t>(level.width) * 4;
-    return std::abs(at[0] - at[4] - below[0] + below[4]);
+/// How much four neighbouring pixels depart from a plane, in one channel.
+std::int32_t mixed_difference(const std::uint16_t* at, std::size_t row) {
+    return std::abs(at[0] - at[4] - at[row] + at[row + 4]);
 }
 
-std::int32_t largest_second_difference(const PyramidLevel& level, std::uint32_t x, std::uint32_t y) {
-    const std::uint16_t* at = level.pixel(x, y);
-    const std::size_t row = static_cast<std::size_t>(level.width) * 4;
+/// Of the pixel at `at`, which has neighbours on all sides.
+std::int32_t largest_second_difference(const std::uint16_t* at, std::size_t row) {
     std::int32_t largest = 0;
-    for (int c = 0; c < 4; ++c) {
-        if (x > 0 && x + 1 < level.width) largest = std::max(largest, std::abs(at[c - 4] - 2 * at[c] + at[c + 4]));
-        if (y > 0 && y + 1 < level.height) {
-            largest = std::max(largest, std::abs(*(at + c - row) - 2 * at[c] + *(at + c + row)));
-        }
-        for (const std::int64_t left : {static_cast<std::int64_t>(x) - 1, static_cast<std::int64_t>(x)}) {
-            for (const std::int64_t top : {static_cast<std::int64_t>(y) - 1, static_cast<std::int64_t>(y)}) {
-                largest = std::max(largest, mixed_difference(level, left, top, c));
-            }
-        }
+    for (int c = 0; c < 4; ++c, ++at) {
+        largest = std::max(largest, std::abs(*(at - 4) - 2 * at[0] + at[4]));
+        largest = std::max(largest, std::abs(*(at - row) - 2 * at[0] + at[row]));
+        largest = std::max(largest, mixed_difference(at - row - 4, row));
+        largest = std::max(largest, mixed_difference(at - row, row));
+        largest = std::max(largest, mixed_difference(at - 4, row));
+        largest = std::max(largest, mixed_difference(at, row));
     }
     return largest;
 }
@@ -83,17 +76,20 @@ void spread(std::vector<std::uint8_t>& values, std::uint32_t lines, std::size_t 
 
 void measure_roughness(PyramidLevel& level) {
     constexpr std::int32_t kStep = 255;  // an 8-bit step on the scale of kFullScale
-    std::vector<std::uint8_t> values(static_cast<std::size_t>(level.width) * level.height);
-    for (std::uint32_t y = 0; y < level.height; ++y) {
-        for (std::uint32_t x = 0; x < level.width; ++x) {
-            const std::int32_t steps = (largest_second_difference(level, x, y) + kStep - 1) / kStep;
-            values[static_cast<std::size_t>(y) * level.width + x] = static_cast<std::uint8_t>(std::min(steps, 255));
+    const auto width = static_cast<std::uint32_t>(level.stride());
+    const std::uint32_t height = level.height + 2 * kPad;
+    std::vector<std::uint8_t> values(level.padded_count());
+    for (std::uint32_t y = 1; y + 1 < height; ++y) {
+        for (std::uint32_t x = 1; x + 1 < width; ++x) {
+            const std::size_t place = std::size_t{y} * width + x;
+            const std::int32_t difference = largest_second_difference(level.rgba.data() + place * 4, std::size_t{width} * 4);
+            values[place] = static_cast<std::uint8_t>(std::min((difference + kStep - 1) / kStep, 255));
         }
     }
     // A centre between two pixels' feels both up to a distance of 1, and one more on either side up to 2.
     for (int reach = 0; reach < kRoughnessReaches; ++reach) {
-        spread(values, level.height, level.width, level.width, 1, reach > 0);
-        spread(values, level.width, 1, level.height, level.width, reach > 0);
+        spread(values, height, width, width, 1, reach > 0);
+        spread(values, width, 1, height, width, reach > 0);
         level.roughness[reach] = values;
     }
 }
@@ -101,17 +97,25 @@ void measure_roughness(PyramidLevel& level) {
 }  // namespace
 
 TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba) {
-    const std::uint64_t pixels = static_cast<std::uint64_t>(width) * height;
-    if (const TxcStatus status = share.resize(pixels * (8 + 3) * 4 / 3 + 4096, "the decal's picture");
-        status != TXC_STATUS_OK)
-        return status;
-    levels.assign(1, PyramidLevel{width, height, 1.0f, 1.0f, {}, {}});
-    levels[0].rgba.resize(static_cast<std::size_t>(pixels) * 4);
-    for (std::size_t p = 0; p < pixels; ++p) {
-        const std::uint32_t alpha = rgba[p * 4 + 3];
-        for (std::size_t c = 0; c < 3; ++c)
-            levels[0].rgba[p * 4 + c] = static_cast<std::uint16_t>(rgba[p * 4 + c] * alpha);
-        levels[0].rgba[p * 4 + 3] = static_cast<std::uint16_t>(alpha * 255);
+    // Pixels, two lists of roughness and one to make them, of all levels.
+    std::uint64_t bytes = 0;
+    for (std::uint32_t w = width, h = height;; w = std::max(1u, w / 2), h = std::max(1u, h / 2)) {
+        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + 3);
+        if (w == 1 && h == 1) break;
+    }
+    if (const TxcStatus status = share.resize(bytes, "the decal's picture"); status != TXC_STATUS_OK) return status;
+    levels.assign(1, PyramidLevel{});
+    levels[0].width = width;
+    levels[0].height = height;
+    levels[0].rgba.resize(levels[0].padded_count() * 4);
+    for (std::uint32_t y = 0; y < height; ++y) {
+        const std::uint8_t* from = rgba + std::size_t{y} * width * 4;
+        std::uint16_t* to = levels[0].pixel(0, y);
+        for (std::uint32_t x = 0; x < width; ++x, from += 4, to += 4) {
+            const std::uint32_t alpha = from[3];
+            for (int c = 0; c < 3; ++c) to[c] = static_cast<std::uint16_t>(from[c] * alpha);
+            to[3] = static_cast<std::uint16_t>(alpha * 255);
+        }
     }
     while (levels.back().width > 1 || levels.back().height > 1) {
         PyramidLevel coarse;
@@ -119,7 +123,7 @@ TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const s
         coarse.height = std::max(1u, levels.back().height / 2);
         coarse.scale_x = static_cast<float>(coarse.width) / static_cast<float>(width);
         coarse.scale_y = static_cast<float>(coarse.height) / static_cast<float>(height);
-        coarse.rgba.resize(static_cast<std::size_t>(coarse.width) * coarse.height * 4);
+        coarse.rgba.resize(coarse.padded_count() * 4);
         reduce(levels.back(), coarse);
         levels.push_back(std::move(coarse));
     }

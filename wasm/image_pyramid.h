@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,28 +17,49 @@ inline constexpr float kFullScale = 65025.0f;
 
 inline constexpr std::int32_t kRoughnessReaches = 2;
 
+/// Transparent pixels around each level, so that footprints over a picture's edge are no case of their own: the picture
+/// fades out over half a pixel by itself. As many as let most runs of texels that leave it pass in one piece.
+inline constexpr std::int32_t kPad = 8;
+
 struct PyramidLevel {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     float scale_x = 1.0f;  // pixels of this level a pixel of the picture
     float scale_y = 1.0f;
-    std::vector<std::uint16_t> rgba;
-    // Per pixel: the largest second difference of any channel, in 8-bit steps, rounded up, among the pixels where a
+    std::vector<std::uint16_t> rgba;  // padded
+    // Per pixel, padded likewise: the largest second difference of any channel, in 8-bit steps, rounded up, among the pixels where a
     // footprint can feel it whose centre lies between this pixel's centre and those of its right and lower neighbours:
     // up to 1 (first list) or 2 pixels away. Where it is small the picture is as good as linear, and the mean over the
     // footprint is the value at its centre. (Blocks of 8 pixels would take less room, but on a picture with fine detail
     // they spared an eighth of the texels their samples, where pixels spare three quarters.)
     std::vector<std::uint8_t> roughness[kRoughnessReaches];
 
-    /// Around a place in pixels of the level, at least half a pixel from its border; `reach` is 1 or 2.
-    std::int32_t roughness_at(float x, float y, std::int32_t reach) const {
-        const auto column = static_cast<std::uint32_t>(static_cast<std::int32_t>(x - 0.5f));
-        const auto row = static_cast<std::uint32_t>(static_cast<std::int32_t>(y - 0.5f));
-        return roughness[reach - 1][static_cast<std::size_t>(row) * width + column];
+    std::int32_t stride() const { return static_cast<std::int32_t>(width) + 2 * kPad; }
+    std::size_t padded_count() const { return padded_count(width, height); }
+    static std::size_t padded_count(std::uint32_t width, std::uint32_t height) {
+        return std::size_t{width + 2 * kPad} * (height + 2 * kPad);
     }
 
-    const std::uint16_t* pixel(std::uint32_t x, std::uint32_t y) const {
-        return rgba.data() + (static_cast<std::size_t>(y) * width + x) * 4;
+    /// The picture's first pixel; its neighbours lie up to kPad before it.
+    const std::uint16_t* first_pixel() const { return pixel(0, 0); }
+    /// The same of the list for a reach of 1 or 2.
+    const std::uint8_t* first_roughness(std::int32_t reach) const {
+        return roughness[reach - 1].data() + padded_place(0, 0);
+    }
+
+    /// Around a place in pixels of the level; `reach` is 1 or 2.
+    std::int32_t roughness_at(float x, float y, std::int32_t reach) const {
+        const auto column = static_cast<std::int32_t>(std::floor(x - 0.5f));
+        const auto row = static_cast<std::int32_t>(std::floor(y - 0.5f));
+        return first_roughness(reach)[std::ptrdiff_t{row} * stride() + column];
+    }
+
+    const std::uint16_t* pixel(std::uint32_t x, std::uint32_t y) const { return rgba.data() + padded_place(x, y) * 4; }
+    std::uint16_t* pixel(std::uint32_t x, std::uint32_t y) { return rgba.data() + padded_place(x, y) * 4; }
+
+private:
+    std::size_t padded_place(std::uint32_t x, std::uint32_t y) const {
+        return std::size_t{y + kPad} * (width + 2 * kPad) + x + kPad;
     }
 };
 

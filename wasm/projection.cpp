@@ -57,7 +57,7 @@ Int4 to_fixed(const PyramidLevel& level, Float4 vector) {
                         (Float4{level.scale_x, level.scale_y, 0.0f, 0.0f} * splat(static_cast<float>(kWeightOne))));
 }
 
-/// Paints runs of one frame whose texels all lie well inside the picture and take its full weight. Texels for which one
+/// Paints runs of one frame whose texels all lie well inside the padded picture and take its full weight. Texels for which one
 /// sample does not stand are left to `rough`; returns what follows the last of them.
 ///
 /// Four texels at a time are asked and taken together, whether one sample stands for all of them or not: asked texel by
@@ -69,9 +69,9 @@ public:
         : rough_(rough),
           level_(d.level),
           footprint_(&d.footprint),
-          pixels_(level_->rgba.data()),
-          roughness_(level_->roughness[footprint_->smooth_reach - 1].data()),
-          width_(static_cast<std::int32_t>(level_->width)),
+          pixels_(level_->first_pixel()),
+          roughness_(level_->first_roughness(footprint_->smooth_reach)),
+          stride_(level_->stride()),
           limit_(footprint_->smooth_limit),
           pair_limit_(footprint_->pair_limit),
           four_limit_(footprint_->four_limit) {
@@ -86,7 +86,7 @@ public:
         Int4 x = splat(start[kX]);
         Int4 y = splat(start[kY]);
         std::uint16_t* texels = tile_texels + (run.y * kTileSize + run.x) * 4;
-        SamplePlaces places = place_samples(x, y, width_);
+        SamplePlaces places = place_samples(x, y, stride_);
         Int4 color = sample<0>(places);
         std::int32_t steps = roughness_[places.offset[0]];
         std::int32_t left = run.length;
@@ -94,7 +94,7 @@ public:
             const Int4 lanes = {1, 2, 3, 4};
             const Int4 lanes_x = x + across_x_ * lanes;
             const Int4 lanes_y = y + across_y_ * lanes;
-            places = place_samples(lanes_x, lanes_y, width_);
+            places = place_samples(lanes_x, lanes_y, stride_);
             const std::int32_t next[4] = {roughness_[places.offset[0]], roughness_[places.offset[1]],
                                           roughness_[places.offset[2]], roughness_[places.offset[3]]};
             const std::int32_t most = std::max(std::max(std::max(next[0], next[1]), std::max(next[2], next[3])), steps);
@@ -137,13 +137,20 @@ private:
         const Int4 lanes = lesser(Int4{1, 2, 3, 3}, splat(left - 1));
         const Int4 lanes_x = x + across_x_ * lanes;
         const Int4 lanes_y = y + across_y_ * lanes;
-        const SamplePlaces places = place_samples(lanes_x, lanes_y, width_);
+        const SamplePlaces places = place_samples(lanes_x, lanes_y, stride_);
         const std::int32_t next[3] = {roughness_[places.offset[0]], roughness_[places.offset[1]],
                                       roughness_[places.offset[2]]};
-        store_ushort4(texels + 4, sample<0>(places) + kBias);
-        if (left > 2) store_ushort4(texels + 8, sample<1>(places) + kBias);
-        if (left > 3) store_ushort4(texels + 12, sample<2>(places) + kBias);
-        if (std::max(next[0], std::max(next[1], next[2])) <= limit_) return;
+        const Int4 last = sample<2>(places);
+        const std::int32_t most = std::max(next[0], std::max(next[1], next[2]));
+        if (left == 2) {
+            store_ushort4(texels + 4, last + kBias);
+        } else {
+            const Int4 third = sample<1>(places);
+            const Int4 second = std::max(most, steps) <= pair_limit_ ? (color + third) >> 1 : sample<0>(places);
+            store_ushort8(texels + 4, second + kBias, third + kBias);
+            if (left > 3) store_ushort4(texels + 12, last + kBias);
+        }
+        if (most <= limit_) return;
         leave(next[0], lanes_x[0], lanes_y[0], texels + 4);
         if (left > 2) leave(next[1], lanes_x[1], lanes_y[1], texels + 8);
         if (left > 3) leave(next[2], lanes_x[2], lanes_y[2], texels + 12);
@@ -151,7 +158,7 @@ private:
 
     template <int kLane>
     __attribute__((always_inline)) Int4 sample(const SamplePlaces& places) const {
-        return sample_lane<kLane>(pixels_, width_, places);
+        return sample_lane<kLane>(pixels_, stride_, places);
     }
 
     static void store(std::uint16_t* texels, Int4 first, Int4 second, Int4 third, Int4 fourth) {
@@ -171,7 +178,7 @@ private:
     const Footprint* footprint_;
     const std::uint16_t* pixels_;
     const std::uint8_t* roughness_;
-    std::int32_t width_;
+    std::int32_t stride_;
     std::int32_t limit_;
     std::int32_t pair_limit_;
     std::int32_t four_limit_;

@@ -59,7 +59,8 @@ export class TexelcastEngine implements BenchEngine {
     const layer = this.#layerOf(target);
     const start = performance.now();
     target.updateLayer(layer.handle, definition(projector, occlusion, layer.image));
-    // An upload is done with its bytes when the next step begins, so their memory serves again, as in the page.
+    // The step ends when the bytes are packed. That they are copied out of the module comes on top, but not fresh memory
+    // for them each time: the step before is done with its own.
     const update = target.update(this.#newest?.bytes.buffer);
     this.#newest = update;
     return { milliseconds: performance.now() - start, texels: update.projectedTexels };

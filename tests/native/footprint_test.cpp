@@ -124,3 +124,66 @@ TEST_CASE("A footprint that a speck touches takes all its samples, and one well 
         if (width < 4.0f) CHECK(clear_but_not_spared == 0);
     }
 }
+
+TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in any direction") {
+    constexpr std::uint32_t kSide = 48;
+    Random random(47);
+    double worst = 1e9;
+    for (int round = 0; round < 240; ++round) {
+        // Checkers of 2 to 6 pixels, stripes, noise: black and white, and every texel on an edge.
+        const std::uint32_t cell = 2 + static_cast<std::uint32_t>(round % 5);
+        const int kind = round % 8;
+        Picture picture(kSide, kSide);
+        for (std::uint32_t y = 0; y < kSide; ++y) {
+            for (std::uint32_t x = 0; x < kSide; ++x) {
+                const bool lit = kind == 0   ? random.coin()
+                                 : kind == 1 ? x / 3 % 2 == 0
+                                             : (x / cell + y / cell) % 2 == 0;
+                const std::uint8_t byte = lit ? 255 : 0;
+                picture.set(x, y, {byte, byte, byte, 255});
+            }
+        }
+        txc::MemoryBudget budget(1u << 22);
+        txc::ImagePyramid image(budget);
+        REQUIRE(image.build(kSide, kSide, picture.rgba.data()) == TXC_STATUS_OK);
+        const double across = random.between(0.1, 2.0);
+        const double down = across * random.between(0.3, 1.0);
+        const double turned = random.below(4) == 0 ? 0.0 : random.between(0.0, 2 * kPi);
+        const double corner = kPi / 2 + random.between(-0.3, 0.3);
+        const txc::Footprint f = txc::make_footprint(image, static_cast<float>(across * std::cos(turned)),
+                                                     static_cast<float>(across * std::sin(turned)),
+                                                     static_cast<float>(down * std::cos(turned + corner)),
+                                                     static_cast<float>(down * std::sin(turned + corner)), false);
+        REQUIRE(f.parts > 0);
+        double squares = 0.0;
+        constexpr int kPlaces = 300;
+        for (int i = 0; i < kPlaces; ++i) {
+            const auto x = static_cast<float>(random.between(6.0, kSide - 6.0));
+            const auto y = static_cast<float>(random.between(6.0, kSide - 6.0));
+            const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / 255.0 -
+                                 dense_mean(image.levels[0], f, x, y);
+            squares += error * error;
+        }
+        worst = std::fmin(worst, 10.0 * std::log10(255.0 * 255.0 * kPlaces / squares));
+    }
+    CHECK(worst >= 38.5);
+}
+
+TEST_CASE("A footprint over a plain stretch gives its very colour, whatever its shape") {
+    const Picture picture(16, 16, {37, 201, 94, 255});
+    txc::MemoryBudget budget(1u << 22);
+    txc::ImagePyramid image(budget);
+    REQUIRE(image.build(16, 16, picture.rgba.data()) == TXC_STATUS_OK);
+    Random random(48);
+    for (int round = 0; round < 400; ++round) {
+        const float side = static_cast<float>(random.between(0.05, 2.0));
+        const auto lean = static_cast<float>(random.between(-0.5, 0.5));
+        txc::Footprint f = txc::make_footprint(image, side, side * lean, -side * lean * 0.5f, side * 0.8f, false);
+        REQUIRE(f.parts > 0);
+        f.smooth_limit = -1;  // so that the kernels answer
+        const txc::Float4 color = txc::sample_inside(image, f, static_cast<float>(random.between(5.0, 11.0)),
+                                                     static_cast<float>(random.between(5.0, 11.0)));
+        CHECK_UNARY(color[0] == 37.0f * 255.0f && color[1] == 201.0f * 255.0f && color[2] == 94.0f * 255.0f &&
+                    color[3] == txc::kFullScale);
+    }
+}

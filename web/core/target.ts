@@ -195,7 +195,10 @@ export class Target {
     return Array.from({ length: count }, (_, index) => readStruct(DabLayout, view, index * DabLayout.byteSize));
   }
 
-  /** Projects and composites what changed since the update before. */
+  /**
+   * Projects and composites what changed since the update before.
+   * @param into memory for the update's bytes, written over where it is large enough; the caller's from then on, as any
+   */
   update(into?: ArrayBuffer): CoreUpdate {
     const core = this.#core;
     const update = core.collectStruct(UpdateLayout, (out) => {
