@@ -52,9 +52,9 @@ float largest_smooth_error(float across_x, float across_y, float down_x, float d
            (squares_x + squares_y) * (1.0f / 24.0f);
 }
 
-// How far a colour interpolated between two samples may be from its own. Worst cases both, that hardly ever meet: on the
-// reference pictures the two together cost a tenth of a decibel.
-constexpr float kChordError = 1.75f;
+// How far a colour interpolated between two samples may be from its own, in 8-bit steps. Rows begin anywhere, so twice this
+// is what two texels may differ by that should be alike.
+constexpr float kChordError = 0.75f;
 
 /// The most that a straight line between two samples this far apart may be from the picture, where no second difference of
 /// the level exceeds 1: along an axis the picture bends once a pixel, at the worst once half way.

@@ -76,7 +76,9 @@ Float4 PictureSampler::sample() {
     if (!has_footprint_) footprint_ = make_footprint(image_, across_x_, across_y_, down_x_, down_y_, settings_.repeat);
     has_footprint_ = true;
     const Footprint& f = footprint_;
-    if (x_ >= f.inset_x && x_ <= width_ - f.inset_x && y_ >= f.inset_y && y_ <= height_ - f.inset_y)
+    // Where the picture comes round again, what it is padded with is not what lies beside it.
+    const float inset_x = period_ > 0.0f ? std::max(f.inset_x, f.reach_x + 0.51f) : f.inset_x;
+    if (x_ >= inset_x && x_ <= width_ - inset_x && y_ >= f.inset_y && y_ <= height_ - f.inset_y)
         return sample_inside(image_, f, x_, y_);
     if (!(period_ > 0.0f)) return sample_edge(image_, f, x_, y_, settings_.repeat);
     if (settings_.repeat && settings_.period == 1.0) return sample_ring();
