@@ -104,9 +104,9 @@ const LatticeGroup& lattice_group(std::int32_t across_samples) {
     return kLatticeGroups[across_samples < 3 ? across_samples - 1 : 2];
 }
 
-// The longer side of a part that its kernel serves, by the shorter one: so the worst stays above 39 dB, and where the two
-// are alike above 44.
-bool kernel_serves(float longer, float shorter) { return longer <= 0.88f + 0.2f * shorter; }
+// The longer side of a part that its kernel serves, by the shorter one: so the worst of the pictures in footprint_kernel.h
+// stays above 39 dB, and where the two are alike above 41.
+bool kernel_serves(float longer, float shorter) { return longer <= 0.85f + 0.42f * shorter; }
 
 /// Cuts a footprint on the finest level, whose sides have these lengths, into parts that a kernel serves. False where they
 /// are too many.
@@ -246,10 +246,9 @@ __attribute__((always_inline)) inline Int4 sample_parts(const PyramidLevel& leve
     Int4 sum = sample_kernel(pixels, stride, f.kernel, x + f.part_x[0], y + f.part_y[0]);
     for (std::int32_t i = 1; i < f.parts; ++i)
         sum += sample_kernel(pixels, stride, f.kernel, x + f.part_x[i], y + f.part_y[i]);
-    if (f.parts == 2) sum = sum >> 1;
-    if (f.parts == 4) sum = sum >> 2;
-    // A third, to the nearest: of three times a number it is that number.
-    if (f.parts == 3) sum = round_to_int(__builtin_convertvector(sum, Float4) * splat(1.0f / 3.0f));
+    // To the nearest: of n times a number, an n-th is that number.
+    if (f.parts > 1)
+        sum = round_to_int(__builtin_convertvector(sum, Float4) * splat(1.0f / static_cast<float>(f.parts)));
     return within_alpha(sum + kBias);
 }
 

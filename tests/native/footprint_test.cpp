@@ -146,7 +146,7 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
         txc::MemoryBudget budget(1u << 22);
         txc::ImagePyramid image(budget);
         REQUIRE(image.build(kSide, kSide, picture.rgba.data()) == TXC_STATUS_OK);
-        const double across = random.between(0.1, 2.0);
+        const double across = random.between(0.1, 3.0);
         const double down = across * random.between(0.3, 1.0);
         const double turned = random.below(4) == 0 ? 0.0 : random.between(0.0, 2 * kPi);
         const double corner = kPi / 2 + random.between(-0.3, 0.3);
@@ -176,7 +176,7 @@ TEST_CASE("A footprint over a plain stretch gives its very colour, whatever its 
     REQUIRE(image.build(16, 16, picture.rgba.data()) == TXC_STATUS_OK);
     Random random(48);
     for (int round = 0; round < 400; ++round) {
-        const auto side = static_cast<float>(random.between(0.05, 1.5));
+        const auto side = static_cast<float>(random.between(0.05, 2.5));
         const auto lean = static_cast<float>(random.between(-0.5, 0.5));
         txc::Footprint f = txc::make_footprint(image, side, side * lean, -side * lean * 0.5f, side * 0.8f, false);
         REQUIRE(f.parts > 0);
