@@ -2,6 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <utility>
+
+#if defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
 
 namespace txc {
 namespace {
@@ -10,48 +16,133 @@ namespace {
 // that much more on each side; texels further out ask the tree.
 constexpr double kHalfSide = 0.5625;
 constexpr std::uint32_t kMaxCells = 512;
+// Eight occluders to a cell, were each in one cell alone: larger triangles lie in several.
+constexpr double kCellsAnOccluder = 0.125;
+constexpr std::uint32_t kHashFactor = 2654435761u;  // Knuth's: 2^32 by the golden ratio
+constexpr std::uint32_t kNoPlace = 0xffffffffu;
+constexpr const char* kBudgetName = "a decal's occluders";
 
-double least_of(const double (&v)[3]) { return std::min(v[0], std::min(v[1], v[2])); }
-double greatest_of(const double (&v)[3]) { return std::max(v[0], std::max(v[1], v[2])); }
+// Coordinates in 65,536 steps from one side of the grid to the other; what lies outside is on its rim. Depths are
+// counted in the same steps, and all of the volume lies well within. What is apart in steps is apart by a whole step, so
+// rounding has no say in it.
+constexpr double kStepsAcross = 65535.0;
+std::uint16_t step_below(double coordinate) {
+    const double step = (coordinate + kHalfSide) * (kStepsAcross / (2 * kHalfSide));
+    return static_cast<std::uint16_t>(std::clamp(step, 0.0, kStepsAcross));
+}
+std::uint16_t step_above(double coordinate) {
+    return static_cast<std::uint16_t>(std::min(65535u, step_below(coordinate) + 1u));
+}
+/// For depths that an occluder's nearest must pass: those beyond the grid stay below its rim.
+std::uint16_t step_not_above(double depth) {
+    return static_cast<std::uint16_t>(std::min(65534u, std::uint32_t{step_below(depth)}));
+}
+
+using UShort8 = std::uint16_t __attribute__((vector_size(16)));
+using Short8 = std::int16_t __attribute__((vector_size(16)));
+
+UShort8 load8(const std::uint16_t (&from)[8]) {
+    UShort8 values;
+    std::memcpy(&values, from, sizeof values);
+    return values;
+}
+UShort8 splat8(std::uint16_t v) { return UShort8{v, v, v, v, v, v, v, v}; }
+
+/// A bit for each lane that is set.
+std::uint32_t lane_bits(Short8 mask) {
+#if defined(__wasm_simd128__)
+    return static_cast<std::uint32_t>(wasm_i16x8_bitmask(reinterpret_cast<v128_t>(mask)));
+#else
+    std::uint32_t bits = 0;
+    for (int lane = 0; lane < 8; ++lane) bits |= mask[lane] != 0 ? 1u << lane : 0u;
+    return bits;
+#endif
+}
+
+double least_of(const double (&v)[4]) { return std::min(v[0], std::min(v[1], v[2])); }
+double greatest_of(const double (&v)[4]) { return std::max(v[0], std::max(v[1], v[2])); }
 
 /// Above 0 on the left of the triangle's edge from corner `from` on: inside, where corners run counter-clockwise.
-double left_of_edge(const double (&x)[3], const double (&y)[3], int from, double at_x, double at_y) {
-    const int to = from == 2 ? 0 : from + 1;
-    return (x[to] - x[from]) * (at_y - y[from]) - (y[to] - y[from]) * (at_x - x[from]);
+double left_of_edge(const double (&x)[4], const double (&y)[4], int from, double at_x, double at_y) {
+    return (x[from + 1] - x[from]) * (at_y - y[from]) - (y[from + 1] - y[from]) * (at_x - x[from]);
 }
 
-/// True where all corners of `other` lie on the right of one of the triangle's edges, or on it. Corners that both
-/// triangles share lie on it exactly.
-template <typename Triangle>
-bool has_parting_edge(const Triangle& triangle, const Triangle& other) {
-    for (int from = 0; from < 3; ++from) {
-        bool parts = true;
-        for (int corner = 0; corner < 3 && parts; ++corner) {
-            parts = left_of_edge(triangle.x, triangle.y, from, other.x[corner], other.y[corner]) <= 0.0;
-        }
-        if (parts) return true;
+using Double2 = double __attribute__((vector_size(16)));
+using Mask2 = std::int64_t __attribute__((vector_size(16)));
+
+Double2 load2(const double* from) {
+    Double2 values;
+    std::memcpy(&values, from, sizeof values);
+    return values;
+}
+
+Double2 splat2(double value) { return Double2{value, value}; }
+
+bool any_lane(Mask2 mask) {
+#if defined(__wasm_simd128__)
+    return wasm_v128_any_true(reinterpret_cast<v128_t>(mask));
+#else
+    return (mask[0] | mask[1]) != 0;
+#endif
+}
+
+bool all_lanes(Mask2 mask) {
+#if defined(__wasm_simd128__)
+    return wasm_i64x2_all_true(reinterpret_cast<v128_t>(mask));
+#else
+    return (mask[0] & mask[1]) != 0;
+#endif
+}
+
+/// A triangle's edges, two at a time: the first and the second, the third and the first again.
+struct EdgePairs {
+    Double2 from_x[2], from_y[2], along_x[2], along_y[2];
+
+    template <typename Triangle>
+    explicit EdgePairs(const Triangle& t) {
+        const Double2 first_x = load2(t.x);
+        const Double2 first_y = load2(t.y);
+        const Double2 last_x = load2(t.x + 2);
+        const Double2 last_y = load2(t.y + 2);
+        from_x[0] = first_x;
+        from_y[0] = first_y;
+        along_x[0] = load2(t.x + 1) - first_x;
+        along_y[0] = load2(t.y + 1) - first_y;
+        from_x[1] = last_x;
+        from_y[1] = last_y;
+        along_x[1] = first_x - last_x;
+        along_y[1] = first_y - last_y;
     }
-    return false;
-}
 
-/// True where two triangles do not overlap in the plane.
-template <typename Triangle>
-bool lie_apart(const Triangle& a, const Triangle& b) {
-    return has_parting_edge(a, b) || has_parting_edge(b, a);
-}
+    /// True where all corners of `other` lie on the right of one of the edges, or on it. Corners that both triangles
+    /// share lie on it exactly. All edges are asked: which of them parts, no processor foresees.
+    template <typename Triangle>
+    bool part(const Triangle& other) const {
+        Mask2 parts[2];
+        for (int c = 0; c < 3; ++c) {
+            const Double2 at_x = splat2(other.x[c]);
+            const Double2 at_y = splat2(other.y[c]);
+            for (int pair = 0; pair < 2; ++pair) {
+                const Mask2 on_the_right =
+                    along_x[pair] * (at_y - from_y[pair]) - along_y[pair] * (at_x - from_x[pair]) <= splat2(0.0);
+                parts[pair] = c == 0 ? on_the_right : parts[pair] & on_the_right;
+            }
+        }
+        return any_lane(parts[0] | parts[1]);
+    }
+};
 
 /// True where `other` nowhere comes more than `margin` before the triangle, over all of one of them.
 template <typename Triangle>
 bool is_nowhere_before(const Triangle& other, const Triangle& triangle, double margin) {
-    const double depth = other.depth - triangle.depth;
-    const double depth_dx = other.depth_dx - triangle.depth_dx;
-    const double depth_dy = other.depth_dy - triangle.depth_dy;
-    const auto most_over = [&](const Triangle& t) {
-        double most = depth + depth_dx * t.x[0] + depth_dy * t.y[0];
-        for (int c = 1; c < 3; ++c) most = std::max(most, depth + depth_dx * t.x[c] + depth_dy * t.y[c]);
-        return most;
+    const Double2 depth = splat2(other.depth - triangle.depth);
+    const Double2 depth_dx = splat2(other.depth_dx - triangle.depth_dx);
+    const Double2 depth_dy = splat2(other.depth_dy - triangle.depth_dy);
+    const auto is_within = [&](const Triangle& t, int corner) {
+        return depth + depth_dx * load2(t.x + corner) + depth_dy * load2(t.y + corner) <= splat2(margin);
     };
-    return most_over(triangle) <= margin || most_over(other) <= margin;
+    return all_lanes(is_within(triangle, 0) & is_within(triangle, 2)) ||
+           all_lanes(is_within(other, 0) & is_within(other, 2));
 }
 
 /// True where a flattened triangle meets the box that the grid covers.
@@ -68,20 +159,57 @@ TxcStatus OccluderGrid::build() {
     volume.reach = glm::dvec3(kHalfSide, kHalfSide, 0.5);
     std::vector<std::uint32_t> near;
     tree_.find(volume, near);
+    // The hash table takes less than four places an occluder.
     if (const TxcStatus status =
-            share_.resize(near.size() * (sizeof(Occluder) + 17 * sizeof(std::uint32_t)), "a decal's occluders");
+            share_.resize(near.size() * (sizeof(Occluder) + sizeof(Bounds16) + 5 * sizeof(std::uint32_t)), kBudgetName);
         status != TXC_STATUS_OK)
         return status;
     occluders_.reserve(near.size());
+    std::vector<Bounds16> bounds;
+    bounds.reserve(near.size());
     for (const std::uint32_t triangle : near) {
         Occluder occluder;
-        if (flatten(triangle, occluder) && is_in_volume(occluder)) occluders_.push_back(occluder);
+        if (!flatten(triangle, occluder) || !is_in_volume(occluder)) continue;
+        occluders_.push_back(occluder);
+        bounds.push_back(bounds_of(occluder));
     }
-    // About two occluders a cell where they are evenly spread.
-    cells_ =
-        std::clamp(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(occluders_.size()) * 0.5)), 1u, kMaxCells);
-    fill_cells();
-    return TXC_STATUS_OK;
+    list_places();
+    return fill_cells(bounds);
+}
+
+OccluderGrid::Bounds16 OccluderGrid::bounds_of(const Occluder& o) {
+    return {step_below(least_of(o.x)), step_above(greatest_of(o.x)), step_below(least_of(o.y)),
+            step_above(greatest_of(o.y)), step_above(o.nearest)};
+}
+
+std::uint32_t OccluderGrid::meeting(const Block& block, const Bounds16& bounds, std::uint16_t beyond) {
+    const auto meets = (load8(block.low_x) <= splat8(bounds.high_x)) & (load8(block.high_x) >= splat8(bounds.low_x)) &
+                       (load8(block.low_y) <= splat8(bounds.high_y)) & (load8(block.high_y) >= splat8(bounds.low_y)) &
+                       (load8(block.nearest) > splat8(beyond));
+    return lane_bits(meets);
+}
+
+std::uint32_t OccluderGrid::beginning(const Block& block, std::uint16_t column, std::uint16_t row) {
+    return lane_bits((load8(block.low_x) >= splat8(column)) & (load8(block.low_y) >= splat8(row)));
+}
+
+void OccluderGrid::list_places() {
+    std::size_t size = 1;
+    while (size < occluders_.size() * 2) size *= 2;
+    places_.assign(size, 0);
+    for (std::uint32_t o = 0; o < occluders_.size(); ++o) {
+        std::size_t at = occluders_[o].triangle * kHashFactor & (size - 1);
+        while (places_[at] != 0) at = (at + 1) & (size - 1);
+        places_[at] = o + 1;
+    }
+}
+
+std::uint32_t OccluderGrid::place_of(std::uint32_t triangle) const {
+    const std::size_t last = places_.size() - 1;
+    for (std::size_t at = triangle * kHashFactor & last; places_[at] != 0; at = (at + 1) & last) {
+        if (occluders_[places_[at] - 1].triangle == triangle) return places_[at] - 1;
+    }
+    return kNoPlace;
 }
 
 bool OccluderGrid::flatten(std::uint32_t triangle, Occluder& out) const {
@@ -106,49 +234,64 @@ bool OccluderGrid::flatten(std::uint32_t triangle, Occluder& out) const {
         out.x[c] = corner[from].x;
         out.y[c] = corner[from].y;
     }
+    out.x[3] = out.x[0];
+    out.y[3] = out.y[0];
     return true;
 }
 
-std::uint32_t OccluderGrid::cell_of(double coordinate) const {
-    const double cell = (coordinate + kHalfSide) * (cells_ / (2 * kHalfSide));
-    return static_cast<std::uint32_t>(std::clamp(cell, 0.0, static_cast<double>(cells_ - 1)));
-}
-
-void OccluderGrid::fill_cells() {
-    const auto for_each_cell = [this](const Occluder& o, auto&& visit) {
-        const std::uint32_t x0 = cell_of(least_of(o.x));
-        const std::uint32_t x1 = cell_of(greatest_of(o.x));
-        const std::uint32_t y0 = cell_of(least_of(o.y));
-        const std::uint32_t y1 = cell_of(greatest_of(o.y));
-        for (std::uint32_t y = y0; y <= y1; ++y) {
+TxcStatus OccluderGrid::fill_cells(const std::vector<Bounds16>& bounds) {
+    const auto count = static_cast<std::uint32_t>(bounds.size());
+    cells_ =
+        std::clamp(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count) * kCellsAnOccluder)), 1u, kMaxCells);
+    // Triangles that each cover much of the picture would fill every cell: coarser cells hold them as well.
+    for (; cells_ > 1; cells_ /= 2) {
+        std::uint64_t entries = 0;
+        for (const Bounds16& b : bounds) {
+            entries += static_cast<std::uint64_t>(cell_of(b.high_x) - cell_of(b.low_x) + 1) *
+                       (cell_of(b.high_y) - cell_of(b.low_y) + 1);
+        }
+        if (entries <= count * 16ull + 1024) break;
+    }
+    const auto for_each_cell = [this](const Bounds16& b, auto&& visit) {
+        const std::uint32_t x0 = cell_of(b.low_x);
+        const std::uint32_t x1 = cell_of(b.high_x);
+        const std::uint32_t y1 = cell_of(b.high_y);
+        for (std::uint32_t y = cell_of(b.low_y); y <= y1; ++y) {
             for (std::uint32_t x = x0; x <= x1; ++x) visit(y * cells_ + x);
         }
     };
-    for (;;) {
-        cell_start_.assign(static_cast<std::size_t>(cells_) * cells_ + 1, 0);
-        std::uint64_t entries = 0;
-        for (const Occluder& occluder : occluders_) {
-            for_each_cell(occluder, [&](std::uint32_t cell) {
-                ++cell_start_[cell + 1];
-                ++entries;
-            });
-        }
-        // Triangles that each cover much of the picture would fill every cell: coarser cells hold them as well.
-        if (entries <= occluders_.size() * 16 + 1024 || cells_ == 1) break;
-        cells_ /= 2;
+    std::vector<std::uint32_t> filled(static_cast<std::size_t>(cells_) * cells_, 0);
+    for (const Bounds16& b : bounds) {
+        for_each_cell(b, [&](std::uint32_t cell) { ++filled[cell]; });
     }
-    cell_nearest_.assign(static_cast<std::size_t>(cells_) * cells_, -1.0);
-    for (const Occluder& occluder : occluders_) {
-        for_each_cell(occluder, [&](std::uint32_t cell) {
-            cell_nearest_[cell] = std::max(cell_nearest_[cell], occluder.nearest);
+    cell_start_.resize(filled.size() + 1);
+    std::uint32_t block_count = 0;
+    for (std::size_t cell = 0; cell < filled.size(); ++cell) {
+        cell_start_[cell] = block_count;
+        block_count += (filled[cell] + 7) / 8;
+        filled[cell] = 0;
+    }
+    cell_start_.back() = block_count;
+    if (const TxcStatus status = share_.resize(
+            share_.bytes() + std::uint64_t{block_count} * sizeof(Block) + 2 * filled.size() * 4, kBudgetName);
+        status != TXC_STATUS_OK)
+        return status;
+    blocks_.resize(block_count);
+    for (std::uint32_t o = 0; o < count; ++o) {
+        const Bounds16 b = bounds[o];
+        for_each_cell(b, [&](std::uint32_t cell) {
+            const std::uint32_t entry = filled[cell]++;
+            Block& block = blocks_[cell_start_[cell] + entry / 8];
+            const std::uint32_t lane = entry % 8;
+            block.low_x[lane] = b.low_x;
+            block.high_x[lane] = b.high_x;
+            block.low_y[lane] = b.low_y;
+            block.high_y[lane] = b.high_y;
+            block.nearest[lane] = b.nearest;
+            block.place[lane] = o;
         });
     }
-    for (std::size_t cell = 1; cell < cell_start_.size(); ++cell) cell_start_[cell] += cell_start_[cell - 1];
-    cell_occluders_.resize(cell_start_.back());
-    std::vector<std::uint32_t> next(cell_start_.begin(), cell_start_.end() - 1);
-    for (std::uint32_t o = 0; o < occluders_.size(); ++o) {
-        for_each_cell(occluders_[o], [&](std::uint32_t cell) { cell_occluders_[next[cell]++] = o; });
-    }
+    return TXC_STATUS_OK;
 }
 
 bool OccluderGrid::lies_in_grid(const glm::dvec3& q) const {
@@ -169,22 +312,27 @@ bool OccluderGrid::is_blocked(const glm::dvec3& point, std::uint32_t own) const 
     if (!lies_in_grid(q))
         return tree_.is_blocked(point, projector_.towards_viewer, (0.5 - q.z) * projector_.depth, own);
     const double least = least_depth(q);
-    const std::uint32_t cell = cell_of(q.y) * cells_ + cell_of(q.x);
-    if (cell_nearest_[cell] <= least) return false;
-    for (std::uint32_t i = cell_start_[cell]; i < cell_start_[cell + 1]; ++i) {
-        const Occluder& o = occluders_[cell_occluders_[i]];
-        if (o.nearest > least && o.triangle != own && is_before(o, q, least)) return true;
+    const Bounds16 at = {step_below(q.x), step_above(q.x), step_below(q.y), step_above(q.y), 0};
+    const std::uint16_t beyond = step_not_above(least);
+    const std::uint32_t cell = cell_of(at.low_y) * cells_ + cell_of(at.low_x);
+    for (std::uint32_t block = cell_start_[cell]; block < cell_start_[cell + 1]; ++block) {
+        for (std::uint32_t left = meeting(blocks_[block], at, beyond); left != 0; left &= left - 1) {
+            const Occluder& o = occluders_[blocks_[block].place[__builtin_ctz(left)]];
+            if (o.nearest > least && o.triangle != own && is_before(o, q, least)) return true;
+        }
     }
     return false;
 }
 
-bool OccluderGrid::is_blocked_by(const std::vector<std::uint32_t>& blockers, const glm::dvec3& point,
+bool OccluderGrid::is_blocked_by(std::vector<std::uint32_t>& blockers, const glm::dvec3& point,
                                  std::uint32_t own) const {
     const glm::dvec3 q = projector_.to_decal.apply(point);
     if (!lies_in_grid(q)) return is_blocked(point, own);
     const double least = least_depth(q);
-    for (const std::uint32_t place : blockers) {
-        if (is_before(occluders_[place], q, least)) return true;
+    for (std::uint32_t& place : blockers) {
+        if (!is_before(occluders_[place], q, least)) continue;
+        std::swap(place, blockers.front());
+        return true;
     }
     return false;
 }
@@ -192,26 +340,39 @@ bool OccluderGrid::is_blocked_by(const std::vector<std::uint32_t>& blockers, con
 bool OccluderGrid::find_blockers(std::uint32_t own, std::vector<std::uint32_t>& out) {
     out.clear();
     Occluder triangle;
-    if (!flatten(own, triangle)) return false;
-    seen_by_.resize(occluders_.size(), 0);
-    ++question_;
+    const std::uint32_t own_place = place_of(own);
+    if (own_place != kNoPlace) {
+        triangle = occluders_[own_place];
+    } else if (!flatten(own, triangle)) {
+        return false;
+    }
     const double margin = tree_.least_distance() / projector_.depth;
-    const std::uint32_t x0 = cell_of(least_of(triangle.x));
-    const std::uint32_t x1 = cell_of(greatest_of(triangle.x));
-    const std::uint32_t y0 = cell_of(least_of(triangle.y));
-    const std::uint32_t y1 = cell_of(greatest_of(triangle.y));
+    const double least = triangle.farthest + margin;
+    const EdgePairs edges(triangle);
+    const Bounds16 bounds = bounds_of(triangle);
+    const std::uint16_t beyond = step_not_above(least);
+    const std::uint32_t x0 = cell_of(bounds.low_x);
+    const std::uint32_t x1 = cell_of(bounds.high_x);
+    const std::uint32_t y0 = cell_of(bounds.low_y);
+    const std::uint32_t y1 = cell_of(bounds.high_y);
     for (std::uint32_t y = y0; y <= y1; ++y) {
         for (std::uint32_t x = x0; x <= x1; ++x) {
+            // What lies in several of these cells is looked at in the first.
+            const std::uint16_t column = x == x0 ? 0 : first_step_of(x);
+            const std::uint16_t row = y == y0 ? 0 : first_step_of(y);
             const std::uint32_t cell = y * cells_ + x;
-            if (cell_nearest_[cell] <= triangle.farthest + margin) continue;
-            for (std::uint32_t i = cell_start_[cell]; i < cell_start_[cell + 1]; ++i) {
-                const std::uint32_t place = cell_occluders_[i];
-                if (seen_by_[place] == question_) continue;
-                seen_by_[place] = question_;
-                const Occluder& other = occluders_[place];
-                if (other.triangle == own || other.nearest <= triangle.farthest + margin) continue;
-                if (is_nowhere_before(other, triangle, margin) || lie_apart(other, triangle)) continue;
-                out.push_back(place);
+            for (std::uint32_t b = cell_start_[cell]; b != cell_start_[cell + 1]; ++b) {
+                const Block& block = blocks_[b];
+                std::uint32_t left = meeting(block, bounds, beyond) & beginning(block, column, row);
+                for (; left != 0; left &= left - 1) {
+                    const std::uint32_t place = block.place[__builtin_ctz(left)];
+                    const Occluder& other = occluders_[place];
+                    if (place == own_place || other.nearest <= least) continue;
+                    if (edges.part(other) || is_nowhere_before(other, triangle, margin) ||
+                        EdgePairs(other).part(triangle))
+                        continue;
+                    out.push_back(place);
+                }
             }
         }
     }

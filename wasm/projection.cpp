@@ -384,6 +384,9 @@ private:
             if (!(x >= -margin_x && x <= width_ + margin_x && y >= -margin_y && y <= height_ + margin_y)) continue;
             const float weight = facing_weight(run, d, frame, q[kFacing], x0 + i, y0);
             if (!(weight > 0.0f)) continue;
+            // Where its blockers are at hand they cost less than a sample, and hide most of what is asked.
+            const bool knows_blockers = d.hiding == Hiding::kBlockers;
+            if (knows_blockers && is_hidden(run, d, frame, x0 + i, y0)) continue;
             Float4 color;
             if (settings_.nearest) {
                 color = sample_nearest(image_.levels[0], x, y);
@@ -392,8 +395,9 @@ private:
             } else {
                 color = sample_edge(image_, d.footprint, x, y, settings_.repeat);
             }
-            // Last, as it costs most: where the picture is transparent it need not be asked.
-            if (occluders_ != nullptr && color[3] > 0.0f && is_hidden(run, d, frame, x0 + i, y0)) continue;
+            // Else last, as it costs most: where the picture is transparent it need not be asked.
+            if (occluders_ != nullptr && !knows_blockers && color[3] > 0.0f && is_hidden(run, d, frame, x0 + i, y0))
+                continue;
             store_rounded_ushort4(texels + i * 4, color * splat(weight));
         }
     }
