@@ -27,8 +27,8 @@ inline float to_float(std::int32_t fixed) {
     return static_cast<float>(fixed) * (1.0f / static_cast<float>(kWeightOne));
 }
 
-/// Where four samples lie on a level: the upper left of each one's four pixels, counted from the picture's first, and the weights, (1 - w) in the low half
-/// and w in the high half of each lane.
+/// Where four samples lie on a level: the upper left of each one's four pixels, counted from the picture's first, and the
+/// weights, (1 - w) in the low half and w in the high half of each lane.
 struct SamplePlaces {
     Int4 offset;
     Int4 weights_x;
@@ -98,8 +98,8 @@ inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, I
 /// The sample at one of four places.
 template <int kLane>
 Int4 sample_lane(const std::uint16_t* pixels, std::int32_t stride, const SamplePlaces& places) {
-    return sample_biased(pixels + std::ptrdiff_t{places.offset[kLane]} * 4, std::size_t(stride) * 4, broadcast<kLane>(places.weights_x),
-                         broadcast<kLane>(places.weights_y));
+    return sample_biased(pixels + std::ptrdiff_t{places.offset[kLane]} * 4, std::size_t(stride) * 4,
+                         broadcast<kLane>(places.weights_x), broadcast<kLane>(places.weights_y));
 }
 
 /// Adds up the first `count` of the four samples.

@@ -25,8 +25,8 @@ struct Footprint {
     std::int32_t pair_limit;
     std::int32_t four_limit;
     float inset_x, inset_y;  // a centre this far from the picture's edges is well inside
-    // Else, of small ones: up to kMostParts parts (0: there are none), each with its mean by the kernel, and where they lie from the
-    // centre, in fixed point on the level.
+    // Else, of small ones: up to kMostParts parts (0: there are none), each with its mean by the kernel, and where they
+    // lie from the centre, in fixed point on the level.
     std::int32_t parts;
     std::int32_t part_x[kMostParts], part_y[kMostParts];
     FootprintKernel kernel;

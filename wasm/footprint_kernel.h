@@ -64,7 +64,8 @@ inline v128_t weigh(const PixelPairs& pixels, v128_t rows, v128_t columns) {
 }  // namespace detail
 #endif
 
-/// The mean around (x, y): as of place_samples, in fixed point. `pixels`, `stride`: of the level; all 4 x 4 must exist. Channels less kChannelBias;
+/// The mean around (x, y): as of place_samples, in fixed point. `pixels`, `stride`: of the level; all
+/// 4 x 4 must exist. Channels less kChannelBias;
 /// they may leave the range of colours by a little where the footprint leans.
 inline Int4 sample_kernel(const std::uint16_t* pixels, std::int32_t stride, const FootprintKernel& kernel,
                           std::int32_t x, std::int32_t y) {

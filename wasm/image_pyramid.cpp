@@ -82,7 +82,8 @@ void measure_roughness(PyramidLevel& level) {
     for (std::uint32_t y = 1; y + 1 < height; ++y) {
         for (std::uint32_t x = 1; x + 1 < width; ++x) {
             const std::size_t place = std::size_t{y} * width + x;
-            const std::int32_t difference = largest_second_difference(level.rgba.data() + place * 4, std::size_t{width} * 4);
+            const std::int32_t difference =
+                largest_second_difference(level.rgba.data() + place * 4, std::size_t{width} * 4);
             values[place] = static_cast<std::uint8_t>(std::min((difference + kStep - 1) / kStep, 255));
         }
     }

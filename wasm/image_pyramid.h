@@ -27,11 +27,11 @@ struct PyramidLevel {
     float scale_x = 1.0f;  // pixels of this level a pixel of the picture
     float scale_y = 1.0f;
     std::vector<std::uint16_t> rgba;  // padded
-    // Per pixel, padded likewise: the largest second difference of any channel, in 8-bit steps, rounded up, among the pixels where a
-    // footprint can feel it whose centre lies between this pixel's centre and those of its right and lower neighbours:
-    // up to 1 (first list) or 2 pixels away. Where it is small the picture is as good as linear, and the mean over the
-    // footprint is the value at its centre. (Blocks of 8 pixels would take less room, but on a picture with fine detail
-    // they spared an eighth of the texels their samples, where pixels spare three quarters.)
+    // Per pixel, padded likewise: the largest second difference of any channel, in 8-bit steps, rounded up, among the
+    // pixels where a footprint can feel it whose centre lies between this pixel's centre and those of its right and
+    // lower neighbours: up to 1 (first list) or 2 pixels away. Where it is small the picture is as good as linear, and
+    // the mean over the footprint is the value at its centre. (Blocks of 8 pixels would take less room, but on a picture
+    // with fine detail they spared an eighth of the texels their samples, where pixels spare three quarters.)
     std::vector<std::uint8_t> roughness[kRoughnessReaches];
 
     std::int32_t stride() const { return static_cast<std::int32_t>(width) + 2 * kPad; }
