@@ -14,9 +14,7 @@ namespace txc {
 /// texel, a branch that no processor foresees came with each. Where the picture is smooth enough they take not four
 /// samples but two or one, and the colours between are interpolated.
 ///
-/// What bounds it are instructions: with all samples read from one small corner of the picture a drag took as long. A run
-/// of six texels costs about as much to begin as two of its texels; runs painted one by one, with a sample and a question for
-/// each texel, took a quarter longer on 20,000 triangles and twice as long on a plane.
+/// What bounds it are instructions: with all samples read from one small corner of the picture a drag took as long.
 RoughTexel* paint_whole_runs(const TexelRun* run, const TexelRun* end, const DecalFrame& d, std::int32_t tile_x,
                              std::int32_t tile_y, std::uint16_t* texels, RoughTexel* rough);
 
