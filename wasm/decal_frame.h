@@ -26,6 +26,8 @@ struct DecalFrame {
     bool has_footprint = false;
     Footprint footprint{};
     const PyramidLevel* level = nullptr;  // the footprint's
+    std::int32_t pair_limit = -1;         // chord_limit of every second texel
+    std::int32_t four_limit = -1;         // and of every fourth
     Hiding hiding = Hiding::kUnasked;
     std::vector<std::uint32_t> blockers;  // where hiding says that these are all
 

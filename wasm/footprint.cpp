@@ -193,12 +193,6 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
         largest_smooth_error(across_x * on.scale_x, across_y * on.scale_y, down_x * on.scale_x, down_y * on.scale_y);
     f.smooth_reach = reach <= 1.0f ? 1 : 2;
     f.smooth_limit = is_known ? steps_within(kSmoothError, error) : -1;
-    const auto limit_over = [&](float texels) {
-        const float most = largest_chord_error(across_x * on.scale_x * texels, across_y * on.scale_y * texels);
-        return std::min(f.smooth_limit, steps_within(kChordError, most));
-    };
-    f.pair_limit = limit_over(2.0f);
-    f.four_limit = limit_over(4.0f);
     // At the edge a coarse level would fade over too wide a rim, and a repeated picture is cut hard: there the samples
     // are as many as the reference has. A level whose pixels are no larger than their distance is still fine enough.
     const bool dense = repeat || level > 0;
@@ -208,6 +202,12 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     while (f.edge_level + 1 < image.levels.size() && longer >= static_cast<float>((2 * kEdgeSamples) << f.edge_level))
         ++f.edge_level;
     return f;
+}
+
+std::int32_t chord_limit(const ImagePyramid& image, const Footprint& f, float texels) {
+    const PyramidLevel& on = image.levels[f.level];
+    const float most = largest_chord_error(f.across_x * on.scale_x * texels, f.across_y * on.scale_y * texels);
+    return std::min(f.smooth_limit, steps_within(kChordError, most));
 }
 
 namespace {

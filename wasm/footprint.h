@@ -17,13 +17,10 @@ struct Footprint {
     float reach_x, reach_y;    // half of its bounding box
 
     // Footprints well inside the picture. Where the level is no rougher than smooth_limit (-1: never), one sample is the
-    // mean; up to pair_limit and four_limit, what lies between samples of every second or fourth texel of a row is as
-    // good as interpolated.
+    // mean.
     std::uint32_t level;
     std::int32_t smooth_reach;  // how far the footprint reaches, whole pixels of the level, 1 or 2
     std::int32_t smooth_limit;
-    std::int32_t pair_limit;
-    std::int32_t four_limit;
     float inset_x, inset_y;  // a centre this far from the picture's edges is well inside
     // Else, of small ones: up to kMostParts parts (0: there are none), each with its mean by the kernel, and where they
     // lie from the centre, in fixed point on the level.
@@ -45,6 +42,10 @@ struct Footprint {
 
 Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
                          bool repeat);
+
+/// Where the footprint's level is no rougher than this, the colours between samples of every `texels`-th texel of a row are
+/// as good as interpolated. Never above smooth_limit.
+std::int32_t chord_limit(const ImagePyramid& image, const Footprint& footprint, float texels);
 
 /// A texel whose footprint one sample does not stand for.
 struct RoughTexel {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -45,13 +44,6 @@ struct PyramidLevel {
     /// The same of the list for a reach of 1 or 2.
     const std::uint8_t* first_roughness(std::int32_t reach) const {
         return roughness[reach - 1].data() + padded_place(0, 0);
-    }
-
-    /// Around a place in pixels of the level; `reach` is 1 or 2.
-    std::int32_t roughness_at(float x, float y, std::int32_t reach) const {
-        const auto column = static_cast<std::int32_t>(std::floor(x - 0.5f));
-        const auto row = static_cast<std::int32_t>(std::floor(y - 0.5f));
-        return first_roughness(reach)[std::ptrdiff_t{row} * stride() + column];
     }
 
     const std::uint16_t* pixel(std::uint32_t x, std::uint32_t y) const { return rgba.data() + padded_place(x, y) * 4; }

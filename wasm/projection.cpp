@@ -40,7 +40,7 @@ public:
           occluders_(occluders),
           width_(static_cast<float>(image.levels[0].width)),
           height_(static_cast<float>(image.levels[0].height)),
-          fade_(settings.repeat || settings.nearest ? 0.0f : 0.5f),
+          fade_(settings.repeat ? 0.0f : 0.5f),
           projector_(settings.projector) {
         // Left to right is x from -1/2 to 1/2; bottom to top is y, and picture rows run down (spec section 1).
         const float scale_x = settings.flip_x ? -width_ : width_;
@@ -137,6 +137,8 @@ private:
         d.footprint =
             make_footprint(image_, d.seen.dx[kX], d.seen.dx[kY], d.seen.dy[kX], d.seen.dy[kY], settings_.repeat);
         d.level = &image_.levels[d.footprint.level];
+        d.pair_limit = chord_limit(image_, d.footprint, 2.0f);
+        d.four_limit = chord_limit(image_, d.footprint, 4.0f);
         d.has_footprint = true;
     }
 

@@ -17,19 +17,6 @@ static_assert(offsetof(TxcLayerDef, color) - offsetof(TxcLayerDef, position_mode
 static_assert(offsetof(TxcLayerDef, uv_angle_degrees) - offsetof(TxcLayerDef, position_model) ==
               offsetof(TxcDab, uv_angle_degrees) - offsetof(TxcDab, position_model));
 
-/// Makes room for `needed` elements and for some more to come. The old array and the new one are both counted while one
-/// is copied into the other.
-template <typename T>
-TxcStatus grow_counted(std::vector<T>& elements, std::size_t needed, BudgetShare& share, const char* what) {
-    if (needed <= elements.capacity()) return TXC_STATUS_OK;
-    const std::size_t capacity = std::max(needed, elements.capacity() + elements.capacity() / 2);
-    const std::uint64_t old_bytes = std::uint64_t{elements.capacity()} * sizeof(T);
-    const std::uint64_t both = share.bytes() + std::uint64_t{capacity} * sizeof(T);
-    if (const TxcStatus status = share.resize(both, what); status != TXC_STATUS_OK) return status;
-    elements.reserve(capacity);
-    return share.resize(both - old_bytes, what);
-}
-
 /// The stroke's tiles while dabs come down. Tiles that it reaches for the first time are kept apart, in the order in which
 /// they were reached, and sorted in together: one by one they would push half of the others along each time.
 class TilesUnderWay {

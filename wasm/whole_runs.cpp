@@ -25,8 +25,8 @@ public:
           roughness_(level_->first_roughness(footprint_->smooth_reach)),
           stride_(level_->stride()),
           limit_(footprint_->smooth_limit),
-          pair_limit_(footprint_->pair_limit),
-          four_limit_(footprint_->four_limit) {
+          pair_limit_(d.pair_limit),
+          four_limit_(d.four_limit) {
         const Int4 across = to_fixed(*level_, d.seen.dx);
         across_x_ = splat(across[kX]);
         across_y_ = splat(across[kY]);
