@@ -41,6 +41,24 @@ function planeTarget(size = 32): Target {
 const RED = new Uint8Array([255, 0, 0, 255]);
 const coded = (code: string): unknown => expect.objectContaining({ code });
 
+/** All of them different, so that none can be taken for another. */
+const PROJECTOR_FIELDS = {
+  positionModel: [1.5, 2.5, 3.5],
+  rotation: [0, 0, 1, 0],
+  size: [4.5, 5.5, 6.5],
+  fovDegrees: 7.5,
+  aspect: 8.5,
+  nearDistance: 9.5,
+  farDistance: 10.5,
+  radius: 11.5,
+  height: 12.5,
+  arcDegrees: 13.5,
+  depth: 14.5,
+  uvCenter: [15.5, 16.5],
+  uvSize: [17.5, 18.5],
+  uvAngleDegrees: 19.5,
+};
+
 describe("a session", () => {
   it("has the ABI's default budget, and any other that is asked for", () => {
     expect(session.stats().memoryBudgetKib).toBe(1024 * 1024);
@@ -233,20 +251,7 @@ describe("a layer", () => {
       angleFadeEnd: 34.5,
       occlusion: Occlusions.none,
       projector: 0,
-      positionModel: [1.5, 2.5, 3.5],
-      rotation: [0, 0, 1, 0],
-      size: [4.5, 5.5, 6.5],
-      fovDegrees: 7.5,
-      aspect: 8.5,
-      nearDistance: 9.5,
-      farDistance: 10.5,
-      radius: 11.5,
-      height: 12.5,
-      arcDegrees: 13.5,
-      depth: 14.5,
-      uvCenter: [15.5, 16.5],
-      uvSize: [17.5, 18.5],
-      uvAngleDegrees: 19.5,
+      ...PROJECTOR_FIELDS,
       color: [0.125, 0.375, 0.625, 0.875],
       tip: Tips.mask,
       hardness: 0.0625,
@@ -266,20 +271,7 @@ describe("a layer", () => {
     const dab = {
       flow: 0.25,
       projector: Projectors.cylindrical,
-      positionModel: [1.5, 2.5, 3.5],
-      rotation: [0, 0, 1, 0],
-      size: [4.5, 5.5, 6.5],
-      fovDegrees: 7.5,
-      aspect: 8.5,
-      nearDistance: 9.5,
-      farDistance: 10.5,
-      radius: 11.5,
-      height: 12.5,
-      arcDegrees: 13.5,
-      depth: 14.5,
-      uvCenter: [15.5, 16.5],
-      uvSize: [17.5, 18.5],
-      uvAngleDegrees: 19.5,
+      ...PROJECTOR_FIELDS,
     };
     expect(Object.keys(dab)).toEqual(Object.keys(DabLayout.fields));
     target.addDabs(layer, [dab, { size: [1, 2, 3] }]);

@@ -14,24 +14,32 @@ export const FRONT: PlanarProjector = {
   size: [0.5, 0.5, 0.5],
 };
 
+/** The defaults of spec.md, 8: how any layer is laid on the texture, and how one with a picture is cast at the surface. */
+const LAID_ON = {
+  material: 0,
+  visible: true,
+  opacity: 1,
+  blend: "normal",
+  blendSpace: "srgb",
+  lockAlpha: false,
+} as const;
+const CAST = {
+  filter: "linear",
+  wrap: "none",
+  flipX: false,
+  flipY: false,
+  backfaces: false,
+  angleFade: [70, 90],
+  occlusion: "self",
+} as const;
+
 export function decal(id: string, asset: string, changes: Partial<EngineDecalLayer> = {}): EngineDecalLayer {
   return {
     id,
     type: "decal",
     asset,
-    material: 0,
-    visible: true,
-    opacity: 1,
-    blend: "normal",
-    blendSpace: "srgb",
-    lockAlpha: false,
-    filter: "linear",
-    wrap: "none",
-    flipX: false,
-    flipY: false,
-    backfaces: false,
-    angleFade: [70, 90],
-    occlusion: "self",
+    ...LAID_ON,
+    ...CAST,
     projector: FRONT,
     ...changes,
   };
@@ -46,12 +54,7 @@ export function fill(
     id,
     type: "fill",
     color,
-    material: 0,
-    visible: true,
-    opacity: 1,
-    blend: "normal",
-    blendSpace: "srgb",
-    lockAlpha: false,
+    ...LAID_ON,
     ...changes,
   };
 }
@@ -67,19 +70,8 @@ export function stroke(
     type: "stroke",
     brush: { tip: "round", color: [0, 0, 0, 1], hardness: 1, flow: 1 },
     dabs,
-    material: 0,
-    visible: true,
-    opacity: 1,
-    blend: "normal",
-    blendSpace: "srgb",
-    lockAlpha: false,
-    filter: "linear",
-    wrap: "none",
-    flipX: false,
-    flipY: false,
-    backfaces: false,
-    angleFade: [70, 90],
-    occlusion: "self",
+    ...LAID_ON,
+    ...CAST,
     ...changes,
   };
 }

@@ -1,6 +1,7 @@
 /** Which materials a projector reaches: those with a triangle inside its volume that its light meets from the front. */
-import { type Box3, Plane, Quaternion, type Triangle, Vector3 } from "three";
+import { type Box3, Plane, type Triangle, Vector3 } from "three";
 import type { Projector, UvProjector } from "../engine/engine-api.ts";
+import { rotationOf } from "./projector-sight.ts";
 
 /** A projector's volume as a query asks for it; for a label its bounding box, which is larger. */
 export interface ReachVolume {
@@ -38,7 +39,7 @@ export function reachVolume(projector: Projector, backfaces: boolean): ReachVolu
 
 /** Planes whose normals look inward, model space. */
 function boundingPlanes(projector: Exclude<Projector, UvProjector>): Plane[] {
-  const rotation = new Quaternion(...projector.rotation).normalize();
+  const rotation = rotationOf(projector);
   const origin = new Vector3(...projector.position);
   // A plane through `point` of the projector's own axes, metres.
   const plane = (normal: Vector3, point = new Vector3()): Plane =>
@@ -78,7 +79,7 @@ function boundingPlanes(projector: Exclude<Projector, UvProjector>): Plane[] {
 
 /** From a point towards where the light comes from; the length does not matter. */
 function lightDirection(projector: Exclude<Projector, UvProjector>): (point: Vector3) => Vector3 {
-  const rotation = new Quaternion(...projector.rotation).normalize();
+  const rotation = rotationOf(projector);
   const origin = new Vector3(...projector.position);
   if (projector.kind === "planar") {
     const forward = new Vector3(0, 0, 1).applyQuaternion(rotation);
