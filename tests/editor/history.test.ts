@@ -1,8 +1,9 @@
 import { describe, expect, it } from "vitest";
+import { HeldWeight } from "../../web/editor/state/held-weight.ts";
 import { History } from "../../web/editor/state/history.ts";
 
 function historyAt(clock: { now: number }): History<string> {
-  return new History("a", { limit: 3, mergeWindow: 500, now: () => clock.now });
+  return new History("a", { mergeWindow: 500, now: () => clock.now });
 }
 
 describe("the history", () => {
@@ -92,10 +93,119 @@ describe("the history", () => {
     expect(history.present).toBe("c");
   });
 
-  it("keeps no more steps than its limit", () => {
+  it("travels to any step, and on to any other", () => {
     const history = historyAt({ now: 0 });
-    for (const value of ["b", "c", "d", "e"]) history.record(value, value);
-    while (history.undo());
-    expect(history.present).toBe("b");
+    for (const value of ["b", "c", "d"]) history.record(value, `to ${value}`);
+    expect(history.labels).toEqual(["", "to b", "to c", "to d"]);
+    expect(history.travelTo(1)).toBe(true);
+    expect([history.present, history.undoLabel, history.redoLabel]).toEqual(["b", "to b", "to c"]);
+    expect([0, 1, 2, 3, 4].map((place) => history.valueAt(place))).toEqual(["a", "b", "c", "d", undefined]);
+    expect(history.travelTo(3)).toBe(true);
+    expect(history.present).toBe("d");
+    expect(history.labels).toEqual(["", "to b", "to c", "to d"]);
+    for (const nowhere of [3, -1, 4, 0.5]) expect(history.travelTo(nowhere), String(nowhere)).toBe(false);
+  });
+});
+
+interface Recipe {
+  readonly layers: readonly { readonly id: number; readonly dabs: Float64Array }[];
+}
+
+const KIBIBYTE = 1024;
+const layer = (id: number, bytes: number) => ({ id, dabs: new Float64Array(bytes / 8) });
+const above = (recipe: Recipe, id: number, bytes: number): Recipe => ({ layers: [...recipe.layers, layer(id, bytes)] });
+
+describe("the history's budget", () => {
+  it("lets steps be as many as they like while they share what they hold", () => {
+    let recipe: Recipe = { layers: [layer(0, 64 * KIBIBYTE)] };
+    const history = new History(recipe, { budget: 512 * KIBIBYTE });
+    for (let id = 1; id <= 1000; id += 1) {
+      recipe = { layers: [recipe.layers[0] as Recipe["layers"][number], layer(id, 8)] };
+      history.record(recipe, "stroke");
+    }
+    expect(history.position).toBe(1000);
+    expect(history.dropped).toBe(0);
+  });
+
+  it("drops the oldest steps first, and no more than it must", () => {
+    const start: Recipe = { layers: [] };
+    const history = new History(start, { budget: 40 * KIBIBYTE });
+    for (let id = 1; id <= 5; id += 1) history.record(above(start, id, 16 * KIBIBYTE), `step ${id}`);
+    expect(history.labels).toEqual(["step 3", "step 4", "step 5"]);
+    expect(history.dropped).toBe(3);
+    expect(history.heldBytes).toBeLessThanOrEqual(40 * KIBIBYTE);
+  });
+
+  it("does not count against the steps what the present itself holds", () => {
+    let recipe: Recipe = { layers: [] };
+    const history = new History(recipe, { budget: 8 * KIBIBYTE });
+    for (let id = 1; id <= 20; id += 1) {
+      recipe = above(recipe, id, 64 * KIBIBYTE);
+      history.record(recipe, "stroke");
+    }
+    expect(history.dropped).toBe(0);
+    expect(history.heldBytes).toBeLessThan(8 * KIBIBYTE);
+  });
+
+  it("drops nothing that one travels over", () => {
+    let recipe: Recipe = { layers: [] };
+    const history = new History(recipe, { budget: 8 * KIBIBYTE });
+    for (let id = 1; id <= 20; id += 1) {
+      recipe = above(recipe, id, 64 * KIBIBYTE);
+      history.record(recipe, "stroke");
+    }
+    history.travelTo(0);
+    expect(history.dropped).toBe(0);
+    history.travelTo(20);
+    expect(history.present).toBe(recipe);
+  });
+
+  it("holds nothing more once its steps are forgotten, dropped or merged", () => {
+    const history = new History<Recipe>({ layers: [] }, { now: () => 0 });
+    for (let id = 1; id <= 3; id += 1) {
+      history.record({ layers: [layer(id, 64 * KIBIBYTE)] }, "scrub", "scrub");
+    }
+    expect(history.position).toBe(1);
+    expect(history.heldBytes).toBeLessThan(KIBIBYTE);
+    history.undo();
+    expect(history.heldBytes).toBeGreaterThan(64 * KIBIBYTE);
+    history.record({ layers: [] }, "other");
+    expect(history.heldBytes).toBeLessThan(KIBIBYTE);
+    history.record({ layers: [layer(9, 64 * KIBIBYTE)] }, "more");
+    history.reset({ layers: [] });
+    expect(history.heldBytes).toBe(0);
+  });
+
+  it("is kept at once when it is made smaller", () => {
+    const start: Recipe = { layers: [] };
+    const history = new History(start);
+    for (let id = 1; id <= 5; id += 1) history.record(above(start, id, 16 * KIBIBYTE), `step ${id}`);
+    history.budget = 20 * KIBIBYTE;
+    expect(history.labels).toEqual(["step 4", "step 5"]);
+  });
+});
+
+describe("what values hold", () => {
+  it("is counted once where they share it, and until the last of them goes", () => {
+    const shared = { uri: "x".repeat(1000) };
+    const weight = new HeldWeight();
+    const [one, two] = [{ shared }, { shared }];
+    weight.retain(one);
+    const alone = weight.bytes;
+    expect(alone).toBeGreaterThan(1000);
+    weight.retain(two);
+    expect(weight.bytes - alone).toBeLessThan(100);
+    weight.release(one);
+    expect(weight.bytes).toBe(alone);
+    weight.release(two);
+    expect(weight.bytes).toBe(0);
+  });
+
+  it("includes a model's bytes and its side files", () => {
+    const weight = new HeldWeight();
+    const bytes = new Uint8Array(5000);
+    weight.retain({ source: { name: "fox.gltf", bytes, resources: new Map([["fox.bin", new Uint8Array(7000)]]) } });
+    expect(weight.bytes).toBeGreaterThan(12_000);
+    expect(weight.bytes).toBeLessThan(12_500);
   });
 });

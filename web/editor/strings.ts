@@ -178,6 +178,22 @@ export const strings = {
     metres: "m",
   },
 
+  history: {
+    title: "History",
+    list: "Steps, the oldest first",
+    start: "Start",
+    /** The label of a step, as undo speaks of it, standing on its own. */
+    step: (label: string): string => (label ? label.charAt(0).toUpperCase() + label.slice(1) : "Start"),
+    held: (size: string): string => `${size} of`,
+    heldHint: "What the steps hold beyond the present design. When it is more, the oldest steps are dropped.",
+    budget: "Memory for the history",
+    megabytes: (count: string): string => `${count} MB`,
+    droppedTitle: "The oldest steps were let go",
+    dropped: (budget: string): string =>
+      `The history holds up to ${budget}. The design itself is whole. More room can be given in the history panel.`,
+    droppedNote: (count: number): string => `${plural(count, "older step", "older steps")} let go`,
+  },
+
   target: {
     title: "Texture",
     material: "Material",
@@ -261,6 +277,7 @@ export const strings = {
     shown: (name: string): string => `${name} shown`,
     undone: (step: string): string => `Undone: ${step}`,
     redone: (step: string): string => `Redone: ${step}`,
+    travelled: (step: string): string => `Went to: ${step}`,
     opened: (name: string): string => `${name} opened`,
     saved: (name: string): string => `Saved as ${name}`,
     exported: (name: string): string => `Exported ${name}`,

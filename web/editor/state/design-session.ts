@@ -5,7 +5,7 @@ import type { ModelViewer, ViewerDecal } from "../../viewer/viewer-api.ts";
 import { type Design, type DesignLayer, emptyDesign, materialsOf, resolveLayers } from "../document/index.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import { layerById } from "./design-edits.ts";
-import type { EditorState, ModelRef, Snapshot } from "./editor-state.ts";
+import type { EditorState, HistorySteps, ModelRef, Snapshot } from "./editor-state.ts";
 import { History } from "./history.ts";
 import type { Store } from "./store.ts";
 
@@ -15,9 +15,6 @@ export interface DesignSessionParts {
   readonly library: AssetLibrary;
   readonly store: Store<EditorState>;
 }
-
-/** Models kept for an undo across them; older steps are dropped, since a model may weigh a hundred megabytes. */
-const MODELS_KEPT = 3;
 
 export class DesignSession {
   readonly #engine: Engine;
@@ -53,12 +50,14 @@ export class DesignSession {
     return layerById(this.design, this.#store.state.selectedId);
   }
 
-  get undoSnapshot(): Snapshot | undefined {
-    return this.#history.undoValue;
+  /** Place of the recorded design among the history's steps. */
+  get position(): number {
+    return this.#history.position;
   }
 
-  get redoSnapshot(): Snapshot | undefined {
-    return this.#history.redoValue;
+  /** What `travelTo` would bring back. */
+  snapshotAt(position: number): Snapshot | undefined {
+    return this.#history.valueAt(position);
   }
 
   /** Shows a design without recording it (a gesture is under way). */
@@ -87,18 +86,18 @@ export class DesignSession {
   recordModel(model: ModelRef, design: Design, label: string): void {
     if (this.#history.recorded.model === null) this.#history.reset({ model, design });
     else this.#history.record({ model, design }, label);
-    this.#forgetOldModels();
     this.#saved = design;
     this.#publish();
   }
 
-  undo(): void {
-    this.#history.undo();
+  travelTo(position: number): void {
+    this.#history.travelTo(position);
     this.#publish();
   }
 
-  redo(): void {
-    this.#history.redo();
+  /** Bytes that the history's steps may hold; steps that no longer fit are dropped, the oldest first. */
+  setHistoryBudget(bytes: number): void {
+    this.#history.budget = bytes;
     this.#publish();
   }
 
@@ -107,10 +106,27 @@ export class DesignSession {
     this.#publish();
   }
 
-  select(id: string | null): void {
-    const selectedId = layerById(this.design, id) ? id : null;
-    this.#store.set({ selectedId });
+  /** Chooses a layer, and with `others` more beside it. */
+  select(id: string | null, others: readonly string[] = []): void {
+    this.#store.set(this.#present(id, others));
     this.#showDecals();
+  }
+
+  /** Of a choice what the design has, the layer itself first. */
+  #present(
+    id: string | null,
+    others: readonly string[],
+  ): Pick<EditorState, "selectedId" | "selection" | "editingMask"> {
+    const { design } = this;
+    const selection = [...new Set(id === null ? others : [id, ...others])].filter((each) => layerById(design, each));
+    const { selection: before, editingMask } = this.#store.state;
+    const same = selection.length === before.length && selection.every((each, index) => each === before[index]);
+    const selectedId = selection[0] ?? null;
+    return {
+      selectedId,
+      selection: same ? before : selection,
+      editingMask: editingMask === selectedId ? editingMask : null,
+    };
   }
 
   /** Gives the engine the layers of a design that is not the recorded one yet (its model is being opened). */
@@ -131,12 +147,13 @@ export class DesignSession {
   #publish(): void {
     const { design } = this;
     if (design.layers !== this.#sent?.layers) this.send(design);
-    const { selectedId } = this.#store.state;
+    const { selectedId, selection } = this.#store.state;
     this.#store.set({
       design,
-      selectedId: layerById(design, selectedId) ? selectedId : null,
+      ...this.#present(selectedId, selection),
       undoLabel: this.#history.undoLabel,
       redoLabel: this.#history.redoLabel,
+      history: this.#historySteps(),
       unsaved: this.recordedDesign !== this.#saved,
     });
     this.#showDecals();
@@ -155,8 +172,11 @@ export class DesignSession {
     this.#viewer.setDecals(decals, this.#store.state.selectedId);
   }
 
-  #forgetOldModels(): void {
-    const newest = [...new Set([...this.#history.values()].map(({ model }) => model).reverse())].slice(0, MODELS_KEPT);
-    this.#history.dropOldest(({ model }) => !newest.includes(model));
+  #historySteps(): HistorySteps {
+    const history = this.#history;
+    // A gesture's frames record nothing.
+    if (history.previewing) return this.#store.state.history;
+    const { labels, position, dropped, heldBytes, budget } = history;
+    return { labels, position, dropped, heldBytes, budget };
   }
 }

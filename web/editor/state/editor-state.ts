@@ -2,6 +2,7 @@
 import type { MapView, ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
 import { type Design, emptyDesign } from "../document/index.ts";
 import type { DemoCatalogue } from "../files/demo-catalogue.ts";
+import { DEFAULT_BUDGET } from "./history.ts";
 import type { Notice } from "./notices.ts";
 
 /** A model as it was given: what an undo across models needs to bring it back. Identity tells two apart. */
@@ -45,18 +46,39 @@ export interface Task {
 export type TextureMode = "texture" | MapView;
 export const TEXTURE_MODES: readonly TextureMode[] = ["texture", "positions", "normals", "coverage", "overlap"];
 
+/** The steps that can be gone to, for the history panel. */
+export interface HistorySteps {
+  /** What led to each, the oldest first; "" for the one that the history began with. */
+  readonly labels: readonly string[];
+  /** Place of the present one among them. */
+  readonly position: number;
+  /** Steps that were dropped because they no longer fitted the budget. */
+  readonly dropped: number;
+  /** Bytes: what the steps hold beyond the present design, and may hold. */
+  readonly heldBytes: number;
+  readonly budget: number;
+}
+
 export interface EditorState {
   readonly model: OpenModel | null;
   readonly design: Design;
   /** Stem of the file that "Save" writes. */
   readonly designName: string;
+  /** The layer that the properties, the gizmo and the brush are about; always one of `selection`. */
   readonly selectedId: string | null;
+  /** Ids of all chosen layers, which acts on layers are for. */
+  readonly selection: readonly string[];
+  /** Ids of the groups whose layers the list does not show. */
+  readonly collapsed: ReadonlySet<string>;
+  /** Id of the layer whose mask the brush paints on; null: it paints on the layer itself. */
+  readonly editingMask: string | null;
   /** The material that the texture view and the target settings are about; null without a paintable one. */
   readonly material: number | null;
   readonly targets: ReadonlyMap<number, TargetInfo>;
   readonly targetSettings: ReadonlyMap<number, TargetSettings>;
   readonly undoLabel: string | null;
   readonly redoLabel: string | null;
+  readonly history: HistorySteps;
   readonly unsaved: boolean;
   /** While one model takes the place of another: the design must not be edited against the wrong one. */
   readonly switching: boolean;
@@ -75,11 +97,15 @@ export const INITIAL_STATE: EditorState = {
   design: emptyDesign(),
   designName: "texelcast",
   selectedId: null,
+  selection: [],
+  collapsed: new Set(),
+  editingMask: null,
   material: null,
   targets: new Map(),
   targetSettings: new Map(),
   undoLabel: null,
   redoLabel: null,
+  history: { labels: [""], position: 0, dropped: 0, heldBytes: 0, budget: DEFAULT_BUDGET },
   unsaved: false,
   switching: false,
   tasks: [],

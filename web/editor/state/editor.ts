@@ -20,6 +20,8 @@ import {
   type TextureMode,
 } from "./editor-state.ts";
 import { FileCommands } from "./file-commands.ts";
+import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
+import { megabytes } from "./megabytes.ts";
 import { ModelSession } from "./model-session.ts";
 import { NoticeBoard } from "./notice-board.ts";
 import { Store } from "./store.ts";
@@ -61,6 +63,7 @@ export class Editor {
     this.decals = new DecalCommands(this.session, viewer, store, board);
     const { session, decals, library } = this;
     this.files = new FileCommands({ engine, store, session, models: this.#models, decals, library, board, tasks });
+    session.setHistoryBudget(readHistoryBudget());
     this.#connect();
   }
 
@@ -106,6 +109,12 @@ export class Editor {
     this.#attempt(strings.errors.couldNotShow, this.#models.reopen(material));
   }
 
+  /** Bytes. */
+  setHistoryBudget(bytes: number): void {
+    keepHistoryBudget(bytes);
+    this.session.setHistoryBudget(bytes);
+  }
+
   setOutlines(visible: boolean): void {
     this.store.set({ outlines: visible });
     this.textureView.setOutlinesVisible(visible);
@@ -142,6 +151,7 @@ export class Editor {
     // A new map is behind the picture that the texture view shows.
     if (shownTarget(before) !== shownTarget(now) && now.textureMode !== "texture") this.setTextureMode(now.textureMode);
     if (before.model !== now.model) this.textureView.setMode("texture");
+    if (before.history.dropped === 0 && now.history.dropped > 0) this.#tellOfDroppedSteps(now);
     if (now.switching) return;
     if (before.design !== now.design) {
       if (before.model === now.model) this.board.dismissInfos();
@@ -160,6 +170,12 @@ export class Editor {
     const paintable = model?.info.materials.filter(({ refusal }) => refusal === null).map(({ index }) => index);
     const first = materials.find((material) => paintable?.includes(material));
     if (first !== undefined) this.showMaterial(first);
+  }
+
+  /** Once, and not at each step that goes. */
+  #tellOfDroppedSteps({ history }: EditorState): void {
+    const message = strings.history.dropped(strings.history.megabytes(megabytes(history.budget)));
+    this.board.info({ title: strings.history.droppedTitle, message });
   }
 
   #mark(hit: SurfaceHit | null): void {

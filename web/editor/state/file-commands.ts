@@ -18,7 +18,7 @@ import { strings } from "../strings.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
 import type { DesignSession } from "./design-session.ts";
-import type { EditorState, ModelRef, Snapshot } from "./editor-state.ts";
+import type { EditorState, ModelRef } from "./editor-state.ts";
 import type { ModelSession } from "./model-session.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
@@ -129,28 +129,49 @@ export class FileCommands {
     await this.#export(`${store.state.designName}-painted.glb`, "model/gltf-binary", () => engine.exportGlb());
   }
 
-  /** Undo and redo step across models too, which takes a moment: the old model is opened again. */
-  async travel(direction: "undo" | "redo"): Promise<void> {
-    const { session, store, models, board } = this.#parts;
-    if (store.state.switching) return;
-    const goal = direction === "undo" ? session.undoSnapshot : session.redoSnapshot;
+  /** One step back or forth. */
+  travel(direction: "undo" | "redo"): Promise<void> {
+    const { session, store, board } = this.#parts;
     const label = direction === "undo" ? store.state.undoLabel : store.state.redoLabel;
-    if (!goal || label === null) return;
+    const position = session.position + (direction === "undo" ? -1 : 1);
+    return this.#travelTo(position, () =>
+      board.announce(
+        direction === "undo" ? strings.announce.undone(label ?? "") : strings.announce.redone(label ?? ""),
+      ),
+    );
+  }
+
+  /** To any step of the history: a place among its labels. */
+  travelTo(position: number): Promise<void> {
+    const { store, board } = this.#parts;
+    const label = store.state.history.labels[position];
+    return this.#travelTo(position, () =>
+      board.announce(strings.announce.travelled(strings.history.step(label ?? ""))),
+    );
+  }
+
+  /** Steps lead across models too, which takes a moment: the old model is opened again. */
+  async #travelTo(position: number, arrived: () => void): Promise<void> {
+    const { session, store, models, board } = this.#parts;
+    if (store.state.switching || position === session.position) return;
+    const goal = session.snapshotAt(position);
+    if (!goal) return;
     const arrive = (): void => {
-      session[direction]();
-      board.announce(direction === "undo" ? strings.announce.undone(label) : strings.announce.redone(label));
+      session.travelTo(position);
+      arrived();
     };
     if (goal.model === store.state.model?.ref || goal.model === null) {
       arrive();
       return;
     }
+    const { model } = goal;
     try {
-      await models.open(goal.model, goal.design, () => {
-        store.set({ designName: fileStem((goal as Snapshot & { model: ModelRef }).model.title) });
+      await models.open(model, goal.design, () => {
+        store.set({ designName: fileStem(model.title) });
         arrive();
       });
     } catch (thrown) {
-      board.error(strings.errors.couldNotOpen(goal.model.title), thrown);
+      board.error(strings.errors.couldNotOpen(model.title), thrown);
     }
   }
 
