@@ -242,6 +242,19 @@ export const strings = {
       `${plural(count, "layer paints a material", "layers paint materials")} that this model does not have.`,
   },
 
+  storage: {
+    none: "This browser has no place to keep projects.",
+    full: "The browser's space for this page is used up.",
+    fullHint: "Save the project as a file, or delete projects that you no longer need.",
+    refused: (reason: string): string => `The browser does not keep data for this page (${reason.replace(/\.$/, "")}).`,
+    refusedHint: "Save the project as a file before you close the page. A private window may be the reason.",
+    conflict: (name: string): string => `${name} was changed in another tab.`,
+    gone: "The project is no longer there.",
+    unreadable: (name: string): string => `What was saved of ${name} cannot be read.`,
+    unwritable: (name: string): string => `${name} cannot be saved: its design could not be read again.`,
+    partMissing: (part: string): string => `A part of the project, ${part}, is missing.`,
+  },
+
   files: {
     several: (count: number): string => plural(count, "file", "files"),
   },

@@ -1,0 +1,78 @@
+/** The browser's database of projects: its tables, and how it is opened. */
+import { type DBSchema, type IDBPDatabase, openDB } from "idb";
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { strings } from "../strings.ts";
+import type { ProjectSummary, StoredModel } from "./project.ts";
+
+const NAME = "texelcast";
+const VERSION = 1;
+
+export interface ProjectRow extends ProjectSummary {
+  /** The revision before the newest: kept until the one after the newest is safe. */
+  readonly previous: number | null;
+  /** When it was deleted, milliseconds since 1970; it can be brought back until it is swept. */
+  readonly deleted: number | null;
+}
+
+/** One save. Rows are written once and never changed. */
+export interface RevisionRow {
+  readonly project: string;
+  readonly revision: number;
+  /** JSON text whose pictures are named `sha256/HEX`. */
+  readonly design: string;
+  readonly model: StoredModel;
+  readonly targets: readonly { readonly material: number; readonly size: number | null; readonly gutter: number | null }[];
+  /** Names of everything of `blobs` that it needs. */
+  readonly blobs: readonly string[];
+}
+
+export interface BlobRow {
+  readonly hash: string;
+  readonly bytes: Uint8Array;
+}
+
+export interface ProjectSchema extends DBSchema {
+  projects: { key: string; value: ProjectRow };
+  revisions: { key: [string, number]; value: RevisionRow; indexes: { blobs: string } };
+  blobs: { key: string; value: BlobRow };
+}
+
+export type ProjectDatabase = IDBPDatabase<ProjectSchema>;
+
+/** Opens the database, and again after the browser has closed it. */
+export class ProjectConnection {
+  #opening: Promise<ProjectDatabase> | null = null;
+
+  open(): Promise<ProjectDatabase> {
+    if (this.#opening) return this.#opening;
+    const opening = this.#open();
+    this.#opening = opening;
+    // The next wish tries anew.
+    opening.catch(() => this.#forget(opening));
+    return opening;
+  }
+
+  close(): void {
+    void this.#opening?.then((database) => database.close()).catch(() => undefined);
+    this.#opening = null;
+  }
+
+  async #open(): Promise<ProjectDatabase> {
+    if (typeof indexedDB === "undefined") throw new TexelcastError("storage-refused", strings.storage.none);
+    return openDB<ProjectSchema>(NAME, VERSION, {
+      upgrade(database) {
+        database.createObjectStore("projects", { keyPath: "id" });
+        const revisions = database.createObjectStore("revisions", { keyPath: ["project", "revision"] });
+        revisions.createIndex("blobs", "blobs", { multiEntry: true });
+        database.createObjectStore("blobs", { keyPath: "hash" });
+      },
+      // A newer page in another tab wants to change the tables: it goes first, this one opens again later.
+      blocking: () => this.close(),
+      terminated: () => this.#forget(this.#opening),
+    });
+  }
+
+  #forget(opening: Promise<ProjectDatabase> | null): void {
+    if (this.#opening === opening) this.#opening = null;
+  }
+}

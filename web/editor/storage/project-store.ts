@@ -1,0 +1,243 @@
+/**
+ * Projects kept in the browser. A save is one transaction that writes a new revision, points the project at it and
+ * drops the one before the last: whatever ends it half-way, the save before stands. Every method rejects with a
+ * TexelcastError: "storage-full" or "storage-refused" when the browser will not, else what is said there.
+ */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { strings } from "../strings.ts";
+import { randomId } from "./content-hash.ts";
+import { type PackedProject, unpackDesign, unpackModel } from "./packed-project.ts";
+import type { LoadedProject, ProjectSummary } from "./project.ts";
+import { ProjectConnection, type ProjectDatabase, type ProjectRow, type RevisionRow } from "./project-database.ts";
+import { storageError } from "./storage-error.ts";
+
+/** A deleted project can be brought back for this long, milliseconds. */
+const SWEEP_AFTER = 10 * 60_000;
+
+type Tables = ["projects", "revisions", "blobs"];
+const TABLES: Tables = ["projects", "revisions", "blobs"];
+type Writing = ReturnType<typeof openTables>;
+
+const openTables = (database: ProjectDatabase) => database.transaction(TABLES, "readwrite");
+
+export class ProjectStore {
+  readonly #connection = new ProjectConnection();
+  readonly #now: () => number;
+
+  constructor(now: () => number = Date.now) {
+    this.#now = now;
+  }
+
+  /** Newest first. */
+  list(): Promise<ProjectSummary[]> {
+    return this.#read(async (database) => {
+      const rows = await database.getAll("projects");
+      return rows
+        .filter(({ deleted }) => deleted === null)
+        .sort((a, b) => b.modified - a.modified)
+        .map(summaryOf);
+    });
+  }
+
+  /**
+   * Writes a revision and returns its number.
+   *
+   * @param seen the revision that the caller has; 0 for a new project.
+   * @throws TexelcastError "storage-conflict" where somebody else (another tab) has saved another one since.
+   */
+  save(id: string, packed: PackedProject, seen: number): Promise<number> {
+    return this.#write(async (tables) => {
+      const projects = tables.objectStore("projects");
+      const row = await projects.get(id);
+      // A project that is gone was deleted elsewhere: saving brings it back, since somebody works on it.
+      if (row && row.revision !== seen) {
+        throw new TexelcastError("storage-conflict", strings.storage.conflict(packed.name), { subject: packed.name });
+      }
+      const revision = Math.max(seen, row?.revision ?? 0) + 1;
+      await addRevision(tables, { project: id, revision, ...rowOf(packed) }, packed.blobs);
+      await projects.put({
+        id,
+        name: packed.name,
+        modified: this.#now(),
+        size: packed.size,
+        layers: packed.layers,
+        modelTitle: packed.model.title,
+        thumbnail: row?.thumbnail ?? null,
+        revision,
+        previous: row?.revision ?? null,
+        deleted: null,
+      });
+      if (row?.previous != null) await dropRevision(tables, id, row.previous);
+      return revision;
+    });
+  }
+
+  /**
+   * The project as it was saved last. Where that cannot be read (`fromBackup`), as it was saved before.
+   *
+   * @throws TexelcastError "missing-file" for a project that is not there, or the fault of its newest revision.
+   */
+  load(id: string): Promise<LoadedProject> {
+    return this.#read(async (database) => {
+      const row = await database.get("projects", id);
+      if (!row || row.deleted !== null) {
+        throw new TexelcastError("missing-file", strings.storage.gone, { subject: row?.name ?? id });
+      }
+      try {
+        return { ...(await loadRevision(database, row, row.revision)), fromBackup: false };
+      } catch (fault) {
+        if (row.previous === null) throw fault;
+        const backup = await loadRevision(database, row, row.previous).catch(() => {
+          throw fault;
+        });
+        return { ...backup, fromBackup: true };
+      }
+    });
+  }
+
+  async rename(id: string, name: string): Promise<void> {
+    await this.#patch(id, { name });
+  }
+
+  async setThumbnail(id: string, thumbnail: string): Promise<void> {
+    await this.#patch(id, { thumbnail });
+  }
+
+  /** It can be brought back by `restore` until it is swept. */
+  async remove(id: string): Promise<void> {
+    await this.#patch(id, { deleted: this.#now() });
+  }
+
+  async restore(id: string): Promise<void> {
+    await this.#patch(id, { deleted: null });
+  }
+
+  /** Makes a copy under another name; returns its id. */
+  duplicate(id: string, name: string): Promise<string> {
+    return this.#write(async (tables) => {
+      const row = await tables.objectStore("projects").get(id);
+      const revision = row && (await tables.objectStore("revisions").get([id, row.revision]));
+      if (!revision) throw new TexelcastError("missing-file", strings.storage.gone, { subject: name });
+      const copy = randomId();
+      await tables.objectStore("revisions").put({ ...revision, project: copy, revision: 1 });
+      const copied = { ...row, id: copy, name, revision: 1, previous: null, deleted: null, modified: this.#now() };
+      await tables.objectStore("projects").put(copied);
+      return copy;
+    });
+  }
+
+  /** Frees what was deleted; `age` in milliseconds since. */
+  sweep(age = SWEEP_AFTER): Promise<void> {
+    return this.#write(async (tables) => {
+      for (const row of await tables.objectStore("projects").getAll()) {
+        if (row.deleted === null || this.#now() - row.deleted < age) continue;
+        await tables.objectStore("projects").delete(row.id);
+        for (const revision of [row.revision, row.previous]) {
+          if (revision !== null) await dropRevision(tables, row.id, revision);
+        }
+      }
+    });
+  }
+
+  close(): void {
+    this.#connection.close();
+  }
+
+  #patch(id: string, patch: Partial<ProjectRow>): Promise<void> {
+    return this.#write(async (tables) => {
+      const row = await tables.objectStore("projects").get(id);
+      if (row) await tables.objectStore("projects").put({ ...row, ...patch });
+    });
+  }
+
+  async #read<Result>(work: (database: ProjectDatabase) => Promise<Result>): Promise<Result> {
+    try {
+      return await this.#withDatabase(work);
+    } catch (thrown) {
+      throw storageError(thrown);
+    }
+  }
+
+  #write<Result>(work: (tables: Writing) => Promise<Result>): Promise<Result> {
+    return this.#read(async (database) => {
+      const tables = openTables(database);
+      // Whoever aborts it knows the reason better than the transaction's own promise.
+      const done = tables.done.catch((thrown: unknown) => ({ thrown }));
+      let result: Result;
+      try {
+        result = await work(tables);
+      } catch (thrown) {
+        try {
+          tables.abort();
+        } catch {
+          // It has ended by itself.
+        }
+        throw thrown;
+      }
+      const end = await done;
+      if (end) throw end.thrown ?? new DOMException("The transaction was aborted.", "AbortError");
+      return result;
+    });
+  }
+
+  /** A database that the browser has closed meanwhile is opened once more. */
+  async #withDatabase<Result>(work: (database: ProjectDatabase) => Promise<Result>): Promise<Result> {
+    try {
+      return await work(await this.#connection.open());
+    } catch (thrown) {
+      if (!(thrown instanceof Error && thrown.name === "InvalidStateError")) throw thrown;
+      this.#connection.close();
+      return work(await this.#connection.open());
+    }
+  }
+}
+
+function summaryOf({ previous: _previous, deleted: _deleted, ...summary }: ProjectRow): ProjectSummary {
+  return summary;
+}
+
+function rowOf({ design, model, targets, blobs }: PackedProject): Omit<RevisionRow, "project" | "revision"> {
+  return { design, model, targets, blobs: [...blobs.keys()] };
+}
+
+async function addRevision(tables: Writing, row: RevisionRow, blobs: PackedProject["blobs"]): Promise<void> {
+  const store = tables.objectStore("blobs");
+  for (const [hash, { bytes }] of blobs) {
+    if ((await store.getKey(hash)) === undefined) await store.put({ hash, bytes: bytes() });
+  }
+  await tables.objectStore("revisions").put(row);
+}
+
+/** Its blobs go with it, unless another revision needs them. */
+async function dropRevision(tables: Writing, project: string, revision: number): Promise<void> {
+  const revisions = tables.objectStore("revisions");
+  const row = await revisions.get([project, revision]);
+  await revisions.delete([project, revision]);
+  for (const hash of row?.blobs ?? []) {
+    if ((await revisions.index("blobs").getKey(hash)) === undefined) await tables.objectStore("blobs").delete(hash);
+  }
+}
+
+async function loadRevision(
+  database: ProjectDatabase,
+  row: ProjectRow,
+  number: number,
+): Promise<Omit<LoadedProject, "fromBackup">> {
+  const revision = await database.get("revisions", [row.id, number]);
+  if (!revision) {
+    throw new TexelcastError("missing-file", strings.storage.unreadable(row.name), { subject: row.name });
+  }
+  const blobs = new Map<string, Uint8Array>();
+  for (const hash of revision.blobs) {
+    const blob = await database.get("blobs", hash);
+    if (blob) blobs.set(hash, blob.bytes);
+  }
+  const bytesOf = (hash: string): Uint8Array | undefined => blobs.get(hash);
+  const { model, targets } = revision;
+  return {
+    summary: summaryOf(row),
+    design: unpackDesign(revision.design, row.name, bytesOf),
+    model: model.kind === "demo" ? model : unpackModel(model, row.name, bytesOf),
+    targets: new Map(targets.map(({ material, size, gutter }) => [material, { size, gutter }])),
+  };
+}
