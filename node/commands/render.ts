@@ -1,8 +1,10 @@
 /** `texelcast render`: a design replayed on a model, as the finished texture or as the model with it inside. */
+import { formatPath } from "../../web/editor/document/design-problem.ts";
+import { materialsOf, walkLayers } from "../../web/editor/document/index.ts";
 import type { EngineLayer, ModelInfo, TargetOptions } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
-import { materialsOf, paintsMaterial } from "../../web/engine/layer-materials.ts";
-import { pictureOf } from "../../web/engine/layer-picture.ts";
+import { picturesOf } from "../../web/engine/layer-picture.ts";
+import { materialsIn } from "../../web/engine/layer-tree.ts";
 import { findMaterial } from "../find-material.ts";
 import { openEngine } from "../open-engine.ts";
 import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from "../options.ts";
@@ -38,7 +40,7 @@ export async function render(modelFile: string, designFile: string, options: Ren
     const info = await engine.loadModel(model);
     const materials = chooseMaterials(info, design, options);
     const layers = design.layers.filter(
-      (layer) => layer.visible && materials.some((material) => paintsMaterial(layer, material)),
+      (layer) => layer.visible && materialsIn(layer).some((material) => materials.includes(material)),
     );
     await setAssets(engine, design, layers, progress);
     const sizes = new Map<number, string>();
@@ -54,7 +56,7 @@ export async function render(modelFile: string, designFile: string, options: Ren
     for (const result of resultsOf(options.out, materials)) {
       const bytes = await result.bytes(engine);
       await files.write(result.file, bytes);
-      const drawn = layers.filter((layer) => result.materials.some((material) => paintsMaterial(layer, material)));
+      const drawn = layers.filter((layer) => materialsIn(layer).some((own) => result.materials.includes(own)));
       const where = result.materials.map((material) => sizes.get(material)).join(", ") || "no material";
       const what = `${formatCount(bytes.length)} bytes, ${plural(drawn.length, "layer")}, ${where}`;
       lines.push(`${printable(result.file)}: ${what}\n`);
@@ -76,16 +78,17 @@ async function readBase(base: BaseOption | undefined): Promise<NonNullable<Targe
 }
 
 /** Every material that a layer names must be there, even one that this run leaves out: the design is for another model. */
-function chooseMaterials(model: ModelInfo, { file, design }: LoadedDesign, options: RenderOptions): number[] {
-  design.layers.forEach((layer, index) => {
+function chooseMaterials(model: ModelInfo, design: LoadedDesign, options: RenderOptions): number[] {
+  for (const { layer, path } of walkLayers(design.design)) {
+    if (layer.type === "group" || layer.type === "paint") continue;
     materialsOf(layer).forEach((material, place) => {
-      const at = typeof layer.material === "number" ? "" : `[${place}]`;
-      findMaterial(model, material, { file, field: `layers[${index}].material${at}` });
+      const at = typeof layer.material === "number" ? [] : [place];
+      findMaterial(model, material, { file: design.file, field: formatPath([...path, "material", ...at]) });
     });
-  });
+  }
   if (options.material !== undefined) return [findMaterial(model, options.material).index];
   if (options.out.kind === "png") return [findMaterial(model, DEFAULT_MATERIAL).index];
-  const painted = design.layers.filter((layer) => layer.visible).flatMap(materialsOf);
+  const painted = design.layers.filter((layer) => layer.visible).flatMap(materialsIn);
   return [...new Set(painted)].sort((a, b) => a - b);
 }
 
@@ -111,8 +114,7 @@ async function setAssets(
   layers: readonly EngineLayer[],
   progress: Progress,
 ): Promise<void> {
-  const keys = new Set(layers.map(pictureOf).filter((key) => key !== null));
-  for (const key of keys) {
+  for (const key of picturesOf(layers)) {
     progress.report("Reading pictures");
     await engine.setAsset(key, await readAsset(design, key));
   }

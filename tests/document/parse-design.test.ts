@@ -39,6 +39,9 @@ describe("reading a design", () => {
       blend: "normal",
       blendSpace: "srgb",
       lockAlpha: false,
+      locked: false,
+      mask: null,
+      mirror: null,
       filter: "linear",
       wrap: "none",
       flipX: false,
@@ -63,6 +66,9 @@ describe("reading a design", () => {
       blend: "normal",
       blendSpace: "srgb",
       lockAlpha: false,
+      locked: false,
+      mask: null,
+      mirror: null,
       filter: "linear",
       wrap: "none",
       flipX: false,
@@ -194,7 +200,7 @@ describe("refusing a design", () => {
     [
       "an unknown type",
       design([{ type: "logo" }]),
-      'layers[0].type: must be one of "decal", "text", "stroke", "fill", is "',
+      'layers[0].type: must be one of "decal", "text", "stroke", "fill", "group", "paint", is "',
     ],
     ["no projector", design([{ type: "decal", asset: "logo" }]), "layers[0].projector: is missing"],
     [
@@ -377,7 +383,9 @@ describe("hostile designs", () => {
 
   it("are refused by count before their items are looked at", () => {
     const many = new Array(2_000_000).fill(0);
-    expect(refusal(design(many)).message).toBe("layers: must not hold more than 10000 layers, is a list of 2000000");
+    expect(refusal(design(many)).message).toBe(
+      "layers: must not hold more than 10000 layers, those within others included, is a list of 2000000",
+    );
     const long = refusal(decal({ projector: { ...planar, position: many } })).message;
     expect(long).toBe("layers[0].projector.position: must be a list of 3 numbers, is a list of 2000000");
   });

@@ -45,6 +45,7 @@ describe("resolving layers for the engine", () => {
       blend: "normal",
       blendSpace: "srgb",
       lockAlpha: false,
+      mask: null,
       filter: "linear",
       wrap: "none",
       flipX: true,
@@ -127,6 +128,7 @@ describe("resolving layers for the engine", () => {
       blend: "normal",
       blendSpace: "srgb",
       lockAlpha: false,
+      mask: null,
       filter: "linear",
       wrap: "none",
       flipX: false,
@@ -159,13 +161,13 @@ describe("resolving layers for the engine", () => {
       "text",
       { type: "text", text: "Ada", font: "serif", projector: planar },
       "layers[0].type",
-      "decal, stroke and fill layers",
+      "every other type of layer",
     ],
     [
       "a hidden layer all the same",
       { type: "text", text: "Ada", font: "serif", projector: planar, visible: false },
       "layers[0].type",
-      "decal, stroke and fill layers",
+      "every other type of layer",
     ],
   ])("refuses %s, saying what works", (_what, layer, field, works) => {
     const error = refusal(layer);

@@ -12,7 +12,8 @@ import {
   Wraps,
 } from "../core/abi.ts";
 import type { ImageHandle } from "../core/session.ts";
-import type { BlendMode, EngineBrush, EngineDab, EngineLayer, Projector } from "./engine-api.ts";
+import type { BlendMode, EngineBrush, EngineDab, Projector } from "./engine-api.ts";
+import type { EnginePaintingLayer } from "./layer-tree.ts";
 
 /** The ABI's numbers under the standard's names, which are hyphenated. */
 const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
@@ -24,7 +25,7 @@ const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
 };
 
 /** `image`: the layer's picture, 0 where it has none. */
-export function coreLayer(layer: EngineLayer, image: ImageHandle): Partial<LayerDef> {
+export function coreLayer(layer: EnginePaintingLayer, image: ImageHandle): Partial<LayerDef> {
   const shared = {
     visible: Number(layer.visible),
     opacity: layer.opacity,

@@ -78,10 +78,8 @@ export type BlendMode =
   | "erase";
 
 interface EngineLayerBase {
-  /** Unique within a design. */
+  /** Unique among all layers, those in groups and masks included. */
   readonly id: string;
-  /** glTF material index, or several: a decal that crosses from one material to another paints both. */
-  readonly material: LayerMaterials;
   readonly visible: boolean;
   /** 0 to 1. */
   readonly opacity: number;
@@ -89,13 +87,30 @@ interface EngineLayerBase {
   readonly blendSpace: "srgb" | "linear";
   /** The target's alpha stays as it was. */
   readonly lockAlpha: boolean;
+  /** Without it, the layer shows everywhere. */
+  readonly mask?: EngineMask | null;
+}
+
+/**
+ * Layers composited onto alpha 1, bottom to top: the alpha that comes out (or 1 less it) multiplies what the masked layer
+ * paints.
+ */
+export interface EngineMask {
+  readonly layers: readonly EngineLayer[];
+  readonly invert: boolean;
+}
+
+/** What paints by itself, as against a group. */
+interface EnginePaintingLayer extends EngineLayerBase {
+  /** glTF material index, or several: a decal that crosses from one material to another paints both. */
+  readonly material: LayerMaterials;
 }
 
 /** sRGB with alpha, each 0 to 1. */
 export type EngineColor = readonly [number, number, number, number];
 
 /** A layer whose pictures are thrown at the surface. */
-interface EngineCastLayer extends EngineLayerBase {
+interface EngineCastLayer extends EnginePaintingLayer {
   readonly filter: "linear" | "nearest";
   readonly wrap: "none" | "repeat";
   readonly flipX: boolean;
@@ -113,9 +128,34 @@ export interface EngineDecalLayer extends EngineCastLayer {
   readonly projector: Projector;
 }
 
-export interface EngineFillLayer extends EngineLayerBase {
+export interface EngineGradientStop {
+  /** 0 to 1. */
+  readonly offset: number;
+  readonly color: EngineColor;
+}
+
+/** Colours by the place on the model (metres, model space); 2 to 16 stops whose offsets do not fall. */
+export type EngineGradient =
+  | { readonly kind: "linear"; readonly from: Vec3; readonly to: Vec3; readonly stops: readonly EngineGradientStop[] }
+  | {
+      readonly kind: "radial";
+      readonly center: Vec3;
+      readonly radius: number;
+      readonly stops: readonly EngineGradientStop[];
+    };
+
+/** Triangles of the layer's one material, counted as `Engine.uvTriangles` gives them; a chart by any of its own. */
+export type EngineParts =
+  | { readonly kind: "charts"; readonly charts: readonly number[] }
+  | { readonly kind: "faces"; readonly faces: readonly number[] };
+
+export interface EngineFillLayer extends EnginePaintingLayer {
   readonly type: "fill";
   readonly color: EngineColor;
+  /** Takes the colour's place. */
+  readonly gradient?: EngineGradient | null;
+  /** Without them, everywhere. */
+  readonly parts?: EngineParts | null;
 }
 
 export interface EngineRoundBrush {
@@ -139,7 +179,11 @@ export interface EnginePictureBrush {
 export type EngineBrush = EngineRoundBrush | EnginePictureBrush;
 
 /** One touch of a brush: where it comes from, and its share of the brush's flow, 0 to 1 (a pen's pressure). */
-export type EngineDab = Projector & { readonly flow: number };
+export type EngineDab = Projector & {
+  readonly flow: number;
+  /** Turns the layer's `flipX` round for this dab; default false. */
+  readonly flipX?: boolean;
+};
 
 /** A brush's dabs lie over each other by their flow; opacity and blend are the whole's. */
 export interface EngineStrokeLayer extends EngineCastLayer {
@@ -152,8 +196,20 @@ export interface EngineStrokeLayer extends EngineCastLayer {
   readonly dabs: readonly EngineDab[];
 }
 
+/** Layers treated as one. */
+export interface EngineGroupLayer extends EngineLayerBase {
+  readonly type: "group";
+  /** Bottom to top. */
+  readonly layers: readonly EngineLayer[];
+  /**
+   * Composited by themselves first. Not isolated and of blend "normal", they are composited onto what is below, and opacity
+   * and mask say how much of that shows.
+   */
+  readonly isolated: boolean;
+}
+
 /** A layer with every field set: the design document's defaults are already filled in. */
-export type EngineLayer = EngineDecalLayer | EngineStrokeLayer | EngineFillLayer;
+export type EngineLayer = EngineDecalLayer | EngineStrokeLayer | EngineFillLayer | EngineGroupLayer;
 
 export interface MaterialInfo {
   readonly index: number;

@@ -7,8 +7,9 @@ import type { ImageHandle } from "../core/session.ts";
 import type { LayerHandle, Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { coreDab, coreLayer } from "./core-layer.ts";
-import type { EngineDab, EngineLayer } from "./engine-api.ts";
+import type { EngineDab } from "./engine-api.ts";
 import { pictureOf } from "./layer-picture.ts";
+import type { EnginePaintingLayer } from "./layer-tree.ts";
 
 /** What the core is told of a layer. */
 interface WantedLayer {
@@ -42,7 +43,7 @@ export class LayerSync {
    * (its layers wait). A layer that the core refuses is reported once and left out; a crash is thrown.
    */
   apply(
-    layers: readonly EngineLayer[],
+    layers: readonly EnginePaintingLayer[],
     imageOf: (asset: string) => ImageHandle | undefined,
     report: (error: TexelcastError) => void,
   ): void {

@@ -6,8 +6,8 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import { applyBase, loadBasePicture, targetSize } from "./base-picture.ts";
 import type { EngineLayer, MapView, Picture, TargetInfo, TargetOptions, TargetUpdate, Vec3 } from "./engine-api.ts";
 import { nextTurn } from "./event-loop.ts";
-import { paintsMaterial } from "./layer-materials.ts";
 import { LayerSync } from "./layer-sync.ts";
+import { layersOnMaterial, paintingLayers } from "./layer-tree.ts";
 import type { LoadedModel } from "./model-loader.ts";
 
 /** Texels of the bake's first step; later ones aim at the times below. */
@@ -88,8 +88,8 @@ export class OpenTarget {
   ): TargetUpdate | null {
     const start = performance.now();
     const { material } = this.info;
-    const own = layers.filter((layer) => paintsMaterial(layer, material));
-    this.#layers.apply(own, imageOf, report);
+    const own = layersOnMaterial(layers, material);
+    this.#layers.apply([...paintingLayers(own, false)], imageOf, report);
     const update = this.#target.update();
     if (update.rects.length === 0) return null;
     return { material, revision, ...update, milliseconds: performance.now() - start };

@@ -1,8 +1,7 @@
 /**
  * The shape of a design document of version 1 (spec.md, 8) as a valibot schema. Fields that are missing get their
- * defaults here; ids, names and the references between parts are `parse-design.ts`'s matter.
- *
- * Messages are written to stand between a path and a value: "layers[2].opacity: must be a number from 0 to 1, is 3".
+ * defaults here; ids, names and the references between parts are `parse-design.ts`'s matter, and so is the depth, which
+ * must be checked before a schema goes down into it.
  */
 import * as v from "valibot";
 import {
@@ -11,190 +10,56 @@ import {
   BRUSH_DEFAULTS,
   DESIGN_FORMAT,
   DESIGN_VERSION,
+  type DecalLayer,
   FILTERS,
+  type FillLayer,
   FONT_TYPES,
+  GROUP_DEFAULTS,
+  type GroupLayer,
   LAYER_DEFAULTS,
+  type LayerBase,
+  MASK_DEFAULTS,
+  type Mask,
+  MIRROR_AXES,
+  MIRROR_DEFAULTS,
   OCCLUSIONS,
+  type PaintLayer,
   PICTURE_DEFAULTS,
   PICTURE_TYPES,
   PROJECTED_DEFAULTS,
+  type StrokeLayer,
+  type TextLayer,
   WRAPS,
 } from "./design.ts";
-import { HEX_COLOR } from "./hex-color.ts";
-
-/** Bounds that no honest design meets; they keep a hostile file from costing more than its reading. */
-export const DESIGN_LIMITS = {
-  layers: 10_000,
-  assets: 10_000,
-  dabs: 100_000,
-  materials: 65_536,
-  idLength: 200,
-  nameLength: 1000,
-  textLength: 10_000,
-  /** Metres. Lengths outside would not survive the engine's 32-bit arithmetic. */
-  lengthMin: 1e-9,
-  lengthMax: 1e9,
-} as const;
-
-/** Names that JavaScript gives a meaning of its own as an object's keys. */
-const RESERVED_KEYS = ["__proto__", "prototype", "constructor"];
-
-const quoted = (values: readonly string[]): string => values.map((value) => `"${value}"`).join(", ");
-
-/** An object that refuses what it does not know, and says what it does. */
-function strict<const Entries extends v.ObjectEntries>(entries: Entries) {
-  const names = Object.keys(entries).join(", ");
-  return v.strictObject(entries, (issue) => {
-    if (issue.expected === "never") return `is not a known field (known here: ${names})`;
-    return issue.expected === "Object" ? "must be an object" : "is missing";
-  });
-}
-
-const oneOf = <const Values extends readonly [string, ...string[]]>(values: Values) =>
-  v.picklist(values, `must be one of ${quoted(values)}`);
-
-const flag = v.boolean("must be true or false");
-
-function numberBetween(min: number, max: number, unit = "") {
-  const message = `must be a number from ${min} to ${max}${unit}`;
-  return v.pipe(v.number(message), v.minValue(min, message), v.maxValue(max, message));
-}
-
-const text = (maxLength: number) =>
-  v.pipe(v.string("must be a string"), v.maxLength(maxLength, `must not be longer than ${maxLength} characters`));
-const filledText = (maxLength: number) => v.pipe(text(maxLength), v.nonEmpty("must not be empty"));
-
-/** A list of exactly `length` numbers. The length is checked first, so a short list is one problem and not several. */
-function listOfNumbers<const Items extends [v.GenericSchema<number>, ...v.GenericSchema<number>[]]>(items: Items) {
-  const message = `must be a list of ${items.length} numbers`;
-  return v.pipe(v.array(v.unknown(), message), v.length(items.length, message), v.tuple(items));
-}
-
-const coordinate = numberBetween(-DESIGN_LIMITS.lengthMax, DESIGN_LIMITS.lengthMax);
-const length = v.pipe(
-  v.number("must be a number above 0"),
-  v.gtValue(0, "must be above 0"),
-  v.minValue(DESIGN_LIMITS.lengthMin, `must be at least ${DESIGN_LIMITS.lengthMin}`),
-  v.maxValue(DESIGN_LIMITS.lengthMax, `must be at most ${DESIGN_LIMITS.lengthMax}`),
-);
-const point = listOfNumbers([coordinate, coordinate, coordinate]);
-
-const quaternionLength = (rotation: readonly number[]): number =>
-  Math.sqrt(rotation.reduce((sum, part) => sum + part * part, 0));
-const rotation = v.pipe(
-  listOfNumbers([coordinate, coordinate, coordinate, coordinate]),
-  v.check((q) => quaternionLength(q) > 0, "must not be all zeros: without a rotation it is [0, 0, 0, 1]"),
-  v.check((q) => {
-    const size = quaternionLength(q);
-    return size === 0 || (size >= 1e-3 && size <= 1e3);
-  }, "must be a unit quaternion x, y, z, w (a length from 0.001 to 1000 is made one)"),
-);
-
-// The engine counts in 32-bit floats: what is 0 or 180 degrees there must not pass here.
-const isAbove0 = (degrees: number): boolean => Math.fround(degrees) > 0;
-const isBelow180 = (degrees: number): boolean => Math.fround(degrees) < 180;
-
-const planar = strict({
-  kind: v.literal("planar"),
-  position: point,
+import {
+  angle,
+  assetName,
+  boundedList,
+  coordinate,
+  cylindrical,
+  DESIGN_LIMITS,
+  dab,
+  filledText,
+  flag,
+  flow,
+  hexColor,
+  length,
+  listOfNumbers,
+  material,
+  numberBetween,
+  oneOf,
+  perspective,
+  planar,
+  point,
+  projector,
+  RESERVED_KEYS,
   rotation,
-  size: listOfNumbers([length, length, length]),
-});
+  strict,
+  text,
+  uv,
+} from "./schema-parts.ts";
 
-const perspective = v.pipe(
-  strict({
-    kind: v.literal("perspective"),
-    position: point,
-    rotation,
-    fov: v.pipe(
-      v.number("must be a number of degrees"),
-      v.gtValue(0, "must be above 0 degrees"),
-      v.ltValue(180, "must be below 180 degrees"),
-      v.check(isAbove0, "must be above 0 degrees"),
-      v.check(isBelow180, "must be below 180 degrees"),
-    ),
-    aspect: length,
-    near: length,
-    far: length,
-  }),
-  v.forward(
-    v.check(({ near, far }) => near < far, "must be above near"),
-    ["far"],
-  ),
-);
-
-const cylindrical = strict({
-  kind: v.literal("cylindrical"),
-  position: point,
-  rotation,
-  radius: length,
-  height: length,
-  arc: v.pipe(
-    v.number("must be a number of degrees"),
-    v.gtValue(0, "must be above 0 degrees"),
-    v.check(isAbove0, "must be above 0 degrees"),
-    v.maxValue(360, "must be at most 360 degrees"),
-  ),
-  depth: length,
-});
-
-const uv = strict({
-  kind: v.literal("uv"),
-  center: listOfNumbers([coordinate, coordinate]),
-  size: listOfNumbers([length, length]),
-  angle: coordinate,
-});
-
-const projectorMessage = (issue: { readonly expected: string | null }): string =>
-  issue.expected === "Object" ? "must be an object" : 'must be one of "planar", "perspective", "cylindrical", "uv"';
-
-const projector = v.variant("kind", [planar, perspective, cylindrical, uv], projectorMessage);
-
-/** What dabs and brushes have. */
-const flow = { flow: v.optional(numberBetween(0, 1), BRUSH_DEFAULTS.flow) };
-
-const dab = v.variant(
-  "kind",
-  [
-    strict({ ...planar.entries, ...flow }),
-    v.pipe(
-      strict({ ...perspective.entries, ...flow }),
-      v.forward(
-        v.check(({ near, far }) => near < far, "must be above near"),
-        ["far"],
-      ),
-    ),
-    strict({ ...cylindrical.entries, ...flow }),
-    strict({ ...uv.entries, ...flow }),
-  ],
-  projectorMessage,
-);
-
-const hexColor = v.pipe(
-  v.string('must be a colour as "#rrggbb" or "#rrggbbaa"'),
-  v.regex(HEX_COLOR, 'must be a colour as "#rrggbb" or "#rrggbbaa"'),
-);
-
-const materialMessage = "must be a glTF material index: a whole number, 0 or above";
-const materialIndex = v.pipe(
-  v.number(materialMessage),
-  v.integer(materialMessage),
-  v.minValue(0, materialMessage),
-  v.maxValue(DESIGN_LIMITS.materials - 1, `must be at most ${DESIGN_LIMITS.materials - 1}`),
-);
-const materialList = v.pipe(
-  boundedList(DESIGN_LIMITS.materials, "materials", materialIndex),
-  v.nonEmpty("must name one material at least"),
-  v.check((materials) => new Set(materials).size === materials.length, "must not name a material twice"),
-  // For the published JSON Schema, which has a word for the check above.
-  v.metadata({ uniqueItems: true }),
-);
-const material = v.union([materialIndex, materialList], `${materialMessage}, or a list of such`);
-const angle = numberBetween(0, 90, " degrees");
-const assetName = v.pipe(
-  filledText(DESIGN_LIMITS.idLength),
-  v.notValues(RESERVED_KEYS, `must not be ${RESERVED_KEYS.map((key) => `"${key}"`).join(" or ")}`),
-);
+export { DESIGN_LIMITS } from "./schema-parts.ts";
 
 const layerEntries = {
   id: v.optional(filledText(DESIGN_LIMITS.idLength)),
@@ -205,7 +70,17 @@ const layerEntries = {
   blend: v.optional(oneOf(BLEND_MODES), LAYER_DEFAULTS.blend),
   blendSpace: v.optional(oneOf(BLEND_SPACES), LAYER_DEFAULTS.blendSpace),
   lockAlpha: v.optional(flag, LAYER_DEFAULTS.lockAlpha),
+  locked: v.optional(flag, LAYER_DEFAULTS.locked),
+  mask: v.optional(v.nullable(v.lazy(() => mask)), LAYER_DEFAULTS.mask),
 };
+
+const mirror = strict({
+  axis: oneOf(MIRROR_AXES),
+  offset: v.optional(coordinate, MIRROR_DEFAULTS.offset),
+  readable: v.optional(flag, MIRROR_DEFAULTS.readable),
+});
+const mirrorEntries = { mirror: v.optional(v.nullable(mirror), null) };
+const MIRROR_OF_UV = 'must be null: a projector of kind "uv" lies on no side of the model';
 
 const projectedEntries = {
   backfaces: v.optional(flag, PROJECTED_DEFAULTS.backfaces),
@@ -226,27 +101,41 @@ const pictureEntries = {
   flipY: v.optional(flag, PICTURE_DEFAULTS.flipY),
 };
 
-const decal = strict({
-  type: v.literal("decal"),
-  ...layerEntries,
-  asset: assetName,
-  ...projectedEntries,
-  ...pictureEntries,
-  projector,
-});
+const decal = v.pipe(
+  strict({
+    type: v.literal("decal"),
+    ...layerEntries,
+    asset: assetName,
+    ...projectedEntries,
+    ...pictureEntries,
+    projector,
+    ...mirrorEntries,
+  }),
+  v.forward(
+    v.check((layer) => layer.mirror === null || layer.projector.kind !== "uv", MIRROR_OF_UV),
+    ["mirror"],
+  ),
+);
 
-const textLayer = strict({
-  type: v.literal("text"),
-  ...layerEntries,
-  text: text(DESIGN_LIMITS.textLength),
-  font: assetName,
-  fontSize: v.optional(length, 1),
-  color: v.optional(hexColor, "#000000"),
-  outline: v.optional(v.nullable(strict({ color: hexColor, width: length })), null),
-  ...projectedEntries,
-  ...pictureEntries,
-  projector,
-});
+const textLayer = v.pipe(
+  strict({
+    type: v.literal("text"),
+    ...layerEntries,
+    text: text(DESIGN_LIMITS.textLength),
+    font: assetName,
+    fontSize: v.optional(length, 1),
+    color: v.optional(hexColor, "#000000"),
+    outline: v.optional(v.nullable(strict({ color: hexColor, width: length })), null),
+    ...projectedEntries,
+    ...pictureEntries,
+    projector,
+    ...mirrorEntries,
+  }),
+  v.forward(
+    v.check((layer) => layer.mirror === null || layer.projector.kind !== "uv", MIRROR_OF_UV),
+    ["mirror"],
+  ),
+);
 
 const roundBrush = strict({
   tip: v.optional(v.literal("round"), "round"),
@@ -266,29 +155,128 @@ const brush = v.variant("tip", [roundBrush, pictureBrush], (issue) =>
   issue.expected === "Object" ? "must be an object" : 'must be one of "round", "picture"',
 );
 
-const stroke = strict({
-  type: v.literal("stroke"),
-  ...layerEntries,
-  brush,
-  dabs: boundedList(DESIGN_LIMITS.dabs, "dabs", dab),
-  ...projectedEntries,
-  ...pictureEntries,
-});
+const hasUvDab = ({ dabs }: { readonly dabs: readonly { readonly kind: string }[] }): boolean =>
+  dabs.some(({ kind }) => kind === "uv");
 
-const fill = strict({ type: v.literal("fill"), ...layerEntries, color: hexColor });
-
-const layer = v.variant("type", [decal, textLayer, stroke, fill], (issue) =>
-  issue.expected === "Object" ? "must be an object" : 'must be one of "decal", "text", "stroke", "fill"',
+const stroke = v.pipe(
+  strict({
+    type: v.literal("stroke"),
+    ...layerEntries,
+    brush,
+    dabs: boundedList(DESIGN_LIMITS.dabs, "dabs", dab),
+    ...projectedEntries,
+    ...pictureEntries,
+    ...mirrorEntries,
+  }),
+  v.forward(
+    v.check((layer) => layer.mirror === null || !hasUvDab(layer), MIRROR_OF_UV),
+    ["mirror"],
+  ),
 );
 
-/** The count is checked before the items are, so a list of millions costs no more than its reading. */
-function boundedList<Item extends v.GenericSchema>(max: number, noun: string, item: Item) {
-  return v.pipe(
-    v.array(v.unknown(), "must be a list"),
-    v.maxLength(max, `must not hold more than ${max} ${noun}`),
-    v.array(item),
-  );
-}
+const stops = v.pipe(
+  boundedList(DESIGN_LIMITS.gradientStops, "stops", strict({ offset: numberBetween(0, 1), color: hexColor })),
+  v.minLength(2, "must hold two stops at least"),
+  v.check(
+    (list) => list.every((stop, index) => stop.offset >= (list[index - 1]?.offset ?? 0)),
+    "must not fall back in offset from one stop to the next",
+  ),
+);
+const gradient = v.variant(
+  "kind",
+  [
+    v.pipe(
+      strict({ kind: v.literal("linear"), from: point, to: point, stops }),
+      v.forward(
+        v.check(
+          ({ from, to }) => from.some((part, axis) => Math.fround(part) !== Math.fround(to[axis] as number)),
+          "must not be where from is",
+        ),
+        ["to"],
+      ),
+    ),
+    strict({ kind: v.literal("radial"), center: point, radius: length, stops }),
+  ],
+  (issue) => (issue.expected === "Object" ? "must be an object" : 'must be one of "linear", "radial"'),
+);
+
+const triangleMessage = "must be a triangle's index: a whole number, 0 or above";
+const triangles = boundedList(
+  DESIGN_LIMITS.parts,
+  "triangles",
+  v.pipe(
+    v.number(triangleMessage),
+    v.integer(triangleMessage),
+    v.minValue(0, triangleMessage),
+    v.maxValue(0xffff_ffff, triangleMessage),
+  ),
+);
+const parts = v.variant(
+  "kind",
+  [strict({ kind: v.literal("charts"), charts: triangles }), strict({ kind: v.literal("faces"), faces: triangles })],
+  (issue) => (issue.expected === "Object" ? "must be an object" : 'must be one of "charts", "faces"'),
+);
+
+const fill = v.pipe(
+  strict({
+    type: v.literal("fill"),
+    ...layerEntries,
+    color: hexColor,
+    gradient: v.optional(v.nullable(gradient), null),
+    parts: v.optional(v.nullable(parts), null),
+  }),
+  v.forward(
+    v.check(
+      (layer) => layer.parts === null || typeof layer.material === "number" || layer.material.length === 1,
+      "must be null where material names several: triangles are those of one material",
+    ),
+    ["parts"],
+  ),
+);
+
+const paint = v.pipe(
+  strict({
+    type: v.literal("paint"),
+    ...layerEntries,
+    strokes: boundedList(DESIGN_LIMITS.layers, "strokes", stroke),
+    ...mirrorEntries,
+  }),
+  v.forward(
+    v.check((layer) => layer.mirror === null || !layer.strokes.some(hasUvDab), MIRROR_OF_UV),
+    ["mirror"],
+  ),
+);
+
+const group = strict({
+  type: v.literal("group"),
+  ...layerEntries,
+  layers: boundedList(
+    DESIGN_LIMITS.layers,
+    "layers",
+    v.lazy(() => layer),
+  ),
+  isolated: v.optional(flag, GROUP_DEFAULTS.isolated),
+});
+
+/** Groups hold layers and masks hold layers: types that the compiler cannot infer from their own schemas. */
+const layer: v.GenericSchema<unknown, ParsedLayer> = v.variant(
+  "type",
+  [decal, textLayer, stroke, fill, group, paint],
+  (issue) =>
+    issue.expected === "Object"
+      ? "must be an object"
+      : 'must be one of "decal", "text", "stroke", "fill", "group", "paint"',
+);
+const maskLayer: v.GenericSchema<unknown, ParsedMaskLayer> = v.variant(
+  "type",
+  [decal, textLayer, stroke, fill],
+  (issue) =>
+    issue.expected === "Object" ? "must be an object" : 'must be one of "decal", "text", "stroke", "fill" in a mask',
+);
+const mask: v.GenericSchema<unknown, ParsedMask> = strict({
+  layers: boundedList(DESIGN_LIMITS.layers, "layers", maskLayer),
+  invert: v.optional(flag, MASK_DEFAULTS.invert),
+});
 
 const asset = strict({
   type: oneOf([...PICTURE_TYPES, ...FONT_TYPES]),
@@ -322,7 +310,14 @@ export const designParts = {
   text: textLayer,
   stroke,
   fill,
+  group,
+  paint,
   layer,
+  maskLayer,
+  mask,
+  mirror,
+  gradient,
+  parts,
   material,
   asset,
   assetName,
@@ -337,6 +332,17 @@ export const designParts = {
   hexColor,
 };
 
-/** A layer as the schema leaves it: ids and names may still be missing. */
-export type ParsedLayer = v.InferOutput<typeof layer>;
+/** A layer as the schema leaves it: ids and names may still be missing, here and further down. */
+type Parsed<Layer extends LayerBase> = Omit<Layer, "id" | "name" | "mask"> & {
+  readonly id?: string | undefined;
+  readonly name?: string | undefined;
+  readonly mask: ParsedMask | null;
+};
+export type ParsedMaskLayer = Parsed<DecalLayer> | Parsed<TextLayer> | Parsed<StrokeLayer> | Parsed<FillLayer>;
+export interface ParsedMask extends Omit<Mask, "layers"> {
+  readonly layers: readonly ParsedMaskLayer[];
+}
+type ParsedGroup = Omit<Parsed<GroupLayer>, "layers"> & { readonly layers: readonly ParsedLayer[] };
+type ParsedPaint = Omit<Parsed<PaintLayer>, "strokes"> & { readonly strokes: readonly Parsed<StrokeLayer>[] };
+export type ParsedLayer = ParsedMaskLayer | ParsedGroup | ParsedPaint;
 export type ParsedDesign = v.InferOutput<typeof designSchema>;

@@ -40,6 +40,7 @@ export const BLEND_SPACES = ["srgb", "linear"] as const;
 export const FILTERS = ["linear", "nearest"] as const;
 export const WRAPS = ["none", "repeat"] as const;
 export const OCCLUSIONS = ["self", "none"] as const;
+export const MIRROR_AXES = ["x", "y", "z"] as const;
 export const PICTURE_TYPES = ["image/png", "image/jpeg", "image/webp"] as const;
 export const FONT_TYPES = ["font/ttf", "font/otf"] as const;
 
@@ -75,6 +76,31 @@ export interface LayerBase {
   readonly blend: BlendMode;
   readonly blendSpace: BlendSpace;
   readonly lockAlpha: boolean;
+  /** The editor refuses to change it; what is painted is the same. */
+  readonly locked: boolean;
+  /** Null: the layer shows everywhere. */
+  readonly mask: Mask | null;
+}
+
+/**
+ * What of a layer shows. A mask begins with alpha 1 everywhere; its layers are composited onto that like any, bottom to
+ * top, and the alpha which comes out multiplies what the masked layer paints. A stroke with blend "erase" hides, a normal
+ * one shows again; what colour it has does not matter.
+ */
+export interface Mask {
+  readonly layers: readonly MaskLayer[];
+  /** One minus the alpha instead. */
+  readonly invert: boolean;
+}
+
+/** Paints a layer a second time, as a mirror across a plane of the model shows it. */
+export interface Mirror {
+  /** What the plane is square to, in model space. */
+  readonly axis: (typeof MIRROR_AXES)[number];
+  /** Where on that axis the plane stands, metres. */
+  readonly offset: number;
+  /** Only the place is mirrored; the picture is not, so that words can be read. */
+  readonly readable: boolean;
 }
 
 /** What every layer has whose paint is thrown at the surface: which texels it reaches (spec.md, 4). */
@@ -98,6 +124,8 @@ export interface DecalLayer extends PictureLayer {
   /** Key in the design's `assets`. */
   readonly asset: string;
   readonly projector: Projector;
+  /** Null for a "uv" projector, which lies on no side of the model. */
+  readonly mirror: Mirror | null;
 }
 
 /** A decal whose picture is written words. */
@@ -113,6 +141,8 @@ export interface TextLayer extends PictureLayer {
   /** `width` as a share of the em; null without an outline. */
   readonly outline: { readonly color: string; readonly width: number } | null;
   readonly projector: Projector;
+  /** As a decal's. */
+  readonly mirror: Mirror | null;
 }
 
 /** A disc as wide as the dab. */
@@ -146,16 +176,68 @@ export interface StrokeLayer extends PictureLayer {
   readonly brush: Brush;
   /** In order. */
   readonly dabs: readonly Dab[];
+  /** Each dab's mirrored twin follows it, so that opacity does not build up. Null where a dab is of kind "uv". */
+  readonly mirror: Mirror | null;
 }
 
-/** One colour over the whole target. */
-export interface FillLayer extends LayerBase {
-  readonly type: "fill";
+/** A colour at a place of a gradient; `offset` 0 to 1. */
+export interface GradientStop {
+  readonly offset: number;
   /** "#rrggbb" or "#rrggbbaa", sRGB. */
   readonly color: string;
 }
 
-export type DesignLayer = DecalLayer | TextLayer | StrokeLayer | FillLayer;
+/** Colours by the place on the model: model space, metres. Stops are 2 to 16, their offsets do not fall. */
+export type Gradient =
+  | { readonly kind: "linear"; readonly from: Vec3; readonly to: Vec3; readonly stops: readonly GradientStop[] }
+  | {
+      readonly kind: "radial";
+      readonly center: Vec3;
+      readonly radius: number;
+      readonly stops: readonly GradientStop[];
+    };
+
+/**
+ * Some of a material's triangles, counted as `Engine.uvTriangles` gives them. A chart is what hangs together by shared
+ * corners in the unfolded texture, and goes by the lowest index of its triangles; `charts` may name it by any of them.
+ */
+export type Parts =
+  | { readonly kind: "charts"; readonly charts: readonly number[] }
+  | { readonly kind: "faces"; readonly faces: readonly number[] };
+
+/** One colour, or a gradient, over the whole target or parts of it. */
+export interface FillLayer extends LayerBase {
+  readonly type: "fill";
+  /** "#rrggbb" or "#rrggbbaa", sRGB. A gradient takes its place. */
+  readonly color: string;
+  readonly gradient: Gradient | null;
+  /** Null: everywhere. Not null only where `material` is one. */
+  readonly parts: Parts | null;
+}
+
+/** Layers that are treated as one. Its own `material` means nothing: those in it have theirs. */
+export interface GroupLayer extends LayerBase {
+  readonly type: "group";
+  /** Bottom to top. */
+  readonly layers: readonly DesignLayer[];
+  /**
+   * Its layers are composited among themselves, and what comes out is then laid on what is below. Not isolated and of blend
+   * "normal", they are composited onto what is below, one by one; opacity and mask then say how much of that shows.
+   */
+  readonly isolated: boolean;
+}
+
+/** What the brush paints on: strokes in one isolated group, so that an eraser takes away from it alone. */
+export interface PaintLayer extends LayerBase {
+  readonly type: "paint";
+  /** Bottom to top, one for each gesture. */
+  readonly strokes: readonly StrokeLayer[];
+  /** Of all its strokes, besides their own. */
+  readonly mirror: Mirror | null;
+}
+
+export type MaskLayer = DecalLayer | TextLayer | StrokeLayer | FillLayer;
+export type DesignLayer = MaskLayer | GroupLayer | PaintLayer;
 
 export interface DesignAsset {
   readonly type: AssetType;
@@ -179,7 +261,13 @@ export const LAYER_DEFAULTS = {
   blend: "normal",
   blendSpace: "srgb",
   lockAlpha: false,
+  locked: false,
+  mask: null,
 } as const;
+
+export const MASK_DEFAULTS = { invert: false } as const;
+export const MIRROR_DEFAULTS = { offset: 0, readable: false } as const;
+export const GROUP_DEFAULTS = { isolated: false } as const;
 
 export const PROJECTED_DEFAULTS = {
   backfaces: false,
@@ -213,29 +301,3 @@ export const layerIdOf = (number: number): string => `layer-${number}`;
 
 /** An id of that form that none of `taken` uses; counting starts at `start`. */
 export const freeLayerId = (taken: ReadonlySet<string>, start = 1): string => layerIdOf(freeLayerNumber(taken, start));
-
-/** A decal with every field that is not given at its default. */
-export function makeDecalLayer(
-  fields: Pick<DecalLayer, "id" | "asset" | "projector"> & Partial<Omit<DecalLayer, "type">>,
-): DecalLayer {
-  return {
-    type: "decal",
-    ...LAYER_DEFAULTS,
-    ...PROJECTED_DEFAULTS,
-    ...PICTURE_DEFAULTS,
-    name: fields.asset,
-    ...fields,
-  };
-}
-
-/** A fill with every field that is not given at its default. */
-export function makeFillLayer(fields: Pick<FillLayer, "id" | "color"> & Partial<Omit<FillLayer, "type">>): FillLayer {
-  return { type: "fill", ...LAYER_DEFAULTS, name: "Fill", ...fields };
-}
-
-/** A stroke with every field that is not given at its default. */
-export function makeStrokeLayer(
-  fields: Pick<StrokeLayer, "id" | "brush" | "dabs"> & Partial<Omit<StrokeLayer, "type">>,
-): StrokeLayer {
-  return { type: "stroke", ...LAYER_DEFAULTS, ...PROJECTED_DEFAULTS, ...PICTURE_DEFAULTS, name: "Stroke", ...fields };
-}

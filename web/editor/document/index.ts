@@ -1,6 +1,8 @@
 /** The design document's public face: types, reading, writing, and the way to the engine. */
 export * from "./design.ts";
 export { isHexColor, parseHexColor, type Rgba } from "./hex-color.ts";
+export * from "./layer-tree.ts";
+export * from "./make-layer.ts";
 export { parseDesign } from "./parse-design.ts";
 export { resolveLayers } from "./resolve-layers.ts";
 export { serialiseDesign } from "./serialise-design.ts";

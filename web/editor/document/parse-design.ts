@@ -2,8 +2,8 @@
 import * as v from "valibot";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { DESIGN_FORMAT, DESIGN_VERSION, type Design, type DesignLayer, freeLayerNumber, layerIdOf } from "./design.ts";
-import { type DesignPath, type DesignProblem, describeValue, designError } from "./design-problem.ts";
-import { designSchema, type ParsedDesign, type ParsedLayer } from "./design-schema.ts";
+import { type DesignPath, type DesignProblem, describeValue, designError, formatPath } from "./design-problem.ts";
+import { DESIGN_LIMITS, designSchema, type ParsedDesign, type ParsedLayer } from "./design-schema.ts";
 
 /** Turns the plain data of a version into that of the version after it. May throw a TexelcastError. */
 export type Migration = (document: Readonly<Record<string, unknown>>) => Record<string, unknown>;
@@ -24,6 +24,7 @@ const MAX_LAYERS_WITH_PROBLEMS = 50;
 export function parseDesign(source: unknown, name = "design"): Design {
   const data = typeof source === "string" ? parseJson(source, name) : source;
   const current = migrateDesign(data, name, MIGRATIONS);
+  checkSize(current, name);
   const result = v.safeParse(designSchema, current);
   if (!result.success) throw designError(name, problemsOf(result.issues));
   const problems = referenceProblems(result.output);
@@ -85,26 +86,76 @@ function problemsOf(issues: readonly v.BaseIssue<unknown>[]): DesignProblem[] {
   });
 }
 
+/** A list of layers in data that nothing is known of yet; `from` and `key` tell where it stands. */
+interface RawList {
+  readonly value: readonly unknown[];
+  readonly key: DesignPath;
+  readonly from: { readonly list: RawList; readonly index: number } | null;
+  readonly depth: number;
+}
+
+/**
+ * Counts layers and depth before any schema follows them down: a hostile file must not use up the stack. What is no list
+ * or no layer is left to the schema.
+ */
+function checkSize(document: unknown, name: string): void {
+  const pathOf = ({ key, from }: RawList): DesignPath =>
+    from === null ? key : [...pathOf(from.list), from.index, ...key];
+  const lists: RawList[] = [];
+  const meet = (value: unknown, key: DesignPath, from: RawList["from"], depth: number): void => {
+    if (Array.isArray(value)) lists.push({ value, key, from, depth });
+  };
+  meet(fieldOf(document, "layers"), ["layers"], null, 1);
+  let count = 0;
+  for (let list = lists.pop(); list !== undefined; list = lists.pop()) {
+    if (list.value.length === 0) continue;
+    if (list.depth > DESIGN_LIMITS.depth) {
+      const message = `must not hold layers: they would lie more than ${DESIGN_LIMITS.depth} deep`;
+      throw designError(name, [{ path: pathOf(list), message, value: list.value }]);
+    }
+    count += list.value.length;
+    if (count > DESIGN_LIMITS.layers) {
+      const message = `must not hold more than ${DESIGN_LIMITS.layers} layers, those within others included`;
+      throw designError(name, [{ path: pathOf(list), message, value: list.value }]);
+    }
+    for (const [index, layer] of list.value.entries()) {
+      const from = { list, index };
+      meet(fieldOf(fieldOf(layer, "mask"), "layers"), ["mask", "layers"], from, list.depth + 1);
+      meet(fieldOf(layer, "layers"), ["layers"], from, list.depth + 1);
+      meet(fieldOf(layer, "strokes"), ["strokes"], from, list.depth + 1);
+    }
+  }
+}
+
+const fieldOf = (value: unknown, key: string): unknown =>
+  typeof value === "object" && value !== null ? (value as Record<string, unknown>)[key] : undefined;
+
 /** What one layer's schema cannot see: ids that collide, and assets that are not there or of the wrong kind. */
 function referenceProblems(design: ParsedDesign): DesignProblem[] {
   const problems: DesignProblem[] = [];
-  const firstUse = new Map<string, number>();
-  design.layers.forEach((layer, index) => {
-    if (problems.length >= MAX_LAYERS_WITH_PROBLEMS) return;
-    if (layer.id !== undefined) {
-      const first = firstUse.get(layer.id);
-      if (first === undefined) firstUse.set(layer.id, index);
-      else {
-        const message = `must be unique: layers[${first}] has the same id`;
-        problems.push({ path: ["layers", index, "id"], message, value: layer.id });
+  const firstUse = new Map<string, DesignPath>();
+  const check = (layers: readonly ParsedLayer[], listPath: DesignPath): void => {
+    layers.forEach((layer, index) => {
+      if (problems.length >= MAX_LAYERS_WITH_PROBLEMS) return;
+      const path = [...listPath, index];
+      if (layer.id !== undefined) {
+        const first = firstUse.get(layer.id);
+        if (first === undefined) firstUse.set(layer.id, path);
+        else {
+          const message = `must be unique: ${formatPath(first)} has the same id`;
+          problems.push({ path: [...path, "id"], message, value: layer.id });
+        }
       }
-    }
-    if (layer.type === "decal")
-      problems.push(...assetProblems(design, ["layers", index, "asset"], layer.asset, "image/"));
-    if (layer.type === "stroke" && layer.brush.tip === "picture")
-      problems.push(...assetProblems(design, ["layers", index, "brush", "asset"], layer.brush.asset, "image/"));
-    if (layer.type === "text") problems.push(...assetProblems(design, ["layers", index, "font"], layer.font, "font/"));
-  });
+      if (layer.type === "decal") problems.push(...assetProblems(design, [...path, "asset"], layer.asset, "image/"));
+      if (layer.type === "stroke" && layer.brush.tip === "picture")
+        problems.push(...assetProblems(design, [...path, "brush", "asset"], layer.brush.asset, "image/"));
+      if (layer.type === "text") problems.push(...assetProblems(design, [...path, "font"], layer.font, "font/"));
+      if (layer.mask !== null) check(layer.mask.layers, [...path, "mask", "layers"]);
+      if (layer.type === "group") check(layer.layers, [...path, "layers"]);
+      if (layer.type === "paint") check(layer.strokes, [...path, "strokes"]);
+    });
+  };
+  check(design.layers, ["layers"]);
   return problems;
 }
 
@@ -127,19 +178,33 @@ function describeNames(names: readonly string[]): string {
 
 /** Gives ids and names to the layers that have none: the same file always gets the same ones. */
 function complete(design: ParsedDesign): Design {
-  const taken = new Set(design.layers.flatMap((layer) => (layer.id === undefined ? [] : [layer.id])));
+  const taken = new Set<string>();
+  const collect = (layers: readonly ParsedLayer[]): void => {
+    for (const layer of layers) {
+      if (layer.id !== undefined) taken.add(layer.id);
+      if (layer.mask !== null) collect(layer.mask.layers);
+      if (layer.type === "group") collect(layer.layers);
+      if (layer.type === "paint") collect(layer.strokes);
+    }
+  };
+  collect(design.layers);
   // Counting never goes back, so that a file which takes many such ids on purpose costs no more than its length.
   let number = 0;
-  const layers = design.layers.map((layer, index): DesignLayer => {
-    const name = layer.name ?? defaultName(layer);
-    if (layer.id !== undefined) return { ...layer, id: layer.id, name };
-    number = freeLayerNumber(taken, Math.max(number, index) + 1);
-    return { ...layer, id: layerIdOf(number), name };
-  });
-  return { ...design, layers };
+  let met = 0;
+  const completeLayer = (layer: ParsedLayer): DesignLayer => {
+    met += 1;
+    if (layer.id === undefined) number = freeLayerNumber(taken, Math.max(number + 1, met));
+    const named = { ...layer, id: layer.id ?? layerIdOf(number), name: layer.name ?? defaultName(layer) };
+    const mask = layer.mask === null ? null : { ...layer.mask, layers: layer.mask.layers.map(completeLayer) };
+    const whole = { ...named, mask } as DesignLayer;
+    if (layer.type === "group") return { ...whole, layers: layer.layers.map(completeLayer) } as DesignLayer;
+    if (layer.type === "paint") return { ...whole, strokes: layer.strokes.map(completeLayer) } as DesignLayer;
+    return whole;
+  };
+  return { ...design, layers: design.layers.map(completeLayer) };
 }
 
 function defaultName(layer: ParsedLayer): string {
   if (layer.type === "decal") return layer.asset;
-  return { text: "Text", stroke: "Stroke", fill: "Fill" }[layer.type];
+  return { text: "Text", stroke: "Stroke", fill: "Fill", group: "Group", paint: "Paint" }[layer.type];
 }

@@ -1,5 +1,5 @@
 /** Writes a design document: the inverse of `parseDesign`. */
-import type { Design, DesignAsset, DesignLayer, Projector } from "./design.ts";
+import type { Design, DesignAsset, DesignLayer, Gradient, Mask, Projector } from "./design.ts";
 import { printJson } from "./print-json.ts";
 
 /**
@@ -13,17 +13,22 @@ const LAYER_FIELDS = [
   "name",
   "material",
   "visible",
+  "locked",
   "asset",
   "text",
   "font",
   "fontSize",
   "color",
   "outline",
+  "gradient",
+  "parts",
   "brush",
   "opacity",
   "blend",
   "blendSpace",
   "lockAlpha",
+  "isolated",
+  "mask",
   "filter",
   "wrap",
   "flipX",
@@ -32,7 +37,10 @@ const LAYER_FIELDS = [
   "angleFade",
   "occlusion",
   "projector",
+  "mirror",
   "dabs",
+  "strokes",
+  "layers",
 ] as const;
 /** A dab's flow is among them. */
 const PROJECTOR_FIELDS = [
@@ -53,6 +61,10 @@ const PROJECTOR_FIELDS = [
   "flow",
 ] as const;
 const OUTLINE_FIELDS = ["color", "width"] as const;
+const MIRROR_FIELDS = ["axis", "offset", "readable"] as const;
+const GRADIENT_FIELDS = ["kind", "from", "to", "center", "radius", "stops"] as const;
+const STOP_FIELDS = ["offset", "color"] as const;
+const PARTS_FIELDS = ["kind", "charts", "faces"] as const;
 const BRUSH_FIELDS = ["tip", "asset", "color", "hardness", "flow"] as const;
 
 /** The design as JSON text, two spaces of indent, one line feed at the end. */
@@ -76,13 +88,27 @@ function pick(source: object, fields: readonly string[]): Record<string, unknown
 const orderAsset = (asset: DesignAsset): object => pick(asset, ["type", "uri"]);
 const orderProjector = (projector: Projector): object => pick(projector, PROJECTOR_FIELDS);
 
+const orderMask = (mask: Mask): object => ({ invert: mask.invert, layers: mask.layers.map(orderLayer) });
+const orderGradient = (gradient: Gradient): object => ({
+  ...pick(gradient, GRADIENT_FIELDS),
+  stops: gradient.stops.map((stop) => pick(stop, STOP_FIELDS)),
+});
+
 function orderLayer(layer: DesignLayer): object {
   const ordered = pick(layer, LAYER_FIELDS);
+  if (layer.mask !== null) ordered.mask = orderMask(layer.mask);
+  if ("mirror" in layer && layer.mirror !== null) ordered.mirror = pick(layer.mirror, MIRROR_FIELDS);
   if (layer.type === "decal" || layer.type === "text") ordered.projector = orderProjector(layer.projector);
   if (layer.type === "text" && layer.outline !== null) ordered.outline = pick(layer.outline, OUTLINE_FIELDS);
   if (layer.type === "stroke") {
     ordered.brush = pick(layer.brush, BRUSH_FIELDS);
     ordered.dabs = layer.dabs.map(orderProjector);
   }
+  if (layer.type === "fill") {
+    if (layer.gradient !== null) ordered.gradient = orderGradient(layer.gradient);
+    if (layer.parts !== null) ordered.parts = pick(layer.parts, PARTS_FIELDS);
+  }
+  if (layer.type === "group") ordered.layers = layer.layers.map(orderLayer);
+  if (layer.type === "paint") ordered.strokes = layer.strokes.map(orderLayer);
   return ordered;
 }

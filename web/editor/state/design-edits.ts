@@ -1,17 +1,23 @@
 /** The edits of a design: each takes a design and gives a new one that shares all that did not change. */
 import {
+  assetsOf,
   type DecalLayer,
   type Design,
   type DesignAsset,
   type DesignLayer,
-  freeLayerId,
+  findLayer,
+  flattenLayers,
+  freeIdIn,
+  insertAt,
   makeDecalLayer,
-  materialsOf,
+  mapLayer,
+  materialsIn,
+  removeById,
+  visitOf,
+  withFreeIds,
 } from "../document/index.ts";
 
-export function layerById(design: Design, id: string | null): DesignLayer | undefined {
-  return id === null ? undefined : design.layers.find((layer) => layer.id === id);
-}
+export const layerById = findLayer;
 
 /** `patch` may hold any field of the layer but its id and type. An unknown id or an equal value changes nothing. */
 export function patchLayer<L extends DesignLayer>(
@@ -19,15 +25,12 @@ export function patchLayer<L extends DesignLayer>(
   id: string,
   patch: Partial<Omit<L, "id" | "type">>,
 ): Design {
-  let changed = false;
-  const layers = design.layers.map((layer) => {
-    if (layer.id !== id) return layer;
+  return mapLayer(design, id, (layer) => {
     const fields = Object.entries(patch) as [keyof DesignLayer, unknown][];
-    if (fields.every(([key, value]) => sameValue(layer[key], value))) return layer;
-    changed = true;
-    return { ...layer, ...patch } as DesignLayer;
+    return fields.every(([key, value]) => sameValue(layer[key], value))
+      ? layer
+      : ({ ...layer, ...patch } as DesignLayer);
   });
-  return changed ? { ...design, layers } : design;
 }
 
 /** Adds a decal on top of all others. */
@@ -35,7 +38,7 @@ export function addDecal(
   design: Design,
   fields: Pick<DecalLayer, "name" | "material" | "asset" | "projector">,
 ): { design: Design; id: string } {
-  const id = freeId(design);
+  const id = freeIdIn(design);
   const layer = makeDecalLayer({ id, ...fields, name: freeName(design, fields.name) });
   return { design: { ...design, layers: [...design.layers, layer] }, id };
 }
@@ -46,17 +49,17 @@ export function duplicateLayer<L extends DesignLayer>(
   id: string,
   patch: Partial<Omit<L, "id" | "type">> = {},
 ): { design: Design; id: string } | undefined {
-  const index = design.layers.findIndex((layer) => layer.id === id);
-  const original = design.layers[index];
+  const original = visitOf(design, id);
   if (!original) return undefined;
-  const copy = { ...original, ...patch, id: freeId(design), name: freeName(design, original.name) } as DesignLayer;
-  return { design: { ...design, layers: design.layers.toSpliced(index + 1, 0, copy) }, id: copy.id };
+  const name = freeName(design, original.layer.name);
+  const copy = withFreeIds(design, { ...original.layer, ...patch, name } as DesignLayer);
+  return { design: insertAt(design, { ...original, index: original.index + 1 }, copy), id: copy.id };
 }
 
 /** Takes a layer out, and its picture where no other layer uses it. */
 export function removeLayer(design: Design, id: string): Design {
-  const layers = design.layers.filter((layer) => layer.id !== id);
-  return layers.length === design.layers.length ? design : withoutUnusedAssets({ ...design, layers });
+  const without = removeById(design, id);
+  return without === design ? design : withoutUnusedAssets(without);
 }
 
 /** `to` counts from the bottom, 0 to layers.length - 1, and is clamped to that. */
@@ -85,27 +88,18 @@ export function withAsset(design: Design, name: string, asset: DesignAsset): { d
 }
 
 export function usedMaterials(design: Design): Set<number> {
-  return new Set(design.layers.flatMap(materialsOf));
+  return new Set(design.layers.flatMap(materialsIn));
 }
 
 function withoutUnusedAssets(design: Design): Design {
-  const used = new Set<string>();
-  for (const layer of design.layers) {
-    if (layer.type === "decal") used.add(layer.asset);
-    if (layer.type === "stroke" && layer.brush.tip === "picture") used.add(layer.brush.asset);
-    if (layer.type === "text") used.add(layer.font);
-  }
+  const used = new Set(flattenLayers(design).flatMap(assetsOf));
   const kept = Object.entries(design.assets).filter(([key]) => used.has(key));
   return kept.length === Object.keys(design.assets).length ? design : { ...design, assets: Object.fromEntries(kept) };
 }
 
-function freeId(design: Design): string {
-  return freeLayerId(new Set(design.layers.map((layer) => layer.id)), design.layers.length + 1);
-}
-
 /** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. */
 function freeName(design: Design, name: string): string {
-  const taken = new Set(design.layers.map((layer) => layer.name));
+  const taken = new Set(flattenLayers(design).map((layer) => layer.name));
   // Only what was counted on before: the 07 of "Number 07" is part of the name.
   const stem = name.replace(/ (?:[2-9]|[1-9]\d+)$/, "");
   let free = name;

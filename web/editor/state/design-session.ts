@@ -1,8 +1,15 @@
 /** The design under edit: its history, the selection, and the engine's and the viewer's copies of it. */
 import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
-import { pictureOf, withPicture } from "../../engine/layer-picture.ts";
+import { withPictures } from "../../engine/layer-picture.ts";
 import type { ModelViewer, ViewerDecal } from "../../viewer/viewer-api.ts";
-import { type Design, type DesignLayer, emptyDesign, materialsOf, resolveLayers } from "../document/index.ts";
+import {
+  type Design,
+  type DesignLayer,
+  emptyDesign,
+  materialsOf,
+  resolveLayers,
+  walkLayers,
+} from "../document/index.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState, HistorySteps, ModelRef, Snapshot } from "./editor-state.ts";
@@ -137,11 +144,8 @@ export class DesignSession {
   }
 
   #engineLayers(design: Design): EngineLayer[] {
-    return resolveLayers(design).map((layer) => {
-      const asset = pictureOf(layer);
-      const picture = asset === null ? undefined : this.#library.get(design.assets[asset]);
-      return picture ? withPicture(layer, picture.engineKey) : layer;
-    });
+    const engineKey = (asset: string): string => this.#library.get(design.assets[asset])?.engineKey ?? asset;
+    return resolveLayers(design).map((layer) => withPictures(layer, engineKey));
   }
 
   #publish(): void {
@@ -161,14 +165,14 @@ export class DesignSession {
 
   #showDecals(): void {
     const { design } = this;
-    const decals = design.layers
-      .filter((layer) => layer.type === "decal")
-      .map((layer): ViewerDecal => {
-        const picture = this.#library.get(design.assets[layer.asset]);
-        const { id, name, visible, projector } = layer;
-        const aspect = picture ? picture.width / picture.height : 1;
-        return { id, name, materials: materialsOf(layer), visible, projector, aspect };
-      });
+    const decals: ViewerDecal[] = [];
+    for (const { layer, shown } of walkLayers(design, { masks: false, strokes: false })) {
+      if (layer.type !== "decal") continue;
+      const picture = this.#library.get(design.assets[layer.asset]);
+      const { id, name, projector } = layer;
+      const aspect = picture ? picture.width / picture.height : 1;
+      decals.push({ id, name, materials: materialsOf(layer), visible: shown, projector, aspect });
+    }
     this.#viewer.setDecals(decals, this.#store.state.selectedId);
   }
 

@@ -4,7 +4,7 @@
  */
 import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-api.ts";
-import { type DesignLayer, materialsOf } from "../document/index.ts";
+import { type DesignLayer, materialsIn } from "../document/index.ts";
 import { loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import { strings } from "../strings.ts";
 import { AssetLibrary } from "./asset-library.ts";
@@ -165,7 +165,7 @@ export class Editor {
 
   /** The texture view and the target settings follow the selected layer to its material, or stay on one of them. */
   #follow(layer: DesignLayer, { model, material: shown }: EditorState): void {
-    const materials = materialsOf(layer);
+    const materials = materialsIn(layer);
     if (shown !== null && materials.includes(shown)) return;
     const paintable = model?.info.materials.filter(({ refusal }) => refusal === null).map(({ index }) => index);
     const first = materials.find((material) => paintable?.includes(material));

@@ -5,7 +5,7 @@ import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import {
   type Design,
   emptyDesign,
-  materialsOf,
+  materialsIn,
   parseDesign,
   resolveLayers,
   serialiseDesign,
@@ -218,7 +218,7 @@ export class FileCommands {
     session.select(design.layers.at(-1)?.id ?? null);
     const materials = new Set(store.state.model?.info.materials.map(({ index }) => index));
     const lost = design.layers.filter(
-      (layer) => !materialsOf(layer).every((material) => materials.has(material)),
+      (layer) => !materialsIn(layer).every((material) => materials.has(material)),
     ).length;
     if (lost > 0) board.info({ title: strings.notices.otherModel, message: strings.notices.lostLayers(lost) });
     board.announce(strings.announce.opened(fileName));

@@ -5,7 +5,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine, MaterialInfo, ModelInfo, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
-import { type Design, materialsOf } from "../document/index.ts";
+import { type Design, materialsIn } from "../document/index.ts";
 import { strings } from "../strings.ts";
 import { usedMaterials } from "./design-edits.ts";
 import {
@@ -209,7 +209,7 @@ export class ModelSession {
 function firstPaintable(info: ModelInfo, design: Design): number {
   const paintable = info.materials.filter(({ refusal }) => refusal === null);
   const isPaintable = (material: number): boolean => paintable.some(({ index }) => index === material);
-  const wanted = design.layers.toReversed().flatMap(materialsOf).find(isPaintable);
+  const wanted = design.layers.toReversed().flatMap(materialsIn).find(isPaintable);
   if (wanted !== undefined) return wanted;
   const [best] = paintable.toSorted((a, b) => b.triangles - a.triangles);
   if (best) return best.index;

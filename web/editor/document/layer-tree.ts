@@ -1,0 +1,265 @@
+/**
+ * The design's layers as the tree that they are: groups hold layers, paint layers hold strokes, and any layer's mask holds
+ * layers. Edits take a design and give a new one that shares all that did not change; the same one where nothing did.
+ */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { type Design, type DesignLayer, freeLayerId, materialsOf } from "./design.ts";
+import type { DesignPath } from "./design-problem.ts";
+import { DESIGN_LIMITS } from "./schema-parts.ts";
+
+/** Which of a layer's lists: what a group holds, what a paint layer holds, what a mask holds. */
+export type LayerList = "layers" | "strokes" | "mask";
+
+/** Where a layer stands, or is to stand. */
+export interface LayerPlace {
+  /** Null: the design's own list. */
+  readonly parentId: string | null;
+  /** Of the parent's; "layers" for the design's own. */
+  readonly list: LayerList;
+  /** From the bottom. */
+  readonly index: number;
+}
+
+/** A layer met on a walk. */
+export interface LayerVisit<Layer extends DesignLayer = DesignLayer> extends LayerPlace {
+  readonly layer: Layer;
+  readonly parent: DesignLayer | null;
+  /** 1 for those of the design's own list. */
+  readonly depth: number;
+  /** As errors name it: ["layers", 2, "mask", "layers", 0]. */
+  readonly path: DesignPath;
+  /** It is part of a mask, or of something in a mask. */
+  readonly inMask: boolean;
+  /** It and all that it is in are shown. */
+  readonly shown: boolean;
+}
+
+export interface WalkOptions {
+  /** Also go through masks; default true. */
+  readonly masks?: boolean;
+  /** Also go through the strokes of paint layers; default true. */
+  readonly strokes?: boolean;
+}
+
+/** The lists that a layer holds, the mask's first. */
+export function childLists(layer: DesignLayer): readonly { list: LayerList; layers: readonly DesignLayer[] }[] {
+  const lists: { list: LayerList; layers: readonly DesignLayer[] }[] = [];
+  if (layer.mask !== null) lists.push({ list: "mask", layers: layer.mask.layers });
+  if (layer.type === "group") lists.push({ list: "layers", layers: layer.layers });
+  if (layer.type === "paint") lists.push({ list: "strokes", layers: layer.strokes });
+  return lists;
+}
+
+/** Every layer, bottom to top, each before those that it holds. */
+export function* walkLayers(
+  { layers }: { readonly layers: readonly DesignLayer[] },
+  { masks = true, strokes = true }: WalkOptions = {},
+): Generator<LayerVisit> {
+  function* walk(
+    list: LayerList,
+    within: readonly DesignLayer[],
+    parent: Omit<LayerVisit, "layer"> & { layer: DesignLayer | null },
+  ): Generator<LayerVisit> {
+    const key = list === "mask" ? ["mask", "layers"] : [list];
+    for (const [index, layer] of within.entries()) {
+      const visit: LayerVisit = {
+        layer,
+        parent: parent.layer,
+        parentId: parent.layer?.id ?? null,
+        list,
+        index,
+        depth: parent.depth + 1,
+        path: [...parent.path, ...key, index],
+        inMask: parent.inMask || list === "mask",
+        shown: parent.shown && layer.visible,
+      };
+      yield visit;
+      for (const child of childLists(layer)) {
+        if ((child.list === "mask" && !masks) || (child.list === "strokes" && !strokes)) continue;
+        yield* walk(child.list, child.layers, visit);
+      }
+    }
+  }
+  const top = { parentId: null, list: "layers", index: 0, layer: null, parent: null, depth: 0 } as const;
+  yield* walk("layers", layers, { ...top, path: [], inMask: false, shown: true });
+}
+
+/** Every layer, in the order of `walkLayers`. */
+export const flattenLayers = (design: Pick<Design, "layers">, options?: WalkOptions): DesignLayer[] =>
+  Array.from(walkLayers(design, options), ({ layer }) => layer);
+
+/** The layer of that id, wherever it is. */
+export const findLayer = (design: Pick<Design, "layers">, id: string | null): DesignLayer | undefined =>
+  visitOf(design, id)?.layer;
+
+/** Where the layer of that id is. */
+export function visitOf(design: Pick<Design, "layers">, id: string | null): LayerVisit | undefined {
+  if (id === null) return undefined;
+  for (const visit of walkLayers(design)) if (visit.layer.id === id) return visit;
+  return undefined;
+}
+
+/** The layer that holds that one, in whichever of its lists; null for those of the design's own list. */
+export const parentOf = (design: Pick<Design, "layers">, id: string): DesignLayer | null =>
+  visitOf(design, id)?.parent ?? null;
+
+/** The list that `place` names, as it is. */
+export function layersAt(
+  design: Pick<Design, "layers">,
+  { parentId, list }: Pick<LayerPlace, "parentId" | "list">,
+): readonly DesignLayer[] | undefined {
+  if (parentId === null) return list === "layers" ? design.layers : undefined;
+  const parent = findLayer(design, parentId);
+  return parent === undefined ? undefined : childLists(parent).find((child) => child.list === list)?.layers;
+}
+
+/** All ids in use: a new layer needs another one, wherever it goes. */
+export const layerIds = (design: Pick<Design, "layers">): Set<string> =>
+  new Set(flattenLayers(design).map(({ id }) => id));
+
+/** An id that no layer of the design has. */
+export function freeIdIn(design: Pick<Design, "layers">): string {
+  const taken = layerIds(design);
+  return freeLayerId(taken, taken.size + 1);
+}
+
+/** A copy of the layer in which it, and all that it holds, have ids that the design has not. */
+export function withFreeIds(design: Pick<Design, "layers">, layer: DesignLayer): DesignLayer {
+  const taken = layerIds(design);
+  const rename = (one: DesignLayer): DesignLayer => {
+    const id = freeLayerId(taken, taken.size + 1);
+    taken.add(id);
+    let result: DesignLayer = { ...one, id };
+    for (const { list, layers } of childLists(one)) result = withList(result, list, layers.map(rename));
+    return result;
+  };
+  return rename(layer);
+}
+
+/** The materials that a layer, or what is in it, paints; masks paint none. */
+export const materialsIn = (layer: DesignLayer): number[] => [
+  ...new Set(
+    flattenLayers({ layers: [layer] }, { masks: false }).flatMap((held) =>
+      held.type === "group" || held.type === "paint" ? [] : materialsOf(held),
+    ),
+  ),
+];
+
+/** The names of the assets that the layer itself uses, without those of layers that it holds. */
+export function assetsOf(layer: DesignLayer): string[] {
+  if (layer.type === "decal") return [layer.asset];
+  if (layer.type === "text") return [layer.font];
+  return layer.type === "stroke" && layer.brush.tip === "picture" ? [layer.brush.asset] : [];
+}
+
+/** How many levels a layer takes up: 1 where it holds nothing. */
+export const layerDepth = (layer: DesignLayer): number =>
+  1 + Math.max(0, ...childLists(layer).flatMap(({ layers }) => layers.map(layerDepth)));
+
+/** Replaces one layer by what `change` makes of it. */
+export function mapLayer(design: Design, id: string, change: (layer: DesignLayer) => DesignLayer): Design {
+  return withLayers(
+    design,
+    changeLists(design.layers, (list) =>
+      list.some((layer) => layer.id === id) ? list.map((layer) => (layer.id === id ? change(layer) : layer)) : list,
+    ),
+  );
+}
+
+/** Takes a layer out, with all that it holds. */
+export function removeById(design: Design, id: string): Design {
+  return withLayers(
+    design,
+    changeLists(design.layers, (list) =>
+      list.some((layer) => layer.id === id) ? list.filter((layer) => layer.id !== id) : list,
+    ),
+  );
+}
+
+/**
+ * Puts a layer that is not in the design yet at a place; `index` is clamped to the list's ends. A mask is made where the
+ * parent has none.
+ *
+ * @throws TexelcastError "bad-argument" where there is no such list, where it takes no layers of that type, and where
+ * layers would lie deeper than a design may have them.
+ */
+export function insertAt(design: Design, { parentId, list, index }: LayerPlace, layer: DesignLayer): Design {
+  const put = (layers: readonly DesignLayer[]): DesignLayer[] =>
+    layers.toSpliced(Math.max(0, Math.min(index, layers.length)), 0, layer);
+  const parent = visitOf(design, parentId);
+  const depth = parent?.depth ?? 0;
+  if (depth + layerDepth(layer) > DESIGN_LIMITS.depth) {
+    throw refusal("parentId", parentId, `Layers can lie ${DESIGN_LIMITS.depth} deep and no deeper.`);
+  }
+  if (parentId === null && list === "layers") return { ...design, layers: put(design.layers) };
+  if (parent === undefined) throw refusal("parentId", parentId, "There is no such layer to put another into.");
+  const isHolder =
+    list === "mask" ||
+    (list === "layers" && parent.layer.type === "group") ||
+    (list === "strokes" && parent.layer.type === "paint");
+  if (!isHolder) throw refusal("list", list, `A layer of type “${parent.layer.type}” has no such list.`);
+  const takes =
+    list === "layers" ||
+    (list === "strokes" ? layer.type === "stroke" : layer.type !== "group" && layer.type !== "paint");
+  if (!takes) throw refusal("type", layer.type, `The list “${list}” takes no layers of type “${layer.type}”.`);
+  return mapLayer(design, parent.layer.id, (holder) =>
+    list === "mask"
+      ? withList(
+          holder.mask === null ? ({ ...holder, mask: { layers: [], invert: false } } as DesignLayer) : holder,
+          list,
+          put(holder.mask?.layers ?? []),
+        )
+      : withList(holder, list, put(layersAt(design, { parentId, list }) ?? [])),
+  );
+}
+
+/**
+ * Takes a layer from where it is to `place`, whose index counts without it.
+ *
+ * @throws TexelcastError "bad-argument" as `insertAt`, and for a place inside the layer itself.
+ */
+export function moveTo(design: Design, id: string, place: LayerPlace): Design {
+  const visit = visitOf(design, id);
+  if (visit === undefined) return design;
+  if (visit.parentId === place.parentId && visit.list === place.list && visit.index === place.index) return design;
+  if (
+    place.parentId !== null &&
+    flattenLayers({ layers: [visit.layer] }).some((layer) => layer.id === place.parentId)
+  ) {
+    throw refusal("parentId", place.parentId, "A layer cannot be put into itself.");
+  }
+  return insertAt(removeById(design, id), place, visit.layer);
+}
+
+/** Changes every list of the tree, each after those below it; lists that stay as they are are shared. */
+function changeLists(
+  layers: readonly DesignLayer[],
+  change: (list: readonly DesignLayer[]) => readonly DesignLayer[],
+): readonly DesignLayer[] {
+  let changed = false;
+  const within = layers.map((layer) => {
+    let result = layer;
+    for (const { list, layers: held } of childLists(layer)) {
+      const next = changeLists(held, change);
+      if (next !== held) result = withList(result, list, next);
+    }
+    changed ||= result !== layer;
+    return result;
+  });
+  return change(changed ? within : layers);
+}
+
+/** The caller answers for the types of what the list holds. */
+function withList(layer: DesignLayer, list: LayerList, layers: readonly DesignLayer[]): DesignLayer {
+  if (list === "mask") return { ...layer, mask: { ...layer.mask, layers } } as DesignLayer;
+  return { ...layer, [list]: layers } as DesignLayer;
+}
+
+function withLayers(design: Design, layers: readonly DesignLayer[]): Design {
+  const same = layers.length === design.layers.length && layers.every((layer, index) => layer === design.layers[index]);
+  return same ? design : { ...design, layers };
+}
+
+function refusal(field: string, value: string | null, message: string): TexelcastError {
+  return new TexelcastError("bad-argument", message, { field, value: String(value) });
+}

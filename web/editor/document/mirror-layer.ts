@@ -1,0 +1,78 @@
+/**
+ * Layers painted a second time, as a mirror across a plane of the model shows them. Mirroring a quaternion only changes
+ * signs and places of its parts, so that it costs no digit.
+ */
+import type { EngineDab, EngineDecalLayer, EngineStrokeLayer } from "../../engine/engine-api.ts";
+import type { Mirror, Projector, Quaternion, Vec3 } from "./design.ts";
+
+/**
+ * The projector as the mirror shows it. A projector cannot be left-handed: its picture, left and right exchanged, is what
+ * the mirror shows. Null for "uv" projectors, which lie on no side of the model.
+ */
+export function mirroredProjector<P extends Projector>(projector: P, mirror: Mirror): P | null {
+  if (projector.kind === "uv") return null;
+  return {
+    ...projector,
+    position: mirroredPoint(projector.position, mirror),
+    rotation: mirroredRotation(projector.rotation, mirror),
+  };
+}
+
+function mirroredPoint([x, y, z]: Vec3, { axis, offset }: Mirror): Vec3 {
+  if (axis === "x") return [2 * offset - x, y, z];
+  return axis === "y" ? [x, 2 * offset - y, z] : [x, y, 2 * offset - z];
+}
+
+/**
+ * M R F: M the mirror, F the exchange of the picture's left and right. With M across x the two meet as a change of
+ * signs; across y a half turn about the picture's Z is left over, across z one about its Y.
+ */
+function mirroredRotation([x, y, z, w]: Quaternion, { axis, readable }: Mirror): Quaternion {
+  if (axis === "x") return [x, -y, -z, w];
+  if (axis === "z") return times([-x, -y, z, w], [0, 1, 0, 0]);
+  // A picture that stays as it is would stand on its head here: another half turn about Z takes the first one back.
+  const turned: Quaternion = [-x, y, -z, w];
+  return readable ? turned : times(turned, [0, 0, 1, 0]);
+}
+
+const times = ([ax, ay, az, aw]: Quaternion, [bx, by, bz, bw]: Quaternion): Quaternion => [
+  aw * bx + ax * bw + ay * bz - az * by,
+  aw * by - ax * bz + ay * bw + az * bx,
+  aw * bz + ax * by - ay * bx + az * bw,
+  aw * bw - ax * bx - ay * by - az * bz,
+];
+
+/** A decal and its twin as one layer: where they overlap its opacity does not build up. */
+export function mirroredDecal(layer: EngineDecalLayer, mirror: Mirror): EngineStrokeLayer {
+  const { type: _type, asset, projector, ...fields } = layer;
+  const dabs = mirroredDabs([{ ...projector, flow: 1 }], [mirror]);
+  return { ...fields, type: "stroke", brush: { tip: "picture", asset, color: null, flow: 1 }, dabs };
+}
+
+/** By dab and mirror: the engine knows dabs that it has by their being the same objects (`EngineStrokeLayer.dabs`). */
+const TWINS = new WeakMap<EngineDab, { readonly mirror: Mirror; readonly twin: EngineDab }>();
+
+/** Each dab with its twin after it; by several mirrors, with twins of twins. */
+export function mirroredDabs(dabs: readonly EngineDab[], mirrors: readonly Mirror[]): readonly EngineDab[] {
+  return mirrors.reduce<readonly EngineDab[]>(
+    (all, mirror) =>
+      all.flatMap((dab) => {
+        const twin = twinOf(dab, mirror);
+        return twin === null ? [dab] : [dab, twin];
+      }),
+    dabs,
+  );
+}
+
+function twinOf(dab: EngineDab, mirror: Mirror): EngineDab | null {
+  const known = TWINS.get(dab);
+  if (known !== undefined && sameMirror(known.mirror, mirror)) return known.twin;
+  const projector = mirroredProjector(dab, mirror);
+  if (projector === null) return null;
+  const twin = mirror.readable ? projector : { ...projector, flipX: !dab.flipX };
+  TWINS.set(dab, { mirror, twin });
+  return twin;
+}
+
+export const sameMirror = (a: Mirror, b: Mirror): boolean =>
+  a.axis === b.axis && a.offset === b.offset && a.readable === b.readable;

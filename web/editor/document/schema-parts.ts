@@ -1,0 +1,199 @@
+/**
+ * What the design's schema is put together from: bounds, and the schemas of numbers, colours, projectors and materials.
+ *
+ * Messages are written to stand between a path and a value: "layers[2].opacity: must be a number from 0 to 1, is 3".
+ */
+import * as v from "valibot";
+import { BRUSH_DEFAULTS } from "./design.ts";
+import { HEX_COLOR } from "./hex-color.ts";
+
+/** Bounds that no honest design meets; they keep a hostile file from costing more than its reading. */
+export const DESIGN_LIMITS = {
+  /** Of the whole tree: groups, what is in them, in masks and in paint layers. */
+  layers: 10_000,
+  /** Of a layer within a layer within a layer: 1 stands on the design's own list. */
+  depth: 16,
+  assets: 10_000,
+  dabs: 100_000,
+  materials: 65_536,
+  gradientStops: 16,
+  /** Charts or faces of a fill's parts. */
+  parts: 1_000_000,
+  idLength: 200,
+  nameLength: 1000,
+  textLength: 10_000,
+  /** Metres. Lengths outside would not survive the engine's 32-bit arithmetic. */
+  lengthMin: 1e-9,
+  lengthMax: 1e9,
+} as const;
+
+/** Names that JavaScript gives a meaning of its own as an object's keys. */
+export const RESERVED_KEYS = ["__proto__", "prototype", "constructor"];
+
+const quoted = (values: readonly string[]): string => values.map((value) => `"${value}"`).join(", ");
+
+/** An object that refuses what it does not know, and says what it does. */
+export function strict<const Entries extends v.ObjectEntries>(entries: Entries) {
+  const names = Object.keys(entries).join(", ");
+  return v.strictObject(entries, (issue) => {
+    if (issue.expected === "never") return `is not a known field (known here: ${names})`;
+    return issue.expected === "Object" ? "must be an object" : "is missing";
+  });
+}
+
+export const oneOf = <const Values extends readonly [string, ...string[]]>(values: Values) =>
+  v.picklist(values, `must be one of ${quoted(values)}`);
+
+export const flag = v.boolean("must be true or false");
+
+export function numberBetween(min: number, max: number, unit = "") {
+  const message = `must be a number from ${min} to ${max}${unit}`;
+  return v.pipe(v.number(message), v.minValue(min, message), v.maxValue(max, message));
+}
+
+export const text = (maxLength: number) =>
+  v.pipe(v.string("must be a string"), v.maxLength(maxLength, `must not be longer than ${maxLength} characters`));
+export const filledText = (maxLength: number) => v.pipe(text(maxLength), v.nonEmpty("must not be empty"));
+
+/** A list of exactly `length` numbers. The length is checked first, so a short list is one problem and not several. */
+export function listOfNumbers<const Items extends [v.GenericSchema<number>, ...v.GenericSchema<number>[]]>(
+  items: Items,
+) {
+  const message = `must be a list of ${items.length} numbers`;
+  return v.pipe(v.array(v.unknown(), message), v.length(items.length, message), v.tuple(items));
+}
+
+export const coordinate = numberBetween(-DESIGN_LIMITS.lengthMax, DESIGN_LIMITS.lengthMax);
+export const length = v.pipe(
+  v.number("must be a number above 0"),
+  v.gtValue(0, "must be above 0"),
+  v.minValue(DESIGN_LIMITS.lengthMin, `must be at least ${DESIGN_LIMITS.lengthMin}`),
+  v.maxValue(DESIGN_LIMITS.lengthMax, `must be at most ${DESIGN_LIMITS.lengthMax}`),
+);
+export const point = listOfNumbers([coordinate, coordinate, coordinate]);
+
+const quaternionLength = (rotation: readonly number[]): number =>
+  Math.sqrt(rotation.reduce((sum, part) => sum + part * part, 0));
+export const rotation = v.pipe(
+  listOfNumbers([coordinate, coordinate, coordinate, coordinate]),
+  v.check((q) => quaternionLength(q) > 0, "must not be all zeros: without a rotation it is [0, 0, 0, 1]"),
+  v.check((q) => {
+    const size = quaternionLength(q);
+    return size === 0 || (size >= 1e-3 && size <= 1e3);
+  }, "must be a unit quaternion x, y, z, w (a length from 0.001 to 1000 is made one)"),
+);
+
+// The engine counts in 32-bit floats: what is 0 or 180 degrees there must not pass here.
+const isAbove0 = (degrees: number): boolean => Math.fround(degrees) > 0;
+const isBelow180 = (degrees: number): boolean => Math.fround(degrees) < 180;
+
+export const planar = strict({
+  kind: v.literal("planar"),
+  position: point,
+  rotation,
+  size: listOfNumbers([length, length, length]),
+});
+
+export const perspective = v.pipe(
+  strict({
+    kind: v.literal("perspective"),
+    position: point,
+    rotation,
+    fov: v.pipe(
+      v.number("must be a number of degrees"),
+      v.gtValue(0, "must be above 0 degrees"),
+      v.ltValue(180, "must be below 180 degrees"),
+      v.check(isAbove0, "must be above 0 degrees"),
+      v.check(isBelow180, "must be below 180 degrees"),
+    ),
+    aspect: length,
+    near: length,
+    far: length,
+  }),
+  v.forward(
+    v.check(({ near, far }) => near < far, "must be above near"),
+    ["far"],
+  ),
+);
+
+export const cylindrical = strict({
+  kind: v.literal("cylindrical"),
+  position: point,
+  rotation,
+  radius: length,
+  height: length,
+  arc: v.pipe(
+    v.number("must be a number of degrees"),
+    v.gtValue(0, "must be above 0 degrees"),
+    v.check(isAbove0, "must be above 0 degrees"),
+    v.maxValue(360, "must be at most 360 degrees"),
+  ),
+  depth: length,
+});
+
+export const uv = strict({
+  kind: v.literal("uv"),
+  center: listOfNumbers([coordinate, coordinate]),
+  size: listOfNumbers([length, length]),
+  angle: coordinate,
+});
+
+const projectorMessage = (issue: { readonly expected: string | null }): string =>
+  issue.expected === "Object" ? "must be an object" : 'must be one of "planar", "perspective", "cylindrical", "uv"';
+
+export const projector = v.variant("kind", [planar, perspective, cylindrical, uv], projectorMessage);
+
+/** What dabs and brushes have. */
+export const flow = { flow: v.optional(numberBetween(0, 1), BRUSH_DEFAULTS.flow) };
+
+export const dab = v.variant(
+  "kind",
+  [
+    strict({ ...planar.entries, ...flow }),
+    v.pipe(
+      strict({ ...perspective.entries, ...flow }),
+      v.forward(
+        v.check(({ near, far }) => near < far, "must be above near"),
+        ["far"],
+      ),
+    ),
+    strict({ ...cylindrical.entries, ...flow }),
+    strict({ ...uv.entries, ...flow }),
+  ],
+  projectorMessage,
+);
+
+export const hexColor = v.pipe(
+  v.string('must be a colour as "#rrggbb" or "#rrggbbaa"'),
+  v.regex(HEX_COLOR, 'must be a colour as "#rrggbb" or "#rrggbbaa"'),
+);
+
+const materialMessage = "must be a glTF material index: a whole number, 0 or above";
+const materialIndex = v.pipe(
+  v.number(materialMessage),
+  v.integer(materialMessage),
+  v.minValue(0, materialMessage),
+  v.maxValue(DESIGN_LIMITS.materials - 1, `must be at most ${DESIGN_LIMITS.materials - 1}`),
+);
+const materialList = v.pipe(
+  boundedList(DESIGN_LIMITS.materials, "materials", materialIndex),
+  v.nonEmpty("must name one material at least"),
+  v.check((materials) => new Set(materials).size === materials.length, "must not name a material twice"),
+  // For the published JSON Schema, which has a word for the check above.
+  v.metadata({ uniqueItems: true }),
+);
+export const material = v.union([materialIndex, materialList], `${materialMessage}, or a list of such`);
+export const angle = numberBetween(0, 90, " degrees");
+export const assetName = v.pipe(
+  filledText(DESIGN_LIMITS.idLength),
+  v.notValues(RESERVED_KEYS, `must not be ${RESERVED_KEYS.map((key) => `"${key}"`).join(" or ")}`),
+);
+
+/** The count is checked before the items are, so a list of millions costs no more than its reading. */
+export function boundedList<Item extends v.GenericSchema>(max: number, noun: string, item: Item) {
+  return v.pipe(
+    v.array(v.unknown(), "must be a list"),
+    v.maxLength(max, `must not hold more than ${max} ${noun}`),
+    v.array(item),
+  );
+}
