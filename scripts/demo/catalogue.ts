@@ -132,6 +132,72 @@ export const DEMO_MODELS: readonly DemoModel[] = [
   },
 ];
 
+/** A model without a design, to begin something of one's own on. */
+export interface DemoTemplate {
+  readonly id: string;
+  readonly name: string;
+  /** What it is for, in a few words. */
+  readonly hint: string;
+  /** Name of its .glb. */
+  readonly model: string;
+  /** Name of its picture in `templates/`. */
+  readonly picture: string;
+  readonly material: number;
+  /** Width and height of its texture, texels. */
+  readonly size: readonly [number, number];
+}
+
+export const DEMO_TEMPLATES: readonly DemoTemplate[] = [
+  {
+    id: "block-wide",
+    name: "Block figure, wide arms",
+    hint: "Pixel skin with an outer layer",
+    model: "block-wide",
+    picture: "block-wide",
+    material: 0,
+    size: [64, 64],
+  },
+  {
+    id: "block-slim",
+    name: "Block figure, slim arms",
+    hint: "Pixel skin with an outer layer",
+    model: "block-slim",
+    picture: "block-slim",
+    material: 0,
+    size: [64, 64],
+  },
+  {
+    id: "avatar",
+    name: "Avatar",
+    hint: "Jointed figure that walks",
+    model: "avatar",
+    picture: "avatar",
+    material: 0,
+    size: [1024, 1024],
+  },
+  {
+    id: "mug",
+    name: "Mug",
+    hint: "Ceramic, inside and out",
+    model: "mug",
+    picture: "mug",
+    material: 0,
+    size: [2048, 2048],
+  },
+  {
+    id: "skateboard",
+    name: "Skateboard",
+    hint: "Graphic and grip",
+    model: "skateboard",
+    picture: "skateboard",
+    material: 0,
+    size: [1024, 2048],
+  },
+];
+
+/** Width of a template's picture, pixels. */
+export const TEMPLATE_PICTURE_WIDTH = 192;
+
 /** The demo's index file: addresses of models and decals are relative to the page, those inside a design to this file. */
 export function demoIndex(): string {
   const models = DEMO_MODELS.map(({ id, name, material, size, layers }) => ({
@@ -143,7 +209,12 @@ export function demoIndex(): string {
     design: designDocument(material, layers),
   }));
   const decals = DEMO_DECALS.map(({ id, name }) => ({ id, name, picture: `demo/decals/${id}.png` }));
-  return `${JSON.stringify({ models, decals }, null, 2)}\n`;
+  const templates = DEMO_TEMPLATES.map(({ model, picture, ...rest }) => ({
+    ...rest,
+    model: `demo/${model}.glb`,
+    picture: `demo/templates/${picture}.png`,
+  }));
+  return `${JSON.stringify({ models, templates, decals }, null, 2)}\n`;
 }
 
 function designDocument(material: number, layers: readonly DemoLayer[]): object {

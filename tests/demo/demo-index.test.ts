@@ -21,6 +21,14 @@ interface DemoIndex {
     readonly size: readonly [number, number];
     readonly design: unknown;
   }[];
+  readonly templates: readonly {
+    readonly id: string;
+    readonly name: string;
+    readonly model: string;
+    readonly picture: string;
+    readonly material: number;
+    readonly size: readonly [number, number];
+  }[];
   readonly decals: readonly { readonly id: string; readonly name: string; readonly picture: string }[];
 }
 
@@ -41,8 +49,14 @@ describe("the demo's files", () => {
   });
 
   it("are all in the index, and the index names no others", () => {
-    const named = [...index.models.map(({ model }) => model), ...index.decals.map(({ picture }) => picture)];
-    expect(["demo.json", ...named.map((path) => path.replace(/^demo\//, ""))].sort()).toEqual([...files.keys()].sort());
+    const named = new Set([
+      ...index.models.map(({ model }) => model),
+      ...index.templates.flatMap(({ model, picture }) => [model, picture]),
+      ...index.decals.map(({ picture }) => picture),
+    ]);
+    expect(["demo.json", ...[...named].map((path) => path.replace(/^demo\//, ""))].sort()).toEqual(
+      [...files.keys()].sort(),
+    );
   });
 
   it("hold decals of 512 to 1024 pixels with alpha", () => {
@@ -54,6 +68,27 @@ describe("the demo's files", () => {
       // Colour type 6 of the header: RGBA.
       expect(png[25], picture).toBe(6);
     }
+  });
+});
+
+describe("the templates", () => {
+  it("give the size of their model's own picture, whose parts a guide names", async () => {
+    for (const { id, model, material, size } of index.templates) {
+      const { document } = await readDemoModel(files, model.replace(/^demo\/|\.glb$/g, ""));
+      const painted = document.getRoot().listMaterials()[material];
+      expect(painted?.getBaseColorTexture()?.getSize(), id).toEqual(size);
+      const { guide } = painted?.getExtras().texelcast as { guide: { part: string; uv: number[] }[] };
+      expect(guide.length, id).toBeGreaterThan(1);
+      for (const { part, uv } of guide) {
+        const [left, top, right, bottom] = uv as [number, number, number, number];
+        expect(0 <= left && left < right && right <= 1, `${id} ${part}`).toBe(true);
+        expect(0 <= top && top < bottom && bottom <= 1, `${id} ${part}`).toBe(true);
+      }
+    }
+  });
+
+  it("are told apart by name", () => {
+    expect(new Set(index.templates.map(({ name }) => name)).size).toBe(index.templates.length);
   });
 });
 

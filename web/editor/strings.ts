@@ -11,6 +11,8 @@ export const strings = {
     models: "Model",
     noModel: "No model",
     demos: "Demo models",
+    newFromTemplate: "New from template…",
+    newFromTemplateHint: "A blank skin or product",
     openModel: "Open model…",
     openModelHint: ".glb, or .gltf with its files",
     openFolder: "Open model folder…",
@@ -29,6 +31,14 @@ export const strings = {
     showTexture: "Show the texture beside the model",
     hideTexture: "Hide the texture",
     help: "Keys and licences",
+  },
+
+  templates: {
+    title: "New from template",
+    hint: "A blank texture with a guide of its parts. What is open now comes back with Undo.",
+    size: (width: number, height: number): string => `${width} × ${height}`,
+    close: "Close",
+    none: "The templates are missing: run npm run demo.",
   },
 
   stage: {

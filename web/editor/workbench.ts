@@ -14,6 +14,7 @@ import "./panels/side-panel.ts";
 import "./panels/stage.ts";
 import "./panels/status-line.ts";
 import "./panels/target-settings.ts";
+import "./panels/template-dialog.ts";
 import "./panels/texture-panel.ts";
 import "./panels/top-bar.ts";
 import type { EditorState } from "./state/editor-state.ts";
@@ -162,6 +163,7 @@ export class Workbench extends EditorElement {
         .editor=${editor}
         .compact=${compact}
         @help=${() => this.#help()}
+        @templates=${() => this.renderRoot.querySelector("tc-template-dialog")?.show()}
       ></tc-top-bar>
       ${this.#views()}
       ${
@@ -173,6 +175,7 @@ export class Workbench extends EditorElement {
             `
       }
       <tc-help-dialog></tc-help-dialog>
+      <tc-template-dialog .editor=${editor}></tc-template-dialog>
       ${
         this.dropping
           ? html`<div class="drop">

@@ -3,6 +3,7 @@
 import type { Document, Node } from "@gltf-transform/core";
 import { type Atlas, joinAtlas, layOutCharts } from "../geometry/atlas.ts";
 import { addAccessor, addMaterial, addPrimitive, createDocument, writeGlb } from "../output/glb.ts";
+import { atlasGuide, partData } from "../output/part-data.ts";
 import { encodePng } from "../picture/png.ts";
 import { avatarCharts, type BoundChart } from "./avatar-body.ts";
 import { paintAvatar } from "./avatar-look.ts";
@@ -16,6 +17,21 @@ function avatarAtlas(bound: readonly BoundChart[]): Atlas {
   );
 }
 
+const SIDED = ["sleeve", "arm", "hand", "leg", "shoe"];
+/** The charts that people paint; ears, hair's edges and the ends of limbs go without a name. */
+const AVATAR_PARTS: Readonly<Record<string, string>> = {
+  head: "Head",
+  "hair cap": "Hair",
+  "hair back": "Back hair",
+  torso: "Torso",
+  hips: "Hips",
+  ...Object.fromEntries(
+    ["left", "right"].flatMap((side) =>
+      SIDED.map((limb) => [`${side} ${limb}`, `${side === "left" ? "Left" : "Right"} ${limb}`]),
+    ),
+  ),
+};
+
 export async function buildAvatar(): Promise<Uint8Array<ArrayBuffer>> {
   const bound = avatarCharts();
   const atlas = avatarAtlas(bound);
@@ -26,6 +42,7 @@ export async function buildAvatar(): Promise<Uint8Array<ArrayBuffer>> {
     metallic: 0,
     basePicture: await encodePng(await paintAvatar(atlas, bound)),
   });
+  material.setExtras(partData({ guide: atlasGuide(atlas, AVATAR_PARTS) }));
   const primitive = addPrimitive(document, joinAtlas(atlas), material);
   const { joints, weights } = vertexWeights(bound);
   primitive

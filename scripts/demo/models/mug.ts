@@ -7,6 +7,7 @@ import { type ProfileCorner, profileRun, roundedProfile } from "../geometry/prof
 import { PlaneCurve, superellipse, sweepChart } from "../geometry/sweep.ts";
 import { mix, type Vec2 } from "../geometry/vector.ts";
 import { addMaterial, addPrimitive, createDocument, writeGlb } from "../output/glb.ts";
+import { atlasGuide, partData } from "../output/part-data.ts";
 import { fillChart, paintAtlas } from "../picture/paint-atlas.ts";
 import { encodePng } from "../picture/png.ts";
 import { randomNumbers } from "../picture/random.ts";
@@ -164,6 +165,14 @@ function underside(placed: PlacedChart): string {
   return `${fillChart(placed, GLAZE)}${ring(30.6, 35.4)}`;
 }
 
+const MUG_PARTS = {
+  outside: "Outside",
+  inside: "Inside",
+  floor: "Floor",
+  underside: "Underside",
+  handle: "Handle",
+};
+
 export async function buildMug(): Promise<Uint8Array<ArrayBuffer>> {
   const atlas = mugAtlas();
   const document = createDocument();
@@ -173,6 +182,7 @@ export async function buildMug(): Promise<Uint8Array<ArrayBuffer>> {
     metallic: 0,
     basePicture: await encodePng(await paintMug(atlas)),
   });
+  material.setExtras(partData({ guide: atlasGuide(atlas, MUG_PARTS) }));
   const mesh = document.createMesh("Mug").addPrimitive(addPrimitive(document, joinAtlas(atlas), material));
   document.createScene("Mug").addChild(document.createNode("Mug").setMesh(mesh));
   return writeGlb(document);

@@ -4,6 +4,7 @@ import { type Atlas, joinAtlas, joinGeometry, layOutCharts, type PlacedChart, pl
 import { type Chart, placeChart } from "../geometry/chart.ts";
 import { mix, smoothstep, type Vec3 } from "../geometry/vector.ts";
 import { addMaterial, addPrimitive, createDocument, writeGlb } from "../output/glb.ts";
+import { atlasGuide, partData } from "../output/part-data.ts";
 import { fractalNoise, valueNoise } from "../picture/noise.ts";
 import { fillBox, fillChart, paintAtlas } from "../picture/paint-atlas.ts";
 import { encodePng } from "../picture/png.ts";
@@ -135,6 +136,7 @@ export async function buildSkateboard(): Promise<Uint8Array<ArrayBuffer>> {
   ];
   const document = createDocument();
   const deck = addMaterial(document, { name: "Deck", roughness: 1, metallic: 1, basePicture, surfacePicture });
+  deck.setExtras(partData({ guide: atlasGuide(atlas, { graphic: "Graphic", grip: "Grip" }) }));
   const wheels = addMaterial(document, {
     name: "Wheels",
     baseColor: [0.87, 0.83, 0.74, 1],

@@ -11,6 +11,18 @@ export interface DemoModel {
   readonly design: unknown;
 }
 
+/** A model without a design, to begin on. */
+export interface DemoTemplate {
+  readonly id: string;
+  readonly name: string;
+  readonly hint: string;
+  /** Addresses relative to the page. */
+  readonly model: string;
+  readonly picture: string;
+  /** Width and height of its texture, texels. */
+  readonly size: readonly [number, number];
+}
+
 export interface DemoDecal {
   readonly id: string;
   readonly name: string;
@@ -23,6 +35,7 @@ export interface DemoCatalogue {
   readonly url: string;
   readonly page: string;
   readonly models: readonly DemoModel[];
+  readonly templates: readonly DemoTemplate[];
   readonly decals: readonly DemoDecal[];
 }
 
@@ -37,8 +50,8 @@ export async function loadDemoCatalogue(page: string): Promise<DemoCatalogue> {
       hint: strings.errors.noDemosHint,
     });
   }
-  const { models = [], decals = [] } = list as Partial<DemoCatalogue>;
-  return { url, page, models, decals };
+  const { models = [], templates = [], decals = [] } = list as Partial<DemoCatalogue>;
+  return { url, page, models, templates, decals };
 }
 
 /** Rejects with a TexelcastError of code "missing-file". */

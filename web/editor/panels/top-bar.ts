@@ -1,6 +1,18 @@
 /** Name, model menu, history, design and export. */
 import { css, html, nothing, type TemplateResult } from "lit";
-import { Box, CircleQuestionMark, Download, FileDown, FolderOpen, Image, PanelRight, Redo2, Save, Undo2 } from "lucide";
+import {
+  Box,
+  CircleQuestionMark,
+  Download,
+  FileDown,
+  FolderOpen,
+  Image,
+  LayoutTemplate,
+  PanelRight,
+  Redo2,
+  Save,
+  Undo2,
+} from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
@@ -181,10 +193,16 @@ export class TopBar extends EditorElement {
     return [
       ...demoItems,
       {
+        label: words.newFromTemplate,
+        hint: words.newFromTemplateHint,
+        icon: LayoutTemplate,
+        separated: demoItems.length > 0,
+        run: () => this.dispatchEvent(new CustomEvent("templates")),
+      },
+      {
         label: words.openModel,
         hint: words.openModelHint,
         icon: Box,
-        separated: demoItems.length > 0,
         run: () => pickFiles({ accept: ACCEPT.model }, (chosen) => void files.openFiles(chosen)),
       },
       {

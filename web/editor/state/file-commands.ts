@@ -10,7 +10,7 @@ import {
   resolveLayers,
   serialiseDesign,
 } from "../document/index.ts";
-import { type DemoDecal, type DemoModel, fetchBytes } from "../files/demo-catalogue.ts";
+import { type DemoDecal, type DemoModel, type DemoTemplate, fetchBytes } from "../files/demo-catalogue.ts";
 import { download, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { bytesOf, sortFiles } from "../files/file-intake.ts";
@@ -54,6 +54,11 @@ export class FileCommands {
     return this.#parts.tasks.quietly(this.#openDemo(demo));
   }
 
+  /** Opens a template's model, without a design. */
+  openTemplate(template: DemoTemplate): Promise<void> {
+    return this.#parts.tasks.quietly(this.#openTemplate(template));
+  }
+
   addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null = null): Promise<void> {
     return this.#parts.tasks.quietly(this.#addDemoDecal(decal, hit));
   }
@@ -93,6 +98,18 @@ export class FileCommands {
       await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
     } catch (thrown) {
       board.error(strings.errors.couldNotOpen(demo.name), thrown);
+    }
+  }
+
+  async #openTemplate({ name, model }: DemoTemplate): Promise<void> {
+    const { store, board } = this.#parts;
+    if (!store.state.demos) return;
+    try {
+      const bytes = await fetchBytes(model, store.state.demos.page);
+      const source = { name: model.slice(model.lastIndexOf("/") + 1), bytes };
+      await this.#openModel({ source, title: name, demoId: null }, emptyDesign());
+    } catch (thrown) {
+      board.error(strings.errors.couldNotOpen(name), thrown);
     }
   }
 

@@ -1,0 +1,144 @@
+/** "New from template": the blank models that come with the page, each with a small picture. */
+import { css, html, type TemplateResult } from "lit";
+import { X } from "lucide";
+import type { DemoTemplate } from "../files/demo-catalogue.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.templates;
+
+export class TemplateDialog extends EditorElement {
+  static override styles = [
+    controls,
+    css`
+      dialog {
+        width: min(38rem, calc(100vw - 2rem));
+        max-height: calc(100dvh - 4rem);
+        padding: 0;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface-high);
+        color: var(--text);
+        box-shadow: var(--shadow);
+      }
+      dialog::backdrop {
+        background: rgb(0 0 0 / 35%);
+      }
+      header {
+        position: sticky;
+        inset-block-start: 0;
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        padding: var(--space-3) var(--space-3) var(--space-1) var(--space-4);
+        background: inherit;
+      }
+      .body {
+        display: grid;
+        gap: var(--space-3);
+        padding: 0 var(--space-4) var(--space-4);
+      }
+      ul {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(10rem, 1fr));
+        gap: var(--space-2);
+        margin: 0;
+        padding: 0;
+        list-style: none;
+      }
+      li button {
+        display: grid;
+        justify-items: start;
+        gap: 2px;
+        width: 100%;
+        height: 100%;
+        align-content: start;
+        padding: var(--space-2);
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        text-align: start;
+      }
+      li button:hover {
+        border-color: var(--line-strong);
+      }
+      img {
+        justify-self: stretch;
+        height: 7rem;
+        margin-block-end: var(--space-1);
+        padding: var(--space-2);
+        border-radius: var(--radius);
+        background: var(--surface-low);
+        object-fit: contain;
+      }
+      .name {
+        font-weight: 550;
+      }
+      .hint {
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+      }
+    `,
+  ];
+
+  show(): void {
+    this.#dialog?.showModal();
+  }
+
+  protected watched({ demos }: EditorState): readonly unknown[] {
+    return [demos];
+  }
+
+  get #dialog(): HTMLDialogElement | null {
+    return this.renderRoot.querySelector("dialog");
+  }
+
+  override render(): TemplateResult {
+    const { demos } = this.state;
+    const close = (): void => this.#dialog?.close();
+    const outside = (event: Event): void => {
+      if (event.target === event.currentTarget) close();
+    };
+    return html`
+      <dialog aria-labelledby="title" aria-describedby="about" @click=${outside}>
+        <header>
+          <h2 id="title">${words.title}</h2>
+          <button class="icon" aria-label=${words.close} title=${words.close} @click=${close}>${icon(X)}</button>
+        </header>
+        <div class="body">
+          <p class="quiet" id="about">${demos?.templates.length ? words.hint : words.none}</p>
+          <ul>
+            ${(demos?.templates ?? []).map((template) => this.#entry(template, demos?.page ?? ""))}
+          </ul>
+        </div>
+      </dialog>
+    `;
+  }
+
+  #entry(template: DemoTemplate, page: string): TemplateResult {
+    const { id, name, hint, picture, size } = template;
+    const choose = (): void => {
+      this.#dialog?.close();
+      void this.editor.files.openTemplate(template);
+    };
+    return html`
+      <li>
+        <button data-template=${id} @click=${choose}>
+          <img src=${new URL(picture, page).href} alt="" loading="lazy" />
+          <span class="name">${name}</span>
+          <span class="hint">${hint}</span>
+          <span class="hint">${words.size(size[0], size[1])}</span>
+        </button>
+      </li>
+    `;
+  }
+}
+customElements.define("tc-template-dialog", TemplateDialog);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "tc-template-dialog": TemplateDialog;
+  }
+}
