@@ -5,10 +5,11 @@ import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, V
 import { boundsOf, frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
 import { nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
-import { poseOf, projectorOf, tupleOf } from "./decal-pose.ts";
+import { poseOf, projectorOf } from "./decal-pose.ts";
 import { EventHub } from "./event-hub.ts";
 import { ModelAnimation } from "./model-animation.ts";
 import { loadModelScene, type ModelScene } from "./model-scene.ts";
+import { hitOf, ModelTools } from "./model-tools.ts";
 import { PaintedMaterials } from "./painted-materials.ts";
 import { nudged } from "./projector-drag.ts";
 import { pictureBox } from "./projector-outline.ts";
@@ -17,6 +18,7 @@ import { gatherRestingSurface } from "./resting-surface.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { Stage } from "./stage.ts";
 import { SurfaceQuery, type SurfaceSample } from "./surface-query.ts";
+import type { BrushRing, ToolInput } from "./tool-input.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import { ViewInput } from "./view-input.ts";
 import type { ModelViewer, ModelViewerEvents, SurfaceHit, ViewerDecal } from "./viewer-api.ts";
@@ -47,6 +49,7 @@ class ThreeModelViewer implements ModelViewer {
   readonly #stage: Stage;
   readonly #screen: ScreenSpace;
   readonly #gizmo: DecalGizmo;
+  readonly #tools: ModelTools;
   readonly #input: ViewInput;
   readonly #events = new EventHub<ModelViewerEvents>();
   #model: ShownModel | null = null;
@@ -74,6 +77,7 @@ class ThreeModelViewer implements ModelViewer {
       afterFrame: (cameraMoved) => {
         if (cameraMoved) {
           this.#gizmo.drawNow();
+          this.#tools.cameraMoved();
         }
       },
       contextRestored: () => this.#refill(),
@@ -87,8 +91,14 @@ class ThreeModelViewer implements ModelViewer {
         this.#stage.inGesture = active;
       },
     });
+    const restingQuery = () => (this.#model === null || this.#model.animation.playing ? null : this.#model.query);
+    // Before the decals' own input, which it keeps from what a tool takes.
+    this.#tools = new ModelTools(root, this.#screen, {
+      query: restingQuery,
+      rest: () => this.setAnimationPlaying(false),
+    });
     this.#input = new ViewInput(root, this.#gizmo, this.#screen, {
-      query: () => (this.#model === null || this.#model.animation.playing ? null : this.#model.query),
+      query: restingQuery,
       select: (id) => this.#events.emit("select", { id }),
       hover: (sample) => this.#events.emit("hover", { hit: sample && hitOf(sample) }),
       clickWhilePlaying: (at) => this.#stopWhereClicked(at),
@@ -118,7 +128,8 @@ class ThreeModelViewer implements ModelViewer {
     };
     this.#stage.show(scene.root, bounds);
     this.#gizmo.setSurface(this.#model.query);
-    this.#gizmo.enabled = true;
+    this.#gizmo.enabled = !this.#tools.active;
+    this.#tools.setSurface(this.#model.query);
     frameModel(this.#stage, surface.positions, false);
   }
 
@@ -182,6 +193,33 @@ class ThreeModelViewer implements ModelViewer {
     return (volume && this.#model?.query.materialsWithin(volume)) ?? [];
   }
 
+  setTool(input: ToolInput | null): void {
+    this.#tools.tool = input;
+    this.#input.suspended = input !== null;
+    this.#stage.setTwoFingersOrbit(input !== null);
+    this.#gizmo.enabled = input === null && this.#model?.animation.playing !== true;
+  }
+
+  setRing(ring: BrushRing | null): void {
+    this.#tools.showRing(ring);
+  }
+
+  surfaceNear(position: Vec3): SurfaceHit | null {
+    return this.#tools.near(position);
+  }
+
+  surfaceAtUv(material: number, uv: readonly [number, number]): SurfaceHit | null {
+    return this.#tools.atUv(material, uv);
+  }
+
+  circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[] {
+    return this.#tools.circleInTexture(hit, radius);
+  }
+
+  metresPerPixel(hit: SurfaceHit): number {
+    return this.#tools.metresPerPixel(hit);
+  }
+
   frameModel(): void {
     if (this.#model !== null) {
       frameModel(this.#stage, this.#model.positions, true);
@@ -209,7 +247,7 @@ class ThreeModelViewer implements ModelViewer {
       return;
     }
     animation.playing = playing;
-    this.#gizmo.enabled = !playing;
+    this.#gizmo.enabled = !playing && !this.#tools.active;
     this.#stage.requestFrame();
     this.#events.emit("animation", { playing });
   }
@@ -239,6 +277,7 @@ class ThreeModelViewer implements ModelViewer {
   dispose(): void {
     this.#disposed = true;
     this.#input.dispose();
+    this.#tools.dispose();
     this.#dropModel();
     this.#gizmo.dispose();
     this.#stage.dispose();
@@ -263,6 +302,7 @@ class ThreeModelViewer implements ModelViewer {
     const model = this.#model;
     if (model !== null) {
       this.#gizmo.setSurface(null);
+      this.#tools.setSurface(null);
       this.#updates.clear();
       model.animation.dispose();
       model.materials.dispose();
@@ -308,10 +348,10 @@ class ThreeModelViewer implements ModelViewer {
     }
   }
 
-  /** The arrow keys are the selected decal's, which the editor moves; without one they turn the camera. */
+  /** The arrow keys are the tool's or the selected decal's, which the editor moves; without one they turn the camera. */
   #onKey(event: KeyboardEvent): void {
     const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !event.defaultPrevented;
-    if (!plain || this.#gizmo.selectedDecal !== null) {
+    if (!plain || this.#tools.active || this.#gizmo.selectedDecal !== null) {
       return;
     }
     if (event.key === "0") {
@@ -321,18 +361,4 @@ class ThreeModelViewer implements ModelViewer {
     }
     event.preventDefault();
   }
-}
-
-function hitOf(sample: SurfaceSample): SurfaceHit {
-  return {
-    position: tupleOf(sample.position),
-    normal: tupleOf(sample.normal),
-    material: sample.material,
-    uv: [wrapUnit(sample.uv[0]), wrapUnit(sample.uv[1])],
-  };
-}
-
-function wrapUnit(value: number): number {
-  const wrapped = value - Math.floor(value);
-  return wrapped < 1 ? wrapped : 0;
 }

@@ -165,6 +165,12 @@ export class Stage {
     this.controls.mouseButtons.left = pans ? CameraControls.ACTION.TRUCK : CameraControls.ACTION.ROTATE;
   }
 
+  /** Whether two fingers orbit and zoom, since one is a tool's; else they pan and zoom, and one orbits. */
+  setTwoFingersOrbit(orbit: boolean): void {
+    const { ACTION } = CameraControls;
+    this.controls.touches.two = orbit ? ACTION.TOUCH_DOLLY_ROTATE : ACTION.TOUCH_DOLLY_TRUCK;
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = -1;

@@ -5,6 +5,7 @@ import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
 import type { ReachVolume } from "./reached-materials.ts";
 import { DOUBLE_SIDED, FACETED, type RestingSurface } from "./resting-surface.ts";
 import { shellsOf } from "./surface-shells.ts";
+import { UvLookup, type UvPlace } from "./uv-lookup.ts";
 
 /** A point of the surface with what lies there; `distance` from the question's origin, metres. */
 export interface SurfaceSample extends SurfacePoint {
@@ -32,6 +33,7 @@ export class SurfaceQuery {
   readonly #materialCount: number;
   readonly #ray = new Ray();
   readonly #triangle = new Triangle();
+  readonly #lookups = new Map<number, UvLookup>();
   readonly bounds = new Sphere();
 
   constructor(surface: RestingSurface) {
@@ -109,6 +111,44 @@ export class SurfaceQuery {
   closest(point: Vector3, within = Number.POSITIVE_INFINITY): SurfaceSample | null {
     const info = this.#bvh?.closestPointToPoint(point, {} as HitPointInfo, 0, within);
     return info ? this.#sample(info.faceIndex, info.point.clone(), info.distance) : null;
+  }
+
+  /** The surface at shares of a triangle's corners. */
+  at(triangle: number, shares: readonly [number, number, number]): SurfaceSample {
+    this.#loadTriangle(triangle);
+    const { a, b, c } = this.#triangle;
+    const position = a.clone().multiplyScalar(shares[0]).addScaledVector(b, shares[1]).addScaledVector(c, shares[2]);
+    return this.#sample(triangle, position, 0);
+  }
+
+  /** How u and v grow over a triangle's plane, per metre; zeros where the triangle has no area. */
+  uvGradients(triangle: number): { readonly u: Vector3; readonly v: Vector3 } {
+    const { uvs } = this.#surface;
+    const [a, b, c] = this.#loadTriangle(triangle);
+    const first = this.#triangle.b.clone().sub(this.#triangle.a);
+    const second = this.#triangle.c.clone().sub(this.#triangle.a);
+    const normal = first.clone().cross(second);
+    const square = normal.lengthSq() || Number.POSITIVE_INFINITY;
+    const gradient = (axis: number): Vector3 => {
+      const at = (vertex: number) => uvs[vertex * 2 + axis] as number;
+      return second
+        .clone()
+        .cross(normal)
+        .multiplyScalar(at(b) - at(a))
+        .addScaledVector(normal.clone().cross(first), at(c) - at(a))
+        .divideScalar(square);
+    };
+    return { u: gradient(0), v: gradient(1) };
+  }
+
+  /** The triangle of a material at a place in texture space; null between its charts. */
+  triangleAtUv(material: number, uv: readonly [number, number]): UvPlace | null {
+    let lookup = this.#lookups.get(material);
+    if (lookup === undefined) {
+      lookup = new UvLookup(this.#surface, material);
+      this.#lookups.set(material, lookup);
+    }
+    return lookup.at(uv[0], uv[1]);
   }
 
   /**

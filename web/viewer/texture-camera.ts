@@ -70,6 +70,11 @@ export class TextureCamera {
     };
   }
 
+  /** The texture coordinate at a point of the view, not wrapped. */
+  uvOf(x: number, y: number): [number, number] {
+    return [(x - this.x) / (this.#texture.width * this.scale), (y - this.y) / (this.#texture.height * this.scale)];
+  }
+
   #fitScale(): number {
     const width = Math.max(1, this.#view.width - 2 * FIT_MARGIN) / this.#texture.width;
     const height = Math.max(1, this.#view.height - 2 * FIT_MARGIN) / this.#texture.height;

@@ -1,15 +1,18 @@
 /** The 2D view: a material's unfolded texture, live, with UV outlines over it. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { MapView, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
+import { closedPath, crossPath, RingOverlay } from "./brush-ring.ts";
 import { type CssColor, readCssColor } from "./css-color.ts";
 import { FrameTask } from "./frame-task.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
 import { TextureCamera } from "./texture-camera.ts";
 import { type PaintedLines, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
+import type { ToolInput } from "./tool-input.ts";
+import { ToolPointer } from "./tool-pointer.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import { meanLength, uvEdges } from "./uv-edges.ts";
-import type { TextureView } from "./viewer-api.ts";
+import type { SurfaceHit, TextureView } from "./viewer-api.ts";
 import { adoptViewerStyle } from "./viewer-style.ts";
 
 export interface TextureViewOptions {
@@ -25,6 +28,8 @@ export function createTextureView(host: HTMLElement, options: TextureViewOptions
 }
 
 const MOST_PIXEL_RATIO = 2;
+/** Pixels across. */
+const LEAST_RING = 6;
 /** Opacity of inner lines against borders, where they are this many pixels long on average, or longer. */
 const MOST_INNER_STRENGTH = 0.4;
 const LINES_APART = 40;
@@ -53,6 +58,8 @@ class GlTextureView implements TextureView {
   readonly #options: TextureViewOptions;
   readonly #gl: WebGL2RenderingContext;
   readonly #camera = new TextureCamera();
+  readonly #tools: ToolPointer;
+  readonly #ringOverlay: RingOverlay;
   readonly #input: PanZoomInput;
   readonly #resize: ResizeObserver;
   readonly #drawTask = new FrameTask(() => this.#draw());
@@ -68,6 +75,8 @@ class GlTextureView implements TextureView {
   #map: { readonly picture: MapPicture; texture: PaintedTexture } | null = null;
   #outlines = true;
   #markedUv: readonly [number, number] | null = null;
+  #ring: readonly (readonly (readonly [number, number])[])[] | null = null;
+  #pick: (uv: readonly [number, number]) => SurfaceHit | null = () => null;
   #pixelRatio = 1;
   #colors: { checkerA: CssColor; checkerB: CssColor; border: CssColor } | null = null;
 
@@ -88,6 +97,13 @@ class GlTextureView implements TextureView {
     this.#gl = contextOf(this.#canvas);
     this.#pace = new GpuPace(this.#gl);
     this.#painter = new TexturePainter(this.#gl);
+    this.#ringOverlay = new RingOverlay(root);
+    // Before the panning input, which it keeps from what a tool takes.
+    this.#tools = new ToolPointer(root, {
+      kind: "texture",
+      hitAt: ({ x, y }) => this.#pick(this.#camera.uvOf(x, y)),
+      uvAt: ({ x, y }) => this.#camera.uvOf(x, y),
+    });
     this.#input = new PanZoomInput(root, this.#camera, {
       changed: () => this.#drawTask.request(),
       fit: () => this.resetZoom(),
@@ -149,6 +165,19 @@ class GlTextureView implements TextureView {
     this.#placeMarker();
   }
 
+  setTool(input: ToolInput | null, pick: (uv: readonly [number, number]) => SurfaceHit | null): void {
+    this.#pick = pick;
+    this.#tools.tool = input;
+    if (input === null) {
+      this.setRing(null);
+    }
+  }
+
+  setRing(outlines: readonly (readonly (readonly [number, number])[])[] | null): void {
+    this.#ring = outlines;
+    this.#placeRing();
+  }
+
   resetZoom(): void {
     this.#camera.fit();
     this.#drawTask.request();
@@ -159,6 +188,8 @@ class GlTextureView implements TextureView {
     this.#themeObserver.disconnect();
     this.#resize.disconnect();
     this.#input.dispose();
+    this.#tools.dispose();
+    this.#ringOverlay.dispose();
     this.#drawTask.cancel();
     this.#pace.dispose();
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
@@ -210,6 +241,7 @@ class GlTextureView implements TextureView {
       }
     }
     this.#placeMarker();
+    this.#placeRing();
   }
 
   /** Lines that lie close together on the screen would add up to a sheet over the picture. */
@@ -241,6 +273,23 @@ class GlTextureView implements TextureView {
       const { x, y } = this.#camera.pixelOf(this.#markedUv);
       this.#marker.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
+  }
+
+  #placeRing(): void {
+    const paths = this.#target === null ? [] : (this.#ring ?? []).map((outline) => this.#outlinePath(outline));
+    this.#ringOverlay.draw(paths[0] ?? "", paths[1] ?? "");
+  }
+
+  /** A ring that would be a dot is a cross. */
+  #outlinePath(outline: readonly (readonly [number, number])[]): string {
+    const points = outline.map((uv) => this.#camera.pixelOf(uv));
+    const [first, opposite] = [points[0], points[points.length >> 1]];
+    if (first === undefined || opposite === undefined) {
+      return "";
+    }
+    const across = Math.hypot(first.x - opposite.x, first.y - opposite.y);
+    const middle = { x: (first.x + opposite.x) / 2, y: (first.y + opposite.y) / 2 };
+    return across < LEAST_RING ? crossPath(middle) : closedPath(points);
   }
 
   #applySize(): void {

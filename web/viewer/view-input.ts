@@ -47,6 +47,8 @@ export class ViewInput {
   #hoverEvent: PointerEvent | null = null;
   #spaceHeld = false;
   #pointerInside = false;
+  /** A tool has the pointer: decals are neither pressed nor hovered. */
+  #suspended = false;
   /** A press that is handed to the camera after all comes by here a second time. */
   #passOn: Event | null = null;
 
@@ -66,6 +68,12 @@ export class ViewInput {
     window.addEventListener("blur", () => this.#setSpace(false), early);
   }
 
+  set suspended(value: boolean) {
+    this.#suspended = value;
+    this.#press = null;
+    this.#setCursor("");
+  }
+
   dispose(): void {
     this.#abort.abort();
     this.#hoverTask.cancel();
@@ -82,6 +90,10 @@ export class ViewInput {
     this.#press = null;
     if (event.button !== 0 || this.#spaceHeld) {
       this.#hooks.setPanning(false);
+      return;
+    }
+    if (this.#suspended) {
+      this.#hooks.setPanning(event.shiftKey);
       return;
     }
     const handle = this.#gizmo.handleAt(event.target);
@@ -147,7 +159,7 @@ export class ViewInput {
       event.stopImmediatePropagation();
       this.#dragPointer = event;
       this.#gizmo.moveTo(this.#pointerOf(event));
-    } else if (event.buttons === 0 && event.pointerType !== "touch") {
+    } else if (event.buttons === 0 && event.pointerType !== "touch" && !this.#suspended) {
       this.#hoverEvent = event;
       this.#hoverTask.request();
     }

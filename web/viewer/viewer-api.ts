@@ -8,6 +8,9 @@ import type {
   TargetUpdate,
   Vec3,
 } from "../engine/engine-api.ts";
+import type { BrushRing, ToolInput } from "./tool-input.ts";
+
+export type { BrushRing, ToolInput, ToolSample, ToolView } from "./tool-input.ts";
 
 /** A decal as the gizmo needs it. */
 export interface ViewerDecal {
@@ -83,6 +86,21 @@ export interface ModelViewer {
    * from either side); none for a flat stamp. Occlusion is not looked at, and a label counts as its bounding box.
    */
   materialsReached(projector: Projector, backfaces: boolean): readonly number[];
+  /**
+   * Hands the pointer over the model to a tool; null gives it back to the decals. With a tool, decals have no handles, two
+   * fingers orbit and zoom, and the camera keeps the background, the other buttons and the space bar.
+   */
+  setTool(input: ToolInput | null): void;
+  /** Shows a brush's preview on the surface. */
+  setRing(ring: BrushRing | null): void;
+  /** The point of the surface nearest to one in model space; null without a model. */
+  surfaceNear(position: Vec3): SurfaceHit | null;
+  /** The surface that a place of a material's texture is painted on; null between the charts. */
+  surfaceAtUv(material: number, uv: readonly [number, number]): SurfaceHit | null;
+  /** A circle about a hit (radius in metres) as it lies in the texture: its points, texture coordinates, not wrapped. */
+  circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[];
+  /** Metres that one CSS pixel spans on the surface at a hit. */
+  metresPerPixel(hit: SurfaceHit): number;
   frameModel(): void;
   frameDecal(id: string): void;
   setAnimationPlaying(playing: boolean): void;
@@ -105,6 +123,10 @@ export interface TextureView {
   setOutlinesVisible(visible: boolean): void;
   /** Marks a texture coordinate (the 3D view's hover). */
   setMarker(uv: readonly [number, number] | null): void;
+  /** Hands the pointer over the texture to a tool; null gives it back to panning. `pick` finds the surface of a place. */
+  setTool(input: ToolInput | null, pick: (uv: readonly [number, number]) => SurfaceHit | null): void;
+  /** Shows a brush's preview: outlines in texture coordinates; null shows none. */
+  setRing(outlines: readonly (readonly (readonly [number, number])[])[] | null): void;
   resetZoom(): void;
   dispose(): void;
 }

@@ -55,6 +55,10 @@ const STYLE = /* css */ `
 }
 .tcv-readout[hidden] { display: none; }
 
+.tcv-ring-casing { stroke: rgb(10 14 24 / 0.55); stroke-width: 3; }
+.tcv-ring-line { stroke: #ffffff; stroke-width: 1.25; }
+.tcv-ring-inner { stroke: rgb(255 255 255 / 0.8); stroke-width: 1; stroke-dasharray: 3 3; }
+
 .tcv-texture { cursor: grab; }
 .tcv-texture[data-panning] { cursor: grabbing; }
 .tcv-marker {

@@ -7,6 +7,8 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
+import "./tool-options.ts";
+import "./tool-rail.ts";
 
 const words = strings.stage;
 
@@ -40,6 +42,26 @@ export class Stage extends EditorElement {
       }
       .tools button:hover {
         background: var(--surface);
+      }
+      tc-tool-rail {
+        position: absolute;
+        inset-block: 50% auto;
+        inset-inline-start: var(--space-2);
+        max-height: calc(100% - 8rem);
+        translate: 0 -50%;
+      }
+      tc-tool-options {
+        position: absolute;
+        z-index: 1;
+        inset-block-start: var(--space-2);
+        inset-inline: var(--space-2) calc(var(--target) + 2 * var(--space-2));
+      }
+      @media (max-width: 720px) {
+        tc-tool-rail {
+          inset-block: auto var(--space-2);
+          inset-inline: var(--space-2);
+          translate: none;
+        }
       }
       .empty {
         position: absolute;
@@ -78,6 +100,8 @@ export class Stage extends EditorElement {
     const { viewer } = this.editor;
     const play = playing ? words.pause : words.play;
     return html`
+      <tc-tool-options .editor=${this.editor}></tc-tool-options>
+      <tc-tool-rail .editor=${this.editor}></tc-tool-rail>
       <div class="tools">
         <button class="icon" aria-label=${words.frame} title=${words.frame} @click=${() => viewer.frameModel()}>${icon(Maximize)}</button>
         ${

@@ -2,6 +2,8 @@
 import type { MapView, ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
 import { type Design, emptyDesign } from "../document/index.ts";
 import type { DemoCatalogue } from "../files/demo-catalogue.ts";
+import type { ToolId } from "../tools/tool.ts";
+import { INITIAL_TOOL_SETTINGS, type ToolSettings } from "../tools/tool-settings.ts";
 import { DEFAULT_BUDGET } from "./history.ts";
 import type { Notice } from "./notices.ts";
 
@@ -90,6 +92,8 @@ export interface EditorState {
   readonly textureMode: TextureMode;
   readonly outlines: boolean;
   readonly playing: boolean;
+  readonly tool: ToolId;
+  readonly toolSettings: ToolSettings;
 }
 
 export const INITIAL_STATE: EditorState = {
@@ -116,6 +120,8 @@ export const INITIAL_STATE: EditorState = {
   textureMode: "texture",
   outlines: true,
   playing: false,
+  tool: "move",
+  toolSettings: INITIAL_TOOL_SETTINGS,
 };
 
 /** Figures of the newest update: they change every frame of a drag and therefore live in a store of their own. */

@@ -7,6 +7,8 @@ import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-a
 import { type DesignLayer, materialsIn } from "../document/index.ts";
 import { loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import { strings } from "../strings.ts";
+import { moveTool } from "../tools/move-tool.ts";
+import { Toolbox } from "../tools/toolbox.ts";
 import { AssetLibrary } from "./asset-library.ts";
 import { DecalCommands } from "./decal-commands.ts";
 import { layerById } from "./design-edits.ts";
@@ -46,6 +48,7 @@ export class Editor {
   readonly decals: DecalCommands;
   readonly files: FileCommands;
   readonly session: DesignSession;
+  readonly tools: Toolbox;
   readonly #models: ModelSession;
   readonly #router: UpdateRouter;
   #modeRequest = 0;
@@ -64,6 +67,8 @@ export class Editor {
     const { session, decals, library } = this;
     this.files = new FileCommands({ engine, store, session, models: this.#models, decals, library, board, tasks });
     session.setHistoryBudget(readHistoryBudget());
+    this.tools = new Toolbox({ viewer, textureView, store, board });
+    this.tools.register(moveTool);
     this.#connect();
   }
 

@@ -13,7 +13,7 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
     const ofTheText = focus === "text" && !["s", "o"].includes(event.key.toLowerCase());
     return !ofTheText && handleCommand(event, editor, actions);
   }
-  return focus === "page" && handlePlain(event, editor);
+  return focus === "page" && (editor.tools.handleKey(event) || handlePlain(event, editor));
 }
 
 function handleCommand(event: KeyboardEvent, { files, decals }: Editor, actions: ShortcutActions): boolean {

@@ -17,7 +17,11 @@ export interface PackedProject {
   readonly name: string;
   readonly design: string;
   readonly model: StoredModel;
-  readonly targets: readonly { readonly material: number; readonly size: number | null; readonly gutter: number | null }[];
+  readonly targets: readonly {
+    readonly material: number;
+    readonly size: number | null;
+    readonly gutter: number | null;
+  }[];
   readonly layers: number;
   /** By name. Bytes are made when asked for: most are stored already. */
   readonly blobs: ReadonlyMap<string, { readonly size: number; readonly bytes: () => Uint8Array }>;

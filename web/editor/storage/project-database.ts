@@ -21,7 +21,11 @@ export interface RevisionRow {
   /** JSON text whose pictures are named `sha256/HEX`. */
   readonly design: string;
   readonly model: StoredModel;
-  readonly targets: readonly { readonly material: number; readonly size: number | null; readonly gutter: number | null }[];
+  readonly targets: readonly {
+    readonly material: number;
+    readonly size: number | null;
+    readonly gutter: number | null;
+  }[];
   /** Names of everything of `blobs` that it needs. */
   readonly blobs: readonly string[];
 }

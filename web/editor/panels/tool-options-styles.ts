@@ -1,0 +1,81 @@
+/** Looks of the options bar. */
+import { css } from "lit";
+
+export const toolOptionsStyles = css`
+  :host {
+    display: block;
+    min-width: 0;
+    pointer-events: none;
+  }
+  .bar {
+    pointer-events: auto;
+    position: relative;
+    display: flex;
+    align-items: center;
+    gap: var(--space-1);
+    width: fit-content;
+    max-width: 100%;
+    padding: 3px;
+    border: 1px solid var(--line);
+    border-radius: var(--radius-large);
+    background: var(--surface);
+    box-shadow: 0 1px 3px rgb(20 24 32 / 8%);
+  }
+  .often {
+    display: flex;
+    align-items: center;
+    gap: var(--space-1);
+    min-width: 0;
+    overflow-x: auto;
+    scrollbar-width: none;
+  }
+  .often > * {
+    flex: none;
+  }
+  .often tc-number {
+    width: 7.1rem;
+  }
+  .often .check {
+    padding-inline: var(--space-2);
+  }
+  .tip {
+    width: 6.5rem;
+  }
+  .colors {
+    display: inline-flex;
+    align-items: center;
+  }
+  .colors input[type="color"] {
+    width: 2.5rem;
+    border: 0;
+    cursor: pointer;
+  }
+  .second {
+    position: relative;
+  }
+  .second::after {
+    content: "";
+    position: absolute;
+    inset-block-end: 4px;
+    inset-inline: 7px;
+    height: 3px;
+    border-radius: 2px;
+    background: var(--second);
+    box-shadow: 0 0 0 1px var(--line);
+  }
+  .more {
+    position: absolute;
+    z-index: 5;
+    inset-block-start: calc(100% + var(--space-1));
+    inset-inline-end: 0;
+    display: grid;
+    gap: var(--space-2);
+    width: 17rem;
+    max-width: calc(100vw - 2rem);
+    padding: var(--space-3);
+    border: 1px solid var(--line);
+    border-radius: var(--radius-large);
+    background: var(--surface-high);
+    box-shadow: var(--shadow);
+  }
+`;

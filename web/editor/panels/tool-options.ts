@@ -1,0 +1,237 @@
+/** What the chosen tool paints with: a quiet bar over the model. Only what the tool reads is there. */
+import { html, nothing, type TemplateResult } from "lit";
+import { ArrowLeftRight, SlidersHorizontal } from "lucide";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { stepFor, unitFor } from "../tools/length-unit.ts";
+import type { Tool, ToolOption } from "../tools/tool.ts";
+import { LEAST_SIZE, MOST_PIXEL_SIZE, MOST_SIZE, type ToolSettings } from "../tools/tool-settings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { controls } from "../ui/theme.ts";
+import { checkField, choiceField } from "./property-fields.ts";
+import { propertyStyles } from "./property-styles.ts";
+import { toolOptionsStyles } from "./tool-options-styles.ts";
+
+const words = strings.tools;
+
+/** Options that stand behind the button "More": set once and left alone. */
+const SELDOM: readonly ToolOption[] = ["spacing", "stabiliser", "pressure"];
+
+export class ToolOptions extends EditorElement {
+  static override properties = { open: { state: true } };
+  declare open: boolean;
+
+  static override styles = [controls, propertyStyles, toolOptionsStyles];
+
+  constructor() {
+    super();
+    this.open = false;
+  }
+
+  protected watched({ tool, toolSettings, model, design }: EditorState): readonly unknown[] {
+    return [tool, toolSettings, model, design.assets];
+  }
+
+  override render(): TemplateResult | typeof nothing {
+    const tool = this.editor.tools.active;
+    if (!tool || (tool.options.length === 0 && !tool.renderOptions)) return nothing;
+    const seldom = tool.options.filter((option) => SELDOM.includes(option));
+    return html`
+      <div class="bar" role="toolbar" aria-label=${words.options}>
+        <div class="often">
+          ${tool.options.map((option) => (SELDOM.includes(option) ? nothing : this.#field(option, tool)))}
+          ${tool.renderOptions?.() ?? nothing}
+        </div>
+        ${
+          seldom.length > 0
+            ? html`<button
+                  class="icon"
+                  id="more-options"
+                  aria-label=${words.more}
+                  title=${words.more}
+                  aria-expanded=${this.open}
+                  aria-pressed=${this.open}
+                  @click=${() => {
+                    this.open = !this.open;
+                  }}
+                >
+                  ${icon(SlidersHorizontal)}
+                </button>
+                ${this.open ? html`<div class="more" @keydown=${this.#closeByKey}>${seldom.map((option) => this.#field(option, tool))}</div>` : nothing}`
+            : nothing
+        }
+      </div>
+    `;
+  }
+
+  #field(option: ToolOption, tool: Tool): TemplateResult | typeof nothing {
+    const settings = this.state.toolSettings;
+    switch (option) {
+      case "color":
+        return this.#colors(settings);
+      case "tip":
+        return tool.id === "eraser" ? nothing : this.#tip(settings);
+      case "size":
+        return this.#size(settings);
+      case "pixelSize":
+        return this.#number("pixelSize", words.pixelSize, settings.pixelSize, {
+          unit: words.texelUnit,
+          step: 1,
+          min: 1,
+          max: MOST_PIXEL_SIZE,
+          set: (value) => ({ pixelSize: Math.round(value) }),
+        });
+      case "hardness":
+        return settings.tip === null || tool.id === "eraser"
+          ? this.#percent("hardness", words.hardness, settings.hardness)
+          : nothing;
+      case "flow":
+        return this.#percent("flow", words.flow, settings.flow, 1);
+      case "opacity":
+        return this.#percent("opacity", words.opacity, settings.opacity, 1);
+      case "spacing":
+        return this.#number("spacing", words.spacing, settings.spacing * 100, {
+          unit: "%",
+          step: 1,
+          min: 2,
+          max: 300,
+          set: (value) => ({ spacing: value / 100 }),
+        });
+      case "stabiliser":
+        return this.#number("stabiliser", words.stabiliser, settings.stabiliser, {
+          hint: words.stabiliserHint,
+          step: 1,
+          min: 0,
+          max: 100,
+          set: (value) => ({ stabiliser: value }),
+        });
+      case "pressure":
+        return choiceField("pressure", words.pressure, words.pressures, settings.pressure, (pressure) =>
+          this.#set({ pressure }),
+        );
+      case "tolerance":
+        return this.#number("tolerance", words.tolerance, settings.tolerance, {
+          hint: words.toleranceHint,
+          step: 1,
+          min: 0,
+          max: 255,
+          set: (value) => ({ tolerance: Math.round(value) }),
+        });
+      case "contiguous":
+      case "filled":
+      case "alphaLock":
+        return checkField(`tool-${option}`, words[option], settings[option], (on) => this.#set({ [option]: on }));
+    }
+  }
+
+  #colors({ color, background, recent }: ToolSettings): TemplateResult {
+    const pick = (event: Event): void => this.editor.tools.useColor((event.target as HTMLInputElement).value);
+    return html`
+      <span class="colors">
+        <input
+          type="color"
+          id="tool-color"
+          aria-label=${words.color}
+          title=${words.color}
+          .value=${color}
+          @input=${(event: Event) => this.#set({ color: (event.target as HTMLInputElement).value })}
+          @change=${pick}
+          list="recent-colors"
+        />
+        <datalist id="recent-colors">${recent.map((value) => html`<option value=${value}></option>`)}</datalist>
+        <button
+          class="icon second"
+          id="swap-colors"
+          style=${`--second:${background}`}
+          aria-label=${words.swapColors}
+          title=${words.swapColors}
+          @click=${() => this.editor.tools.swapColors()}
+        >
+          ${icon(ArrowLeftRight)}
+        </button>
+      </span>
+    `;
+  }
+
+  #tip({ tip, tinted }: ToolSettings): TemplateResult {
+    const { assets } = this.state.design;
+    const keys = Object.keys(assets).filter((key) => assets[key]?.type.startsWith("image/"));
+    const choose = (event: Event): void => this.#set({ tip: (event.target as HTMLSelectElement).value || null });
+    return html`
+      <select id="tool-tip" class="tip" aria-label=${words.tip} title=${words.tip} @change=${choose}>
+        <option value="" ?selected=${tip === null}>${words.roundTip}</option>
+        ${keys.map((key) => html`<option value=${key} ?selected=${key === tip}>${key}</option>`)}
+      </select>
+      ${tip !== null ? checkField("tool-tinted", words.tinted, tinted, (on) => this.#set({ tinted: on })) : nothing}
+    `;
+  }
+
+  #size({ size }: ToolSettings): TemplateResult | typeof nothing {
+    const { model } = this.state;
+    if (size === null || !model) return nothing;
+    const { boundsMin: low, boundsMax: high } = model.info;
+    const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
+    const { symbol, perMetre } = unitFor(diagonal);
+    return this.#number("size", words.size, size * perMetre, {
+      unit: symbol,
+      step: stepFor(size * perMetre),
+      min: diagonal * LEAST_SIZE * perMetre,
+      max: diagonal * MOST_SIZE * perMetre,
+      set: (value) => ({ size: value / perMetre }),
+    });
+  }
+
+  #percent(field: "hardness" | "flow" | "opacity", label: string, value: number, min = 0): TemplateResult {
+    return this.#number(field, label, value * 100, {
+      unit: "%",
+      step: 1,
+      min,
+      max: 100,
+      set: (percent) => ({ [field]: percent / 100 }),
+    });
+  }
+
+  #number(
+    field: string,
+    label: string,
+    value: number,
+    more: {
+      readonly unit?: string;
+      readonly hint?: string;
+      readonly step: number;
+      readonly min: number;
+      readonly max: number;
+      readonly set: (value: number) => Partial<ToolSettings>;
+    },
+  ): TemplateResult {
+    const change = (event: CustomEvent<NumberFieldEvent>): void => this.#set(more.set(event.detail.value));
+    return html`<tc-number
+      data-field=${`tool-${field}`}
+      .label=${label}
+      .name=${label}
+      .hint=${more.hint ?? ""}
+      .unit=${more.unit ?? ""}
+      .value=${value}
+      .step=${more.step}
+      .min=${more.min}
+      .max=${more.max}
+      @field-preview=${change}
+      @field-change=${change}
+      @field-cancel=${change}
+    ></tc-number>`;
+  }
+
+  #set(settings: Partial<ToolSettings>): void {
+    this.editor.tools.configure(settings);
+  }
+
+  #closeByKey(event: KeyboardEvent): void {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    this.open = false;
+    this.renderRoot.querySelector<HTMLElement>("#more-options")?.focus();
+  }
+}
+customElements.define("tc-tool-options", ToolOptions);

@@ -1,0 +1,103 @@
+/** The tools, one of which is chosen: a slim column beside the model, a row below it on a phone. */
+import { css, html, type TemplateResult } from "lit";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import type { Tool } from "../tools/tool.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.tools;
+const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 };
+
+export class ToolRail extends EditorElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: block;
+        pointer-events: none;
+      }
+      [role="radiogroup"] {
+        pointer-events: auto;
+        display: flex;
+        flex-direction: column;
+        gap: 2px;
+        max-height: 100%;
+        padding: 3px;
+        overflow: auto;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface);
+        box-shadow: 0 1px 3px rgb(20 24 32 / 8%);
+        scrollbar-width: none;
+      }
+      button {
+        flex: none;
+        min-width: max(32px, var(--target));
+        min-height: max(32px, var(--target));
+      }
+      button[aria-checked="true"] {
+        background: var(--accent);
+        color: var(--accent-text);
+      }
+      button.icon[aria-checked="true"]:hover {
+        background: color-mix(in oklab, var(--accent), black 8%);
+        color: var(--accent-text);
+      }
+      @media (max-width: 720px) {
+        [role="radiogroup"] {
+          flex-direction: row;
+          width: fit-content;
+          max-width: 100%;
+          margin-inline: auto;
+        }
+      }
+    `,
+  ];
+
+  protected watched(state: EditorState): readonly unknown[] {
+    const { tool, model, targets, design, selectedId } = state;
+    return [tool, model === null, targets, design.layers.length, selectedId];
+  }
+
+  override render(): TemplateResult {
+    const { tools } = this.editor;
+    const { tool } = this.state;
+    return html`
+      <div role="radiogroup" aria-label=${words.label} aria-orientation="vertical" @keydown=${this.#key}>
+        ${tools.offered.map(
+          ({ id, label, icon: drawing, shortcut }) => html`<button
+            class="icon"
+            role="radio"
+            id=${`tool-${id}`}
+            data-tool=${id}
+            aria-checked=${id === tool}
+            aria-label=${label}
+            aria-keyshortcuts=${shortcut}
+            tabindex=${id === tool ? 0 : -1}
+            title=${words.withKey(label, shortcut)}
+            @click=${() => tools.choose(id)}
+          >
+            ${icon(drawing)}
+          </button>`,
+        )}
+      </div>
+    `;
+  }
+
+  #key(event: KeyboardEvent): void {
+    const step = STEPS[event.key];
+    if (step === undefined || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const { tools } = this.editor;
+    const { offered } = tools;
+    const at = offered.findIndex(({ id }) => id === this.state.tool);
+    const next: Tool | undefined = offered[(at + step + offered.length) % offered.length];
+    if (!next) return;
+    tools.choose(next.id);
+    this.renderRoot.querySelector<HTMLElement>(`#tool-${next.id}`)?.focus();
+  }
+}
+customElements.define("tc-tool-rail", ToolRail);

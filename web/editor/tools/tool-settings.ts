@@ -1,0 +1,71 @@
+/** What the options bar sets: one value for all tools, so that brush and eraser keep their size when one goes from one to the other. */
+
+export interface ToolSettings {
+  /** "#rrggbb". */
+  readonly color: string;
+  /** What X swaps with. */
+  readonly background: string;
+  /** Newest first, "#rrggbb". */
+  readonly recent: readonly string[];
+  /** Width of a round brush, metres of the model; null until a model is open. */
+  readonly size: number | null;
+  /** Width of a pencil, texels. */
+  readonly pixelSize: number;
+  /** 0 to 1. */
+  readonly hardness: number;
+  /** 0 to 1. */
+  readonly flow: number;
+  /** 0 to 1, of a whole stroke. */
+  readonly opacity: number;
+  /** From dab to dab, as a share of the size. */
+  readonly spacing: number;
+  /** 0 to 100. */
+  readonly stabiliser: number;
+  /** What a pen's pressure changes. */
+  readonly pressure: "none" | "flow" | "size";
+  /** Key in the design's assets of a picture to stamp; null paints a disc. */
+  readonly tip: string | null;
+  /** A picture tip is painted in the colour, else in its own. */
+  readonly tinted: boolean;
+  /** How far a colour may be from the one that was clicked and still be filled: 0 to 255 in each channel. */
+  readonly tolerance: number;
+  /** Fills only what hangs together. */
+  readonly contiguous: boolean;
+  /** Rectangles are filled. */
+  readonly filled: boolean;
+  /** Paints only where the layer has paint. */
+  readonly alphaLock: boolean;
+}
+
+export const DEFAULT_COLORS = { color: "#1f2329", background: "#ffffff" } as const;
+
+export const INITIAL_TOOL_SETTINGS: ToolSettings = {
+  ...DEFAULT_COLORS,
+  recent: [],
+  size: null,
+  pixelSize: 1,
+  hardness: 0.8,
+  flow: 1,
+  opacity: 1,
+  spacing: 0.12,
+  stabiliser: 20,
+  pressure: "flow",
+  tip: null,
+  tinted: false,
+  tolerance: 0,
+  contiguous: true,
+  filled: false,
+  alphaLock: false,
+};
+
+/** Of the model's diagonal. */
+export const USUAL_SIZE = 0.05;
+export const LEAST_SIZE = 0.0005;
+export const MOST_SIZE = 0.5;
+export const MOST_PIXEL_SIZE = 16;
+const RECENT_KEPT = 12;
+
+/** Puts a colour first among the recent ones. */
+export function withRecent(recent: readonly string[], color: string): readonly string[] {
+  return recent[0] === color ? recent : [color, ...recent.filter((other) => other !== color)].slice(0, RECENT_KEPT);
+}

@@ -1,0 +1,63 @@
+/** What a tool is: how it is chosen, which settings it reads, and what it does with a view's pointer. */
+import type { TemplateResult } from "lit";
+import type { IconNode } from "lucide";
+import type { ToolInput } from "../../viewer/viewer-api.ts";
+
+export const TOOL_IDS = [
+  "move",
+  "brush",
+  "eraser",
+  "pencil",
+  "bucket",
+  "line",
+  "rectangle",
+  "picker",
+  "text",
+  "fill",
+  "gradient",
+  "clone",
+] as const;
+export type ToolId = (typeof TOOL_IDS)[number];
+
+/** Fields of the options bar, in its order. */
+export const TOOL_OPTIONS = [
+  "color",
+  "tip",
+  "size",
+  "pixelSize",
+  "hardness",
+  "flow",
+  "opacity",
+  "spacing",
+  "stabiliser",
+  "pressure",
+  "tolerance",
+  "contiguous",
+  "filled",
+  "alphaLock",
+] as const;
+export type ToolOption = (typeof TOOL_OPTIONS)[number];
+
+export interface Tool {
+  readonly id: ToolId;
+  /** What it is called in the rail and by screen readers. */
+  readonly label: string;
+  readonly icon: IconNode;
+  /** A letter that chooses it, upper case, or "". */
+  readonly shortcut: string;
+  /** What of the options bar it reads. */
+  readonly options: readonly ToolOption[];
+  /** Both views' pointer while it is chosen; null leaves it to the decals and to panning. */
+  readonly input: ToolInput | null;
+  /** Whether the rail offers it now; default always. Read when the state changes. */
+  readonly offered?: () => boolean;
+  /** Fields of its own in the options bar, after the common ones. */
+  readonly renderOptions?: () => TemplateResult;
+  readonly activate?: () => void;
+  /** Another tool was chosen; what is under way must end. */
+  readonly deactivate?: () => void;
+  /**
+   * A key pressed while it is chosen and the focus is on the page or on a view, before the page's own meaning. True took it.
+   */
+  readonly key?: (event: KeyboardEvent, view: "model" | "texture" | null) => boolean;
+}

@@ -1,0 +1,122 @@
+/** The tools and which of them is chosen. Tools register themselves here; the rail and the options bar read it. */
+import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import type { NoticeBoard } from "../state/notice-board.ts";
+import type { Store } from "../state/store.ts";
+import { strings } from "../strings.ts";
+import { TOOL_IDS, type Tool, type ToolId } from "./tool.ts";
+import { DEFAULT_COLORS, type ToolSettings, USUAL_SIZE, withRecent } from "./tool-settings.ts";
+
+export interface ToolboxParts {
+  readonly viewer: ModelViewer;
+  readonly textureView: TextureView;
+  readonly store: Store<EditorState>;
+  readonly board: NoticeBoard;
+}
+
+export class Toolbox {
+  readonly #parts: ToolboxParts;
+  readonly #tools = new Map<ToolId, Tool>();
+
+  constructor(parts: ToolboxParts) {
+    this.#parts = parts;
+    let { model } = parts.store.state;
+    parts.store.subscribe(() => {
+      const now = parts.store.state;
+      if (now.model === model) return;
+      model = now.model;
+      this.#measure();
+    });
+  }
+
+  /** In the rail's order. */
+  get all(): readonly Tool[] {
+    return TOOL_IDS.flatMap((id) => this.#tools.get(id) ?? []);
+  }
+
+  /** Those that the rail offers now. */
+  get offered(): readonly Tool[] {
+    return this.all.filter((tool) => tool.offered?.() ?? true);
+  }
+
+  /** Undefined before the first one was registered. */
+  get active(): Tool | undefined {
+    return this.#tools.get(this.#parts.store.state.tool);
+  }
+
+  get settings(): ToolSettings {
+    return this.#parts.store.state.toolSettings;
+  }
+
+  /** Adds a tool, or takes the place of one of the same id. */
+  register(...tools: readonly Tool[]): void {
+    for (const tool of tools) this.#tools.set(tool.id, tool);
+  }
+
+  /** An unknown id changes nothing. */
+  choose(id: ToolId): void {
+    const { store, viewer, board } = this.#parts;
+    const tool = this.#tools.get(id);
+    if (!tool || id === store.state.tool) return;
+    this.active?.deactivate?.();
+    store.set({ tool: id });
+    viewer.setTool(tool.input);
+    this.#showInTexture(tool);
+    tool.activate?.();
+    board.announce(strings.tools.chosen(tool.label));
+  }
+
+  configure(settings: Partial<ToolSettings>): void {
+    this.#parts.store.set({ toolSettings: { ...this.settings, ...settings } });
+  }
+
+  /** Makes a colour the one that is painted with, and remembers it. */
+  useColor(color: string): void {
+    this.configure({ color, recent: withRecent(this.settings.recent, color) });
+  }
+
+  swapColors(): void {
+    const { color, background } = this.settings;
+    this.configure({ color: background, background: color });
+  }
+
+  resetColors(): void {
+    this.configure(DEFAULT_COLORS);
+  }
+
+  /** Keys that choose tools and colours, and those of the chosen tool. True when the key was one. */
+  handleKey(event: KeyboardEvent): boolean {
+    if (this.active?.key?.(event, this.#viewOf(event))) return true;
+    if (event.altKey || event.shiftKey) return false;
+    const key = event.key.toUpperCase();
+    const tool = this.offered.find(({ shortcut }) => shortcut === key);
+    if (tool) this.choose(tool.id);
+    else if (key === "X") this.swapColors();
+    else if (key === "D") this.resetColors();
+    else return false;
+    return true;
+  }
+
+  #viewOf(event: KeyboardEvent): "model" | "texture" | null {
+    const path = event.composedPath();
+    if (path.includes(this.#parts.viewer.element)) return "model";
+    return path.includes(this.#parts.textureView.element) ? "texture" : null;
+  }
+
+  #showInTexture(tool: Tool): void {
+    const { viewer, textureView, store } = this.#parts;
+    textureView.setTool(tool.input, (uv) => {
+      const { material } = store.state;
+      return material === null ? null : viewer.surfaceAtUv(material, uv);
+    });
+  }
+
+  /** A size in metres means nothing on a model of another scale. */
+  #measure(): void {
+    const { model } = this.#parts.store.state;
+    if (!model) return;
+    const { boundsMin: low, boundsMax: high } = model.info;
+    const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
+    this.configure({ size: diagonal * USUAL_SIZE });
+  }
+}

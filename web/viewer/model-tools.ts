@@ -1,0 +1,119 @@
+/** The editor's tools in the 3D view: their pointer, their ring, and the places of the surface that they ask for. */
+import { Vector3 } from "three";
+import type { Vec3 } from "../engine/engine-api.ts";
+import { SurfaceRing } from "./brush-ring.ts";
+import { tangentPart, tupleOf } from "./decal-pose.ts";
+import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
+import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
+import type { BrushRing, ToolInput } from "./tool-input.ts";
+import { ToolPointer } from "./tool-pointer.ts";
+import type { SurfaceHit } from "./viewer-api.ts";
+
+/** Points of a circle as it is shown in the texture. */
+const CIRCLE_POINTS = 40;
+
+export interface ModelToolsHooks {
+  /** Null while there is nothing to paint on, or an animation hides the resting model. */
+  query(): SurfaceQuery | null;
+  /** A press while an animation plays: it comes to rest. */
+  rest(): void;
+}
+
+export class ModelTools {
+  readonly #pointer: ToolPointer;
+  readonly #ring: SurfaceRing;
+  readonly #screen: ScreenSpace;
+  readonly #hooks: ModelToolsHooks;
+
+  constructor(root: HTMLElement, screen: ScreenSpace, hooks: ModelToolsHooks) {
+    this.#screen = screen;
+    this.#hooks = hooks;
+    this.#ring = new SurfaceRing(root, screen);
+    this.#pointer = new ToolPointer(root, {
+      kind: "model",
+      hitAt: (at) => this.#hitAt(at),
+      uvAt: (at) => this.#hitAt(at)?.uv ?? null,
+    });
+  }
+
+  get active(): boolean {
+    return this.#pointer.tool !== null;
+  }
+
+  set tool(input: ToolInput | null) {
+    this.#pointer.tool = input;
+    if (input === null) this.#ring.show(null);
+    else this.#hooks.rest();
+  }
+
+  setSurface(query: SurfaceQuery | null): void {
+    this.#ring.setSurface(query);
+  }
+
+  showRing(ring: BrushRing | null): void {
+    this.#ring.show(ring);
+  }
+
+  cameraMoved(): void {
+    this.#ring.drawNow();
+  }
+
+  near(position: Vec3): SurfaceHit | null {
+    const sample = this.#hooks.query()?.closest(new Vector3(...position)) ?? null;
+    return sample && hitOf(sample);
+  }
+
+  atUv(material: number, uv: readonly [number, number]): SurfaceHit | null {
+    const query = this.#hooks.query();
+    const place = query?.triangleAtUv(material, uv) ?? null;
+    return query && place && hitOf(query.at(place.triangle, place.shares));
+  }
+
+  /** The circle of the tangent plane, carried into the texture by the triangle's own affine map. */
+  circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[] {
+    const query = this.#hooks.query();
+    const place = query?.triangleAtUv(hit.material, hit.uv) ?? null;
+    if (query === null || place === null) return [];
+    const { u, v } = query.uvGradients(place.triangle);
+    const normal = new Vector3(...hit.normal);
+    const x = tangentPart(Math.abs(normal.y) < 0.9 ? new Vector3(0, 1, 0) : new Vector3(1, 0, 0), normal).normalize();
+    const y = normal.clone().cross(x);
+    return Array.from({ length: CIRCLE_POINTS }, (_, step) => {
+      const angle = (2 * Math.PI * step) / CIRCLE_POINTS;
+      const away = x
+        .clone()
+        .multiplyScalar(Math.cos(angle) * radius)
+        .addScaledVector(y, Math.sin(angle) * radius);
+      return [hit.uv[0] + u.dot(away), hit.uv[1] + v.dot(away)] as const;
+    });
+  }
+
+  metresPerPixel(hit: SurfaceHit): number {
+    return this.#screen.metresPerPixel(new Vector3(...hit.position));
+  }
+
+  dispose(): void {
+    this.#pointer.dispose();
+    this.#ring.dispose();
+  }
+
+  #hitAt(at: ScreenPoint): SurfaceHit | null {
+    const ray = this.#screen.rayThrough(at);
+    const sample = this.#hooks.query()?.raycast(ray.origin, ray.direction) ?? null;
+    return sample && hitOf(sample);
+  }
+}
+
+export function hitOf(sample: SurfaceSample): SurfaceHit {
+  return {
+    position: tupleOf(sample.position),
+    normal: tupleOf(sample.normal),
+    material: sample.material,
+    uv: [wrapUnit(sample.uv[0]), wrapUnit(sample.uv[1])],
+  };
+}
+
+function wrapUnit(value: number): number {
+  const wrapped = value - Math.floor(value);
+  return wrapped < 1 ? wrapped : 0;
+}

@@ -1,0 +1,54 @@
+/** What a tool of the editor above gets from either view, and what it may show there. */
+import type { ScreenPoint } from "./screen-space.ts";
+import type { SurfaceHit } from "./viewer-api.ts";
+
+/** One place of the pointer. Fast pens report several in a frame; all of them come, oldest first. */
+export interface ToolSample {
+  readonly view: ToolView;
+  /** CSS pixels from the view's top left corner. */
+  readonly at: ScreenPoint;
+  /** What lies there; null beside the model, and in the flat view between the charts. */
+  readonly hit: SurfaceHit | null;
+  /** 0 to 1; 1 for what has no pressure (mouse, finger). */
+  readonly pressure: number;
+  readonly shift: boolean;
+  readonly alt: boolean;
+  readonly ctrl: boolean;
+  /** Milliseconds, on the events' clock. */
+  readonly time: number;
+}
+
+/** A view as a tool asks it about places between its samples. */
+export interface ToolView {
+  readonly kind: "model" | "texture";
+  hitAt(at: ScreenPoint): SurfaceHit | null;
+  /** Texture coordinates in the flat view, not wrapped, charts or not; in the 3D view those of the hit. */
+  uvAt(at: ScreenPoint): readonly [number, number] | null;
+}
+
+/** What a view does with its pointer while a tool other than the decals' own is chosen. */
+export interface ToolInput {
+  /** A CSS cursor for the view. */
+  readonly cursor: string;
+  /** True takes the pointer until it is released; false leaves it to the camera. */
+  down(sample: ToolSample): boolean;
+  /** The pointer that was taken moved. */
+  move(samples: readonly ToolSample[]): void;
+  up(sample: ToolSample): void;
+  /**
+   * The gesture ended by no will of the user's ("lost": the system took the pointer; "pinch": a second finger came and the
+   * camera has both now).
+   */
+  interrupted(reason: "lost" | "pinch"): void;
+  /** At most once a frame while no button is down; null when the pointer has left the view. */
+  hover(sample: ToolSample | null): void;
+}
+
+/** A brush's preview lying on the surface. */
+export interface BrushRing {
+  readonly hit: SurfaceHit;
+  /** Metres. */
+  readonly radius: number;
+  /** Of the radius: where the brush begins to fade; 1 draws one ring. */
+  readonly inner: number;
+}
