@@ -21,6 +21,8 @@ export interface TestHandle {
   readonly ready: Promise<void>;
   /** Resolves when no work is under way and the views show the newest design. */
   idle(): Promise<void>;
+  /** Resolves once the newest recorded step is kept in the browser, or was refused by it. */
+  kept(): Promise<void>;
   /** Texels of the shown material's target: RGBA, straight alpha, row 0 at the top. */
   readTexels(x: number, y: number, width: number, height: number): Promise<Uint8Array>;
   /** FNV-1a, 64 bits, 16 hex digits; the whole target without a region. */
@@ -50,6 +52,7 @@ export function makeTestHandle(editor: Editor, ready: Promise<void>): TestHandle
     ready,
     engine: editor.engine,
     idle: () => editor.idle(),
+    kept: () => editor.autosave.flush(),
     readTexels: async (x, y, width, height) => editor.engine.readTexels(material(), x, y, width, height),
     hash: async (region) => editor.engine.hash(material(), region),
     design: () => editor.session.design,

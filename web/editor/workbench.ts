@@ -251,7 +251,11 @@ export class Workbench extends EditorElement {
   };
 
   readonly #leave = (event: BeforeUnloadEvent): void => {
-    if (this.editor.store.state.unsaved) event.preventDefault();
+    const { autosave, store } = this.editor;
+    // In the browser's database or in a file: either is enough.
+    if (!autosave.pending || !store.state.unsaved) return;
+    void autosave.flush();
+    event.preventDefault();
   };
 }
 customElements.define("tc-workbench", Workbench);

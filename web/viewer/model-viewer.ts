@@ -256,6 +256,10 @@ class ThreeModelViewer implements ModelViewer {
     return this.#model?.animation.exists ?? false;
   }
 
+  picture(width: number, height: number): string | null {
+    return this.#model === null ? null : this.#stage.picture(width, height);
+  }
+
   clientPosition(position: Vec3): { x: number; y: number } | null {
     const point = this.#model && this.#screen.project(new Vector3(...position));
     const box = this.element.getBoundingClientRect();

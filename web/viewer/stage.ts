@@ -171,6 +171,25 @@ export class Stage {
     this.controls.touches.two = orbit ? ACTION.TOUCH_DOLLY_ROTATE : ACTION.TOUCH_DOLLY_TRUCK;
   }
 
+  /** The middle of the view in this size, pixels, as a `data:` URI; null while the context is lost. */
+  picture(width: number, height: number): string | null {
+    const { canvas } = this;
+    const small = document.createElement("canvas");
+    small.width = width;
+    small.height = height;
+    const context = small.getContext("2d");
+    if (this.#lost || context === null) {
+      return null;
+    }
+    // What was drawn before is gone from the canvas; what is drawn now is there until this turn ends.
+    this.renderer.render(this.scene, this.camera);
+    const scale = Math.max(width / canvas.width, height / canvas.height);
+    const [drawnWidth, drawnHeight] = [canvas.width * scale, canvas.height * scale];
+    context.imageSmoothingQuality = "high";
+    context.drawImage(canvas, (width - drawnWidth) / 2, (height - drawnHeight) / 2, drawnWidth, drawnHeight);
+    return small.toDataURL("image/webp", 0.85);
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = -1;

@@ -105,6 +105,8 @@ export interface ModelViewer {
   frameDecal(id: string): void;
   setAnimationPlaying(playing: boolean): void;
   readonly hasAnimation: boolean;
+  /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
+  picture(width: number, height: number): string | null;
   /** A point of model space in the page's client pixels; null behind the camera or without a model. */
   clientPosition(position: Vec3): { readonly x: number; readonly y: number } | null;
   on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void;

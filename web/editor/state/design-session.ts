@@ -49,6 +49,11 @@ export class DesignSession {
     return this.#history.recorded.design;
   }
 
+  /** The newest recorded step: the design and the model that it is for. */
+  get recorded(): Snapshot {
+    return this.#history.recorded;
+  }
+
   get revision(): number {
     return this.#revision;
   }

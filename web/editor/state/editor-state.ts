@@ -2,6 +2,7 @@
 import type { MapView, ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
 import { type Design, emptyDesign } from "../document/index.ts";
 import type { DemoCatalogue } from "../files/demo-catalogue.ts";
+import type { ProjectSummary } from "../storage/project.ts";
 import type { ToolId } from "../tools/tool.ts";
 import { INITIAL_TOOL_SETTINGS, type ToolSettings } from "../tools/tool-settings.ts";
 import { DEFAULT_BUDGET } from "./history.ts";
@@ -61,6 +62,14 @@ export interface HistorySteps {
   readonly budget: number;
 }
 
+/** A project in the list of those that the browser keeps. */
+export interface ListedProject extends ProjectSummary {
+  /** In this tab, or in another one. */
+  readonly open: "here" | "elsewhere" | null;
+  /** Deleted a moment ago, and can be brought back. */
+  readonly deleted: boolean;
+}
+
 export interface EditorState {
   readonly model: OpenModel | null;
   readonly design: Design;
@@ -82,6 +91,10 @@ export interface EditorState {
   readonly redoLabel: string | null;
   readonly history: HistorySteps;
   readonly unsaved: boolean;
+  /** Where the newest step is: in the browser's database, on its way there, refused by it, or there is none worth it. */
+  readonly keeping: "untouched" | "kept" | "pending" | "refused";
+  /** Newest first; null until they were asked for. */
+  readonly projects: readonly ListedProject[] | null;
   /** While one model takes the place of another: the design must not be edited against the wrong one. */
   readonly switching: boolean;
   readonly tasks: readonly Task[];
@@ -111,6 +124,8 @@ export const INITIAL_STATE: EditorState = {
   redoLabel: null,
   history: { labels: [""], position: 0, dropped: 0, heldBytes: 0, budget: DEFAULT_BUDGET },
   unsaved: false,
+  keeping: "untouched",
+  projects: null,
   switching: false,
   tasks: [],
   notices: [],

@@ -5,7 +5,8 @@
 import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-api.ts";
 import { type DesignLayer, materialsIn } from "../document/index.ts";
-import { loadDemoCatalogue } from "../files/demo-catalogue.ts";
+import { type DemoCatalogue, loadDemoCatalogue } from "../files/demo-catalogue.ts";
+import type { Autosave } from "../storage/autosave.ts";
 import { strings } from "../strings.ts";
 import { moveTool } from "../tools/move-tool.ts";
 import { Toolbox } from "../tools/toolbox.ts";
@@ -18,6 +19,7 @@ import {
   type Figures,
   INITIAL_FIGURES,
   INITIAL_STATE,
+  type ModelRef,
   type TargetSettings,
   type TextureMode,
 } from "./editor-state.ts";
@@ -26,9 +28,15 @@ import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
 import { megabytes } from "./megabytes.ts";
 import { ModelSession } from "./model-session.ts";
 import { NoticeBoard } from "./notice-board.ts";
+import type { ProjectCommands } from "./project-commands.ts";
+import { keepProjects } from "./project-keeping.ts";
 import { Store } from "./store.ts";
 import { Tasks } from "./tasks.ts";
 import { UpdateRouter } from "./update-router.ts";
+
+/** Pixels of the pictures in the list of projects: twice what is shown. */
+const THUMBNAIL_WIDTH = 288;
+const THUMBNAIL_HEIGHT = 216;
 
 export interface EditorParts {
   readonly engine: Engine;
@@ -49,6 +57,8 @@ export class Editor {
   readonly files: FileCommands;
   readonly session: DesignSession;
   readonly tools: Toolbox;
+  readonly projects: ProjectCommands;
+  readonly autosave: Autosave;
   readonly #models: ModelSession;
   readonly #router: UpdateRouter;
   #modeRequest = 0;
@@ -65,22 +75,45 @@ export class Editor {
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
     this.decals = new DecalCommands(this.session, viewer, store, board);
     const { session, decals, library } = this;
-    this.files = new FileCommands({ engine, store, session, models: this.#models, decals, library, board, tasks });
+    const nameOf = (model: ModelRef): string | undefined => this.autosave.nameOf(model);
+    const models = this.#models;
+    this.files = new FileCommands({ engine, store, session, models, decals, library, board, tasks, nameOf });
+    const keeping = keepProjects({
+      ...{ store, library, files: this.files, board, tasks },
+      recorded: () => session.recorded,
+      thumbnail: () => viewer.picture(THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT),
+    });
+    this.projects = keeping.commands;
+    this.autosave = keeping.autosave;
     session.setHistoryBudget(readHistoryBudget());
     this.tools = new Toolbox({ viewer, textureView, store, board });
     this.tools.register(moveTool);
     this.#connect();
   }
 
-  /** Opens the first demo, or says what to do without one. */
+  /**
+   * Opens the project that was worked on last, else (and for an address that ends in "?new") the first demo, or says what to
+   * do without one.
+   */
   async start(page: string): Promise<void> {
+    const demos = await this.#loadDemos(page);
+    const address = new URL(page);
+    const fresh = address.searchParams.has("new");
+    if (!fresh && (await this.projects.openNewest())) return;
+    const [first] = demos?.models ?? [];
+    if (first) await this.files.openDemo(first);
+    // What begins here is a project like any other: the next visit shall bring it back.
+    if (fresh) history.replaceState(history.state, "", withoutNew(address));
+  }
+
+  async #loadDemos(page: string): Promise<DemoCatalogue | null> {
     try {
       const demos = await loadDemoCatalogue(page);
       this.store.set({ demos });
-      const [first] = demos.models;
-      if (first) await this.files.openDemo(first);
+      return demos;
     } catch (thrown) {
       this.board.error(strings.errors.noDemosTitle, thrown);
+      return null;
     }
   }
 
@@ -194,4 +227,9 @@ export class Editor {
 
 function shownTarget({ targets, material }: EditorState): TargetInfo | undefined {
   return material === null ? undefined : targets.get(material);
+}
+
+function withoutNew(address: URL): string {
+  address.searchParams.delete("new");
+  return address.href;
 }

@@ -14,6 +14,7 @@ import { type DemoDecal, type DemoModel, type DemoTemplate, fetchBytes } from ".
 import { download, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { bytesOf, sortFiles } from "../files/file-intake.ts";
+import type { ProjectContent } from "../storage/project.ts";
 import { strings } from "../strings.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
@@ -33,6 +34,8 @@ export interface FileCommandsParts {
   readonly library: AssetLibrary;
   readonly board: NoticeBoard;
   readonly tasks: Tasks;
+  /** The name of the project that a model was opened with before. */
+  readonly nameOf: (model: ModelRef) => string | undefined;
 }
 
 export class FileCommands {
@@ -132,6 +135,10 @@ export class FileCommands {
     board.announce(strings.announce.saved(name));
   }
 
+  saveProject(_withModel: boolean): void {
+    this.saveDesign();
+  }
+
   async exportPng(): Promise<void> {
     const { engine, store } = this.#parts;
     const { material, model } = store.state;
@@ -184,7 +191,7 @@ export class FileCommands {
     const { model } = goal;
     try {
       await models.open(model, goal.design, () => {
-        store.set({ designName: fileStem(model.title) });
+        store.set({ designName: this.#parts.nameOf(model) ?? fileStem(model.title) });
         arrive();
       });
     } catch (thrown) {
@@ -225,6 +232,19 @@ export class FileCommands {
         cancellable: false,
       },
     );
+  }
+
+  /** Opens a model with a design that is whole; what was open before stays in the history. */
+  async openProject({ name, design, model, targets }: ProjectContent): Promise<void> {
+    const { session, models, store, board } = this.#parts;
+    models.rememberSettings(model, targets);
+    await models.open(model, design, () => {
+      store.set({ designName: name });
+      session.recordModel(model, design, strings.steps.openProject);
+      session.select(design.layers.at(-1)?.id ?? null);
+    });
+    board.dismissAll();
+    board.announce(strings.announce.opened(name));
   }
 
   #takeDesign(design: Design, fileName: string): void {

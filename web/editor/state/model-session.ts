@@ -74,6 +74,11 @@ export class ModelSession {
     return this.#inLine(strings.tasks.opening(ref.title), work, { replaces: true });
   }
 
+  /** Sizes and gutters that a model is to be opened with. */
+  rememberSettings(ref: ModelRef, settings: ReadonlyMap<number, TargetSettings>): void {
+    this.#settings.set(ref, settings);
+  }
+
   /** Opens a material's target with other settings; the old one stays until the new one is there. */
   async configure(material: number, settings: TargetSettings): Promise<void> {
     const { model, targetSettings } = this.#store.state;

@@ -21,9 +21,10 @@ export class NoticeBoard {
     this.#add(noticeOf(this.#count, title, thrown));
   }
 
-  info(notice: Pick<Notice, "title" | "message" | "action">): void {
+  info(notice: Pick<Notice, "title" | "message" | "action" | "stays"> & { readonly hint?: string }): number {
     this.#count += 1;
-    this.#add({ ...notice, id: this.#count, tone: "info", code: "", where: "", hint: "" });
+    this.#add({ hint: "", ...notice, id: this.#count, tone: "info", code: "", where: "" });
+    return this.#count;
   }
 
   dismiss(id: number): void {
@@ -32,7 +33,7 @@ export class NoticeBoard {
 
   /** What was only worth a glance goes once the user works on. */
   dismissInfos(): void {
-    const notices = this.#store.state.notices.filter(({ tone }) => tone !== "info");
+    const notices = this.#store.state.notices.filter(({ tone, stays }) => tone !== "info" || stays);
     if (notices.length < this.#store.state.notices.length) this.#store.set({ notices });
   }
 

@@ -20,6 +20,8 @@ export interface Notice {
   /** What to do. */
   readonly hint: string;
   readonly action?: NoticeAction;
+  /** Stays while the user works on, as errors do. */
+  readonly stays?: boolean;
 }
 
 /** `title` says what was being done ("Could not open Fox.glb"); the error says why. */

@@ -1,0 +1,201 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { type Design, emptyDesign } from "../../web/editor/document/index.ts";
+import { type EditorState, INITIAL_STATE, type ModelRef } from "../../web/editor/state/editor-state.ts";
+import { Store } from "../../web/editor/state/store.ts";
+import { Autosave } from "../../web/editor/storage/autosave.ts";
+import type { PackedProject } from "../../web/editor/storage/packed-project.ts";
+
+const modelRef = (title: string, demoId: string | null): ModelRef => ({
+  source: { name: `${title}.glb`, bytes: Uint8Array.of(title.length) },
+  title,
+  demoId,
+});
+
+/** A page with an autosave, and everything that it was told. */
+function page() {
+  const store = new Store<EditorState>(INITIAL_STATE);
+  let recorded: { design: Design; model: ModelRef | null } = { design: emptyDesign(), model: null };
+  const saves: { id: string; packed: PackedProject; seen: number }[] = [];
+  const told: string[] = [];
+  let refusal: TexelcastError | null = null;
+  const autosave = new Autosave({
+    store,
+    recorded: () => recorded,
+    projects: {
+      save: async (id, packed, seen) => {
+        const refused = refusal;
+        if (refused?.code === "storage-conflict") refusal = null;
+        if (refused) throw refused;
+        saves.push({ id, packed, seen });
+        return seen + 1;
+      },
+      setThumbnail: async (id) => {
+        told.push(`picture of ${id}`);
+      },
+    },
+    lock: { take: async () => true },
+    thumbnail: async () => "data:image/webp;base64,AA==",
+    notices: {
+      refused: ({ code }) => told.push(code),
+      restored: () => told.push("restored"),
+      copied: (name) => told.push(`copied: ${name}`),
+    },
+  });
+  const open = (ref: ModelRef, design = emptyDesign()): void => {
+    recorded = { design, model: ref };
+    store.set({ model: { ref, info: {} as never }, design, designName: ref.title });
+  };
+  /** One step of the history. */
+  const step = (): Design => {
+    const design = { ...recorded.design, layers: [...recorded.design.layers] };
+    recorded = { ...recorded, design };
+    store.set({ design });
+    return design;
+  };
+  const settle = async (milliseconds: number): Promise<void> => {
+    await vi.advanceTimersByTimeAsync(milliseconds);
+  };
+  const refuse = (error: TexelcastError | null): void => {
+    refusal = error;
+  };
+  return { store, autosave, saves, told, open, step, settle, refuse };
+}
+
+beforeEach(() => {
+  vi.useFakeTimers();
+  // As on a page by plain http: no digest from another thread, for which a stopped clock would not wait.
+  const { crypto } = globalThis;
+  vi.stubGlobal("crypto", { getRandomValues: (array: Uint8Array<ArrayBuffer>) => crypto.getRandomValues(array) });
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.useRealTimers();
+});
+
+describe("autosave", () => {
+  it("does not keep a demo that nothing was changed on, and keeps it from the first change on", async () => {
+    const { open, step, settle, saves, store } = page();
+    open(modelRef("Mug", "mug"));
+    await settle(5000);
+    expect([saves.length, store.state.keeping]).toEqual([0, "untouched"]);
+    step();
+    await settle(1000);
+    expect([saves.length, store.state.keeping]).toEqual([1, "kept"]);
+  });
+
+  it("keeps the user's own model as soon as it is open", async () => {
+    const { open, settle, saves } = page();
+    open(modelRef("Cup", null));
+    await settle(1000);
+    expect(saves.map(({ seen, packed }) => [seen, packed.name, packed.model.kind])).toEqual([[0, "Cup", "files"]]);
+  });
+
+  it("keeps the first step at once, and many that follow each other with few saves, of which the last is the newest", async () => {
+    const { open, step, settle, saves, autosave } = page();
+    open(modelRef("Cup", null));
+    await settle(1);
+    expect(saves).toHaveLength(1);
+    for (let i = 0; i < 50; i++) {
+      step();
+      await settle(10);
+    }
+    await settle(1000);
+    expect(saves.length).toBeLessThan(5);
+    expect(saves.map(({ seen }) => seen)).toEqual(saves.map((_, index) => index));
+    expect(autosave.pending).toBe(false);
+  });
+
+  it("waits while one model takes the place of another", async () => {
+    const { open, settle, saves, store } = page();
+    store.set({ switching: true });
+    open(modelRef("Cup", null));
+    await settle(1000);
+    expect(saves).toHaveLength(0);
+    store.set({ switching: false });
+    await settle(1000);
+    expect(saves).toHaveLength(1);
+  });
+
+  it("begins another project with another model, and goes on with the first when its model is back", async () => {
+    const { open, step, settle, saves, autosave } = page();
+    const cup = modelRef("Cup", null);
+    open(cup);
+    await settle(1000);
+    open(modelRef("Shoe", null));
+    await settle(1000);
+    open(cup, { ...emptyDesign() });
+    step();
+    await settle(1000);
+    const [first, second, third] = saves;
+    expect(second?.id).not.toBe(first?.id);
+    expect([third?.id, third?.seen]).toEqual([first?.id, 1]);
+    expect(autosave.projectId).toBe(first?.id);
+  });
+
+  it("saves at once when asked", async () => {
+    const { open, step, settle, saves, autosave } = page();
+    open(modelRef("Cup", null));
+    await settle(1);
+    step();
+    await autosave.flush();
+    expect(saves).toHaveLength(2);
+    await autosave.flush();
+    expect(saves).toHaveLength(2);
+  });
+
+  it("says once that the browser refuses, tries again by itself, and says when it works again", async () => {
+    const { open, step, settle, saves, told, refuse, store } = page();
+    refuse(new TexelcastError("storage-full", "full"));
+    open(modelRef("Cup", null));
+    await settle(1000);
+    step();
+    await settle(60_000);
+    expect(told).toEqual(["storage-full"]);
+    expect(store.state.keeping).toBe("refused");
+    refuse(null);
+    await settle(20_000);
+    expect(saves).toHaveLength(1);
+    expect(told.slice(0, 2)).toEqual(["storage-full", "restored"]);
+    expect(store.state.keeping).toBe("kept");
+  });
+
+  it("goes on as a copy when another tab has saved the project meanwhile", async () => {
+    const { open, step, settle, saves, told, refuse, store } = page();
+    open(modelRef("Cup", null));
+    await settle(1000);
+    refuse(new TexelcastError("storage-conflict", "changed"));
+    step();
+    await settle(1000);
+    expect(told).toContain("copied: Cup (copy)");
+    expect(store.state.designName).toBe("Cup (copy)");
+    const [first, second] = saves;
+    expect(second?.id).not.toBe(first?.id);
+    expect(second?.packed.name).toBe("Cup (copy)");
+  });
+
+  it("makes the project's picture once the steps pause", async () => {
+    const { open, step, settle, told, autosave } = page();
+    open(modelRef("Cup", null));
+    for (let i = 0; i < 5; i++) {
+      step();
+      await settle(500);
+    }
+    expect(told).toEqual([]);
+    await settle(3000);
+    expect(told).toEqual([`picture of ${autosave.projectId}`]);
+  });
+
+  it("begins anew under another id when the open project was deleted", async () => {
+    const { open, step, settle, saves, autosave, store } = page();
+    open(modelRef("Cup", null));
+    await settle(1000);
+    autosave.forget(saves[0]?.id ?? "");
+    await settle(1000);
+    expect([saves.length, store.state.keeping]).toEqual([1, "untouched"]);
+    step();
+    await settle(1000);
+    expect(saves[1]?.id).not.toBe(saves[0]?.id);
+    expect(saves[1]?.seen).toBe(0);
+  });
+});

@@ -1,0 +1,192 @@
+/** Projects that the browser keeps: the one the page begins with, and what the list of them offers. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { resolveLayers } from "../document/index.ts";
+import { fetchBytes } from "../files/demo-catalogue.ts";
+import type { Autosave } from "../storage/autosave.ts";
+import { randomId } from "../storage/content-hash.ts";
+import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/project.ts";
+import type { ProjectLock } from "../storage/project-lock.ts";
+import type { ProjectStore } from "../storage/project-store.ts";
+import { strings } from "../strings.ts";
+import type { AssetLibrary } from "./asset-library.ts";
+import type { EditorState, ListedProject, ModelRef } from "./editor-state.ts";
+import type { FileCommands } from "./file-commands.ts";
+import type { NoticeBoard } from "./notice-board.ts";
+import type { Store } from "./store.ts";
+import type { Tasks } from "./tasks.ts";
+
+export interface ProjectCommandsParts {
+  readonly store: Store<EditorState>;
+  readonly projects: ProjectStore;
+  readonly lock: ProjectLock;
+  readonly autosave: Autosave;
+  readonly library: AssetLibrary;
+  readonly files: FileCommands;
+  readonly board: NoticeBoard;
+  readonly tasks: Tasks;
+}
+
+const words = strings.projects;
+
+export class ProjectCommands {
+  readonly #parts: ProjectCommandsParts;
+  /** Deleted since the list was opened: they stay in it, to be brought back. */
+  readonly #deleted = new Set<string>();
+
+  constructor(parts: ProjectCommandsParts) {
+    this.#parts = parts;
+  }
+
+  /** Opens the project that was worked on last; false where there is none, or none that can be opened. */
+  async openNewest(): Promise<boolean> {
+    const { projects } = this.#parts;
+    let newest: ProjectSummary | undefined;
+    try {
+      await projects.sweep();
+      [newest] = await projects.list();
+    } catch {
+      // A browser that keeps nothing says so when there is something to keep.
+      return false;
+    }
+    if (!newest) return false;
+    return this.open(newest.id, words.back(newest.name));
+  }
+
+  /** Opens a project in place of what is open, which is kept first. False where it could not be opened. */
+  open(id: string, title?: string): Promise<boolean> {
+    return this.#parts.tasks.quietly(this.#open(id, title));
+  }
+
+  /** Reads the list again. */
+  async refresh(): Promise<void> {
+    await this.#attempt(words.couldNotList, async () => {
+      await this.#parts.autosave.flush();
+      await this.#list();
+    });
+  }
+
+  /** Makes the open project's picture, which the list shows. */
+  async refreshThumbnail(): Promise<void> {
+    await this.#parts.autosave.refreshThumbnail();
+    await this.#list().catch(() => undefined);
+  }
+
+  /** An empty name is no name: nothing happens. */
+  async rename(id: string, name: string): Promise<void> {
+    const { store, projects, autosave } = this.#parts;
+    const trimmed = name.trim();
+    if (trimmed === "") return;
+    await this.#attempt(words.couldNotSave(trimmed), async () => {
+      await projects.rename(id, trimmed);
+      if (id === autosave.projectId) store.set({ designName: trimmed });
+      await autosave.flush();
+      await this.#list();
+    });
+  }
+
+  async duplicate({ id, name }: ProjectSummary): Promise<void> {
+    const { projects, autosave, board } = this.#parts;
+    await this.#attempt(words.couldNotSave(name), async () => {
+      await autosave.flush();
+      await projects.duplicate(id, words.copyOf(name));
+      await this.#list();
+      board.announce(strings.announce.duplicated(name));
+    });
+  }
+
+  async remove({ id, name }: ProjectSummary): Promise<void> {
+    const { projects, autosave, board } = this.#parts;
+    await this.#attempt(words.couldNotDelete(name), async () => {
+      await autosave.flush();
+      await projects.remove(id);
+      this.#deleted.add(id);
+      autosave.forget(id);
+      await this.#list();
+      board.announce(strings.announce.removed(name));
+    });
+  }
+
+  async restore({ id, name }: ProjectSummary): Promise<void> {
+    await this.#attempt(words.couldNotOpen(name), async () => {
+      await this.#parts.projects.restore(id);
+      this.#deleted.delete(id);
+      await this.#list();
+      this.#parts.board.announce(words.restored(name));
+    });
+  }
+
+  /** The list was closed: what was deleted in it is gone for good. */
+  async sweep(): Promise<void> {
+    if (this.#deleted.size === 0) return;
+    this.#deleted.clear();
+    await this.#parts.projects.sweep(0).catch(() => undefined);
+  }
+
+  async #open(id: string, title: string | undefined): Promise<boolean> {
+    const { projects, lock, autosave, files, board, store } = this.#parts;
+    const before = autosave.projectId;
+    let name = store.state.projects?.find((project) => project.id === id)?.name ?? "";
+    try {
+      await autosave.flush();
+      const loaded = await projects.load(id);
+      name = loaded.summary.name;
+      const free = await lock.take(id);
+      const content = await this.#contentOf(loaded, free ? name : words.copyOf(name));
+      autosave.adopt(content, free ? id : randomId(), free ? loaded.summary.revision : 0);
+      await files.openProject(content);
+      this.#tell(loaded, content, free, title);
+      return true;
+    } catch (thrown) {
+      if (before !== null) void lock.take(before);
+      board.error(words.couldNotOpen(name), thrown);
+      return false;
+    }
+  }
+
+  async #contentOf(loaded: LoadedProject, name: string): Promise<ProjectContent> {
+    const { library } = this.#parts;
+    const model = "kind" in loaded.model ? await this.#demo(loaded.model) : loaded.model;
+    const design = await library.adopt(loaded.design, { path: name });
+    resolveLayers(design, name);
+    return { name, design, model, targets: loaded.targets };
+  }
+
+  async #demo({ id, title }: { id: string; title: string }): Promise<ModelRef> {
+    const { demos } = this.#parts.store.state;
+    const demo = demos?.models.find((candidate) => candidate.id === id);
+    if (!demos || !demo) {
+      throw new TexelcastError("missing-file", words.demoGone(title), { subject: title, hint: words.demoGoneHint });
+    }
+    const bytes = await fetchBytes(demo.model, demos.page);
+    return { source: { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes }, title, demoId: id };
+  }
+
+  #tell({ summary, fromBackup }: LoadedProject, content: ProjectContent, free: boolean, title?: string): void {
+    const { board } = this.#parts;
+    if (fromBackup) board.info({ title: words.backupTitle(summary.name), message: words.backup });
+    else if (!free) board.info({ title: words.elsewhereTitle(summary.name), message: words.elsewhere(content.name) });
+    else if (title !== undefined) board.info({ title, message: words.backMessage(summary.modified) });
+  }
+
+  async #list(): Promise<void> {
+    const { store, projects, lock, autosave } = this.#parts;
+    const shown = store.state.projects ?? [];
+    const [kept, elsewhere] = await Promise.all([projects.list(), lock.elsewhere()]);
+    const listed = kept.map((project): ListedProject => {
+      const open = project.id === autosave.projectId ? "here" : elsewhere.has(project.id) ? "elsewhere" : null;
+      return { ...project, open, deleted: false };
+    });
+    const deleted = shown
+      .filter(({ id }) => this.#deleted.has(id))
+      .map((project): ListedProject => ({ ...project, open: null, deleted: true }));
+    store.set({ projects: [...listed, ...deleted].sort((a, b) => b.modified - a.modified) });
+  }
+
+  async #attempt(title: string, work: () => Promise<void>): Promise<void> {
+    try {
+      await this.#parts.tasks.quietly(work());
+    } catch (thrown) {
+      this.#parts.board.error(title, thrown);
+    }
+  }
+}

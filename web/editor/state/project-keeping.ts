@@ -1,0 +1,63 @@
+/** Puts together what keeps projects: the store, this tab's lock, the autosave, and the page's events that matter to them. */
+import type { TexelcastError } from "../../core/texelcast-error.ts";
+import { Autosave } from "../storage/autosave.ts";
+import { ProjectLock } from "../storage/project-lock.ts";
+import { ProjectStore } from "../storage/project-store.ts";
+import { strings } from "../strings.ts";
+import type { AssetLibrary } from "./asset-library.ts";
+import type { EditorState, Snapshot } from "./editor-state.ts";
+import type { FileCommands } from "./file-commands.ts";
+import type { NoticeBoard } from "./notice-board.ts";
+import { ProjectCommands } from "./project-commands.ts";
+import type { Store } from "./store.ts";
+import type { Tasks } from "./tasks.ts";
+
+export interface ProjectKeepingParts {
+  readonly store: Store<EditorState>;
+  readonly recorded: () => Snapshot;
+  /** A small picture of the model as a `data:` URI; null where there is none. */
+  readonly thumbnail: () => string | null;
+  readonly library: AssetLibrary;
+  readonly files: FileCommands;
+  readonly board: NoticeBoard;
+  readonly tasks: Tasks;
+}
+
+export interface ProjectKeeping {
+  readonly commands: ProjectCommands;
+  readonly autosave: Autosave;
+}
+
+export function keepProjects({ recorded, thumbnail, ...parts }: ProjectKeepingParts): ProjectKeeping {
+  const { store, board, files } = parts;
+  const projects = new ProjectStore();
+  const lock = new ProjectLock();
+  let refusal: number | null = null;
+  const autosave = new Autosave({
+    store,
+    recorded,
+    projects,
+    lock,
+    thumbnail: async () => thumbnail(),
+    notices: {
+      refused: ({ message, hint = "" }: TexelcastError) => {
+        const action = { label: strings.projects.saveFile, run: () => files.saveProject(true) };
+        refusal = board.info({ title: strings.storage.refusedTitle, message, hint, action, stays: true });
+      },
+      restored: () => {
+        if (refusal !== null) board.dismiss(refusal);
+        refusal = null;
+        board.announce(strings.storage.restoredTitle);
+      },
+      copied: (name) => {
+        board.info({ title: strings.projects.copiedTitle, message: strings.projects.copied(name), stays: true });
+      },
+    },
+  });
+  const flush = (): void => void autosave.flush();
+  document.addEventListener("visibilitychange", () => {
+    if (document.visibilityState === "hidden") flush();
+  });
+  addEventListener("pagehide", flush);
+  return { autosave, commands: new ProjectCommands({ ...parts, projects, lock, autosave }) };
+}
