@@ -11,10 +11,17 @@ export interface TraceEvent {
   readonly dur?: number;
   /** The thread's processor time: without the time in which it waited for others. */
   readonly tdur?: number;
-  readonly args?: { readonly name?: string };
+  readonly args?: {
+    readonly name?: string;
+    readonly chrome_mojo_event_info?: { readonly mojo_interface_tag?: string };
+  };
 }
 
-export const TRACE_CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline"];
+/** "toplevel" names the messages between processes, by which the test's own are told from the page's work. */
+export const TRACE_CATEGORIES = ["devtools.timeline", "disabled-by-default-devtools.timeline", "toplevel"];
+
+/** The mouse that moves in a test comes by messages of this interface, which a user's does not. */
+const DRIVER = "DevTools";
 
 /** Kinds of work that are told apart, none within another; the rest of a task is "other". */
 const KINDS: Readonly<Record<string, string>> = {
@@ -47,7 +54,8 @@ export function frameWork(events: readonly TraceEvent[]): FrameWork {
   const commits = thread.filter(({ name }) => name === "Commit").map(({ ts, dur = 0 }) => ts + dur);
   commits.sort((a, b) => a - b);
   const frameOf = ({ ts }: TraceEvent): number => commits.findIndex((end) => ts < end) - 1;
-  const tasks = thread.filter((event) => event.name === "RunTask" && frameOf(event) >= 0);
+  const driven = driverTimes(thread);
+  const tasks = thread.filter((event) => event.name === "RunTask" && frameOf(event) >= 0 && !holdsAny(event, driven));
   const frames = new Array<number>(Math.max(0, commits.length - 1)).fill(0);
   for (const task of tasks) frames[frameOf(task)] += milliseconds(task);
   if (frames.length === 0 || !tasks.some(({ tdur }) => tdur)) {
@@ -88,6 +96,16 @@ function pageThread(events: readonly TraceEvent[]): TraceEvent[] {
     .map(({ pid, tid }) => `${pid} ${tid}`);
   const threads = places.map((place) => events.filter(({ ph, pid, tid }) => ph === "X" && `${pid} ${tid}` === place));
   return threads.sort((a, b) => b.length - a.length)[0] ?? [];
+}
+
+/** When the thread took messages of the test that drives the page. */
+function driverTimes(thread: readonly TraceEvent[]): number[] {
+  const info = ({ args }: TraceEvent): string => args?.chrome_mojo_event_info?.mojo_interface_tag ?? "";
+  return thread.filter((event) => info(event).includes(DRIVER)).map(({ ts }) => ts);
+}
+
+function holdsAny({ ts, dur = 0 }: TraceEvent, times: readonly number[]): boolean {
+  return times.some((time) => time >= ts && time <= ts + dur);
 }
 
 function milliseconds({ tdur = 0 }: TraceEvent): number {

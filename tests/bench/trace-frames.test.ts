@@ -40,6 +40,24 @@ test("a frame's work is the page thread's processor time from one commit to the 
   expect(byKind.other).toBeCloseTo(4 - 1.75);
 });
 
+test("messages of the test that drives the page are none of its work", () => {
+  const message = (start: number, length: number, tag: string): TraceEvent => ({
+    ...event("Receive mojo message", start, length),
+    args: { chrome_mojo_event_info: { mojo_interface_tag: tag } },
+  });
+  const { median } = frameWork([
+    named(1, "CrRendererMain"),
+    event("Commit", 0, 1),
+    event("RunTask", 2, 3),
+    message(2.5, 2, "blink.mojom.DevToolsSession"),
+    event("RunTask", 6, 2),
+    message(6.5, 1, "viz.mojom.CompositorFrameSinkClient"),
+    event("RunTask", 9, 1.5),
+    event("Commit", 10, 0.5),
+  ]);
+  expect(median).toBe(3.5);
+});
+
 test("a trace without frames is refused, not counted as no work", () => {
   expect(() => frameWork([named(1, "CrRendererMain"), event("RunTask", 0, 5)])).toThrow("no frames");
 });

@@ -28,7 +28,7 @@ describe("the resolution of moving pictures", () => {
     expect(scaleAfter(80, 80, ...Array.from({ length: 13 }, () => 8))).toBe(0.75);
   });
 
-  it("asks for the cost of every frame at first and while frames are slow, else of one in three", () => {
+  it("asks for the cost of every frame at first and while a slow one may lead a step down, else of one in three", () => {
     const resolution = new MotionResolution();
     const asked = (): number =>
       Array.from({ length: 30 }, (_, frame) => resolution.asksFor(frame)).filter(Boolean).length;
@@ -37,5 +37,7 @@ describe("the resolution of moving pictures", () => {
     expect(asked()).toBe(10);
     resolution.note(40);
     expect(asked()).toBe(30);
+    for (let frame = 0; frame < 8; frame++) resolution.note(300);
+    expect(asked()).toBe(10);
   });
 });

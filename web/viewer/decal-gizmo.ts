@@ -1,7 +1,7 @@
 /** The decals under the pointer: selecting, dragging, hovering; and the drawing of the selected one. */
 import type { Projector } from "../engine/engine-api.ts";
 import type { SizeLimits } from "./decal-handles.ts";
-import { drapeOutline, type OutlinePoint } from "./decal-outline.ts";
+import { drapeOutline, type OutlinePoint, POINTS_PER_EDGE, POINTS_PER_EDGE_SLIDING } from "./decal-outline.ts";
 import { decalsAt, rectangleHit } from "./decal-picking.ts";
 import { axisOf, poseOf } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
@@ -192,11 +192,11 @@ export class DecalGizmo {
   }
 
   #pictureOf(view: GizmoView, { projector, locked }: ViewerDecal, hover: string): GizmoPicture {
-    const outline = this.#outlineOf(projector);
     // While it slides a decal is looked at, not its box; and what is not drawn casts no rays in each frame.
     if (this.#drag?.drag.kind === "slide") {
-      return { ...NOTHING, ...drawOutline(view, outline) };
+      return { ...NOTHING, ...drawOutline(view, outlineOn(view.query, projector, POINTS_PER_EDGE_SLIDING)) };
     }
+    const outline = this.#outlineOf(projector);
     return projector.kind === "planar"
       ? drawGizmo(view, poseOf(projector), outline, { handles: locked !== true, hover })
       : drawVolume(view, outline, volumeEdges(view.query, projector), hover);
@@ -261,8 +261,7 @@ export class DecalGizmo {
     if (known !== undefined || this.#query === null) {
       return known ?? [];
     }
-    const outline =
-      projector.kind === "planar" ? drapeOutline(this.#query, poseOf(projector)) : throwOutline(this.#query, projector);
+    const outline = outlineOn(this.#query, projector, POINTS_PER_EDGE);
     this.#outlines.set(projector, outline);
     return outline;
   }
@@ -270,6 +269,12 @@ export class DecalGizmo {
   #limits(query: SurfaceQuery): SizeLimits {
     return { least: query.bounds.radius * 1e-3, most: query.bounds.radius * 8 };
   }
+}
+
+function outlineOn(query: SurfaceQuery, projector: Projector, pointsPerEdge: number): OutlinePoint[] {
+  return projector.kind === "planar"
+    ? drapeOutline(query, poseOf(projector), pointsPerEdge)
+    : throwOutline(query, projector, pointsPerEdge);
 }
 
 const NOTHING = {

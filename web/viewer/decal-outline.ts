@@ -15,11 +15,13 @@ export interface OutlinePoint {
 
 /** Points along one edge; the outline has four times as many and closes on itself. */
 export const POINTS_PER_EDGE = 20;
+/** The same of a decal that slides: its line is drawn anew in each frame, and every point of it casts rays. */
+export const POINTS_PER_EDGE_SLIDING = 10;
 
-/** From the bottom left corner anticlockwise as the picture's viewer sees it; corners at multiples of POINTS_PER_EDGE. */
-export function drapeOutline(query: SurfaceQuery, pose: DecalPose): OutlinePoint[] {
+/** From the bottom left corner anticlockwise as the picture's viewer sees it; corners at multiples of `pointsPerEdge`. */
+export function drapeOutline(query: SurfaceQuery, pose: DecalPose, pointsPerEdge = POINTS_PER_EDGE): OutlinePoint[] {
   const backward = axisOf(pose, 2).negate();
-  const border = rectangleBorder();
+  const border = rectangleBorder(pointsPerEdge);
   const heights = border.map(([x, y]) => {
     const origin = fromLocal(pose, x * pose.size.x, y * pose.size.y, pose.size.z / 2);
     const hit = query.raycast(origin, backward, pose.size.z);
@@ -61,7 +63,7 @@ export function bridgeGaps(heights: readonly (number | null)[]): number[] {
 }
 
 /** Decal space, x and y, in the outline's order. */
-export function rectangleBorder(): [number, number][] {
+export function rectangleBorder(pointsPerEdge: number): [number, number][] {
   const corners = [
     [-0.5, -0.5],
     [0.5, -0.5],
@@ -70,8 +72,8 @@ export function rectangleBorder(): [number, number][] {
   ] as const;
   return corners.flatMap(([x, y], corner) => {
     const [nextX, nextY] = corners[(corner + 1) % 4] as readonly [number, number];
-    return Array.from({ length: POINTS_PER_EDGE }, (_, step): [number, number] => {
-      const share = step / POINTS_PER_EDGE;
+    return Array.from({ length: pointsPerEdge }, (_, step): [number, number] => {
+      const share = step / pointsPerEdge;
       return [x + (nextX - x) * share, y + (nextY - y) * share];
     });
   });

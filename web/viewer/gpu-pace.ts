@@ -1,7 +1,9 @@
 /** How fast the GPU works off what it was given. */
 
-/** How often the fence is looked at, milliseconds. */
+/** Least time between two looks at the fence, milliseconds. */
 const POLL = 6;
+/** The longer the work takes, the rarer the looks, as a share of the time so far: nobody needs to know it more exactly. */
+const LOOK_SHARE = 0.25;
 /** Share of the time that the work before took, before which nobody looks: each look costs the page a task. */
 const UNSEEN_SHARE = 0.75;
 /** A slow piece of work says little about the next: after this, milliseconds, looking begins anyway. */
@@ -66,7 +68,7 @@ export class GpuPace {
         this.#note?.(this.#expected);
         this.#done();
       } else {
-        this.#poll(begin, POLL);
+        this.#poll(begin, Math.max(POLL, LOOK_SHARE * (performance.now() - begin)));
       }
     }, wait);
   }

@@ -12,7 +12,7 @@ const SLOW = 45;
 const FAST = 12;
 const SLOW_FRAMES_TO_STEP_DOWN = 2;
 const FAST_FRAMES_TO_STEP_UP = 14;
-/** Asking costs the page's thread a task: while frames are well in time, one in so many is asked for. */
+/** Asking costs the page's thread tasks: unless a step down may be near, one frame in so many is asked for. */
 const FRAMES_A_QUESTION = 3;
 
 export class MotionResolution {
@@ -23,7 +23,8 @@ export class MotionResolution {
 
   /** Whether it wants to be told what this frame costs; frames are counted. */
   asksFor(frame: number): boolean {
-    return this.#newest > SLOW / 2 || frame % FRAMES_A_QUESTION === 0;
+    const mayStepDown = this.#newest > SLOW / 2 && this.#step < STEPS.length - 1;
+    return mayStepDown || frame % FRAMES_A_QUESTION === 0;
   }
 
   /** Share of the full resolution to draw moving pictures with, along a side. */

@@ -1,7 +1,7 @@
 /** Lines that show a projector which is no box: its picture's border on the surface, and its volume's edges. */
 import { Vector3 } from "three";
 import type { CylindricalProjector, PerspectiveProjector, Projector, UvProjector } from "../engine/engine-api.ts";
-import { type OutlinePoint, rectangleBorder } from "./decal-outline.ts";
+import { type OutlinePoint, POINTS_PER_EDGE, rectangleBorder } from "./decal-outline.ts";
 import type { DecalPose } from "./decal-pose.ts";
 import { type PictureRay, pictureRay, rotationOf } from "./projector-sight.ts";
 import type { SurfaceQuery } from "./surface-query.ts";
@@ -12,10 +12,14 @@ type ThrownProjector = PerspectiveProjector | CylindricalProjector;
 const ARC_PIECES = 24;
 
 /** The picture's border where its rays meet the surface; empty for the flat stamp, which lies in the texture alone. */
-export function throwOutline(query: SurfaceQuery, projector: ThrownProjector | UvProjector): OutlinePoint[] {
+export function throwOutline(
+  query: SurfaceQuery,
+  projector: ThrownProjector | UvProjector,
+  pointsPerEdge = POINTS_PER_EDGE,
+): OutlinePoint[] {
   if (projector.kind === "uv") return [];
   const lift = query.bounds.radius * 0.002;
-  return rectangleBorder().flatMap(([x, y]) => {
+  return rectangleBorder(pointsPerEdge).flatMap(([x, y]) => {
     const ray = pictureRay(projector, x, y);
     if (ray === null) return [];
     const hit = query.raycast(ray.origin, ray.direction, ray.length);

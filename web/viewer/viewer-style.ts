@@ -33,7 +33,7 @@ const STYLE = /* css */ `
 .tcv-overlay .tcv-arrow-head { fill: var(--tcv-accent); stroke: none; }
 .tcv-guide { stroke: var(--tcv-accent); stroke-width: 1.25; }
 
-.tcv-handle { pointer-events: all; transition: opacity 120ms; }
+.tcv-handle { pointer-events: all; transition: opacity 120ms, visibility 0s; }
 .tcv-handle[data-hidden] { opacity: 0.4; }
 .tcv-hit { fill: transparent; }
 .tcv-overlay .tcv-mark { fill: var(--tcv-handle); stroke: var(--tcv-accent); stroke-width: 1.75; transition: transform 120ms ease-out; }
@@ -44,7 +44,8 @@ const STYLE = /* css */ `
 
 .tcv-root[data-cursor="move"] { cursor: move; }
 .tcv-root[data-cursor="orbit"] { cursor: grab; }
-.tcv-root[data-gesture] .tcv-handle:not([data-active]) { opacity: 0; pointer-events: none; }
+/* Hidden once they have faded, so that no frame of a drag paints them. */
+.tcv-root[data-gesture] .tcv-handle:not([data-active]) { opacity: 0; visibility: hidden; pointer-events: none; transition: opacity 120ms, visibility 0s 120ms; }
 .tcv-root[data-gesture="slide"] { cursor: grabbing; }
 .tcv-root[data-gesture="slide"] .tcv-guide, .tcv-root[data-gesture="scale"] .tcv-guide { opacity: 0; }
 
