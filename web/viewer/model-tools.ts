@@ -33,6 +33,7 @@ export class ModelTools {
       kind: "model",
       hitAt: (at) => this.#hitAt(at),
       uvAt: (at) => this.#hitAt(at)?.uv ?? null,
+      placeOf: (hit) => screen.project(new Vector3(...hit.position)),
     });
   }
 

@@ -103,6 +103,7 @@ class GlTextureView implements TextureView {
       kind: "texture",
       hitAt: ({ x, y }) => this.#pick(this.#camera.uvOf(x, y)),
       uvAt: ({ x, y }) => this.#camera.uvOf(x, y),
+      placeOf: (hit) => this.#camera.pixelOf(hit.uv),
     });
     this.#input = new PanZoomInput(root, this.#camera, {
       changed: () => this.#drawTask.request(),

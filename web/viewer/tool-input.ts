@@ -24,6 +24,8 @@ export interface ToolView {
   hitAt(at: ScreenPoint): SurfaceHit | null;
   /** Texture coordinates in the flat view, not wrapped, charts or not; in the 3D view those of the hit. */
   uvAt(at: ScreenPoint): readonly [number, number] | null;
+  /** Where a place of the surface is in the view; null where it is not to be seen. */
+  placeOf(hit: SurfaceHit): ScreenPoint | null;
 }
 
 /** What a view does with its pointer while a tool other than the decals' own is chosen. */

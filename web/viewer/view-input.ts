@@ -223,7 +223,7 @@ export class ViewInput {
     if (event.code === "Space" && !isControl(event.composedPath()[0])) {
       this.#setSpace(down);
       // The page would scroll, and a press of a space bar over the view is the camera's.
-      if (this.#pointerInside) {
+      if (this.#pointerInside && !this.#suspended) {
         event.preventDefault();
       }
     }

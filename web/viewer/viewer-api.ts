@@ -10,6 +10,7 @@ import type {
 } from "../engine/engine-api.ts";
 import type { BrushRing, ToolInput } from "./tool-input.ts";
 
+export type { Vec3 } from "../engine/engine-api.ts";
 export type { BrushRing, ToolInput, ToolSample, ToolView } from "./tool-input.ts";
 
 /** A decal as the gizmo needs it. */

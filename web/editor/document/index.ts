@@ -3,6 +3,7 @@ export * from "./design.ts";
 export { isHexColor, parseHexColor, type Rgba } from "./hex-color.ts";
 export * from "./layer-tree.ts";
 export * from "./make-layer.ts";
+export { mirroredProjector } from "./mirror-layer.ts";
 export { parseDesign } from "./parse-design.ts";
 export { resolveLayers } from "./resolve-layers.ts";
 export { serialiseDesign } from "./serialise-design.ts";

@@ -41,6 +41,9 @@ export const toolOptionsStyles = css`
   .tip {
     width: 6.5rem;
   }
+  .mirror {
+    width: 6rem;
+  }
   .colors {
     display: inline-flex;
     align-items: center;

@@ -17,7 +17,7 @@ import { toolOptionsStyles } from "./tool-options-styles.ts";
 const words = strings.tools;
 
 /** Options that stand behind the button "More": set once and left alone. */
-const SELDOM: readonly ToolOption[] = ["spacing", "stabiliser", "pressure"];
+const SELDOM: readonly ToolOption[] = ["spacing", "stabiliser", "pressure", "alphaLock"];
 
 export class ToolOptions extends EditorElement {
   static override properties = { open: { state: true } };
@@ -111,6 +111,8 @@ export class ToolOptions extends EditorElement {
         return choiceField("pressure", words.pressure, words.pressures, settings.pressure, (pressure) =>
           this.#set({ pressure }),
         );
+      case "mirror":
+        return this.#mirror(settings);
       case "tolerance":
         return this.#number("tolerance", words.tolerance, settings.tolerance, {
           hint: words.toleranceHint,
@@ -165,6 +167,18 @@ export class ToolOptions extends EditorElement {
         ${keys.map((key) => html`<option value=${key} ?selected=${key === tip}>${key}</option>`)}
       </select>
       ${tip !== null ? checkField("tool-tinted", words.tinted, tinted, (on) => this.#set({ tinted: on })) : nothing}
+    `;
+  }
+
+  #mirror({ mirror }: ToolSettings): TemplateResult {
+    const choose = (event: Event): void =>
+      this.#set({ mirror: (event.target as HTMLSelectElement).value as ToolSettings["mirror"] });
+    return html`
+      <select id="tool-mirror" class="mirror" aria-label=${words.mirror} title=${words.mirror} @change=${choose}>
+        ${Object.entries(words.mirrors).map(
+          ([axis, text]) => html`<option value=${axis} ?selected=${axis === mirror}>${text}</option>`,
+        )}
+      </select>
     `;
   }
 

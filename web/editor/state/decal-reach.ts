@@ -20,6 +20,11 @@ export class DecalReach {
     return reached.length === 0 ? otherwise : layerMaterials(reached);
   }
 
+  /** All paintable materials that a projector reaches. */
+  all(projector: Projector, backfaces: boolean): readonly number[] {
+    return this.#paintable(projector, backfaces);
+  }
+
   /**
    * The materials of a decal that was moved. One that painted everything it reached goes on to do so: over a border it
    * paints both sides. One that was kept off a material it reached stays on its own, until it is dragged onto another.

@@ -98,7 +98,7 @@ function withoutUnusedAssets(design: Design): Design {
 }
 
 /** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. */
-function freeName(design: Design, name: string): string {
+export function freeName(design: Design, name: string): string {
   const taken = new Set(flattenLayers(design).map((layer) => layer.name));
   // Only what was counted on before: the 07 of "Number 07" is part of the name.
   const stem = name.replace(/ (?:[2-9]|[1-9]\d+)$/, "");

@@ -8,10 +8,11 @@ import { type DesignLayer, materialsIn } from "../document/index.ts";
 import { type DemoCatalogue, loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { strings } from "../strings.ts";
-import { moveTool } from "../tools/move-tool.ts";
+import { registerTools } from "../tools/register-tools.ts";
 import { Toolbox } from "../tools/toolbox.ts";
 import { AssetLibrary } from "./asset-library.ts";
 import { DecalCommands } from "./decal-commands.ts";
+import { DecalReach } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
 import { DesignSession } from "./design-session.ts";
 import {
@@ -87,7 +88,9 @@ export class Editor {
     this.autosave = keeping.autosave;
     session.setHistoryBudget(readHistoryBudget());
     this.tools = new Toolbox({ viewer, textureView, store, board });
-    this.tools.register(moveTool);
+    const { tools } = this;
+    const reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
+    registerTools({ engine, viewer, textureView, session, library, store, board, tools, reach });
     this.#connect();
   }
 

@@ -1,5 +1,7 @@
 /** What the options bar sets: one value for all tools, so that brush and eraser keep their size when one goes from one to the other. */
 
+import type { MirrorSetting } from "./mirror-setting.ts";
+
 export interface ToolSettings {
   /** "#rrggbb". */
   readonly color: string;
@@ -23,6 +25,8 @@ export interface ToolSettings {
   readonly stabiliser: number;
   /** What a pen's pressure changes. */
   readonly pressure: "none" | "flow" | "size";
+  /** Paints a second time across a plane of the model. */
+  readonly mirror: MirrorSetting;
   /** Key in the design's assets of a picture to stamp; null paints a disc. */
   readonly tip: string | null;
   /** A picture tip is painted in the colour, else in its own. */
@@ -48,8 +52,9 @@ export const INITIAL_TOOL_SETTINGS: ToolSettings = {
   flow: 1,
   opacity: 1,
   spacing: 0.12,
-  stabiliser: 20,
+  stabiliser: 10,
   pressure: "flow",
+  mirror: "none",
   tip: null,
   tinted: false,
   tolerance: 0,

@@ -31,6 +31,7 @@ export const TOOL_OPTIONS = [
   "spacing",
   "stabiliser",
   "pressure",
+  "mirror",
   "tolerance",
   "contiguous",
   "filled",

@@ -86,8 +86,9 @@ export class Toolbox {
 
   /** Keys that choose tools and colours, and those of the chosen tool. True when the key was one. */
   handleKey(event: KeyboardEvent): boolean {
+    if (event.altKey) return false;
     if (this.active?.key?.(event, this.#viewOf(event))) return true;
-    if (event.altKey || event.shiftKey) return false;
+    if (event.shiftKey) return false;
     const key = event.key.toUpperCase();
     const tool = this.offered.find(({ shortcut }) => shortcut === key);
     if (tool) this.choose(tool.id);

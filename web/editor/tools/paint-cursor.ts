@@ -1,0 +1,93 @@
+/** Painting by keys: arrows move a cursor over the surface, Space or Enter paints where it is, for as long as it is held. */
+import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import { strings } from "../strings.ts";
+import type { ToolContext } from "./tool-context.ts";
+
+export interface PaintCursorHooks {
+  moved(hit: SurfaceHit): void;
+  begin(hit: SurfaceHit): void;
+  extend(hit: SurfaceHit): void;
+  end(): void;
+}
+
+const DIRECTIONS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+/** Of the brush's size; with Shift `COARSE` times as far. */
+const STEP = 0.25;
+const COARSE = 4;
+
+export class PaintCursor {
+  readonly #context: ToolContext;
+  readonly #hooks: PaintCursorHooks;
+  #hit: SurfaceHit | null = null;
+  #heldKey: string | null = null;
+
+  constructor(context: ToolContext, hooks: PaintCursorHooks) {
+    this.#context = context;
+    this.#hooks = hooks;
+  }
+
+  get shown(): boolean {
+    return this.#hit !== null;
+  }
+
+  hide(): void {
+    this.#release();
+    this.#hit = null;
+  }
+
+  /** `focused`: the focus is in one of the views. True when the key was the cursor's. */
+  key(event: KeyboardEvent, focused: boolean): boolean {
+    const direction = DIRECTIONS[event.key];
+    if (direction !== undefined) {
+      if (focused) this.#step(direction, event.shiftKey);
+      return true;
+    }
+    if (event.key !== "Enter" && event.key !== " ") return false;
+    if (!focused || this.#hit === null) return false;
+    if (this.#heldKey === null) this.#press(event.key, this.#hit);
+    return true;
+  }
+
+  #step([right, up]: readonly [number, number], coarse: boolean): void {
+    const { viewer, tools, board } = this.#context;
+    if (this.#hit === null) {
+      this.#hit = viewer.surfaceAtCentre();
+      if (this.#hit === null) return;
+      board.announce(strings.tools.cursorShown);
+    } else {
+      const size = tools.settings.size ?? 1;
+      const step = Math.max(size * STEP, viewer.metresPerPixel(this.#hit) * 3) * (coarse ? COARSE : 1);
+      const lying = viewer.projectorAt(this.#hit, size, 1);
+      const moved = viewer.nudge(lying, right * step, up * step);
+      const next = moved.kind === "planar" ? viewer.surfaceNear(moved.position) : null;
+      if (next === null) return;
+      this.#hit = next;
+      if (this.#heldKey !== null) this.#hooks.extend(next);
+    }
+    this.#hooks.moved(this.#hit);
+  }
+
+  #press(key: string, hit: SurfaceHit): void {
+    this.#heldKey = key;
+    addEventListener("keyup", this.#keyUp, { capture: true });
+    addEventListener("blur", this.#release);
+    this.#hooks.begin(hit);
+  }
+
+  readonly #keyUp = (event: KeyboardEvent): void => {
+    if (event.key === this.#heldKey) this.#release();
+  };
+
+  readonly #release = (): void => {
+    if (this.#heldKey === null) return;
+    this.#heldKey = null;
+    removeEventListener("keyup", this.#keyUp, { capture: true });
+    removeEventListener("blur", this.#release);
+    this.#hooks.end();
+  };
+}

@@ -1,0 +1,78 @@
+/** Where a stroke goes: the paint layer that is selected, the mask of another layer, or a new paint layer. */
+import {
+  type Design,
+  type DesignLayer,
+  findLayer,
+  freeIdIn,
+  insertAt,
+  type LayerPlace,
+  makePaintLayer,
+  type StrokeLayer,
+  visitOf,
+} from "../document/index.ts";
+import { freeName } from "../state/design-edits.ts";
+import { strings } from "../strings.ts";
+
+export type PaintTarget =
+  | { readonly kind: "strokes"; readonly layerId: string }
+  | { readonly kind: "mask"; readonly layerId: string }
+  /** Above the selection, in its list. */
+  | { readonly kind: "new"; readonly place: LayerPlace };
+
+export interface PaintRefusal {
+  readonly kind: "refused";
+  readonly reason: "locked" | "hidden" | "nothing-to-erase";
+  readonly name: string;
+}
+
+/**
+ * What a stroke would change. An eraser on a layer that is no paint layer hides it by its mask, so that nothing is lost.
+ */
+export function paintTargetOf(design: Design, selectedId: string | null, erases: boolean): PaintTarget | PaintRefusal {
+  const visit = visitOf(design, selectedId);
+  if (visit === undefined) {
+    if (erases) return { kind: "refused", reason: "nothing-to-erase", name: "" };
+    return { kind: "new", place: { parentId: null, list: "layers", index: design.layers.length } };
+  }
+  const { layer, parent } = visit;
+  const paint = layer.type === "paint" ? layer : parent?.type === "paint" && visit.list === "strokes" ? parent : null;
+  const changed: DesignLayer = paint ?? layer;
+  if (paint !== null || erases) {
+    if (isLocked(design, changed.id)) return { kind: "refused", reason: "locked", name: changed.name };
+    if (!changed.visible) return { kind: "refused", reason: "hidden", name: changed.name };
+    return { kind: paint === null ? "mask" : "strokes", layerId: changed.id };
+  }
+  // A new layer goes beside layers, not into a mask.
+  if (visit.list !== "layers") {
+    return { kind: "new", place: { parentId: null, list: "layers", index: design.layers.length } };
+  }
+  return { kind: "new", place: { parentId: visit.parentId, list: "layers", index: visit.index + 1 } };
+}
+
+/** The design with the stroke where the target says, and the id of the layer that it belongs to. */
+export function withStroke(
+  design: Design,
+  target: PaintTarget,
+  stroke: StrokeLayer,
+): { readonly design: Design; readonly layerId: string } {
+  if (target.kind !== "new") {
+    const { layerId } = target;
+    const list = target.kind === "mask" ? "mask" : "strokes";
+    return { design: insertAt(design, { parentId: layerId, list, index: Number.MAX_SAFE_INTEGER }, stroke), layerId };
+  }
+  const id = freeIdIn({ layers: [...design.layers, stroke] });
+  const name = freeName(design, strings.tools.paintLayer);
+  const { material } = stroke;
+  return {
+    design: insertAt(design, target.place, makePaintLayer({ id, name, material, strokes: [stroke] })),
+    layerId: id,
+  };
+}
+
+/** It, or a group that it is in. */
+function isLocked(design: Design, id: string): boolean {
+  for (let at = visitOf(design, id); at !== undefined; at = visitOf(design, at.parentId)) {
+    if (findLayer(design, at.layer.id)?.locked) return true;
+  }
+  return false;
+}

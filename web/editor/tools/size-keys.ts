@@ -1,0 +1,32 @@
+/** Keys of a brush: [ and ] its size, with Shift its hardness; digits its opacity. */
+import type { ToolSettings } from "./tool-settings.ts";
+import type { Toolbox } from "./toolbox.ts";
+
+const SIZE_STEP = 1.12;
+const HARDNESS_STEP = 0.1;
+
+/** True when the key was one of them. */
+export function handleBrushKey(event: KeyboardEvent, tools: Toolbox): boolean {
+  const change = brushKeyChange(event, tools.settings);
+  if (change === null) return false;
+  tools.configure(change);
+  return true;
+}
+
+/** What a key sets; null for other keys. */
+export function brushKeyChange(
+  event: Pick<KeyboardEvent, "code" | "key" | "shiftKey">,
+  { size, hardness }: Pick<ToolSettings, "size" | "hardness">,
+): Partial<ToolSettings> | null {
+  // By place on the keyboard: with Shift, the characters of these keys differ between layouts.
+  const direction = { BracketLeft: -1, BracketRight: 1 }[event.code];
+  if (direction !== undefined) {
+    if (event.shiftKey) {
+      const steps = Math.round(hardness / HARDNESS_STEP) + direction;
+      return { hardness: Math.min(1, Math.max(0, Number((steps * HARDNESS_STEP).toFixed(2)))) };
+    }
+    return size === null ? {} : { size: size * SIZE_STEP ** direction };
+  }
+  if (event.shiftKey || !/^\d$/.test(event.key)) return null;
+  return { opacity: event.key === "0" ? 1 : Number(event.key) / 10 };
+}
