@@ -33,13 +33,13 @@ export const toolOptionsStyles = css`
     flex: none;
   }
   .often tc-number {
-    width: 7.1rem;
+    width: 6.9rem;
   }
   .often .check {
     padding-inline: var(--space-2);
   }
   .tip {
-    width: 6.5rem;
+    width: 5.5rem;
   }
   .mirror {
     width: 6rem;

@@ -17,7 +17,7 @@ import { toolOptionsStyles } from "./tool-options-styles.ts";
 const words = strings.tools;
 
 /** Options that stand behind the button "More": set once and left alone. */
-const SELDOM: readonly ToolOption[] = ["spacing", "stabiliser", "pressure", "alphaLock"];
+const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock"];
 
 export class ToolOptions extends EditorElement {
   static override properties = { open: { state: true } };
