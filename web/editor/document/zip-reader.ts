@@ -1,0 +1,230 @@
+/**
+ * Reads zip archives that come from strangers. The directory is checked as a whole before anything is inflated: names that
+ * lead out of the archive or stand twice, sizes that lie or that no honest archive has. (APPNOTE 6.3.3, without encryption,
+ * several disks and 64-bit sizes.)
+ */
+import { Inflate } from "fflate";
+import { TexelcastError } from "../../core/texelcast-error.ts";
+
+export interface ZipEntry {
+  /** Relative, with "/"; never "..", never twice in an archive. */
+  readonly name: string;
+  /** Inflated bytes, as the archive says; `read` holds it to that. */
+  readonly size: number;
+  readonly compressedSize: number;
+  readonly method: number;
+  readonly crc: number;
+  readonly offset: number;
+}
+
+export interface ZipLimits {
+  readonly entries: number;
+  /** Inflated bytes of all entries together. */
+  readonly totalSize: number;
+}
+
+export const ZIP_LIMITS: ZipLimits = { entries: 20_000, totalSize: 2 ** 31 - 1 };
+
+const END_SIGNATURE = 0x06054b50;
+const DIRECTORY_SIGNATURE = 0x02014b50;
+const LOCAL_SIGNATURE = 0x04034b50;
+const STORED = 0;
+const DEFLATED = 8;
+/** Deflate's best is 1032 to 1. */
+const MOST_RATIO = 1032;
+/** Compressed bytes fed at once: what a lying entry can inflate to beyond its size is at most 1032 times this. */
+const PIECE = 1 << 15;
+
+const HINT = "Save the project again from the page that made it.";
+
+export class ZipReader {
+  readonly name: string;
+  readonly entries: ReadonlyMap<string, ZipEntry>;
+  readonly #bytes: Uint8Array;
+
+  /** @throws TexelcastError "bad-project" that names the archive and the entry at fault. */
+  constructor(bytes: Uint8Array, name: string, limits: ZipLimits = ZIP_LIMITS) {
+    this.#bytes = bytes;
+    this.name = name;
+    this.entries = readDirectory(bytes, name, limits);
+  }
+
+  /**
+   * An entry's bytes; undefined for one that is not there.
+   *
+   * @throws TexelcastError "bad-project" for one above `maxSize` (before it is inflated), broken, or longer than it says.
+   */
+  read(entryName: string, maxSize: number): Uint8Array | undefined {
+    const entry = this.entries.get(entryName);
+    if (entry === undefined) return undefined;
+    const refuse = (message: string, value?: string) => zipError(this.name, message, entryName, value);
+    if (entry.size > maxSize) {
+      throw refuse(`inflates to ${entry.size} bytes, the limit there is ${maxSize}`, `${entry.size} bytes`);
+    }
+    const packed = this.#packed(entry);
+    const bytes = entry.method === STORED ? packed.slice() : inflate(packed, entry.size, refuse);
+    if (bytes.length !== entry.size) throw refuse(`has ${bytes.length} bytes, but the archive says ${entry.size}`);
+    if (crc32(bytes) !== entry.crc) throw refuse("is damaged: its checksum does not match");
+    return bytes;
+  }
+
+  #packed(entry: ZipEntry): Uint8Array {
+    const refuse = (message: string) => zipError(this.name, message, entry.name);
+    const { offset, compressedSize } = entry;
+    const view = viewOf(this.#bytes);
+    if (offset + 30 > view.byteLength || view.getUint32(offset, true) !== LOCAL_SIGNATURE) {
+      throw refuse("is not where the archive says");
+    }
+    const start = offset + 30 + view.getUint16(offset + 26, true) + view.getUint16(offset + 28, true);
+    if (start + compressedSize > view.byteLength) throw refuse("is cut off");
+    return this.#bytes.subarray(start, start + compressedSize);
+  }
+}
+
+function readDirectory(bytes: Uint8Array, archive: string, limits: ZipLimits): Map<string, ZipEntry> {
+  const view = viewOf(bytes);
+  const end = findEnd(view, archive);
+  const count = view.getUint16(end + 10, true);
+  const split = view.getUint16(end + 4, true) !== 0 || view.getUint16(end + 8, true) !== count;
+  if (split || count === 0xffff) throw zipError(archive, "the archive is split or too large for this page");
+  if (count > limits.entries) {
+    throw zipError(archive, `the archive has ${count} entries, the limit is ${limits.entries}`);
+  }
+  const entries = new Map<string, ZipEntry>();
+  const names = new Set<string>();
+  let at = view.getUint32(end + 16, true);
+  let packed = 0;
+  let total = 0;
+  for (let index = 0; index < count; index++) {
+    if (at + 46 > end || view.getUint32(at, true) !== DIRECTORY_SIGNATURE) {
+      throw zipError(archive, "the archive's directory is broken");
+    }
+    const next = at + 46 + view.getUint16(at + 28, true) + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
+    if (next > end) throw zipError(archive, "the archive's directory is broken");
+    const entry = readEntry(bytes, view, at, archive);
+    at = next;
+    checkName(entry.name, names, archive);
+    checkSizes(entry, archive);
+    packed += entry.compressedSize;
+    total += entry.size;
+    // Entries that share their bytes make a small archive inflate without end.
+    if (packed > bytes.length) throw zipError(archive, "shares its bytes with other entries", entry.name);
+    if (total > limits.totalSize) {
+      const message = `makes the archive inflate to more than ${limits.totalSize} bytes`;
+      throw zipError(archive, message, entry.name, `${entry.size} bytes`);
+    }
+    if (!entry.name.endsWith("/")) entries.set(entry.name, entry);
+  }
+  return entries;
+}
+
+function findEnd(view: DataView, archive: string): number {
+  const first = Math.max(0, view.byteLength - 22 - 0xffff);
+  for (let at = view.byteLength - 22; at >= first; at--) {
+    if (view.getUint32(at, true) === END_SIGNATURE) return at;
+  }
+  throw zipError(archive, "this is no zip archive, or it is cut off");
+}
+
+function readEntry(bytes: Uint8Array, view: DataView, at: number, archive: string): ZipEntry {
+  const nameLength = view.getUint16(at + 28, true);
+  const name = decodeName(bytes.subarray(at + 46, at + 46 + nameLength), archive);
+  const flags = view.getUint16(at + 8, true);
+  if ((flags & 1) !== 0) throw zipError(archive, "is encrypted", name);
+  return {
+    name,
+    method: view.getUint16(at + 10, true),
+    crc: view.getUint32(at + 16, true),
+    compressedSize: view.getUint32(at + 20, true),
+    size: view.getUint32(at + 24, true),
+    offset: view.getUint32(at + 42, true),
+  };
+}
+
+function decodeName(bytes: Uint8Array, archive: string): string {
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch (cause) {
+    throw zipError(archive, "an entry's name is not UTF-8 text", undefined, undefined, cause);
+  }
+}
+
+function checkName(name: string, names: Set<string>, archive: string): void {
+  const parts = name.replace(/\/$/, "").split("/");
+  const strange = parts.some((part) => part === "" || part === "." || part === "..");
+  const control = [...name].some((character) => character < " " || character === "\\" || character === "\u007f");
+  if (strange || control || /^[a-z]:/i.test(name)) throw zipError(archive, "is not a path inside the archive", name);
+  // File systems that fold case, or write letters apart from their accents, would take them for one.
+  const folded = name.normalize("NFC").toLowerCase();
+  if (names.has(folded)) throw zipError(archive, "stands twice in the archive", name);
+  names.add(folded);
+}
+
+function checkSizes({ name, method, size, compressedSize }: ZipEntry, archive: string): void {
+  if (size === 0xffffffff || compressedSize === 0xffffffff) {
+    throw zipError(archive, "has a 64-bit size, which is not read", name);
+  }
+  if (method !== STORED && method !== DEFLATED) {
+    throw zipError(archive, `is compressed by method ${method}; only deflate is read`, name);
+  }
+  const impossible = method === STORED ? size !== compressedSize : size > compressedSize * MOST_RATIO;
+  if (impossible) {
+    const message = `says it inflates from ${compressedSize} to ${size} bytes, which is not possible`;
+    throw zipError(archive, message, name, `${size} bytes`);
+  }
+}
+
+type Refuse = (message: string) => TexelcastError;
+
+function inflate(packed: Uint8Array, size: number, refuse: Refuse): Uint8Array {
+  const bytes = new Uint8Array(size);
+  let length = 0;
+  const inflater = new Inflate((piece) => {
+    if (length + piece.length > size) throw refuse(`inflates to more than the ${size} bytes that the archive says`);
+    bytes.set(piece, length);
+    length += piece.length;
+  });
+  try {
+    for (let at = 0; at < packed.length; at += PIECE) {
+      inflater.push(packed.subarray(at, at + PIECE), at + PIECE >= packed.length);
+    }
+  } catch (thrown) {
+    throw TexelcastError.wrap(thrown, "bad-project", refuse("is damaged").message, {
+      ...refuse("is damaged").toJSON(),
+    });
+  }
+  return bytes.subarray(0, length);
+}
+
+const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, index) => {
+  let value = index;
+  for (let bit = 0; bit < 8; bit++) value = value & 1 ? (value >>> 1) ^ 0xedb88320 : value >>> 1;
+  return value;
+});
+
+function crc32(bytes: Uint8Array): number {
+  let crc = 0xffffffff;
+  for (let i = 0; i < bytes.length; i++) {
+    crc = (CRC_TABLE[(crc ^ (bytes[i] as number)) & 0xff] as number) ^ (crc >>> 8);
+  }
+  return (crc ^ 0xffffffff) >>> 0;
+}
+
+const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+
+/** `message` reads on from the entry's name where there is one. */
+export function zipError(
+  archive: string,
+  message: string,
+  entry?: string,
+  value?: string,
+  cause?: unknown,
+): TexelcastError {
+  return new TexelcastError("bad-project", entry === undefined ? message : `${JSON.stringify(entry)} ${message}`, {
+    subject: archive,
+    ...(entry !== undefined && { field: entry }),
+    ...(value !== undefined && { value }),
+    hint: HINT,
+    cause,
+  });
+}
