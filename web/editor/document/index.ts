@@ -5,6 +5,13 @@ export * from "./layer-tree.ts";
 export * from "./make-layer.ts";
 export { mirroredProjector } from "./mirror-layer.ts";
 export { parseDesign } from "./parse-design.ts";
+export {
+  PROJECT_EXTENSION,
+  type ProjectFile,
+  type ProjectTarget,
+  readProjectFile,
+  writeProjectFile,
+} from "./project-file.ts";
 export { resolveLayers } from "./resolve-layers.ts";
 export { serialiseDesign } from "./serialise-design.ts";
 export {

@@ -102,11 +102,7 @@ export function writeProjectFile({ name, design, assetBytes, targets, model }: P
     model: { title: model.title, demo: model.demo, file: modelFile, name: source?.name ?? null, sideFiles },
     targets: targets.map(({ material, size, gutter }) => ({ material, size, gutter })),
   };
-  return zip([
-    [MANIFEST, utf8(printJson(manifest))],
-    [DESIGN, utf8(serialiseDesign({ ...design, assets }))],
-    ...files,
-  ]);
+  return zip([[MANIFEST, utf8(printJson(manifest))], [DESIGN, utf8(serialiseDesign({ ...design, assets }))], ...files]);
 }
 
 /**
@@ -237,14 +233,23 @@ const utf8 = (text: string): Uint8Array => new TextEncoder().encode(text);
 /** In lower case, which no two names share whatever the file system makes of them; "" becomes "file". */
 function plainName(name: string): string {
   const base = name.slice(name.lastIndexOf("/") + 1).replace(/\.(png|jpe?g|webp|svg|ttf|otf)$/i, "");
-  const plain = base.normalize("NFC").toLowerCase().replace(/[^\p{L}\p{N} _-]+/gu, "-");
+  const plain = base
+    .normalize("NFC")
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N} _-]+/gu, "-");
   return plain.trim().slice(0, 80) || "file";
 }
 
 function splitName(name: string): { stem: string; extension: string } {
   const base = name.slice(name.lastIndexOf("/") + 1);
   const dot = base.lastIndexOf(".");
-  const extension = dot > 0 ? base.slice(dot + 1).replace(/[^A-Za-z0-9]/g, "").toLowerCase() : "";
+  const extension =
+    dot > 0
+      ? base
+          .slice(dot + 1)
+          .replace(/[^A-Za-z0-9]/g, "")
+          .toLowerCase()
+      : "";
   return { stem: dot > 0 ? base.slice(0, dot) : base, extension: extension || "bin" };
 }
 

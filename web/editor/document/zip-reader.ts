@@ -99,7 +99,8 @@ function readDirectory(bytes: Uint8Array, archive: string, limits: ZipLimits): M
     if (at + 46 > end || view.getUint32(at, true) !== DIRECTORY_SIGNATURE) {
       throw zipError(archive, "the archive's directory is broken");
     }
-    const next = at + 46 + view.getUint16(at + 28, true) + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
+    const next =
+      at + 46 + view.getUint16(at + 28, true) + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
     if (next > end) throw zipError(archive, "the archive's directory is broken");
     const entry = readEntry(bytes, view, at, archive);
     at = next;

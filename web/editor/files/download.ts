@@ -14,3 +14,8 @@ export function fileStem(name: string): string {
   const base = name.slice(name.lastIndexOf("/") + 1);
   return base.replace(/(\.design)?\.[^.]+$/, "").replace(/[\\/:*?"<>|]+/g, "-") || "texelcast";
 }
+
+/** A name as a file may have it: characters that a file system refuses become "-". */
+export function fileNameOf(name: string): string {
+  return name.replace(/[\\/:*?"<>|]+/g, "-").trim() || "texelcast";
+}

@@ -8,6 +8,8 @@ import type { CollectedFile } from "./file-collection.ts";
 export interface Intake {
   readonly model?: ModelSource;
   readonly design?: CollectedFile;
+  /** A project in one file, which has its design and mostly its model inside. */
+  readonly project?: CollectedFile;
   readonly pictures: readonly CollectedFile[];
   /** Everything that came along: a design's relative addresses are looked up here. */
   readonly companions: readonly CollectedFile[];
@@ -16,6 +18,7 @@ export interface Intake {
 const MODEL = /\.(glb|gltf)$/i;
 const PICTURE = /\.(png|jpe?g|webp)$/i;
 const DESIGN = /\.json$/i;
+const PROJECT = /\.texelcast$/i;
 
 /** Throws a TexelcastError of code "unsupported" when nothing of it can be used or when it holds two models. */
 export async function sortFiles(files: readonly CollectedFile[]): Promise<Intake> {
@@ -28,9 +31,10 @@ export async function sortFiles(files: readonly CollectedFile[]): Promise<Intake
   }
   const designs = files.filter(({ path }) => DESIGN.test(path));
   const design = designs.find(({ path }) => path.endsWith(".design.json")) ?? designs[0];
-  // Pictures that come with a model or a design are its own; alone they are decals.
-  const pictures = modelFile || design ? [] : files.filter(({ path }) => PICTURE.test(path));
-  if (!modelFile && !design && pictures.length === 0) {
+  const project = files.find(({ path }) => PROJECT.test(path));
+  // Pictures that come with a model, a design or a project are its own; alone they are decals.
+  const pictures = modelFile || design || project ? [] : files.filter(({ path }) => PICTURE.test(path));
+  if (!modelFile && !design && !project && pictures.length === 0) {
     const first = files[0];
     throw new TexelcastError("unsupported", strings.errors.unknownFile(first?.path ?? ""), {
       ...(first && { subject: first.path }),
@@ -38,7 +42,13 @@ export async function sortFiles(files: readonly CollectedFile[]): Promise<Intake
     });
   }
   const model = modelFile && (await readModel(modelFile, files));
-  return { ...(model && { model }), ...(design && { design }), pictures, companions: files };
+  return {
+    ...(model && { model }),
+    ...(design && { design }),
+    ...(project && { project }),
+    pictures,
+    companions: files,
+  };
 }
 
 export async function bytesOf(file: Blob): Promise<Uint8Array> {

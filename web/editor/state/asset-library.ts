@@ -27,6 +27,8 @@ export interface DesignPlace {
   readonly path: string;
   readonly files?: readonly CollectedFile[];
   readonly baseUrl?: string;
+  /** Bytes of an address inside the design's own archive. */
+  readonly read?: (uri: string) => Uint8Array | undefined;
 }
 
 const TYPES = { png: "image/png", jpeg: "image/jpeg", webp: "image/webp" } as const;
@@ -82,8 +84,10 @@ export class AssetLibrary {
   }
 }
 
-async function readAsset(uri: string, field: string, { path, files, baseUrl }: DesignPlace): Promise<Uint8Array> {
+async function readAsset(uri: string, field: string, { path, files, baseUrl, read }: DesignPlace): Promise<Uint8Array> {
   if (uri.startsWith("data:")) return decodeDataUri(uri, field);
+  const inside = read?.(uri);
+  if (inside) return inside;
   const companion = files && !uri.includes(":") ? findCompanion(uri, path, files) : undefined;
   if (companion) return bytesOf(companion.file);
   const address = URL.canParse(uri, baseUrl) ? new URL(uri, baseUrl) : undefined;

@@ -20,7 +20,6 @@ import {
   type Figures,
   INITIAL_FIGURES,
   INITIAL_STATE,
-  type ModelRef,
   type TargetSettings,
   type TextureMode,
 } from "./editor-state.ts";
@@ -76,12 +75,12 @@ export class Editor {
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
     this.decals = new DecalCommands(this.session, viewer, store, board);
     const { session, decals, library } = this;
-    const nameOf = (model: ModelRef): string | undefined => this.autosave.nameOf(model);
     const models = this.#models;
-    this.files = new FileCommands({ engine, store, session, models, decals, library, board, tasks, nameOf });
+    const projects = (): ProjectCommands => this.projects;
+    this.files = new FileCommands({ engine, store, session, models, decals, library, board, tasks, projects });
     const keeping = keepProjects({
       ...{ store, library, files: this.files, board, tasks },
-      recorded: () => session.recorded,
+      session,
       thumbnail: () => viewer.picture(THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT),
     });
     this.projects = keeping.commands;

@@ -11,7 +11,7 @@ import {
   serialiseDesign,
 } from "../document/index.ts";
 import { type DemoDecal, type DemoModel, type DemoTemplate, fetchBytes } from "../files/demo-catalogue.ts";
-import { download, fileStem } from "../files/download.ts";
+import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { bytesOf, sortFiles } from "../files/file-intake.ts";
 import type { ProjectContent } from "../storage/project.ts";
@@ -22,6 +22,7 @@ import type { DesignSession } from "./design-session.ts";
 import type { EditorState, ModelRef } from "./editor-state.ts";
 import type { ModelSession } from "./model-session.ts";
 import type { NoticeBoard } from "./notice-board.ts";
+import type { ProjectCommands } from "./project-commands.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
 
@@ -34,8 +35,8 @@ export interface FileCommandsParts {
   readonly library: AssetLibrary;
   readonly board: NoticeBoard;
   readonly tasks: Tasks;
-  /** The name of the project that a model was opened with before. */
-  readonly nameOf: (model: ModelRef) => string | undefined;
+  /** A function, because the two need each other. */
+  readonly projects: () => ProjectCommands;
 }
 
 export class FileCommands {
@@ -75,7 +76,13 @@ export class FileCommands {
       const collected = await files;
       if (collected.length === 0) return;
       name = collected.length === 1 ? (collected[0]?.file.name ?? "") : strings.files.several(collected.length);
-      const { model, design, pictures, companions } = await sortFiles(collected);
+      const { model, design, project, pictures, companions } = await sortFiles(collected);
+      if (project) {
+        name = project.file.name;
+        const own = model && { source: model, title: model.name, demoId: null };
+        await this.#parts.projects().openFile(name, await bytesOf(project.file), own);
+        return;
+      }
       if (model && design) name = model.name;
       const opened = design && (await this.#readDesign(design, companions));
       if (model) await this.#openModel({ source: model, title: model.name, demoId: null }, opened ?? emptyDesign());
@@ -129,28 +136,26 @@ export class FileCommands {
 
   saveDesign(): void {
     const { session, store, board } = this.#parts;
-    const name = `${store.state.designName}.design.json`;
+    const name = `${fileNameOf(store.state.designName)}.design.json`;
     download(name, "application/json", serialiseDesign(session.recordedDesign));
     session.markSaved();
     board.announce(strings.announce.saved(name));
-  }
-
-  saveProject(_withModel: boolean): void {
-    this.saveDesign();
   }
 
   async exportPng(): Promise<void> {
     const { engine, store } = this.#parts;
     const { material, model } = store.state;
     if (material === null || !model) return;
-    const name = `${store.state.designName}-texture.png`;
+    const name = `${fileNameOf(store.state.designName)}-texture.png`;
     await this.#export(name, "image/png", () => engine.exportPng(material));
   }
 
   async exportGlb(): Promise<void> {
     const { engine, store } = this.#parts;
     if (!store.state.model) return;
-    await this.#export(`${store.state.designName}-painted.glb`, "model/gltf-binary", () => engine.exportGlb());
+    await this.#export(`${fileNameOf(store.state.designName)}-painted.glb`, "model/gltf-binary", () =>
+      engine.exportGlb(),
+    );
   }
 
   /** One step back or forth. */
@@ -191,7 +196,7 @@ export class FileCommands {
     const { model } = goal;
     try {
       await models.open(model, goal.design, () => {
-        store.set({ designName: this.#parts.nameOf(model) ?? fileStem(model.title) });
+        store.set({ designName: this.#parts.projects().nameOf(model) ?? fileStem(model.title) });
         arrive();
       });
     } catch (thrown) {

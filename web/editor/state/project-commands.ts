@@ -1,7 +1,15 @@
 /** Projects that the browser keeps: the one the page begins with, and what the list of them offers. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { resolveLayers } from "../document/index.ts";
+import {
+  PROJECT_EXTENSION,
+  type ProjectFile,
+  readProjectFile,
+  resolveLayers,
+  writeProjectFile,
+} from "../document/index.ts";
+import { decodeDataUri } from "../files/data-uri.ts";
 import { fetchBytes } from "../files/demo-catalogue.ts";
+import { download, fileNameOf } from "../files/download.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { randomId } from "../storage/content-hash.ts";
 import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/project.ts";
@@ -9,6 +17,7 @@ import type { ProjectLock } from "../storage/project-lock.ts";
 import type { ProjectStore } from "../storage/project-store.ts";
 import { strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
+import type { DesignSession } from "./design-session.ts";
 import type { EditorState, ListedProject, ModelRef } from "./editor-state.ts";
 import type { FileCommands } from "./file-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
@@ -17,6 +26,7 @@ import type { Tasks } from "./tasks.ts";
 
 export interface ProjectCommandsParts {
   readonly store: Store<EditorState>;
+  readonly session: DesignSession;
   readonly projects: ProjectStore;
   readonly lock: ProjectLock;
   readonly autosave: Autosave;
@@ -55,6 +65,55 @@ export class ProjectCommands {
   /** Opens a project in place of what is open, which is kept first. False where it could not be opened. */
   open(id: string, title?: string): Promise<boolean> {
     return this.#parts.tasks.quietly(this.#open(id, title));
+  }
+
+  /** The name of the project that a model was opened with before. */
+  nameOf(model: ModelRef): string | undefined {
+    return this.#parts.autosave.nameOf(model);
+  }
+
+  /**
+   * Opens a project from a file, as a project of its own. Without a model inside, it goes on `model`, else on the demo that it
+   * names, else on the model that is open. Rejects with a TexelcastError, and what is open stays.
+   */
+  async openFile(fileName: string, bytes: Uint8Array, model?: ModelRef): Promise<void> {
+    const { library, autosave, files, store, tasks } = this.#parts;
+    const open = async (): Promise<ProjectContent> => {
+      const file = readProjectFile(bytes, fileName);
+      const { name, targets } = file;
+      const ref = await this.#modelOf(file, model ?? store.state.model?.ref, model !== undefined);
+      const design = await library.adopt(file.design, { path: fileName, read: file.assetBytes });
+      resolveLayers(design, fileName);
+      const settings = targets.map(({ material, size, gutter }) => [material, { size, gutter }] as const);
+      return { name, design, model: ref, targets: new Map(settings) };
+    };
+    const content = await tasks.run(strings.tasks.opening(fileName), open, { cancellable: false });
+    await autosave.flush();
+    autosave.begin(content.model);
+    await files.openProject(content);
+  }
+
+  /** Hands the project to the browser's downloads, as one file. */
+  saveFile(withModel: boolean): void {
+    const { store, session, board } = this.#parts;
+    const { model, designName, targetSettings } = store.state;
+    if (!model) return;
+    const name = `${fileNameOf(designName)}${PROJECT_EXTENSION}`;
+    try {
+      const { source, title, demoId } = model.ref;
+      const bytes = writeProjectFile({
+        name: designName,
+        design: session.recordedDesign,
+        assetBytes: (key, { uri }) => (uri.startsWith("data:") ? decodeDataUri(uri, key) : undefined),
+        targets: [...targetSettings].map(([material, settings]) => ({ material, ...settings })),
+        model: { title, demo: demoId, source: withModel ? source : null },
+      });
+      download(name, "application/zip", bytes);
+      session.markSaved();
+      board.announce(strings.announce.saved(name));
+    } catch (thrown) {
+      board.error(words.couldNotSave(name), thrown);
+    }
   }
 
   /** Reads the list again. */
@@ -149,6 +208,15 @@ export class ProjectCommands {
     const design = await library.adopt(loaded.design, { path: name });
     resolveLayers(design, name);
     return { name, design, model, targets: loaded.targets };
+  }
+
+  async #modelOf({ model }: ProjectFile, other: ModelRef | undefined, given: boolean): Promise<ModelRef> {
+    const { source, title, demo } = model;
+    if (source) return { source, title, demoId: null };
+    const known = !given && demo !== null && this.#parts.store.state.demos?.models.some(({ id }) => id === demo);
+    if (known) return this.#demo({ id: demo, title });
+    if (other) return { ...other };
+    throw new TexelcastError("missing-file", words.noModel, { subject: title, hint: words.noModelHint });
   }
 
   async #demo({ id, title }: { id: string; title: string }): Promise<ModelRef> {

@@ -5,7 +5,8 @@ import { ProjectLock } from "../storage/project-lock.ts";
 import { ProjectStore } from "../storage/project-store.ts";
 import { strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
-import type { EditorState, Snapshot } from "./editor-state.ts";
+import type { DesignSession } from "./design-session.ts";
+import type { EditorState } from "./editor-state.ts";
 import type { FileCommands } from "./file-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { ProjectCommands } from "./project-commands.ts";
@@ -14,7 +15,7 @@ import type { Tasks } from "./tasks.ts";
 
 export interface ProjectKeepingParts {
   readonly store: Store<EditorState>;
-  readonly recorded: () => Snapshot;
+  readonly session: DesignSession;
   /** A small picture of the model as a `data:` URI; null where there is none. */
   readonly thumbnail: () => string | null;
   readonly library: AssetLibrary;
@@ -28,20 +29,20 @@ export interface ProjectKeeping {
   readonly autosave: Autosave;
 }
 
-export function keepProjects({ recorded, thumbnail, ...parts }: ProjectKeepingParts): ProjectKeeping {
-  const { store, board, files } = parts;
+export function keepProjects({ thumbnail, ...parts }: ProjectKeepingParts): ProjectKeeping {
+  const { store, board, session } = parts;
   const projects = new ProjectStore();
   const lock = new ProjectLock();
   let refusal: number | null = null;
   const autosave = new Autosave({
     store,
-    recorded,
+    recorded: () => session.recorded,
     projects,
     lock,
     thumbnail: async () => thumbnail(),
     notices: {
       refused: ({ message, hint = "" }: TexelcastError) => {
-        const action = { label: strings.projects.saveFile, run: () => files.saveProject(true) };
+        const action = { label: strings.projects.saveFile, run: () => commands.saveFile(true) };
         refusal = board.info({ title: strings.storage.refusedTitle, message, hint, action, stays: true });
       },
       restored: () => {
@@ -54,10 +55,11 @@ export function keepProjects({ recorded, thumbnail, ...parts }: ProjectKeepingPa
       },
     },
   });
+  const commands = new ProjectCommands({ ...parts, projects, lock, autosave });
   const flush = (): void => void autosave.flush();
   document.addEventListener("visibilitychange", () => {
     if (document.visibilityState === "hidden") flush();
   });
   addEventListener("pagehide", flush);
-  return { autosave, commands: new ProjectCommands({ ...parts, projects, lock, autosave }) };
+  return { autosave, commands };
 }

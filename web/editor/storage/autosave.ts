@@ -66,6 +66,11 @@ export class Autosave {
     this.#projects.set(content.model, { id, revision, kept: content });
   }
 
+  /** Ties a model that is about to be opened to a new project, which is kept from the start. */
+  begin(model: ModelRef): void {
+    this.#projects.set(model, { id: randomId(), revision: 0, kept: null });
+  }
+
   /** The open project was deleted: it stays on the page, and comes back as another one when it is changed. */
   forget(id: string): void {
     const current = this.#current;

@@ -9,9 +9,9 @@ export interface PickOptions {
 }
 
 export const ACCEPT = {
-  model: ".glb,.gltf,.bin,.png,.jpg,.jpeg,.webp",
+  model: ".glb,.gltf,.texelcast,.bin,.png,.jpg,.jpeg,.webp",
   picture: ".png,.jpg,.jpeg,.webp,image/png,image/jpeg,image/webp",
-  design: ".json,.png,.jpg,.jpeg,.webp",
+  design: ".json,.texelcast,.png,.jpg,.jpeg,.webp",
 } as const;
 
 /** Calls `take` when the user has chosen something. Must be called from a user's gesture. */
