@@ -28,7 +28,8 @@ Examples:
   texelcast render mug.glb design.json --out print.png --size 4096
   texelcast render board.glb design.json --out "print-{material}.png"
   texelcast render shirt.glb design.json --out decals.png --material 1 --base "#ff8000"
-  texelcast render shirt.glb design.json --out shirt.png --base cloth.jpg`;
+  texelcast render shirt.glb design.json --out shirt.png --base cloth.jpg
+  texelcast render shirt.texelcast --out shirt.glb`;
 
 const SCHEMA_EXAMPLES = `
 Examples:
@@ -91,8 +92,8 @@ export function createProgram(): Command {
         "that the design paints); a .glb is the model with the textures " +
         "of all materials that the design paints replaced, everything else of the file as it was.",
     )
-    .argument("<model>", "a .glb, or a .gltf with its side files")
-    .argument("<design>", "a design document, JSON")
+    .argument("<model>", "a .glb, or a .gltf with its side files; left out where a project has its model inside")
+    .argument("[design]", "a design document, JSON, or a project, .texelcast")
     .addOption(
       new Option("--out <file>", "FILE.png, FILE.glb, or with {material} in its name one .png each")
         .argParser(parseRenderOutput)
@@ -112,8 +113,10 @@ export function createProgram(): Command {
       ).argParser(parseBase),
     )
     .addHelpText("after", RENDER_EXAMPLES)
-    .action(async (model: string, design: string, options: RenderOptions) => {
-      await (await import("./commands/render.ts")).render(model, design, options);
+    .action(async (first: string, second: string | undefined, options: RenderOptions, command: Command) => {
+      const alone = second === undefined;
+      if (alone && !/\.texelcast$/i.test(first)) command.error("error: missing required argument 'design'");
+      await (await import("./commands/render.ts")).render(alone ? null : first, second ?? first, options);
     });
 
   program

@@ -1,9 +1,16 @@
 /** A design from disk, and the pictures that it names. */
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 import { formatPath } from "../web/editor/document/design-problem.ts";
-import { type Design, parseDesign, resolveLayers } from "../web/editor/document/index.ts";
+import {
+  type Design,
+  PROJECT_EXTENSION,
+  type ProjectFile,
+  parseDesign,
+  readProjectFile,
+  resolveLayers,
+} from "../web/editor/document/index.ts";
 import type { EngineLayer } from "../web/engine/engine-api.ts";
-import { readFileBytes, resolveInFolder } from "./read-file.ts";
+import { MAX_FILE_BYTES, readFileBytes, resolveInFolder } from "./read-file.ts";
 
 /** JavaScript holds no longer text in one string on every platform; embedded pictures are the bulk of it. */
 const MAX_DESIGN_BYTES = 256 * 2 ** 20;
@@ -12,28 +19,42 @@ export interface LoadedDesign {
   readonly file: string;
   readonly design: Design;
   readonly layers: readonly EngineLayer[];
+  /** What the design came in; null for a plain document. */
+  readonly project: ProjectFile | null;
 }
 
-/** @throws TexelcastError "missing-file", "bad-design", "unsupported". */
+export const isProjectFile = (file: string): boolean => file.toLowerCase().endsWith(PROJECT_EXTENSION);
+
+/**
+ * Reads a design document, or the design of a project (`.texelcast`).
+ *
+ * @throws TexelcastError "missing-file", "bad-design", "bad-project", "unsupported".
+ */
 export async function readDesign(file: string): Promise<LoadedDesign> {
+  if (isProjectFile(file)) {
+    const project = readProjectFile(await readFileBytes(file, { code: "bad-project", maxBytes: MAX_FILE_BYTES }), file);
+    return { file, design: project.design, layers: resolveLayers(project.design, file), project };
+  }
   const bytes = await readFileBytes(file, { code: "bad-design", maxBytes: MAX_DESIGN_BYTES });
   const design = parseDesign(decodeText(bytes, file), file);
-  return { file, design, layers: resolveLayers(design, file) };
+  return { file, design, layers: resolveLayers(design, file), project: null };
 }
 
 /**
  * The bytes of one of the design's pictures.
  *
- * @throws TexelcastError "outside-folder", "missing-file", "bad-design" for a `data:` address that is broken, and
+ * @throws TexelcastError "outside-folder", "missing-file", "bad-project", "bad-design" for a `data:` address that is broken, and
  * "bad-picture" for a file that cannot be read.
  */
 export async function readAsset(
-  { file, design }: LoadedDesign,
+  { file, design, project }: LoadedDesign,
   key: string,
 ): Promise<{ name: string; bytes: Uint8Array }> {
   const uri = design.assets[key]?.uri ?? "";
   const field = formatPath(["assets", key, "uri"]);
   if (/^data:/i.test(uri)) return { name: `${file}: ${field}`, bytes: await readDataUri(uri, file, field) };
+  const inside = project?.assetBytes(uri);
+  if (inside !== undefined) return { name: `${file}: ${uri}`, bytes: inside };
   const target = await resolveInFolder(uri, { file, field });
   return { name: target, bytes: await readFileBytes(target, { code: "bad-picture", namedBy: { file, field } }) };
 }

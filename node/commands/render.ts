@@ -1,7 +1,8 @@
 /** `texelcast render`: a design replayed on a model, as the finished texture or as the model with it inside. */
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { formatPath } from "../../web/editor/document/design-problem.ts";
 import { materialsOf, walkLayers } from "../../web/editor/document/index.ts";
-import type { EngineLayer, ModelInfo, TargetOptions } from "../../web/engine/engine-api.ts";
+import type { EngineLayer, ModelInfo, ModelSource, TargetOptions } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
 import { picturesOf } from "../../web/engine/layer-picture.ts";
 import { materialsIn } from "../../web/engine/layer-tree.ts";
@@ -26,11 +27,12 @@ export interface RenderOptions {
 
 const DEFAULT_MATERIAL = 0;
 
-export async function render(modelFile: string, designFile: string, options: RenderOptions): Promise<void> {
+/** @param modelFile null: the model that is inside the project. */
+export async function render(modelFile: string | null, designFile: string, options: RenderOptions): Promise<void> {
   const { out } = options;
   await checkOutputFile(out.kind === "pngs" ? fileOfMaterial(out.file, DEFAULT_MATERIAL) : out.file);
   const design = await readDesign(designFile);
-  const model = await readModel(modelFile);
+  const model = modelFile === null ? modelInside(design) : await readModel(modelFile);
   const base = await readBase(options.base);
   const engine = openEngine();
   const progress = new Progress();
@@ -45,7 +47,7 @@ export async function render(modelFile: string, designFile: string, options: Ren
     await setAssets(engine, design, layers, progress);
     const sizes = new Map<number, string>();
     for (const material of materials) {
-      const target: TargetOptions = { material, ...options.size, base };
+      const target: TargetOptions = { material, ...(options.size ?? keptSize(design, material)), base };
       const { width, height } = await engine.openTarget(target, (share) => progress.report("Baking", share));
       sizes.set(material, `material ${material} at ${width} x ${height}`);
     }
@@ -69,6 +71,21 @@ export async function render(modelFile: string, designFile: string, options: Ren
     await files.discard();
     engine.dispose();
   }
+}
+
+function modelInside({ file, project }: LoadedDesign): ModelSource {
+  const source = project?.model.source;
+  if (source) return source;
+  throw new TexelcastError("missing-file", "the project was saved without its model", {
+    subject: file,
+    hint: `Give the model first: texelcast render MODEL ${file} --out FILE.`,
+  });
+}
+
+/** The size and gutter that a project says its material's texture has. */
+function keptSize({ project }: LoadedDesign, material: number): Pick<TargetOptions, "width" | "height" | "gutter"> {
+  const { size = null, gutter = null } = project?.targets.find((target) => target.material === material) ?? {};
+  return { ...(size !== null && { width: size, height: size }), ...(gutter !== null && { gutter }) };
 }
 
 async function readBase(base: BaseOption | undefined): Promise<NonNullable<TargetOptions["base"]>> {
