@@ -201,7 +201,7 @@ test("a decal that is dragged over the border of two materials paints both while
   expect(await hashOf(1)).not.toBe(both);
   await page.mouse.up();
   await editor.idle();
-  await expect(page.locator("tc-decal-list li")).toHaveCount(1);
+  await expect(page.locator("tc-layer-list .row")).toHaveCount(1);
   await expect(material.locator("option:checked")).toHaveText("Left, Right");
   // The texture view stays where it was: the decal is on that material still.
   await expect(page.locator("tc-target-settings #material")).toHaveValue("1");

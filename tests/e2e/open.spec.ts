@@ -44,7 +44,7 @@ test("opens a GLB that is dropped anywhere on the page", async ({ editor, page }
   await editor.open();
   await editor.drop([squareGlb()], { x: 1200, y: 700 });
   await expect(page.locator("tc-top-bar .models")).toContainText("square.glb");
-  await expect(page.locator("tc-decal-list")).toContainText("None yet");
+  await expect(page.locator("tc-layer-list")).toContainText("None yet");
   expect(await editor.textureSize()).toEqual({ width: 1024, height: 1024 });
 });
 

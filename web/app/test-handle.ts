@@ -56,7 +56,7 @@ export function makeTestHandle(editor: Editor, ready: Promise<void>): TestHandle
     readTexels: async (x, y, width, height) => editor.engine.readTexels(material(), x, y, width, height),
     hash: async (region) => editor.engine.hash(material(), region),
     design: () => editor.session.design,
-    select: (id) => editor.decals.select(id),
+    select: (id) => editor.layers.select(id),
     project: (x, y, z) => editor.viewer.clientPosition([x, y, z]),
     stats: async () => {
       const { update, uploadMilliseconds, updates } = editor.figures.state;

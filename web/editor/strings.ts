@@ -1,6 +1,7 @@
 /** Every word that the page says, in one place. Errors of the engine bring their own words. */
 
-const plural = (count: number, one: string, many: string): string => `${count} ${count === 1 ? one : many}`;
+import { layerAnnouncements, layerNotices, layerSteps, layerWords } from "./strings/layer-words.ts";
+import { plural } from "./strings/plural.ts";
 
 export const strings = {
   productName: "Texelcast",
@@ -140,50 +141,18 @@ export const strings = {
     empty: "The texture shows here once a model is open.",
   },
 
+  layers: layerWords,
+
   decals: {
-    title: "Decals",
     add: "Add picture…",
     palette: "Demo decals",
     paletteItem: (name: string): string => `Add ${name}`,
-    emptyBody: "None yet. Add a picture, choose one below, or drop a PNG, JPEG or WebP on the model.",
-    emptyWithoutModel: "Decals come after a model: open one first.",
-    list: "Decals, the topmost first",
-    order: (place: number, count: number): string => `${place} of ${count}`,
-    hiddenNote: "hidden",
-    hide: (name: string): string => `Hide ${name}`,
-    show: (name: string): string => `Show ${name}`,
-    up: (name: string): string => `Move ${name} up`,
-    down: (name: string): string => `Move ${name} down`,
-    duplicate: (name: string): string => `Duplicate ${name}`,
-    remove: (name: string): string => `Delete ${name}`,
-    drag: (name: string): string => `Reorder ${name} by dragging`,
-    blend: "Blend mode",
-    blendOf: (name: string): string => `Blend mode of ${name}`,
-    blendModes: {
-      normal: "Normal",
-      multiply: "Multiply",
-      screen: "Screen",
-      overlay: "Overlay",
-      darken: "Darken",
-      lighten: "Lighten",
-      "color-dodge": "Colour dodge",
-      "color-burn": "Colour burn",
-      "hard-light": "Hard light",
-      "soft-light": "Soft light",
-      difference: "Difference",
-      exclusion: "Exclusion",
-      hue: "Hue",
-      saturation: "Saturation",
-      color: "Colour",
-      luminosity: "Luminosity",
-      erase: "Erase",
-    },
   },
 
   properties: {
     title: "Properties",
     none: "Nothing selected",
-    noneBody: "Choose a decal in the list or on the model to change it.",
+    noneBody: "Choose a layer in the list, or a decal on the model, to change it.",
     name: "Name",
     placement: "Placement",
     position: "Position",
@@ -308,6 +277,7 @@ export const strings = {
   notices: {
     label: "Notices",
     dismiss: "Dismiss",
+    ...layerNotices,
     value: (value: string): string => `value ${value}`,
     newModel: (name: string): string => `${name} is open`,
     workKept: "Your decals stayed with the model before it. Undo brings both back.",
@@ -392,13 +362,8 @@ export const strings = {
 
   /** Names of the steps that undo and redo speak of. */
   steps: {
+    ...layerSteps,
     add: "add decal",
-    duplicate: "duplicate decal",
-    remove: "delete decal",
-    reorder: "reorder decals",
-    hide: "hide decal",
-    show: "show decal",
-    rename: "rename decal",
     move: "move decal",
     slide: "move decal",
     rotate: "rotate decal",
@@ -415,11 +380,7 @@ export const strings = {
     selected: (name: string): string => `${name} selected`,
     nothingSelected: "Nothing selected",
     added: (name: string): string => `${name} added`,
-    duplicated: (name: string): string => `${name} duplicated`,
-    removed: (name: string): string => `${name} deleted`,
-    moved: (name: string, place: number, count: number): string => `${name} is now ${place} of ${count}`,
-    hidden: (name: string): string => `${name} hidden`,
-    shown: (name: string): string => `${name} shown`,
+    ...layerAnnouncements,
     undone: (step: string): string => `Undone: ${step}`,
     redone: (step: string): string => `Redone: ${step}`,
     travelled: (step: string): string => `Went to: ${step}`,
@@ -433,6 +394,7 @@ export const strings = {
     couldNotExport: (name: string): string => `Could not export ${name}`,
     couldNotBake: "Could not prepare the texture",
     couldNotShow: "Could not show the texture",
+    couldNotArrange: "That cannot be done with these layers",
     couldNotShowMap: "Could not show the map",
     couldNotStart: "Texelcast cannot start here",
     engineFault: "The painting engine reported a fault",
@@ -465,9 +427,14 @@ export const strings = {
       ["Arrow keys", "Move the selected decal; with Shift ten times as far"],
       ["[ and ]", "Turn it; with Shift ten times as far"],
       ["− and +", "Make it smaller or larger"],
-      ["Delete", "Delete it"],
-      ["Ctrl or ⌘ D", "Duplicate it"],
-      ["Alt ↑ and ↓ in the list", "Move it up or down in the list"],
+      ["Delete", "Delete the selected layers"],
+      ["Ctrl or ⌘ D", "Duplicate them"],
+      ["Ctrl or ⌘ G", "Group them; with Shift, ungroup"],
+      ["Ctrl or ⌘ E", "Merge with the layer below"],
+      ["Ctrl or ⌘ [ and ]", "Move them down or up; with Shift to the end"],
+      ["Alt ↑ and ↓ in the list", "Move them, also into and out of groups"],
+      ["← and → in the list", "Close and open a group"],
+      ["Space and F2 in the list", "Hide or show; rename"],
       ["Ctrl or ⌘ Z", "Undo; with Shift, or Ctrl Y, redo"],
       ["Ctrl or ⌘ S", "Save the design"],
       ["Ctrl or ⌘ O", "Open a model"],
@@ -480,12 +447,13 @@ export const strings = {
 
   sheet: {
     label: "Panels",
-    decals: "Decals",
+    layers: "Layers",
     properties: "Edit",
+    history: "History",
     texture: "Texture",
     target: "Settings",
   },
 
   splitter: "Width of the texture view",
-  sidePanel: "Decals and properties",
+  sidePanel: "Layers and properties",
 } as const;

@@ -5,10 +5,11 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { carriesFiles, collectDrop } from "./files/file-collection.ts";
 import "./panels/bottom-sheet.ts";
-import "./panels/decal-list.ts";
 import { PALETTE_DRAG } from "./panels/decal-palette.ts";
 import "./panels/decal-properties.ts";
 import "./panels/help-dialog.ts";
+import "./panels/history-panel.ts";
+import "./panels/layer-list.ts";
 import "./panels/notice-stack.ts";
 import "./panels/side-panel.ts";
 import "./panels/stage.ts";

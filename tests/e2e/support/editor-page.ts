@@ -112,11 +112,11 @@ export class EditorPage {
   }
 
   row(name: string): Locator {
-    return this.page.locator("tc-decal-list li").filter({ has: this.page.getByText(name, { exact: true }) });
+    return this.page.locator("tc-layer-list .row").filter({ has: this.page.getByText(name, { exact: true }) });
   }
 
-  action(name: "up" | "down" | "duplicate" | "delete"): Locator {
-    return this.page.locator(`tc-decal-list [data-action=${name}]`);
+  action(name: "up" | "down" | "duplicate" | "delete" | "group" | "add-mask"): Locator {
+    return this.page.locator(`tc-layer-list [data-action=${name}]`);
   }
 
   field(name: string): Locator {
@@ -133,7 +133,7 @@ export class EditorPage {
   }
 
   async selectedName(): Promise<string> {
-    return ((await this.page.locator("tc-decal-list [aria-current=true]").textContent()) ?? "").trim();
+    return ((await this.page.locator("tc-layer-list [aria-current=true] .name").textContent()) ?? "").trim();
   }
 
   /** Adds a demo decal by its button; it lands in the middle of the view. Returns its layer's id. */

@@ -3,18 +3,19 @@
  * instead of covering it, and never more than half of the screen: the model stays in sight.
  */
 import { css, html, type TemplateResult } from "lit";
-import { Grid2x2, Layers, Settings2, SlidersHorizontal } from "lucide";
+import { Grid2x2, History, Layers, Settings2, SlidersHorizontal } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 
-export type SheetTab = "decals" | "properties" | "texture" | "target";
+export type SheetTab = "layers" | "properties" | "history" | "texture" | "target";
 
 const TABS = [
-  { id: "decals", drawing: Layers },
+  { id: "layers", drawing: Layers },
   { id: "properties", drawing: SlidersHorizontal },
+  { id: "history", drawing: History },
   { id: "texture", drawing: Grid2x2 },
   { id: "target", drawing: Settings2 },
 ] as const satisfies readonly { id: SheetTab; drawing: unknown }[];
@@ -64,7 +65,7 @@ export class BottomSheet extends EditorElement {
 
   constructor() {
     super();
-    this.tab = "decals";
+    this.tab = "layers";
     this.open = true;
   }
 

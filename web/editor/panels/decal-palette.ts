@@ -20,25 +20,31 @@ export class DecalPalette extends EditorElement {
     css`
       :host {
         display: grid;
-        gap: var(--space-3);
+        gap: var(--space-2);
       }
       .add {
         width: 100%;
-        min-height: max(var(--target), 34px);
+        min-height: max(var(--target), 32px);
       }
       .palette {
         display: grid;
-        grid-template-columns: repeat(auto-fill, minmax(44px, 1fr));
-        gap: var(--space-2);
+        grid-template-columns: repeat(auto-fill, minmax(30px, 1fr));
+        gap: var(--space-1);
       }
       .palette button {
         aspect-ratio: 1;
-        padding: 5px;
+        min-width: 0;
+        padding: 3px;
         background: var(--tile);
         cursor: grab;
       }
       .palette button:hover {
         background: var(--tile-checker);
+      }
+      @media (pointer: coarse) {
+        .palette {
+          grid-template-columns: repeat(auto-fill, minmax(44px, 1fr));
+        }
       }
       img {
         width: 100%;

@@ -3,9 +3,9 @@ import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Ratio, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical, Unlink2 } from "lucide";
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import { type DecalLayer, type DesignLayer, type FillLayer, materialsOf, type StrokeLayer } from "../document/index.ts";
-import type { DecalPatch } from "../state/decal-commands.ts";
-import { layerById, patchLayer } from "../state/design-edits.ts";
+import { layerById } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
+import type { LayerPatch } from "../state/layer-commands.ts";
 import { type Orientation, orientationOf } from "../state/rotation.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
@@ -31,7 +31,7 @@ const PACE = 80;
 const ALL_MET = "all-met";
 
 interface FieldOptions extends Omit<ProjectorField, "set"> {
-  readonly patch: (value: number) => DecalPatch;
+  readonly patch: (value: number) => LayerPatch;
 }
 
 export class DecalProperties extends EditorElement {
@@ -81,7 +81,7 @@ export class DecalProperties extends EditorElement {
           .value=${layer.name}
           maxlength="200"
           @keydown=${keys}
-          @change=${(event: Event) => this.editor.decals.rename(layer.id, input(event).value)}
+          @change=${(event: Event) => this.editor.layers.rename(layer.id, input(event).value)}
         />
       </div>
     `;
@@ -122,7 +122,7 @@ export class DecalProperties extends EditorElement {
 
   #size(layer: DecalLayer, projector: PlanarProjector, step: number): TemplateResult {
     const picture = this.editor.library.get(this.state.design.assets[layer.asset]);
-    const resized = (axis: 0 | 1 | 2, value: number): DecalPatch => {
+    const resized = (axis: 0 | 1 | 2, value: number): LayerPatch => {
       const size = withAxis(projector.size, axis, value);
       const other = axis === 0 ? 1 : 0;
       const linked = this.proportional && axis !== 2;
@@ -147,7 +147,7 @@ export class DecalProperties extends EditorElement {
     const reset = (): void => {
       const [width, , depth] = projector.size;
       const size: Vec3 = [width, width / own, depth];
-      this.editor.decals.change(layer.id, { projector: { ...projector, size } }, strings.steps.change(words.size));
+      this.editor.layers.change(layer.id, { projector: { ...projector, size } }, strings.steps.change(words.size));
     };
     const distorted = Math.abs(projector.size[0] / projector.size[1] / own - 1) > 1e-3;
     return html`
@@ -178,7 +178,7 @@ export class DecalProperties extends EditorElement {
   }
 
   #look(layer: DecalLayer | StrokeLayer): TemplateResult {
-    const { decals } = this.editor;
+    const { layers } = this.editor;
     const flip = (key: "flipX" | "flipY", label: string, drawing: typeof Link2) => html`
       <button
         class="icon"
@@ -186,7 +186,7 @@ export class DecalProperties extends EditorElement {
         aria-pressed=${layer[key]}
         aria-label=${label}
         title=${label}
-        @click=${() => decals.change(layer.id, { [key]: !layer[key] }, strings.steps.change(words.flip))}
+        @click=${() => layers.change(layer.id, { [key]: !layer[key] }, strings.steps.change(words.flip))}
       >
         ${icon(drawing)}
       </button>
@@ -208,7 +208,7 @@ export class DecalProperties extends EditorElement {
 
   #reach(layer: DecalLayer | StrokeLayer): TemplateResult {
     const [start, end] = layer.angleFade;
-    const fade = (label: string, value: number, patch: (value: number) => DecalPatch) =>
+    const fade = (label: string, value: number, patch: (value: number) => LayerPatch) =>
       this.#number(layer, label, {
         label,
         name: label,
@@ -239,11 +239,7 @@ export class DecalProperties extends EditorElement {
   #fill(layer: FillLayer): TemplateResult {
     const recolour = (event: Event): void => {
       const color = (event.target as HTMLInputElement).value + layer.color.slice(7);
-      const { session } = this.editor;
-      session.record(
-        patchLayer<FillLayer>(session.recordedDesign, layer.id, { color }),
-        strings.steps.change(words.color),
-      );
+      this.editor.layers.change(layer.id, { color }, strings.steps.change(words.color));
     };
     return html`
       <section aria-label=${words.look}>
@@ -257,7 +253,7 @@ export class DecalProperties extends EditorElement {
   }
 
   #opacity(layer: DecalLayer | StrokeLayer | FillLayer): TemplateResult {
-    const { decals } = this.editor;
+    const { layers } = this.editor;
     const percent = Math.round(layer.opacity * 1000) / 10;
     const share = (event: Event): number => Number((event.target as HTMLInputElement).value) / 100;
     const label = strings.steps.change(words.opacity);
@@ -271,8 +267,8 @@ export class DecalProperties extends EditorElement {
             min="0"
             max="100"
             .value=${String(percent)}
-            @input=${(event: Event) => decals.preview(layer.id, { opacity: share(event) })}
-            @change=${(event: Event) => decals.change(layer.id, { opacity: share(event) }, label, `opacity:${layer.id}`)}
+            @input=${(event: Event) => layers.preview(layer.id, { opacity: share(event) })}
+            @change=${(event: Event) => layers.change(layer.id, { opacity: share(event) }, label, `opacity:${layer.id}`)}
           />
           ${this.#number(layer, words.opacity, {
             label: "",
@@ -297,8 +293,8 @@ export class DecalProperties extends EditorElement {
     `;
   }
 
-  #toggle({ id }: DesignLayer, name: string, label: string, on: boolean, patch: (on: boolean) => DecalPatch) {
-    const change = (next: boolean): void => this.editor.decals.change(id, patch(next), strings.steps.change(label));
+  #toggle({ id }: DesignLayer, name: string, label: string, on: boolean, patch: (on: boolean) => LayerPatch) {
+    const change = (next: boolean): void => this.editor.layers.change(id, patch(next), strings.steps.change(label));
     return checkField(name, label, on, change);
   }
 
@@ -309,7 +305,7 @@ export class DecalProperties extends EditorElement {
     options: Record<DecalLayer[K], string>,
   ): TemplateResult {
     return choiceField<DecalLayer[K]>(key, label, options, layer[key], (value) =>
-      this.editor.decals.change(layer.id, { [key]: value }, strings.steps.change(label)),
+      this.editor.layers.change(layer.id, { [key]: value }, strings.steps.change(label)),
     );
   }
 
@@ -326,7 +322,7 @@ export class DecalProperties extends EditorElement {
         return;
       }
       const material = Number(select.value);
-      this.editor.decals.change(layer.id, { material }, strings.steps.change(words.material));
+      this.editor.layers.change(layer.id, { material }, strings.steps.change(words.material));
       this.editor.showMaterial(material);
     };
     const nameOf = (material: number): string =>
@@ -354,11 +350,11 @@ export class DecalProperties extends EditorElement {
 
   #number(layer: DecalLayer | StrokeLayer | FillLayer, group: string, options: FieldOptions): TemplateResult {
     const { label, name, hint = "", unit = "", value, step, min, max, patch } = options;
-    const { decals } = this.editor;
+    const { layers } = this.editor;
     const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
     const change = (event: Event): void => {
       const { value: next, repeated } = detail(event);
-      decals.change(layer.id, patch(next), strings.steps.change(group), repeated ? `${name}:${layer.id}` : undefined);
+      layers.change(layer.id, patch(next), strings.steps.change(group), repeated ? `${name}:${layer.id}` : undefined);
     };
     return html`<tc-number
       data-field=${name.toLowerCase().replaceAll(" ", "-")}
@@ -370,9 +366,9 @@ export class DecalProperties extends EditorElement {
       .step=${step}
       .min=${min ?? Number.NEGATIVE_INFINITY}
       .max=${max ?? Number.POSITIVE_INFINITY}
-      @field-preview=${(event: Event) => decals.preview(layer.id, patch(detail(event).value))}
+      @field-preview=${(event: Event) => layers.preview(layer.id, patch(detail(event).value))}
       @field-change=${change}
-      @field-cancel=${() => decals.cancelPreview()}
+      @field-cancel=${() => layers.cancelPreview()}
     ></tc-number>`;
   }
 

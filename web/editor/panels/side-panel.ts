@@ -1,29 +1,86 @@
-/** The right panel: adding, the list, properties, texture settings. On a phone it is one of these at a time. */
+/**
+ * The right panel: the list of layers or the history above; adding, properties and texture settings below. On a phone it is
+ * one of these at a time.
+ */
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
 
-export type Section = "decals" | "properties" | "target";
+export type Section = "layers" | "properties" | "history" | "target";
+type UpperTab = "layers" | "history";
+
+const UPPER_TABS: readonly UpperTab[] = ["layers", "history"];
 
 export class SidePanel extends EditorElement {
-  static override properties = { only: {} };
+  static override properties = { only: {}, tab: { state: true } };
   /** Shows one section; null shows all. */
   declare only: Section | null;
+  declare tab: UpperTab;
 
   static override styles = [
     controls,
     css`
       :host {
-        display: block;
+        display: grid;
+        grid-template-rows: auto minmax(0, 1fr);
         min-width: 0;
+        min-height: 0;
+        background: var(--surface);
+      }
+      .upper {
+        display: grid;
+        grid-template-rows: auto minmax(0, 1fr);
+        min-height: 0;
+        max-height: 46dvh;
+        border-bottom: 1px solid var(--line);
+        isolation: isolate;
+      }
+      .upper.history {
+        height: 46dvh;
+      }
+      .lower {
         min-height: 0;
         overflow: hidden auto;
         overscroll-behavior: contain;
-        background: var(--surface);
         scrollbar-width: thin;
         scrollbar-color: var(--line-strong) transparent;
+      }
+      :host([only]) {
+        grid-template-rows: minmax(0, 1fr);
+      }
+      :host([only]) .upper {
+        grid-template-rows: minmax(0, 1fr) auto;
+        height: 100%;
+        max-height: none;
+        border: 0;
+      }
+      [role="tablist"] {
+        display: flex;
+        gap: 2px;
+        padding: var(--space-2) var(--space-2) 2px;
+      }
+      [role="tab"] {
+        padding-inline: var(--space-2);
+        color: var(--text-quiet);
+        font-weight: 550;
+      }
+      [role="tab"][aria-selected="true"] {
+        color: var(--text);
+        font-weight: 600;
+      }
+      [role="tab"][aria-selected="true"]::after {
+        content: "";
+        position: absolute;
+        inset-inline: var(--space-2);
+        inset-block-end: 1px;
+        height: 2px;
+        border-radius: 1px;
+        background: var(--accent);
+      }
+      [role="tab"] {
+        position: relative;
       }
       .section > * {
         isolation: isolate;
@@ -33,8 +90,15 @@ export class SidePanel extends EditorElement {
         gap: var(--space-3);
         padding: var(--space-4);
       }
+      .section.adding {
+        padding-block: var(--space-3);
+      }
       .section + .section {
         border-top: 1px solid var(--line);
+      }
+      :host([only]) .upper .adding {
+        padding-block: var(--space-1);
+        border-block-start: 1px solid var(--line);
       }
     `,
   ];
@@ -42,6 +106,7 @@ export class SidePanel extends EditorElement {
   constructor() {
     super();
     this.only = null;
+    this.tab = "layers";
   }
 
   protected watched({ model }: EditorState): readonly unknown[] {
@@ -49,36 +114,83 @@ export class SidePanel extends EditorElement {
   }
 
   override render(): TemplateResult {
-    const { editor, only } = this;
-    const { model } = this.state;
-    const shows = (section: Section): boolean => only === null || only === section;
-    const heading = (text: string) => (only === null ? html`<h2>${text}</h2>` : nothing);
+    this.toggleAttribute("only", this.only !== null);
+    if (this.only !== null) return this.#single(this.only);
     return html`
-      ${
-        shows("decals")
-          ? html`<div class="section">
-              <tc-decal-list .editor=${editor}></tc-decal-list>
-              <tc-decal-palette .editor=${editor}></tc-decal-palette>
-            </div>`
-          : nothing
-      }
-      ${
-        shows("properties")
-          ? html`<div class="section">
-              ${heading(strings.properties.title)}
-              <tc-decal-properties .editor=${editor}></tc-decal-properties>
-            </div>`
-          : nothing
-      }
-      ${
-        shows("target") && model
-          ? html`<div class="section">
-              ${heading(strings.target.title)}
-              <tc-target-settings .editor=${editor}></tc-target-settings>
-            </div>`
-          : nothing
-      }
+      <div class=${`upper ${this.tab}`}>
+        ${this.#tabs()}
+        <div id="upper" role="tabpanel" aria-labelledby=${`tab-${this.tab}`} style="display: grid; min-height: 0">
+          ${this.#upper(this.tab)}
+        </div>
+      </div>
+      <div class="lower">${this.#adding()}${this.#properties(true)}${this.#target(true)}</div>
     `;
+  }
+
+  #single(section: Section): TemplateResult {
+    switch (section) {
+      case "layers":
+        return html`<div class="upper">${this.#upper("layers")}${this.#adding()}</div>`;
+      case "history":
+        return html`<div class="upper">${this.#upper("history")}</div>`;
+      case "properties":
+        return html`<div class="lower">${this.#properties(false)}</div>`;
+      case "target":
+        return html`<div class="lower">${this.#target(false)}</div>`;
+    }
+  }
+
+  #tabs(): TemplateResult {
+    return html`<div role="tablist" aria-label=${strings.layers.tabs} @keydown=${this.#key}>
+      ${UPPER_TABS.map(
+        (tab) => html`<button
+          role="tab"
+          id=${`tab-${tab}`}
+          aria-selected=${tab === this.tab}
+          aria-controls="upper"
+          tabindex=${tab === this.tab ? 0 : -1}
+          @click=${() => {
+            this.tab = tab;
+          }}
+        >
+          ${strings[tab].title}
+        </button>`,
+      )}
+    </div>`;
+  }
+
+  async #key(event: KeyboardEvent): Promise<void> {
+    if (event.key !== "ArrowLeft" && event.key !== "ArrowRight") return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.tab = this.tab === "layers" ? "history" : "layers";
+    await this.updateComplete;
+    this.renderRoot.querySelector<HTMLElement>("[aria-selected=true]")?.focus();
+  }
+
+  #upper(tab: UpperTab): TemplateResult {
+    const { editor } = this;
+    if (tab === "history") return html`<tc-history-panel .editor=${editor}></tc-history-panel>`;
+    return html`<tc-layer-list .editor=${editor}></tc-layer-list>`;
+  }
+
+  #adding(): TemplateResult {
+    return html`<div class="section adding"><tc-decal-palette .editor=${this.editor}></tc-decal-palette></div>`;
+  }
+
+  #properties(headed: boolean): TemplateResult {
+    return html`<div class="section">
+      ${headed ? html`<h2>${strings.properties.title}</h2>` : nothing}
+      <tc-decal-properties .editor=${this.editor}></tc-decal-properties>
+    </div>`;
+  }
+
+  #target(headed: boolean): TemplateResult | typeof nothing {
+    if (!this.state.model) return nothing;
+    return html`<div class="section">
+      ${headed ? html`<h2>${strings.target.title}</h2>` : nothing}
+      <tc-target-settings .editor=${this.editor}></tc-target-settings>
+    </div>`;
   }
 }
 customElements.define("tc-side-panel", SidePanel);

@@ -12,9 +12,6 @@ import {
   makeDecalLayer,
   mapLayer,
   materialsIn,
-  removeById,
-  visitOf,
-  withFreeIds,
 } from "../document/index.ts";
 
 export const layerById = findLayer;
@@ -25,50 +22,22 @@ export function patchLayer<L extends DesignLayer>(
   id: string,
   patch: Partial<Omit<L, "id" | "type">>,
 ): Design {
-  return mapLayer(design, id, (layer) => {
-    const fields = Object.entries(patch) as [keyof DesignLayer, unknown][];
-    return fields.every(([key, value]) => sameValue(layer[key], value))
-      ? layer
-      : ({ ...layer, ...patch } as DesignLayer);
-  });
+  const layer = findLayer(design, id);
+  if (!layer) return design;
+  const fields = Object.entries(patch) as [keyof DesignLayer, unknown][];
+  if (fields.every(([key, value]) => sameValue(layer[key], value))) return design;
+  return mapLayer(design, id, (before) => ({ ...before, ...patch }) as DesignLayer);
 }
 
-/** Adds a decal on top of all others. */
+/** Adds a decal on top of all others, or of those in a group. */
 export function addDecal(
   design: Design,
   fields: Pick<DecalLayer, "name" | "material" | "asset" | "projector">,
+  parentId: string | null = null,
 ): { design: Design; id: string } {
   const id = freeIdIn(design);
   const layer = makeDecalLayer({ id, ...fields, name: freeName(design, fields.name) });
-  return { design: { ...design, layers: [...design.layers, layer] }, id };
-}
-
-/** Puts a copy right above the original. `patch` sets the copy apart (its place). */
-export function duplicateLayer<L extends DesignLayer>(
-  design: Design,
-  id: string,
-  patch: Partial<Omit<L, "id" | "type">> = {},
-): { design: Design; id: string } | undefined {
-  const original = visitOf(design, id);
-  if (!original) return undefined;
-  const name = freeName(design, original.layer.name);
-  const copy = withFreeIds(design, { ...original.layer, ...patch, name } as DesignLayer);
-  return { design: insertAt(design, { ...original, index: original.index + 1 }, copy), id: copy.id };
-}
-
-/** Takes a layer out, and its picture where no other layer uses it. */
-export function removeLayer(design: Design, id: string): Design {
-  const without = removeById(design, id);
-  return without === design ? design : withoutUnusedAssets(without);
-}
-
-/** `to` counts from the bottom, 0 to layers.length - 1, and is clamped to that. */
-export function moveLayer(design: Design, id: string, to: number): Design {
-  const from = design.layers.findIndex((layer) => layer.id === id);
-  const layer = design.layers[from];
-  const target = Math.max(0, Math.min(design.layers.length - 1, to));
-  if (!layer || from === target) return design;
-  return { ...design, layers: design.layers.toSpliced(from, 1).toSpliced(target, 0, layer) };
+  return { design: insertAt(design, { parentId, list: "layers", index: Number.POSITIVE_INFINITY }, layer), id };
 }
 
 /** Gives the asset's key: the existing one where the same picture is already part of the design. */
@@ -87,11 +56,12 @@ export function withAsset(design: Design, name: string, asset: DesignAsset): { d
   return { design: { ...design, assets: { ...design.assets, [key]: asset } }, key };
 }
 
+/** A group paints nothing itself. */
 export function usedMaterials(design: Design): Set<number> {
   return new Set(design.layers.flatMap(materialsIn));
 }
 
-function withoutUnusedAssets(design: Design): Design {
+export function withoutUnusedAssets(design: Design): Design {
   const used = new Set(flattenLayers(design).flatMap(assetsOf));
   const kept = Object.entries(design.assets).filter(([key]) => used.has(key));
   return kept.length === Object.keys(design.assets).length ? design : { ...design, assets: Object.fromEntries(kept) };
@@ -99,7 +69,7 @@ function withoutUnusedAssets(design: Design): Design {
 
 /** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. */
 export function freeName(design: Design, name: string): string {
-  const taken = new Set(flattenLayers(design).map((layer) => layer.name));
+  const taken = new Set(flattenLayers(design, { masks: false, strokes: false }).map((layer) => layer.name));
   // Only what was counted on before: the 07 of "Number 07" is part of the name.
   const stem = name.replace(/ (?:[2-9]|[1-9]\d+)$/, "");
   let free = name;

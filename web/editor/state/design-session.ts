@@ -14,6 +14,7 @@ import type { AssetLibrary } from "./asset-library.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState, HistorySteps, ModelRef, Snapshot } from "./editor-state.ts";
 import { History } from "./history.ts";
+import { isLocked } from "./layer-edits.ts";
 import type { Store } from "./store.ts";
 
 export interface DesignSessionParts {
@@ -137,7 +138,7 @@ export class DesignSession {
     return {
       selectedId,
       selection: same ? before : selection,
-      editingMask: editingMask === selectedId ? editingMask : null,
+      editingMask: layerById(design, selectedId)?.mask && editingMask === selectedId ? editingMask : null,
     };
   }
 
@@ -172,7 +173,8 @@ export class DesignSession {
     const { design } = this;
     const decals: ViewerDecal[] = [];
     for (const { layer, shown } of walkLayers(design, { masks: false, strokes: false })) {
-      if (layer.type !== "decal") continue;
+      // A locked one cannot be taken hold of, and does not stand before those that can.
+      if (layer.type !== "decal" || isLocked(design, layer.id)) continue;
       const picture = this.#library.get(design.assets[layer.asset]);
       const { id, name, projector } = layer;
       const aspect = picture ? picture.width / picture.height : 1;

@@ -150,3 +150,10 @@ export interface Figures {
 }
 
 export const INITIAL_FIGURES: Figures = { update: null, uploadMilliseconds: 0, updates: 0 };
+
+/** Metres from corner to corner of the model's box: what steps and sizes of new things go by. 1 without a model. */
+export function diagonalOf(model: OpenModel | null): number {
+  if (!model) return 1;
+  const { boundsMin: low, boundsMax: high } = model.info;
+  return Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
+}

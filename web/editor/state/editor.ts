@@ -25,6 +25,7 @@ import {
 } from "./editor-state.ts";
 import { FileCommands } from "./file-commands.ts";
 import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
+import { LayerCommands } from "./layer-commands.ts";
 import { megabytes } from "./megabytes.ts";
 import { ModelSession } from "./model-session.ts";
 import { NoticeBoard } from "./notice-board.ts";
@@ -53,6 +54,7 @@ export class Editor {
   readonly board = new NoticeBoard(this.store);
   readonly tasks = new Tasks(this.store);
   readonly library: AssetLibrary;
+  readonly layers: LayerCommands;
   readonly decals: DecalCommands;
   readonly files: FileCommands;
   readonly session: DesignSession;
@@ -73,8 +75,10 @@ export class Editor {
     this.session = new DesignSession({ engine, viewer, library: this.library, store });
     const send = this.session.send.bind(this.session);
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
-    this.decals = new DecalCommands(this.session, viewer, store, board);
-    const { session, decals, library } = this;
+    const { session, library } = this;
+    this.layers = new LayerCommands(session, viewer, store, board);
+    this.decals = new DecalCommands({ session, viewer, store, board, layers: this.layers });
+    const { decals } = this;
     const models = this.#models;
     const projects = (): ProjectCommands => this.projects;
     this.files = new FileCommands({ engine, store, session, models, decals, library, board, tasks, projects });

@@ -1,5 +1,6 @@
 /** Keys of the page. What has the focus comes first: a text field keeps every key, a slider or a list its arrows. */
 import type { Editor } from "./editor.ts";
+import type { LayerCommands } from "./layer-commands.ts";
 
 export interface ShortcutActions {
   readonly openModel: () => void;
@@ -16,8 +17,11 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
   return focus === "page" && (editor.tools.handleKey(event) || handlePlain(event, editor));
 }
 
-function handleCommand(event: KeyboardEvent, { files, decals }: Editor, actions: ShortcutActions): boolean {
+function handleCommand(event: KeyboardEvent, { files, layers }: Editor, actions: ShortcutActions): boolean {
   if (event.altKey) return false;
+  // By place on the keyboard: where a layout has these characters on another level, Ctrl means another one.
+  if (event.code === "BracketRight") return arrange(layers, 1, event.shiftKey);
+  if (event.code === "BracketLeft") return arrange(layers, -1, event.shiftKey);
   switch (event.key.toLowerCase()) {
     case "z":
       void files.travel(event.shiftKey ? "redo" : "undo");
@@ -26,7 +30,14 @@ function handleCommand(event: KeyboardEvent, { files, decals }: Editor, actions:
       void files.travel("redo");
       return true;
     case "d":
-      decals.duplicate();
+      layers.duplicate();
+      return true;
+    case "g":
+      if (event.shiftKey) layers.ungroup();
+      else layers.group();
+      return true;
+    case "e":
+      layers.merge();
       return true;
     case "s":
       files.saveDesign();
@@ -39,7 +50,13 @@ function handleCommand(event: KeyboardEvent, { files, decals }: Editor, actions:
   }
 }
 
-function handlePlain(event: KeyboardEvent, { decals, viewer }: Editor): boolean {
+function arrange(layers: LayerCommands, direction: 1 | -1, toEnd: boolean): true {
+  if (toEnd) layers.toEnd(direction);
+  else layers.step(direction);
+  return true;
+}
+
+function handlePlain(event: KeyboardEvent, { decals, layers, viewer }: Editor): boolean {
   if (event.altKey) return false;
   const coarse = event.shiftKey;
   // By place on the keyboard: with Shift, the characters of these keys differ between layouts.
@@ -61,10 +78,10 @@ function handlePlain(event: KeyboardEvent, { decals, viewer }: Editor): boolean 
       return decals.scale(-1, false);
     case "Delete":
     case "Backspace":
-      decals.remove();
+      layers.remove();
       return true;
     case "Escape":
-      decals.select(null);
+      layers.select(null);
       return true;
     case "f":
     case "F":

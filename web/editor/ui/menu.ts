@@ -4,6 +4,9 @@ import { Check, ChevronDown, type IconNode } from "lucide";
 import { icon } from "./icon.ts";
 import { controls } from "./theme.ts";
 
+/** Pixels between the menu and its opener, and between it and the page's edges. */
+const GAP = 4;
+
 export interface MenuItem {
   readonly label: string;
   readonly hint?: string;
@@ -64,11 +67,11 @@ export class Menu extends LitElement {
       .opener .chevron {
         color: var(--text-quiet);
       }
+      /* In the top layer, so that no panel that scrolls cuts it off; placed by its opener. */
       [role="menu"] {
-        position: absolute;
-        z-index: 20;
-        inset-block-start: calc(100% + var(--space-1));
-        inset-inline-start: 0;
+        position: fixed;
+        inset: auto;
+        margin: 0;
         min-width: 14rem;
         max-width: min(22rem, 92vw);
         max-height: 75dvh;
@@ -77,10 +80,8 @@ export class Menu extends LitElement {
         border: 1px solid var(--line);
         border-radius: var(--radius-large);
         background: var(--surface-high);
+        color: inherit;
         box-shadow: var(--shadow);
-      }
-      [role="menu"].end {
-        inset-inline: auto 0;
       }
       [role^="menuitem"] {
         display: grid;
@@ -128,7 +129,10 @@ export class Menu extends LitElement {
 
   #menu(): TemplateResult {
     return html`
-      <div role="menu" class=${this.alignEnd ? "end" : ""} aria-label=${this.name} 
+      <div
+        role="menu"
+        popover="manual"
+        aria-label=${this.name}
         @keydown=${this.#menuKey}
         @focusout=${this.#leave}
         @mousedown=${(event: Event) => event.preventDefault()}
@@ -158,9 +162,25 @@ export class Menu extends LitElement {
     this.open = open;
     if (!open) return;
     await this.updateComplete;
+    this.#place();
     const entries = this.#entries();
     const checked = entries.find((entry) => entry.getAttribute("aria-checked") === "true");
     (last ? entries.at(-1) : (checked ?? entries[0]))?.focus();
+  }
+
+  /** Below the opener, or above it where there is more room, and within the page. */
+  #place(): void {
+    const menu = this.renderRoot.querySelector<HTMLElement>("[role=menu]");
+    const opener = this.renderRoot.querySelector(".opener, button")?.getBoundingClientRect();
+    if (!menu || !opener) return;
+    menu.showPopover();
+    const { offsetWidth: width, offsetHeight: height } = menu;
+    const below = innerHeight - opener.bottom - GAP;
+    const top = height > below && opener.top > below ? opener.top - GAP - height : opener.bottom + GAP;
+    const rightToLeft = getComputedStyle(this).direction === "rtl";
+    const left = this.alignEnd === rightToLeft ? opener.left : opener.right - width;
+    menu.style.top = `${Math.max(GAP, Math.min(top, innerHeight - height - GAP))}px`;
+    menu.style.left = `${Math.max(GAP, Math.min(left, innerWidth - width - GAP))}px`;
   }
 
   #close(): void {

@@ -1,0 +1,120 @@
+/** What the layer list's bar and menus offer. */
+import {
+  ArrowDown,
+  ArrowUp,
+  Blend,
+  Brush,
+  CircleOff,
+  Contrast,
+  Copy,
+  FolderPlus,
+  type IconNode,
+  ImagePlus,
+  Layers2,
+  PaintBucket,
+  SquareDashed,
+  SquareStack,
+  Trash,
+  Ungroup,
+} from "lucide";
+import { findLayer, makeFillLayer, makeGroupLayer, makePaintLayer } from "../document/index.ts";
+import { alignedGradient } from "../state/aligned-gradient.ts";
+import type { Editor } from "../state/editor.ts";
+import { layerBelow } from "../state/layer-merge.ts";
+import { strings } from "../strings.ts";
+import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import type { MenuItem } from "../ui/menu.ts";
+
+const words = strings.layers;
+
+/** A quiet middle grey-blue: seen on light and on dark models, and clearly a beginning. */
+const FIRST_COLOR = "#7c86c4";
+
+export interface LayerAct {
+  readonly action: string;
+  readonly label: string;
+  readonly drawing: IconNode;
+  readonly disabled: boolean;
+  readonly run: () => void;
+}
+
+/** Acts that have a button of their own. */
+export function barActs({ layers, store }: Editor): LayerAct[] {
+  const { selection, selectedId, design } = store.state;
+  const none = selection.length === 0;
+  const masked = findLayer(design, selectedId)?.mask !== null;
+  return [
+    { action: "mask", label: words.addMask, drawing: SquareDashed, disabled: masked, run: () => layers.addMask(false) },
+    { action: "group", label: words.groupAct, drawing: FolderPlus, disabled: none, run: () => layers.group() },
+    { action: "up", label: words.up, drawing: ArrowUp, disabled: none, run: () => layers.step(1) },
+    { action: "down", label: words.down, drawing: ArrowDown, disabled: none, run: () => layers.step(-1) },
+    { action: "duplicate", label: words.duplicate, drawing: Copy, disabled: none, run: () => layers.duplicate() },
+    { action: "delete", label: words.remove, drawing: Trash, disabled: none, run: () => layers.remove() },
+  ];
+}
+
+/** All other acts on the chosen layers. */
+export function moreItems({ layers, store }: Editor): MenuItem[] {
+  const { selection, selectedId, design } = store.state;
+  const layer = findLayer(design, selectedId);
+  const none = selection.length === 0;
+  const masked = layer !== undefined && layer.mask !== null;
+  const grouped = selection.some((id) => findLayer(design, id)?.type === "group");
+  const above = selectedId !== null && layerBelow(design, selectedId) !== undefined;
+  return [
+    { label: words.ungroup, icon: Ungroup, disabled: !grouped, run: () => layers.ungroup() },
+    { label: words.merge, icon: Layers2, disabled: selection.length < 2 && !above, run: () => layers.merge() },
+    { label: words.selectAll, icon: SquareStack, disabled: design.layers.length === 0, run: () => layers.selectAll() },
+    {
+      label: words.addHidingMask,
+      icon: SquareDashed,
+      disabled: none || masked,
+      separated: true,
+      run: () => layers.addMask(true),
+    },
+    { label: words.invertMask, icon: Contrast, disabled: !masked, run: () => layers.invertMask() },
+    { label: words.removeMask, icon: CircleOff, disabled: !masked, run: () => layers.removeMask() },
+  ];
+}
+
+export function addItems({ layers, files, store }: Editor): MenuItem[] {
+  const material = store.state.material ?? 0;
+  const { steps } = strings;
+  return [
+    {
+      label: words.addPaint,
+      hint: words.addPaintHint,
+      icon: Brush,
+      run: () =>
+        layers.add((id) => makePaintLayer({ id, strokes: [], material, name: words.names.paint }), steps.addPaint),
+    },
+    {
+      label: words.addFill,
+      hint: words.addFillHint,
+      icon: PaintBucket,
+      run: () =>
+        layers.add((id) => makeFillLayer({ id, color: FIRST_COLOR, material, name: words.names.fill }), steps.addFill),
+    },
+    {
+      label: words.addGradient,
+      hint: words.addGradientHint,
+      icon: Blend,
+      run: () => {
+        const gradient = alignedGradient(store.state.model, "y");
+        const { gradient: name } = words.names;
+        layers.add((id) => makeFillLayer({ id, color: FIRST_COLOR, gradient, material, name }), steps.addGradient);
+      },
+    },
+    {
+      label: words.addPicture,
+      icon: ImagePlus,
+      run: () => pickFiles({ accept: ACCEPT.picture }, (chosen) => void files.openFiles(chosen)),
+    },
+    {
+      label: words.addGroup,
+      icon: FolderPlus,
+      separated: true,
+      run: () => layers.add((id) => makeGroupLayer({ id, layers: [], name: words.group }), steps.addGroup),
+    },
+  ];
+}

@@ -1,0 +1,165 @@
+/**
+ * Dragging rows of the layer list. A mouse or pen drags a row by any part of it; a finger, whose stroke scrolls the list, by
+ * its grip, and a long press of it takes the row into the choice.
+ */
+import { dropAt, type LayerDrop, type LayerRow } from "../state/layer-rows.ts";
+
+export interface LayerDragHost {
+  readonly rows: readonly LayerRow[];
+  /** What scrolls, with the rows' elements in it. */
+  readonly list: HTMLElement | null;
+  /** Pixels a level of depth. */
+  readonly indent: number;
+  requestUpdate(): void;
+  /** Ids that go along when that row is dragged. */
+  dragged(id: string): readonly string[];
+  move(ids: readonly string[], drop: LayerDrop): void;
+  longPress(id: string): void;
+}
+
+/** Pixels before a press becomes a drag. */
+const DRAG_START = 4;
+const LONG_PRESS = 450;
+/** Pixels from the list's ends within which it scrolls, and by how much a move. */
+const SCROLL_EDGE = 24;
+const SCROLL_STEP = 10;
+
+export class LayerDrag {
+  readonly #host: LayerDragHost;
+  #press: { readonly id: string; readonly pointer: number; readonly x: number; readonly y: number } | null = null;
+  #ids: readonly string[] = [];
+  #drop: LayerDrop | null = null;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #swallow = false;
+
+  constructor(host: LayerDragHost) {
+    this.#host = host;
+  }
+
+  /** Ids of the layers that are being dragged. */
+  get ids(): readonly string[] {
+    return this.#ids;
+  }
+
+  /** Where they would go now. */
+  get drop(): LayerDrop | null {
+    return this.#drop;
+  }
+
+  /** True once after a drag or a long press: the click that follows is not one. */
+  takeClick(): boolean {
+    const swallowed = this.#swallow;
+    this.#swallow = false;
+    return swallowed;
+  }
+
+  press(event: PointerEvent, id: string, byGrip: boolean): void {
+    this.#swallow = false;
+    if (event.button !== 0 || this.#press) return;
+    const touch = event.pointerType === "touch";
+    if (touch && !byGrip) {
+      this.#waitForLongPress(event, id);
+      return;
+    }
+    this.#press = { id, pointer: event.pointerId, x: event.clientX, y: event.clientY };
+    addEventListener("pointermove", this.#move);
+    addEventListener("pointerup", this.#release);
+    addEventListener("pointercancel", this.#cancel);
+    addEventListener("keydown", this.#key, { capture: true });
+  }
+
+  /** Ends a drag without its effect, and takes back what was listened for. */
+  readonly #cancel = (): void => {
+    this.#end();
+  };
+
+  #waitForLongPress({ clientX, clientY, pointerId }: PointerEvent, id: string): void {
+    const stop = (): void => {
+      clearTimeout(this.#timer);
+      for (const type of ["pointermove", "pointerup", "pointercancel"] as const) removeEventListener(type, follow);
+    };
+    const follow = (event: PointerEvent): void => {
+      const moved = Math.hypot(event.clientX - clientX, event.clientY - clientY) > 2 * DRAG_START;
+      if (event.pointerId === pointerId && (event.type !== "pointermove" || moved)) stop();
+    };
+    for (const type of ["pointermove", "pointerup", "pointercancel"] as const) addEventListener(type, follow);
+    this.#timer = setTimeout(() => {
+      stop();
+      this.#swallow = true;
+      this.#host.longPress(id);
+    }, LONG_PRESS);
+  }
+
+  readonly #move = (event: PointerEvent): void => {
+    const press = this.#press;
+    if (!press || event.pointerId !== press.pointer) return;
+    if (this.#ids.length === 0) {
+      if (Math.hypot(event.clientX - press.x, event.clientY - press.y) < DRAG_START) return;
+      this.#ids = this.#host.dragged(press.id);
+    }
+    event.preventDefault();
+    this.#scroll(event.clientY);
+    this.#drop = this.#dropUnder(event);
+    this.#host.requestUpdate();
+  };
+
+  readonly #release = (event: PointerEvent): void => {
+    if (event.pointerId !== this.#press?.pointer) return;
+    const ids = this.#ids;
+    const drop = ids.length > 0 ? this.#dropUnder(event) : null;
+    this.#swallow = ids.length > 0;
+    this.#end();
+    if (drop) this.#host.move(ids, drop);
+  };
+
+  readonly #key = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape" || this.#ids.length === 0) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#swallow = true;
+    this.#end();
+  };
+
+  #end(): void {
+    this.#press = null;
+    this.#ids = [];
+    this.#drop = null;
+    removeEventListener("pointermove", this.#move);
+    removeEventListener("pointerup", this.#release);
+    removeEventListener("pointercancel", this.#cancel);
+    removeEventListener("keydown", this.#key, { capture: true });
+    this.#host.requestUpdate();
+  }
+
+  #scroll(clientY: number): void {
+    const { list } = this.#host;
+    if (!list) return;
+    const { top, bottom } = list.getBoundingClientRect();
+    if (clientY < top + SCROLL_EDGE) list.scrollTop -= SCROLL_STEP;
+    else if (clientY > bottom - SCROLL_EDGE) list.scrollTop += SCROLL_STEP;
+  }
+
+  /** Null where the layers cannot go: into one of themselves. */
+  #dropUnder({ clientX, clientY }: PointerEvent): LayerDrop | null {
+    const { list, rows, indent } = this.#host;
+    if (!list || rows.length === 0) return null;
+    const elements = [...list.querySelectorAll<HTMLElement>(".row")];
+    const boxes = elements.map((element) => element.getBoundingClientRect());
+    const under = boxes.findIndex(({ bottom }) => clientY < bottom);
+    const row = under < 0 ? rows.length : under;
+    const box = boxes[row];
+    const share = box ? Math.max(0, (clientY - box.top) / box.height) : 0;
+    const { left, right } = list.getBoundingClientRect();
+    const inward = getComputedStyle(list).direction === "rtl" ? right - clientX : clientX - left;
+    // The row's own head is as wide as a level or two: a pointer within it means the outermost.
+    const depth = 1 + Math.max(0, Math.floor((inward - 2 * indent) / indent));
+    const drop = dropAt(rows, row, share, depth);
+    return this.#isInside(drop.parentId) ? null : drop;
+  }
+
+  #isInside(parentId: string | null): boolean {
+    const parents = new Map(this.#host.rows.map(({ layer, parentId: above }) => [layer.id, above]));
+    for (let id = parentId; id !== null; id = parents.get(id) ?? null) if (this.#ids.includes(id)) return true;
+    return false;
+  }
+}

@@ -1,0 +1,219 @@
+/** Looks of the layer list. */
+import { css } from "lit";
+
+export const layerListStyles = css`
+  :host {
+    --row: 32px;
+    --thumbnail: 24px;
+    display: grid;
+    grid-template-rows: auto minmax(0, 1fr) auto;
+    min-height: 0;
+  }
+  @media (pointer: coarse) {
+    :host {
+      --row: 44px;
+      --thumbnail: 32px;
+    }
+  }
+  .looks {
+    display: grid;
+    grid-template-columns: minmax(0, 1fr) minmax(0, 1fr) auto;
+    gap: var(--space-1);
+    padding: var(--space-1) var(--space-3) var(--space-2);
+  }
+  .rows {
+    position: relative;
+    min-height: 0;
+    overflow: hidden auto;
+    overscroll-behavior: contain;
+    padding: 2px var(--space-2);
+    scrollbar-width: thin;
+    scrollbar-color: var(--line-strong) transparent;
+    user-select: none;
+    -webkit-user-select: none;
+  }
+  .empty {
+    padding: var(--space-2) var(--space-4) var(--space-3);
+    line-height: 1.45;
+  }
+  .row {
+    position: relative;
+    display: flex;
+    align-items: center;
+    height: var(--row);
+    padding-inline: 2px;
+    border-radius: var(--radius);
+    cursor: default;
+  }
+  .row:focus-visible {
+    outline-offset: -2px;
+  }
+  @media (hover: hover) {
+    .row:hover {
+      background: var(--hover);
+    }
+  }
+  .row.chosen {
+    background: color-mix(in oklab, var(--accent-soft), transparent 35%);
+  }
+  .row.primary {
+    background: var(--accent-soft);
+  }
+  .row.dragged {
+    opacity: 0.45;
+  }
+  .row.into {
+    outline: 2px solid var(--accent);
+    outline-offset: -2px;
+  }
+  .line {
+    position: absolute;
+    z-index: 2;
+    inset-inline-end: var(--space-2);
+    height: 2px;
+    margin-block-start: -1px;
+    border-radius: 1px;
+    background: var(--accent);
+    pointer-events: none;
+  }
+  .line::before {
+    content: "";
+    position: absolute;
+    inset-block-start: -2px;
+    inset-inline-start: -3px;
+    width: 6px;
+    height: 6px;
+    border-radius: 50%;
+    background: var(--accent);
+  }
+  .name-cell {
+    flex: 1;
+    display: flex;
+    align-items: center;
+    min-width: 0;
+    height: 100%;
+  }
+  .twist {
+    flex: none;
+    width: 18px;
+    min-width: 18px;
+    min-height: 24px;
+    padding: 0;
+    color: var(--text-quiet);
+  }
+  .twist tc-icon {
+    transform: scale(0.85);
+  }
+  .chip {
+    flex: none;
+    min-width: 0;
+    min-height: 0;
+    width: var(--thumbnail);
+    height: var(--thumbnail);
+    margin-inline-start: 6px;
+    padding: 1px;
+    overflow: hidden;
+    border-radius: 5px;
+    box-shadow: inset 0 0 0 1px var(--line-strong);
+  }
+  .target {
+    flex: none;
+    display: block;
+    border-radius: 6px;
+  }
+  /* What the brush paints on, of a layer that has a mask too. */
+  .painted-on {
+    box-shadow:
+      0 0 0 1px var(--surface),
+      0 0 0 3px var(--accent);
+  }
+  .name {
+    flex: 1;
+    min-width: 0;
+    margin-inline-start: var(--space-2);
+    overflow: hidden;
+    text-overflow: ellipsis;
+    white-space: nowrap;
+  }
+  input.name {
+    min-height: 24px;
+    height: calc(var(--row) - 6px);
+    padding-inline: var(--space-1);
+    background: var(--surface);
+    user-select: text;
+  }
+  .primary .name {
+    font-weight: 550;
+  }
+  .off .name,
+  .off .target {
+    opacity: 0.5;
+  }
+  .cell {
+    flex: none;
+    display: flex;
+  }
+  .cell button {
+    min-width: 26px;
+    width: 26px;
+    min-height: calc(var(--row) - 4px);
+  }
+  .quiet-until-near button[aria-pressed="false"] {
+    opacity: 0;
+  }
+  .row:hover .quiet-until-near button,
+  .row:focus-within .quiet-until-near button,
+  .primary .quiet-until-near button {
+    opacity: 1;
+  }
+  .cell button[aria-pressed="true"] {
+    background: none;
+    color: var(--text);
+  }
+  .grip {
+    display: none;
+  }
+  @media (pointer: coarse) {
+    .cell button {
+      min-width: 40px;
+      width: 40px;
+    }
+    .twist {
+      width: 28px;
+      min-height: 40px;
+    }
+    .quiet-until-near button[aria-pressed="false"] {
+      display: none;
+    }
+    .primary .quiet-until-near button[aria-pressed="false"] {
+      display: inline-flex;
+    }
+    .grip {
+      flex: none;
+      display: grid;
+      place-items: center;
+      width: 32px;
+      height: 100%;
+      color: var(--line-strong);
+      touch-action: none;
+    }
+  }
+  .bar {
+    display: flex;
+    align-items: center;
+    padding: 2px var(--space-2);
+    border-block-start: 1px solid var(--line);
+  }
+  .bar .gap {
+    flex: 1;
+  }
+  @media (pointer: coarse) {
+    .bar button.icon {
+      flex: 1;
+      min-width: 36px;
+    }
+    .bar .gap {
+      display: none;
+    }
+  }
+`;

@@ -1,0 +1,348 @@
+/**
+ * The layers as a tree (WAI-ARIA treegrid), the topmost first. Rows are chosen by click or arrow keys, reordered by
+ * dragging, by Alt and the arrows, or by buttons; what stands above and below the rows is for all chosen ones.
+ */
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { live } from "lit/directives/live.js";
+import { repeat } from "lit/directives/repeat.js";
+import { Ellipsis, Grid2x2Check, Plus } from "lucide";
+import { BLEND_MODES, type BlendMode, type DesignLayer } from "../document/index.ts";
+import { layerById } from "../state/design-edits.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import { isLocked } from "../state/layer-edits.ts";
+import { type LayerDrop, type LayerRow, layerRows } from "../state/layer-rows.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { controls } from "../ui/theme.ts";
+import { thumbnailStyles } from "../ui/thumbnail.ts";
+import { addItems, barActs, moreItems } from "./layer-acts.ts";
+import { LayerDrag, type LayerDragHost } from "./layer-drag.ts";
+import { handleLayerKey } from "./layer-keys.ts";
+import { layerListStyles } from "./layer-list-styles.ts";
+import { INDENT, layerRow, type RowActs } from "./layer-row.ts";
+
+const words = strings.layers;
+
+export class LayerList extends EditorElement implements LayerDragHost {
+  static override properties = { renaming: { state: true } };
+  /** Id of the layer whose name is being typed. */
+  declare renaming: string | null;
+  rows: readonly LayerRow[] = [];
+  readonly indent = INDENT;
+  readonly #drag = new LayerDrag(this);
+  /** The row that the keyboard shall be on after the next render; undefined: where it is. */
+  #focusNext: string | undefined;
+
+  static override styles = [controls, thumbnailStyles, layerListStyles];
+
+  constructor() {
+    super();
+    this.renaming = null;
+  }
+
+  protected watched(state: EditorState): readonly unknown[] {
+    const { design, selectedId, selection, collapsed, editingMask, model, material } = state;
+    const shown = layerRows(design, collapsed).flatMap(shownOf);
+    return [design.assets, selectedId, selection, collapsed, editingMask, model, material, ...shown];
+  }
+
+  get list(): HTMLElement | null {
+    return this.renderRoot.querySelector<HTMLElement>(".rows");
+  }
+
+  override render(): TemplateResult {
+    const { design, collapsed, model } = this.state;
+    this.rows = layerRows(design, collapsed);
+    return html`
+      ${this.#looks()}
+      ${
+        this.rows.length === 0
+          ? html`<p class="quiet empty">${model ? words.emptyBody : words.emptyWithoutModel}</p>`
+          : this.#tree()
+      }
+      ${model ? this.#bar() : nothing}
+    `;
+  }
+
+  #tree(): TemplateResult {
+    const { selectedId, selection, design, editingMask } = this.state;
+    const { drop, ids } = this.#drag;
+    const twists = this.rows.some(({ layer }) => layer.type === "group");
+    const reachable = this.rows.find(({ layer }) => layer.id === selectedId) ?? this.rows[0];
+    return html`
+      <div class="rows" role="treegrid" aria-label=${words.list} aria-multiselectable="true" @keydown=${this.#key}>
+        ${repeat(
+          this.rows,
+          ({ layer }) => layer.id,
+          (row) =>
+            layerRow(
+              row,
+              {
+                library: this.editor.library,
+                design,
+                chosen: selection.includes(row.layer.id),
+                primary: row.layer.id === selectedId,
+                reachable: row === reachable,
+                renaming: row.layer.id === this.renaming,
+                dragged: ids.includes(row.layer.id),
+                into: drop?.gap === null && drop.parentId === row.layer.id,
+                editsMask: editingMask === row.layer.id,
+                twists,
+              },
+              this.#acts,
+            ),
+        )}
+        ${drop && drop.gap !== null ? this.#line(drop, drop.gap) : nothing}
+      </div>
+    `;
+  }
+
+  #line({ depth }: LayerDrop, gap: number): TemplateResult {
+    const rows = this.renderRoot.querySelectorAll<HTMLElement>(".row");
+    const before = rows[gap];
+    const last = rows[rows.length - 1];
+    const top = before?.offsetTop ?? (last ? last.offsetTop + last.offsetHeight : 0);
+    const start = (depth - 1) * INDENT + 12;
+    return html`<div class="line" style=${`inset-block-start: ${top}px; inset-inline-start: ${start}px`}></div>`;
+  }
+
+  /** Blending, opacity and locked transparency of what is chosen. */
+  #looks(): TemplateResult | typeof nothing {
+    const { selection, design, selectedId } = this.state;
+    const layer = layerById(design, selectedId);
+    if (!layer) return nothing;
+    const chosen = selection.map((id) => layerById(design, id)).filter((each) => each !== undefined);
+    const disabled = selection.every((id) => isLocked(design, id));
+    return html`<div class="looks">
+      ${this.#blend(layer, chosen, disabled)}${this.#opacity(layer, disabled)}
+      <button
+        class="icon"
+        data-action="lockAlpha"
+        aria-pressed=${layer.lockAlpha}
+        aria-label=${words.lockAlpha}
+        title=${`${words.lockAlpha}. ${words.lockAlphaHint}`}
+        ?disabled=${disabled}
+        @click=${() => this.#change({ lockAlpha: !layer.lockAlpha }, words.lockAlpha)}
+      >
+        ${icon(Grid2x2Check)}
+      </button>
+    </div>`;
+  }
+
+  #blend({ blend }: DesignLayer, chosen: readonly DesignLayer[], disabled: boolean): TemplateResult {
+    const same = chosen.every((layer) => layer.blend === blend);
+    const choose = (event: Event): void =>
+      this.#change({ blend: (event.target as HTMLSelectElement).value as BlendMode }, words.blend);
+    return html`
+      <select
+        data-action="blend"
+        aria-label=${words.blend}
+        title=${words.blend}
+        ?disabled=${disabled}
+        .value=${live(same ? blend : "")}
+        @change=${choose}
+      >
+        ${same ? nothing : html`<option value="" disabled selected>${words.mixed}</option>`}
+        ${BLEND_MODES.map(
+          (mode) => html`<option value=${mode} ?selected=${same && mode === blend}>${words.blendModes[mode]}</option>`,
+        )}
+      </select>
+    `;
+  }
+
+  #opacity({ opacity }: DesignLayer, disabled: boolean): TemplateResult {
+    const { layers } = this.editor;
+    const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
+    const change = (event: Event): void => {
+      const { value, repeated } = detail(event);
+      this.#change({ opacity: value / 100 }, words.opacity, repeated ? "layer-opacity" : undefined);
+    };
+    return html`<tc-number
+      data-field="layer-opacity"
+      .label=${words.opacity}
+      .name=${words.opacity}
+      .unit=${strings.properties.percent}
+      .value=${Math.round(opacity * 1000) / 10}
+      .step=${1}
+      .min=${0}
+      .max=${100}
+      ?disabled=${disabled}
+      @field-preview=${(event: Event) => layers.preview(this.state.selection, { opacity: detail(event).value / 100 })}
+      @field-change=${change}
+      @field-cancel=${() => layers.cancelPreview()}
+    ></tc-number>`;
+  }
+
+  #change(
+    patch: Partial<Pick<DesignLayer, "blend" | "opacity" | "lockAlpha">>,
+    field: string,
+    mergeKey?: string,
+  ): void {
+    this.editor.layers.change(this.state.selection, patch, strings.steps.change(field), mergeKey);
+  }
+
+  #bar(): TemplateResult {
+    const { editor } = this;
+    return html`<div class="bar" role="toolbar" aria-label=${words.title} @keydown=${this.#barKey}>
+      <tc-menu class="add" .name=${words.add} .icon=${Plus} .items=${addItems(editor)}></tc-menu>
+      <span class="gap"></span>
+      ${barActs(editor).map(
+        ({ action, label, drawing, disabled, run }) => html`<button
+          class="icon"
+          data-action=${action === "mask" ? "add-mask" : action}
+          aria-label=${label}
+          title=${label}
+          aria-disabled=${disabled}
+          @click=${() => disabled || run()}
+        >
+          ${icon(drawing)}
+        </button>`,
+      )}
+      <tc-menu class="more" .name=${words.more} .icon=${Ellipsis} .items=${moreItems(editor)} alignEnd></tc-menu>
+    </div>`;
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    if (changed.has("renaming") && this.renaming !== null) {
+      this.renderRoot.querySelector<HTMLInputElement>("input.name")?.select();
+    }
+    if (this.#focusNext === undefined) {
+      this.#keepInSight();
+      return;
+    }
+    const { selectedId } = this.state;
+    const row = this.#rowElement(this.#focusNext) ?? this.#rowElement(selectedId ?? "");
+    this.#focusNext = undefined;
+    row?.focus({ preventScroll: true });
+    row?.scrollIntoView({ block: "nearest" });
+  }
+
+  #shown: string | null = null;
+
+  /** A layer that was chosen elsewhere, on the model, is shown here. */
+  #keepInSight(): void {
+    const { selectedId } = this.state;
+    if (selectedId === this.#shown) return;
+    this.#shown = selectedId;
+    if (selectedId !== null) this.#rowElement(selectedId)?.scrollIntoView({ block: "nearest" });
+  }
+
+  #rowElement(id: string): HTMLElement | null {
+    return this.renderRoot.querySelector<HTMLElement>(`.row[data-id="${CSS.escape(id)}"]`);
+  }
+
+  /** The keyboard follows the selected layer, whose row may be a new one. */
+  focusSelected(): void {
+    this.#focusNext = "";
+    this.requestUpdate();
+  }
+
+  dragged(id: string): readonly string[] {
+    const { selection } = this.state;
+    if (selection.includes(id)) return selection;
+    this.editor.layers.select(id);
+    return [id];
+  }
+
+  move(ids: readonly string[], { parentId, index }: LayerDrop): void {
+    this.editor.layers.move(ids, { parentId, index });
+  }
+
+  longPress(id: string): void {
+    this.editor.layers.toggleSelected(id);
+  }
+
+  readonly #acts: RowActs = {
+    press: (event, id, byGrip) => {
+      const onControl = (event.target as Element).closest("button, input") !== null;
+      if (!onControl) this.#drag.press(event, id, byGrip);
+    },
+    choose: (event, id) => this.#choose(event, id),
+    show: (id) => this.editor.viewer.frameDecal(id),
+    startRename: (id) => {
+      this.renaming = id;
+    },
+    endRename: (id, name) => {
+      // Leaving the field comes after its key, which has ended it.
+      if (this.renaming !== id) return;
+      this.renaming = null;
+      if (name !== null) this.editor.layers.rename(id, name);
+      this.#focusNext = id;
+    },
+    setCollapsed: (id, collapsed) => this.editor.layers.setCollapsed(id, collapsed),
+    editMask: (id, on) => this.editor.layers.editMask(id, on),
+    toggleVisible: (id) => this.editor.layers.toggleVisible(this.#withChosen(id)),
+    toggleLocked: (id) => this.editor.layers.toggleLocked(this.#withChosen(id)),
+  };
+
+  /** A switch of a chosen row is for all that are chosen. */
+  #withChosen(id: string): readonly string[] {
+    const { selection } = this.state;
+    return selection.includes(id) ? [id, ...selection.filter((each) => each !== id)] : [id];
+  }
+
+  #choose(event: MouseEvent, id: string): void {
+    if (this.#drag.takeClick() || (event.target as Element).closest("input, [data-action=mask]")) return;
+    const { layers } = this.editor;
+    if (event.shiftKey) layers.selectTo(id);
+    else if (event.ctrlKey || event.metaKey) layers.toggleSelected(id);
+    else layers.select(id);
+  }
+
+  #key(event: KeyboardEvent): void {
+    handleLayerKey(event, {
+      layers: this.editor.layers,
+      rows: this.rows,
+      state: this.state,
+      rename: (id) => this.#acts.startRename(id),
+      focusSelected: () => this.focusSelected(),
+      focusRow: (id) => this.#rowElement(id)?.focus(),
+      show: (id) => this.#acts.show(id),
+    });
+  }
+
+  /** The acts' own keys work from their buttons, too. */
+  #barKey(event: KeyboardEvent): void {
+    if (!event.altKey || (event.key !== "ArrowUp" && event.key !== "ArrowDown")) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.editor.layers.step(event.key === "ArrowUp" ? 1 : -1);
+  }
+}
+customElements.define("tc-layer-list", LayerList);
+
+/** What a row reads of its layer: of a decal all but its place, which changes in each frame of a drag. */
+function shownOf({ layer, depth, place, count, hiddenAbove, lockedAbove }: LayerRow): readonly unknown[] {
+  const { id, name, visible, locked, opacity, blend, lockAlpha, mask } = layer;
+  const own = [
+    id,
+    name,
+    visible,
+    locked,
+    opacity,
+    blend,
+    lockAlpha,
+    mask,
+    depth,
+    place,
+    count,
+    hiddenAbove,
+    lockedAbove,
+  ];
+  switch (layer.type) {
+    case "decal":
+      return [...own, layer.asset];
+    case "text":
+      return [...own, layer.text, layer.color];
+    case "stroke":
+      return [...own, layer.brush];
+    case "fill":
+      return [...own, layer.color, layer.gradient];
+    case "paint":
+      return [...own, layer.strokes];
+    case "group":
+      return own;
+  }
+}

@@ -1,0 +1,48 @@
+/** Gradients that are laid over the whole model. */
+import type { Vec3 } from "../../engine/engine-api.ts";
+import type { Gradient, GradientStop } from "../document/index.ts";
+import type { OpenModel } from "./editor-state.ts";
+
+export type ModelAxis = "x" | "y" | "z";
+
+const AXES = { x: 0, y: 1, z: 2 } as const;
+const FIRST_STOPS: readonly GradientStop[] = [
+  { offset: 0, color: "#2b3a67" },
+  { offset: 1, color: "#f4a261" },
+];
+
+/** Linear, along an axis of the model from end to end, in the middle of the others. */
+export function alignedGradient(
+  model: OpenModel | null,
+  axis: ModelAxis,
+  stops: readonly GradientStop[] = FIRST_STOPS,
+): Extract<Gradient, { kind: "linear" }> {
+  const { low, high, middle } = boxOf(model);
+  const at = (value: number): Vec3 => {
+    const [x, y, z] = middle;
+    if (axis === "x") return [value, y, z];
+    return axis === "y" ? [x, value, z] : [x, y, value];
+  };
+  const index = AXES[axis];
+  return { kind: "linear", from: at(low[index]), to: at(high[index]), stops };
+}
+
+/** Radial, from the model's middle to its corners. */
+export function roundGradient(
+  model: OpenModel | null,
+  stops: readonly GradientStop[] = FIRST_STOPS,
+): Extract<Gradient, { kind: "radial" }> {
+  const { low, high, middle } = boxOf(model);
+  const radius = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2;
+  return { kind: "radial", center: middle, radius: radius || 1, stops };
+}
+
+/** A model that is flat along an axis still has two ends there: a gradient needs them apart. */
+function boxOf(model: OpenModel | null): { low: Vec3; high: Vec3; middle: Vec3 } {
+  const low: Vec3 = model?.info.boundsMin ?? [-0.5, -0.5, -0.5];
+  const max: Vec3 = model?.info.boundsMax ?? [0.5, 0.5, 0.5];
+  const end = (axis: 0 | 1 | 2): number => (max[axis] > low[axis] ? max[axis] : low[axis] + 1);
+  const high: Vec3 = [end(0), end(1), end(2)];
+  const middle: Vec3 = [(low[0] + max[0]) / 2, (low[1] + max[1]) / 2, (low[2] + max[2]) / 2];
+  return { low, high, middle };
+}

@@ -1,0 +1,345 @@
+/** What a user does to layers of any kind, each a step of the history. Acts are for all chosen layers. */
+import type { ModelViewer } from "../../viewer/viewer-api.ts";
+import {
+  type DecalLayer,
+  type Design,
+  type DesignLayer,
+  type FillLayer,
+  type GroupLayer,
+  layersAt,
+  type PaintLayer,
+  type StrokeLayer,
+  type TextLayer,
+} from "../document/index.ts";
+import { strings } from "../strings.ts";
+import { layerById, patchLayer } from "./design-edits.ts";
+import type { DesignSession } from "./design-session.ts";
+import { diagonalOf, type EditorState } from "./editor-state.ts";
+import {
+  addMask,
+  duplicateLayers,
+  groupLayers,
+  insertAbove,
+  invertMask,
+  isLocked,
+  moveLayers,
+  outermost,
+  removeLayers,
+  removeMask,
+  stepLayers,
+  type TreePlace,
+  ungroupLayers,
+} from "./layer-edits.ts";
+import { mergeDown } from "./layer-merge.ts";
+import { layerRows, rowsBetween } from "./layer-rows.ts";
+import type { NoticeBoard } from "./notice-board.ts";
+import type { Store } from "./store.ts";
+
+type Fields<L extends DesignLayer> = Omit<L, "id" | "type">;
+
+/** Fields of whichever layer it is for. */
+export type LayerPatch = Partial<
+  Fields<DecalLayer> &
+    Fields<TextLayer> &
+    Fields<StrokeLayer> &
+    Fields<FillLayer> &
+    Fields<GroupLayer> &
+    Fields<PaintLayer>
+>;
+
+/** The step of a copy away from its original, of the model's diagonal. */
+const COPY_SHARE = 0.04;
+/** A locked layer may still be renamed, shown, hidden and unlocked. */
+const FREE_FIELDS: readonly (keyof LayerPatch)[] = ["locked", "visible", "name"];
+
+export class LayerCommands {
+  readonly #session: DesignSession;
+  readonly #store: Store<EditorState>;
+  readonly #board: NoticeBoard;
+  readonly #viewer: Pick<ModelViewer, "nudge">;
+  /** Where a choice of several began. */
+  #anchor: string | null = null;
+
+  constructor(
+    session: DesignSession,
+    viewer: Pick<ModelViewer, "nudge">,
+    store: Store<EditorState>,
+    board: NoticeBoard,
+  ) {
+    this.#session = session;
+    this.#viewer = viewer;
+    this.#store = store;
+    this.#board = board;
+  }
+
+  select(id: string | null): void {
+    this.#anchor = id;
+    const { selectedId, selection } = this.#store.state;
+    if (id === selectedId && selection.length === (id === null ? 0 : 1)) return;
+    this.#session.select(id);
+    const layer = layerById(this.#session.design, id);
+    this.#board.announce(layer ? strings.announce.selected(layer.name) : strings.announce.nothingSelected);
+  }
+
+  /** Takes a layer into the choice, or out of it. */
+  toggleSelected(id: string): void {
+    const { selection } = this.#store.state;
+    this.#anchor = id;
+    if (selection.includes(id)) this.#choose(selection.filter((each) => each !== id));
+    else this.#choose([id, ...selection]);
+  }
+
+  /** Chooses all rows from where the choice began to that layer. */
+  selectTo(id: string): void {
+    const { design, collapsed, selectedId } = this.#store.state;
+    this.#anchor ??= selectedId;
+    const rows = rowsBetween(layerRows(design, collapsed), this.#anchor ?? id, id);
+    this.#choose([id, ...rows]);
+  }
+
+  selectAll(): void {
+    const { design, selectedId } = this.#store.state;
+    const ids = design.layers.map(({ id }) => id).reverse();
+    this.#choose([...(selectedId !== null && ids.includes(selectedId) ? [selectedId] : []), ...ids]);
+  }
+
+  #choose(ids: readonly string[]): void {
+    this.#session.select(ids[0] ?? null, ids.slice(1));
+    this.#board.announce(strings.announce.chosen(this.#store.state.selection.length));
+  }
+
+  /** Shows a change that is still going on (the scrub of a field). Locked layers stay as they are. */
+  preview(ids: string | readonly string[], patch: LayerPatch): void {
+    const design = this.#session.recordedDesign;
+    const free = listed(ids).filter((id) => !isLocked(design, id));
+    this.#session.preview(patched(design, free, patch));
+  }
+
+  cancelPreview(): void {
+    this.#session.cancelPreview();
+  }
+
+  change(ids: string | readonly string[], patch: LayerPatch, label: string, mergeKey?: string): void {
+    const isFree = (Object.keys(patch) as (keyof LayerPatch)[]).every((field) => FREE_FIELDS.includes(field));
+    const free = isFree ? listed(ids) : this.unlocked(listed(ids));
+    this.#session.record(patched(this.#session.recordedDesign, free, patch), label, mergeKey);
+  }
+
+  /** Of those layers the ones that may be changed; says which may not. */
+  unlocked(ids: readonly string[]): string[] {
+    const design = this.#session.recordedDesign;
+    const locked = ids.find((id) => isLocked(design, id));
+    if (locked === undefined) return [...ids];
+    const free = ids.filter((id) => !isLocked(design, id));
+    const name = layerById(design, locked)?.name ?? "";
+    this.#board.info({ title: strings.notices.locked(name), message: strings.notices.lockedHint });
+    return free;
+  }
+
+  duplicate(ids = this.#store.state.selection): void {
+    const { design, ids: copies } = duplicateLayers(this.#session.recordedDesign, ids, (layer) => this.#apart(layer));
+    if (copies.length === 0) return;
+    const said = this.#said(ids, strings.announce.duplicated, strings.announce.duplicatedMany);
+    this.#session.record(design, strings.steps.duplicate(copies.length));
+    this.#choose(copies.toReversed());
+    this.#board.announce(said);
+  }
+
+  /** A copied decal is seen beside its original. */
+  #apart(layer: DesignLayer): Partial<DecalLayer> {
+    if (layer.type !== "decal" && layer.type !== "text") return {};
+    const step = COPY_SHARE * diagonalOf(this.#store.state.model);
+    return { projector: this.#viewer.nudge(layer.projector, step, -step) };
+  }
+
+  /** The neighbour is selected next, so that the keyboard can go on. */
+  remove(ids = this.#store.state.selection): void {
+    const before = this.#session.recordedDesign;
+    const gone = this.unlocked(ids);
+    const design = removeLayers(before, gone);
+    if (design === before) return;
+    const rows = layerRows(before, this.#store.state.collapsed).map(({ layer }) => layer.id);
+    const said = this.#said(gone, strings.announce.removed, strings.announce.removedMany);
+    const places = gone.map((id) => rows.indexOf(id));
+    const around = [...rows.slice(0, Math.max(...places)).reverse(), ...rows.slice(Math.max(...places) + 1)];
+    this.#session.record(design, strings.steps.remove(gone.length));
+    this.select(around.find((id) => layerById(design, id)) ?? null);
+    this.#board.announce(said);
+  }
+
+  /** To a place in the tree that may be inside another group; `moveLayers` says how it counts. */
+  move(ids: readonly string[], place: TreePlace): void {
+    this.#rearrange(ids, (design) => moveLayers(design, ids, place));
+  }
+
+  /** One row up (1) or down (-1), into and out of groups. */
+  step(direction: 1 | -1, ids = this.#store.state.selection): void {
+    this.#rearrange(ids, (design) => stepLayers(design, ids, direction, this.#store.state.collapsed));
+  }
+
+  /** On top (1) or at the bottom (-1) of the layers that it lies with. */
+  toEnd(direction: 1 | -1, ids = this.#store.state.selection): void {
+    const design = this.#session.recordedDesign;
+    const top = outermost(design, ids).at(-1);
+    if (!top) return;
+    const count = layersAt(design, top)?.length ?? 0;
+    this.move(ids, { parentId: top.parentId, index: direction > 0 ? count : 0 });
+  }
+
+  #rearrange(ids: readonly string[], edit: (design: Design) => Design): void {
+    const before = this.#session.recordedDesign;
+    const design = this.#attempt(() => edit(before));
+    if (!design || design === before) return;
+    this.#session.record(design, strings.steps.reorder);
+    const row = layerRows(design, new Set()).find(({ layer }) => layer.id === ids[0]);
+    if (!row) return;
+    const { layer, place, count, parentId } = row;
+    const group = layerById(design, parentId)?.name;
+    this.#board.announce(strings.announce.moved(layer.name, place, count, group));
+  }
+
+  /** Puts the chosen layers into a new group. */
+  group(ids = this.#store.state.selection): void {
+    const made = this.#attempt(() => groupLayers(this.#session.recordedDesign, ids, { name: strings.layers.group }));
+    if (!made) return;
+    this.#session.record(made.design, strings.steps.group);
+    this.select(made.id);
+    this.#board.announce(strings.announce.grouped(layerById(made.design, made.id)?.name ?? ""));
+  }
+
+  ungroup(ids = this.#store.state.selection): void {
+    const before = this.#session.recordedDesign;
+    const groups = this.unlocked(ids).filter((id) => layerById(before, id)?.type === "group");
+    const { design, ids: freed } = ungroupLayers(before, groups);
+    if (design === before) return;
+    const plain = groups.every((id) => paintsPlainly(layerById(before, id)));
+    this.#session.record(design, strings.steps.ungroup);
+    this.#choose(freed.toReversed());
+    this.#board.announce(strings.announce.ungrouped(freed.length));
+    if (!plain) this.#board.info({ title: strings.notices.ungrouped, message: strings.notices.ungroupedHint });
+  }
+
+  /** Joins a layer with the one below it; several chosen layers become a group. */
+  merge(ids = this.#store.state.selection): void {
+    const [id] = ids;
+    if (id === undefined) return;
+    if (ids.length > 1) {
+      this.group(ids);
+      return;
+    }
+    if (this.unlocked([id]).length === 0) return;
+    const merge = this.#attempt(() => mergeDown(this.#session.recordedDesign, id, strings.layers.group));
+    if (!merge) return;
+    this.#session.record(merge.design, strings.steps.merge);
+    this.select(merge.id);
+    if (merge.obstacle === null) this.#board.announce(strings.announce.merged);
+    else this.#board.info({ title: strings.notices.grouped, message: strings.notices.mergeObstacles[merge.obstacle] });
+  }
+
+  /** A new layer above the selected one, and inside a group where that is what is selected. */
+  add(make: (id: string) => DesignLayer, label: string): void {
+    const { selectedId } = this.#store.state;
+    const before = this.#session.recordedDesign;
+    const made = this.#attempt(() => insertAbove(before, selectedId, make));
+    if (!made) return;
+    this.#session.record(made.design, label);
+    this.select(made.id);
+    this.#board.announce(strings.announce.added(layerById(made.design, made.id)?.name ?? ""));
+  }
+
+  /** Gives the selected layer a mask, which the brush paints on from then on. */
+  addMask(hideAll: boolean): void {
+    const { selectedId } = this.#store.state;
+    const id = this.#editMask((design, layer) => addMask(design, layer, hideAll), strings.steps.addMask);
+    if (id !== undefined && id === selectedId) this.editMask(id, true);
+  }
+
+  removeMask(): void {
+    this.#editMask(removeMask, strings.steps.removeMask);
+  }
+
+  invertMask(): void {
+    this.#editMask(invertMask, strings.steps.invertMask);
+  }
+
+  #editMask(edit: (design: Design, id: string) => Design, label: string): string | undefined {
+    const { selectedId } = this.#store.state;
+    const [id] = selectedId === null ? [] : this.unlocked([selectedId]);
+    if (id !== undefined) this.#session.record(edit(this.#session.recordedDesign, id), label);
+    return id;
+  }
+
+  /** Selects a layer, and says whether the brush paints on its mask or on the layer itself. */
+  editMask(id: string, on: boolean): void {
+    const layer = layerById(this.#session.design, id);
+    if (!layer || (on && layer.mask === null)) return;
+    this.select(id);
+    this.#store.set({ editingMask: on ? id : null });
+    const { editingMask, editingLayer } = strings.announce;
+    this.#board.announce(on ? editingMask(layer.name) : editingLayer(layer.name));
+  }
+
+  toggleVisible(ids: readonly string[] = this.#store.state.selection): void {
+    this.#toggle("visible", ids, [strings.steps.show, strings.steps.hide]);
+    const said = this.#isOn("visible", ids) ? strings.announce.shown : strings.announce.hidden;
+    this.#board.announce(this.#said(ids, said, strings.announce.changedMany));
+  }
+
+  toggleLocked(ids: readonly string[] = this.#store.state.selection): void {
+    this.#toggle("locked", ids, [strings.steps.lock, strings.steps.unlock]);
+    const said = this.#isOn("locked", ids) ? strings.announce.locked : strings.announce.unlocked;
+    this.#board.announce(this.#said(ids, said, strings.announce.changedMany));
+  }
+
+  rename(id: string, name: string): void {
+    const trimmed = name.trim();
+    if (trimmed) this.change(id, { name: trimmed }, strings.steps.rename);
+  }
+
+  setCollapsed(id: string, closed: boolean): void {
+    const collapsed = new Set(this.#store.state.collapsed);
+    if (closed) collapsed.add(id);
+    else collapsed.delete(id);
+    this.#store.set({ collapsed });
+  }
+
+  /** All take the opposite of what the first has. */
+  #toggle(field: "visible" | "locked", ids: readonly string[], [on, off]: readonly [string, string]): void {
+    const next = !this.#isOn(field, ids);
+    this.change(ids, { [field]: next }, next ? on : off);
+  }
+
+  #isOn(field: "visible" | "locked", [first]: readonly string[]): boolean {
+    return layerById(this.#session.recordedDesign, first ?? null)?.[field] ?? false;
+  }
+
+  #said(ids: readonly string[], one: (name: string) => string, many: (count: number) => string): string {
+    const [first] = ids;
+    return ids.length === 1
+      ? one(layerById(this.#session.recordedDesign, first ?? null)?.name ?? "")
+      : many(ids.length);
+  }
+
+  /** What cannot be done is said, and nothing is changed. */
+  #attempt<T>(edit: () => T): T | undefined {
+    try {
+      return edit();
+    } catch (thrown) {
+      this.#board.error(strings.errors.couldNotArrange, thrown);
+      return undefined;
+    }
+  }
+}
+
+const listed = (ids: string | readonly string[]): readonly string[] => (typeof ids === "string" ? [ids] : ids);
+
+function patched(design: Design, ids: readonly string[], patch: LayerPatch): Design {
+  return ids.reduce((made, id) => patchLayer(made, id, patch as Partial<DesignLayer>), design);
+}
+
+/** Without its group, what it holds looks the same. */
+function paintsPlainly(layer: DesignLayer | undefined): boolean {
+  return (
+    layer?.type === "group" && layer.opacity === 1 && layer.blend === "normal" && layer.mask === null && !layer.isolated
+  );
+}

@@ -1,0 +1,213 @@
+/** The edits of the layers' tree: each takes a design and gives a new one that shares all that did not change. */
+import {
+  type Design,
+  type DesignLayer,
+  findLayer,
+  freeIdIn,
+  type GroupLayer,
+  insertAt,
+  type LayerVisit,
+  layersAt,
+  makeFillLayer,
+  makeGroupLayer,
+  mapLayer,
+  removeById,
+  visitOf,
+  walkLayers,
+  withFreeIds,
+} from "../document/index.ts";
+import { freeName, withoutUnusedAssets } from "./design-edits.ts";
+
+/** A place among the layers of the design, or of a group; `index` counts from the bottom. */
+export interface TreePlace {
+  readonly parentId: string | null;
+  readonly index: number;
+}
+
+/** Of the named layers those in no other of them, bottom to top: what lies in a chosen group goes where the group goes. */
+export function outermost(design: Pick<Design, "layers">, ids: readonly string[]): LayerVisit[] {
+  const chosen = new Set(ids);
+  const within = new Set<string>();
+  const visits: LayerVisit[] = [];
+  for (const visit of walkLayers(design, { masks: false, strokes: false })) {
+    const { layer, parentId } = visit;
+    const covered = parentId !== null && within.has(parentId);
+    if (covered || chosen.has(layer.id)) within.add(layer.id);
+    if (!covered && chosen.has(layer.id)) visits.push(visit);
+  }
+  return visits;
+}
+
+/** It, or a group that it lies in, is locked. */
+export function isLocked(design: Pick<Design, "layers">, id: string): boolean {
+  for (let visit = visitOf(design, id); visit; visit = visitOf(design, visit.parentId)) {
+    if (visit.layer.locked) return true;
+  }
+  return false;
+}
+
+/** Takes layers out, and the pictures that nothing uses any more. */
+export function removeLayers(design: Design, ids: readonly string[]): Design {
+  const without = outermost(design, ids).reduce((left, { layer }) => removeById(left, layer.id), design);
+  return without === design ? design : withoutUnusedAssets(without);
+}
+
+/**
+ * Puts layers beside each other at a place, in the order in which they lie. `place.index` counts those that are moved, too,
+ * where they lie in the same list. A place inside one of them changes nothing.
+ *
+ * @throws TexelcastError "bad-argument" where layers would lie deeper than a design may have them.
+ */
+export function moveLayers(design: Design, ids: readonly string[], place: TreePlace): Design {
+  const moved = outermost(design, ids);
+  if (moved.length === 0 || moved.some(({ layer }) => holds(layer, place.parentId))) return design;
+  const below = moved.filter(({ parentId, index }) => parentId === place.parentId && index < place.index).length;
+  const start = place.index - below;
+  const stays = moved.every(({ parentId, index }, offset) => parentId === place.parentId && index === start + offset);
+  if (stays) return design;
+  const without = moved.reduce((left, { layer }) => removeById(left, layer.id), design);
+  return moved.reduce(
+    (made, { layer }, offset) =>
+      insertAt(made, { parentId: place.parentId, list: "layers", index: start + offset }, layer),
+    without,
+  );
+}
+
+/**
+ * One step up (1) or down (-1) the list as it is seen: past a neighbour, into one that is an open group, or out of a group
+ * at whose end the layers lie.
+ */
+export function stepLayers(
+  design: Design,
+  ids: readonly string[],
+  direction: 1 | -1,
+  collapsed: ReadonlySet<string>,
+): Design {
+  const moved = outermost(design, ids);
+  const chosen = new Set(moved.map(({ layer }) => layer.id));
+  const end = direction > 0 ? moved.at(-1) : moved[0];
+  if (!end) return design;
+  const { parentId } = end;
+  const siblings = layersAt(design, { parentId, list: "layers" }) ?? [];
+  let next = end.index + direction;
+  while (chosen.has(siblings[next]?.id ?? "")) next += direction;
+  const neighbour = siblings[next];
+  if (neighbour?.type === "group" && !collapsed.has(neighbour.id)) {
+    return moveLayers(design, ids, { parentId: neighbour.id, index: direction > 0 ? 0 : neighbour.layers.length });
+  }
+  const above = direction > 0 ? 1 : 0;
+  if (neighbour) return moveLayers(design, ids, { parentId, index: next + above });
+  const parent = visitOf(design, parentId);
+  return parent ? moveLayers(design, ids, { parentId: parent.parentId, index: parent.index + above }) : design;
+}
+
+/**
+ * Puts layers into a new group, where the topmost of them was.
+ *
+ * @throws TexelcastError "bad-argument" where layers would lie deeper than a design may have them.
+ */
+export function groupLayers(
+  design: Design,
+  ids: readonly string[],
+  fields: Partial<Omit<GroupLayer, "type" | "id" | "layers">> & Pick<GroupLayer, "name">,
+): { design: Design; id: string } | undefined {
+  const members = outermost(design, ids);
+  const top = members.at(-1);
+  if (!top) return undefined;
+  const id = freeIdIn(design);
+  const group = makeGroupLayer({
+    id,
+    layers: members.map(({ layer }) => layer),
+    ...fields,
+    name: freeName(design, fields.name),
+  });
+  const { parentId } = top;
+  const index = top.index + 1 - members.filter((member) => member.parentId === parentId).length;
+  const without = members.reduce((left, { layer }) => removeById(left, layer.id), design);
+  return { design: insertAt(without, { parentId, list: "layers", index }, group), id };
+}
+
+/** Puts the layers of groups in their groups' places. Those of a hidden group stay hidden. */
+export function ungroupLayers(design: Design, ids: readonly string[]): { design: Design; ids: string[] } {
+  const freed: string[] = [];
+  let left = design;
+  for (const { layer: group } of outermost(design, ids)) {
+    const visit = visitOf(left, group.id);
+    if (!visit || group.type !== "group") continue;
+    const { parentId, index } = visit;
+    const place = (offset: number) => ({ parentId, list: "layers", index: index + offset }) as const;
+    const members = group.layers.map((layer) => (group.visible ? layer : { ...layer, visible: false }));
+    left = members.reduce((made, layer, offset) => insertAt(made, place(offset), layer), removeById(left, group.id));
+    freed.push(...members.map(({ id }) => id));
+  }
+  return { design: left, ids: freed };
+}
+
+/** Puts copies right above their originals. `patchOf` sets a copy apart (its place). Ids are those of the copies. */
+export function duplicateLayers(
+  design: Design,
+  ids: readonly string[],
+  patchOf: (layer: DesignLayer) => Partial<DesignLayer> = () => ({}),
+): { design: Design; ids: string[] } {
+  const copies: string[] = [];
+  let made = design;
+  for (const { layer } of outermost(design, ids)) {
+    const visit = visitOf(made, layer.id);
+    if (!visit) continue;
+    const name = freeName(made, layer.name);
+    const copy = withFreeIds(made, { ...layer, ...patchOf(layer), name } as DesignLayer);
+    made = insertAt(made, { parentId: visit.parentId, list: "layers", index: visit.index + 1 }, copy);
+    copies.push(copy.id);
+  }
+  return { design: made, ids: copies };
+}
+
+/** A mask that shows all of the layer, or hides all of it until it is painted on. One that has a mask keeps it. */
+export function addMask(design: Design, id: string, hideAll: boolean): Design {
+  return mapLayer(design, id, (layer) => {
+    if (layer.mask !== null) return layer;
+    const cover = makeFillLayer({
+      id: freeIdIn(design),
+      color: "#000000",
+      blend: "erase",
+      material: layer.material,
+    });
+    return { ...layer, mask: { layers: hideAll ? [cover] : [], invert: false } };
+  });
+}
+
+export function removeMask(design: Design, id: string): Design {
+  const without = mapLayer(design, id, (layer) => (layer.mask === null ? layer : { ...layer, mask: null }));
+  return without === design ? design : withoutUnusedAssets(without);
+}
+
+export function invertMask(design: Design, id: string): Design {
+  return mapLayer(design, id, (layer) =>
+    layer.mask === null ? layer : { ...layer, mask: { ...layer.mask, invert: !layer.mask.invert } },
+  );
+}
+
+/**
+ * Puts a layer that is new to the design right above another one, or on top of what that one holds where it is a group;
+ * without one, on top of all.
+ *
+ * @throws TexelcastError "bad-argument" where layers would lie deeper than a design may have them.
+ */
+export function insertAbove(
+  design: Design,
+  id: string | null,
+  make: (id: string) => DesignLayer,
+): { design: Design; id: string } {
+  const made = make(freeIdIn(design));
+  const layer = { ...made, name: freeName(design, made.name) };
+  const visit = visitOf(design, id);
+  const place =
+    visit?.layer.type === "group"
+      ? { parentId: visit.layer.id, index: visit.layer.layers.length }
+      : { parentId: visit?.parentId ?? null, index: visit ? visit.index + 1 : design.layers.length };
+  return { design: insertAt(design, { ...place, list: "layers" }, layer), id: layer.id };
+}
+
+function holds(layer: DesignLayer, id: string | null): boolean {
+  return id !== null && findLayer({ layers: [layer] }, id) !== undefined;
+}
