@@ -125,14 +125,14 @@ function nameCell(row: LayerRow, look: RowLook, acts: RowActs): TemplateResult {
 }
 
 function nameField({ id, name }: DesignLayer, acts: RowActs): TemplateResult {
-  const valueOf = (event: Event): string => (event.target as HTMLInputElement).value;
+  const typed = (event: Event): string => (event.target as HTMLInputElement).value;
   const key = (event: KeyboardEvent): void => {
     if (event.key !== "Enter" && event.key !== "Escape") return;
     event.preventDefault();
     event.stopPropagation();
-    acts.endRename(id, event.key === "Enter" ? valueOf(event) : null);
+    acts.endRename(id, event.key === "Enter" ? typed(event) : null);
   };
-  const leave = (event: Event): void => acts.endRename(id, valueOf(event));
+  const leave = (event: Event): void => acts.endRename(id, typed(event));
   return html`<input
     class="name"
     type="text"
