@@ -1,4 +1,4 @@
-/** A design from disk, and the pictures that it names. */
+/** A design from disk, and the pictures and fonts that it names. */
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 import { formatPath } from "../web/editor/document/design-problem.ts";
 import {
@@ -28,23 +28,23 @@ export const isProjectFile = (file: string): boolean => file.toLowerCase().endsW
 /**
  * Reads a design document, or the design of a project (`.texelcast`).
  *
- * @throws TexelcastError "missing-file", "bad-design", "bad-project", "unsupported".
+ * @throws TexelcastError "missing-file", "bad-design", "bad-project".
  */
 export async function readDesign(file: string): Promise<LoadedDesign> {
   if (isProjectFile(file)) {
     const project = readProjectFile(await readFileBytes(file, { code: "bad-project", maxBytes: MAX_FILE_BYTES }), file);
-    return { file, design: project.design, layers: resolveLayers(project.design, file), project };
+    return { file, design: project.design, layers: resolveLayers(project.design), project };
   }
   const bytes = await readFileBytes(file, { code: "bad-design", maxBytes: MAX_DESIGN_BYTES });
   const design = parseDesign(decodeText(bytes, file), file);
-  return { file, design, layers: resolveLayers(design, file), project: null };
+  return { file, design, layers: resolveLayers(design), project: null };
 }
 
 /**
- * The bytes of one of the design's pictures.
+ * The bytes of one of the design's pictures or fonts.
  *
  * @throws TexelcastError "outside-folder", "missing-file", "bad-project", "bad-design" for a `data:` address that is broken, and
- * "bad-picture" for a file that cannot be read.
+ * "bad-picture" or "bad-font" for a file that cannot be read.
  */
 export async function readAsset(
   { file, design, project }: LoadedDesign,
@@ -56,7 +56,8 @@ export async function readAsset(
   const inside = project?.assetBytes(uri);
   if (inside !== undefined) return { name: `${file}: ${uri}`, bytes: inside };
   const target = await resolveInFolder(uri, { file, field });
-  return { name: target, bytes: await readFileBytes(target, { code: "bad-picture", namedBy: { file, field } }) };
+  const code = design.assets[key]?.type.startsWith("font/") ? "bad-font" : "bad-picture";
+  return { name: target, bytes: await readFileBytes(target, { code, namedBy: { file, field } }) };
 }
 
 async function readDataUri(uri: string, file: string, field: string): Promise<Uint8Array> {

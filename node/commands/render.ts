@@ -4,7 +4,7 @@ import { formatPath } from "../../web/editor/document/design-problem.ts";
 import { materialsOf, walkLayers } from "../../web/editor/document/index.ts";
 import type { EngineLayer, ModelInfo, ModelSource, TargetOptions } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
-import { picturesOf } from "../../web/engine/layer-picture.ts";
+import { allPicturesOf, fontsOf, picturesOf } from "../../web/engine/layer-picture.ts";
 import { materialsIn } from "../../web/engine/layer-tree.ts";
 import { findMaterial } from "../find-material.ts";
 import { openEngine } from "../open-engine.ts";
@@ -65,6 +65,7 @@ export async function render(modelFile: string | null, designFile: string, optio
     }
     await files.commit();
     progress.end();
+    await warnOfMissingGlyphs(engine, layers);
     process.stdout.write(lines.join("") || "no material is painted, so there is no picture to write\n");
   } finally {
     progress.end();
@@ -134,6 +135,21 @@ async function setAssets(
   for (const key of picturesOf(layers)) {
     progress.report("Reading pictures");
     await engine.setAsset(key, await readAsset(design, key));
+  }
+  for (const key of fontsOf(layers)) {
+    progress.report("Reading fonts");
+    await engine.setFont(key, await readAsset(design, key));
+  }
+}
+
+/** A text that lacks characters is drawn, with a sign in their places: whoever prints it must know. */
+async function warnOfMissingGlyphs(engine: EngineHost, layers: readonly EngineLayer[]): Promise<void> {
+  for (const picture of allPicturesOf(layers)) {
+    if (typeof picture === "string") continue;
+    const { missing } = await engine.measureText(picture);
+    if (missing.length === 0) continue;
+    const text = JSON.stringify(picture.text.length > 60 ? `${picture.text.slice(0, 59)}…` : picture.text);
+    process.stderr.write(`texelcast: no font has ${printable(missing.join(" "))}, in the text ${printable(text)}\n`);
   }
 }
 

@@ -1,6 +1,7 @@
 /** Random designs for property tests: everything that spec.md, 8, allows, with every field set. */
 import fc from "fast-check";
 import {
+  ALIGNS,
   BLEND_MODES,
   BLEND_SPACES,
   type Dab,
@@ -132,6 +133,9 @@ function layers(pictures: readonly string[]): fc.Arbitrary<DesignLayer[]> {
       text: fc.string(),
       font: fc.constant("the font"),
       fontSize: length,
+      letterSpacing: finite(-1, 10),
+      align: fc.constantFrom(...ALIGNS),
+      curve: finite(-360, 360),
       color,
       outline: fc.option(fc.record({ color, width: length })),
     })

@@ -1,5 +1,4 @@
 import { describe, expect, it } from "vitest";
-import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import {
   BLEND_MODES,
   BLEND_SPACES,
@@ -14,23 +13,11 @@ import {
 const planar = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] } as const;
 
 function resolve(layer: object) {
-  const assets = { logo: { type: "image/png", uri: "a" }, serif: { type: "font/ttf", uri: "b" } };
-  return resolveLayers(
-    parseDesign({ format: "texelcast-design", version: 1, assets, layers: [layer] }, "shirt.json"),
-    "shirt.json",
-  );
+  const inter = { type: "font/ttf", uri: "texelcast:fonts/inter-700" };
+  const assets = { logo: { type: "image/png", uri: "a" }, serif: { type: "font/ttf", uri: "b" }, inter };
+  return resolveLayers(parseDesign({ format: "texelcast-design", version: 1, assets, layers: [layer] }));
 }
 const decal = (fields: object = {}) => ({ type: "decal", asset: "logo", projector: planar, ...fields });
-
-function refusal(layer: object): TexelcastError {
-  try {
-    resolve(layer);
-  } catch (error) {
-    if (error instanceof TexelcastError) return error;
-    throw error;
-  }
-  throw new Error("the layer was resolved without complaint");
-}
 
 describe("resolving layers for the engine", () => {
   it("hands a decal on with every field, its name left out", () => {
@@ -107,12 +94,30 @@ describe("resolving layers for the engine", () => {
     expect(resolve(decal({ projector }))[0]).toMatchObject({ type: "decal", projector });
   });
 
-  it("names the file, the field and the value of what it refuses", () => {
-    expect(refusal({ type: "text", text: "Ada", font: "serif", projector: planar })).toMatchObject({
-      code: "unsupported",
-      subject: "shirt.json",
-      field: "layers[0].type",
-      value: '"text"',
+  it("makes words the picture of a decal, in the design's own font by its key", () => {
+    const text = { type: "text", text: "Ada", font: "serif", color: "#ff0000", projector: planar };
+    const [layer] = resolve({ ...text, outline: { color: "#0000ff80", width: 0.1 }, name: "Name", opacity: 0.5 });
+    expect(layer).toEqual({
+      ...resolve(decal({ opacity: 0.5 }))[0],
+      asset: {
+        text: "Ada",
+        font: "serif",
+        fontSize: 1,
+        letterSpacing: 0,
+        align: "center",
+        curve: 0,
+        color: [1, 0, 0, 1],
+        outline: { color: [0, 0, 1, 128 / 255], width: 0.1 },
+      },
+    });
+  });
+
+  it("names a font that comes with Texelcast by its address, and mirrors words as it mirrors pictures", () => {
+    const text = { type: "text", text: "Ada", font: "inter", projector: planar };
+    expect(resolve({ ...text, mirror: { axis: "x", readable: true } })[0]).toMatchObject({
+      type: "stroke",
+      brush: { tip: "picture", asset: { text: "Ada", font: "texelcast:fonts/inter-700" } },
+      dabs: [{ flow: 1 }, { flow: 1 }],
     });
   });
 
@@ -154,25 +159,5 @@ describe("resolving layers for the engine", () => {
     });
     const [layer] = resolveLayers({ ...emptyDesign(), layers: [made] });
     expect(layer?.type === "stroke" && layer.dabs[0]).toBe(dab);
-  });
-
-  it.each<[string, object, string, string]>([
-    [
-      "text",
-      { type: "text", text: "Ada", font: "serif", projector: planar },
-      "layers[0].type",
-      "every other type of layer",
-    ],
-    [
-      "a hidden layer all the same",
-      { type: "text", text: "Ada", font: "serif", projector: planar, visible: false },
-      "layers[0].type",
-      "every other type of layer",
-    ],
-  ])("refuses %s, saying what works", (_what, layer, field, works) => {
-    const error = refusal(layer);
-    expect(error.code).toBe("unsupported");
-    expect(error.field).toBe(field);
-    expect(error.hint).toBe(`What works there: ${works}.`);
   });
 });

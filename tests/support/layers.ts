@@ -33,7 +33,11 @@ const CAST = {
   occlusion: "self",
 } as const;
 
-export function decal(id: string, asset: string, changes: Partial<EngineDecalLayer> = {}): EngineDecalLayer {
+export function decal(
+  id: string,
+  asset: EngineDecalLayer["asset"],
+  changes: Partial<EngineDecalLayer> = {},
+): EngineDecalLayer {
   return {
     id,
     type: "decal",

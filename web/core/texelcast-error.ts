@@ -24,7 +24,7 @@ export interface TexelcastErrorJson {
 /**
  * The one error type of Texelcast. `message` is a whole sentence for the user; `code` is for programs and stable: a
  * status name of the core in lower case with dashes ("no-uvs", "bad-model", "out-of-budget", …), or one of
- * "bad-picture", "bad-design", "unsupported", "bad-argument", "missing-file", "outside-folder", "cancelled",
+ * "bad-picture", "bad-font", "bad-design", "unsupported", "bad-argument", "missing-file", "outside-folder", "cancelled",
  * "disposed", "engine-crashed", "bad-container".
  */
 export class TexelcastError extends Error {

@@ -405,7 +405,6 @@ export const strings = {
     unknownFile: (name: string): string => `${name} is not a model, a design or a picture that this page knows.`,
     unknownFileHint: "Models: .glb, .gltf. Pictures: .png, .jpg, .webp. Designs: .design.json. Projects: .texelcast.",
     badDataUri: (subject: string): string => `${subject} is not a well-formed data: address.`,
-    fontAsset: (key: string): string => `The asset "${key}" is a font; text layers cannot be drawn yet.`,
     missingAsset: (uri: string): string => `The design names the picture ${uri}, which is not part of it.`,
     missingAssetHint: "Open the design together with its pictures: choose or drop all of them at once.",
     unreachable: (address: string): string => `${address} could not be fetched.`,

@@ -3,7 +3,10 @@
  * worker's client (browser) and by the host itself (Node), so the page and the command line run the same engine.
  */
 
+import type { EnginePicture, EngineText, TextMeasure } from "./engine-text.ts";
 import type { LayerMaterials } from "./layer-materials.ts";
+
+export type { EnginePicture, EngineText, TextMeasure } from "./engine-text.ts";
 
 /** A model's bytes with the side files that its `.gltf` names (relative address to bytes). */
 export interface ModelSource {
@@ -123,8 +126,7 @@ interface EngineCastLayer extends EnginePaintingLayer {
 
 export interface EngineDecalLayer extends EngineCastLayer {
   readonly type: "decal";
-  /** Key of a picture given to `setAsset`. */
-  readonly asset: string;
+  readonly asset: EnginePicture;
   readonly projector: Projector;
 }
 
@@ -169,8 +171,7 @@ export interface EngineRoundBrush {
 
 export interface EnginePictureBrush {
   readonly tip: "picture";
-  /** Key of a picture given to `setAsset`. */
-  readonly asset: string;
+  readonly asset: EnginePicture;
   /** Paints the picture's alpha in this colour; null: the picture as it is. */
   readonly color: EngineColor | null;
   readonly flow: number;
@@ -318,12 +319,24 @@ export interface Engine {
   /** Loads a model in place of the one before; a failed load keeps the old one. Rejects with a TexelcastError. */
   loadModel(source: ModelSource): Promise<ModelInfo>;
 
-  /** Decodes a decal's picture (PNG, JPEG, WebP) and keeps it under `key`; replaces one of the same key. Returns its size. */
+  /**
+   * Decodes a decal's picture (PNG, JPEG, WebP) or reads a drawing (SVG), and keeps it under `key`; replaces one of the same
+   * key. Returns its size. A drawing gets its pixels when it is painted, as many as its place on the target asks for.
+   */
   setAsset(
     key: string,
     asset: { readonly name: string; readonly bytes: Uint8Array },
   ): Promise<{ width: number; height: number }>;
+  /** Takes away the picture or the font of a key. */
   removeAsset(key: string): Promise<void>;
+
+  /**
+   * Takes in a font for texts (TrueType, OpenType) and keeps it under `key`; replaces one of the same key. Returns its name as
+   * the file tells it, "" without one. Rejects with "bad-font".
+   */
+  setFont(key: string, font: { readonly name: string; readonly bytes: Uint8Array }): Promise<{ readonly name: string }>;
+  /** How much room a text asks for. Rejects where its font is not there. */
+  measureText(text: EngineText): Promise<TextMeasure>;
 
   /**
    * Bakes (or reuses) the map of a material and makes its target; replaces that material's target of another size.
@@ -335,7 +348,7 @@ export interface Engine {
 
   /**
    * All layers of all materials, bottom to top. Returns at once; updates arrive by `onUpdate`. Latest wins: a list that
-   * is still waiting when a newer one comes is dropped. Layers that refer to unknown assets or materials without an
+   * is still waiting when a newer one comes is dropped. Layers that refer to unknown assets or fonts, or materials without an
    * open target are kept and drawn when those appear.
    */
   setLayers(layers: readonly EngineLayer[], revision: number): void;

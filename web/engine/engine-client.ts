@@ -8,6 +8,7 @@ import type {
   Engine,
   EngineLayer,
   EngineStats,
+  EngineText,
   MapView,
   ModelInfo,
   ModelSource,
@@ -15,6 +16,7 @@ import type {
   TargetInfo,
   TargetOptions,
   TargetUpdate,
+  TextMeasure,
 } from "./engine-api.ts";
 import type { Call, CallArguments, CallName, CallResult, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
 import { LayerSender } from "./sent-layers.ts";
@@ -55,6 +57,7 @@ class EngineClient implements Engine {
   // What a new worker must be told.
   #model: ModelSource | null = null;
   readonly #assets = new Map<string, { readonly name: string; readonly bytes: Uint8Array }>();
+  readonly #fonts = new Map<string, { readonly name: string; readonly bytes: Uint8Array }>();
   readonly #targets = new Map<number, TargetOptions>();
   #layers: { readonly layers: readonly EngineLayer[]; readonly revision: number } | null = null;
 
@@ -96,6 +99,21 @@ class EngineClient implements Engine {
   async removeAsset(key: string): Promise<void> {
     await this.#call("removeAsset", [key]);
     this.#assets.delete(key);
+    this.#fonts.delete(key);
+  }
+
+  async setFont(
+    key: string,
+    font: { readonly name: string; readonly bytes: Uint8Array },
+  ): Promise<{ readonly name: string }> {
+    const kept = { name: font.name, bytes: font.bytes.slice() };
+    const info = await this.#call("setFont", [key, kept]);
+    this.#fonts.set(key, kept);
+    return info;
+  }
+
+  measureText(text: EngineText): Promise<TextMeasure> {
+    return this.#call("measureText", [text]);
   }
 
   async openTarget(
@@ -301,6 +319,7 @@ class EngineClient implements Engine {
     const steps: Promise<unknown>[] = [];
     if (this.#model !== null) steps.push(this.#call("loadModel", [this.#model]));
     for (const [key, asset] of this.#assets) steps.push(this.#call("setAsset", [key, asset]));
+    for (const [key, font] of this.#fonts) steps.push(this.#call("setFont", [key, font]));
     for (const target of this.#targets.values()) steps.push(this.#call("openTarget", [target]));
     if (this.#layers !== null) this.#sendLayers();
     for (const step of steps) {

@@ -9,10 +9,13 @@ import type { ImageHandle } from "../core/session.ts";
 import { Session } from "../core/session.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { type CoreSource, loadCore } from "../core/wasm-module.ts";
+import { aboutFile } from "./about-file.ts";
+import { DrawnPictures } from "./drawn-pictures.ts";
 import type {
   Engine,
   EngineLayer,
   EngineStats,
+  EngineText,
   MapView,
   ModelInfo,
   ModelSource,
@@ -20,14 +23,16 @@ import type {
   TargetInfo,
   TargetOptions,
   TargetUpdate,
+  TextMeasure,
 } from "./engine-api.ts";
 import { callLater } from "./event-loop.ts";
 import { modelInfo } from "./model-info.ts";
 import { type LoadedModel, loadModelFile } from "./model-loader.ts";
 import { type TextureEdit, writeModel } from "./model-writer.ts";
-import { type MapChannel, OpenTarget } from "./open-target.ts";
+import { type MapChannel, OpenTarget, type TargetPictures } from "./open-target.ts";
 import { decodePicture } from "./picture-decoder.ts";
 import { encodePng } from "./png-encoder.ts";
+import { isSvg } from "./svg-file.ts";
 
 export type { MapChannel } from "./open-target.ts";
 
@@ -49,6 +54,9 @@ export class EngineHost implements Engine {
   #model: LoadedModel | null = null;
   readonly #targets = new Map<number, OpenTarget>();
   readonly #images = new Map<string, ImageHandle>();
+  readonly #drawn = new DrawnPictures();
+  /** Fonts of words are on their way. */
+  #loading = false;
 
   #layers: readonly EngineLayer[] = [];
   #revision = 0;
@@ -86,29 +94,54 @@ export class EngineHost implements Engine {
     asset: { readonly name: string; readonly bytes: Uint8Array },
   ): Promise<{ width: number; height: number }> {
     return this.#enqueue(async (session) => {
+      if (isSvg(asset.bytes)) {
+        const size = await this.#drawn.addSvg(key, asset.bytes, asset.name);
+        this.#checkAlive();
+        this.#replaceImage(session, key, null);
+        return size;
+      }
       const { width, height, rgba } = await decodePicture(asset.bytes, asset.name, { orient: true });
       this.#checkAlive();
       const image = session.createImage(width, height, rgba);
-      const old = this.#images.get(key);
-      this.#images.set(key, image);
-      this.#markStale();
-      if (old !== undefined) {
-        this.#draw(session);
-        session.destroyImage(old);
-      }
+      this.#drawn.removeSvg(key);
+      this.#replaceImage(session, key, image);
       return { width, height };
     });
   }
 
+  /** Null: the key has no image in the core any more. */
+  #replaceImage(session: Session, key: string, image: ImageHandle | null): void {
+    const old = this.#images.get(key);
+    if (image === null) this.#images.delete(key);
+    else this.#images.set(key, image);
+    this.#markStale();
+    if (old === undefined) return;
+    this.#draw(session);
+    session.destroyImage(old);
+  }
+
   removeAsset(key: string): Promise<void> {
     return this.#enqueue((session) => {
-      const image = this.#images.get(key);
-      if (image === undefined) return;
-      this.#images.delete(key);
-      this.#markStale();
-      this.#draw(session);
-      session.destroyImage(image);
+      this.#drawn.removeSvg(key);
+      this.#drawn.removeFont(key);
+      this.#replaceImage(session, key, null);
     });
+  }
+
+  setFont(
+    key: string,
+    font: { readonly name: string; readonly bytes: Uint8Array },
+  ): Promise<{ readonly name: string }> {
+    return this.#enqueue(async () => {
+      const info = await this.#drawn.addFont(key, font.bytes, font.name);
+      this.#checkAlive();
+      this.#markStale();
+      return info;
+    });
+  }
+
+  measureText(text: EngineText): Promise<TextMeasure> {
+    return this.#enqueue(() => this.#drawn.measure(text));
   }
 
   openTarget(options: TargetOptions, onProgress?: (share: number) => void, signal?: AbortSignal): Promise<TargetInfo> {
@@ -151,7 +184,7 @@ export class EngineHost implements Engine {
   }
 
   idle(): Promise<void> {
-    return this.#enqueue((session) => this.#draw(session));
+    return this.#enqueue((session) => this.#drawAll(session));
   }
 
   viewMap(material: number, view: MapView): Promise<Picture> {
@@ -166,15 +199,15 @@ export class EngineHost implements Engine {
   }
 
   readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array> {
-    return this.#enqueue((session) => {
-      this.#draw(session);
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session);
       return this.#requireTarget(material).read(x, y, width, height);
     });
   }
 
   hash(material: number, region?: { x: number; y: number; width: number; height: number }): Promise<string> {
-    return this.#enqueue((session) => {
-      this.#draw(session);
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session);
       const target = this.#requireTarget(material);
       const { x, y, width, height } = region ?? { x: 0, y: 0, width: target.info.width, height: target.info.height };
       return target.hash(x, y, width, height);
@@ -182,8 +215,8 @@ export class EngineHost implements Engine {
   }
 
   exportPng(material: number): Promise<Uint8Array> {
-    return this.#enqueue((session) => {
-      this.#draw(session);
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session, true);
       return encodePng(this.#requireTarget(material).exportedPicture());
     });
   }
@@ -191,7 +224,7 @@ export class EngineHost implements Engine {
   exportGlb(): Promise<Uint8Array> {
     return this.#enqueue(async (session) => {
       const model = this.#requireModel();
-      this.#draw(session);
+      await this.#drawAll(session, true);
       const edits: TextureEdit[] = [];
       for (const [material, target] of this.#targets) {
         const png = await encodePng(target.exportedPicture());
@@ -278,18 +311,59 @@ export class EngineHost implements Engine {
     });
   }
 
+  /**
+   * Draws the newest layers with the words whose fonts are still to be loaded.
+   *
+   * @param strict rejects where a font cannot be had, as a picture without its words must not be given away for a whole one
+   */
+  async #drawAll(session: Session, strict = false): Promise<void> {
+    if (strict || !this.#drawn.isReady(this.#layers)) {
+      try {
+        await this.#drawn.load(this.#layers);
+      } catch (error) {
+        if (strict) throw error;
+        this.#report(TexelcastError.wrap(error, "internal", "A font could not be loaded."));
+      }
+      this.#checkAlive();
+      this.#stale = true;
+    }
+    this.#draw(session);
+  }
+
+  /** Words whose fonts are not there yet are drawn as soon as they are. */
+  #loadSoon(): void {
+    if (this.#loading) return;
+    this.#loading = true;
+    this.#drawn.load(this.#layers).then(
+      () => {
+        this.#loading = false;
+        if (!this.#disposed) this.#markStale();
+      },
+      (error: unknown) => {
+        this.#loading = false;
+        if (!this.#disposed) this.#report(TexelcastError.wrap(error, "internal", "A font could not be loaded."));
+      },
+    );
+  }
+
   /** Draws the newest layers on every open target and reports what changed. */
   #draw(session: Session): void {
     if (!this.#stale) return;
     this.#stale = false;
-    const imageOf = (asset: string): ImageHandle | undefined => this.#images.get(asset);
+    if (!this.#drawn.isReady(this.#layers)) this.#loadSoon();
+    const report = (error: Error): void => this.#report(error);
+    const pictures: TargetPictures = {
+      imageOf: (asset) => this.#drawn.imageOf(asset) ?? this.#images.get(asset),
+      resolve: (layers, target) => this.#drawn.resolve(layers, session, target, report),
+    };
     for (const target of this.#targets.values()) {
-      const update = target.draw(this.#layers, this.#revision, imageOf, (error) => this.#report(error));
+      const update = target.draw(this.#layers, this.#revision, pictures, report);
       if (update === null) continue;
       for (const listener of this.#updateListeners) listener(update);
       // A listener may have disposed of the engine.
       if (this.#session !== session) return;
     }
+    this.#drawn.sweep(session);
   }
 
   #report(error: Error): void {
@@ -315,16 +389,4 @@ export class EngineHost implements Engine {
       hint: "Open it with openTarget first.",
     });
   }
-}
-
-/** The core knows bytes, not names: this puts the file's name in front of what it says. */
-function aboutFile(error: unknown, name: string): unknown {
-  if (!(error instanceof TexelcastError) || error.code === "engine-crashed") return error;
-  return new TexelcastError(error.code, `“${name}”: ${error.message}`, {
-    subject: name,
-    ...(error.field !== undefined && { field: error.field }),
-    ...(error.value !== undefined && { value: error.value }),
-    ...(error.hint !== undefined && { hint: error.hint }),
-    cause: error,
-  });
 }

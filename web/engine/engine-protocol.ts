@@ -8,6 +8,8 @@ export type CallName =
   | "loadModel"
   | "setAsset"
   | "removeAsset"
+  | "setFont"
+  | "measureText"
   | "openTarget"
   | "closeTarget"
   | "idle"

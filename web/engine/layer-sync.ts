@@ -50,7 +50,8 @@ export class LayerSync {
     const wanted = new Map<string, WantedLayer>();
     for (const layer of layers) {
       const picture = pictureOf(layer);
-      const image = picture === null ? 0 : imageOf(picture);
+      // Words become pictures before they come here; those that could not yet, wait.
+      const image = picture === null ? 0 : typeof picture === "string" ? imageOf(picture) : undefined;
       if (image === undefined) continue;
       const dabs = layer.type === "stroke" ? layer.dabs : NO_DABS;
       wanted.set(layer.id, { def: coreLayer(layer, image), dabs });

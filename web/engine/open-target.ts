@@ -9,6 +9,8 @@ import { nextTurn } from "./event-loop.ts";
 import { LayerSync } from "./layer-sync.ts";
 import { layersOnMaterial, paintingLayers } from "./layer-tree.ts";
 import type { LoadedModel } from "./model-loader.ts";
+import type { RasterTarget } from "./raster-size.ts";
+import { texelsPerMetre } from "./texel-density.ts";
 
 /** Texels of the bake's first step; later ones aim at the times below. */
 const FIRST_STEP = 1 << 17;
@@ -28,12 +30,21 @@ export interface OpenTargetContext {
   readonly checkpoint: () => void;
 }
 
+/** The pictures of layers. */
+export interface TargetPictures {
+  /** Undefined while it is unknown: its layers wait. */
+  readonly imageOf: (asset: string) => ImageHandle | undefined;
+  /** Gives drawings and words the keys of images that were drawn for this target. */
+  readonly resolve: (layers: readonly EngineLayer[], target: () => RasterTarget) => readonly EngineLayer[];
+}
+
 export class OpenTarget {
   readonly info: TargetInfo;
   /** The base holds the material's base colour factor. */
   readonly factorBaked: boolean;
   readonly #target: Target;
   readonly #layers: LayerSync;
+  #raster: RasterTarget | null = null;
 
   private constructor(target: Target, info: TargetInfo, factorBaked: boolean) {
     this.#target = target;
@@ -79,17 +90,34 @@ export class OpenTarget {
     this.#target.destroy();
   }
 
+  /** What decides how many pixels a drawing gets here. */
+  get raster(): RasterTarget {
+    if (this.#raster === null) {
+      const { width, height, boundsMin, boundsMax } = this.info;
+      const density = texelsPerMetre({
+        width,
+        height,
+        readPositions: (row, count) => this.#target.readPositions(row, count),
+        readCoverage: (row, count) => this.#target.readCoverage(row, count),
+      });
+      // A target without an area has no place where a drawing could be seen.
+      this.#raster = { width, height, boundsMin, boundsMax, texelsPerMetre: density ?? 0 };
+    }
+    return this.#raster;
+  }
+
   /** Draws the layers of this material; null when no texel changed. */
   draw(
     layers: readonly EngineLayer[],
     revision: number,
-    imageOf: (asset: string) => ImageHandle | undefined,
+    pictures: TargetPictures,
     report: (error: TexelcastError) => void,
   ): TargetUpdate | null {
     const start = performance.now();
     const { material } = this.info;
     const own = layersOnMaterial(layers, material);
-    this.#layers.apply([...paintingLayers(own, false)], imageOf, report);
+    const drawn = pictures.resolve(own, () => this.raster);
+    this.#layers.apply([...paintingLayers(drawn, false)], pictures.imageOf, report);
     const update = this.#target.update();
     if (update.rects.length === 0) return null;
     return { material, revision, ...update, milliseconds: performance.now() - start };

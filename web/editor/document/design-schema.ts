@@ -5,6 +5,7 @@
  */
 import * as v from "valibot";
 import {
+  ALIGNS,
   BLEND_MODES,
   BLEND_SPACES,
   BRUSH_DEFAULTS,
@@ -28,6 +29,7 @@ import {
   PICTURE_TYPES,
   PROJECTED_DEFAULTS,
   type StrokeLayer,
+  TEXT_DEFAULTS,
   type TextLayer,
   WRAPS,
 } from "./design.ts";
@@ -123,9 +125,12 @@ const textLayer = v.pipe(
     ...layerEntries,
     text: text(DESIGN_LIMITS.textLength),
     font: assetName,
-    fontSize: v.optional(length, 1),
-    color: v.optional(hexColor, "#000000"),
-    outline: v.optional(v.nullable(strict({ color: hexColor, width: length })), null),
+    fontSize: v.optional(length, TEXT_DEFAULTS.fontSize),
+    letterSpacing: v.optional(numberBetween(-1, 10), TEXT_DEFAULTS.letterSpacing),
+    align: v.optional(oneOf(ALIGNS), TEXT_DEFAULTS.align),
+    curve: v.optional(numberBetween(-360, 360, " degrees"), TEXT_DEFAULTS.curve),
+    color: v.optional(hexColor, TEXT_DEFAULTS.color),
+    outline: v.optional(v.nullable(strict({ color: hexColor, width: length })), TEXT_DEFAULTS.outline),
     ...projectedEntries,
     ...pictureEntries,
     projector,

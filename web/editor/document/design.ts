@@ -41,7 +41,8 @@ export const FILTERS = ["linear", "nearest"] as const;
 export const WRAPS = ["none", "repeat"] as const;
 export const OCCLUSIONS = ["self", "none"] as const;
 export const MIRROR_AXES = ["x", "y", "z"] as const;
-export const PICTURE_TYPES = ["image/png", "image/jpeg", "image/webp"] as const;
+export const PICTURE_TYPES = ["image/png", "image/jpeg", "image/webp", "image/svg+xml"] as const;
+export const ALIGNS = ["left", "center", "right"] as const;
 export const FONT_TYPES = ["font/ttf", "font/otf"] as const;
 
 export type BlendMode = (typeof BLEND_MODES)[number];
@@ -49,6 +50,7 @@ export type BlendSpace = (typeof BLEND_SPACES)[number];
 export type Filter = (typeof FILTERS)[number];
 export type Wrap = (typeof WRAPS)[number];
 export type Occlusion = (typeof OCCLUSIONS)[number];
+export type Align = (typeof ALIGNS)[number];
 export type AssetType = (typeof PICTURE_TYPES)[number] | (typeof FONT_TYPES)[number];
 
 export { layerMaterials, materialsOf, paintsMaterial } from "../../engine/layer-materials.ts";
@@ -131,14 +133,21 @@ export interface DecalLayer extends PictureLayer {
 /** A decal whose picture is written words. */
 export interface TextLayer extends PictureLayer {
   readonly type: "text";
+  /** Line feeds part lines. */
   readonly text: string;
   /** Key of a font in the design's `assets`. */
   readonly font: string;
-  /** Height of the font's em as a share of the box's height, above 0. */
+  /** Height of the font's em as a share of the box's height, above 0; the engine takes less where the text would not fit. */
   readonly fontSize: number;
+  /** Between letters, em. */
+  readonly letterSpacing: number;
+  /** Of the lines among each other, and of the text in its box. */
+  readonly align: Align;
+  /** Degrees of the arc that the longest line spans: 0 straight, above 0 an arch, below 0 a bowl; -360 to 360. */
+  readonly curve: number;
   /** "#rrggbb" or "#rrggbbaa". */
   readonly color: string;
-  /** `width` as a share of the em; null without an outline. */
+  /** `width`: how far it reaches out from the letters, as a share of the em; null without an outline. */
   readonly outline: { readonly color: string; readonly width: number } | null;
   readonly projector: Projector;
   /** As a decal's. */
@@ -241,7 +250,10 @@ export type DesignLayer = MaskLayer | GroupLayer | PaintLayer;
 
 export interface DesignAsset {
   readonly type: AssetType;
-  /** A `data:` URI, an https address, or an address relative to the design's own place. */
+  /**
+   * A `data:` URI, an https address, an address relative to the design's own place, or that of a font which comes with
+   * Texelcast, "texelcast:fonts/inter-700".
+   */
   readonly uri: string;
 }
 
@@ -280,6 +292,15 @@ export const PICTURE_DEFAULTS = {
   wrap: "none",
   flipX: false,
   flipY: false,
+} as const;
+
+export const TEXT_DEFAULTS = {
+  fontSize: 1,
+  letterSpacing: 0,
+  align: "center",
+  curve: 0,
+  color: "#000000",
+  outline: null,
 } as const;
 
 export const BRUSH_DEFAULTS = { color: "#000000", hardness: 1, flow: 1 } as const;

@@ -9,6 +9,8 @@ import {
   PICTURE_DEFAULTS,
   PROJECTED_DEFAULTS,
   type StrokeLayer,
+  TEXT_DEFAULTS,
+  type TextLayer,
 } from "./design.ts";
 
 /** What must be given, and the rest at will. */
@@ -18,6 +20,10 @@ const PROJECTED = { ...LAYER_DEFAULTS, ...PROJECTED_DEFAULTS, ...PICTURE_DEFAULT
 
 export function makeDecalLayer(fields: Fields<DecalLayer, "id" | "asset" | "projector">): DecalLayer {
   return { type: "decal", ...PROJECTED, name: fields.asset, ...fields };
+}
+
+export function makeTextLayer(fields: Fields<TextLayer, "id" | "text" | "font" | "projector">): TextLayer {
+  return { type: "text", ...PROJECTED, ...TEXT_DEFAULTS, name: "Text", ...fields };
 }
 
 export function makeFillLayer(fields: Fields<FillLayer, "id" | "color">): FillLayer {

@@ -1,6 +1,7 @@
 /** Reads a design document: text or plain data in, a `Design` with every field set out, or an error that says all. */
 import * as v from "valibot";
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { isShippedFontAddress, SHIPPED_FONTS, shippedFontOf } from "../../engine/shipped-fonts.ts";
 import { DESIGN_FORMAT, DESIGN_VERSION, type Design, type DesignLayer, freeLayerNumber, layerIdOf } from "./design.ts";
 import { type DesignPath, type DesignProblem, describeValue, designError, formatPath } from "./design-problem.ts";
 import { DESIGN_LIMITS, designSchema, type ParsedDesign, type ParsedLayer } from "./design-schema.ts";
@@ -156,7 +157,20 @@ function referenceProblems(design: ParsedDesign): DesignProblem[] {
     });
   };
   check(design.layers, ["layers"]);
-  return problems;
+  return [...problems, ...addressProblems(design)];
+}
+
+/** Addresses of our own that lead nowhere. */
+function addressProblems(design: ParsedDesign): DesignProblem[] {
+  return Object.entries(design.assets).flatMap(([key, { type, uri }]) => {
+    if (!isShippedFontAddress(uri)) return [];
+    if (shippedFontOf(uri) === undefined) {
+      const known = describeNames(Object.keys(SHIPPED_FONTS));
+      return [{ path: ["assets", key, "uri"], message: `must name a font that there is (${known})`, value: uri }];
+    }
+    const message = `must be "font/ttf", as its address is that of a font`;
+    return type === "font/ttf" ? [] : [{ path: ["assets", key, "type"], message, value: type }];
+  });
 }
 
 function assetProblems(design: ParsedDesign, path: DesignPath, key: string, kind: "image/" | "font/"): DesignProblem[] {

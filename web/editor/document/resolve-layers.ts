@@ -1,5 +1,4 @@
-/** From the design's vocabulary to what the engine of today draws; what it cannot draw is refused by name. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+/** From the design's vocabulary to the engine's. */
 import type {
   EngineBrush,
   EngineFillLayer,
@@ -7,7 +6,9 @@ import type {
   EngineGroupLayer,
   EngineLayer,
   EngineMask,
+  EngineText,
 } from "../../engine/engine-api.ts";
+import { isShippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type {
   Brush,
   DecalLayer,
@@ -20,33 +21,30 @@ import type {
   Mirror,
   PaintLayer,
   StrokeLayer,
+  TextLayer,
 } from "./design.ts";
-import { type DesignPath, describeValue, formatPath } from "./design-problem.ts";
 import { parseHexColor } from "./hex-color.ts";
 import { mirroredDabs, mirroredDecal, sameMirror } from "./mirror-layer.ts";
 
+type Assets = Design["assets"];
+
 /**
- * The design's layers, bottom to top, as the engine takes them: paint layers as the groups that they are, and what has a
- * mirror with its twin inside the same layer.
- *
- * Hidden layers are checked too: a design that opens must not fail later, when a layer is shown.
- *
- * @param name The design's file name; errors name it.
- * @throws TexelcastError "unsupported": `field` is the path of the first feature that the engine cannot draw yet.
+ * The design's layers, bottom to top, as the engine takes them: paint layers as the groups that they are, words as pictures,
+ * and what has a mirror with its twin inside the same layer.
  */
-export function resolveLayers(design: Design, name = "design"): EngineLayer[] {
-  return resolveList(design.layers, ["layers"], name);
+export function resolveLayers({ layers, assets }: Pick<Design, "layers" | "assets">): EngineLayer[] {
+  return resolveList(layers, assets);
 }
 
-function resolveList(layers: readonly DesignLayer[], path: DesignPath, name: string): EngineLayer[] {
-  return layers.map((layer, index) => resolveLayer(layer, [...path, index], name));
+function resolveList(layers: readonly DesignLayer[], assets: Assets): EngineLayer[] {
+  return layers.map((layer) => resolveLayer(layer, assets));
 }
 
-function resolveLayer(layer: DesignLayer, path: DesignPath, name: string): EngineLayer {
-  const mask = resolveMask(layer, path, name);
+function resolveLayer(layer: DesignLayer, assets: Assets): EngineLayer {
+  const mask = resolveMask(layer, assets);
   switch (layer.type) {
     case "text":
-      throw unsupported(name, [...path, "type"], layer.type, "text layers", "every other type of layer");
+      return resolveText(layer, mask, assets);
     case "decal":
       return resolveDecal(layer, mask);
     case "stroke":
@@ -54,14 +52,41 @@ function resolveLayer(layer: DesignLayer, path: DesignPath, name: string): Engin
     case "fill":
       return resolveFill(layer, mask);
     case "group":
-      return resolveGroup(layer, resolveList(layer.layers, [...path, "layers"], name), mask);
+      return resolveGroup(layer, resolveList(layer.layers, assets), mask);
     case "paint":
-      return resolvePaint(layer, mask, path, name);
+      return resolvePaint(layer, mask, assets);
   }
 }
 
-function resolveMask({ mask }: LayerBase, path: DesignPath, name: string): EngineMask | null {
-  return mask === null ? null : { ...mask, layers: resolveList(mask.layers, [...path, "mask", "layers"], name) };
+function resolveMask({ mask }: LayerBase, assets: Assets): EngineMask | null {
+  return mask === null ? null : { ...mask, layers: resolveList(mask.layers, assets) };
+}
+
+function resolveText(layer: TextLayer, mask: EngineMask | null, assets: Assets): EngineLayer {
+  const { name: _shownName, locked: _locked, mirror, ...fields } = layer;
+  const { text: _text, font: _font, fontSize: _size, letterSpacing: _spacing, align: _align, ...rest } = fields;
+  const { curve: _curve, color: _color, outline: _outline, ...cast } = rest;
+  const decal = { ...cast, type: "decal" as const, asset: resolveWords(layer, assets), mask };
+  return mirror === null ? decal : mirroredDecal(decal, mirror);
+}
+
+/** A text layer's words. A font that comes with Texelcast goes by its address, another by its key among the assets. */
+export function resolveWords(
+  layer: Pick<TextLayer, "text" | "font" | "fontSize" | "letterSpacing" | "align" | "curve" | "color" | "outline">,
+  assets: Assets,
+): EngineText {
+  const { text, fontSize, letterSpacing, align, curve, outline } = layer;
+  const uri = assets[layer.font]?.uri ?? "";
+  return {
+    text,
+    font: isShippedFontAddress(uri) ? uri : layer.font,
+    fontSize,
+    letterSpacing,
+    align,
+    curve,
+    color: parseHexColor(layer.color),
+    outline: outline === null ? null : { color: parseHexColor(outline.color), width: outline.width },
+  };
 }
 
 function resolveDecal(layer: DecalLayer, mask: EngineMask | null): EngineLayer {
@@ -107,21 +132,8 @@ function resolveGroup(
   return { id, type: "group", visible, opacity, blend, blendSpace, lockAlpha, isolated, layers, mask };
 }
 
-function resolvePaint(layer: PaintLayer, mask: EngineMask | null, path: DesignPath, name: string): EngineGroupLayer {
+function resolvePaint(layer: PaintLayer, mask: EngineMask | null, assets: Assets): EngineGroupLayer {
   const { id, visible, opacity, blend, blendSpace, lockAlpha } = layer;
-  const layers = layer.strokes.map((stroke, index) =>
-    resolveStroke(stroke, resolveMask(stroke, [...path, "strokes", index], name), layer.mirror),
-  );
+  const layers = layer.strokes.map((stroke) => resolveStroke(stroke, resolveMask(stroke, assets), layer.mirror));
   return { id, type: "group", visible, opacity, blend, blendSpace, lockAlpha, isolated: true, layers, mask };
-}
-
-function unsupported(name: string, path: DesignPath, value: string, feature: string, works: string): TexelcastError {
-  const field = formatPath(path);
-  const shown = describeValue(value);
-  return new TexelcastError("unsupported", `${field}: ${feature} cannot be drawn yet, is ${shown}`, {
-    subject: name,
-    field,
-    value: shown,
-    hint: `What works there: ${works}.`,
-  });
 }

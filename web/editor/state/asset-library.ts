@@ -1,12 +1,16 @@
 /**
- * The pictures that designs use, by their `data:` URI: their bytes in the engine, their size, an address to show them.
+ * The pictures and fonts that designs use, by their `data:` URI: their bytes in the engine, their size, an address to show them.
  * Nothing is thrown away while the page lives, because an undo may ask for any of them again.
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
+import { readFontHeader } from "../../engine/font-file.ts";
 import { readPictureHeader } from "../../engine/picture-decoder.ts";
+import { isShippedFontAddress } from "../../engine/shipped-fonts.ts";
+import { isSvg } from "../../engine/svg-file.ts";
 import type { Design, DesignAsset } from "../document/index.ts";
 import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
+import { fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { bytesOf, findCompanion } from "../files/file-intake.ts";
 import { strings } from "../strings.ts";
@@ -31,11 +35,21 @@ export interface DesignPlace {
   readonly read?: (uri: string) => Uint8Array | undefined;
 }
 
+export interface LibraryFont {
+  /** Key in the engine. */
+  readonly engineKey: string;
+  readonly asset: DesignAsset;
+  /** As the file calls it, or the file's own name. */
+  readonly name: string;
+  readonly bytes: Uint8Array;
+}
+
 const TYPES = { png: "image/png", jpeg: "image/jpeg", webp: "image/webp" } as const;
 
 export class AssetLibrary {
   readonly #engine: Engine;
   readonly #pictures = new Map<string, LibraryPicture>();
+  readonly #fonts = new Map<string, LibraryFont>();
   #count = 0;
 
   constructor(engine: Engine) {
@@ -46,9 +60,33 @@ export class AssetLibrary {
     return asset && this.#pictures.get(asset.uri);
   }
 
+  /** The user's own font; undefined for those that come with Texelcast. */
+  font(asset: DesignAsset | undefined): LibraryFont | undefined {
+    return asset && this.#fonts.get(asset.uri);
+  }
+
+  /** Under which the engine has a picture or a font of the user's. */
+  engineKey(asset: DesignAsset | undefined): string | undefined {
+    return (this.get(asset) ?? this.font(asset))?.engineKey;
+  }
+
+  /** Checks a font file and gives it to the engine. Rejects with a TexelcastError ("bad-font"). */
+  async addFont(fileName: string, bytes: Uint8Array): Promise<LibraryFont> {
+    const type = `font/${readFontHeader(bytes, fileName).format}` as const;
+    const uri = encodeDataUri(type, bytes);
+    const known = this.#fonts.get(uri);
+    if (known) return known;
+    this.#count += 1;
+    const engineKey = `font-${this.#count}`;
+    const { name } = await this.#engine.setFont(engineKey, { name: fileName, bytes });
+    const font: LibraryFont = { engineKey, asset: { type, uri }, name: name || fileStem(fileName), bytes };
+    this.#fonts.set(uri, font);
+    return font;
+  }
+
   /** Decodes a picture and gives it to the engine. Rejects with a TexelcastError ("bad-picture", "out-of-budget"). */
   async add(name: string, bytes: Uint8Array): Promise<LibraryPicture> {
-    const type = TYPES[readPictureHeader(bytes, name).format];
+    const type = isSvg(bytes) ? "image/svg+xml" : TYPES[readPictureHeader(bytes, name).format];
     const uri = encodeDataUri(type, bytes);
     const known = this.#pictures.get(uri);
     if (known) return known;
@@ -69,16 +107,14 @@ export class AssetLibrary {
     const assets: Record<string, DesignAsset> = {};
     for (const [key, asset] of Object.entries(design.assets)) {
       const field = `assets.${key}.uri`;
-      if (!asset.type.startsWith("image/")) {
-        throw new TexelcastError("unsupported", strings.errors.fontAsset(key), { field, value: asset.type });
-      }
-      if (this.#pictures.has(asset.uri)) {
+      if (isShippedFontAddress(asset.uri) || this.engineKey(asset) !== undefined) {
         assets[key] = asset;
         continue;
       }
       const bytes = await readAsset(asset.uri, field, place);
       const name = asset.uri.startsWith("data:") ? key : asset.uri;
-      assets[key] = (await this.add(name, bytes)).asset;
+      const kept = asset.type.startsWith("font/") ? await this.addFont(name, bytes) : await this.add(name, bytes);
+      assets[key] = kept.asset;
     }
     return { ...design, assets };
   }

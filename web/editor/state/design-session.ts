@@ -1,6 +1,6 @@
 /** The design under edit: its history, the selection, and the engine's and the viewer's copies of it. */
 import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
-import { withPictures } from "../../engine/layer-picture.ts";
+import { withKeys } from "../../engine/layer-picture.ts";
 import type { ModelViewer, ViewerDecal } from "../../viewer/viewer-api.ts";
 import {
   type Design,
@@ -150,8 +150,8 @@ export class DesignSession {
   }
 
   #engineLayers(design: Design): EngineLayer[] {
-    const engineKey = (asset: string): string => this.#library.get(design.assets[asset])?.engineKey ?? asset;
-    return resolveLayers(design).map((layer) => withPictures(layer, engineKey));
+    const engineKey = (asset: string): string => this.#library.engineKey(design.assets[asset]) ?? asset;
+    return resolveLayers(design).map((layer) => withKeys(layer, engineKey));
   }
 
   #publish(): void {

@@ -2,14 +2,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import {
-  type Design,
-  emptyDesign,
-  materialsIn,
-  parseDesign,
-  resolveLayers,
-  serialiseDesign,
-} from "../document/index.ts";
+import { type Design, emptyDesign, materialsIn, parseDesign, serialiseDesign } from "../document/index.ts";
 import { type DemoDecal, type DemoModel, type DemoTemplate, fetchBytes } from "../files/demo-catalogue.ts";
 import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
@@ -104,7 +97,6 @@ export class FileCommands {
       const bytes = await fetchBytes(demo.model, demos.page);
       const source = { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes };
       const design = await library.adopt(parseDesign(demo.design, demo.name), { path: demo.name, baseUrl: demos.url });
-      resolveLayers(design, demo.name);
       await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
     } catch (thrown) {
       board.error(strings.errors.couldNotOpen(demo.name), thrown);
@@ -227,8 +219,6 @@ export class FileCommands {
 
   async #readDesign(file: CollectedFile, companions: readonly CollectedFile[]): Promise<Design> {
     const parsed = parseDesign(await file.file.text(), file.file.name);
-    // What the engine cannot draw is refused here, before anything of the design is taken over.
-    resolveLayers(parsed, file.file.name);
     const place: DesignPlace = { path: file.path, files: companions };
     return this.#parts.tasks.run(
       strings.tasks.opening(file.file.name),

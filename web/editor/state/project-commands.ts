@@ -1,12 +1,6 @@
 /** Projects that the browser keeps: the one the page begins with, and what the list of them offers. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import {
-  PROJECT_EXTENSION,
-  type ProjectFile,
-  readProjectFile,
-  resolveLayers,
-  writeProjectFile,
-} from "../document/index.ts";
+import { PROJECT_EXTENSION, type ProjectFile, readProjectFile, writeProjectFile } from "../document/index.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
 import { fetchBytes } from "../files/demo-catalogue.ts";
 import { download, fileNameOf } from "../files/download.ts";
@@ -83,7 +77,6 @@ export class ProjectCommands {
       const { name, targets } = file;
       const ref = await this.#modelOf(file, model ?? store.state.model?.ref, model !== undefined);
       const design = await library.adopt(file.design, { path: fileName, read: file.assetBytes });
-      resolveLayers(design, fileName);
       const settings = targets.map(({ material, size, gutter }) => [material, { size, gutter }] as const);
       return { name, design, model: ref, targets: new Map(settings) };
     };
@@ -206,7 +199,6 @@ export class ProjectCommands {
     const { library } = this.#parts;
     const model = "kind" in loaded.model ? await this.#demo(loaded.model) : loaded.model;
     const design = await library.adopt(loaded.design, { path: name });
-    resolveLayers(design, name);
     return { name, design, model, targets: loaded.targets };
   }
 

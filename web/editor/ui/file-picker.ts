@@ -10,8 +10,9 @@ export interface PickOptions {
 
 export const ACCEPT = {
   model: ".glb,.gltf,.texelcast,.bin,.png,.jpg,.jpeg,.webp",
-  picture: ".png,.jpg,.jpeg,.webp,image/png,image/jpeg,image/webp",
-  design: ".json,.texelcast,.png,.jpg,.jpeg,.webp",
+  picture: ".png,.jpg,.jpeg,.webp,.svg,image/png,image/jpeg,image/webp,image/svg+xml",
+  font: ".ttf,.otf,font/ttf,font/otf",
+  design: ".json,.texelcast,.png,.jpg,.jpeg,.webp,.svg,.ttf,.otf",
 } as const;
 
 /** Calls `take` when the user has chosen something. Must be called from a user's gesture. */

@@ -1,0 +1,234 @@
+import { beforeAll, describe, expect, it } from "vitest";
+import type { EngineText, Picture } from "../../web/engine/engine-api.ts";
+import { readFontHeader } from "../../web/engine/font-file.ts";
+import { readShippedFont, SHIPPED_FONTS, type ShippedFontId } from "../../web/engine/shipped-fonts.ts";
+import { renderSvg, startSvgRenderer } from "../../web/engine/svg-renderer.ts";
+import { drawText, measureText } from "../../web/engine/text-drawing.ts";
+import { FontShelf } from "../../web/engine/text-fonts.ts";
+import { layOutText } from "../../web/engine/text-layout.ts";
+import { fontsFor } from "../../web/engine/text-runs.ts";
+
+const shelf = new FontShelf();
+
+function words(text: string, more: Partial<EngineText> = {}): EngineText {
+  return {
+    text,
+    font: "texelcast:fonts/inter-700",
+    fontSize: 1,
+    letterSpacing: 0,
+    align: "center",
+    curve: 0,
+    color: [0, 0, 0, 1],
+    outline: null,
+    ...more,
+  };
+}
+
+async function ready(text: EngineText): Promise<EngineText> {
+  await shelf.load(text.font);
+  for (const key of fontsFor(text.text, text.font, shelf)) await shelf.load(key);
+  return text;
+}
+
+const pathOf = async (text: string, more: Partial<EngineText> = {}): Promise<string> =>
+  layOutText(await ready(words(text, more)), shelf).path;
+
+const measure = async (text: string, more: Partial<EngineText> = {}) =>
+  measureText(await ready(words(text, more)), shelf);
+
+async function draw(text: string, more: Partial<EngineText> = {}, width = 256, height = 128): Promise<Picture> {
+  return renderSvg(drawText(await ready(words(text, more)), shelf, width, height, width / height), width);
+}
+
+/** The share of the pixels between two places across the picture (0 to 1) that are painted at all. */
+function ink({ width, height, rgba }: Picture, from = 0, to = 1): number {
+  let painted = 0;
+  for (let y = 0; y < height; y++) {
+    for (let x = Math.round(from * width); x < Math.round(to * width); x++) {
+      if ((rgba[4 * (y * width + x) + 3] ?? 0) > 127) painted++;
+    }
+  }
+  return painted / (width * height * (to - from));
+}
+
+beforeAll(startSvgRenderer);
+
+describe("setting text", () => {
+  it("puts a run of Hebrew from right to left, and Latin from left to right", async () => {
+    // A wide letter beside a narrow one: the wide one's ink tells on which side it stands.
+    const latin = await draw("Wl");
+    expect(ink(latin, 0, 0.5)).toBeGreaterThan(ink(latin, 0.5, 1));
+    const hebrew = await draw("שי");
+    expect(ink(hebrew, 0.5, 1)).toBeGreaterThan(ink(hebrew, 0, 0.5));
+  });
+
+  it("orders a line that mixes both as the Unicode Bidirectional Algorithm asks", async () => {
+    // Each part by itself has the outlines that it has in the whole, moved along: compared by their shapes, left to right.
+    const shapes = (path: string): string[] => path.split("M").slice(1).map(shapeOf);
+    const whole = shapes(await pathOf("אב, ab"));
+    const [hebrew, latin] = [shapes(await pathOf("אב")), shapes(await pathOf("ab"))];
+    expect(whole.slice(0, latin.length)).toEqual(latin);
+    expect(whole.slice(-hebrew.length)).toEqual(hebrew);
+  });
+
+  it("joins Arabic letters: two together are no longer the two apart", async () => {
+    const joined = await measure("بب");
+    const apart = await measure("ب ب");
+    const one = await measure("ب");
+    expect(joined.width).toBeLessThan(2 * one.width);
+    expect(apart.width).toBeGreaterThan(2 * one.width);
+    expect(await pathOf("بب")).not.toBe("");
+  });
+
+  it("writes é the same, be it one character or an e and a combining accent", async () => {
+    expect(await pathOf("Caf\u0065\u0301")).toBe(await pathOf("Caf\u00e9"));
+    // A mark for which there is no composed character sits on its letter and takes no room of its own.
+    expect((await measure("x\u0301")).width).toBe((await measure("x")).width);
+    expect(await pathOf("x\u0301")).not.toBe(await pathOf("x"));
+  });
+
+  it("shapes Devanagari: the vowel sign i stands before its letter, and conjuncts are one sign", async () => {
+    expect((await measure("क्ष")).width).toBeLessThan((await measure("कष")).width);
+    expect((await measure("क्षत्रिय")).missing).toEqual([]);
+  });
+
+  it("names the characters that no font has, each once, and draws a sign for them", async () => {
+    expect((await measure("a☃b☃漢")).missing).toEqual(["☃", "漢"]);
+    expect((await measure("Ada\u200d \u00a0")).missing).toEqual([]);
+    expect((await measure("a☃")).width).toBeGreaterThan((await measure("a")).width);
+  });
+
+  it("sets letters apart, but not those that hang together, and no space behind the last", async () => {
+    const [tight, wide] = [await measure("AB"), await measure("AB", { letterSpacing: 0.5 })];
+    expect(wide.width - tight.width).toBeCloseTo(0.5, 2);
+    expect((await measure("ببب", { letterSpacing: 0.5 })).width).toBe((await measure("ببب")).width);
+  });
+
+  it("stacks lines, and aligns the shorter ones", async () => {
+    const one = await measure("wide line");
+    const two = await measure("wide line\ni");
+    expect(two.width).toBe(one.width);
+    expect(two.height).toBeGreaterThan(1.8 * one.height);
+    const [left, right] = [await draw("WWW\nWl", { align: "left" }), await draw("WWW\nWl", { align: "right" })];
+    expect(left.rgba).not.toEqual(right.rgba);
+    // Windows' and old Mac's line ends count as one.
+    expect(await pathOf("a\r\nb")).toBe(await pathOf("a\nb"));
+  });
+
+  it("bends a line up into an arch and down into a bowl", async () => {
+    const straight = await measure("curved text");
+    const arch = await measure("curved text", { curve: 180 });
+    expect(arch.width).toBeLessThan(straight.width);
+    expect(arch.height).toBeGreaterThan(1.8 * straight.height);
+    const [up, down] = [await draw("curved text", { curve: 150 }), await draw("curved text", { curve: -150 })];
+    const lowerHalf = ({ width, height, rgba }: Picture): Picture => ({
+      width,
+      height: height / 2,
+      rgba: rgba.subarray(2 * width * height),
+    });
+    // The middle of an arch lies high, that of a bowl low.
+    expect(ink(lowerHalf(up), 0.45, 0.55)).toBe(0);
+    expect(ink(lowerHalf(down), 0.45, 0.55)).toBeGreaterThan(0);
+  });
+
+  it("draws an outline round the letters, and makes room for it", async () => {
+    const outline = { color: [1, 0, 0, 1], width: 0.1 } as const;
+    const [plain, lined] = [await measure("Ada"), await measure("Ada", { outline })];
+    expect(lined.width - plain.width).toBeCloseTo(0.2, 6);
+    const { rgba } = await draw("Ada", { outline });
+    let red = 0;
+    let black = 0;
+    for (let i = 0; i < rgba.length; i += 4) {
+      if (rgba[i + 3] !== 255) continue;
+      if (rgba[i] === 255) red++;
+      if (rgba[i] === 0) black++;
+    }
+    expect(red).toBeGreaterThan(100);
+    expect(black).toBeGreaterThan(100);
+  });
+
+  it("stays within its box: what would not fit is made smaller, and never pressed", async () => {
+    const long = await draw("A very long name", { fontSize: 1 });
+    expect(ink(long, 0, 1 / 256)).toBeLessThan(0.2);
+    expect(ink(long)).toBeGreaterThan(0);
+    const short = await draw("A", { fontSize: 0.5, align: "left" });
+    expect(ink(short, 0.5, 1)).toBe(0);
+  });
+
+  it("takes characters that mean something in SVG as characters", async () => {
+    const text = "<script>&amp;\"'</script>]]>";
+    expect((await measure(text)).missing).toEqual([]);
+    expect(ink(await draw(text))).toBeGreaterThan(0);
+  });
+
+  it("draws nothing for no words, without complaint", async () => {
+    for (const text of ["", " ", "\n\n", "\u200d", "\u0007"]) expect(ink(await draw(text))).toBe(0);
+  });
+
+  it.each(Object.keys(SHIPPED_FONTS) as ShippedFontId[])("ships %s as a whole font file", async (id) => {
+    const bytes = await readShippedFont(id);
+    expect(readFontHeader(bytes, id).format).toBe("ttf");
+    expect(ink(await draw("Aa", { font: `texelcast:fonts/${id}` }))).toBeGreaterThan(0);
+  });
+});
+
+/** A contour's coordinates relative to its first point, rounded. */
+function shapeOf(contour: string): string {
+  const numbers = (contour.match(/-?\d+(\.\d+)?/g) ?? []).map(Number);
+  return numbers.map((value, index) => Math.round(value - (numbers[index % 2] ?? 0))).join(" ");
+}
+
+describe("fonts of the user's", () => {
+  const refusal = async (bytes: Uint8Array) =>
+    await new FontShelf().add("f", bytes, "my.ttf").then(
+      () => undefined,
+      (error: unknown) => error,
+    );
+  const ascii = (text: string): Uint8Array => new TextEncoder().encode(text.padEnd(64, "."));
+
+  it("are taken in by what they hold, and tell their name", async () => {
+    const own = new FontShelf();
+    expect(await own.add("f", await readShippedFont("lobster-400"), "upload.bin")).toEqual({ name: "Lobster Regular" });
+    expect(own.get("f")?.unitsPerEm).toBe(1000);
+  });
+
+  it.each([
+    ["an empty file", new Uint8Array(0), "it is empty"],
+    ["a web font", ascii("wOF2"), "it is a web font (WOFF)"],
+    ["a collection", ascii("ttcf"), "it is a collection of several fonts"],
+    ["a picture", ascii("\x89PNG"), "it is neither TrueType nor OpenType"],
+    ["a header alone", ascii("OTTO"), "it ends too early, so it was cut short"],
+  ])("are refused by name: %s", async (_what, bytes, problem) => {
+    expect(await refusal(bytes)).toMatchObject({
+      code: "bad-font",
+      subject: "my.ttf",
+      message: `The font “my.ttf” cannot be used: ${problem}.`,
+    });
+  });
+
+  it("are refused when they were cut short or lack a table", async () => {
+    const whole = await readShippedFont("bebas-neue-400");
+    expect(await refusal(whole.slice(0, whole.length - 100))).toMatchObject({ code: "bad-font" });
+    const renamed = whole.slice();
+    const at = new TextDecoder("latin1").decode(renamed.subarray(0, 400)).indexOf("cmap");
+    renamed.set([0x78], at);
+    expect(await refusal(renamed)).toMatchObject({ code: "bad-font", message: expect.stringContaining("cmap") });
+  });
+
+  it("that are damaged inside do not bring the engine down", async () => {
+    const whole = await readShippedFont("bebas-neue-400");
+    for (let seed = 1; seed <= 12; seed++) {
+      const broken = whole.slice();
+      for (let i = 0; i < 400; i++) broken[300 + ((i * 7919 * seed) % (broken.length - 300))] = (i * seed * 31) & 255;
+      const own = new FontShelf();
+      try {
+        await own.add("f", broken, "broken.ttf");
+      } catch (error) {
+        expect(error).toMatchObject({ code: "bad-font" });
+        continue;
+      }
+      await own.load("texelcast:fonts/inter-400");
+      expect(layOutText(words("Ada", { font: "f" }), own).path.length).toBeLessThan(1e7);
+    }
+  });
+});

@@ -1,0 +1,73 @@
+/** What a font file says of itself before it is used: its kind by its first bytes, and whether the file is whole. */
+import { TexelcastError } from "../core/texelcast-error.ts";
+
+export type FontFormat = "ttf" | "otf";
+
+/** Bytes. The largest fonts of East Asia's scripts stay below. */
+export const MAX_FONT_BYTES = 32 * 2 ** 20;
+
+/** A font that lacks one of these cannot be set. */
+const NEEDED_TABLES = ["cmap", "head", "hhea", "hmtx", "maxp"];
+const OUTLINE_TABLES = ["glyf", "CFF ", "CFF2"];
+const DIRECTORY_START = 12;
+const DIRECTORY_ENTRY = 16;
+
+export function badFont(name: string, problem: string, hint?: string, cause?: unknown): TexelcastError {
+  return new TexelcastError("bad-font", `The font “${name}” cannot be used: ${problem}.`, {
+    subject: name,
+    ...(hint !== undefined && { hint }),
+    ...(cause !== undefined && { cause }),
+  });
+}
+
+/** The format that the first bytes show, or null. */
+export function sniffFont(bytes: Uint8Array): FontFormat | null {
+  const start = tagAt(bytes, 0);
+  if (start === "\0\x01\0\0" || start === "true") return "ttf";
+  return start === "OTTO" ? "otf" : null;
+}
+
+/**
+ * Checks a font file's header. Throws "bad-font" naming the file: not a TrueType or OpenType font, too large, cut short, or
+ * without what a text needs.
+ */
+export function readFontHeader(bytes: Uint8Array, name: string): { readonly format: FontFormat } {
+  const format = sniffFont(bytes);
+  if (format === null) throw badFont(name, describeUnknown(bytes), "Use a .ttf or .otf file.");
+  if (bytes.length > MAX_FONT_BYTES) {
+    throw badFont(name, `it has ${bytes.length} bytes, and ${MAX_FONT_BYTES} is the most`, "Use a smaller font.");
+  }
+  const tables = readDirectory(bytes, name);
+  const lacking = NEEDED_TABLES.filter((tag) => !tables.has(tag));
+  if (!OUTLINE_TABLES.some((tag) => tables.has(tag))) lacking.push("glyf");
+  if (lacking.length > 0) {
+    throw badFont(name, `it lacks the table ${lacking.map((tag) => `“${tag}”`).join(", ")}`, "Use another font.");
+  }
+  return { format };
+}
+
+function readDirectory(bytes: Uint8Array, name: string): Set<string> {
+  const short = (): TexelcastError =>
+    badFont(name, "it ends too early, so it was cut short", "Copy or download it again.");
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < DIRECTORY_START) throw short();
+  const count = view.getUint16(4);
+  if (bytes.length < DIRECTORY_START + count * DIRECTORY_ENTRY) throw short();
+  const tags = new Set<string>();
+  for (let index = 0; index < count; index++) {
+    const entry = DIRECTORY_START + index * DIRECTORY_ENTRY;
+    if (view.getUint32(entry + 8) + view.getUint32(entry + 12) > bytes.length) throw short();
+    tags.add(tagAt(bytes, entry));
+  }
+  return tags;
+}
+
+const tagAt = (bytes: Uint8Array, offset: number): string => String.fromCharCode(...bytes.subarray(offset, offset + 4));
+
+function describeUnknown(bytes: Uint8Array): string {
+  const start = tagAt(bytes, 0);
+  if (bytes.length === 0) return "it is empty";
+  if (start === "wOFF" || start === "wOF2") return "it is a web font (WOFF)";
+  if (start === "ttcf") return "it is a collection of several fonts";
+  return "it is neither TrueType nor OpenType";
+}

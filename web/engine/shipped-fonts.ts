@@ -1,0 +1,195 @@
+/**
+ * The fonts that come with Texelcast, all under the SIL Open Font License. A design names one by its address,
+ * "texelcast:fonts/inter-700", which leads to the same bytes in the browser and in Node, without a network.
+ */
+import { type PackageFile, readPackageFile } from "./package-file.ts";
+
+export interface ShippedFont {
+  /** As people know it. */
+  readonly name: string;
+  readonly weight: 400 | 700;
+  readonly file: PackageFile;
+  readonly copyright: string;
+  /** Scripts (ISO 15924) in which this font stands in for one that lacks them. */
+  readonly standsInFor?: readonly string[];
+}
+
+const ADDRESS = "texelcast:fonts/";
+
+const INTER = "The Inter Project Authors, 2020";
+const SOURCE_SERIF = "The Source Serif 4 Project Authors, 2014";
+const NOTO = "The Noto Project Authors, 2022";
+
+/** By id; the order is the one in which people are offered them. */
+const FONTS = {
+  "inter-400": {
+    name: "Inter",
+    weight: 400,
+    copyright: INTER,
+    file: {
+      specifier: "@expo-google-fonts/inter/400Regular/Inter_400Regular.ttf",
+      url: () => new URL("@expo-google-fonts/inter/400Regular/Inter_400Regular.ttf", import.meta.url),
+    },
+  },
+  "inter-700": {
+    name: "Inter Bold",
+    weight: 700,
+    copyright: INTER,
+    file: {
+      specifier: "@expo-google-fonts/inter/700Bold/Inter_700Bold.ttf",
+      url: () => new URL("@expo-google-fonts/inter/700Bold/Inter_700Bold.ttf", import.meta.url),
+    },
+  },
+  "source-serif-4-400": {
+    name: "Source Serif",
+    weight: 400,
+    copyright: SOURCE_SERIF,
+    file: {
+      specifier: "@expo-google-fonts/source-serif-4/400Regular/SourceSerif4_400Regular.ttf",
+      url: () => new URL("@expo-google-fonts/source-serif-4/400Regular/SourceSerif4_400Regular.ttf", import.meta.url),
+    },
+  },
+  "source-serif-4-700": {
+    name: "Source Serif Bold",
+    weight: 700,
+    copyright: SOURCE_SERIF,
+    file: {
+      specifier: "@expo-google-fonts/source-serif-4/700Bold/SourceSerif4_700Bold.ttf",
+      url: () => new URL("@expo-google-fonts/source-serif-4/700Bold/SourceSerif4_700Bold.ttf", import.meta.url),
+    },
+  },
+  "jetbrains-mono-700": {
+    name: "JetBrains Mono",
+    weight: 700,
+    copyright: "The JetBrains Mono Project Authors, 2020",
+    file: {
+      specifier: "@expo-google-fonts/jetbrains-mono/700Bold/JetBrainsMono_700Bold.ttf",
+      url: () => new URL("@expo-google-fonts/jetbrains-mono/700Bold/JetBrainsMono_700Bold.ttf", import.meta.url),
+    },
+  },
+  "bebas-neue-400": {
+    name: "Bebas Neue",
+    weight: 400,
+    copyright: "Dharma Type, 2010",
+    file: {
+      specifier: "@expo-google-fonts/bebas-neue/400Regular/BebasNeue_400Regular.ttf",
+      url: () => new URL("@expo-google-fonts/bebas-neue/400Regular/BebasNeue_400Regular.ttf", import.meta.url),
+    },
+  },
+  "lobster-400": {
+    name: "Lobster",
+    weight: 400,
+    copyright: "The Lobster Project Authors, 2010",
+    file: {
+      specifier: "@expo-google-fonts/lobster/400Regular/Lobster_400Regular.ttf",
+      url: () => new URL("@expo-google-fonts/lobster/400Regular/Lobster_400Regular.ttf", import.meta.url),
+    },
+  },
+  "press-start-2p-400": {
+    name: "Press Start 2P",
+    weight: 400,
+    copyright: "The Press Start 2P Project Authors, 2012",
+    file: {
+      specifier: "@expo-google-fonts/press-start-2p/400Regular/PressStart2P_400Regular.ttf",
+      url: () => new URL("@expo-google-fonts/press-start-2p/400Regular/PressStart2P_400Regular.ttf", import.meta.url),
+    },
+  },
+  "noto-sans-arabic-400": {
+    name: "Noto Sans Arabic",
+    weight: 400,
+    copyright: NOTO,
+    standsInFor: ["Arab"],
+    file: {
+      specifier: "@expo-google-fonts/noto-sans-arabic/400Regular/NotoSansArabic_400Regular.ttf",
+      url: () =>
+        new URL("@expo-google-fonts/noto-sans-arabic/400Regular/NotoSansArabic_400Regular.ttf", import.meta.url),
+    },
+  },
+  "noto-sans-arabic-700": {
+    name: "Noto Sans Arabic Bold",
+    weight: 700,
+    copyright: NOTO,
+    standsInFor: ["Arab"],
+    file: {
+      specifier: "@expo-google-fonts/noto-sans-arabic/700Bold/NotoSansArabic_700Bold.ttf",
+      url: () => new URL("@expo-google-fonts/noto-sans-arabic/700Bold/NotoSansArabic_700Bold.ttf", import.meta.url),
+    },
+  },
+  "noto-sans-hebrew-400": {
+    name: "Noto Sans Hebrew",
+    weight: 400,
+    copyright: NOTO,
+    standsInFor: ["Hebr"],
+    file: {
+      specifier: "@expo-google-fonts/noto-sans-hebrew/400Regular/NotoSansHebrew_400Regular.ttf",
+      url: () =>
+        new URL("@expo-google-fonts/noto-sans-hebrew/400Regular/NotoSansHebrew_400Regular.ttf", import.meta.url),
+    },
+  },
+  "noto-sans-hebrew-700": {
+    name: "Noto Sans Hebrew Bold",
+    weight: 700,
+    copyright: NOTO,
+    standsInFor: ["Hebr"],
+    file: {
+      specifier: "@expo-google-fonts/noto-sans-hebrew/700Bold/NotoSansHebrew_700Bold.ttf",
+      url: () => new URL("@expo-google-fonts/noto-sans-hebrew/700Bold/NotoSansHebrew_700Bold.ttf", import.meta.url),
+    },
+  },
+  "noto-sans-devanagari-400": {
+    name: "Noto Sans Devanagari",
+    weight: 400,
+    copyright: NOTO,
+    standsInFor: ["Deva"],
+    file: {
+      specifier: "@expo-google-fonts/noto-sans-devanagari/400Regular/NotoSansDevanagari_400Regular.ttf",
+      url: () =>
+        new URL(
+          "@expo-google-fonts/noto-sans-devanagari/400Regular/NotoSansDevanagari_400Regular.ttf",
+          import.meta.url,
+        ),
+    },
+  },
+  "noto-sans-devanagari-700": {
+    name: "Noto Sans Devanagari Bold",
+    weight: 700,
+    copyright: NOTO,
+    standsInFor: ["Deva"],
+    file: {
+      specifier: "@expo-google-fonts/noto-sans-devanagari/700Bold/NotoSansDevanagari_700Bold.ttf",
+      url: () =>
+        new URL("@expo-google-fonts/noto-sans-devanagari/700Bold/NotoSansDevanagari_700Bold.ttf", import.meta.url),
+    },
+  },
+} as const satisfies Record<string, ShippedFont>;
+
+export type ShippedFontId = keyof typeof FONTS;
+
+export const SHIPPED_FONTS: Readonly<Record<ShippedFontId, ShippedFont>> = FONTS;
+
+/** "inter-700" gives "texelcast:fonts/inter-700": what stands in a design. */
+export const shippedFontAddress = (id: ShippedFontId): string => ADDRESS + id;
+
+/** Whether the address is one of ours, be there such a font or not. */
+export const isShippedFontAddress = (uri: string): boolean => uri.startsWith(ADDRESS);
+
+/** The font that an address names; undefined for other addresses, and for fonts that do not come with this version. */
+export function shippedFontOf(uri: string): ShippedFontId | undefined {
+  const id = isShippedFontAddress(uri) ? uri.slice(ADDRESS.length) : "";
+  return Object.hasOwn(FONTS, id) ? (id as ShippedFontId) : undefined;
+}
+
+/** Rejects with "missing-file". */
+export async function readShippedFont(id: ShippedFontId): Promise<Uint8Array<ArrayBuffer>> {
+  return await readPackageFile(FONTS[id].file, `The font ${FONTS[id].name}`);
+}
+
+/** The font that stands in for one of that weight which lacks a character of the script. */
+export function standIn(script: string, weight: 400 | 700): ShippedFontId {
+  const ids = Object.keys(FONTS) as ShippedFontId[];
+  const found = ids.find((id) => {
+    const font: ShippedFont = FONTS[id];
+    return font.weight === weight && font.standsInFor?.includes(script);
+  });
+  return found ?? (weight === 700 ? "inter-700" : "inter-400");
+}

@@ -1,0 +1,140 @@
+/**
+ * An SVG file before it is drawn: told by its content, decoded, and checked against what a hostile one would do. Scripts
+ * and addresses need no check: the renderer runs nothing and fetches nothing.
+ */
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { badPicture, readPictureHeader } from "./picture-header.ts";
+import { type ShippedFontId, shippedFontAddress, standIn } from "./shipped-fonts.ts";
+import { startSvgRenderer, svgSize } from "./svg-renderer.ts";
+import { isInvisible, scriptOf } from "./text-script.ts";
+
+export interface SvgFile {
+  readonly name: string;
+  readonly svg: string;
+  /** As the document gives them, CSS pixels; by them it keeps its proportions. */
+  readonly width: number;
+  readonly height: number;
+  /** Fonts for the words in it; none without. */
+  readonly fonts: readonly ShippedFontId[];
+}
+
+const MAX_BYTES = 16 * 2 ** 20;
+/** Characters that entities may grow to; drawing programs name a few namespaces with them. */
+const MAX_ENTITY_GROWTH = 2 ** 20;
+/** Of all pictures inside it. */
+const MAX_INNER_PIXELS = 64 * 2 ** 20;
+/** Longer side by shorter. */
+const MAX_ASPECT = 1000;
+const HINT = "Open it in a drawing program and save it again as plain SVG.";
+
+/** Whether the bytes begin like an SVG document. */
+export function isSvg(bytes: Uint8Array): boolean {
+  const start = new TextDecoder(encodingOf(bytes)).decode(bytes.subarray(0, 4096));
+  return /^\s*(?:<\?xml[^>]*>\s*|<!--[\s\S]*?-->\s*)*(?:<!DOCTYPE\s+svg\b|<(?:[\w-]+:)?svg[\s>/])/i.test(start);
+}
+
+/**
+ * Reads an SVG file. Rejects with "bad-picture" naming the file: too large, not UTF-8 or UTF-16, not well-formed, without a
+ * size, or with entities or pictures inside that grow beyond all measure.
+ */
+export async function readSvgFile(bytes: Uint8Array, name: string): Promise<SvgFile> {
+  if (bytes.length > MAX_BYTES) {
+    throw badPicture(name, `it has ${bytes.length} bytes, and ${MAX_BYTES} is the most for SVG`, "Make it simpler.");
+  }
+  const svg = decode(bytes, name);
+  checkEntities(svg, name);
+  checkInnerPictures(svg, name);
+  await startSvgRenderer();
+  const { width, height } = readSize(svg, name);
+  const aspect = width / height;
+  if (!(aspect <= MAX_ASPECT && aspect >= 1 / MAX_ASPECT)) {
+    throw badPicture(name, `it is ${width} × ${height}, which is more than ${MAX_ASPECT} times as long as wide`, HINT);
+  }
+  return { name, svg, width, height, fonts: fontsOf(svg) };
+}
+
+function encodingOf(bytes: Uint8Array): "utf-8" | "utf-16le" | "utf-16be" {
+  if (bytes[0] === 0xff && bytes[1] === 0xfe) return "utf-16le";
+  return bytes[0] === 0xfe && bytes[1] === 0xff ? "utf-16be" : "utf-8";
+}
+
+function decode(bytes: Uint8Array, name: string): string {
+  try {
+    return new TextDecoder(encodingOf(bytes), { fatal: true }).decode(bytes);
+  } catch (cause) {
+    throw badPicture(name, "its text is neither UTF-8 nor UTF-16", HINT, cause);
+  }
+}
+
+function checkEntities(svg: string, name: string): void {
+  let growth = 0;
+  for (const [, entity = "", , value = ""] of svg.matchAll(/<!ENTITY\s+([^\s"'>]+)\s+(["'])(.*?)\2/gs)) {
+    if (/&[^#]/.test(value)) throw badPicture(name, `its entity “${entity}” is made of other entities`, HINT);
+    growth += value.length * (svg.split(`&${entity};`).length - 1);
+    if (growth > MAX_ENTITY_GROWTH) throw badPicture(name, "its entities grow beyond all measure", HINT);
+  }
+}
+
+function checkInnerPictures(svg: string, name: string): void {
+  let pixels = 0;
+  for (const [, type = "", data = ""] of svg.matchAll(/data:image\/(png|jpe?g|webp|gif)[^,"']*,([^"']*)/gi)) {
+    const inner = `${name}, picture inside`;
+    // Its header, with the room that an EXIF block may take before it.
+    const { width, height } = readHeaderLeniently(data, inner, type);
+    pixels += width * height;
+    if (pixels > MAX_INNER_PIXELS) {
+      throw badPicture(name, `the pictures inside have more than ${MAX_INNER_PIXELS} pixels`, "Make them smaller.");
+    }
+  }
+}
+
+/** A picture that cannot be read is left out by the renderer, so that only sizes matter here. */
+function readHeaderLeniently(data: string, name: string, type: string): { width: number; height: number } {
+  let bytes: Uint8Array;
+  try {
+    bytes = Uint8Array.from(atob(decodeURIComponent(data).replace(/\s+/g, "")), (byte) => byte.charCodeAt(0));
+  } catch {
+    return { width: 0, height: 0 };
+  }
+  if (type.toLowerCase() === "gif") {
+    const [a = 0, b = 0, c = 0, d = 0] = bytes.subarray(6, 10);
+    return { width: a + 256 * b, height: c + 256 * d };
+  }
+  return readPictureHeader(bytes, name);
+}
+
+function readSize(svg: string, name: string): { width: number; height: number } {
+  try {
+    return svgSize(svg);
+  } catch (thrown) {
+    if (thrown instanceof TexelcastError) throw thrown;
+    throw badPicture(name, describeFault(thrown), HINT, thrown);
+  }
+}
+
+/** What resvg says, without its own introduction. */
+export function describeFault(thrown: unknown): string {
+  const said = thrown instanceof Error ? thrown.message : String(thrown);
+  const cause = said.replace(/^SVG data parsing failed cause /, "");
+  if (/reference loop/.test(cause)) return "its entities grow beyond all measure";
+  if (/nodes limit/.test(cause)) return "it has too many elements";
+  if (/invalid size/.test(cause)) return "it has no width and height above 0";
+  return cause === said ? `it cannot be drawn (${said})` : `it is not well-formed: ${cause}`;
+}
+
+/** The fonts that the words of a document may need. Which characters are words and which are markup does not matter. */
+function fontsOf(svg: string): ShippedFontId[] {
+  if (!/<(?:[\w-]+:)?text[\s>]/.test(svg)) return [];
+  const scripts = new Set<string>();
+  for (const character of svg) {
+    if (character < "\u0250" || isInvisible(character)) continue;
+    const script = scriptOf(character);
+    if (script !== null) scripts.add(script);
+  }
+  const fonts = new Set<ShippedFontId>(["inter-400", "inter-700"]);
+  for (const script of scripts) for (const weight of [400, 700] as const) fonts.add(standIn(script, weight));
+  return [...fonts];
+}
+
+/** How the shipped fonts of a document are told apart from other assets. */
+export const svgFontKeys = (file: SvgFile): string[] => file.fonts.map(shippedFontAddress);

@@ -1,0 +1,86 @@
+/**
+ * SVG to straight-alpha RGBA by resvg in WebAssembly: the same bytes in the browser and in Node. It runs no scripts, fetches
+ * nothing, and sees no fonts but those that it is given. Loaded by the first drawing.
+ */
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { compileCodec } from "./codec-wasm.ts";
+import type { Picture } from "./engine-api.ts";
+
+type ResvgPackage = typeof import("@resvg/resvg-wasm");
+
+export interface SvgFonts {
+  readonly buffers: readonly Uint8Array[];
+  /** The family that stands for families that are not among them. */
+  readonly family: string;
+}
+
+let resvg: ResvgPackage | undefined;
+let starting: Promise<void> | undefined;
+
+/** Makes `renderSvg` ready. Rejects with "missing-file"; a later call tries again. */
+export function startSvgRenderer(): Promise<void> {
+  starting ??= start().catch((error: unknown) => {
+    starting = undefined;
+    throw error;
+  });
+  return starting;
+}
+
+async function start(): Promise<void> {
+  const [loaded, module] = await Promise.all([import("@resvg/resvg-wasm"), compileCodec("svg")]);
+  await loaded.initWasm(module);
+  resvg = loaded;
+}
+
+export const svgRendererReady = (): boolean => resvg !== undefined;
+
+/** Width and height as the document gives them, CSS pixels. Throws what resvg says of a document that it cannot read. */
+export function svgSize(svg: string): { readonly width: number; readonly height: number } {
+  return withDocument(svg, {}, null, ({ width, height }) => ({ width, height }));
+}
+
+/**
+ * Draws a document `width` pixels wide, its height in its own proportions. `startSvgRenderer` must have come first. Throws
+ * what resvg says of a document that it cannot read.
+ */
+export function renderSvg(svg: string, width: number, fonts: SvgFonts | null = null): Picture {
+  const fitTo = { mode: "width", value: width } as const;
+  return withDocument(svg, { fitTo }, fonts, (document) => {
+    const image = document.render();
+    const picture = { width: image.width, height: image.height, rgba: unpremultiplied(image.pixels) };
+    image.free();
+    return picture;
+  });
+}
+
+type Options = NonNullable<ConstructorParameters<ResvgPackage["Resvg"]>[1]>;
+
+function withDocument<Result>(
+  svg: string,
+  options: Options,
+  fonts: SvgFonts | null,
+  use: (document: InstanceType<ResvgPackage["Resvg"]>) => Result,
+): Result {
+  if (resvg === undefined) throw new TexelcastError("internal", "A drawing came before its renderer was loaded.");
+  const font = {
+    fontBuffers: [...(fonts?.buffers ?? [])],
+    ...(fonts && { defaultFontFamily: fonts.family, sansSerifFamily: fonts.family }),
+  };
+  const document = new resvg.Resvg(svg, { ...options, font });
+  // Not in a "finally": after a panic of Rust's, freeing fails too, and would hide what went wrong.
+  const result = use(document);
+  document.free();
+  return result;
+}
+
+function unpremultiplied(pixels: Uint8Array): Uint8Array<ArrayBuffer> {
+  const rgba = new Uint8Array(pixels);
+  for (let index = 0; index < rgba.length; index += 4) {
+    const alpha = rgba[index + 3] ?? 0;
+    if (alpha === 0 || alpha === 255) continue;
+    for (let channel = index; channel < index + 3; channel++) {
+      rgba[channel] = Math.min(255, Math.round(((rgba[channel] ?? 0) * 255) / alpha));
+    }
+  }
+  return rgba;
+}

@@ -1,0 +1,123 @@
+/**
+ * A line of text cut into runs of one direction, one script and one font, in the order in which the eye meets them from
+ * left to right. Directions by the Unicode Bidirectional Algorithm (UAX 9).
+ */
+import bidiFactory from "bidi-js";
+import { shippedFontAddress, standIn } from "./shipped-fonts.ts";
+import type { FontShelf, TextFont } from "./text-fonts.ts";
+import { isInvisible, isMark, scriptOf } from "./text-script.ts";
+
+export interface TextRun {
+  readonly text: string;
+  readonly font: TextFont;
+  readonly script: string;
+  readonly rightToLeft: boolean;
+}
+
+const bidi = bidiFactory();
+
+/** Unicode's composed form, which most fonts have; tabs as spaces, other control characters left out. */
+export const cleanText = (text: string): string =>
+  text
+    .normalize("NFC")
+    .replace(/\r\n?|[\u2028\u2029]/g, "\n")
+    .replaceAll("\t", " ")
+    .replace(/[^\P{Cc}\n]/gu, "");
+
+/**
+ * The keys of the fonts that a text may need: its own, and those that stand in for characters that its own lacks. Only when
+ * the text's own font is on the shelf is the answer whole.
+ */
+export function fontsFor(text: string, key: string, shelf: FontShelf): string[] {
+  const own = shelf.get(key);
+  if (own === undefined) return [key];
+  const keys = new Set([key]);
+  for (const { font } of clustersOf(cleanText(text), own)) if (font !== key && font !== null) keys.add(font);
+  return [...keys];
+}
+
+/** The characters that neither the font nor one that stands in for it has, each once. The fonts must be on the shelf. */
+export function missingCharacters(text: string, key: string, shelf: FontShelf): string[] {
+  const own = shelf.get(key);
+  if (own === undefined) return [];
+  const missing = new Set<string>();
+  for (const { text: cluster, font } of clustersOf(cleanText(text), own)) {
+    const used = (font === null ? own : shelf.get(font)) ?? own;
+    for (const character of cluster) if (!isInvisible(character) && !hasGlyph(used, character)) missing.add(character);
+  }
+  return [...missing];
+}
+
+/** The runs of one line, left to right. The fonts that `fontsFor` names must be on the shelf. */
+export function runsOf(line: string, key: string, shelf: FontShelf): TextRun[] {
+  const own = shelf.get(key);
+  if (own === undefined || line === "") return [];
+  const embedding = bidi.getEmbeddingLevels(line);
+  const runs: (TextRun & { readonly start: number; readonly level: number })[] = [];
+  let at = 0;
+  for (const { text, script, font: standInKey } of clustersOf(line, own)) {
+    const font = (standInKey === null ? own : shelf.get(standInKey)) ?? own;
+    const level = embedding.levels[at] ?? 0;
+    const last = runs.at(-1);
+    if (last && last.level === level && last.font === font && last.script === script) {
+      runs[runs.length - 1] = { ...last, text: last.text + text };
+    } else runs.push({ text, font, script, level, start: at, rightToLeft: level % 2 === 1 });
+    at += text.length;
+  }
+  return inVisualOrder(runs);
+}
+
+/** UAX 9, rule L2, on whole runs: what lies at a level or above is turned round, from the highest level down. */
+function inVisualOrder<Run extends { readonly level: number }>(runs: readonly Run[]): Run[] {
+  const order = [...runs];
+  const highest = Math.max(0, ...order.map(({ level }) => level));
+  for (let level = highest; level > 0; level--) {
+    for (let start = 0; start < order.length; start++) {
+      let end = start;
+      while (end < order.length && (order[end]?.level ?? 0) >= level) end++;
+      if (end > start) {
+        order.splice(start, end - start, ...order.slice(start, end).reverse());
+        start = end;
+      }
+    }
+  }
+  return order;
+}
+
+interface Cluster {
+  /** A character and the marks on it. */
+  readonly text: string;
+  readonly script: string;
+  /** Key of the font that stands in; null: the text's own. */
+  readonly font: string | null;
+}
+
+/** What all scripts share (spaces, marks, digits) goes with the letters before it, at a line's beginning with those after. */
+function* clustersOf(text: string, own: TextFont): Iterable<Cluster> {
+  const clusters: string[] = [];
+  for (const character of text) {
+    const last = clusters.length - 1;
+    if (last >= 0 && isMark(character)) clusters[last] += character;
+    else clusters.push(character);
+  }
+  let script = clusters.map(firstScript).find((tag) => tag !== null) ?? "Latn";
+  for (const cluster of clusters) {
+    script = firstScript(cluster) ?? script;
+    yield { text: cluster, script, font: fontOf(cluster, script, own) };
+  }
+}
+
+function firstScript(cluster: string): string | null {
+  for (const character of cluster) {
+    const script = scriptOf(character);
+    if (script !== null) return script;
+  }
+  return null;
+}
+
+function fontOf(cluster: string, script: string, own: TextFont): string | null {
+  const lacks = [...cluster].some((character) => !isInvisible(character) && !hasGlyph(own, character));
+  return lacks ? shippedFontAddress(standIn(script, own.weight)) : null;
+}
+
+const hasGlyph = (font: TextFont, character: string): boolean => font.covers(character.codePointAt(0) ?? 0);
