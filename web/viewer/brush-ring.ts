@@ -75,6 +75,10 @@ export class SurfaceRing {
       this.#overlay.draw("", "");
       return;
     }
+    if (ring.corners !== undefined) {
+      this.#overlay.draw(closedPath(ring.corners.map((corner) => this.#screen.project(new Vector3(...corner)))), "");
+      return;
+    }
     const centre = new Vector3(...ring.hit.position);
     const pixels = ring.radius / this.#screen.metresPerPixel(centre);
     if (pixels < LEAST_RADIUS) {

@@ -28,6 +28,7 @@ export class LiveTexture {
   readonly width: number;
   readonly height: number;
   readonly #levels: number;
+  readonly #nearestByModel: boolean;
   readonly #renderer: WebGLRenderer;
   readonly #staging = new DataTexture(new Uint8Array(4), 1, 1);
   readonly #position = new Vector2();
@@ -45,7 +46,8 @@ export class LiveTexture {
     texture.wrapS = like?.wrapS ?? RepeatWrapping;
     texture.wrapT = like?.wrapT ?? RepeatWrapping;
     // Pixel-art skins ask for NEAREST in their sampler; it stays their look.
-    texture.magFilter = like?.magFilter === NearestFilter ? NearestFilter : LinearFilter;
+    this.#nearestByModel = like?.magFilter === NearestFilter;
+    texture.magFilter = this.#nearestByModel ? NearestFilter : LinearFilter;
     texture.minFilter = this.#levels > 1 ? LinearMipmapLinearFilter : LinearFilter;
     texture.anisotropy = this.#levels > 1 ? Math.min(MOST_ANISOTROPY, renderer.capabilities.getMaxAnisotropy()) : 1;
     if (like !== null) {
@@ -63,6 +65,21 @@ export class LiveTexture {
     texture.needsUpdate = true;
     renderer.initTexture(texture);
     this.texture = texture;
+  }
+
+  /**
+   * Whether texels are shown as squares; null: as the model's own texture asks. Told to the GPU directly: three would allocate the texture anew for it, and its
+   * texels, which only the GPU has, would be lost.
+   */
+  set pixelated(value: boolean | null) {
+    const { texture } = this;
+    const nearest = value ?? this.#nearestByModel;
+    const gl = this.#renderer.getContext() as WebGL2RenderingContext;
+    const { __webglTexture: handle } = this.#renderer.properties.get(texture) as { __webglTexture?: WebGLTexture };
+    texture.magFilter = nearest ? NearestFilter : LinearFilter;
+    if (handle === undefined) return;
+    this.#renderer.state.bindTexture(gl.TEXTURE_2D, handle);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, nearest ? gl.NEAREST : gl.LINEAR);
   }
 
   /** Whether every rectangle lies inside this texture: an update of a target of another size does not. */

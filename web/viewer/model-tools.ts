@@ -5,6 +5,7 @@ import { SurfaceRing } from "./brush-ring.ts";
 import { tangentPart, tupleOf } from "./decal-pose.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
+import { type TexelPlaces, texelPlaces } from "./texel-places.ts";
 import type { BrushRing, ToolInput } from "./tool-input.ts";
 import { ToolPointer } from "./tool-pointer.ts";
 import type { SurfaceHit } from "./viewer-api.ts";
@@ -87,6 +88,33 @@ export class ModelTools {
         .addScaledVector(y, Math.sin(angle) * radius);
       return [hit.uv[0] + u.dot(away), hit.uv[1] + v.dot(away)] as const;
     });
+  }
+
+  /** The inverse of the triangle's affine map: u and v to metres along it. */
+  placesInModel(hit: SurfaceHit, uvs: readonly (readonly [number, number])[]): readonly Vec3[] {
+    const query = this.#hooks.query();
+    const place = query?.triangleAtUv(hit.material, hit.uv) ?? null;
+    if (query === null || place === null) return [];
+    const { u, v } = query.uvGradients(place.triangle);
+    const normal = u.clone().cross(v);
+    const alongU = v.clone().cross(normal);
+    const alongV = normal.clone().cross(u);
+    alongU.divideScalar(alongU.dot(u) || 1);
+    alongV.divideScalar(alongV.dot(v) || 1);
+    const origin = new Vector3(...hit.position);
+    return uvs.map((uv) =>
+      tupleOf(
+        origin
+          .clone()
+          .addScaledVector(alongU, uv[0] - hit.uv[0])
+          .addScaledVector(alongV, uv[1] - hit.uv[1]),
+      ),
+    );
+  }
+
+  texelPlaces(material: number, width: number, height: number): TexelPlaces | null {
+    const query = this.#hooks.query();
+    return query && texelPlaces(query, material, width, height);
   }
 
   metresPerPixel(hit: SurfaceHit): number {

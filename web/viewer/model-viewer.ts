@@ -18,6 +18,7 @@ import { gatherRestingSurface } from "./resting-surface.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { Stage } from "./stage.ts";
 import { SurfaceQuery, type SurfaceSample } from "./surface-query.ts";
+import type { TexelPlaces } from "./texel-places.ts";
 import type { BrushRing, ToolInput } from "./tool-input.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import { ViewInput } from "./view-input.ts";
@@ -214,6 +215,19 @@ class ThreeModelViewer implements ModelViewer {
 
   circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[] {
     return this.#tools.circleInTexture(hit, radius);
+  }
+
+  placesInModel(hit: SurfaceHit, uvs: readonly (readonly [number, number])[]): readonly Vec3[] {
+    return this.#tools.placesInModel(hit, uvs);
+  }
+
+  texelPlaces(material: number, width: number, height: number): TexelPlaces | null {
+    return this.#tools.texelPlaces(material, width, height);
+  }
+
+  setPixelated(material: number, pixelated: boolean | null): void {
+    this.#model?.materials.setPixelated(material, pixelated);
+    this.#stage.requestFrame();
   }
 
   metresPerPixel(hit: SurfaceHit): number {

@@ -18,6 +18,7 @@ export class PaintedMaterials {
   readonly #bound = new Map<number, { info: TargetInfo; live: LiveTexture }>();
   /** Textures of targets that were replaced: shown until the new one has its first picture. */
   readonly #retired = new Map<number, LiveTexture>();
+  readonly #pixelated = new Map<number, boolean | null>();
 
   constructor(renderer: WebGLRenderer, scene: ModelScene) {
     this.#renderer = renderer;
@@ -25,6 +26,13 @@ export class PaintedMaterials {
     for (const material of [...scene.materials.values()].flat()) {
       this.#own.set(material, material.map);
     }
+  }
+
+  /** Whether a material's texels are shown as squares, now and in targets to come; null: as the model asks. */
+  setPixelated(material: number, pixelated: boolean | null): void {
+    this.#pixelated.set(material, pixelated);
+    const bound = this.#bound.get(material);
+    if (bound !== undefined) bound.live.pixelated = pixelated;
   }
 
   get boundMaterials(): readonly number[] {
@@ -43,7 +51,7 @@ export class PaintedMaterials {
       this.#retire(info.material, before?.live);
       this.#bound.set(info.material, {
         info,
-        live: new LiveTexture(this.#renderer, info, this.#ownTexture(info.material)),
+        live: this.#makeLive(info),
       });
     }
   }
@@ -64,7 +72,7 @@ export class PaintedMaterials {
   /** After a lost context the GPU has forgotten every texel: storage is made anew, to be filled by full updates. */
   rebuild(): void {
     for (const [material, { info, live }] of this.#bound) {
-      const again = new LiveTexture(this.#renderer, info, this.#ownTexture(material));
+      const again = this.#makeLive(info);
       this.#bound.set(material, { info, live: again });
       // A frame that is drawn meanwhile must not bring the old texture's storage back. The old one needs no disposal: the
       // context took its storage along.
@@ -83,6 +91,13 @@ export class PaintedMaterials {
     }
     this.#bound.clear();
     this.#retired.clear();
+  }
+
+  #makeLive(info: TargetInfo): LiveTexture {
+    const live = new LiveTexture(this.#renderer, info, this.#ownTexture(info.material));
+    const pixelated = this.#pixelated.get(info.material);
+    if (pixelated !== undefined) live.pixelated = pixelated;
+    return live;
   }
 
   #ownTexture(index: number): Texture | null {

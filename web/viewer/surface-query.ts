@@ -141,6 +141,11 @@ export class SurfaceQuery {
     return { u: gradient(0), v: gradient(1) };
   }
 
+  /** A number for the connected part of the model that a triangle belongs to. */
+  shellOf(triangle: number): number {
+    return this.#shells[triangle] as number;
+  }
+
   /** The triangle of a material at a place in texture space; null between its charts. */
   triangleAtUv(material: number, uv: readonly [number, number]): UvPlace | null {
     let lookup = this.#lookups.get(material);

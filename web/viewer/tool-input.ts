@@ -1,4 +1,5 @@
 /** What a tool of the editor above gets from either view, and what it may show there. */
+import type { Vec3 } from "../engine/engine-api.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import type { SurfaceHit } from "./viewer-api.ts";
 
@@ -53,4 +54,6 @@ export interface BrushRing {
   readonly radius: number;
   /** Of the radius: where the brush begins to fade; 1 draws one ring. */
   readonly inner: number;
+  /** Corners that are shown in place of the ring, model space: a square of texels. */
+  readonly corners?: readonly Vec3[];
 }

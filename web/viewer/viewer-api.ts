@@ -8,9 +8,11 @@ import type {
   TargetUpdate,
   Vec3,
 } from "../engine/engine-api.ts";
+import type { TexelPlaces } from "./texel-places.ts";
 import type { BrushRing, ToolInput } from "./tool-input.ts";
 
 export type { Vec3 } from "../engine/engine-api.ts";
+export type { TexelPlaces } from "./texel-places.ts";
 export type { BrushRing, ToolInput, ToolSample, ToolView } from "./tool-input.ts";
 
 /** A decal as the gizmo needs it. */
@@ -100,6 +102,12 @@ export interface ModelViewer {
   surfaceAtUv(material: number, uv: readonly [number, number]): SurfaceHit | null;
   /** A circle about a hit (radius in metres) as it lies in the texture: its points, texture coordinates, not wrapped. */
   circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[];
+  /** The way back: places of the texture in the plane of the hit's own triangle, model space. */
+  placesInModel(hit: SurfaceHit, uvs: readonly (readonly [number, number])[]): readonly Vec3[];
+  /** Where the texels of a material's texture of this size lie; for small textures. Null without a model. */
+  texelPlaces(material: number, width: number, height: number): TexelPlaces | null;
+  /** Whether a material's texels are shown as squares; null: as the model's own texture asks. */
+  setPixelated(material: number, pixelated: boolean | null): void;
   /** Metres that one CSS pixel spans on the surface at a hit. */
   metresPerPixel(hit: SurfaceHit): number;
   frameModel(): void;

@@ -4,6 +4,7 @@ import { DEFAULT_TARGET, type EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
+import { checkField } from "./property-fields.ts";
 
 const words = strings.target;
 const SIZES = [256, 512, 1024, 2048, 4096, 8192];
@@ -43,6 +44,13 @@ export class TargetSettings extends EditorElement {
         margin: 0;
         padding-inline-start: var(--space-2);
       }
+      .check {
+        display: flex;
+        align-items: center;
+        gap: var(--space-2);
+        min-height: var(--target);
+        cursor: pointer;
+      }
       .warning {
         padding: var(--space-2) var(--space-3);
         border-radius: var(--radius);
@@ -53,8 +61,8 @@ export class TargetSettings extends EditorElement {
     `,
   ];
 
-  protected watched({ model, material, targets, targetSettings }: EditorState): readonly unknown[] {
-    return [model, material, targets, targetSettings];
+  protected watched({ model, material, targets, targetSettings, toolSettings }: EditorState): readonly unknown[] {
+    return [model, material, targets, targetSettings, toolSettings.pixelMode];
   }
 
   override render(): TemplateResult {
@@ -101,6 +109,9 @@ export class TargetSettings extends EditorElement {
           ${GUTTERS.map((size) => html`<option value=${size} ?selected=${settings.gutter === size}>${words.texels(String(size))}</option>`)}
         </select>
       </div>
+      ${checkField("pixel-mode", strings.tools.pixelMode, editor.tools.pixelMode, (pixelMode) =>
+        editor.tools.configure({ pixelMode }),
+      )}
       ${target ? this.#figures(target) : nothing}
     `;
   }

@@ -66,11 +66,11 @@ export const toolOptionsStyles = css`
     background: var(--second);
     box-shadow: 0 0 0 1px var(--line);
   }
-  .more {
+  .drop {
     position: absolute;
     z-index: 5;
     inset-block-start: calc(100% + var(--space-1));
-    inset-inline-end: 0;
+    inset-inline-start: 0;
     display: grid;
     gap: var(--space-2);
     width: 17rem;
@@ -80,5 +80,8 @@ export const toolOptionsStyles = css`
     border-radius: var(--radius-large);
     background: var(--surface-high);
     box-shadow: var(--shadow);
+  }
+  .drop.end {
+    inset-inline: auto 0;
   }
 `;

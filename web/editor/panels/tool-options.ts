@@ -1,6 +1,6 @@
 /** What the chosen tool paints with: a quiet bar over the model. Only what the tool reads is there. */
 import { html, nothing, type TemplateResult } from "lit";
-import { ArrowLeftRight, SlidersHorizontal } from "lucide";
+import { ArrowLeftRight, Palette, SlidersHorizontal } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { stepFor, unitFor } from "../tools/length-unit.ts";
@@ -10,6 +10,7 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { controls } from "../ui/theme.ts";
+import "./color-palette.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 import { toolOptionsStyles } from "./tool-options-styles.ts";
@@ -20,18 +21,19 @@ const words = strings.tools;
 const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock"];
 
 export class ToolOptions extends EditorElement {
-  static override properties = { open: { state: true } };
-  declare open: boolean;
+  static override properties = { shown: { state: true } };
+  /** What hangs below the bar. */
+  declare shown: "more" | "palette" | null;
 
   static override styles = [controls, propertyStyles, toolOptionsStyles];
 
   constructor() {
     super();
-    this.open = false;
+    this.shown = null;
   }
 
-  protected watched({ tool, toolSettings, model, design }: EditorState): readonly unknown[] {
-    return [tool, toolSettings, model, design.assets];
+  protected watched({ tool, toolSettings, model, design, selectedId }: EditorState): readonly unknown[] {
+    return [tool, toolSettings, model, design.assets, selectedId];
   }
 
   override render(): TemplateResult | typeof nothing {
@@ -47,19 +49,28 @@ export class ToolOptions extends EditorElement {
         ${
           seldom.length > 0
             ? html`<button
-                  class="icon"
-                  id="more-options"
-                  aria-label=${words.more}
-                  title=${words.more}
-                  aria-expanded=${this.open}
-                  aria-pressed=${this.open}
-                  @click=${() => {
-                    this.open = !this.open;
-                  }}
-                >
-                  ${icon(SlidersHorizontal)}
-                </button>
-                ${this.open ? html`<div class="more" @keydown=${this.#closeByKey}>${seldom.map((option) => this.#field(option, tool))}</div>` : nothing}`
+                class="icon"
+                id="more-options"
+                aria-label=${words.more}
+                title=${words.more}
+                aria-expanded=${this.shown === "more"}
+                aria-pressed=${this.shown === "more"}
+                @click=${() => this.#toggle("more")}
+              >
+                ${icon(SlidersHorizontal)}
+              </button>`
+            : nothing
+        }
+        ${
+          this.shown === "more" && seldom.length > 0
+            ? html`<div class="drop end" @keydown=${this.#closeByKey}>${seldom.map((option) => this.#field(option, tool))}</div>`
+            : nothing
+        }
+        ${
+          this.shown === "palette" && tool.options.includes("color")
+            ? html`<div class="drop" @keydown=${this.#closeByKey}>
+                <tc-color-palette .editor=${this.editor}></tc-color-palette>
+              </div>`
             : nothing
         }
       </div>
@@ -153,6 +164,17 @@ export class ToolOptions extends EditorElement {
         >
           ${icon(ArrowLeftRight)}
         </button>
+        <button
+          class="icon"
+          id="show-palette"
+          aria-label=${strings.palette.show}
+          title=${strings.palette.show}
+          aria-expanded=${this.shown === "palette"}
+          aria-pressed=${this.shown === "palette"}
+          @click=${() => this.#toggle("palette")}
+        >
+          ${icon(Palette)}
+        </button>
       </span>
     `;
   }
@@ -241,11 +263,16 @@ export class ToolOptions extends EditorElement {
     this.editor.tools.configure(settings);
   }
 
+  #toggle(what: "more" | "palette"): void {
+    this.shown = this.shown === what ? null : what;
+  }
+
   #closeByKey(event: KeyboardEvent): void {
     if (event.key !== "Escape") return;
     event.stopPropagation();
-    this.open = false;
-    this.renderRoot.querySelector<HTMLElement>("#more-options")?.focus();
+    const opener = this.shown === "more" ? "#more-options" : "#show-palette";
+    this.shown = null;
+    this.renderRoot.querySelector<HTMLElement>(opener)?.focus();
   }
 }
 customElements.define("tc-tool-options", ToolOptions);

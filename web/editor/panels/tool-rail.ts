@@ -57,8 +57,8 @@ export class ToolRail extends EditorElement {
   ];
 
   protected watched(state: EditorState): readonly unknown[] {
-    const { tool, model, targets, design, selectedId } = state;
-    return [tool, model === null, targets, design.layers.length, selectedId];
+    const { tool, model, targets, design, selectedId, material, toolSettings } = state;
+    return [tool, model === null, targets, design.layers.length, selectedId, material, toolSettings.pixelMode];
   }
 
   override render(): TemplateResult {

@@ -46,6 +46,10 @@ export interface LibraryFont {
 
 const TYPES = { png: "image/png", jpeg: "image/jpeg", webp: "image/webp" } as const;
 
+const LIVE_KEY = "picture-live";
+/** Stands in designs that are only previewed; no file has this address. */
+const LIVE_ASSET: DesignAsset = { type: "image/png", uri: "live:picture" };
+
 export class AssetLibrary {
   readonly #engine: Engine;
   readonly #pictures = new Map<string, LibraryPicture>();
@@ -96,6 +100,17 @@ export class AssetLibrary {
     const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
     const picture: LibraryPicture = { engineKey, asset: { type, uri }, width, height, url };
     this.#pictures.set(uri, picture);
+    return picture;
+  }
+
+  /**
+   * Shows a picture that is still being changed: each takes the place of the one before, in the engine too, and none is kept.
+   * PNG. Rejects as `add` does.
+   */
+  async setLive(bytes: Uint8Array): Promise<LibraryPicture> {
+    const { width, height } = await this.#engine.setAsset(LIVE_KEY, { name: LIVE_KEY, bytes });
+    const picture: LibraryPicture = { engineKey: LIVE_KEY, asset: LIVE_ASSET, width, height, url: "" };
+    this.#pictures.set(LIVE_ASSET.uri, picture);
     return picture;
   }
 

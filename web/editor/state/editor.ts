@@ -8,6 +8,7 @@ import { type DesignLayer, materialsIn } from "../document/index.ts";
 import { type DemoCatalogue, loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { strings } from "../strings.ts";
+import { PaletteCommands } from "../tools/palette-commands.ts";
 import { registerTools } from "../tools/register-tools.ts";
 import { Toolbox } from "../tools/toolbox.ts";
 import { AssetLibrary } from "./asset-library.ts";
@@ -59,6 +60,7 @@ export class Editor {
   readonly files: FileCommands;
   readonly session: DesignSession;
   readonly tools: Toolbox;
+  readonly palettes: PaletteCommands;
   readonly projects: ProjectCommands;
   readonly autosave: Autosave;
   readonly #models: ModelSession;
@@ -93,6 +95,7 @@ export class Editor {
     this.tools = new Toolbox({ viewer, textureView, store, board });
     const { tools } = this;
     const reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
+    this.palettes = new PaletteCommands(tools, board);
     registerTools({ engine, viewer, textureView, session, library, store, board, tools, reach });
     this.#connect();
   }

@@ -19,6 +19,9 @@ import { withRecent } from "./tool-settings.ts";
 /** A stroke shorter than this, milliseconds, that a second finger ends was meant as the beginning of a pinch. */
 const PINCH_TIME = 250;
 
+/** Of the brush's size: how far an arrow key moves its cursor. */
+const KEY_STEP = 0.25;
+
 const KINDS = {
   brush: { icon: BrushIcon, shortcut: "B" },
   eraser: { icon: Eraser, shortcut: "E" },
@@ -53,6 +56,7 @@ export class BrushTool implements Tool {
     this.#probe = probe;
     this.#preview = new BrushPreview(context, () => this.#innerShare());
     this.#cursor = new PaintCursor(context, {
+      stepAt: (hit) => Math.max(this.#size() * KEY_STEP, context.viewer.metresPerPixel(hit) * 3),
       moved: (hit) => this.#preview.show(hit),
       begin: (hit) => this.#begin() && this.#extend(hit),
       extend: (hit) => this.#extend(hit),

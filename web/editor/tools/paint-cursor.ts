@@ -4,6 +4,8 @@ import { strings } from "../strings.ts";
 import type { ToolContext } from "./tool-context.ts";
 
 export interface PaintCursorHooks {
+  /** How far one key press goes, metres. */
+  stepAt(hit: SurfaceHit): number;
   moved(hit: SurfaceHit): void;
   begin(hit: SurfaceHit): void;
   extend(hit: SurfaceHit): void;
@@ -16,8 +18,7 @@ const DIRECTIONS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowUp: [0, 1],
   ArrowDown: [0, -1],
 };
-/** Of the brush's size; with Shift `COARSE` times as far. */
-const STEP = 0.25;
+/** With Shift. */
 const COARSE = 4;
 
 export class PaintCursor {
@@ -54,15 +55,14 @@ export class PaintCursor {
   }
 
   #step([right, up]: readonly [number, number], coarse: boolean): void {
-    const { viewer, tools, board } = this.#context;
+    const { viewer, board } = this.#context;
     if (this.#hit === null) {
       this.#hit = viewer.surfaceAtCentre();
       if (this.#hit === null) return;
       board.announce(strings.tools.cursorShown);
     } else {
-      const size = tools.settings.size ?? 1;
-      const step = Math.max(size * STEP, viewer.metresPerPixel(this.#hit) * 3) * (coarse ? COARSE : 1);
-      const lying = viewer.projectorAt(this.#hit, size, 1);
+      const step = this.#hooks.stepAt(this.#hit) * (coarse ? COARSE : 1);
+      const lying = viewer.projectorAt(this.#hit, step, 1);
       const moved = viewer.nudge(lying, right * step, up * step);
       const next = moved.kind === "planar" ? viewer.surfaceNear(moved.position) : null;
       if (next === null) return;

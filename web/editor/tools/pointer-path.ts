@@ -16,6 +16,8 @@ export type PathStep = PassedPlace | null;
 export interface PointerPathOptions {
   /** Pixels of slack between the pointer and the brush that it pulls. */
   readonly rope: number;
+  /** Pixels between two looks at the model; default 5. */
+  readonly look?: number;
   /** Whether the line between two neighbouring places runs over the surface. */
   readonly joined: (a: SurfaceHit, b: SurfaceHit) => boolean;
 }
@@ -25,8 +27,7 @@ interface ScreenPoint {
   readonly y: number;
 }
 
-/** Pixels between two looks at the model. */
-const STEP = 5;
+const LOOK = 5;
 /** More looks for one sample are a pointer that jumped across a large screen. */
 const MOST_LOOKS = 400;
 
@@ -95,7 +96,10 @@ export class PointerPath {
     const before = this.#pressure;
     this.#tip = to;
     this.#pressure = pressure;
-    const looks = Math.min(MOST_LOOKS, Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / STEP));
+    const looks = Math.min(
+      MOST_LOOKS,
+      Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / (this.#options.look ?? LOOK)),
+    );
     return Array.from({ length: looks }, (_, look) => (look + 1) / looks).flatMap((share) => {
       const at = { x: from.x + (to.x - from.x) * share, y: from.y + (to.y - from.y) * share };
       return this.#look(this.#view.hitAt(at), before + (pressure - before) * share);

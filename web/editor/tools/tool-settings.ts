@@ -1,5 +1,7 @@
 /** What the options bar sets: one value for all tools, so that brush and eraser keep their size when one goes from one to the other. */
 
+import { DEFAULT_PALETTE } from "./default-palette.ts";
+import type { Palette } from "./gimp-palette.ts";
 import type { MirrorSetting } from "./mirror-setting.ts";
 
 export interface ToolSettings {
@@ -7,10 +9,13 @@ export interface ToolSettings {
   readonly color: string;
   /** What X swaps with. */
   readonly background: string;
+  readonly palette: Palette;
   /** Newest first, "#rrggbb". */
   readonly recent: readonly string[];
   /** Width of a round brush, metres of the model; null until a model is open. */
   readonly size: number | null;
+  /** Null: where the texture is small. */
+  readonly pixelMode: boolean | null;
   /** Width of a pencil, texels. */
   readonly pixelSize: number;
   /** 0 to 1. */
@@ -45,8 +50,10 @@ export const DEFAULT_COLORS = { color: "#1f2329", background: "#ffffff" } as con
 
 export const INITIAL_TOOL_SETTINGS: ToolSettings = {
   ...DEFAULT_COLORS,
+  palette: DEFAULT_PALETTE,
   recent: [],
   size: null,
+  pixelMode: null,
   pixelSize: 1,
   hardness: 0.8,
   flow: 1,

@@ -1,4 +1,5 @@
 /** The tools and which of them is chosen. Tools register themselves here; the rail and the options bar read it. */
+import type { TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
@@ -14,18 +15,25 @@ export interface ToolboxParts {
   readonly board: NoticeBoard;
 }
 
+/** Texels: textures up to this size are skins that are painted texel by texel, unless the user says otherwise. */
+const PIXEL_MODE_UP_TO = 128;
+
 export class Toolbox {
   readonly #parts: ToolboxParts;
   readonly #tools = new Map<ToolId, Tool>();
 
   constructor(parts: ToolboxParts) {
     this.#parts = parts;
-    let { model } = parts.store.state;
+    let seen = parts.store.state;
     parts.store.subscribe(() => {
-      const now = parts.store.state;
-      if (now.model === model) return;
-      model = now.model;
-      this.#measure();
+      const before = seen;
+      seen = parts.store.state;
+      if (seen.model !== before.model) this.#measure();
+      if (seen.targets !== before.targets || seen.toolSettings.pixelMode !== before.toolSettings.pixelMode) {
+        this.#showPixels();
+      }
+      // What the rail no longer offers cannot stay chosen.
+      if (!(this.active?.offered?.() ?? true)) this.choose("brush");
     });
   }
 
@@ -46,6 +54,12 @@ export class Toolbox {
 
   get settings(): ToolSettings {
     return this.#parts.store.state.toolSettings;
+  }
+
+  /** Whether the shown texture is painted texel by texel: as the user says, else where it is small. */
+  get pixelMode(): boolean {
+    const { material, targets } = this.#parts.store.state;
+    return material !== null && isPixelated(this.settings, targets.get(material));
   }
 
   /** Adds a tool, or takes the place of one of the same id. */
@@ -90,7 +104,9 @@ export class Toolbox {
     if (this.active?.key?.(event, this.#viewOf(event))) return true;
     if (event.shiftKey) return false;
     const key = event.key.toUpperCase();
-    const tool = this.offered.find(({ shortcut }) => shortcut === key);
+    const meant = this.offered.filter(({ shortcut }) => shortcut === key);
+    // Tools that share a key take turns.
+    const tool = meant[(meant.findIndex(({ id }) => id === this.active?.id) + 1) % meant.length];
     if (tool) this.choose(tool.id);
     else if (key === "X") this.swapColors();
     else if (key === "D") this.resetColors();
@@ -112,12 +128,24 @@ export class Toolbox {
     });
   }
 
+  #showPixels(): void {
+    const { targets } = this.#parts.store.state;
+    for (const [material, target] of targets) {
+      const byUser = this.settings.pixelMode;
+      this.#parts.viewer.setPixelated(material, byUser ?? (isPixelated(this.settings, target) || null));
+    }
+  }
+
   /** A size in metres means nothing on a model of another scale. */
   #measure(): void {
     const { model } = this.#parts.store.state;
     if (!model) return;
     const { boundsMin: low, boundsMax: high } = model.info;
     const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
-    this.configure({ size: diagonal * USUAL_SIZE });
+    this.configure({ size: diagonal * USUAL_SIZE, pixelMode: null });
   }
+}
+
+function isPixelated({ pixelMode }: ToolSettings, target: TargetInfo | undefined): boolean {
+  return target !== undefined && (pixelMode ?? Math.max(target.width, target.height) <= PIXEL_MODE_UP_TO);
 }

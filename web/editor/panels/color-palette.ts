@@ -1,0 +1,115 @@
+/** Colours to paint with: the palette, the newest ones, and the palette's own menu. */
+import { css, html, type TemplateResult } from "lit";
+import { Download, ImagePlus, RotateCcw, Upload } from "lucide";
+import type { EditorState } from "../state/editor-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.palette;
+
+export class ColorPalette extends EditorElement {
+  static override styles = [
+    controls,
+    css`
+      :host {
+        display: grid;
+        gap: var(--space-2);
+      }
+      header {
+        display: flex;
+        align-items: center;
+        gap: 2px;
+      }
+      h3 {
+        flex: 1;
+        min-width: 0;
+        overflow: hidden;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .colors {
+        display: grid;
+        grid-template-columns: repeat(auto-fill, minmax(26px, 1fr));
+        gap: 2px;
+        max-height: 14rem;
+        overflow: auto;
+        padding: 2px;
+      }
+      .colors button {
+        min-width: 0;
+        min-height: 0;
+        padding: 0;
+        aspect-ratio: 1;
+        border-radius: 4px;
+        background: var(--color);
+        box-shadow: inset 0 0 0 1px rgb(128 128 128 / 35%);
+      }
+      .colors button[aria-pressed="true"] {
+        box-shadow:
+          0 0 0 2px var(--surface-high),
+          0 0 0 4px var(--accent);
+      }
+      @media (pointer: coarse) {
+        .colors {
+          grid-template-columns: repeat(auto-fill, minmax(44px, 1fr));
+        }
+      }
+    `,
+  ];
+
+  protected watched({ toolSettings }: EditorState): readonly unknown[] {
+    const { palette, color, recent } = toolSettings;
+    return [palette, color, recent];
+  }
+
+  override render(): TemplateResult {
+    const { palette, recent } = this.state.toolSettings;
+    const { palettes } = this.editor;
+    const buttons = [
+      { label: words.fromPicture, drawing: ImagePlus, run: () => this.#open(ACCEPT.picture) },
+      { label: words.import, drawing: Upload, run: () => this.#open(".gpl") },
+      { label: words.export, drawing: Download, run: () => palettes.save() },
+      { label: words.reset, drawing: RotateCcw, run: () => palettes.reset() },
+    ];
+    return html`
+      <header>
+        <h3>${palette.name}</h3>
+        ${buttons.map(
+          ({ label, drawing, run }) =>
+            html`<button class="icon" aria-label=${label} title=${label} @click=${run}>${icon(drawing)}</button>`,
+        )}
+      </header>
+      <div class="colors" id="palette-colors" role="group" aria-label=${palette.name}>${this.#swatches(palette.colors)}</div>
+      ${
+        recent.length > 0
+          ? html`<h3>${strings.tools.recent}</h3>
+              <div class="colors" role="group" aria-label=${strings.tools.recent}>${this.#swatches(recent)}</div>`
+          : ""
+      }
+    `;
+  }
+
+  #swatches(colors: readonly string[]): TemplateResult[] {
+    const { color } = this.state.toolSettings;
+    return colors.map(
+      (value) => html`<button
+        style=${`--color:${value}`}
+        data-color=${value}
+        aria-label=${strings.tools.recentColor(value)}
+        aria-pressed=${value === color}
+        title=${value}
+        @click=${() => this.editor.tools.configure({ color: value })}
+      ></button>`,
+    );
+  }
+
+  #open(accept: string): void {
+    pickFiles({ accept }, ([file]) => {
+      if (file) void this.editor.palettes.open(file.file);
+    });
+  }
+}
+customElements.define("tc-color-palette", ColorPalette);

@@ -1,0 +1,59 @@
+/** The eraser: of texels on a pixel layer in pixel mode, of paint elsewhere. */
+import { Eraser } from "lucide";
+import type { ToolInput } from "../../viewer/viewer-api.ts";
+import { findLayer } from "../document/index.ts";
+import { strings } from "../strings.ts";
+import { isPixelLayer } from "./pixel-layer.ts";
+import type { Tool, ToolOption } from "./tool.ts";
+import type { ToolContext } from "./tool-context.ts";
+
+type InputTool = Tool & { readonly input: ToolInput };
+
+export class EraserTool implements Tool {
+  readonly id = "eraser";
+  readonly label = strings.tools.eraser;
+  readonly icon = Eraser;
+  readonly shortcut = "E";
+  readonly input: ToolInput;
+  readonly #context: ToolContext;
+  readonly #ofPaint: InputTool;
+  readonly #ofPixels: InputTool;
+  /** The one that has the gesture under way. */
+  #held: InputTool | null = null;
+
+  constructor(context: ToolContext, ofPaint: InputTool, ofPixels: InputTool) {
+    this.#context = context;
+    this.#ofPaint = ofPaint;
+    this.#ofPixels = ofPixels;
+    this.input = {
+      cursor: ofPaint.input.cursor,
+      down: (sample) => {
+        this.#held = this.#fitting;
+        return this.#held.input.down(sample);
+      },
+      move: (samples) => this.#held?.input.move(samples),
+      up: (sample) => this.#held?.input.up(sample),
+      interrupted: (reason) => this.#held?.input.interrupted(reason),
+      hover: (sample) => this.#fitting.input.hover(sample),
+    };
+  }
+
+  get options(): readonly ToolOption[] {
+    return this.#fitting.options;
+  }
+
+  deactivate(): void {
+    this.#ofPaint.deactivate?.();
+    this.#ofPixels.deactivate?.();
+  }
+
+  key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
+    return this.#fitting.key?.(event, view) ?? false;
+  }
+
+  get #fitting(): InputTool {
+    const { session, store, tools } = this.#context;
+    const selected = findLayer(session.recordedDesign, store.state.selectedId);
+    return tools.pixelMode && (selected === undefined || isPixelLayer(selected)) ? this.#ofPixels : this.#ofPaint;
+  }
+}

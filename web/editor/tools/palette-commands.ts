@@ -1,0 +1,49 @@
+/** The palette's own file work: from a .gpl, from a picture, and back into a .gpl. */
+import { decodePicture } from "../../engine/picture-decoder.ts";
+import { download, fileStem } from "../files/download.ts";
+import { bytesOf } from "../files/file-intake.ts";
+import type { NoticeBoard } from "../state/notice-board.ts";
+import { strings } from "../strings.ts";
+import { DEFAULT_PALETTE } from "./default-palette.ts";
+import { parseGimpPalette, printGimpPalette } from "./gimp-palette.ts";
+import { colorsOf } from "./picture-palette.ts";
+import type { Toolbox } from "./toolbox.ts";
+
+/** Taken from a picture; more are hard to choose among. */
+const PICTURE_COLORS = 64;
+
+export class PaletteCommands {
+  readonly #tools: Toolbox;
+  readonly #board: NoticeBoard;
+
+  constructor(tools: Toolbox, board: NoticeBoard) {
+    this.#tools = tools;
+    this.#board = board;
+  }
+
+  /** A .gpl file, or a picture whose colours become the palette. A file that cannot be read leaves the palette as it is. */
+  async open(file: File): Promise<void> {
+    try {
+      const isPalette = file.name.toLowerCase().endsWith(".gpl");
+      const palette = isPalette
+        ? parseGimpPalette(await file.text(), file.name)
+        : {
+            name: fileStem(file.name),
+            colors: colorsOf(await decodePicture(await bytesOf(file), file.name), PICTURE_COLORS),
+          };
+      this.#tools.configure({ palette });
+      this.#board.announce(strings.palette.opened(palette.name, palette.colors.length));
+    } catch (thrown) {
+      this.#board.error(strings.errors.couldNotOpen(file.name), thrown);
+    }
+  }
+
+  save(): void {
+    const { palette } = this.#tools.settings;
+    download(`${fileStem(palette.name)}.gpl`, "text/plain", printGimpPalette(palette));
+  }
+
+  reset(): void {
+    this.#tools.configure({ palette: DEFAULT_PALETTE });
+  }
+}

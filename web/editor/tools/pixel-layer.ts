@@ -1,0 +1,79 @@
+/** Pixel layers: small pictures laid over the whole texture, texel on texel, that the pixel tools rewrite. */
+import {
+  type DecalLayer,
+  type Design,
+  type DesignLayer,
+  freeIdIn,
+  insertAt,
+  makeDecalLayer,
+  mapLayer,
+  paintsMaterial,
+  visitOf,
+  walkLayers,
+} from "../document/index.ts";
+import { freeName, withAsset, withoutUnusedAssets } from "../state/design-edits.ts";
+import { strings } from "../strings.ts";
+
+const WHOLE_TEXTURE = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } as const;
+
+/** Whether the pixel tools can rewrite a layer: its picture is read texel by texel over the whole texture. */
+export function isPixelLayer(layer: DesignLayer | undefined): layer is DecalLayer {
+  if (layer?.type !== "decal" || layer.projector.kind !== "uv") return false;
+  const { center, size, angle } = layer.projector;
+  return (
+    [...center, ...size, angle].join() ===
+      [...WHOLE_TEXTURE.center, ...WHOLE_TEXTURE.size, WHOLE_TEXTURE.angle].join() &&
+    layer.filter === "nearest" &&
+    layer.wrap === "none" &&
+    !layer.flipX &&
+    !layer.flipY
+  );
+}
+
+/** The pixel layer that a material's texels are painted on: the selected one, else the topmost that can be; undefined: none yet. */
+export function pixelLayerFor(design: Design, selectedId: string | null, material: number): DecalLayer | undefined {
+  const isFit = (layer: DesignLayer | undefined): layer is DecalLayer =>
+    isPixelLayer(layer) && paintsMaterial(layer, material);
+  const selected = visitOf(design, selectedId)?.layer;
+  if (isFit(selected)) return selected;
+  let topmost: DecalLayer | undefined;
+  for (const { layer, inMask, shown } of walkLayers(design, { masks: false, strokes: false })) {
+    if (isFit(layer) && !inMask && shown && !layer.locked) topmost = layer;
+  }
+  return topmost;
+}
+
+/** Gives a pixel layer another picture; the one before goes where nothing else uses it. */
+export function withPixels(
+  design: Design,
+  id: string,
+  asset: { readonly type: "image/png"; readonly uri: string },
+): Design {
+  const { design: more, key } = withAsset(design, strings.tools.pixelLayer, asset);
+  return withoutUnusedAssets(mapLayer(more, id, (layer) => ({ ...layer, asset: key }) as DesignLayer));
+}
+
+/** A new pixel layer above the selected layer. */
+export function addPixelLayer(
+  design: Design,
+  selectedId: string | null,
+  material: number,
+  asset: { readonly type: "image/png"; readonly uri: string },
+): { readonly design: Design; readonly id: string } {
+  const { design: more, key } = withAsset(design, strings.tools.pixelLayer, asset);
+  const id = freeIdIn(more);
+  const layer = makeDecalLayer({
+    id,
+    name: freeName(more, strings.tools.pixelLayer),
+    material,
+    asset: key,
+    projector: WHOLE_TEXTURE,
+    filter: "nearest",
+  });
+  const visit = visitOf(design, selectedId);
+  const place =
+    visit?.list === "layers"
+      ? { parentId: visit.parentId, list: "layers" as const, index: visit.index + 1 }
+      : { parentId: null, list: "layers" as const, index: design.layers.length };
+  return { design: insertAt(more, place, layer), id };
+}

@@ -1,0 +1,315 @@
+/** Pencil, pixel eraser, line, rectangle and bucket: each gesture changes one pixel layer, in one step of the history. */
+import { type IconNode, Minus, PaintBucket, Pencil, Square } from "lucide";
+import type { SurfaceHit, ToolInput, ToolSample } from "../../viewer/viewer-api.ts";
+import { strings } from "../strings.ts";
+import { PaintCursor } from "./paint-cursor.ts";
+import { CLEAR, type PixelCanvas, type PixelColor, pixelColorOf } from "./pixel-canvas.ts";
+import { fillFrom } from "./pixel-fill.ts";
+import type { PixelGesture } from "./pixel-gesture.ts";
+import { blockCorners, type GridPlace, joined, placeOf, placeOfUv, texelAt, texelsAlong } from "./pixel-places.ts";
+import type { PixelProbe } from "./pixel-probe.ts";
+import type { PixelSession, PixelSize } from "./pixel-session.ts";
+import { squared, type Texel, texelLine, texelRectangle, tipCorner } from "./pixel-shapes.ts";
+import { PointerPath } from "./pointer-path.ts";
+import { surfaceJoins } from "./surface-joins.ts";
+import type { Tool, ToolOption } from "./tool.ts";
+import type { ToolContext } from "./tool-context.ts";
+import { MOST_PIXEL_SIZE, withRecent } from "./tool-settings.ts";
+
+export type PixelKind = "pencil" | "eraser" | "line" | "rectangle" | "bucket";
+
+const KINDS: Readonly<
+  Record<PixelKind, { readonly icon: IconNode; readonly shortcut: string; readonly options: readonly ToolOption[] }>
+> = {
+  pencil: { icon: Pencil, shortcut: "N", options: ["color", "pixelSize", "alphaLock"] },
+  eraser: { icon: Pencil, shortcut: "E", options: ["pixelSize"] },
+  line: { icon: Minus, shortcut: "U", options: ["color", "pixelSize", "alphaLock"] },
+  rectangle: { icon: Square, shortcut: "U", options: ["color", "filled", "pixelSize", "alphaLock"] },
+  bucket: { icon: PaintBucket, shortcut: "G", options: ["color", "tolerance", "contiguous", "alphaLock"] },
+};
+
+/** Pixels of the screen between two looks at the model: texels may be small there. */
+const LOOK = 1.5;
+
+interface Stroke {
+  readonly gesture: PixelGesture;
+  readonly color: PixelColor;
+  readonly first: ToolSample;
+  readonly start: GridPlace;
+  readonly path: PointerPath;
+  last: GridPlace | null;
+}
+
+export class PixelTool implements Tool {
+  readonly id: PixelKind;
+  readonly label: string;
+  readonly icon: IconNode;
+  readonly shortcut: string;
+  readonly options: readonly ToolOption[];
+  readonly input: ToolInput;
+  readonly #context: ToolContext;
+  readonly #pixels: PixelSession;
+  readonly #probe: PixelProbe;
+  readonly #cursor: PaintCursor;
+  #stroke: Stroke | null = null;
+  #picking = false;
+  #keyed: { readonly gesture: PixelGesture; last: GridPlace | null } | null = null;
+  /** Where the newest line ended in the flat view, in texels: Shift draws a straight line from there. */
+  #lastPlace: { readonly material: number; readonly at: GridPlace } | null = null;
+
+  constructor(kind: PixelKind, context: ToolContext, pixels: PixelSession, probe: PixelProbe) {
+    this.id = kind;
+    this.label = strings.tools[kind];
+    ({ icon: this.icon, shortcut: this.shortcut, options: this.options } = KINDS[kind]);
+    this.#context = context;
+    this.#pixels = pixels;
+    this.#probe = probe;
+    this.#cursor = new PaintCursor(context, {
+      stepAt: (hit) => this.#texelWidth(hit),
+      moved: (hit) => this.#showHit(hit),
+      begin: (hit) => this.#beginByKey(hit),
+      extend: (hit) => this.#extendByKey(hit),
+      end: () => this.#endByKey(),
+    });
+    this.input = {
+      cursor: "crosshair",
+      down: (sample) => this.#down(sample),
+      move: (samples) => this.#move(samples),
+      up: (sample) => this.#up(sample),
+      interrupted: (reason) => (reason === "pinch" ? this.#cancel() : this.#finish()),
+      hover: (sample) => this.#hover(sample),
+    };
+  }
+
+  readonly offered = (): boolean => this.id === "eraser" || this.#context.tools.pixelMode;
+
+  deactivate(): void {
+    this.#cancel();
+    this.#cursor.hide();
+    this.#showRing(null, null);
+  }
+
+  key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
+    if (event.key === "Escape" && this.#stroke !== null) {
+      this.#cancel();
+      return true;
+    }
+    if (this.#cursor.key(event, view !== null)) return true;
+    const direction = { BracketLeft: -1, BracketRight: 1 }[event.code];
+    if (direction === undefined || event.shiftKey) return false;
+    const { tools } = this.#context;
+    const pixelSize = Math.min(MOST_PIXEL_SIZE, Math.max(1, tools.settings.pixelSize + direction));
+    tools.configure({ pixelSize });
+    return true;
+  }
+
+  #down(sample: ToolSample): boolean {
+    this.#cursor.hide();
+    const material = this.#materialOf(sample);
+    if (material === null) return false;
+    if (sample.alt) {
+      this.#picking = true;
+      this.#probe.pick(sample.hit);
+      return true;
+    }
+    const size = this.#pixels.sizeOf(material);
+    const start = size && placeOf(sample, material, size);
+    if (size === null || start === null) return false;
+    if (!isInside(start, size)) return false;
+    const gesture = this.#begin(material);
+    if (gesture === null) return true;
+    const joins = surfaceJoins(this.#context.viewer, 0);
+    const path = new PointerPath(sample, { rope: 0, look: LOOK, joined: joins });
+    this.#stroke = { gesture, color: this.#color(), first: sample, start, path, last: start };
+    if (this.id === "bucket") {
+      const { tolerance, contiguous } = this.#context.tools.settings;
+      fillFrom(gesture, this.#pixels, texelAt(start), this.#color(), { tolerance, contiguous });
+    } else if (this.#drags) {
+      const from = sample.shift && this.#lastPlace?.material === material ? this.#lastPlace.at : null;
+      path.first(sample);
+      this.#stamp(this.#stroke, from === null ? [start] : [from, ...joined(from, start)]);
+    } else this.#shape(this.#stroke, sample);
+    return true;
+  }
+
+  #move(samples: readonly ToolSample[]): void {
+    const newest = samples.at(-1);
+    if (newest === undefined) return;
+    if (this.#picking) this.#probe.pick(newest.hit);
+    const stroke = this.#stroke;
+    if (stroke === null) return;
+    if (this.#drags) for (const sample of samples) this.#follow(stroke, sample);
+    else if (this.id !== "bucket") this.#shape(stroke, newest);
+    this.#showPlace(newest);
+  }
+
+  #up(sample: ToolSample): void {
+    this.#picking = false;
+    const stroke = this.#stroke;
+    if (stroke === null) return;
+    if (this.#drags) this.#follow(stroke, sample);
+    else if (this.id !== "bucket") this.#shape(stroke, sample);
+    this.#finish();
+  }
+
+  /** Pencil and eraser follow the pointer; the others draw a shape between two places. */
+  get #drags(): boolean {
+    return this.id === "pencil" || this.id === "eraser";
+  }
+
+  #follow(stroke: Stroke, sample: ToolSample): void {
+    const { gesture, path } = stroke;
+    if (sample.view.kind === "texture") {
+      const place = placeOf(sample, gesture.material, gesture);
+      if (place !== null) this.#stamp(stroke, stroke.last === null ? [place] : joined(stroke.last, place));
+      stroke.last = place;
+      return;
+    }
+    const { places, last } = texelsAlong(path.add(sample), gesture.material, gesture, stroke.last);
+    stroke.last = last;
+    this.#stamp(stroke, places);
+  }
+
+  #stamp({ gesture, color }: Pick<Stroke, "gesture" | "color">, places: readonly GridPlace[]): void {
+    if (places.length === 0) return;
+    const { pixelSize } = this.#context.tools.settings;
+    gesture.draw((canvas) => stampAll(canvas, places, pixelSize, color));
+  }
+
+  /** The shape from where the pointer was pressed to where it is now, in place of the one before. */
+  #shape({ gesture, color, first, start }: Stroke, sample: ToolSample): void {
+    const { pixelSize, filled } = this.#context.tools.settings;
+    const place = placeOf(sample, gesture.material, gesture);
+    if (this.id === "line" && sample.view.kind === "model") {
+      const joins = surfaceJoins(this.#context.viewer, 0);
+      const path = new PointerPath(first, { rope: 0, look: LOOK, joined: joins });
+      const steps = [...path.first(first), ...path.finish(sample)];
+      const { places } = texelsAlong(steps, gesture.material, gesture, null);
+      gesture.draw((canvas) => {
+        canvas.restart();
+        stampAll(canvas, places, pixelSize, color);
+      });
+      return;
+    }
+    if (place === null) return;
+    const from = texelAt(start);
+    const to = sample.shift ? squared(from, texelAt(place), this.id === "line") : texelAt(place);
+    const texels = this.id === "line" ? texelLine(from, to) : texelRectangle(from, to, filled);
+    gesture.draw((canvas) => {
+      canvas.restart();
+      stampAll(canvas, texels.map(centreOf), pixelSize, color);
+    });
+  }
+
+  #begin(material: number): PixelGesture | null {
+    const { tools } = this.#context;
+    const gesture = this.#pixels.begin(material);
+    if (gesture !== null && this.id !== "eraser") {
+      tools.configure({ recent: withRecent(tools.settings.recent, tools.settings.color) });
+    }
+    return gesture;
+  }
+
+  #finish(): void {
+    const stroke = this.#stroke;
+    this.#stroke = null;
+    if (stroke === null) return;
+    if (stroke.last !== null) this.#lastPlace = { material: stroke.gesture.material, at: stroke.last };
+    this.#record(stroke.gesture);
+  }
+
+  #record(gesture: PixelGesture): void {
+    const { session, board } = this.#context;
+    this.#pixels.finish(gesture, strings.tools.steps[this.id], (id) => {
+      session.select(id);
+      board.announce(strings.tools.painted[this.id]);
+    });
+  }
+
+  #cancel(): void {
+    this.#stroke?.gesture.cancel();
+    this.#stroke = null;
+    this.#picking = false;
+  }
+
+  #beginByKey(hit: SurfaceHit): void {
+    const gesture = this.#begin(hit.material);
+    if (gesture === null) return;
+    this.#keyed = { gesture, last: null };
+    if (this.id !== "bucket") {
+      this.#extendByKey(hit);
+      return;
+    }
+    const { tolerance, contiguous } = this.#context.tools.settings;
+    fillFrom(gesture, this.#pixels, texelAt(placeOfUv(hit.uv, gesture)), this.#color(), { tolerance, contiguous });
+  }
+
+  #extendByKey(hit: SurfaceHit): void {
+    const keyed = this.#keyed;
+    if (keyed === null || this.id === "bucket" || hit.material !== keyed.gesture.material) return;
+    this.#stamp({ gesture: keyed.gesture, color: this.#color() }, [placeOfUv(hit.uv, keyed.gesture)]);
+  }
+
+  #endByKey(): void {
+    const keyed = this.#keyed;
+    this.#keyed = null;
+    if (keyed !== null) this.#record(keyed.gesture);
+  }
+
+  #hover(sample: ToolSample | null): void {
+    if (sample !== null) this.#cursor.hide();
+    else if (this.#cursor.shown) return;
+    if (sample === null) this.#showRing(null, null);
+    else this.#showPlace(sample);
+  }
+
+  #showPlace(sample: ToolSample): void {
+    const material = this.#materialOf(sample);
+    const size = material === null ? null : this.#pixels.sizeOf(material);
+    const place = material === null || size === null ? null : placeOf(sample, material, size);
+    this.#showRing(sample.hit, size && place && this.#block(place, size));
+  }
+
+  #showHit(hit: SurfaceHit): void {
+    const size = this.#pixels.sizeOf(hit.material);
+    this.#showRing(hit, size && this.#block(placeOfUv(hit.uv, size), size));
+  }
+
+  #block([x, y]: GridPlace, size: PixelSize): ReturnType<typeof blockCorners> {
+    const across = this.id === "bucket" ? 1 : this.#context.tools.settings.pixelSize;
+    return blockCorners(tipCorner(x, y, across), across, size);
+  }
+
+  /** The texels that would be painted, as a square in both views. */
+  #showRing(hit: SurfaceHit | null, corners: ReturnType<typeof blockCorners> | null): void {
+    const { viewer, textureView, store } = this.#context;
+    viewer.setRing(hit && corners && { hit, radius: 0, inner: 1, corners: viewer.placesInModel(hit, corners) });
+    const shown = hit === null || hit.material === store.state.material;
+    textureView.setRing(corners !== null && shown ? [corners] : null);
+  }
+
+  #materialOf(sample: ToolSample): number | null {
+    return sample.view.kind === "model" ? (sample.hit?.material ?? null) : this.#context.store.state.material;
+  }
+
+  #color(): PixelColor {
+    return this.id === "eraser" ? CLEAR : pixelColorOf(this.#context.tools.settings.color);
+  }
+
+  #texelWidth(hit: SurfaceHit): number {
+    const size = this.#pixels.sizeOf(hit.material);
+    if (size === null) return 0;
+    const [u, v] = hit.uv;
+    const [a, b] = this.#context.viewer.placesInModel(hit, [hit.uv, [u + 1 / size.width, v]]);
+    return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) : 0;
+  }
+}
+
+function stampAll(canvas: PixelCanvas, places: readonly GridPlace[], size: number, color: PixelColor): void {
+  for (const [x, y] of places) canvas.stamp(tipCorner(x, y, size), size, color);
+}
+
+const centreOf = ([x, y]: Texel): GridPlace => [x + 0.5, y + 0.5];
+
+const isInside = ([x, y]: GridPlace, { width, height }: PixelSize): boolean =>
+  x >= 0 && y >= 0 && x < width && y < height;
