@@ -1,4 +1,4 @@
-import { afterEach, describe, expect, it } from "vitest";
+import { afterEach, describe, expect, it, onTestFinished, vi } from "vitest";
 import type { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { Engine, TargetUpdate } from "../../web/engine/engine-api.ts";
 import { createEngineClient } from "../../web/engine/engine-client.ts";
@@ -164,13 +164,14 @@ describe("the engine's client", () => {
 });
 
 describe("a worker that crashes", () => {
-  it("rejects what waits for it, is replaced, and the new one is told everything", async () => {
+  it("is replaced, and the new one is told everything and asked again what was not answered", async () => {
     const { engine, workers } = start();
     await openPlane(engine);
     await engine.setAsset("gone", { name: "gone.png", bytes: LOGO });
     await engine.removeAsset("gone");
     engine.setLayers([decal("d", "logo"), decal("e", "gone")], 4);
     const before = await engine.hash(0);
+    const picture = await engine.exportPng(0);
     const errors: TexelcastError[] = [];
     const updates: TargetUpdate[] = [];
     engine.onError((error) => errors.push(error as TexelcastError));
@@ -178,7 +179,7 @@ describe("a worker that crashes", () => {
 
     const waiting = engine.exportPng(0);
     workers[0]?.fail("out of memory");
-    await expect(waiting).rejects.toMatchObject({ code: "engine-crashed" });
+    expect(await waiting).toEqual(picture);
     expect(errors).toMatchObject([{ code: "engine-crashed", message: "The engine crashed: out of memory." }]);
     expect(workers).toHaveLength(2);
     expect(workers[0]?.terminated).toBe(true);
@@ -187,6 +188,32 @@ describe("a worker that crashes", () => {
     const texels = updates[0]?.rects.reduce((sum, rect) => sum + rect.width * rect.height, 0);
     expect(texels).toBe(SIZE * SIZE);
     expect(errors).toHaveLength(1);
+  });
+
+  it("takes with it a call that was under way in two crashes, and no other", async () => {
+    const { engine, workers } = start();
+    await openPlane(engine);
+    const before = await engine.hash(0);
+    const deadly = engine.exportGlb();
+    workers[0]?.fail("once");
+    const [harmless] = [engine.stats()];
+    workers[1]?.fail("twice");
+    await expect(deadly).rejects.toMatchObject({ code: "engine-crashed", message: /twice/ });
+    expect((await harmless).bakeCount).toBe(1);
+    expect(await engine.hash(0)).toBe(before);
+  });
+
+  it("brings over a model that was being opened when it crashed, and a wish that was cancelled is over", async () => {
+    const { engine, workers } = start();
+    const opening = openPlane(engine);
+    workers[0]?.fail("early");
+    await opening;
+    expect(await engine.hash(0)).toMatch(/^[0-9a-f]{16}$/);
+    const cancel = new AbortController();
+    const bake = engine.openTarget({ material: 0, width: 2048 }, undefined, cancel.signal);
+    cancel.abort();
+    workers[1]?.fail("again");
+    await expect(bake).rejects.toMatchObject({ code: "cancelled" });
   });
 
   it("counts as crashed when the core inside it trapped", async () => {
@@ -198,7 +225,7 @@ describe("a worker that crashes", () => {
     const id = worker?.received.at(-1);
     const error = { code: "engine-crashed", message: "The engine crashed: unreachable." };
     answer?.({ data: { type: "failure", id: (id as { id: number }).id, error } } as MessageEvent);
-    await expect(stats).rejects.toMatchObject({ code: "engine-crashed" });
+    expect((await stats).bakeCount).toBe(1);
     expect(workers).toHaveLength(2);
     expect(await engine.hash(0)).toMatch(/^[0-9a-f]{16}$/);
   });
@@ -213,15 +240,47 @@ describe("a worker that crashes", () => {
     const calls = (workers[1]?.received ?? []).flatMap((message) =>
       message.type === "call" ? [message.call.name] : [],
     );
-    expect(calls).toEqual(["loadModel", "setAsset", "idle"]);
+    // One idle is the client's own, to know when everything is drawn again.
+    expect(calls).toEqual(["loadModel", "setAsset", "idle", "idle"]);
   });
 
-  it("is replaced three times a minute at most, after which every call says so", async () => {
-    const { engine, workers } = start(() => new ThreadWorker(false));
-    for (let i = 0; i < 4; i++) workers.at(-1)?.fail("again");
+  it("is not replaced after three crashes in a row, which every call says until there is something else to draw", async () => {
+    let broken = true;
+    const { engine, workers } = start(() => new ThreadWorker(!broken));
+    broken = false;
+    const errors: TexelcastError[] = [];
+    engine.onError((error) => errors.push(error as TexelcastError));
+    workers[0]?.fail("at the start");
+    await openPlane(engine);
+    const layers = [decal("d", "logo")];
+    engine.setLayers(layers, 1);
+    const before = await engine.hash(0);
+    broken = true;
+    engine.setLayers([fill("deadly", [1, 0, 0, 1])], 2);
+    for (let i = 0; i < 3; i++) workers.at(-1)?.fail("again");
     expect(workers).toHaveLength(4);
-    await expect(engine.stats()).rejects.toMatchObject({ code: "engine-crashed" });
-    engine.setLayers([], 1);
+    expect(errors.map(({ code }) => code)).toEqual([
+      "engine-crashed",
+      "engine-crashed",
+      "engine-crashed",
+      "engine-halted",
+    ]);
+    await expect(engine.stats()).rejects.toMatchObject({ code: "engine-halted", hint: /Undo/ });
+    broken = false;
+    engine.setLayers(layers, 3);
+    expect(workers).toHaveLength(5);
+    expect(await engine.hash(0)).toBe(before);
+  });
+
+  it("can be cured by another model", async () => {
+    let broken = false;
+    const { engine, workers } = start(() => new ThreadWorker(!broken));
+    await openPlane(engine);
+    broken = true;
+    for (let i = 0; i < 3; i++) workers.at(-1)?.fail("again");
+    broken = false;
+    await openPlane(engine);
+    expect(await engine.hash(0)).toMatch(/^[0-9a-f]{16}$/);
   });
 
   it("says no more once it was replaced", async () => {
@@ -234,5 +293,42 @@ describe("a worker that crashes", () => {
     await engine.idle();
     expect(errors).toHaveLength(1);
     expect(workers).toHaveLength(2);
+  });
+});
+
+describe("a worker that is gone without a word", () => {
+  it("is missed when it does not answer, and nothing is lost", async () => {
+    vi.useFakeTimers({ toFake: ["setInterval", "clearInterval", "performance"] });
+    onTestFinished(() => {
+      vi.useRealTimers();
+    });
+    const { engine, workers } = start();
+    await openPlane(engine);
+    engine.setLayers([decal("d", "logo")], 1);
+    const before = await engine.hash(0);
+    const errors: TexelcastError[] = [];
+    engine.onError((error) => errors.push(error as TexelcastError));
+    workers[0]?.silence();
+    const waiting = engine.hash(0);
+    vi.advanceTimersByTime(15_000);
+    expect(workers).toHaveLength(1);
+    vi.advanceTimersByTime(15_000);
+    expect(workers).toHaveLength(2);
+    expect(await waiting).toBe(before);
+    expect(errors).toMatchObject([{ code: "engine-crashed", message: /did not answer/ }]);
+  });
+
+  it("is left in peace while nobody waits for it, and while its thread answers", async () => {
+    vi.useFakeTimers({ toFake: ["setInterval", "clearInterval", "performance"] });
+    onTestFinished(() => {
+      vi.useRealTimers();
+    });
+    const { engine, workers } = start();
+    await openPlane(engine);
+    vi.advanceTimersByTime(600_000);
+    const pings = (): number => workers[0]?.received.filter(({ type }) => type === "ping").length ?? 0;
+    expect(pings()).toBe(0);
+    await engine.idle();
+    expect(workers).toHaveLength(1);
   });
 });

@@ -28,6 +28,12 @@ export class ThreadWorker {
     this.#channel.port2.close();
   }
 
+  /** From here on it neither hears nor says anything, as a thread that was ended. */
+  silence(): void {
+    this.#channel.port1.onmessage = null;
+    this.#channel.port2.close();
+  }
+
   /** What a browser reports when a worker's script fails. */
   fail(message: string): void {
     this.onerror?.({ message } as ErrorEvent);

@@ -318,6 +318,9 @@ export const strings = {
     newModel: (name: string): string => `${name} is open`,
     workKept: "Your decals stayed with the model before it. Undo brings both back.",
     bringDecals: "Use them here",
+    engineRestarted: "The painting engine was restarted",
+    engineRestartedBody: "It had stopped. Everything is there; you can go on.",
+    undoLast: "Undo the last step",
     otherModel: "This design was made for another model",
     lostLayers: (count: number): string =>
       `${plural(count, "layer paints a material", "layers paint materials")} that this model does not have.`,
@@ -434,6 +437,7 @@ export const strings = {
     couldNotShowMap: "Could not show the map",
     couldNotStart: "Texelcast cannot start here",
     engineFault: "The painting engine reported a fault",
+    engineHalted: "The painting engine keeps stopping",
     cancelled: "Cancelled.",
     noModelYet: "There is no model to put the picture on.",
     twoModels: (first: string, second: string): string => `Two models came at once: ${first} and ${second}.`,

@@ -1,7 +1,7 @@
 /**
  * The engine as the page sees it: the same interface as the host's, served by a worker, so that the page's thread never
- * waits. The client remembers what the engine was told (model, pictures, targets, layers); a worker that crashes is
- * replaced and told again.
+ * waits. The client remembers what the engine was told (model, pictures, targets, layers); a worker that crashes, ends or
+ * hangs is replaced and told again, and asked again what it had not answered yet.
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type {
@@ -18,8 +18,10 @@ import type {
   TargetUpdate,
   TextMeasure,
 } from "./engine-api.ts";
+import { cancelled, crashError, haltError } from "./engine-faults.ts";
 import type { Call, CallArguments, CallName, CallResult, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
 import { LayerSender } from "./sent-layers.ts";
+import { WorkerWatch } from "./worker-watch.ts";
 
 export interface EngineClientOptions {
   /** Address of the core's WebAssembly, relative to the page; default: the bundler's asset of build/wasm/texelcast.wasm. */
@@ -35,14 +37,23 @@ export function createEngineClient(options: EngineClientOptions = {}): Engine {
   return new EngineClient(options);
 }
 
-/** A crash that comes back at once is not cured by a fourth restart. */
-const MAX_RESTARTS = 3;
-const RESTART_WINDOW_MS = 60_000;
+/** So many crashes within this time, none of them followed by a whole picture, are not cured by another restart. */
+const MAX_CRASHES = 3;
+const CRASH_WINDOW_MS = 60_000;
+/** A call that was under way in two crashes is taken for their reason. */
+const MAX_ATTEMPTS = 2;
+
+const ENDS: ReadonlySet<string> = new Set(["engine-crashed", "engine-halted", "disposed"]);
 
 interface PendingCall {
+  readonly call: Call;
   readonly resolve: (value: never) => void;
   readonly reject: (error: TexelcastError) => void;
   readonly onProgress?: ((share: number) => void) | undefined;
+  readonly signal?: AbortSignal | undefined;
+  /** Part of a replay: a later crash replays anew. */
+  readonly replay: boolean;
+  attempts: number;
 }
 
 class EngineClient implements Engine {
@@ -67,7 +78,11 @@ class EngineClient implements Engine {
   #layersUnderWay = false;
   /** `#layers` was not sent yet. */
   #layersWaiting = false;
-  #restarts: number[] = [];
+  /** Times of crashes since a worker last drew everything. */
+  #crashes: number[] = [];
+  /** Why no worker is started until there is something else to draw. */
+  #halted: TexelcastError | null = null;
+  #watch: WorkerWatch | null = null;
 
   constructor(options: EngineClientOptions) {
     this.#options = options;
@@ -80,6 +95,12 @@ class EngineClient implements Engine {
       bytes: source.bytes.slice(),
       resources: new Map([...(source.resources ?? [])].map(([uri, bytes]) => [uri, bytes.slice()] as const)),
     };
+    if (this.#halted !== null) {
+      // Another model: nothing of the old one is told again.
+      this.#model = null;
+      this.#layers = null;
+      this.#restart();
+    }
     const info = await this.#call("loadModel", [kept]);
     this.#model = kept;
     this.#targets.clear();
@@ -124,7 +145,7 @@ class EngineClient implements Engine {
     const { base } = options;
     const ownBase = typeof base === "object" && "bytes" in base ? { ...base, bytes: base.bytes.slice() } : base;
     const kept: TargetOptions = ownBase === undefined ? { ...options } : { ...options, base: ownBase };
-    const info = await this.#call("openTarget", [kept], onProgress, signal);
+    const info = await this.#call("openTarget", [kept], { onProgress, signal });
     this.#targets.set(options.material, kept);
     return info;
   }
@@ -136,8 +157,14 @@ class EngineClient implements Engine {
 
   setLayers(layers: readonly EngineLayer[], revision: number): void {
     if (this.#ended !== null) return;
+    const other = layers !== this.#layers?.layers;
     this.#layers = { layers, revision };
     this.#layersWaiting = true;
+    if (this.#halted !== null) {
+      // Something else to draw: what crashed before may be gone (an undo).
+      if (other) this.#restart();
+      return;
+    }
     if (!this.#layersUnderWay) this.#sendLayers();
   }
 
@@ -193,20 +220,22 @@ class EngineClient implements Engine {
   #call<Name extends CallName>(
     name: Name,
     args: CallArguments<Name>,
-    onProgress?: (share: number) => void,
-    signal?: AbortSignal,
+    { onProgress, signal, replay = false }: CallOptions = {},
   ): Promise<CallResult<Name>> {
-    if (this.#ended !== null) return Promise.reject(this.#ended);
-    if (signal?.aborted) return Promise.reject(new TexelcastError("cancelled", "The call was cancelled."));
+    const dead = this.#ended ?? this.#halted;
+    if (dead !== null) return Promise.reject(dead);
+    if (signal?.aborted) return Promise.reject(cancelled());
     // The call must see the newest layers, also those that wait for their turn.
     if (this.#layersWaiting) this.#sendLayers();
     const id = this.#nextId++;
     const cancel = (): void => this.#send({ type: "cancel", id });
     signal?.addEventListener("abort", cancel, { once: true });
+    const call = { name, args } as unknown as Call;
     const result = new Promise<CallResult<Name>>((resolve, reject) => {
-      this.#pending.set(id, { resolve: resolve as (value: never) => void, reject, onProgress });
+      const settle = resolve as (value: never) => void;
+      this.#pending.set(id, { call, resolve: settle, reject, onProgress, signal, replay, attempts: 1 });
     });
-    this.#send({ type: "call", id, call: { name, args } as unknown as Call });
+    this.#send({ type: "call", id, call });
     return result.finally(() => signal?.removeEventListener("abort", cancel));
   }
 
@@ -231,6 +260,11 @@ class EngineClient implements Engine {
     worker.onerror = (event) => this.#crash(crashError(event.message || "its script could not be loaded or run"));
     worker.onmessageerror = () => this.#crash(crashError("one of its messages could not be read"));
     this.#worker = worker;
+    this.#watch = new WorkerWatch({
+      ping: () => this.#send({ type: "ping" }),
+      waitsFor: () => this.#waitsFor(),
+      lost: (reason) => this.#crash(crashError(reason)),
+    });
     this.#sender = new LayerSender();
     this.#send({
       type: "start",
@@ -239,8 +273,20 @@ class EngineClient implements Engine {
     });
   }
 
+  /** Names of what the worker has been asked and has not answered. */
+  #waitsFor(): readonly (CallName | "layers")[] {
+    const calls = [...this.#pending.values()].map(({ call }) => call.name);
+    return this.#layersUnderWay ? [...calls, "layers"] : calls;
+  }
+
   #receive(message: WorkerMessage): void {
+    this.#watch?.heard();
     switch (message.type) {
+      case "alive":
+        this.#watch?.guard(message.lock);
+        break;
+      case "pong":
+        break;
       case "result":
         this.#settle(message.id)?.resolve(message.value as never);
         break;
@@ -279,15 +325,20 @@ class EngineClient implements Engine {
     for (const listener of this.#errorListeners) listener(error);
   }
 
-  /** Ends the worker and rejects whatever waits for it. */
-  #stopWorker(error: TexelcastError): void {
-    if (this.#worker !== null) {
-      this.#worker.onmessage = null;
-      this.#worker.onerror = null;
-      this.#worker.onmessageerror = null;
-      this.#worker.terminate();
-      this.#worker = null;
-    }
+  #stopWorker(): void {
+    this.#watch?.stop();
+    this.#watch = null;
+    if (this.#worker === null) return;
+    this.#worker.onmessage = null;
+    this.#worker.onerror = null;
+    this.#worker.onmessageerror = null;
+    this.#worker.terminate();
+    this.#worker = null;
+  }
+
+  /** Stops, and rejects whatever waits. */
+  #rejectAll(error: TexelcastError): void {
+    this.#stopWorker();
     const pending = [...this.#pending.values()];
     this.#pending.clear();
     for (const { reject } of pending) reject(error);
@@ -295,46 +346,68 @@ class EngineClient implements Engine {
 
   #end(error: TexelcastError): void {
     this.#ended = error;
-    this.#stopWorker(error);
+    this.#rejectAll(error);
   }
 
   #crash(error: TexelcastError): void {
     const now = Date.now();
-    this.#restarts = this.#restarts.filter((time) => now - time < RESTART_WINDOW_MS);
-    if (this.#restarts.length >= MAX_RESTARTS) {
-      this.#end(error);
-    } else {
-      this.#restarts.push(now);
-      this.#stopWorker(error);
-      this.#startWorker();
-      this.#replay();
+    this.#crashes = [...this.#crashes.filter((time) => now - time < CRASH_WINDOW_MS), now];
+    if (this.#crashes.length >= MAX_CRASHES) {
+      this.#halted = haltError(error, MAX_CRASHES);
+      this.#rejectAll(this.#halted);
+      this.#report(this.#halted);
+      return;
     }
     this.#report(error);
+    this.#restart(error);
+  }
+
+  /** Starts a new worker, tells it everything, and asks it again what the one before had not answered. */
+  #restart(error?: TexelcastError): void {
+    this.#halted = null;
+    this.#stopWorker();
+    const asked = [...this.#pending].filter(([, { replay }]) => !replay);
+    this.#pending.clear();
+    this.#startWorker();
+    this.#replay();
+    for (const [id, pending] of asked) {
+      if (pending.signal?.aborted) pending.reject(cancelled());
+      else if (error !== undefined && pending.attempts >= MAX_ATTEMPTS) pending.reject(error);
+      else {
+        pending.attempts += 1;
+        this.#pending.set(id, pending);
+        this.#send({ type: "call", id, call: pending.call });
+      }
+    }
   }
 
   /** Tells a new worker everything. Calls made meanwhile come after it, because messages keep their order. */
   #replay(): void {
     this.#layersUnderWay = false;
     if (this.#model === null) this.#targets.clear();
+    const replay = { replay: true };
     const steps: Promise<unknown>[] = [];
-    if (this.#model !== null) steps.push(this.#call("loadModel", [this.#model]));
-    for (const [key, asset] of this.#assets) steps.push(this.#call("setAsset", [key, asset]));
-    for (const [key, font] of this.#fonts) steps.push(this.#call("setFont", [key, font]));
-    for (const target of this.#targets.values()) steps.push(this.#call("openTarget", [target]));
+    if (this.#model !== null) steps.push(this.#call("loadModel", [this.#model], replay));
+    for (const [key, asset] of this.#assets) steps.push(this.#call("setAsset", [key, asset], replay));
+    for (const [key, font] of this.#fonts) steps.push(this.#call("setFont", [key, font], replay));
+    for (const target of this.#targets.values()) steps.push(this.#call("openTarget", [target], replay));
     if (this.#layers !== null) this.#sendLayers();
-    for (const step of steps) {
+    const drawn = this.#call("idle", [], replay).then(() => {
+      this.#crashes = [];
+    });
+    for (const step of [...steps, drawn]) {
       step.catch((error: TexelcastError) => {
         // A crash or an end reports itself, once for all that waited.
-        if (error.code !== "engine-crashed" && error.code !== "disposed") this.#report(error);
+        if (!ENDS.has(error.code)) this.#report(error);
       });
     }
   }
 }
 
-function crashError(reason: string): TexelcastError {
-  return new TexelcastError("engine-crashed", `The engine crashed: ${reason.replace(/\.$/, "")}.`, {
-    hint: "It is started again by itself; if that fails, reload the page.",
-  });
+interface CallOptions {
+  readonly onProgress?: ((share: number) => void) | undefined;
+  readonly signal?: AbortSignal | undefined;
+  readonly replay?: boolean;
 }
 
 /** The worker's own address is another one than the page's, so a relative address must be made whole here. */

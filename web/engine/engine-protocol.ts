@@ -36,6 +36,8 @@ export type ClientMessage =
   | { readonly type: "start"; readonly wasm?: string; readonly memoryBudgetMib?: number }
   | { readonly type: "call"; readonly id: number; readonly call: Call }
   | { readonly type: "cancel"; readonly id: number }
+  /** Answered by "pong" as soon as the worker's thread is free. */
+  | { readonly type: "ping" }
   | { readonly type: "layers"; readonly layers: readonly SentLayer[]; readonly revision: number };
 
 export type WorkerMessage =
@@ -44,5 +46,8 @@ export type WorkerMessage =
   | { readonly type: "progress"; readonly id: number; readonly share: number }
   | { readonly type: "update"; readonly update: TargetUpdate }
   | { readonly type: "error"; readonly error: TexelcastErrorJson }
+  | { readonly type: "pong" }
+  /** The worker's thread runs; it holds the Web Lock of this name until it ends, whatever ends it. */
+  | { readonly type: "alive"; readonly lock: string }
   /** The newest layers have had their turn: the next list may come. */
   | { readonly type: "drawn" };

@@ -47,6 +47,9 @@ export function serveEngine(port: ServerPort): void {
     switch (data.type) {
       case "start":
         break;
+      case "ping":
+        send({ type: "pong" });
+        break;
       case "call":
         void answer(host, data.id, data.call);
         break;

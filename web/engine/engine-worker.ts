@@ -1,4 +1,7 @@
 /** The worker's entry: an engine of its own, spoken to by engine-client.ts. */
 import { type ServerPort, serveEngine } from "./engine-server.ts";
+import { holdLifeLock } from "./worker-watch.ts";
 
-serveEngine(globalThis as unknown as ServerPort);
+const port = globalThis as unknown as ServerPort;
+serveEngine(port);
+holdLifeLock((lock) => port.postMessage({ type: "alive", lock }, []));

@@ -2,6 +2,7 @@
  * The editor without its looks: one state, the commands that change it, and the wiring between design, engine and
  * views. Panels read `store` and call commands; nothing else changes the state.
  */
+import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-api.ts";
 import { type DesignLayer, materialsIn } from "../document/index.ts";
@@ -184,13 +185,26 @@ export class Editor {
     this.viewer.on("hover", ({ hit }) => this.#mark(hit));
     this.viewer.on("needsFullUpdate", ({ material }) => this.refresh(material));
     this.viewer.on("animation", ({ playing }) => this.store.set({ playing }));
-    this.engine.onError((error) => this.board.error(strings.errors.engineFault, error));
+    this.engine.onError((error) => this.#tellOfFault(error));
     let seen = this.store.state;
     this.store.subscribe(() => {
       const before = seen;
       seen = this.store.state;
       this.#react(before, seen);
     });
+  }
+
+  /** A crash is over when it is told: the engine's client has brought everything back, or says that it cannot. */
+  #tellOfFault(error: Error): void {
+    const code = error instanceof TexelcastError ? error.code : "";
+    if (code === "engine-crashed") {
+      this.board.info({ title: strings.notices.engineRestarted, message: strings.notices.engineRestartedBody });
+    } else if (code === "engine-halted") {
+      const undo = { label: strings.notices.undoLast, run: () => void this.files.travel("undo") };
+      this.board.error(strings.errors.engineHalted, error, undo);
+    } else {
+      this.board.error(strings.errors.engineFault, error);
+    }
   }
 
   /** What follows from a change of the state. While models are being switched, nothing does: the switch sees to it. */

@@ -1,6 +1,6 @@
 /** Shows notices and announcements. */
 import type { EditorState } from "./editor-state.ts";
-import { isCancelled, type Notice, noticeOf } from "./notices.ts";
+import { isCancelled, type Notice, type NoticeAction, noticeOf } from "./notices.ts";
 import type { Store } from "./store.ts";
 
 /** More would hide the page that they are about. */
@@ -15,10 +15,10 @@ export class NoticeBoard {
   }
 
   /** A cancelled task is what the user asked for and needs no notice. */
-  error(title: string, thrown: unknown): void {
+  error(title: string, thrown: unknown, action?: NoticeAction): void {
     if (isCancelled(thrown)) return;
     this.#count += 1;
-    this.#add(noticeOf(this.#count, title, thrown));
+    this.#add({ ...noticeOf(this.#count, title, thrown), ...(action && { action }) });
   }
 
   info(notice: Pick<Notice, "title" | "message" | "action" | "stays"> & { readonly hint?: string }): number {

@@ -1,0 +1,80 @@
+/** What breaks below the page while it is used: the engine's worker, and the graphics context. */
+import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
+import { file } from "./support/test-files.ts";
+
+/** The selected decal's middle, and a place beside it on the model. */
+async function dragOf(editor: EditorPage): Promise<{ id: string; from: Point; to: Point }> {
+  const [layer] = (await editor.design()).layers;
+  const id = layer?.id ?? "";
+  await editor.select(id);
+  const from = await editor.pointOf(id);
+  return { id, from, to: { x: from.x + 60, y: from.y + 25 } };
+}
+
+/** What a page paints that never had a fault: the same design, opened from a file. */
+async function hashOfSameDesign(editor: EditorPage): Promise<string> {
+  const design = await editor.design();
+  await editor.page.locator("#undo").click();
+  await editor.idle();
+  await editor.openDesign([file("same.design.json", JSON.stringify(design), "application/json")]);
+  return editor.settledHash();
+}
+
+test("the engine's worker is ended in mid-drag: it is replaced, and the drag ends with the same texels", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const { id, from, to } = await dragOf(editor);
+  const before = await editor.decal(id);
+  // The thread is gone, and nobody is told.
+  const end = async (): Promise<void> => page.workers()[0]?.evaluate(() => close());
+  const next = page.waitForEvent("worker");
+  let step = 0;
+  await editor.drag(from, to, 8, async () => {
+    step += 1;
+    if (step === 4) await end();
+  });
+  await next;
+  const after = await editor.settledHash();
+  expect((await editor.decal(id)).projector).not.toEqual(before.projector);
+  await expect(page.locator("tc-notice-stack .error")).toHaveCount(0);
+  expect(await hashOfSameDesign(editor)).toBe(after);
+
+  // Once more while nothing is done: it is back before it is needed, and says so.
+  await end();
+  await expect(editor.notices).toContainText("The painting engine was restarted");
+  expect(await editor.settledHash()).toBe(after);
+});
+
+test("the graphics context is lost in mid-drag: the design goes on, and the picture is whole again", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const { id, from, to } = await dragOf(editor);
+  const before = await editor.decal(id);
+  const look = (): Promise<Buffer> => editor.stage.screenshot();
+  await page.mouse.move(5, 400);
+  const seen = await look();
+  const lose = await page.evaluateHandle(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>("tc-workbench .tcv-canvas");
+    return canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null;
+  });
+  let step = 0;
+  await editor.drag(from, to, 8, async () => {
+    step += 1;
+    if (step === 3) await lose.evaluate((extension) => extension?.loseContext());
+  });
+  expect((await editor.decal(id)).projector).not.toEqual(before.projector);
+  const after = await editor.settledHash();
+  await lose.evaluate((extension) => extension?.restoreContext());
+  await editor.idle();
+  expect(await editor.hash()).toBe(after);
+  await expect(editor.notices).toHaveCount(0);
+
+  await page.locator("#undo").click();
+  await editor.idle();
+  await page.mouse.move(5, 400);
+  await expect.poll(async () => (await look()).equals(seen)).toBe(true);
+});

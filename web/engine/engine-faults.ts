@@ -1,0 +1,19 @@
+/** How the engine's client tells what happened to its worker. */
+import { TexelcastError } from "../core/texelcast-error.ts";
+
+/** One crash: the worker is replaced by itself. */
+export function crashError(reason: string): TexelcastError {
+  return new TexelcastError("engine-crashed", `The engine crashed: ${reason.replace(/\.$/, "")}.`, {
+    hint: "It is started again by itself; if that fails, reload the page.",
+  });
+}
+
+/** A crash that comes back with every worker: nothing more is drawn until there is something else to draw. */
+export function haltError(crash: TexelcastError, times: number): TexelcastError {
+  return new TexelcastError("engine-halted", `${crash.message} It did so ${times} times in a row.`, {
+    hint: "Undo the last step, which may be the reason. Your work is kept.",
+    cause: crash,
+  });
+}
+
+export const cancelled = (): TexelcastError => new TexelcastError("cancelled", "The call was cancelled.");

@@ -1,0 +1,95 @@
+/**
+ * Notices a worker that is gone without a word. A browser that ends a worker's thread (for want of memory, say) may raise no
+ * event; but it frees the thread's Web Locks at once, and the page waits for one that the worker holds all its life. Without
+ * Web Locks, and for a thread that hangs, there is the patience for an answer.
+ */
+import type { CallName } from "./engine-protocol.ts";
+
+/** What a worker does in one go, without a look at its messages, takes no longer than this even on slow phones. */
+const PATIENCE_MS = 20_000;
+/** Decoding a model, or packing a large texture as PNG. */
+const LONG_PATIENCE_MS = 180_000;
+const LONG: ReadonlySet<string> = new Set<CallName>([
+  "loadModel",
+  "setAsset",
+  "openTarget",
+  "exportPng",
+  "exportGlb",
+  "viewMap",
+]);
+const LOOK_EVERY_MS = 2_000;
+
+export interface WorkerWatchParts {
+  /** Asks the worker for a sign of life. */
+  readonly ping: () => void;
+  /** What the worker has been asked and has not answered. */
+  readonly waitsFor: () => readonly (CallName | "layers")[];
+  /** Called once, with what happened to the worker. */
+  readonly lost: (reason: string) => void;
+}
+
+export class WorkerWatch {
+  readonly #parts: WorkerWatchParts;
+  readonly #guard = new AbortController();
+  readonly #timer: ReturnType<typeof setInterval>;
+  #heard = performance.now();
+  #asked = false;
+  #stopped = false;
+
+  constructor(parts: WorkerWatchParts) {
+    this.#parts = parts;
+    this.#timer = setInterval(() => this.#look(), LOOK_EVERY_MS);
+    // In Node (tests, tools) the watch alone must not keep the process alive.
+    (this.#timer as { unref?: () => void }).unref?.();
+  }
+
+  /** The worker has said something. */
+  heard(): void {
+    this.#heard = performance.now();
+    this.#asked = false;
+  }
+
+  /** Waits for a lock that the worker holds. */
+  guard(lock: string): void {
+    const { signal } = this.#guard;
+    navigator.locks?.request(lock, { signal }, () => this.#lose("its thread was ended")).catch(() => undefined);
+  }
+
+  stop(): void {
+    this.#stopped = true;
+    clearInterval(this.#timer);
+    this.#guard.abort();
+  }
+
+  #look(): void {
+    const waiting = this.#parts.waitsFor();
+    const silence = performance.now() - this.#heard;
+    if (waiting.length === 0) {
+      this.#heard = performance.now();
+    } else if (!this.#asked) {
+      // A thread that is free answers at once, however long the work itself takes.
+      this.#asked = true;
+      this.#parts.ping();
+    } else if (silence > (waiting.some((name) => LONG.has(name)) ? LONG_PATIENCE_MS : PATIENCE_MS)) {
+      this.#lose(`it did not answer for ${Math.round(silence / 1000)} seconds`);
+    }
+  }
+
+  #lose(reason: string): void {
+    if (this.#stopped) return;
+    this.stop();
+    this.#parts.lost(reason);
+  }
+}
+
+/** The worker's half: takes a lock of a new name and keeps it; `announce` is called once it is held. */
+export function holdLifeLock(announce: (lock: string) => void): void {
+  const numbers = crypto.getRandomValues(new Uint32Array(4));
+  const lock = `texelcast-engine-${[...numbers].map((number) => number.toString(16)).join("-")}`;
+  navigator.locks
+    ?.request(lock, () => {
+      announce(lock);
+      return new Promise(() => undefined);
+    })
+    .catch(() => undefined);
+}
