@@ -20,6 +20,7 @@ import type {
 } from "./engine-api.ts";
 import { cancelled, crashError, haltError } from "./engine-faults.ts";
 import type { Call, CallArguments, CallName, CallResult, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
+import type { CallOptions, PendingCall } from "./pending-call.ts";
 import { LayerSender } from "./sent-layers.ts";
 import { WorkerWatch } from "./worker-watch.ts";
 
@@ -44,17 +45,6 @@ const CRASH_WINDOW_MS = 60_000;
 const MAX_ATTEMPTS = 2;
 
 const ENDS: ReadonlySet<string> = new Set(["engine-crashed", "engine-halted", "disposed"]);
-
-interface PendingCall {
-  readonly call: Call;
-  readonly resolve: (value: never) => void;
-  readonly reject: (error: TexelcastError) => void;
-  readonly onProgress?: ((share: number) => void) | undefined;
-  readonly signal?: AbortSignal | undefined;
-  /** Part of a replay: a later crash replays anew. */
-  readonly replay: boolean;
-  attempts: number;
-}
 
 class EngineClient implements Engine {
   readonly #options: EngineClientOptions;
@@ -402,12 +392,6 @@ class EngineClient implements Engine {
       });
     }
   }
-}
-
-interface CallOptions {
-  readonly onProgress?: ((share: number) => void) | undefined;
-  readonly signal?: AbortSignal | undefined;
-  readonly replay?: boolean;
 }
 
 /** The worker's own address is another one than the page's, so a relative address must be made whole here. */
