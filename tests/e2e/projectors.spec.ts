@@ -81,7 +81,7 @@ test("a design with slides, labels and stamps opens, each is painted, selected a
   expect(await editor.settledHash()).toBe(whole);
 });
 
-test("a label is dragged round its mug and stays on its axis; its lines are shown, handles are not", async ({
+test("a label is dragged round its mug and stays on its axis; its lines and handles are shown", async ({
   editor,
   page,
 }) => {
@@ -95,7 +95,7 @@ test("a label is dragged round its mug and stays on its axis; its lines are show
   await page.mouse.move(middle.x, middle.y);
   await expect(page.locator(".tcv-overlay .tcv-outline").first()).toHaveAttribute("d", /M/);
   await expect(page.locator(".tcv-overlay .tcv-box").first()).toHaveAttribute("d", /M/);
-  await expect(page.locator(".tcv-overlay [data-handle]:visible")).toHaveCount(0);
+  await expect(page.locator(".tcv-overlay [data-handle=e]")).toBeVisible();
   await editor.drag(middle, { x: middle.x + 60, y: middle.y - 30 }, 6);
   const { projector } = await editor.decal("label");
   if (projector.kind !== "cylindrical") throw new Error("The label is none any more.");
@@ -124,4 +124,69 @@ test("keys nudge, turn and duplicate what is no box", async ({ editor, page }) =
     await page.keyboard.press("Control+z");
     expect((await editor.decal(id)).projector).toEqual(before);
   }
+});
+
+test("what the camera sees is stuck onto the model, scaled by a corner, and taken from the view again", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  await editor.select(id);
+  const box = await editor.settledHash();
+  const covered = await page.locator(".tcv-overlay .tcv-outline").first().boundingBox();
+  await page.locator("tc-stage").hover();
+  await page.keyboard.press("Alt+p");
+  await expect.poll(async () => (await editor.decal(id)).projector.kind).toBe("perspective");
+  const thrown = await editor.settledHash();
+  expect(thrown).not.toBe(box);
+  const now = await page.locator(".tcv-overlay .tcv-outline").first().boundingBox();
+  expect(Math.abs((now?.x ?? 0) - (covered?.x ?? 0)), "left where it was seen").toBeLessThan(12);
+  expect(Math.abs((now?.width ?? 0) - (covered?.width ?? 0)), "as wide as it was seen").toBeLessThan(24);
+
+  const corner = await editor.handle("ne");
+  await editor.drag(corner, { x: corner.x - 30, y: corner.y + 30 }, 6);
+  const { projector } = await editor.decal(id);
+  if (projector.kind !== "perspective") throw new Error("It is projected from the view no more.");
+  const eye = projector.position;
+  expect(await editor.settledHash()).not.toBe(thrown);
+
+  await page.evaluate(() => document.querySelector<HTMLElement>("tc-app")?.focus());
+  const { x, y } = await page
+    .locator("tc-stage .tcv-root, .tcv-root")
+    .first()
+    .boundingBox()
+    .then((area) => area ?? { x: 0, y: 0 });
+  await editor.drag({ x: x + 60, y: y + 500 }, { x: x + 110, y: y + 500 }, 5);
+  await page.locator("tc-decal-properties #view-again").click();
+  await expect.poll(async () => JSON.stringify((await editor.decal(id)).projector)).not.toContain(JSON.stringify(eye));
+  await page.locator("#undo").click();
+  await page.locator("#undo").click();
+  await page.locator("#undo").click();
+  expect(await editor.settledHash()).toBe(box);
+});
+
+test("a decal is wrapped around the mug, its arc pulled by a handle, and made a box again", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  await editor.select(id);
+  const before = (await editor.decal(id)).projector;
+  await page.locator("tc-decal-properties input[value=cylindrical]").check({ force: true });
+  const wrapped = (await editor.decal(id)).projector;
+  if (wrapped.kind !== "cylindrical" || before.kind !== "planar") throw new Error("It is not wrapped around.");
+  // The demo's mug stands upright on the origin and is 41 mm in radius.
+  expect(wrapped.radius).toBeCloseTo(0.041, 3);
+  expect(Math.hypot(wrapped.position[0], wrapped.position[2])).toBeLessThan(0.001);
+  expect((wrapped.radius * wrapped.arc * Math.PI) / 180).toBeCloseTo(before.size[0], 4);
+
+  const end = await editor.handle("e");
+  await editor.drag(end, { x: end.x + 40, y: end.y }, 6);
+  const pulled = (await editor.decal(id)).projector;
+  expect(pulled.kind === "cylindrical" && pulled.arc).toBeGreaterThan(wrapped.arc + 3);
+  await page.locator("tc-decal-properties input[value=planar]").check({ force: true });
+  const box = (await editor.decal(id)).projector;
+  expect(box.kind === "planar" && box.size[1]).toBeCloseTo(before.size[1], 3);
 });

@@ -274,6 +274,61 @@ export const strings = {
     droppedNote: (count: number): string => `${plural(count, "older step", "older steps")} let go`,
   },
 
+  /** How a picture is thrown on the model. */
+  projection: {
+    title: "Projection",
+    kinds: { planar: "Box", perspective: "View", cylindrical: "Around", uv: "Flat" },
+    kindHints: {
+      planar: "Straight on, from a box",
+      perspective: "From where the camera is now: it covers what it covers on the screen (Alt P)",
+      cylindrical: "Wrapped around, as a label round a mug (Alt W)",
+      uv: "Flat in the texture, as a stamp on the unfolded surface",
+    },
+    again: "Take from the view again",
+    align: "Align",
+    alignments: {
+      surface: "To the surface (Alt S)",
+      upright: "Upright (Alt U)",
+      view: "To the view (Alt V)",
+    },
+    mirror: "Mirror",
+    mirrorNone: "Off",
+    mirrorHint: "Paint it a second time, as a mirror across the model shows it",
+    readable: "Keep it readable",
+    mirrorOffset: "Mirror’s place",
+    mirrorOffsetHint: "Where on its axis the mirror stands",
+    refused: {
+      planar: "No surface to lie on",
+      perspective: "The camera does not see the decal",
+      cylindrical: "Nothing to wrap around",
+      uv: "No texture to lie in",
+    },
+    refusedHint: {
+      planar: "Move the decal onto the model first.",
+      perspective: "Turn the model until the decal faces you, then try again.",
+      cylindrical: "Move the decal onto a rounded part of the model first.",
+      uv: "Move the decal onto a part that has texture coordinates.",
+    },
+    steps: {
+      planar: "project from a box",
+      perspective: "project from the view",
+      cylindrical: "wrap around",
+      uv: "lay flat in the texture",
+    },
+    announced: {
+      planar: (name: string): string => `${name} is projected straight on`,
+      perspective: (name: string): string => `${name} is projected from the view`,
+      cylindrical: (name: string): string => `${name} is wrapped around`,
+      uv: (name: string): string => `${name} lies flat in the texture`,
+    },
+    alignSteps: { surface: "align to surface", upright: "align upright", view: "align to view" },
+    aligned: {
+      surface: (name: string): string => `${name} aligned to the surface`,
+      upright: (name: string): string => `${name} stands upright`,
+      view: (name: string): string => `${name} faces the view`,
+    },
+  },
+
   target: {
     title: "Texture",
     material: "Material",
@@ -466,6 +521,9 @@ export const strings = {
       ["Arrow keys", "Move the selected decal; with Shift ten times as far"],
       ["[ and ]", "Turn it; with Shift ten times as far"],
       ["− and +", "Make it smaller or larger"],
+      ["Alt S, Alt U, Alt V", "Align it to the surface, upright, to the view"],
+      ["Alt P", "Project it from the view"],
+      ["Alt W", "Wrap it around"],
       ["Delete", "Delete the selected layers"],
       ["Ctrl or ⌘ D", "Duplicate them"],
       ["Ctrl or ⌘ G", "Group them; with Shift, ungroup"],

@@ -1,5 +1,5 @@
 /** The decals under the pointer: selecting, dragging, hovering; and the drawing of the selected one. */
-import type { Projector } from "../engine/engine-api.ts";
+import type { CylindricalProjector, PerspectiveProjector, PlanarProjector, Projector } from "../engine/engine-api.ts";
 import type { SizeLimits } from "./decal-handles.ts";
 import { drapeOutline, type OutlinePoint, POINTS_PER_EDGE, POINTS_PER_EDGE_SLIDING } from "./decal-outline.ts";
 import { decalsAt, rectangleHit } from "./decal-picking.ts";
@@ -7,9 +7,11 @@ import { axisOf, poseOf } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
 import { type DragPointer, depthDrag, rotateDrag, scaleDrag, slideDrag } from "./gizmo-drag.ts";
 import { GizmoOverlay, type GizmoPicture, type HandleName } from "./gizmo-overlay.ts";
-import { drawGizmo, drawOutline, drawVolume, type GizmoView, handleHeight, hoverPath } from "./gizmo-picture.ts";
+import { drawGizmo, drawOutline, type GizmoView, handleHeight, hoverPath, outlineIndexOf } from "./gizmo-picture.ts";
 import { boxDrag, type PictureGrab, type ProjectorDrag, pictureDrag } from "./projector-drag.ts";
-import { throwOutline, volumeEdges } from "./projector-outline.ts";
+import { thrownHandleDrag } from "./projector-handles.ts";
+import { throwOutline } from "./projector-outline.ts";
+import { drawThrown } from "./projector-picture.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
 import type { DecalGesture, ViewerDecal } from "./viewer-api.ts";
@@ -127,20 +129,46 @@ export class DecalGizmo {
   /** Returns false where the handle has no decal to act on. */
   startHandle(handle: HandleName, pointer: DragPointer): boolean {
     const selected = this.#selected;
-    if (this.#query === null || selected === null || selected.projector.kind !== "planar") {
+    if (this.#query === null || selected === null || selected.projector.kind === "uv") {
       return false;
     }
-    const pose = poseOf(selected.projector);
+    const { projector } = selected;
+    const drag =
+      projector.kind === "planar"
+        ? this.#boxHandle(handle, projector, pointer)
+        : this.#thrownHandle(handle, projector, pointer);
+    if (drag === null) {
+      return false;
+    }
+    this.#startDrag(selected, drag, handle);
+    return true;
+  }
+
+  #boxHandle(handle: HandleName, projector: PlanarProjector, pointer: DragPointer): ProjectorDrag | null {
+    if (this.#query === null || handle === "near" || handle === "far") {
+      return null;
+    }
+    const pose = poseOf(projector);
     const limits = this.#limits(this.#query);
-    const height = handleHeight(handle, this.#outlineOf(selected.projector));
+    const height = handleHeight(handle, this.#outlineOf(projector));
     const drag =
       handle === "rotate"
         ? rotateDrag(pose, height, pointer.ray)
         : handle === "depth"
           ? depthDrag(pose, pointer.ray, limits)
           : scaleDrag(pose, handle, height, pointer.ray, limits);
-    this.#startDrag(selected, boxDrag(drag), handle);
-    return true;
+    return boxDrag(drag);
+  }
+
+  #thrownHandle(
+    handle: HandleName,
+    projector: PerspectiveProjector | CylindricalProjector,
+    { ray }: DragPointer,
+  ): ProjectorDrag | null {
+    const grabbed = this.#outlineOf(projector)[outlineIndexOf(handle)];
+    return this.#query && grabbed
+      ? thrownHandleDrag(projector, handle, grabbed.position, ray, this.#limits(this.#query))
+      : null;
   }
 
   /** The pointer of the drag moved, or a modifier key changed. */
@@ -191,15 +219,25 @@ export class DecalGizmo {
     this.#overlay.draw(selected === null ? { ...NOTHING, hover } : this.#pictureOf(view, selected, hover));
   }
 
-  #pictureOf(view: GizmoView, { projector, locked }: ViewerDecal, hover: string): GizmoPicture {
+  #pictureOf(view: GizmoView, decal: ViewerDecal, hover: string): GizmoPicture {
+    return { ...this.#ownPictureOf(view, decal, hover), twin: this.#twinPath(view, decal) };
+  }
+
+  /** Its mirrored place is not drawn in a drag: the picture that is painted there shows it. */
+  #twinPath(view: GizmoView, { twin }: ViewerDecal): string {
+    return twin && this.#drag === null ? hoverPath(view, this.#outlineOf(twin)) : "";
+  }
+
+  #ownPictureOf(view: GizmoView, { projector, locked }: ViewerDecal, hover: string): GizmoPicture {
     // While it slides a decal is looked at, not its box; and what is not drawn casts no rays in each frame.
     if (this.#drag?.drag.kind === "slide") {
       return { ...NOTHING, ...drawOutline(view, outlineOn(view.query, projector, POINTS_PER_EDGE_SLIDING)) };
     }
     const outline = this.#outlineOf(projector);
+    const options = { handles: locked !== true, hover };
     return projector.kind === "planar"
-      ? drawGizmo(view, poseOf(projector), outline, { handles: locked !== true, hover })
-      : drawVolume(view, outline, volumeEdges(view.query, projector), hover);
+      ? drawGizmo(view, poseOf(projector), outline, options)
+      : drawThrown(view, projector, outline, options);
   }
 
   dispose(): void {
@@ -286,5 +324,6 @@ const NOTHING = {
   arrow: "",
   arrowHead: "",
   hover: "",
+  twin: "",
   handles: new Map(),
 } as const;

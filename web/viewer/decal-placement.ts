@@ -111,7 +111,7 @@ export function nudgeOnSurface(
 }
 
 /** On a floor, up is where the camera's up (or its view, from straight above) runs along it. */
-function levelUp(normal: Vector3, view: ViewAxes): Vector3 {
+export function levelUp(normal: Vector3, view: ViewAxes): Vector3 {
   return tangentPart(view.up, normal).lengthSq() > 0.01 ? view.up : view.right.clone().cross(normal).negate();
 }
 
@@ -119,7 +119,7 @@ function levelUp(normal: Vector3, view: ViewAxes): Vector3 {
  * Twice the deepest drop of the surface below the box's middle plane, with some room; never more than half way to the
  * next surface that would be painted too where nothing occludes.
  */
-function fittingDepth(query: SurfaceQuery, pose: DecalPose): number {
+export function fittingDepth(query: SurfaceQuery, pose: DecalPose): number {
   const forward = axisOf(pose, 2);
   const backward = forward.clone().negate();
   const reach = Math.max(pose.size.x, pose.size.y);

@@ -6,7 +6,7 @@ import { planeHit } from "./decal-picking.ts";
 import { smoothed, smoothedNear } from "./decal-placement.ts";
 import { axisOf, type DecalPose, rollOf, type SurfacePoint, toLocal } from "./decal-pose.ts";
 import { DecalSlide } from "./decal-slide.ts";
-import type { HandleName } from "./gizmo-overlay.ts";
+import type { ScaleHandleName } from "./gizmo-overlay.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
 import type { DecalGesture } from "./viewer-api.ts";
 
@@ -27,7 +27,7 @@ export interface GizmoDrag {
   readout(pose: DecalPose): string | null;
 }
 
-const SNAP = Math.PI / 12;
+export const SNAP = Math.PI / 12;
 
 /** A surface that looks away from the eye by more than this is behind the silhouette: the decal stays in front. */
 const SILHOUETTE = 0.25;
@@ -58,7 +58,7 @@ export function slideDrag(query: SurfaceQuery, start: DecalPose, grab: SurfacePo
 
 export function scaleDrag(
   start: DecalPose,
-  name: Exclude<HandleName, "rotate" | "depth">,
+  name: ScaleHandleName,
   height: number,
   from: Ray,
   limits: SizeLimits,
@@ -109,7 +109,7 @@ export function depthDrag(start: DecalPose, from: Ray, limits: SizeLimits): Gizm
   };
 }
 
-function formatDegrees(radians: number): string {
+export function formatDegrees(radians: number): string {
   return `${Math.round((radians * 180) / Math.PI)}°`.replace("-", "−");
 }
 
@@ -153,7 +153,7 @@ function heightOver(query: SurfaceQuery, pose: DecalPose): number | null {
   return hit === null ? null : hit.distance - reach;
 }
 
-function sideOf(name: Exclude<HandleName, "rotate" | "depth">): HandleSide {
+export function sideOf(name: ScaleHandleName): HandleSide {
   return {
     x: name.includes("e") ? 1 : name.includes("w") ? -1 : 0,
     y: name.includes("n") ? 1 : name.includes("s") ? -1 : 0,
@@ -166,7 +166,7 @@ function localHit(pose: DecalPose, height: number, ray: Ray): Vector3 | null {
 }
 
 /** How far along a box's +Z axis, from its centre in metres, the ray passes nearest; null where both run alike. */
-function alongAxis(pose: DecalPose, ray: Ray): number | null {
+export function alongAxis(pose: DecalPose, ray: Ray): number | null {
   const axis = axisOf(pose, 2);
   const slant = axis.dot(ray.direction);
   const between = pose.position.clone().sub(ray.origin);

@@ -1,7 +1,9 @@
 /** Draws the gizmo: an SVG over the 3D view. Knows pixels only; what is where is decided in gizmo-picture.ts. */
 
-export const HANDLES = ["nw", "ne", "se", "sw", "n", "e", "s", "w", "rotate", "depth"] as const;
+export const HANDLES = ["nw", "ne", "se", "sw", "n", "e", "s", "w", "rotate", "depth", "near", "far"] as const;
 export type HandleName = (typeof HANDLES)[number];
+/** Those that sit on a picture's border. */
+export type ScaleHandleName = Exclude<HandleName, "rotate" | "depth" | "near" | "far">;
 
 export interface HandlePlace {
   /** CSS pixels in the view. */
@@ -24,6 +26,8 @@ export interface GizmoPicture {
   readonly arrow: string;
   readonly arrowHead: string;
   readonly hover: string;
+  /** The mirrored copy's outline. */
+  readonly twin: string;
   /** Handles that are left out are not shown. */
   readonly handles: ReadonlyMap<HandleName, HandlePlace>;
 }
@@ -40,6 +44,7 @@ type PathName = Exclude<keyof GizmoPicture, "handles">;
 const PATHS: readonly { readonly data: PathName; readonly className: string }[] = [
   { data: "boxHidden", className: "tcv-box-hidden" },
   { data: "box", className: "tcv-box" },
+  { data: "twin", className: "tcv-twin" },
   { data: "outlineHidden", className: "tcv-outline-hidden" },
   { data: "hover", className: "tcv-casing" },
   { data: "hover", className: "tcv-hover" },
@@ -152,7 +157,7 @@ export class GizmoOverlay {
   }
 }
 
-/** Corners are squares, edges are bars along their edge, the knob turns, the diamond pulls along the arrow. */
+/** Corners are squares, edges are bars along their edge, the knob turns, diamonds pull along a line. */
 function marksOf(name: HandleName): SVGElement[] {
   switch (name) {
     case "rotate":
@@ -163,6 +168,8 @@ function marksOf(name: HandleName): SVGElement[] {
         make("path", { class: "tcv-glyph", d: "M3.6 -1.2A3.8 3.8 0 1 0 3.3 2M4.4 -4.2L3.7 -1.1L0.7 -1.8" }),
       ];
     case "depth":
+    case "near":
+    case "far":
       return [
         make("rect", {
           class: "tcv-mark-shadow",

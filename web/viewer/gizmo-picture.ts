@@ -2,7 +2,7 @@
 import type { Vector3 } from "three";
 import { type OutlinePoint, POINTS_PER_EDGE } from "./decal-outline.ts";
 import { axisOf, boxCorners, type DecalPose, fromLocal } from "./decal-pose.ts";
-import type { GizmoPicture, HandleName, HandlePlace } from "./gizmo-overlay.ts";
+import type { GizmoPicture, HandleName, HandlePlace, ScaleHandleName } from "./gizmo-overlay.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery } from "./surface-query.ts";
 
@@ -22,12 +22,12 @@ const LEAST_EDGE_FOR_HANDLE = 60;
 /** Corner handles keep this far from the middle, so that a small decal can still be taken by its body. */
 const LEAST_CORNER_REACH = 40;
 /** An arrow shorter than this on the screen points at the viewer: nothing to pull on. */
-const LEAST_ARROW = 30;
+export const LEAST_ARROW = 30;
 /** Pieces of a box edge that are told apart as hidden or seen. */
 const EDGE_PIECES = 4;
 
 /** Index of each corner and edge middle in the outline. */
-const OUTLINE_INDEX: Readonly<Record<Exclude<HandleName, "rotate" | "depth">, number>> = {
+export const OUTLINE_INDEX: Readonly<Record<ScaleHandleName, number>> = {
   sw: 0,
   s: POINTS_PER_EDGE / 2,
   se: POINTS_PER_EDGE,
@@ -97,39 +97,23 @@ export function drawGizmo(
     arrow: arrow.line,
     arrowHead: arrow.head,
     hover: options.hover,
+    twin: "",
     handles,
-  };
-}
-
-/** A projector without handles: its picture's border on the surface, and its volume's edges. */
-export function drawVolume(
-  view: GizmoView,
-  outline: readonly OutlinePoint[],
-  edges: readonly (readonly Vector3[])[],
-  hover: string,
-): GizmoPicture {
-  const lines = outlinePaths(view, outline);
-  const box = linePaths(view, edges);
-  return {
-    outline: lines.seen,
-    outlineHidden: lines.hidden,
-    box: box.seen,
-    boxHidden: box.hidden,
-    guide: "",
-    arrow: "",
-    arrowHead: "",
-    hover,
-    handles: new Map(),
   };
 }
 
 /** Where a handle's drag begins, in the box's own metric frame: on the draped outline, at its height. */
 export function handleHeight(name: HandleName, outline: readonly OutlinePoint[]): number {
-  const index = name === "rotate" ? OUTLINE_INDEX.n : name === "depth" ? 0 : OUTLINE_INDEX[name];
-  return outline[index]?.height ?? 0;
+  return outline[outlineIndexOf(name)]?.height ?? 0;
 }
 
-function outlinePaths(view: GizmoView, outline: readonly OutlinePoint[]): { seen: string; hidden: string } {
+/** The outline's point that a handle belongs to. */
+export function outlineIndexOf(name: HandleName): number {
+  if (name === "rotate") return OUTLINE_INDEX.n;
+  return name === "depth" || name === "near" || name === "far" ? 0 : OUTLINE_INDEX[name];
+}
+
+export function outlinePaths(view: GizmoView, outline: readonly OutlinePoint[]): { seen: string; hidden: string } {
   if (outline.length === 0) {
     return { seen: "", hidden: "" };
   }
@@ -173,7 +157,10 @@ function joined(polylines: readonly (readonly SeenPoint[])[]): { seen: string; h
   return { seen: paths.map((path) => path.seen).join(""), hidden: paths.map((path) => path.hidden).join("") };
 }
 
-function linePaths(view: GizmoView, polylines: readonly (readonly Vector3[])[]): { seen: string; hidden: string } {
+export function linePaths(
+  view: GizmoView,
+  polylines: readonly (readonly Vector3[])[],
+): { seen: string; hidden: string } {
   const pieces = polylines.map((polyline) => {
     // A line of two points is cut in pieces that are told apart; a curve has its own.
     const [from, to] = polyline as readonly [Vector3, Vector3];
@@ -184,7 +171,7 @@ function linePaths(view: GizmoView, polylines: readonly (readonly Vector3[])[]):
   return joined(pieces.map((points) => points.map((point) => seenFrom(view, point))));
 }
 
-function addScaleHandles(
+export function addScaleHandles(
   view: GizmoView,
   outline: readonly OutlinePoint[],
   handles: Map<HandleName, HandlePlace>,
@@ -204,7 +191,8 @@ function addScaleHandles(
     ["e", pixelOf("e"), se, ne],
     ["w", pixelOf("w"), sw, nw],
   ] as const) {
-    const length = Math.hypot(to.x - from.x, to.y - from.y);
+    // Round a mug an edge's two ends may meet again: half of it counts, too.
+    const length = at === null ? 0 : Math.max(distance(from, to), 2 * distance(from, at));
     if (at !== null && length >= LEAST_EDGE_FOR_HANDLE) {
       const angle = degreesOf(from, to);
       handles.set(name, { ...at, angle, hidden: isHidden(view, outline, name), cursor: resizeCursor(angle + 90) });
@@ -241,38 +229,57 @@ function addRotateHandle(
   if (top === undefined) {
     return "";
   }
-  const stem = ROTATE_STEM * view.screen.metresPerPixel(top.position);
-  const knob = fromLocal(pose, 0, pose.size.y / 2 + stem, top.height);
-  const from = view.screen.project(top.position);
-  const to = view.screen.project(knob);
-  if (from === null || to === null) {
+  const foot = fromLocal(pose, 0, pose.size.y / 2, top.height);
+  return addKnob(view, top.position, foot, axisOf(pose, 1), handles);
+}
+
+/**
+ * The knob that turns, on a stem from `from`; it stands above `foot` along `upward` (unit). Returns the stem's path.
+ */
+export function addKnob(
+  view: GizmoView,
+  from: Vector3,
+  foot: Vector3,
+  upward: Vector3,
+  handles: Map<HandleName, HandlePlace>,
+): string {
+  const knob = foot.clone().addScaledVector(upward, ROTATE_STEM * view.screen.metresPerPixel(from));
+  const low = view.screen.project(from);
+  const high = view.screen.project(knob);
+  if (low === null || high === null) {
     return "";
   }
   const hidden = !view.query.isClear(view.screen.eye, knob);
-  handles.set("rotate", { ...to, angle: degreesOf(from, to) + 90, hidden, cursor: "grab" });
-  return line(from, to);
+  handles.set("rotate", { ...high, angle: degreesOf(low, high) + 90, hidden, cursor: "grab" });
+  return line(low, high);
 }
 
 /** The arrow along +Z from the surface, as long on the screen as its foreshortening lets it. */
-function arrowOf(
-  view: GizmoView,
-  pose: DecalPose,
-  outline: readonly OutlinePoint[],
-): { line: string; head: string; handle: HandlePlace | null } {
-  const none = { line: "", head: "", handle: null };
-  const perPixel = view.screen.metresPerPixel(pose.position);
-  const grip = Math.max(pose.size.z / 2, ARROW_LENGTH * perPixel);
-  const from = view.screen.project(pose.position);
-  const at = view.screen.project(fromLocal(pose, 0, 0, grip));
-  const tip = view.screen.project(fromLocal(pose, 0, 0, grip + ARROW_BEYOND_HANDLE * perPixel));
-  if (from === null || at === null || tip === null || outline.length === 0) {
-    return none;
-  }
-  if (Math.hypot(at.x - from.x, at.y - from.y) < LEAST_ARROW) {
-    return none;
+function arrowOf(view: GizmoView, pose: DecalPose, outline: readonly OutlinePoint[]): Arrow {
+  return outline.length === 0 ? NO_ARROW : arrowAlong(view, pose.position, axisOf(pose, 2), pose.size.z / 2);
+}
+
+export interface Arrow {
+  readonly line: string;
+  readonly head: string;
+  readonly handle: HandlePlace | null;
+}
+
+const NO_ARROW: Arrow = { line: "", head: "", handle: null };
+
+/** An arrow from a point along a unit direction, its handle `reach` metres from there or as far as it can be taken. */
+export function arrowAlong(view: GizmoView, begin: Vector3, direction: Vector3, reach: number): Arrow {
+  const perPixel = view.screen.metresPerPixel(begin);
+  const grip = Math.max(reach, ARROW_LENGTH * perPixel);
+  const at3 = begin.clone().addScaledVector(direction, grip);
+  const from = view.screen.project(begin);
+  const at = view.screen.project(at3);
+  const tip = view.screen.project(begin.clone().addScaledVector(direction, grip + ARROW_BEYOND_HANDLE * perPixel));
+  if (from === null || at === null || tip === null || distance(from, at) < LEAST_ARROW) {
+    return NO_ARROW;
   }
   const angle = degreesOf(from, tip);
-  const hidden = !view.query.isClear(view.screen.eye, fromLocal(pose, 0, 0, grip));
+  const hidden = !view.query.isClear(view.screen.eye, at3);
   return {
     line: line(from, tip),
     head: arrowHead(tip, angle),
@@ -306,7 +313,11 @@ function splitPath(
   return paths;
 }
 
-function line(from: ScreenPoint, to: ScreenPoint): string {
+function distance(from: ScreenPoint, to: ScreenPoint): number {
+  return Math.hypot(to.x - from.x, to.y - from.y);
+}
+
+export function line(from: ScreenPoint, to: ScreenPoint): string {
   return `M${pixel(from)}L${pixel(to)}`;
 }
 
@@ -323,7 +334,7 @@ function arrowHead(tip: ScreenPoint, angle: number): string {
 }
 
 /** Direction on the screen, degrees clockwise from the right. */
-function degreesOf(from: ScreenPoint, to: ScreenPoint): number {
+export function degreesOf(from: ScreenPoint, to: ScreenPoint): number {
   return (Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI;
 }
 

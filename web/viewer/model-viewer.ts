@@ -13,6 +13,7 @@ import { hitOf, ModelTools } from "./model-tools.ts";
 import { PaintedMaterials } from "./painted-materials.ts";
 import { nudged } from "./projector-drag.ts";
 import { pictureBox } from "./projector-outline.ts";
+import { type Alignment, ProjectorPlacer } from "./projector-placer.ts";
 import { reachVolume } from "./reached-materials.ts";
 import { gatherRestingSurface } from "./resting-surface.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
@@ -187,6 +188,23 @@ class ThreeModelViewer implements ModelViewer {
       return nudged(projector, this.#screen.axes, rightMetres, upMetres, 2 * query.bounds.radius);
     }
     return projectorOf(nudgeOnSurface(query, poseOf(projector), this.#screen.axes, rightMetres, upMetres));
+  }
+
+  convertProjector(projector: Projector, kind: Projector["kind"], material: number): Projector | null {
+    return this.#placer(material).converted(projector, kind);
+  }
+
+  alignProjector(projector: Projector, how: Alignment, material: number): Projector {
+    return this.#placer(material).aligned(projector, how);
+  }
+
+  #placer(material: number): ProjectorPlacer {
+    const { query } = this.#requireModel();
+    this.setAnimationPlaying(false);
+    return new ProjectorPlacer(query, { eye: this.#screen.eye, ...this.#screen.axes }, (uv) => {
+      const place = query.triangleAtUv(material, uv);
+      return place && query.at(place.triangle, place.shares);
+    });
   }
 
   materialsReached(projector: Projector, backfaces: boolean): readonly number[] {

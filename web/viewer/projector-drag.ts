@@ -95,7 +95,7 @@ function turnedRound(start: CylindricalProjector, from: Vector3, to: Vector3): P
 }
 
 /** Turned about its own axis, radians from +Z towards +X, and moved along it, metres. */
-function rolled(start: CylindricalProjector, angle: number, along: number): CylindricalProjector {
+export function rolled(start: CylindricalProjector, angle: number, along: number): CylindricalProjector {
   const rotation = rotationOf(start);
   const position = new Vector3(0, along, 0).applyQuaternion(rotation).add(new Vector3(...start.position));
   rotation.multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), angle)).normalize();

@@ -23,8 +23,9 @@ export interface ViewerDecal {
   readonly materials: readonly number[];
   readonly visible: boolean;
   readonly locked?: boolean;
-  /** A box has handles; the other kinds are shown by their lines and dragged by their picture. */
   readonly projector: Projector;
+  /** Where the mirror shows it, drawn faintly while it is selected; absent or null without a mirror. */
+  readonly twin?: Projector | null;
   /** Width / height of its picture: scaling by a corner handle keeps the box's own proportions, this is for resets. */
   readonly aspect: number;
 }
@@ -89,6 +90,17 @@ export interface ModelViewer {
    * from either side); none for a flat stamp. Occlusion is not looked at, and a label counts as its bounding box.
    */
   materialsReached(projector: Projector, backfaces: boolean): readonly number[];
+  /**
+   * A decal's projector as another kind, its picture's place and size kept as well as both kinds allow; `material` says in
+   * which texture a flat stamp lies. To "perspective" it is thrown from the camera and covers on the screen what it covers
+   * now, from "perspective", too. Null where it meets no surface that the kind could hold, or is not seen from the camera.
+   */
+  convertProjector(projector: Projector, kind: Projector["kind"], material: number): Projector | null;
+  /**
+   * Turns a projector where it lies: to the surface's direction, upright to the model, or to the camera. The same one where
+   * there is nothing to turn.
+   */
+  alignProjector(projector: Projector, how: "surface" | "upright" | "view", material: number): Projector;
   /**
    * Hands the pointer over the model to a tool; null gives it back to the decals. With a tool, decals have no handles, two
    * fingers orbit and zoom, and the camera keeps the background, the other buttons and the space bar.

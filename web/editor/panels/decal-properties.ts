@@ -21,6 +21,7 @@ import {
   projectorFields,
   withAxis,
 } from "./projector-fields.ts";
+import { mirrorFields, projectionTools } from "./projector-tools.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
@@ -56,7 +57,7 @@ export class DecalProperties extends EditorElement {
     const { design, selectedId } = this.state;
     const layer = layerById(design, selectedId);
     if (layer?.type === "decal")
-      return html`${this.#header(layer)}${this.#placement(layer, layer.projector)}${this.#look(layer)}${this.#reach(layer)}`;
+      return html`${this.#header(layer)}${projectionTools(this.editor, layer)}${this.#placement(layer, layer.projector)}${this.#mirror(layer)}${this.#look(layer)}${this.#reach(layer)}`;
     if (layer?.type === "stroke") return html`${this.#header(layer)}${this.#look(layer)}${this.#reach(layer)}`;
     if (layer?.type === "fill") return html`${this.#header(layer)}${this.#fill(layer)}`;
     return html`<div class="none">
@@ -99,6 +100,20 @@ export class DecalProperties extends EditorElement {
         }
       </section>
     `;
+  }
+
+  #mirror(layer: DecalLayer) {
+    const { mirrorOffset, mirrorOffsetHint } = strings.projection;
+    return mirrorFields(this.editor, layer, (mirror) =>
+      this.#number(layer, mirrorOffset, {
+        label: mirror.axis.toUpperCase(),
+        name: mirrorOffset,
+        hint: mirrorOffsetHint,
+        value: mirror.offset,
+        step: this.#lengthStep(),
+        patch: (offset) => ({ mirror: { ...mirror, offset } }),
+      }),
+    );
   }
 
   #pose(layer: DecalLayer, projector: PosedProjector, step: number): TemplateResult[] {

@@ -110,6 +110,12 @@ export const propertyStyles = css`
     outline: 2px solid var(--accent);
     outline-offset: 1px;
   }
+  .kinds span {
+    grid-auto-flow: row;
+    gap: 2px;
+    padding-block: var(--space-1);
+    font-size: var(--text-small);
+  }
   .check {
     display: flex;
     align-items: center;

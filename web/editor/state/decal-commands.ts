@@ -99,6 +99,43 @@ export class DecalCommands {
     return this.#step("scale", strings.steps.scale, (projector) => scaledProjector(projector, factor));
   }
 
+  /** Throws the selected decal as another kind; from the view, anew from where the camera is. False without a selection. */
+  convert(kind: Projector["kind"]): boolean {
+    const layer = this.selected;
+    if (!layer) return false;
+    if (layer.projector.kind === kind && kind !== "perspective") return true;
+    const projector = this.#viewer.convertProjector(layer.projector, kind, this.#stampMaterial(layer));
+    const words = strings.projection;
+    if (projector === null) {
+      this.#board.info({ title: words.refused[kind], message: words.refusedHint[kind] });
+      return true;
+    }
+    // A stamp lies on no side of the model that a mirror could show.
+    const mirror = kind === "uv" ? null : layer.mirror;
+    const material = this.#reach.movedTo(layer, projector, null);
+    this.#layers.change(layer.id, { projector, material, mirror }, words.steps[kind]);
+    this.#board.announce(words.announced[kind](layer.name));
+    return true;
+  }
+
+  /** Turns the selected decal where it lies. False without a selection. */
+  align(how: "surface" | "upright" | "view"): boolean {
+    const layer = this.selected;
+    if (!layer) return false;
+    const projector = this.#viewer.alignProjector(layer.projector, how, this.#stampMaterial(layer));
+    const material = this.#reach.movedTo(layer, projector, null);
+    this.#layers.change(layer.id, { projector, material }, strings.projection.alignSteps[how]);
+    this.#board.announce(strings.projection.aligned[how](layer.name));
+    return true;
+  }
+
+  /** The material in whose texture a layer lies as a stamp: the shown one where it paints that, too. */
+  #stampMaterial(layer: DecalLayer): number {
+    const own = materialsOf(layer);
+    const { material } = this.#store.state;
+    return material !== null && own.includes(material) ? material : (own[0] ?? 0);
+  }
+
   /** Gives a decal all materials that it meets where it lies. */
   paintAllMet(layer: DecalLayer): void {
     const material = this.#reach.at(layer.projector, layer.backfaces, materialsOf(layer)[0] ?? 0);

@@ -7,6 +7,7 @@ import {
   type DesignLayer,
   emptyDesign,
   materialsOf,
+  mirroredProjector,
   resolveLayers,
   walkLayers,
 } from "../document/index.ts";
@@ -178,7 +179,8 @@ export class DesignSession {
       const picture = this.#library.get(design.assets[layer.asset]);
       const { id, name, projector } = layer;
       const aspect = picture ? picture.width / picture.height : 1;
-      decals.push({ id, name, materials: materialsOf(layer), visible: shown, projector, aspect });
+      const twin = layer.mirror && mirroredProjector(projector, layer.mirror);
+      decals.push({ id, name, materials: materialsOf(layer), visible: shown, projector, twin, aspect });
     }
     this.#viewer.setDecals(decals, this.#store.state.selectedId);
   }

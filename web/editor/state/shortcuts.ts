@@ -14,7 +14,8 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
     const ofTheText = focus === "text" && !["s", "o"].includes(event.key.toLowerCase());
     return !ofTheText && handleCommand(event, editor, actions);
   }
-  return focus === "page" && (editor.tools.handleKey(event) || handlePlain(event, editor));
+  if (focus !== "page") return false;
+  return editor.tools.handleKey(event) || (event.altKey ? handleAlt : handlePlain)(event, editor);
 }
 
 function handleCommand(event: KeyboardEvent, { files, layers }: Editor, actions: ShortcutActions): boolean {
@@ -56,8 +57,26 @@ function arrange(layers: LayerCommands, direction: 1 | -1, toEnd: boolean): true
   return true;
 }
 
+/** By place on the keyboard: with Alt, a Mac types other characters. */
+function handleAlt(event: KeyboardEvent, { decals }: Editor): boolean {
+  if (event.shiftKey) return false;
+  switch (event.code) {
+    case "KeyS":
+      return decals.align("surface");
+    case "KeyU":
+      return decals.align("upright");
+    case "KeyV":
+      return decals.align("view");
+    case "KeyP":
+      return decals.convert("perspective");
+    case "KeyW":
+      return decals.convert("cylindrical");
+    default:
+      return false;
+  }
+}
+
 function handlePlain(event: KeyboardEvent, { decals, layers, viewer }: Editor): boolean {
-  if (event.altKey) return false;
   const coarse = event.shiftKey;
   // By place on the keyboard: with Shift, the characters of these keys differ between layouts.
   if (event.code === "BracketLeft") return decals.spin(1, coarse);
