@@ -1,0 +1,208 @@
+import { BoxGeometry, type BufferGeometry } from "three";
+import { describe, expect, it } from "vitest";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { floodFill } from "../../web/editor/tools/flood-fill.ts";
+import { MOST_COLORS, parseGimpPalette, printGimpPalette } from "../../web/editor/tools/gimp-palette.ts";
+import { colorsOf } from "../../web/editor/tools/picture-palette.ts";
+import { PixelCanvas, pixelColorOf } from "../../web/editor/tools/pixel-canvas.ts";
+import { joined, texelsAlong } from "../../web/editor/tools/pixel-places.ts";
+import { squared, texelLine, texelRectangle, tipCorner } from "../../web/editor/tools/pixel-shapes.ts";
+import { TexelNeighbours } from "../../web/editor/tools/texel-neighbours.ts";
+import { texelPlaces } from "../../web/viewer/texel-places.ts";
+import { queryOf } from "../viewer/surface-helpers.ts";
+
+/** Texels across a face, and of the whole texture: the six faces lie side by side, three in a row, without a gap. */
+const FACE = 8;
+const WIDTH = FACE * 3;
+const HEIGHT = FACE * 2;
+
+function unwrappedBox(size: number): BufferGeometry {
+  const box = new BoxGeometry(size, size, size);
+  const uv = box.getAttribute("uv");
+  for (let vertex = 0; vertex < uv.count; vertex++) {
+    const face = Math.floor(vertex / 4);
+    uv.setXY(vertex, ((face % 3) + uv.getX(vertex)) / 3, (Math.floor(face / 3) + uv.getY(vertex)) / 2);
+  }
+  return box;
+}
+
+const faceOf = (texel: number): number =>
+  Math.floor((texel % WIDTH) / FACE) + 3 * Math.floor(Math.floor(texel / WIDTH) / FACE);
+
+describe("texels side by side on a model", () => {
+  const map = new TexelNeighbours(texelPlaces(queryOf(unwrappedBox(2)), 0, WIDTH, HEIGHT));
+
+  it("each texel of a cube has a neighbour on every side, over its edges too", () => {
+    const all = Array.from({ length: WIDTH * HEIGHT }, (_, texel) => texel);
+    expect(new Set(all.map((texel) => map.of(texel).length))).toEqual(new Set([4]));
+  });
+
+  it("a fill goes over the seams round the cube, and stops at a closed line", () => {
+    const rgba = new Uint8Array(WIDTH * HEIGHT * 4).fill(255);
+    const options = { tolerance: 0, contiguous: true, neighbours: (texel: number) => map.of(texel) };
+    expect(floodFill(rgba, 0, options)).toHaveLength(WIDTH * HEIGHT);
+
+    // A ring round the first face, inside it.
+    for (let texel = 0; texel < WIDTH * HEIGHT; texel++) {
+      const [x, y] = [texel % WIDTH, Math.floor(texel / WIDTH)];
+      const isRing = faceOf(texel) === 0 && (x === 0 || y === 0 || x === FACE - 1 || y === FACE - 1);
+      if (isRing) rgba[texel * 4] = 0;
+    }
+    const inside = floodFill(rgba, WIDTH * 2 + 2, options);
+    expect(inside).toHaveLength((FACE - 2) ** 2);
+    const outside = floodFill(rgba, WIDTH * (FACE + 2), options);
+    expect(new Set(outside.map(faceOf))).toEqual(new Set([1, 2, 3, 4, 5]));
+  });
+
+  it("tolerance lets near colours in, and without contiguity the colour is filled wherever it is", () => {
+    const rgba = new Uint8Array(WIDTH * HEIGHT * 4).fill(255);
+    rgba.set([250, 255, 255, 255], 4);
+    const neighbours = (texel: number) => (texel === 0 ? [1] : []);
+    expect(floodFill(rgba, 0, { tolerance: 4, contiguous: true, neighbours })).toEqual([0]);
+    expect(floodFill(rgba, 0, { tolerance: 5, contiguous: true, neighbours })).toEqual([0, 1]);
+    expect(floodFill(rgba, 0, { tolerance: 0, contiguous: false, neighbours })).toHaveLength(WIDTH * HEIGHT - 1);
+  });
+
+  it("a shell that lies close over another is no neighbour of it", () => {
+    const shells = queryOf(
+      unwrappedBox(2),
+      (() => {
+        const outer = unwrappedBox(2.05);
+        const uv = outer.getAttribute("uv");
+        for (let vertex = 0; vertex < uv.count; vertex++) uv.setX(vertex, uv.getX(vertex) / 2 + 0.5);
+        return outer;
+      })(),
+    );
+    const places = texelPlaces(shells, 0, WIDTH * 2, HEIGHT);
+    const near = new TexelNeighbours(places);
+    for (let texel = 0; texel < places.covered.length; texel++) {
+      for (const other of near.of(texel)) expect(places.shells[other]).toBe(places.shells[texel]);
+    }
+  });
+});
+
+describe("shapes on the texel grid", () => {
+  it("a line has no gaps, holds both ends, and is the same length either way", () => {
+    for (const [x, y] of [
+      [7, 3],
+      [-2, 9],
+      [0, 0],
+      [-5, -5],
+      [4, 0],
+    ] as const) {
+      const line = texelLine([0, 0], [x, y]);
+      expect(line[0]).toEqual([0, 0]);
+      expect(line.at(-1)).toEqual([x, y]);
+      expect(line).toHaveLength(Math.max(Math.abs(x), Math.abs(y)) + 1);
+      expect(texelLine([x, y], [0, 0])).toHaveLength(line.length);
+    }
+  });
+
+  it("a rectangle is an outline or filled, whichever corners it is drawn between", () => {
+    expect(texelRectangle([3, 4], [1, 1], true)).toHaveLength(12);
+    expect(texelRectangle([1, 1], [3, 4], false)).toHaveLength(10);
+    expect(texelRectangle([2, 2], [2, 2], false)).toEqual([[2, 2]]);
+  });
+
+  it("with Shift a rectangle is square, and a line level, upright or diagonal", () => {
+    expect(squared([0, 0], [5, -3], false)).toEqual([5, -5]);
+    expect(squared([0, 0], [9, 2], true)).toEqual([9, 0]);
+    expect(squared([0, 0], [-1, 7], true)).toEqual([0, 7]);
+    expect(squared([0, 0], [5, 4], true)).toEqual([5, 5]);
+  });
+
+  it("a wide tip stands about its place", () => {
+    expect(tipCorner(5.5, 5.5, 1)).toEqual([5, 5]);
+    expect(tipCorner(5.5, 5.5, 3)).toEqual([4, 4]);
+    expect(tipCorner(5.9, 5.1, 2)).toEqual([5, 4]);
+  });
+
+  it("a path over the surface is joined within a chart and not from one chart to another", () => {
+    const at = (x: number, y: number) => ({
+      hit: { position: [0, 0, 0], normal: [0, 0, 1], material: 0, uv: [x / 16, y / 16] } as const,
+      pressure: 1,
+    });
+    const size = { width: 16, height: 16 };
+    expect(texelsAlong([at(1.5, 1.5), at(4.4, 1.5)], 0, size, null).places).toHaveLength(4);
+    expect(texelsAlong([at(1.5, 1.5), at(9.5, 1.5)], 0, size, null).places).toHaveLength(2);
+    expect(texelsAlong([at(1.5, 1.5), null, at(3.5, 1.5)], 0, size, null).places).toHaveLength(2);
+    expect(joined([0.5, 0.5], [3.5, 0.5])).toEqual([
+      [1.5, 0.5],
+      [2.5, 0.5],
+      [3.5, 0.5],
+    ]);
+  });
+});
+
+describe("a pixel layer's canvas", () => {
+  it("with its alpha locked takes paint only where there is some, and keeps how dense it is", () => {
+    const rgba = new Uint8Array([9, 9, 9, 128, 0, 0, 0, 0]);
+    const canvas = new PixelCanvas({ width: 2, height: 1, rgba }, true);
+    canvas.stamp([0, 0], 2, pixelColorOf("#ff8000"));
+    expect([...canvas.rgba]).toEqual([255, 128, 0, 128, 0, 0, 0, 0]);
+  });
+
+  it("leaves out what lies outside, and knows whether anything changed", () => {
+    const canvas = new PixelCanvas({ width: 1, height: 1, rgba: new Uint8Array(4) }, false);
+    canvas.set(3, 0, [1, 2, 3, 255]);
+    expect(canvas.changed).toBe(false);
+    canvas.set(0, 0, [1, 2, 3, 255]);
+    expect(canvas.changed).toBe(true);
+    canvas.restart();
+    expect(canvas.changed).toBe(false);
+  });
+});
+
+describe("palettes", () => {
+  const parse = (text: string) => parseGimpPalette(text, "skin.gpl");
+  const faultOf = (text: string): TexelcastError => {
+    try {
+      parse(text);
+    } catch (thrown) {
+      if (thrown instanceof TexelcastError) return thrown;
+    }
+    throw new Error("It was taken.");
+  };
+
+  it("a GIMP palette comes back as it was written", () => {
+    const palette = { name: "Skin tones", colors: ["#000000", "#f2d3b3", "#0a0b0c"] };
+    expect(parse(printGimpPalette(palette))).toEqual(palette);
+  });
+
+  it("remarks, Windows line ends, tabs and names of colours are read over", () => {
+    const text =
+      "\uFEFFGIMP Palette\r\nName: Old\r\nColumns: 16\r\n# a remark\r\n255\t0 10\tRed: warm\r\n\r\n  1   2   3\r\n";
+    expect(parse(text)).toEqual({ name: "Old", colors: ["#ff000a", "#010203"] });
+    expect(parse("GIMP Palette\n1 2 3").name).toBe("skin");
+  });
+
+  it("what is no palette is refused by its line and what stands there", () => {
+    expect(faultOf("JASC-PAL\n0100")).toMatchObject({
+      code: "bad-palette",
+      subject: "skin.gpl",
+      field: "line 1",
+      value: "JASC-PAL",
+    });
+    for (const line of ["256 0 0", "1 2", "red green blue", "-1 0 0", "1.5 0 0", "0x1 2 3"]) {
+      expect(faultOf(`GIMP Palette\n1 2 3\n${line}\n`), line).toMatchObject({
+        code: "bad-palette",
+        field: "line 3",
+        value: line,
+      });
+    }
+    expect(faultOf("GIMP Palette\nName: Empty\n").code).toBe("bad-palette");
+    expect(faultOf(`GIMP Palette\n${"1 2 3\n".repeat(MOST_COLORS + 1)}`).code).toBe("bad-palette");
+  });
+
+  it("a skin keeps its own colours, a picture of many is thinned, and what is clear does not count", () => {
+    expect(colorsOf({ rgba: new Uint8Array([255, 0, 0, 255, 0, 0, 9, 255, 0, 0, 9, 255, 1, 1, 1, 0]) }, 8)).toEqual([
+      "#000009",
+      "#ff0000",
+    ]);
+    const many = new Uint8Array(256 * 256 * 4).map((_, index) => (index % 4 === 3 ? 255 : (index * 2654435761) >>> 24));
+    const thinned = colorsOf({ rgba: many }, 16);
+    expect(new Set(thinned).size).toBe(thinned.length);
+    expect(thinned.length).toBeGreaterThan(4);
+    expect(thinned.length).toBeLessThanOrEqual(16);
+  });
+});
