@@ -77,7 +77,8 @@ describe("the templates", () => {
       const { document } = await readDemoModel(files, model.replace(/^demo\/|\.glb$/g, ""));
       const painted = document.getRoot().listMaterials()[material];
       expect(painted?.getBaseColorTexture()?.getSize(), id).toEqual(size);
-      const { guide } = painted?.getExtras().texelcast as { guide: { part: string; uv: number[] }[] };
+      const extras = painted?.getExtras() as { texelcast: { guide: { part: string; uv: number[] }[] } };
+      const { guide } = extras.texelcast;
       expect(guide.length, id).toBeGreaterThan(1);
       for (const { part, uv } of guide) {
         const [left, top, right, bottom] = uv as [number, number, number, number];

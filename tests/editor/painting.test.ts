@@ -25,6 +25,7 @@ const hit = (x: number, y: number, z = 0): SurfaceHit => ({
   normal: [0, 0, 1],
   material: 0,
   uv: [0, 0],
+  face: 0,
 });
 
 /** A view that looks straight at z = 0, a hundred pixels to the metre, with a gap from x = 3 to x = 4. */

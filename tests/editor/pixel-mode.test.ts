@@ -119,7 +119,7 @@ describe("shapes on the texel grid", () => {
 
   it("a path over the surface is joined within a chart and not from one chart to another", () => {
     const at = (x: number, y: number) => ({
-      hit: { position: [0, 0, 0], normal: [0, 0, 1], material: 0, uv: [x / 16, y / 16] } as const,
+      hit: { position: [0, 0, 0], normal: [0, 0, 1], material: 0, uv: [x / 16, y / 16], face: 0 } as const,
       pressure: 1,
     });
     const size = { width: 16, height: 16 };

@@ -12,7 +12,7 @@ function decal(id: string, changes: Partial<ViewerDecal> = {}): ViewerDecal {
 }
 
 function sample(x: number, y: number, normal = new Vector3(0, 0, 1)): SurfaceSample {
-  return { position: new Vector3(x, y, 0), normal, distance: 1, triangle: 0, material: 0, uv: [0, 0] };
+  return { position: new Vector3(x, y, 0), normal, distance: 1, triangle: 0, face: 0, material: 0, uv: [0, 0] };
 }
 
 describe("the decals under a point", () => {

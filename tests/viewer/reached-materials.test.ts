@@ -24,6 +24,8 @@ function squares(...places: readonly { at: readonly [number, number, number]; tu
     ),
     materialOfTriangle: Uint32Array.from(places.flatMap((_, square) => [square, square])),
     flagsOfTriangle: new Uint8Array(places.length * 2),
+    meshOfTriangle: new Uint32Array(64),
+    faceOfTriangle: new Uint32Array(64),
   });
 }
 

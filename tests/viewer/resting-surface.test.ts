@@ -25,7 +25,7 @@ function sceneOf(...meshes: Mesh[]): ModelScene {
     root.add(mesh);
     materials.set(index, [mesh.material as MeshStandardMaterial]);
   }
-  return { root, animations: [], materials, dispose: () => {} };
+  return { root, animations: [], materials, labels: new Map(), dispose: () => {} };
 }
 
 function triangleGeometry(): BufferGeometry {

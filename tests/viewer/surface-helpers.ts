@@ -22,6 +22,8 @@ export function queryOf(...geometries: BufferGeometry[]): SurfaceQuery {
     index: Uint32Array.from(index),
     materialOfTriangle: new Uint32Array(index.length / 3),
     flagsOfTriangle: new Uint8Array(index.length / 3),
+    meshOfTriangle: new Uint32Array(index.length / 3),
+    faceOfTriangle: Uint32Array.from({ length: index.length / 3 }, (_, triangle) => triangle),
   });
 }
 

@@ -16,6 +16,8 @@ function triangle(flags: number): SurfaceQuery {
     index: new Uint32Array([0, 1, 2]),
     materialOfTriangle: new Uint32Array([7]),
     flagsOfTriangle: new Uint8Array([flags]),
+    meshOfTriangle: new Uint32Array(64),
+    faceOfTriangle: new Uint32Array(64),
   });
 }
 

@@ -93,7 +93,7 @@ export class Workbench extends EditorElement {
       tc-status-line {
         grid-area: status;
       }
-      tc-stage,
+      .views > :first-child,
       tc-notice-stack {
         grid-area: 1 / 1;
       }
@@ -150,8 +150,8 @@ export class Workbench extends EditorElement {
     removeEventListener("beforeunload", this.#leave);
   }
 
-  protected watched({ textureOpen }: EditorState): readonly unknown[] {
-    return [textureOpen];
+  protected watched({ view }: EditorState): readonly unknown[] {
+    return [view.layout];
   }
 
   override render(): TemplateResult {
@@ -169,7 +169,9 @@ export class Workbench extends EditorElement {
       ${this.#views()}
       ${
         compact
-          ? html`<tc-bottom-sheet .editor=${editor}><slot name="texture" slot="texture"></slot></tc-bottom-sheet>`
+          ? html`<tc-bottom-sheet .editor=${editor}>
+              ${this.state.view.layout === "texture" ? nothing : html`<slot name="texture" slot="texture"></slot>`}
+            </tc-bottom-sheet>`
           : html`
               <tc-status-line .editor=${editor} aria-label=${strings.status.label}></tc-status-line>
               <tc-side-panel .editor=${editor} role="complementary" aria-label=${strings.sidePanel}></tc-side-panel>
@@ -190,14 +192,20 @@ export class Workbench extends EditorElement {
 
   #views(): TemplateResult {
     const { editor, compact, textureShare } = this;
-    const split = !compact && this.state.textureOpen;
+    const { layout } = this.state.view;
+    const split = !compact && layout === "both";
+    const flat = layout === "texture";
     const columns = split ? `minmax(0, ${1 - textureShare}fr) auto minmax(0, ${textureShare}fr)` : "minmax(0, 1fr)";
     const resize = (event: CustomEvent<number>): void => {
       this.textureShare = event.detail;
     };
     return html`
       <main class="views" style=${`grid-template-columns: ${columns}`}>
-        <tc-stage .editor=${editor}><slot name="view" slot="view"></slot></tc-stage>
+        ${
+          flat
+            ? html`<tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>`
+            : html`<tc-stage .editor=${editor}><slot name="view" slot="view"></slot></tc-stage>`
+        }
         <tc-notice-stack .editor=${editor}></tc-notice-stack>
         ${
           split

@@ -47,13 +47,16 @@ export class RingOverlay {
 export class SurfaceRing {
   readonly #overlay: RingOverlay;
   readonly #screen: ScreenSpace;
+  readonly #toDrawn: (point: Vector3) => Vector3;
   readonly #task = new FrameTask(() => this.drawNow());
   #query: SurfaceQuery | null = null;
   #ring: BrushRing | null = null;
 
-  constructor(root: HTMLElement, screen: ScreenSpace) {
+  /** @param toDrawn where a point of the resting surface is drawn: an animation may have posed the model */
+  constructor(root: HTMLElement, screen: ScreenSpace, toDrawn: (point: Vector3) => Vector3) {
     this.#overlay = new RingOverlay(root);
     this.#screen = screen;
+    this.#toDrawn = toDrawn;
   }
 
   setSurface(query: SurfaceQuery | null): void {
@@ -80,7 +83,7 @@ export class SurfaceRing {
       return;
     }
     const centre = new Vector3(...ring.hit.position);
-    const pixels = ring.radius / this.#screen.metresPerPixel(centre);
+    const pixels = ring.radius / this.#screen.metresPerPixel(this.#toDrawn(centre));
     if (pixels < LEAST_RADIUS) {
       this.#overlay.draw(this.#cross(centre), "");
       return;
@@ -99,11 +102,11 @@ export class SurfaceRing {
 
   #path(query: SurfaceQuery, { hit }: BrushRing, radius: number): string {
     const points = drapedCircle(query, new Vector3(...hit.position), new Vector3(...hit.normal), radius);
-    return closedPath(points.map((point) => this.#screen.project(point)));
+    return closedPath(points.map((point) => this.#screen.project(this.#toDrawn(point))));
   }
 
   #cross(centre: Vector3): string {
-    const at = this.#screen.project(centre);
+    const at = this.#screen.project(this.#toDrawn(centre));
     return at === null ? "" : crossPath(at);
   }
 }

@@ -1,4 +1,5 @@
 /** The decals under the pointer: selecting, dragging, hovering; and the drawing of the selected one. */
+import type { Vector3 } from "three";
 import type { CylindricalProjector, PerspectiveProjector, PlanarProjector, Projector } from "../engine/engine-api.ts";
 import type { SizeLimits } from "./decal-handles.ts";
 import { drapeOutline, type OutlinePoint, POINTS_PER_EDGE, POINTS_PER_EDGE_SLIDING } from "./decal-outline.ts";
@@ -23,6 +24,16 @@ export interface GizmoHost {
   gesture(gesture: DecalGesture): void;
   /** A drag began or ended, whatever became of it. */
   dragging(active: boolean): void;
+  /** How an animation has posed the model; null at rest. */
+  posed(): PosedView | null;
+}
+
+/** The model as it is drawn, where that is not how it rests. */
+export interface PosedView {
+  readonly drawn: SurfaceQuery;
+  toPosed(point: Vector3): Vector3;
+  /** A clip is running: a line on the surface would run after it. */
+  readonly moving: boolean;
 }
 
 interface ActiveDrag {
@@ -63,7 +74,7 @@ export class DecalGizmo {
     this.#drawTask.request();
   }
 
-  /** Off while an animation plays: the decals' places are those of the resting model. */
+  /** Off while a tool has the pointer. */
   set enabled(value: boolean) {
     this.#enabled = value;
     if (!value) {
@@ -107,7 +118,7 @@ export class DecalGizmo {
     if (sample !== null) {
       return decalsAt([selected], sample).length > 0 ? sample : null;
     }
-    if (selected.projector.kind !== "planar") {
+    if (selected.projector.kind !== "planar" || this.#host.posed() !== null) {
       return null;
     }
     const pose = poseOf(selected.projector);
@@ -213,6 +224,11 @@ export class DecalGizmo {
       this.#overlay.draw(null);
       return;
     }
+    const posed = this.#host.posed();
+    if (posed !== null) {
+      this.#overlay.draw(posed.moving ? null : this.#posedPicture(posed, selected));
+      return;
+    }
     const view: GizmoView = { screen: this.#host.screen, query: this.#query };
     const hovered = this.#drag === null && this.#hovered?.id !== selected?.id ? this.#hovered : null;
     const hover = hovered === null ? "" : hoverPath(view, this.#outlineOf(hovered.projector));
@@ -238,6 +254,16 @@ export class DecalGizmo {
     return projector.kind === "planar"
       ? drawGizmo(view, poseOf(projector), outline, options)
       : drawThrown(view, projector, outline, options);
+  }
+
+  /** Handles belong to the box, which stands at rest: on a posed model there is the outline alone. */
+  #posedPicture({ drawn, toPosed }: PosedView, selected: ViewerDecal | null): GizmoPicture {
+    const view: GizmoView = { screen: this.#host.screen, query: drawn };
+    const onPose = (decal: ViewerDecal): OutlinePoint[] =>
+      this.#outlineOf(decal.projector).map((point) => ({ ...point, position: toPosed(point.position) }));
+    const hovered = this.#drag === null && this.#hovered?.id !== selected?.id ? this.#hovered : null;
+    const hover = hovered === null ? "" : hoverPath(view, onPose(hovered));
+    return { ...NOTHING, hover, ...(selected !== null && drawOutline(view, onPose(selected))) };
   }
 
   dispose(): void {

@@ -73,6 +73,30 @@ export function placeOnSurface(
   return pose;
 }
 
+/** A box keeps this share of the way to what is hidden above it. */
+const KEPT_CLEARANCE = 0.9;
+
+/**
+ * A box on the visible surface, cut off on its outer side where it would reach a hidden one that lies over it: a decal
+ * that is placed under a hidden layer is painted there, and not on the layer.
+ */
+export function beneath(concealed: SurfaceQuery, query: SurfaceQuery, pose: DecalPose): DecalPose {
+  const outward = axisOf(pose, 2);
+  const top = pose.size.z / 2;
+  let free = top;
+  for (const [x, y] of gridOf(DEPTH_SAMPLES)) {
+    const above = fromLocal(pose, x * pose.size.x, y * pose.size.y, top);
+    const foot = query.raycast(above, outward.clone().negate(), pose.size.z);
+    if (foot !== null) {
+      const cover = concealed.raycast(foot.position, outward, foot.distance);
+      const height = top - foot.distance;
+      free = cover === null ? free : Math.min(free, height + KEPT_CLEARANCE * cover.distance);
+    }
+  }
+  const position = pose.position.clone().addScaledVector(outward, (free - top) / 2);
+  return { ...pose, position, size: pose.size.clone().setZ(top + free) };
+}
+
 /** The surface point beneath (or above) a box's centre along its own axis; the nearest one where the axis meets none. */
 export function footOf(query: SurfaceQuery, pose: DecalPose): SurfaceSample | null {
   const forward = axisOf(pose, 2);

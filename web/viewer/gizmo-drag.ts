@@ -15,6 +15,8 @@ export interface DragPointer {
   readonly ray: Ray;
   readonly alt: boolean;
   readonly shift: boolean;
+  /** On a posed model: what the pointer meets, as it lies at rest. Left out at rest, where the ray itself is asked. */
+  readonly met?: SurfaceSample | null;
 }
 
 export interface GizmoDrag {
@@ -44,8 +46,9 @@ export function slideDrag(query: SurfaceQuery, start: DecalPose, grab: SurfacePo
       return material;
     },
     readout: () => null,
-    move({ ray }) {
-      const target = query.raycast(ray.origin, ray.direction) ?? silhouettePoint(query, ray, last);
+    move({ ray, met }) {
+      const target =
+        met === undefined ? (query.raycast(ray.origin, ray.direction) ?? silhouettePoint(query, ray, last)) : met;
       if (target === null) {
         return null;
       }

@@ -9,8 +9,20 @@ export interface ModelScene {
   readonly animations: readonly AnimationClip[];
   /** glTF material index to the three.js materials made of it (the loader clones some for vertex colours or flat shading). */
   readonly materials: ReadonlyMap<number, readonly MeshStandardMaterial[]>;
+  /** What the file calls its meshes. */
+  readonly labels: ReadonlyMap<Mesh, MeshLabel>;
   /** Frees geometries, materials and the textures that they hold at that time. */
   dispose(): void;
+}
+
+/** A mesh as the file names it; names may be empty. */
+export interface MeshLabel {
+  readonly node: string;
+  readonly material: string;
+  /** Its node has other meshes besides: primitives of other materials. */
+  readonly several: boolean;
+  /** The node's glTF extras. */
+  readonly extras: unknown;
 }
 
 /** Loads `info.glb`. Rejects with a TexelcastError of code "bad-model" where three.js cannot read it. */
@@ -41,6 +53,7 @@ export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
     root: gltf.scene,
     animations: gltf.animations,
     materials,
+    labels: new Map(meshesOf(gltf.scene).map((mesh) => [mesh, labelOf(gltf, mesh)])),
     dispose: () => disposeTree(gltf.scene),
   };
 }
@@ -54,6 +67,24 @@ export function meshesOf(root: Group): Mesh[] {
     }
   });
   return meshes;
+}
+
+/** Three's own names are made unique and fit for its animation paths; the file's are what the user gave. */
+function labelOf(gltf: GLTF, mesh: Mesh): MeshLabel {
+  const nodeIndexOf = (object: object | null) =>
+    (object === null ? undefined : gltf.parser.associations.get(object as Mesh))?.nodes;
+  const own = nodeIndexOf(mesh);
+  const index = own ?? nodeIndexOf(mesh.parent);
+  const nodes = (gltf.parser.json.nodes ?? []) as { name?: string; mesh?: number; extras?: unknown }[];
+  const meshes = (gltf.parser.json.meshes ?? []) as { name?: string; primitives?: unknown[] }[];
+  const node = index === undefined ? undefined : nodes[index];
+  const source = node?.mesh === undefined ? undefined : meshes[node.mesh];
+  return {
+    node: node?.name || source?.name || "",
+    material: (mesh.material as Material).name,
+    several: (source?.primitives?.length ?? 1) > 1,
+    extras: node?.extras,
+  };
 }
 
 /** A material that no file entry stands for is glTF's implied default: the core lists it after the file's last. */

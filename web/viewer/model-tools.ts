@@ -1,5 +1,5 @@
 /** The editor's tools in the 3D view: their pointer, their ring, and the places of the surface that they ask for. */
-import { Vector3 } from "three";
+import { type Ray, Vector3 } from "three";
 import type { Vec3 } from "../engine/engine-api.ts";
 import { SurfaceRing } from "./brush-ring.ts";
 import { tangentPart, tupleOf } from "./decal-pose.ts";
@@ -14,10 +14,12 @@ import type { SurfaceHit } from "./viewer-api.ts";
 const CIRCLE_POINTS = 40;
 
 export interface ModelToolsHooks {
-  /** Null while there is nothing to paint on, or an animation hides the resting model. */
+  /** The visible surface at rest; null while there is nothing to paint on. */
   query(): SurfaceQuery | null;
-  /** A press while an animation plays: it comes to rest. */
-  rest(): void;
+  /** What a ray of the view meets, told as it lies at rest. */
+  pick(ray: Ray): SurfaceSample | null;
+  /** Where a point of the resting surface is drawn. */
+  toDrawn(point: Vector3): Vector3;
 }
 
 export class ModelTools {
@@ -29,7 +31,7 @@ export class ModelTools {
   constructor(root: HTMLElement, screen: ScreenSpace, hooks: ModelToolsHooks) {
     this.#screen = screen;
     this.#hooks = hooks;
-    this.#ring = new SurfaceRing(root, screen);
+    this.#ring = new SurfaceRing(root, screen, hooks.toDrawn);
     this.#pointer = new ToolPointer(root, {
       kind: "model",
       hitAt: (at) => this.#hitAt(at),
@@ -45,7 +47,6 @@ export class ModelTools {
   set tool(input: ToolInput | null) {
     this.#pointer.tool = input;
     if (input === null) this.#ring.show(null);
-    else this.#hooks.rest();
   }
 
   setSurface(query: SurfaceQuery | null): void {
@@ -118,7 +119,7 @@ export class ModelTools {
   }
 
   metresPerPixel(hit: SurfaceHit): number {
-    return this.#screen.metresPerPixel(new Vector3(...hit.position));
+    return this.#screen.metresPerPixel(this.#hooks.toDrawn(new Vector3(...hit.position)));
   }
 
   dispose(): void {
@@ -127,8 +128,7 @@ export class ModelTools {
   }
 
   #hitAt(at: ScreenPoint): SurfaceHit | null {
-    const ray = this.#screen.rayThrough(at);
-    const sample = this.#hooks.query()?.raycast(ray.origin, ray.direction) ?? null;
+    const sample = this.#hooks.pick(this.#screen.rayThrough(at));
     return sample && hitOf(sample);
   }
 }
@@ -139,6 +139,7 @@ export function hitOf(sample: SurfaceSample): SurfaceHit {
     normal: tupleOf(sample.normal),
     material: sample.material,
     uv: [wrapUnit(sample.uv[0]), wrapUnit(sample.uv[1])],
+    face: sample.face,
   };
 }
 

@@ -1,29 +1,41 @@
 /** The 3D view: the model, its live texture, picking and the decal gizmo, behind one interface. */
-import { type Box3, Raycaster, Vector2, Vector3 } from "three";
+import { type Ray, Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
-import { boundsOf, frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
+import { frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
-import { nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
+import { beneath, nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
 import { poseOf, projectorOf } from "./decal-pose.ts";
 import { EventHub } from "./event-hub.ts";
-import { ModelAnimation } from "./model-animation.ts";
-import { loadModelScene, type ModelScene } from "./model-scene.ts";
+import { ModelDisplay } from "./model-display.ts";
+import { guideOf } from "./model-parts.ts";
+import { loadModelScene } from "./model-scene.ts";
 import { hitOf, ModelTools } from "./model-tools.ts";
-import { PaintedMaterials } from "./painted-materials.ts";
 import { nudged } from "./projector-drag.ts";
 import { pictureBox } from "./projector-outline.ts";
 import { type Alignment, ProjectorPlacer } from "./projector-placer.ts";
 import { reachVolume } from "./reached-materials.ts";
-import { gatherRestingSurface } from "./resting-surface.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
+import { ShownModel } from "./shown-model.ts";
 import { Stage } from "./stage.ts";
-import { SurfaceQuery, type SurfaceSample } from "./surface-query.ts";
+import type { SurfaceSample } from "./surface-query.ts";
 import type { TexelPlaces } from "./texel-places.ts";
 import type { BrushRing, ToolInput } from "./tool-input.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import { ViewInput } from "./view-input.ts";
-import type { ModelViewer, ModelViewerEvents, SurfaceHit, ViewerDecal } from "./viewer-api.ts";
+import type {
+  AnimationState,
+  ClipInfo,
+  GuideEntry,
+  MapPicture,
+  ModelLook,
+  ModelPart,
+  ModelViewer,
+  ModelViewerEvents,
+  SurfaceHit,
+  TexturePlace,
+  ViewerDecal,
+} from "./viewer-api.ts";
 import { adoptViewerStyle } from "./viewer-style.ts";
 
 export interface ModelViewerOptions {
@@ -36,15 +48,8 @@ export function createModelViewer(host: HTMLElement, options: ModelViewerOptions
   return new ThreeModelViewer(host, options);
 }
 
-/** A model with everything that was made from it; replaced as a whole. */
-interface ShownModel {
-  readonly scene: ModelScene;
-  readonly bounds: Box3;
-  readonly positions: Float32Array;
-  readonly query: SurfaceQuery;
-  readonly materials: PaintedMaterials;
-  readonly animation: ModelAnimation;
-}
+/** While a clip plays its place is told this often, seconds. */
+const ANIMATION_NEWS = 0.1;
 
 class ThreeModelViewer implements ModelViewer {
   readonly element: HTMLElement;
@@ -53,6 +58,7 @@ class ThreeModelViewer implements ModelViewer {
   readonly #gizmo: DecalGizmo;
   readonly #tools: ModelTools;
   readonly #input: ViewInput;
+  readonly #display: ModelDisplay;
   readonly #events = new EventHub<ModelViewerEvents>();
   #model: ShownModel | null = null;
   /** The newest load; an older one that ends later is dropped. */
@@ -63,7 +69,12 @@ class ThreeModelViewer implements ModelViewer {
     (update) => this.#applyNow(update),
     (task) => this.#stage.whenGpuDone(task),
   );
+  readonly #abort = new AbortController();
   #disposed = false;
+  /** Seconds since the animation's place was told. */
+  #untold = 0;
+  /** A button is down over the model: the clip waits, so that the surface stays under the pointer. */
+  #held = false;
 
   constructor(host: HTMLElement, options: ModelViewerOptions) {
     adoptViewerStyle(host);
@@ -76,10 +87,10 @@ class ThreeModelViewer implements ModelViewer {
     this.element = root;
     this.#stage = new Stage(root, {
       beforeFrame: (delta) => this.#advance(delta),
+      drawOver: () => this.#display.drawOver(),
       afterFrame: (cameraMoved) => {
         if (cameraMoved) {
-          this.#gizmo.drawNow();
-          this.#tools.cameraMoved();
+          this.#followCamera();
         }
       },
       contextRestored: () => this.#refill(),
@@ -92,20 +103,34 @@ class ThreeModelViewer implements ModelViewer {
       dragging: (active) => {
         this.#stage.inGesture = active;
       },
+      posed: () => {
+        const model = this.#model;
+        if (model === null || !model.animation.posed) {
+          return null;
+        }
+        return {
+          drawn: model.drawn,
+          toPosed: (point) => model.toPosed(point),
+          moving: model.animation.playing && !this.#held,
+        };
+      },
     });
-    const restingQuery = () => (this.#model === null || this.#model.animation.playing ? null : this.#model.query);
+    this.#display = new ModelDisplay(root, this.#stage, this.#screen);
+    const pick = (ray: Ray) => this.#model?.pick(ray) ?? null;
+    const toDrawn = (point: Vector3) => this.#model?.toPosed(point) ?? point;
     // Before the decals' own input, which it keeps from what a tool takes.
-    this.#tools = new ModelTools(root, this.#screen, {
-      query: restingQuery,
-      rest: () => this.setAnimationPlaying(false),
-    });
+    this.#tools = new ModelTools(root, this.#screen, { query: () => this.#model?.query ?? null, pick, toDrawn });
     this.#input = new ViewInput(root, this.#gizmo, this.#screen, {
-      query: restingQuery,
+      pick,
+      isPosed: () => this.#model?.animation.posed ?? false,
       select: (id) => this.#events.emit("select", { id }),
       hover: (sample) => this.#events.emit("hover", { hit: sample && hitOf(sample) }),
-      clickWhilePlaying: (at) => this.#stopWhereClicked(at),
       setPanning: (pans) => this.#stage.setPanning(pans),
     });
+    root.addEventListener("pointerdown", (event) => this.#hold(event), { capture: true });
+    for (const type of ["pointerup", "pointercancel"] as const) {
+      window.addEventListener(type, () => this.#release(), { capture: true, signal: this.#abort.signal });
+    }
     root.addEventListener("keydown", (event) => this.#onKey(event));
   }
 
@@ -118,21 +143,13 @@ class ThreeModelViewer implements ModelViewer {
       throw new TexelcastError("cancelled", `${info.name} was replaced by another model before it was shown.`);
     }
     this.#dropModel();
-    const surface = gatherRestingSurface(scene);
-    const bounds = boundsOf(surface.positions);
-    this.#model = {
-      scene,
-      bounds,
-      positions: surface.positions,
-      query: new SurfaceQuery(surface),
-      materials: new PaintedMaterials(this.#stage.renderer, scene),
-      animation: new ModelAnimation(scene),
-    };
-    this.#stage.show(scene.root, bounds);
-    this.#gizmo.setSurface(this.#model.query);
+    const model = new ShownModel(this.#stage.renderer, scene);
+    this.#model = model;
+    this.#stage.show(scene.root, model.bounds);
+    this.#display.setModel(model);
+    this.setHiddenParts(new Set(model.parts.filter(({ hidden }) => hidden).map(({ id }) => id)));
     this.#gizmo.enabled = !this.#tools.active;
-    this.#tools.setSurface(this.#model.query);
-    frameModel(this.#stage, surface.positions, false);
+    frameModel(this.#stage, model.positions, false);
   }
 
   bindTarget(info: TargetInfo): void {
@@ -175,15 +192,15 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   projectorAt(hit: SurfaceHit, width: number, aspect: number, keep?: PlanarProjector): PlanarProjector {
-    const { query } = this.#requireModel();
+    const { query, concealed } = this.#requireModel();
     const place = { position: new Vector3(...hit.position), normal: new Vector3(...hit.normal) };
     const kept = keep === undefined ? null : poseOf(keep);
-    return projectorOf(placeOnSurface(query, place, width, aspect, this.#screen.axes, kept));
+    const pose = placeOnSurface(query, place, width, aspect, this.#screen.axes, kept);
+    return projectorOf(concealed === null ? pose : beneath(concealed, query, pose));
   }
 
   nudge(projector: Projector, rightMetres: number, upMetres: number): Projector {
     const { query } = this.#requireModel();
-    this.setAnimationPlaying(false);
     if (projector.kind !== "planar") {
       return nudged(projector, this.#screen.axes, rightMetres, upMetres, 2 * query.bounds.radius);
     }
@@ -209,14 +226,14 @@ class ThreeModelViewer implements ModelViewer {
 
   materialsReached(projector: Projector, backfaces: boolean): readonly number[] {
     const volume = reachVolume(projector, backfaces);
-    return (volume && this.#model?.query.materialsWithin(volume)) ?? [];
+    return (volume && this.#model?.whole.materialsWithin(volume)) ?? [];
   }
 
   setTool(input: ToolInput | null): void {
     this.#tools.tool = input;
     this.#input.suspended = input !== null;
     this.#stage.setTwoFingersOrbit(input !== null);
-    this.#gizmo.enabled = input === null && this.#model?.animation.playing !== true;
+    this.#gizmo.enabled = input === null;
   }
 
   setRing(ring: BrushRing | null): void {
@@ -263,29 +280,68 @@ class ThreeModelViewer implements ModelViewer {
     if (decal === undefined || this.#model === null) {
       return;
     }
-    this.setAnimationPlaying(false);
     const { projector } = decal;
     const pose = projector.kind === "planar" ? poseOf(projector) : pictureBox(this.#model.query, projector);
     if (pose === null) {
       this.frameModel();
     } else {
-      frameDecal(this.#stage, pose);
+      frameDecal(this.#stage, { ...pose, position: this.#model.toPosed(pose.position) });
     }
   }
 
-  setAnimationPlaying(playing: boolean): void {
+  get clips(): readonly ClipInfo[] {
+    return this.#model?.animation.clips ?? [];
+  }
+
+  setAnimation(change: Partial<AnimationState>): void {
     const animation = this.#model?.animation;
-    if (animation === undefined || !animation.exists || animation.playing === playing) {
+    if (animation === undefined || animation.clips.length === 0) {
       return;
     }
-    animation.playing = playing;
-    this.#gizmo.enabled = !playing && !this.#tools.active;
+    animation.set(change);
+    this.#tell(animation.state);
+    this.#followCamera();
     this.#stage.requestFrame();
-    this.#events.emit("animation", { playing });
   }
 
-  get hasAnimation(): boolean {
-    return this.#model?.animation.exists ?? false;
+  get parts(): readonly ModelPart[] {
+    return this.#model?.parts ?? [];
+  }
+
+  setHiddenParts(ids: ReadonlySet<number>): void {
+    const model = this.#model;
+    if (model === null) {
+      return;
+    }
+    model.hide(ids);
+    this.#display.partsChanged();
+    this.#gizmo.setSurface(model.query);
+    this.#tools.setSurface(model.query);
+    // The shadow is that of the model at rest.
+    if (!model.animation.posed) {
+      this.#stage.castShadow(model.scene.root, model.bounds);
+    }
+    this.#stage.requestFrame();
+  }
+
+  guideOf(material: number): readonly GuideEntry[] {
+    return this.#model === null ? [] : guideOf(this.#model.scene, material);
+  }
+
+  setLook(look: ModelLook): void {
+    this.#display.setLook(look);
+  }
+
+  setMapPictures(pictures: ReadonlyMap<number, MapPicture> | null): void {
+    this.#display.setMaps(pictures);
+  }
+
+  highlightChart(place: TexturePlace | null): void {
+    this.#display.highlight(place);
+  }
+
+  setMarker(place: TexturePlace | null): void {
+    this.#display.mark(place);
   }
 
   picture(width: number, height: number): string | null {
@@ -293,7 +349,7 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   clientPosition(position: Vec3): { x: number; y: number } | null {
-    const point = this.#model && this.#screen.project(new Vector3(...position));
+    const point = this.#model && this.#screen.project(this.#model.toPosed(new Vector3(...position)));
     const box = this.element.getBoundingClientRect();
     return point && { x: point.x + box.left, y: point.y + box.top };
   }
@@ -312,9 +368,11 @@ class ThreeModelViewer implements ModelViewer {
 
   dispose(): void {
     this.#disposed = true;
+    this.#abort.abort();
     this.#input.dispose();
     this.#tools.dispose();
     this.#dropModel();
+    this.#display.dispose();
     this.#gizmo.dispose();
     this.#stage.dispose();
     this.element.remove();
@@ -340,35 +398,54 @@ class ThreeModelViewer implements ModelViewer {
       this.#gizmo.setSurface(null);
       this.#tools.setSurface(null);
       this.#updates.clear();
-      model.animation.dispose();
-      model.materials.dispose();
-      model.scene.root.removeFromParent();
-      model.scene.dispose();
+      this.#display.setModel(null);
+      model.dispose();
       this.#model = null;
     }
   }
 
   #sampleAt(point: ScreenPoint): SurfaceSample | null {
-    const ray = this.#screen.rayThrough(point);
-    return this.#model?.query.raycast(ray.origin, ray.direction) ?? null;
+    return this.#model?.pick(this.#screen.rayThrough(point)) ?? null;
   }
 
   #advance(delta: number): boolean {
+    this.#display.beforeFrame();
     const animation = this.#model?.animation;
-    if (animation?.playing !== true) {
+    if (animation?.playing !== true || this.#held) {
       return false;
     }
     animation.advance(delta);
+    this.#untold += delta;
+    if (this.#untold >= ANIMATION_NEWS) {
+      this.#tell(animation.state);
+    }
+    this.#followCamera();
     return true;
   }
 
-  /** A click on a moving model means placing: it comes to rest, where decals have their places. */
-  #stopWhereClicked(at: ScreenPoint): void {
-    const { clientWidth: width, clientHeight: height } = this.element;
-    const raycaster = new Raycaster();
-    raycaster.setFromCamera(new Vector2((at.x / width) * 2 - 1, 1 - (at.y / height) * 2), this.#stage.camera);
-    if (this.#model !== null && raycaster.intersectObject(this.#model.scene.root, true).length > 0) {
-      this.setAnimationPlaying(false);
+  #tell(state: AnimationState): void {
+    this.#untold = 0;
+    this.#events.emit("animation", state);
+  }
+
+  #followCamera(): void {
+    this.#gizmo.drawNow();
+    this.#tools.cameraMoved();
+    this.#display.moved();
+  }
+
+  #hold(event: PointerEvent): void {
+    const playing = this.#model?.animation.playing === true;
+    this.#held = playing && this.#sampleAt(this.#screen.pointOf(event.clientX, event.clientY)) !== null;
+    if (this.#held) {
+      this.#gizmo.drawNow();
+    }
+  }
+
+  #release(): void {
+    if (this.#held) {
+      this.#held = false;
+      this.#stage.requestFrame();
     }
   }
 

@@ -43,8 +43,8 @@ export function pictureDrag(
       return material;
     },
     readout: () => null,
-    move({ ray }) {
-      const target = query.raycast(ray.origin, ray.direction);
+    move({ ray, met }) {
+      const target = met === undefined ? query.raycast(ray.origin, ray.direction) : met;
       if (target === null) {
         return null;
       }

@@ -32,6 +32,10 @@ export interface RestingSurface {
   readonly materialOfTriangle: Uint32Array;
   /** DOUBLE_SIDED and FACETED of each triangle. */
   readonly flagsOfTriangle: Uint8Array;
+  /** Place of each triangle's mesh in the scene's order (`meshesOf`). */
+  readonly meshOfTriangle: Uint32Array;
+  /** Place of each triangle among all of its material, as `Engine.uvTriangles` counts them. */
+  readonly faceOfTriangle: Uint32Array;
 }
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
@@ -39,7 +43,7 @@ type Attribute = BufferAttribute | InterleavedBufferAttribute;
 /** Gathers all meshes of a scene whose materials still carry the model's own textures. The scene must be at rest. */
 export function gatherRestingSurface(scene: ModelScene): RestingSurface {
   scene.root.updateMatrixWorld(true);
-  const meshes = meshesOf(scene.root).filter((mesh) => mesh.geometry.getAttribute("position") !== undefined);
+  const meshes = shapedMeshes(scene);
   const vertexCount = sum(meshes.map((mesh) => mesh.geometry.getAttribute("position").count));
   const triangleCount = sum(meshes.map(trianglesOf));
   const surface = {
@@ -49,16 +53,26 @@ export function gatherRestingSurface(scene: ModelScene): RestingSurface {
     index: new Uint32Array(triangleCount * 3),
     materialOfTriangle: new Uint32Array(triangleCount),
     flagsOfTriangle: new Uint8Array(triangleCount),
+    meshOfTriangle: new Uint32Array(triangleCount),
+    faceOfTriangle: new Uint32Array(triangleCount),
   };
+  const faces = new Map<number, number>();
   let firstVertex = 0;
   let firstTriangle = 0;
-  for (const mesh of meshes) {
+  for (const [place, mesh] of meshes.entries()) {
     const material = mesh.material as MeshStandardMaterial;
     const mirrored = writeVertices(mesh, surface, firstVertex);
     writeUvs(mesh, material, surface.uvs, firstVertex);
     writeTriangles(mesh, surface.index, firstVertex, firstTriangle, mirrored);
     const end = firstTriangle + trianglesOf(mesh);
-    surface.materialOfTriangle.fill(gltfIndexOf(scene, material), firstTriangle, end);
+    const index = gltfIndexOf(scene, material);
+    surface.materialOfTriangle.fill(index, firstTriangle, end);
+    surface.meshOfTriangle.fill(place, firstTriangle, end);
+    const firstFace = faces.get(index) ?? 0;
+    for (let triangle = firstTriangle; triangle < end; triangle++) {
+      surface.faceOfTriangle[triangle] = firstFace + triangle - firstTriangle;
+    }
+    faces.set(index, firstFace + end - firstTriangle);
     const sides = material.side === DoubleSide ? DOUBLE_SIDED : 0;
     const facets = mesh.geometry.getAttribute("normal") === undefined ? FACETED : 0;
     surface.flagsOfTriangle.fill(sides | facets, firstTriangle, end);
@@ -68,8 +82,50 @@ export function gatherRestingSurface(scene: ModelScene): RestingSurface {
   return surface;
 }
 
+/** The meshes of a scene that have a shape, in its order: what `meshOfTriangle` counts. */
+export function shapedMeshes(scene: ModelScene): Mesh[] {
+  return meshesOf(scene.root).filter((mesh) => mesh.geometry.getAttribute("position") !== undefined);
+}
+
+/** Writes where the scene's vertices are now, as an animation has posed them: in the order of `gatherRestingSurface`. */
+export function writePose(scene: ModelScene, target: Pick<RestingSurface, "positions" | "normals">): void {
+  scene.root.updateMatrixWorld(true);
+  let firstVertex = 0;
+  for (const mesh of shapedMeshes(scene)) {
+    writeVertices(mesh, target, firstVertex);
+    firstVertex += mesh.geometry.getAttribute("position").count;
+  }
+}
+
+/** Those triangles of a surface whose mesh is chosen; vertices stay where they are. */
+export function triangleSubset(surface: RestingSurface, isChosen: (mesh: number) => boolean): RestingSurface {
+  const kept: number[] = [];
+  for (let triangle = 0; triangle < surface.meshOfTriangle.length; triangle++) {
+    if (isChosen(surface.meshOfTriangle[triangle] as number)) {
+      kept.push(triangle);
+    }
+  }
+  const pick = (values: Uint32Array): Uint32Array => Uint32Array.from(kept, (triangle) => values[triangle] as number);
+  const index = new Uint32Array(kept.length * 3);
+  for (const [place, triangle] of kept.entries()) {
+    index.set(surface.index.subarray(triangle * 3, triangle * 3 + 3), place * 3);
+  }
+  return {
+    ...surface,
+    index,
+    materialOfTriangle: pick(surface.materialOfTriangle),
+    flagsOfTriangle: Uint8Array.from(kept, (triangle) => surface.flagsOfTriangle[triangle] as number),
+    meshOfTriangle: pick(surface.meshOfTriangle),
+    faceOfTriangle: pick(surface.faceOfTriangle),
+  };
+}
+
 /** Returns whether the mesh's transform mirrors it, which turns its triangles' winding. */
-function writeVertices(mesh: Mesh, surface: RestingSurface, firstVertex: number): boolean {
+function writeVertices(
+  mesh: Mesh,
+  surface: Pick<RestingSurface, "positions" | "normals">,
+  firstVertex: number,
+): boolean {
   const positions = mesh.geometry.getAttribute("position");
   const normals = mesh.geometry.getAttribute("normal");
   const skin = isSkinned(mesh) ? skinOf(mesh) : null;

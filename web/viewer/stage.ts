@@ -23,6 +23,7 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import { ContactShadow } from "./contact-shadow.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { GroundLight } from "./ground-light.ts";
+import { OVERLAY_LAYER } from "./model-look.ts";
 import { MotionResolution } from "./motion-resolution.ts";
 import { createStudioEnvironment } from "./studio-environment.ts";
 
@@ -33,12 +34,18 @@ CameraControls.install({
 /** A frame costs four times at 3 what it costs at 1.5, and nobody sees it. */
 const MOST_PIXEL_RATIO = 2;
 const FIELD_OF_VIEW = 30;
+/** Measured on a matt ball: a colour that faces the camera is shown within 3 of 255 of what was picked. */
+const LIGHT = 0.95;
+/** Seconds that the turntable takes for one turn. */
+const TURN_SECONDS = 24;
 /** After this pause, milliseconds, the picture rests and is drawn with all its pixels. */
 const REST_AFTER = 160;
 
 export interface StageHooks {
   /** Before a frame is drawn; `delta` in seconds. Returns true while it animates and wants another frame. */
   beforeFrame(delta: number): boolean;
+  /** Right after the scene was drawn: more may be drawn over it. */
+  drawOver(): void;
   /** After a frame was drawn; `cameraMoved` tells whether screen positions changed. */
   afterFrame(cameraMoved: boolean): void;
   /** The GPU forgot everything; textures of one's own must be filled again. */
@@ -70,6 +77,7 @@ export class Stage {
   #frameEnd = Number.NEGATIVE_INFINITY;
   #moving = false;
   #inGesture = false;
+  #turntable = false;
   /** Share of the full resolution that the canvas has now. */
   #drawnScale = 1;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
@@ -88,10 +96,12 @@ export class Stage {
     );
     root.append(this.canvas);
     this.scene.environment = this.#environment;
-    // Measured on a matt ball: a colour that faces the camera is shown within 3 of 255 of what was picked.
-    this.scene.environmentIntensity = 0.95;
+    this.scene.environmentIntensity = LIGHT;
+    this.camera.layers.enable(OVERLAY_LAYER);
     this.#shadow = new ContactShadow(this.renderer);
     this.scene.add(this.#shadow.mesh, this.#ground.mesh);
+    this.#shadow.mesh.layers.set(OVERLAY_LAYER);
+    this.#ground.mesh.layers.set(OVERLAY_LAYER);
 
     this.controls = new CameraControls(this.camera, root);
     this.#configureControls();
@@ -139,6 +149,19 @@ export class Stage {
   /** A gesture counts as movement throughout, however slowly its pictures come. */
   set inGesture(value: boolean) {
     this.#inGesture = value;
+    this.requestFrame();
+  }
+
+  /** Turns the light about the vertical, degrees; 1 is the usual strength. */
+  setLight(turn: number, strength: number): void {
+    this.scene.environmentRotation.y = MathUtils.degToRad(turn);
+    this.scene.environmentIntensity = LIGHT * strength;
+    this.requestFrame();
+  }
+
+  /** Whether the view goes slowly round the model by itself. */
+  set turntable(value: boolean) {
+    this.#turntable = value;
     this.requestFrame();
   }
 
@@ -214,11 +237,13 @@ export class Stage {
     this.#lastTime = time;
     this.#setScale(this.#moving ? this.#resolution.scale : 1);
     const resized = this.#applySize();
+    const turns = this.#turnTable(delta);
     const moved = this.controls.update(delta);
     const animates = this.#hooks.beforeFrame(delta);
     this.#fitClipping();
     this.camera.updateMatrixWorld();
     this.renderer.render(this.scene, this.camera);
+    this.#hooks.drawOver();
     this.frames += 1;
     if (this.#resolution.asksFor(this.frames)) {
       this.#pace.mark({ flush: false });
@@ -226,9 +251,18 @@ export class Stage {
     this.#restSoon();
     this.#hooks.afterFrame(moved || resized);
     this.#frameEnd = performance.now();
-    if (moved || animates) {
+    if (moved || animates || turns) {
       this.requestFrame();
     }
+  }
+
+  /** Stands still while the user has a hand on the view. */
+  #turnTable(delta: number): boolean {
+    if (!this.#turntable || this.#inGesture || this.controls.currentAction !== CameraControls.ACTION.NONE) {
+      return this.#turntable;
+    }
+    this.controls.azimuthAngle += (2 * Math.PI * delta) / TURN_SECONDS;
+    return true;
   }
 
   #setScale(scale: number): void {

@@ -11,6 +11,8 @@ import { UvLookup, type UvPlace } from "./uv-lookup.ts";
 export interface SurfaceSample extends SurfacePoint {
   readonly distance: number;
   readonly triangle: number;
+  /** Place of the triangle among all of its material, as `Engine.uvTriangles` counts them. */
+  readonly face: number;
   /** glTF material index. */
   readonly material: number;
   /** Texture coordinates as the model has them, not wrapped. */
@@ -29,7 +31,7 @@ const AVERAGING_OFFSETS: readonly Vector3[] = [...fibonacciSphere(20, 1), ...fib
 export class SurfaceQuery {
   readonly #surface: RestingSurface;
   readonly #bvh: MeshBVH | null;
-  readonly #shells: Uint32Array;
+  #shells: Uint32Array | null = null;
   readonly #materialCount: number;
   readonly #ray = new Ray();
   readonly #triangle = new Triangle();
@@ -38,7 +40,6 @@ export class SurfaceQuery {
 
   constructor(surface: RestingSurface) {
     this.#surface = surface;
-    this.#shells = shellsOf(surface);
     this.#materialCount = new Set(surface.materialOfTriangle).size;
     if (surface.index.length === 0) {
       this.#bvh = null;
@@ -51,6 +52,20 @@ export class SurfaceQuery {
     this.bounds.copy(geometry.boundingSphere as Sphere);
     // Indirect: the triangles keep their order, by which material and flags are found.
     this.#bvh = new MeshBVH(geometry, { indirect: true });
+  }
+
+  /** The vertices have moved: an animation posed them anew. */
+  refit(): void {
+    this.#bvh?.refit();
+    this.#bvh?.geometry.computeBoundingSphere();
+    this.bounds.copy(this.#bvh?.geometry.boundingSphere ?? this.bounds);
+  }
+
+  /** A sample's place in its own triangle: shares of the three corners, as `at` takes them. */
+  sharesOf({ triangle, position }: Pick<SurfaceSample, "triangle" | "position">): [number, number, number] {
+    this.#loadTriangle(triangle);
+    const shares = this.#triangle.getBarycoord(position, new Vector3());
+    return shares === null ? [1, 0, 0] : [shares.x, shares.y, shares.z];
   }
 
   /** The first triangle that is seen along the ray; back faces of single-sided materials are passed. */
@@ -143,6 +158,7 @@ export class SurfaceQuery {
 
   /** A number for the connected part of the model that a triangle belongs to. */
   shellOf(triangle: number): number {
+    this.#shells ??= shellsOf(this.#surface);
     return this.#shells[triangle] as number;
   }
 
@@ -163,13 +179,15 @@ export class SurfaceQuery {
    */
   smoothNormal(place: SurfaceSample, radius: number): Vector3 {
     const frame = minimalRotation(new Vector3(0, 0, 1), place.normal);
-    const shell = this.#shells[place.triangle];
+    this.#shells ??= shellsOf(this.#surface);
+    const shells = this.#shells;
+    const shell = shells[place.triangle];
     const total = place.normal.clone();
     const point = new Vector3();
     for (const offset of AVERAGING_OFFSETS) {
       point.copy(offset).multiplyScalar(radius).applyQuaternion(frame).add(place.position);
       const near = this.closest(point, radius * 1.5);
-      if (near !== null && this.#shells[near.triangle] === shell && near.normal.dot(place.normal) > -0.25) {
+      if (near !== null && shells[near.triangle] === shell && near.normal.dot(place.normal) > -0.25) {
         total.add(near.normal);
       }
     }
@@ -203,7 +221,8 @@ export class SurfaceQuery {
       (uvs[b * 2 + axis] as number) * share.y +
       (uvs[c * 2 + axis] as number) * share.z;
     const material = materialOfTriangle[triangle] as number;
-    return { position, normal, distance, triangle, material, uv: [uvAt(0), uvAt(1)] };
+    const face = this.#surface.faceOfTriangle[triangle] as number;
+    return { position, normal, distance, triangle, face, material, uv: [uvAt(0), uvAt(1)] };
   }
 
   #loadTriangle(triangle: number): [number, number, number] {

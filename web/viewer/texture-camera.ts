@@ -8,7 +8,7 @@ export interface Size {
 /** Free room around a texture that is fitted, pixels. */
 const FIT_MARGIN = 16;
 /** Pixels that one texel may grow to. */
-const MOST_PIXELS_PER_TEXEL = 48;
+const MOST_PIXELS_PER_TEXEL = 64;
 /** A texture is not zoomed below this share of the fitted size. */
 const LEAST_SHARE_OF_FIT = 0.4;
 /** This much of the texture stays in view, pixels. */

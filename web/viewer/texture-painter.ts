@@ -43,13 +43,19 @@ precision highp float;
 in vec2 at;
 uniform sampler2D picture;
 uniform vec4 checkerA, checkerB;
-uniform float pixelRatio;
+uniform vec2 textureSize_texel;
+uniform float pixelRatio, scale;
 out vec4 color;
 void main() {
   ivec2 square = ivec2(gl_FragCoord.xy / (8.0 * pixelRatio));
   vec3 behind = ((square.x + square.y) & 1) == 0 ? checkerA.rgb : checkerB.rgb;
   vec4 texel = texture(picture, at);
-  color = vec4(mix(behind, texel.rgb, texel.a), 1.0);
+  vec3 seen = mix(behind, texel.rgb, texel.a);
+  // Lines between the texels, of one device pixel, once a texel is large enough: dark on light and light on dark.
+  vec2 apart = abs(fract(at * textureSize_texel + 0.5) - 0.5) * scale * pixelRatio;
+  float line = max(0.0, 1.0 - min(apart.x, apart.y) * 2.0) * smoothstep(8.0, 14.0, scale);
+  float light = dot(seen, vec3(0.299, 0.587, 0.114));
+  color = vec4(mix(seen, vec3(light > 0.5 ? 0.0 : 1.0), line * 0.16), 1.0);
 }`;
 
 const LINE_FRAGMENT = `#version 300 es
@@ -171,6 +177,23 @@ export class TexturePainter {
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     this.#bind(lines);
     gl.drawArrays(gl.LINES, 0, lines.vertices);
+  }
+
+  /** Filled triangles, given as `makeLines` takes its ends: three corners each. */
+  drawTriangles(
+    corners: PaintedLines,
+    color: CssColor,
+    texture: PaintedTexture,
+    camera: TextureCamera,
+    pixelRatio: number,
+  ): void {
+    const gl = this.#gl;
+    this.#use(this.#line, texture, camera, pixelRatio);
+    gl.uniform4fv(this.#at(this.#line, "lineColor"), color);
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
+    this.#bind(corners);
+    gl.drawArrays(gl.TRIANGLES, 0, corners.vertices);
   }
 
   #use(program: WebGLProgram, texture: PaintedTexture, camera: TextureCamera, pixelRatio: number): void {

@@ -3,16 +3,21 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import type { MapView, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
 import { closedPath, crossPath, RingOverlay } from "./brush-ring.ts";
 import { type CssColor, readCssColor } from "./css-color.ts";
+import { EventHub } from "./event-hub.ts";
 import { FrameTask } from "./frame-task.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
+import type { ScreenPoint } from "./screen-space.ts";
 import { TextureCamera } from "./texture-camera.ts";
+import { TextureGuide } from "./texture-guide.ts";
 import { type PaintedLines, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
+import { TexturePointer } from "./texture-pointer.ts";
 import type { ToolInput } from "./tool-input.ts";
 import { ToolPointer } from "./tool-pointer.ts";
 import { UpdateQueue } from "./update-queue.ts";
+import { UvCharts } from "./uv-charts.ts";
 import { meanLength, uvEdges } from "./uv-edges.ts";
-import type { SurfaceHit, TextureView } from "./viewer-api.ts";
+import type { GuideEntry, MapPicture, SurfaceHit, TextureHover, TextureView, TextureViewEvents } from "./viewer-api.ts";
 import { adoptViewerStyle } from "./viewer-style.ts";
 
 export interface TextureViewOptions {
@@ -43,13 +48,20 @@ interface BoundTarget {
   inner: PaintedLines;
   /** Of the inner lines, in texture widths. */
   readonly meanLength: number;
+  readonly uvTriangles: Float32Array;
+  /** Made when a chart is first asked for. */
+  charts: UvCharts | null;
 }
 
-interface MapPicture {
-  readonly width: number;
-  readonly height: number;
-  readonly rgba: Uint8Array;
+/** The chart that is lit up. */
+interface LitChart {
+  readonly chart: number;
+  readonly corners: PaintedLines;
+  readonly borders: PaintedLines;
 }
+
+/** Opacity of a lit chart's face. */
+const GLOW = 0.2;
 
 class GlTextureView implements TextureView {
   readonly element: HTMLElement;
@@ -60,6 +72,9 @@ class GlTextureView implements TextureView {
   readonly #camera = new TextureCamera();
   readonly #tools: ToolPointer;
   readonly #ringOverlay: RingOverlay;
+  readonly #guide: TextureGuide;
+  readonly #pointer: TexturePointer;
+  readonly #events = new EventHub<TextureViewEvents>();
   readonly #input: PanZoomInput;
   readonly #resize: ResizeObserver;
   readonly #drawTask = new FrameTask(() => this.#draw());
@@ -74,11 +89,12 @@ class GlTextureView implements TextureView {
   #target: BoundTarget | null = null;
   #map: { readonly picture: MapPicture; texture: PaintedTexture } | null = null;
   #outlines = true;
+  #lit: LitChart | null = null;
   #markedUv: readonly [number, number] | null = null;
   #ring: readonly (readonly (readonly [number, number])[])[] | null = null;
   #pick: (uv: readonly [number, number]) => SurfaceHit | null = () => null;
   #pixelRatio = 1;
-  #colors: { checkerA: CssColor; checkerB: CssColor; border: CssColor } | null = null;
+  #colors: { checkerA: CssColor; checkerB: CssColor; border: CssColor; glow: CssColor } | null = null;
 
   constructor(host: HTMLElement, options: TextureViewOptions) {
     this.#options = options;
@@ -97,7 +113,12 @@ class GlTextureView implements TextureView {
     this.#gl = contextOf(this.#canvas);
     this.#pace = new GpuPace(this.#gl);
     this.#painter = new TexturePainter(this.#gl);
+    this.#guide = new TextureGuide(root);
     this.#ringOverlay = new RingOverlay(root);
+    this.#pointer = new TexturePointer(root, {
+      hover: (at) => this.#events.emit("hover", at && this.#hoverOf(at)),
+      click: (at) => this.#events.emit("click", this.#hoverOf(at)),
+    });
     // Before the panning input, which it keeps from what a tool takes.
     this.#tools = new ToolPointer(root, {
       kind: "texture",
@@ -123,6 +144,7 @@ class GlTextureView implements TextureView {
       before.info.width === info.width &&
       before.info.height === info.height &&
       before.info.mipLevels === info.mipLevels;
+    this.#dim();
     if (before !== null) {
       this.#freeLines(before);
       if (!same) {
@@ -136,6 +158,8 @@ class GlTextureView implements TextureView {
       borders: this.#painter.makeLines(edges.borders),
       inner: this.#painter.makeLines(edges.inner),
       meanLength: meanLength(edges.inner),
+      uvTriangles,
+      charts: null,
     };
     this.#camera.setTexture(info);
     this.#drawTask.request();
@@ -159,6 +183,38 @@ class GlTextureView implements TextureView {
   setOutlinesVisible(visible: boolean): void {
     this.#outlines = visible;
     this.#drawTask.request();
+  }
+
+  highlightChart(uv: readonly [number, number] | null): void {
+    const target = this.#target;
+    if (target === null || uv === null) {
+      this.#dim();
+      return;
+    }
+    target.charts ??= new UvCharts(target.uvTriangles);
+    const chart = target.charts.chartAt(uv);
+    if (chart === this.#lit?.chart) {
+      return;
+    }
+    this.#dim();
+    if (chart !== null) {
+      const corners = target.charts.cornersOfChart(chart);
+      this.#lit = {
+        chart,
+        corners: this.#painter.makeLines(corners),
+        borders: this.#painter.makeLines(uvEdges(corners).borders),
+      };
+      this.#drawTask.request();
+    }
+  }
+
+  setGuide(guide: readonly GuideEntry[]): void {
+    this.#guide.show(guide);
+    this.#guide.place(this.#camera);
+  }
+
+  on<K extends keyof TextureViewEvents>(type: K, listener: (event: TextureViewEvents[K]) => void): () => void {
+    return this.#events.on(type, listener);
   }
 
   setMarker(uv: readonly [number, number] | null): void {
@@ -191,6 +247,8 @@ class GlTextureView implements TextureView {
     this.#input.dispose();
     this.#tools.dispose();
     this.#ringOverlay.dispose();
+    this.#guide.dispose();
+    this.#pointer.dispose();
     this.#drawTask.cancel();
     this.#pace.dispose();
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
@@ -240,9 +298,33 @@ class GlTextureView implements TextureView {
         this.#painter.drawLines(target.inner, inner, target.texture, this.#camera, this.#pixelRatio);
         this.#painter.drawLines(target.borders, border, target.texture, this.#camera, this.#pixelRatio);
       }
+      if (this.#lit !== null) {
+        const { glow } = this.#colors;
+        const face = [glow[0], glow[1], glow[2], GLOW] as const;
+        this.#painter.drawTriangles(this.#lit.corners, face, target.texture, this.#camera, this.#pixelRatio);
+        this.#painter.drawLines(this.#lit.borders, glow, target.texture, this.#camera, this.#pixelRatio);
+      }
     }
     this.#placeMarker();
     this.#placeRing();
+    this.#guide.place(this.#camera);
+  }
+
+  #hoverOf({ x, y }: ScreenPoint): TextureHover {
+    const uv = this.#camera.uvOf(x, y);
+    const { width = 0, height = 0 } = this.#target?.info ?? {};
+    const [column, row] = [Math.floor(uv[0] * width), Math.floor(uv[1] * height)];
+    const inside = column >= 0 && row >= 0 && column < width && row < height;
+    return { uv, texel: inside ? [column, row] : null };
+  }
+
+  #dim(): void {
+    if (this.#lit !== null) {
+      this.#painter.freeLines(this.#lit.corners);
+      this.#painter.freeLines(this.#lit.borders);
+      this.#lit = null;
+      this.#drawTask.request();
+    }
   }
 
   /** Lines that lie close together on the screen would add up to a sheet over the picture. */
@@ -330,6 +412,7 @@ class GlTextureView implements TextureView {
 
   #restore(): void {
     this.#painter = new TexturePainter(this.#gl);
+    this.#lit = null;
     const target = this.#target;
     if (target !== null) {
       target.texture = this.#makeTexture(target.info);
@@ -353,6 +436,7 @@ class GlTextureView implements TextureView {
       checkerA: readCssColor(this.element, "--viewer-checker-a", "rgb(255 255 255)"),
       checkerB: readCssColor(this.element, "--viewer-checker-b", "rgb(224 227 232)"),
       border: readCssColor(this.element, "--viewer-outline", "var(--viewer-accent, rgb(61 126 255))"),
+      glow: readCssColor(this.element, "--tcv-accent", "rgb(61 126 255)"),
     };
   }
 }

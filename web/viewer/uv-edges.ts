@@ -56,14 +56,16 @@ function linesOf(ends: readonly number[], uses: readonly number[], border: boole
   return Float32Array.from(lines);
 }
 
-function broughtBack(corners: Float32Array): number[] {
+/** A triangle's six numbers, moved as a whole into the repeat of the texture that its middle lies in. */
+export function broughtBack(corners: Float32Array): number[] {
   const [u0, v0, u1, v1, u2, v2] = corners as unknown as [number, number, number, number, number, number];
   const u = Math.floor((u0 + u1 + u2) / 3);
   const v = Math.floor((v0 + v1 + v2) / 3);
   return [u0 - u, v0 - v, u1 - u, v1 - v, u2 - u, v2 - v];
 }
 
-function gridKey(u: number, v: number): number {
+/** The same for all vertices that count as one. */
+export function gridKey(u: number, v: number): number {
   return Math.round(u * GRID) * 2 ** 26 + Math.round(v * GRID);
 }
 

@@ -2,22 +2,23 @@
  * Pointer and keys of the 3D view: tells presses on decals from those for the camera. Listens before the camera's
  * controls do and keeps from them what belongs to a decal.
  */
+import type { Ray } from "three";
 import type { DecalGizmo } from "./decal-gizmo.ts";
 import { FrameTask } from "./frame-task.ts";
 import type { DragPointer } from "./gizmo-drag.ts";
 import type { HandleName } from "./gizmo-overlay.ts";
 import type { PictureGrab } from "./projector-drag.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
-import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
+import type { SurfaceSample } from "./surface-query.ts";
 import type { ViewerDecal } from "./viewer-api.ts";
 
 export interface ViewInputHooks {
-  /** Null while there is nothing to place decals on, or an animation hides the resting model. */
-  query(): SurfaceQuery | null;
+  /** What a ray of the view meets, told as it lies at rest. */
+  pick(ray: Ray): SurfaceSample | null;
+  /** Whether an animation has posed the model: rays say nothing about the resting one then. */
+  isPosed(): boolean;
   select(id: string | null): void;
   hover(sample: SurfaceSample | null): void;
-  /** A click while nothing can be placed, since an animation plays. */
-  clickWhilePlaying(at: ScreenPoint): void;
   /** The next press of the left button pans instead of turning. */
   setPanning(pans: boolean): void;
 }
@@ -110,7 +111,7 @@ export class ViewInput {
 
   #pressAt(event: PointerEvent): Press {
     const pointer = this.#pointerOf(event);
-    const sample = this.#hooks.query()?.raycast(pointer.ray.origin, pointer.ray.direction) ?? null;
+    const sample = this.#hooks.pick(pointer.ray);
     const [top = null] = sample === null ? [] : this.#gizmo.decalsAt(sample);
     // The selected decal is the one that is meant, even where another lies over it; a click alone goes to the topmost.
     const grab = this.#gizmo.grabOfSelected(pointer, sample);
@@ -188,9 +189,7 @@ export class ViewInput {
     const press = this.#press;
     if (press?.event.pointerId === event.pointerId) {
       this.#press = null;
-      if (this.#hooks.query() === null) {
-        this.#hooks.clickWhilePlaying(this.#pointerOf(event).at);
-      } else if (press.onClick !== undefined) {
+      if (press.onClick !== undefined) {
         this.#hooks.select(press.onClick);
       }
     }
@@ -245,7 +244,7 @@ export class ViewInput {
       return;
     }
     const { ray } = this.#pointerOf(event);
-    const sample = this.#hooks.query()?.raycast(ray.origin, ray.direction) ?? null;
+    const sample = this.#hooks.pick(ray);
     const onHandle = this.#gizmo.handleAt(event.target) !== null;
     const [top = null] = sample === null || onHandle ? [] : this.#gizmo.decalsAt(sample);
     const grab = onHandle ? null : this.#gizmo.grabOfSelected(this.#pointerOf(event), sample);
@@ -267,7 +266,9 @@ export class ViewInput {
 
   #pointerOf(event: PointerEvent): DragPointer & { at: ScreenPoint } {
     const at = this.#screen.pointOf(event.clientX, event.clientY);
-    return { at, ray: this.#screen.rayThrough(at), alt: event.altKey, shift: event.shiftKey };
+    const ray = this.#screen.rayThrough(at);
+    const posed = this.#hooks.isPosed() ? { met: this.#hooks.pick(ray) } : {};
+    return { at, ray, alt: event.altKey, shift: event.shiftKey, ...posed };
   }
 }
 

@@ -15,6 +15,69 @@ export type { Vec3 } from "../engine/engine-api.ts";
 export type { TexelPlaces } from "./texel-places.ts";
 export type { BrushRing, ToolInput, ToolSample, ToolView } from "./tool-input.ts";
 
+/** A piece of the model that can be hidden by itself. Hiding is a matter of looking: nothing that is painted changes. */
+export interface ModelPart {
+  readonly id: number;
+  readonly name: string;
+  /** Parts of one group stand together in the list. */
+  readonly group: string | null;
+  /** glTF material index. */
+  readonly material: number;
+  readonly triangles: number;
+  /** The file asks to hide it at first. */
+  readonly hidden: boolean;
+}
+
+/** A named place of a material's texture. */
+export interface GuideEntry {
+  readonly part: string;
+  readonly face?: string;
+  /** Least u and v, greatest u and v. */
+  readonly uv: readonly [number, number, number, number];
+}
+
+export interface ClipInfo {
+  readonly name: string;
+  readonly seconds: number;
+}
+
+/** Where a model's animation stands. */
+export interface AnimationState {
+  /** Place in `ModelViewer.clips`; null at rest. */
+  readonly clip: number | null;
+  readonly playing: boolean;
+  /** Since the clip's start, in the clip's own time. */
+  readonly seconds: number;
+  /** 1 is the clip's own. */
+  readonly speed: number;
+}
+
+/** How the model is shown; nothing of it is painted. */
+export interface ModelLook {
+  /** "unlit" shows the texels' own colours: no light, no tone mapping. */
+  readonly shading: "lit" | "unlit";
+  readonly wireframe: boolean;
+  /** Turn of the light about the vertical, degrees. */
+  readonly lightTurn: number;
+  /** 1 is the usual light. */
+  readonly lightStrength: number;
+  readonly turntable: boolean;
+}
+
+/** A picture that is shown instead of the texture. */
+export interface MapPicture {
+  readonly width: number;
+  readonly height: number;
+  /** Straight alpha, row 0 at the top. */
+  readonly rgba: Uint8Array;
+}
+
+/** A place of a material's texture. */
+export interface TexturePlace {
+  readonly material: number;
+  readonly uv: readonly [number, number];
+}
+
 /** A decal as the gizmo needs it. */
 export interface ViewerDecal {
   readonly id: string;
@@ -51,6 +114,8 @@ export interface SurfaceHit {
   readonly material: number;
   /** Texture coordinates of the painted UV set, wrapped to [0, 1). */
   readonly uv: readonly [number, number];
+  /** Triangle of the material, as `Engine.uvTriangles` counts them. */
+  readonly face: number;
 }
 
 export interface ModelViewerEvents {
@@ -61,8 +126,8 @@ export interface ModelViewerEvents {
   hover: { readonly hit: SurfaceHit | null };
   /** WebGL was lost or came back; the viewer asks for a full picture again by itself through `needsFullUpdate`. */
   needsFullUpdate: { readonly material: number };
-  /** The animation was started or stopped; placing a decal stops it by itself. */
-  animation: { readonly playing: boolean };
+  /** The animation was started, stopped or moved; ten times a second at most while it plays. */
+  animation: AnimationState;
 }
 
 export interface ModelViewer {
@@ -124,10 +189,28 @@ export interface ModelViewer {
   metresPerPixel(hit: SurfaceHit): number;
   frameModel(): void;
   frameDecal(id: string): void;
-  setAnimationPlaying(playing: boolean): void;
-  readonly hasAnimation: boolean;
   /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
   picture(width: number, height: number): string | null;
+  /** The model's animations; none on a model that has none. */
+  readonly clips: readonly ClipInfo[];
+  /**
+   * Plays, stops, scrubs, or brings the model to rest (`clip: null`); what is not given stays. A posed model is painted as a
+   * resting one: what the pointer meets is carried to the same place of the resting surface.
+   */
+  setAnimation(change: Partial<AnimationState>): void;
+  /** Parts in the file's order; none without a model. */
+  readonly parts: readonly ModelPart[];
+  /** Hides parts: they are neither drawn nor met by the pointer. Occlusion and what is painted do not heed it. */
+  setHiddenParts(ids: ReadonlySet<number>): void;
+  /** The named places of a material's texture, as the model's file gives them. */
+  guideOf(material: number): readonly GuideEntry[];
+  setLook(look: ModelLook): void;
+  /** Shows pictures in place of the textures, by material (others grey), as flat colours; null shows the textures again. */
+  setMapPictures(pictures: ReadonlyMap<number, MapPicture> | null): void;
+  /** Lights up the chart at a place of a texture; null none. */
+  highlightChart(place: TexturePlace | null): void;
+  /** Marks a place of a texture on the model; null nothing. */
+  setMarker(place: TexturePlace | null): void;
   /** A point of model space in the page's client pixels; null behind the camera or without a model. */
   clientPosition(position: Vec3): { readonly x: number; readonly y: number } | null;
   on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void;
@@ -136,14 +219,34 @@ export interface ModelViewer {
   dispose(): void;
 }
 
+/** The pointer over the flat view. */
+export interface TextureHover {
+  /** Not wrapped: it may lie beside the texture. */
+  readonly uv: readonly [number, number];
+  /** Column and row; null beside the texture. */
+  readonly texel: readonly [number, number] | null;
+}
+
+export interface TextureViewEvents {
+  /** The pointer moved over the texture, or left it (null). */
+  hover: TextureHover | null;
+  /** A click or tap that was no drag. */
+  click: TextureHover;
+}
+
 /** The unfolded texture: the live target or a map view, UV outlines over it, zoom and pan. */
 export interface TextureView {
   readonly element: HTMLElement;
   bindTarget(info: TargetInfo, uvTriangles: Float32Array): void;
   applyUpdate(update: TargetUpdate): void;
   /** "texture" shows the live target; the others a picture of the map. */
-  setMode(mode: "texture" | MapView, picture?: { width: number; height: number; rgba: Uint8Array }): void;
+  setMode(mode: "texture" | MapView, picture?: MapPicture): void;
   setOutlinesVisible(visible: boolean): void;
+  /** Lights up the chart at a texture coordinate; null none. */
+  highlightChart(uv: readonly [number, number] | null): void;
+  /** Names of the texture's places; empty shows none. */
+  setGuide(guide: readonly GuideEntry[]): void;
+  on<K extends keyof TextureViewEvents>(type: K, listener: (event: TextureViewEvents[K]) => void): () => void;
   /** Marks a texture coordinate (the 3D view's hover). */
   setMarker(uv: readonly [number, number] | null): void;
   /** Hands the pointer over the texture to a tool; null gives it back to panning. `pick` finds the surface of a place. */

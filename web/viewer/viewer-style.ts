@@ -73,6 +73,14 @@ const STYLE = /* css */ `
   box-shadow: 0 0 0 1px var(--tcv-handle);
 }
 .tcv-marker[hidden] { display: none; }
+.tcv-marker[data-behind] { opacity: 0.4; }
+
+.tcv-guide-names rect { fill: none; stroke: var(--tcv-accent); stroke-width: 1; stroke-dasharray: 3 3; opacity: 0.8; }
+.tcv-guide-names text {
+  fill: var(--viewer-guide-text, #1a1d22); font: 500 11px/1 system-ui, sans-serif; text-anchor: middle; dominant-baseline: central;
+  paint-order: stroke; stroke: var(--viewer-guide-halo, rgb(255 255 255 / 0.85)); stroke-width: 3px; stroke-linejoin: round;
+}
+.tcv-guide-names .tcv-part { font-weight: 700; fill: var(--tcv-accent); }
 
 @media (prefers-reduced-motion: reduce) {
   .tcv-mark, .tcv-handle { transition: none; }

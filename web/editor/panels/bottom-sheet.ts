@@ -69,15 +69,20 @@ export class BottomSheet extends EditorElement {
     this.open = true;
   }
 
-  protected watched(_state: EditorState): readonly unknown[] {
-    return [];
+  protected watched({ view }: EditorState): readonly unknown[] {
+    return [view.layout];
+  }
+
+  /** The texture is no panel while it has the place of the model. */
+  override willUpdate(): void {
+    if (this.tab === "texture" && this.state.view.layout === "texture") this.tab = "layers";
   }
 
   override render(): TemplateResult {
     return html`
       <div class="panel" id="panel" ?hidden=${!this.open}>${this.open ? this.#panel() : ""}</div>
       <nav aria-label=${strings.sheet.label}>
-        ${TABS.map(
+        ${TABS.filter(({ id }) => id !== "texture" || this.state.view.layout !== "texture").map(
           ({ id, drawing }) => html`<button
             id=${`sheet-${id}`}
             aria-expanded=${this.open && this.tab === id}

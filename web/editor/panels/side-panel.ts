@@ -7,11 +7,15 @@ import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
+import "./parts-list.ts";
 
 export type Section = "layers" | "properties" | "history" | "target";
 type UpperTab = "layers" | "history";
 
 const UPPER_TABS: readonly UpperTab[] = ["layers", "history"];
+
+/** A longer list stays folded until it is asked for. */
+const FEW_PARTS = 24;
 
 export class SidePanel extends EditorElement {
   static override properties = { only: {}, tab: { state: true } };
@@ -93,6 +97,29 @@ export class SidePanel extends EditorElement {
       .section.adding {
         padding-block: var(--space-3);
       }
+      summary {
+        display: flex;
+        align-items: center;
+        min-height: 24px;
+        cursor: pointer;
+        list-style: none;
+      }
+      summary::before {
+        content: "";
+        width: 6px;
+        height: 6px;
+        margin-inline: 2px var(--space-2);
+        border: solid var(--text-quiet);
+        border-width: 0 1.5px 1.5px 0;
+        rotate: -45deg;
+        transition: rotate 120ms;
+      }
+      details[open] > summary::before {
+        rotate: 45deg;
+      }
+      details > :not(summary) {
+        margin-block-start: var(--space-2);
+      }
       .section + .section {
         border-top: 1px solid var(--line);
       }
@@ -109,8 +136,8 @@ export class SidePanel extends EditorElement {
     this.tab = "layers";
   }
 
-  protected watched({ model }: EditorState): readonly unknown[] {
-    return [model === null];
+  protected watched({ model, shown }: EditorState): readonly unknown[] {
+    return [model === null, shown.parts];
   }
 
   override render(): TemplateResult {
@@ -189,8 +216,12 @@ export class SidePanel extends EditorElement {
     if (!this.state.model) return nothing;
     return html`<div class="section">
       ${headed ? html`<h2>${strings.target.title}</h2>` : nothing}
-      <tc-target-settings .editor=${this.editor}></tc-target-settings>
-    </div>`;
+        <tc-target-settings .editor=${this.editor}></tc-target-settings>
+      </div>
+      <details class="section" id="parts" ?open=${!headed || this.state.shown.parts.length < FEW_PARTS}>
+        <summary><h2>${strings.parts.title}</h2></summary>
+        <tc-parts-list .editor=${this.editor}></tc-parts-list>
+      </details>`;
   }
 }
 customElements.define("tc-side-panel", SidePanel);

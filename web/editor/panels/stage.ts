@@ -1,14 +1,16 @@
 /** The 3D view with its few controls, and what to do while it is empty. */
 import { css, html, nothing, type TemplateResult } from "lit";
-import { Maximize, Pause, Play } from "lucide";
+import { Maximize, Play } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
+import "./animation-bar.ts";
 import "./tool-options.ts";
 import "./tool-rail.ts";
+import "./view-menu.ts";
 
 const words = strings.stage;
 
@@ -50,6 +52,20 @@ export class Stage extends EditorElement {
         max-height: calc(100% - 8rem);
         translate: 0 -50%;
       }
+      tc-animation-bar {
+        position: absolute;
+        inset-block-end: var(--space-3);
+        inset-inline: calc(var(--target) + 3 * var(--space-2));
+      }
+      :host([data-tone="light"]) {
+        background: #f4f5f6;
+      }
+      :host([data-tone="grey"]) {
+        background: #8b8e93;
+      }
+      :host([data-tone="dark"]) {
+        background: #17181b;
+      }
       tc-tool-options {
         position: absolute;
         z-index: 1;
@@ -61,6 +77,10 @@ export class Stage extends EditorElement {
           inset-block: auto var(--space-2);
           inset-inline: var(--space-2);
           translate: none;
+        }
+        tc-animation-bar {
+          inset-block-end: calc(var(--target) + 3 * var(--space-2));
+          inset-inline: var(--space-2);
         }
       }
       .empty {
@@ -83,12 +103,13 @@ export class Stage extends EditorElement {
     `,
   ];
 
-  protected watched({ model, playing, tasks }: EditorState): readonly unknown[] {
-    return [model, playing, tasks.length === 0];
+  protected watched({ model, animation, tasks, view }: EditorState): readonly unknown[] {
+    return [model, animation.clips, animation.clip === null, tasks.length === 0, view.background];
   }
 
   override render(): TemplateResult {
-    const { model, tasks } = this.state;
+    const { model, tasks, view } = this.state;
+    this.dataset.tone = view.background;
     return html`
       <slot name="view"></slot>
       ${model ? this.#tools() : tasks.length === 0 ? this.#empty() : nothing}
@@ -96,22 +117,24 @@ export class Stage extends EditorElement {
   }
 
   #tools(): TemplateResult {
-    const { playing } = this.state;
-    const { viewer } = this.editor;
-    const play = playing ? words.pause : words.play;
+    const { animation } = this.state;
+    const { viewer, views } = this.editor;
+    const offersPlay = animation.clips.length > 0 && animation.clip === null;
     return html`
       <tc-tool-options .editor=${this.editor}></tc-tool-options>
       <tc-tool-rail .editor=${this.editor}></tc-tool-rail>
       <div class="tools">
         <button class="icon" aria-label=${words.frame} title=${words.frame} @click=${() => viewer.frameModel()}>${icon(Maximize)}</button>
+        <tc-view-menu .editor=${this.editor}></tc-view-menu>
         ${
-          viewer.hasAnimation
-            ? html`<button class="icon" id="play" aria-label=${play} title=${play} @click=${() => this.editor.setPlaying(!playing)}>
-                ${icon(playing ? Pause : Play)}
+          offersPlay
+            ? html`<button class="icon" id="play" aria-label=${words.play} title=${words.play} @click=${() => views.animate({ playing: true })}>
+                ${icon(Play)}
               </button>`
             : nothing
         }
       </div>
+      <tc-animation-bar .editor=${this.editor}></tc-animation-bar>
     `;
   }
 

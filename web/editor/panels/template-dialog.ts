@@ -51,7 +51,7 @@ export class TemplateDialog extends EditorElement {
       }
       li button {
         display: grid;
-        justify-items: start;
+        grid-template-columns: minmax(0, 1fr);
         gap: 2px;
         width: 100%;
         height: 100%;

@@ -1,7 +1,9 @@
 /** The flat texture, or one of the maps behind it, with UV outlines. */
 import { css, html, type TemplateResult } from "lit";
 import { Maximize } from "lucide";
-import { type EditorState, TEXTURE_MODES, type TextureMode } from "../state/editor-state.ts";
+import type { EditorState, Figures } from "../state/editor-state.ts";
+import { StoreController } from "../state/store.ts";
+import { TEXTURE_MODES, type TextureMode } from "../state/view-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
@@ -80,12 +82,23 @@ export class TexturePanel extends EditorElement {
     `,
   ];
 
-  protected watched({ textureMode, outlines, targets, material }: EditorState): readonly unknown[] {
-    return [textureMode, outlines, targets, material];
+  constructor() {
+    super();
+    new StoreController<Figures>(
+      this,
+      () => this.editor?.figures,
+      ({ texel }) => [texel],
+    );
+  }
+
+  protected watched({ textureMode, outlines, targets, material, view }: EditorState): readonly unknown[] {
+    return [textureMode, outlines, targets, material, view.guide];
   }
 
   override render(): TemplateResult {
-    const { textureMode, outlines, targets, material } = this.state;
+    const { textureMode, outlines, targets, material, view } = this.state;
+    const { texel } = this.editor.figures.state;
+    const named = material !== null && this.editor.viewer.guideOf(material).length > 0;
     const shown = material !== null && targets.has(material);
     return html`
       <div role="tablist" aria-label=${words.label} @keydown=${this.#key}>
@@ -108,7 +121,21 @@ export class TexturePanel extends EditorElement {
         <div class="empty" ?hidden=${shown}><p>${words.empty}</p></div>
       </div>
       <footer>
-        <p title=${words.modeHints[textureMode]}>${words.modeHints[textureMode]}</p>
+        ${
+          texel
+            ? html`<p id="texel" title=${words.texelLabel}>${words.texel(texel[0], texel[1])}</p>`
+            : html`<p title=${words.modeHints[textureMode]}>${words.modeHints[textureMode]}</p>`
+        }
+        <label title=${named ? "" : words.guideNone}>
+          <input
+            type="checkbox"
+            id="guide"
+            .checked=${view.guide && named}
+            ?disabled=${!named}
+            @change=${() => this.editor.views.toggle("guide")}
+          />
+          ${strings.views.guide}
+        </label>
         <label>
           <input
             type="checkbox"

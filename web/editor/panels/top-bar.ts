@@ -8,7 +8,6 @@ import {
   FolderOpen,
   Image,
   LayoutTemplate,
-  PanelRight,
   Redo2,
   Save,
   Undo2,
@@ -20,6 +19,7 @@ import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import type { MenuItem } from "../ui/menu.ts";
 import { controls } from "../ui/theme.ts";
+import "./layout-switch.ts";
 
 const words = strings.topBar;
 
@@ -94,13 +94,13 @@ export class TopBar extends EditorElement {
   }
 
   protected watched(state: EditorState): readonly unknown[] {
-    const { model, undoLabel, redoLabel, unsaved, demos, switching, textureOpen } = state;
-    return [model, undoLabel, redoLabel, unsaved, demos, switching, textureOpen];
+    const { model, undoLabel, redoLabel, unsaved, demos, switching } = state;
+    return [model, undoLabel, redoLabel, unsaved, demos, switching];
   }
 
   override render(): TemplateResult {
-    const { model, undoLabel, redoLabel, unsaved, switching, textureOpen } = this.state;
-    const { files, store } = this.editor;
+    const { model, undoLabel, redoLabel, unsaved, switching } = this.state;
+    const { files } = this.editor;
     return html`
       ${this.compact ? nothing : html`<h1>${strings.productName}</h1>`}
       <tc-menu
@@ -148,18 +148,9 @@ export class TopBar extends EditorElement {
           ? nothing
           : html`
               <span class="divider"></span>
-              <button
-                class="icon"
-                id="toggle-texture"
-                aria-pressed=${textureOpen}
-                aria-label=${textureOpen ? words.hideTexture : words.showTexture}
-                title=${textureOpen ? words.hideTexture : words.showTexture}
-                @click=${() => store.set({ textureOpen: !textureOpen })}
-              >
-                ${icon(PanelRight)}
-              </button>
             `
       }
+      <tc-layout-switch .editor=${this.editor} ?compact=${this.compact}></tc-layout-switch>
       <button class="icon" id="help" aria-label=${words.help} title=${words.help} @click=${() => this.#askForHelp()}>
         ${icon(CircleQuestionMark)}
       </button>

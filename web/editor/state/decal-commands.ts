@@ -53,8 +53,6 @@ export class DecalCommands {
 
   /** Puts a picture on the model: at `hit`, else in the middle of the view, else in front of the model. */
   add(name: string, picture: LibraryPicture, hit: SurfaceHit | null): void {
-    // Decals have their places on the model at rest.
-    this.#viewer.setAnimationPlaying(false);
     const place = hit ?? this.#viewer.surfaceAtCentre();
     const aspect = picture.width / picture.height;
     const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);

@@ -1,5 +1,5 @@
 /** What the page shows, as one immutable value. The design in it is the truth; the rest is view state or derived. */
-import type { MapView, ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
+import type { ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
 import { type Design, emptyDesign } from "../document/index.ts";
 import type { DemoCatalogue } from "../files/demo-catalogue.ts";
 import type { ProjectSummary } from "../storage/project.ts";
@@ -7,6 +7,15 @@ import type { ToolId } from "../tools/tool.ts";
 import { INITIAL_TOOL_SETTINGS, type ToolSettings } from "../tools/tool-settings.ts";
 import { DEFAULT_BUDGET } from "./history.ts";
 import type { Notice } from "./notices.ts";
+import {
+  NO_ANIMATION,
+  NO_PARTS,
+  type ShownAnimation,
+  type ShownParts,
+  type TextureMode,
+  USUAL_VIEW,
+  type ViewSettings,
+} from "./view-state.ts";
 
 /** A model as it was given: what an undo across models needs to bring it back. Identity tells two apart. */
 export interface ModelRef {
@@ -45,9 +54,6 @@ export interface Task {
   /** Set once the task has lasted long enough to be worth showing. */
   readonly visible: boolean;
 }
-
-export type TextureMode = "texture" | MapView;
-export const TEXTURE_MODES: readonly TextureMode[] = ["texture", "positions", "normals", "coverage", "overlap"];
 
 /** The steps that can be gone to, for the history panel. */
 export interface HistorySteps {
@@ -101,10 +107,11 @@ export interface EditorState {
   readonly notices: readonly Notice[];
   readonly announcement: string;
   readonly demos: DemoCatalogue | null;
-  readonly textureOpen: boolean;
+  readonly view: ViewSettings;
+  readonly shown: ShownParts;
+  readonly animation: ShownAnimation;
   readonly textureMode: TextureMode;
   readonly outlines: boolean;
-  readonly playing: boolean;
   readonly tool: ToolId;
   readonly toolSettings: ToolSettings;
 }
@@ -131,10 +138,11 @@ export const INITIAL_STATE: EditorState = {
   notices: [],
   announcement: "",
   demos: null,
-  textureOpen: true,
+  view: USUAL_VIEW,
+  shown: NO_PARTS,
+  animation: NO_ANIMATION,
   textureMode: "texture",
   outlines: true,
-  playing: false,
   tool: "move",
   toolSettings: INITIAL_TOOL_SETTINGS,
 };
@@ -147,9 +155,11 @@ export interface Figures {
   > | null;
   readonly uploadMilliseconds: number;
   readonly updates: number;
+  /** Column and row of the texel under the pointer, in the flat view; null beside it. */
+  readonly texel: readonly [number, number] | null;
 }
 
-export const INITIAL_FIGURES: Figures = { update: null, uploadMilliseconds: 0, updates: 0 };
+export const INITIAL_FIGURES: Figures = { update: null, uploadMilliseconds: 0, updates: 0, texel: null };
 
 /** Metres from corner to corner of the model's box: what steps and sizes of new things go by. 1 without a model. */
 export function diagonalOf(model: OpenModel | null): number {

@@ -4,7 +4,7 @@
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
-import type { ModelViewer, SurfaceHit, TextureView } from "../../viewer/viewer-api.ts";
+import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
 import { type DesignLayer, materialsIn } from "../document/index.ts";
 import { type DemoCatalogue, loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import type { Autosave } from "../storage/autosave.ts";
@@ -17,14 +17,7 @@ import { DecalCommands } from "./decal-commands.ts";
 import { DecalReach } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
 import { DesignSession } from "./design-session.ts";
-import {
-  type EditorState,
-  type Figures,
-  INITIAL_FIGURES,
-  INITIAL_STATE,
-  type TargetSettings,
-  type TextureMode,
-} from "./editor-state.ts";
+import { type EditorState, type Figures, INITIAL_FIGURES, INITIAL_STATE, type TargetSettings } from "./editor-state.ts";
 import { FileCommands } from "./file-commands.ts";
 import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
 import { LayerCommands } from "./layer-commands.ts";
@@ -36,6 +29,8 @@ import { keepProjects } from "./project-keeping.ts";
 import { Store } from "./store.ts";
 import { Tasks } from "./tasks.ts";
 import { UpdateRouter } from "./update-router.ts";
+import { ViewCommands } from "./view-commands.ts";
+import type { TextureMode } from "./view-state.ts";
 
 /** Pixels of the pictures in the list of projects: twice what is shown. */
 const THUMBNAIL_WIDTH = 288;
@@ -62,6 +57,7 @@ export class Editor {
   readonly session: DesignSession;
   readonly tools: Toolbox;
   readonly palettes: PaletteCommands;
+  readonly views: ViewCommands;
   readonly projects: ProjectCommands;
   readonly autosave: Autosave;
   readonly #models: ModelSession;
@@ -98,6 +94,17 @@ export class Editor {
     const reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     this.palettes = new PaletteCommands(tools, board);
     registerTools({ engine, viewer, textureView, session, library, store, board, tools, reach });
+    const showMaterial = (material: number): void => this.showMaterial(material);
+    this.views = new ViewCommands({
+      engine,
+      viewer,
+      textureView,
+      store,
+      figures: this.figures,
+      board,
+      tasks,
+      showMaterial,
+    });
     this.#connect();
   }
 
@@ -168,10 +175,6 @@ export class Editor {
     this.textureView.setOutlinesVisible(visible);
   }
 
-  setPlaying(playing: boolean): void {
-    this.viewer.setAnimationPlaying(playing);
-  }
-
   /** Resolves when no task runs and the engine has reported everything. */
   async idle(): Promise<void> {
     do {
@@ -182,9 +185,7 @@ export class Editor {
   }
 
   #connect(): void {
-    this.viewer.on("hover", ({ hit }) => this.#mark(hit));
     this.viewer.on("needsFullUpdate", ({ material }) => this.refresh(material));
-    this.viewer.on("animation", ({ playing }) => this.store.set({ playing }));
     this.engine.onError((error) => this.#tellOfFault(error));
     let seen = this.store.state;
     this.store.subscribe(() => {
@@ -237,10 +238,6 @@ export class Editor {
   #tellOfDroppedSteps({ history }: EditorState): void {
     const message = strings.history.dropped(strings.history.megabytes(megabytes(history.budget)));
     this.board.info({ title: strings.history.droppedTitle, message });
-  }
-
-  #mark(hit: SurfaceHit | null): void {
-    this.textureView.setMarker(hit && hit.material === this.store.state.material ? hit.uv : null);
   }
 
   #attempt(title: string, work: Promise<void>): void {

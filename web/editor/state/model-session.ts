@@ -137,7 +137,6 @@ export class ModelSession {
       targets: new Map(),
       targetSettings: this.#settings.get(model.ref) ?? new Map(),
       textureMode: "texture",
-      playing: false,
     });
     task.relabel(strings.tasks.baking);
     await this.#openTarget(material, task);

@@ -1,6 +1,7 @@
 /** Keys of the page. What has the focus comes first: a text field keeps every key, a slider or a list its arrows. */
 import type { Editor } from "./editor.ts";
 import type { LayerCommands } from "./layer-commands.ts";
+import { VIEW_LAYOUTS } from "./view-state.ts";
 
 export interface ShortcutActions {
   readonly openModel: () => void;
@@ -15,6 +16,7 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
     return !ofTheText && handleCommand(event, editor, actions);
   }
   if (focus !== "page") return false;
+  if (handleView(event, editor)) return true;
   return editor.tools.handleKey(event) || (event.altKey ? handleAlt : handlePlain)(event, editor);
 }
 
@@ -45,6 +47,36 @@ function handleCommand(event: KeyboardEvent, { files, layers }: Editor, actions:
       return true;
     case "o":
       actions.openModel();
+      return true;
+    default:
+      return false;
+  }
+}
+
+/** Alt with a number chooses the views; Shift with a letter changes how the model is shown. */
+function handleView(event: KeyboardEvent, { views, store }: Editor): boolean {
+  if (event.altKey) {
+    const layout = VIEW_LAYOUTS[["Digit1", "Digit2", "Digit3"].indexOf(event.code)];
+    if (!layout || event.shiftKey) return false;
+    views.setLayout(layout);
+    return true;
+  }
+  if (!event.shiftKey) return false;
+  switch (event.key.toUpperCase()) {
+    case "U":
+      views.toggleShading();
+      return true;
+    case "W":
+      views.toggle("wireframe");
+      return true;
+    case "T":
+      views.toggle("turntable");
+      return true;
+    case "G":
+      views.toggle("guide");
+      return true;
+    case "P":
+      if (store.state.animation.clips.length > 0) views.animate({ playing: !store.state.animation.playing });
       return true;
     default:
       return false;

@@ -157,7 +157,7 @@ export class BrushTool implements Tool {
 
   /** False where nothing can be painted; the user is told why. */
   #begin(): boolean {
-    const { session, store, board, tools, viewer, reach } = this.#context;
+    const { session, store, board, tools, reach } = this.#context;
     const erases = this.id === "eraser";
     const target = paintTargetOf(session.recordedDesign, store.state.selectedId, erases);
     if (target.kind === "refused") {
@@ -167,7 +167,6 @@ export class BrushTool implements Tool {
       });
       return false;
     }
-    viewer.setAnimationPlaying(false);
     const { spacing, pressure, opacity, alphaLock, color, recent, mirror } = tools.settings;
     tools.configure({ recent: erases ? recent : withRecent(recent, color) });
     this.#gesture = new StrokeGesture({

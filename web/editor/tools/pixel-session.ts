@@ -36,7 +36,7 @@ export class PixelSession {
 
   /** Null where nothing can be painted; the user is told why. */
   begin(material: number): PixelGesture | null {
-    const { session, store, board, tools, viewer } = this.#context;
+    const { session, store, board, tools } = this.#context;
     const size = this.sizeOf(material);
     if (size === null) return null;
     const layer = pixelLayerFor(session.recordedDesign, store.state.selectedId, material);
@@ -45,7 +45,6 @@ export class PixelSession {
       board.info({ title: words.title(layer.name), message: words.message });
       return null;
     }
-    viewer.setAnimationPlaying(false);
     const { alphaLock } = tools.settings;
     const lock = alphaLock || layer?.lockAlpha === true;
     // A change that is still being written may be what makes the layer.

@@ -40,6 +40,9 @@ export const theme = css`
 
     --viewer-accent: var(--accent);
     --viewer-on-accent: var(--accent-text);
+    --viewer-guide-text: var(--text);
+    --viewer-guide-halo: color-mix(in srgb, var(--surface), transparent 15%);
+    --viewer-wire: light-dark(rgb(20 24 32 / 0.4), rgb(235 238 245 / 0.4));
     --viewer-checker-a: var(--surface);
     --viewer-checker-b: var(--checker);
   }

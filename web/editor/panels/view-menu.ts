@@ -1,0 +1,191 @@
+/** How the model is shown: shading, light, maps, background. A small panel that a button on the stage opens. */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { Eye, RotateCcw } from "lucide";
+import type { EditorState } from "../state/editor-state.ts";
+import { BACKGROUND_TONES, TEXTURE_MODES, type TextureMode, USUAL_VIEW } from "../state/view-state.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+import { checkField, choiceField } from "./property-fields.ts";
+import { propertyStyles } from "./property-styles.ts";
+
+const words = strings.views;
+
+export class ViewMenu extends EditorElement {
+  static override properties = { open: { state: true } };
+  declare open: boolean;
+
+  static override styles = [
+    controls,
+    propertyStyles,
+    css`
+      :host {
+        position: relative;
+        display: block;
+      }
+      .opener {
+        background: color-mix(in oklab, var(--surface), transparent 15%);
+      }
+      .panel {
+        position: absolute;
+        z-index: 6;
+        inset-block-start: 0;
+        inset-inline-end: calc(100% + var(--space-1));
+        display: grid;
+        gap: var(--space-2);
+        width: 18.5rem;
+        max-width: calc(100vw - 5rem);
+        max-height: var(--room, 60dvh);
+        padding: var(--space-3) var(--space-4);
+        overflow: auto;
+        overscroll-behavior: contain;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface-high);
+        box-shadow: var(--shadow);
+      }
+      .titled h2 {
+        flex: 1;
+      }
+      .slider {
+        grid-template-columns: 5.5rem minmax(0, 1fr) 2.75rem;
+      }
+      .slider label {
+        color: var(--text-quiet);
+      }
+      .slider output {
+        text-align: end;
+        font-variant-numeric: tabular-nums;
+      }
+      .checks {
+        display: grid;
+        grid-template-columns: 1fr 1fr;
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.open = false;
+  }
+
+  protected watched({ view, model }: EditorState): readonly unknown[] {
+    return [view, model === null];
+  }
+
+  override render(): TemplateResult {
+    const toggle = (): void => {
+      this.open = !this.open;
+    };
+    return html`
+      <button
+        class="icon opener"
+        id="view-menu"
+        aria-label=${words.menu}
+        title=${words.menu}
+        aria-expanded=${this.open}
+        aria-pressed=${this.open}
+        aria-controls="view-panel"
+        @click=${toggle}
+      >
+        ${icon(Eye)}
+      </button>
+      ${this.open ? this.#panel() : nothing}
+    `;
+  }
+
+  #panel(): TemplateResult {
+    const { view } = this.state;
+    const { views } = this.editor;
+    const backgrounds = Object.fromEntries(BACKGROUND_TONES.map((tone) => [tone, words.backgrounds[tone]])) as Record<
+      (typeof BACKGROUND_TONES)[number],
+      string
+    >;
+    const unusual = Object.entries(USUAL_VIEW).some(
+      ([key, value]) => key !== "layout" && key !== "guide" && view[key as keyof typeof view] !== value,
+    );
+    return html`
+      <div class="panel" id="view-panel" role="group" aria-label=${words.menu} @keydown=${this.#key}>
+        <div class="titled">
+          <h2>${words.menu}</h2>
+          <button
+            class="icon small"
+            id="reset-view"
+            aria-label=${words.reset}
+            title=${words.reset}
+            ?disabled=${!unusual}
+            @click=${() => views.set({ ...USUAL_VIEW, layout: view.layout, guide: view.guide })}
+          >
+            ${icon(RotateCcw)}
+          </button>
+        </div>
+        ${choiceField("shading", words.shading, words.shadings, view.shading, (shading) => views.set({ shading }))}
+        <div class="field">
+          <label for="model-map">${words.shows}</label>
+          <select
+            id="model-map"
+            @change=${(event: Event) => views.set({ modelMap: (event.target as HTMLSelectElement).value as TextureMode })}
+          >
+            ${TEXTURE_MODES.map(
+              (mode) =>
+                html`<option value=${mode} ?selected=${mode === view.modelMap}>${strings.texture.modes[mode]}</option>`,
+            )}
+          </select>
+        </div>
+        <div class="checks">
+          ${checkField("wireframe", words.wireframe, view.wireframe, () => views.toggle("wireframe"))}
+          ${checkField("turntable", words.turntable, view.turntable, () => views.toggle("turntable"))}
+        </div>
+        ${this.#slider("light-turn", words.lightTurn, view.lightTurn, 360, words.degrees(view.lightTurn), (lightTurn) =>
+          views.set({ lightTurn }),
+        )}
+        ${this.#slider(
+          "light-strength",
+          words.lightStrength,
+          view.lightStrength * 100,
+          200,
+          words.percent(view.lightStrength * 100),
+          (percent) => views.set({ lightStrength: percent / 100 }),
+        )}
+        ${choiceField("background", words.background, backgrounds, view.background, (background) => views.set({ background }))}
+      </div>
+    `;
+  }
+
+  #slider(
+    id: string,
+    label: string,
+    value: number,
+    most: number,
+    text: string,
+    change: (value: number) => void,
+  ): TemplateResult {
+    const lit = this.state.view.shading === "lit" && this.state.view.modelMap === "texture";
+    return html`
+      <div class="slider">
+        <label for=${id}>${label}</label>
+        <input
+          type="range"
+          id=${id}
+          min="0"
+          max=${most}
+          step="5"
+          .value=${String(Math.round(value))}
+          ?disabled=${!lit}
+          aria-valuetext=${text}
+          @input=${(event: Event) => change(Number((event.target as HTMLInputElement).value))}
+        />
+        <output for=${id}>${text}</output>
+      </div>
+    `;
+  }
+
+  #key(event: KeyboardEvent): void {
+    if (event.key !== "Escape") return;
+    event.stopPropagation();
+    this.open = false;
+    this.renderRoot.querySelector<HTMLElement>("#view-menu")?.focus();
+  }
+}
+customElements.define("tc-view-menu", ViewMenu);

@@ -1,0 +1,134 @@
+/**
+ * The charts of an unfolded mesh: triangles that hang together by shared corners in the texture. Two charts that lie on
+ * the same texels are one here, for a place of the texture cannot tell them apart.
+ */
+import { broughtBack, gridKey } from "./uv-edges.ts";
+
+/** Cells along each side of the grid by which a place's triangle is found. */
+const CELLS = 64;
+
+export class UvCharts {
+  /** The chart of each triangle: the lowest index of its triangles. */
+  readonly chartOf: Uint32Array;
+  readonly #corners: Float32Array;
+  /** Triangles that may lie in each cell; made at the first question. */
+  #cells: number[][] | null = null;
+
+  /** @param uvTriangles six numbers a triangle, as the model has them */
+  constructor(uvTriangles: Float32Array) {
+    const count = Math.floor(uvTriangles.length / 6);
+    this.#corners = new Float32Array(count * 6);
+    this.chartOf = Uint32Array.from({ length: count }, (_, triangle) => triangle);
+    const firstWith = new Map<number, number>();
+    for (let triangle = 0; triangle < count; triangle++) {
+      const corners = broughtBack(uvTriangles.subarray(triangle * 6, triangle * 6 + 6));
+      this.#corners.set(corners, triangle * 6);
+      for (let corner = 0; corner < 6; corner += 2) {
+        const key = gridKey(corners[corner] as number, corners[corner + 1] as number);
+        const other = firstWith.get(key);
+        if (other === undefined) {
+          firstWith.set(key, triangle);
+        } else {
+          this.#join(triangle, other);
+        }
+      }
+    }
+    for (let triangle = 0; triangle < count; triangle++) {
+      this.chartOf[triangle] = this.#rootOf(triangle);
+    }
+  }
+
+  /** The chart at a place of the texture, wrapped; null beside all charts. The first triangle there counts. */
+  chartAt(uv: readonly [number, number]): number | null {
+    const triangle = this.triangleAt(uv);
+    return triangle === null ? null : (this.chartOf[triangle] as number);
+  }
+
+  /** The first triangle at a place of the texture. */
+  triangleAt([u, v]: readonly [number, number]): number | null {
+    this.#cells ??= this.#fillCells();
+    const [x, y] = [u - Math.floor(u), v - Math.floor(v)];
+    const cell = this.#cells[cellOf(y) * CELLS + cellOf(x)] ?? [];
+    return cell.find((triangle) => this.sharesAt(triangle, [x, y]) !== null) ?? null;
+  }
+
+  /** Shares of a triangle's corners at a place of the texture; null outside of it. */
+  sharesAt(triangle: number, [u, v]: readonly [number, number]): [number, number, number] | null {
+    const [u0, v0, u1, v1, u2, v2] = this.cornersOf(triangle) as unknown as Six;
+    const area = (u1 - u0) * (v2 - v0) - (u2 - u0) * (v1 - v0);
+    if (area === 0) {
+      return null;
+    }
+    const second = ((u - u0) * (v2 - v0) - (u2 - u0) * (v - v0)) / area;
+    const third = ((u1 - u0) * (v - v0) - (u - u0) * (v1 - v0)) / area;
+    const slack = -1e-6;
+    const inside = second >= slack && third >= slack && second + third <= 1 - slack;
+    return inside ? [1 - second - third, second, third] : null;
+  }
+
+  trianglesOf(chart: number): number[] {
+    const triangles: number[] = [];
+    for (const [triangle, of] of this.chartOf.entries()) {
+      if (of === chart) {
+        triangles.push(triangle);
+      }
+    }
+    return triangles;
+  }
+
+  /** Six numbers, brought back into [0, 1) as a whole. */
+  cornersOf(triangle: number): Float32Array {
+    return this.#corners.subarray(triangle * 6, triangle * 6 + 6);
+  }
+
+  /** All corners of a chart's triangles, six numbers each. */
+  cornersOfChart(chart: number): Float32Array {
+    const triangles = this.trianglesOf(chart);
+    const corners = new Float32Array(triangles.length * 6);
+    for (const [place, triangle] of triangles.entries()) {
+      corners.set(this.cornersOf(triangle), place * 6);
+    }
+    return corners;
+  }
+
+  #fillCells(): number[][] {
+    const cells: number[][] = Array.from({ length: CELLS * CELLS }, () => []);
+    for (let triangle = 0; triangle < this.chartOf.length; triangle++) {
+      const [u0, v0, u1, v1, u2, v2] = this.cornersOf(triangle) as unknown as Six;
+      const [left, right] = [cellOf(Math.min(u0, u1, u2)), cellOf(Math.max(u0, u1, u2))];
+      const [top, bottom] = [cellOf(Math.min(v0, v1, v2)), cellOf(Math.max(v0, v1, v2))];
+      for (let row = top; row <= bottom; row++) {
+        for (let column = left; column <= right; column++) {
+          cells[row * CELLS + column]?.push(triangle);
+        }
+      }
+    }
+    return cells;
+  }
+
+  /** The lower root wins, so that a chart goes by its lowest triangle. */
+  #join(a: number, b: number): void {
+    const [first, second] = [this.#rootOf(a), this.#rootOf(b)];
+    this.chartOf[Math.max(first, second)] = Math.min(first, second);
+  }
+
+  #rootOf(triangle: number): number {
+    let root = triangle;
+    while (this.chartOf[root] !== root) {
+      root = this.chartOf[root] as number;
+    }
+    let step = triangle;
+    while (step !== root) {
+      const next = this.chartOf[step] as number;
+      this.chartOf[step] = root;
+      step = next;
+    }
+    return root;
+  }
+}
+
+type Six = readonly [number, number, number, number, number, number];
+
+function cellOf(coordinate: number): number {
+  return Math.min(CELLS - 1, Math.max(0, Math.floor(coordinate * CELLS)));
+}
