@@ -185,7 +185,7 @@ test("a decal that is dragged over the border of two materials paints both while
   await expect.poll(async () => (await editor.design()).layers.length).toBe(1);
   await editor.idle();
   const [layer] = (await editor.design()).layers;
-  const material = page.locator("tc-decal-properties #material");
+  const material = page.locator("tc-layer-properties #material");
   expect(layer?.material).toBe(1);
   await expect(material).toHaveValue("1");
 
@@ -222,7 +222,7 @@ test("a click on a decal in the view selects it", async ({ editor, page }) => {
   await editor.open();
   const { id, name } = (await editor.design()).layers[0] ?? { id: "", name: "" };
   await page.evaluate(() => window.texelcast.select(null));
-  await expect(page.locator("tc-decal-properties")).toContainText("Nothing selected");
+  await expect(page.locator("tc-layer-properties")).toContainText("Nothing selected");
   const at = await editor.pointOf(id);
   await page.mouse.click(at.x, at.y);
   expect(await editor.selectedName()).toBe(name);

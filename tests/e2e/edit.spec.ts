@@ -61,7 +61,7 @@ test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys s
   const start = await editor.hash();
   const { id } = (await editor.design()).layers[0] ?? { id: "" };
   const { projector } = await editor.decal(id);
-  const slider = page.locator("tc-decal-properties #opacity");
+  const slider = page.locator("tc-layer-properties #opacity");
   await slider.focus();
   await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("ArrowLeft");
@@ -102,7 +102,7 @@ test("keys mean the text while one types in a field", async ({ editor, page }) =
   const before = await editor.design();
   const downloads: string[] = [];
   page.on("download", (download) => downloads.push(download.suggestedFilename()));
-  const name = page.locator("tc-decal-properties #name");
+  const name = page.locator("tc-layer-properties #name");
   await name.click();
   await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("Delete");
@@ -158,8 +158,8 @@ test("decals are duplicated, reordered, hidden, renamed and deleted", async ({ e
   await editor.row("Travel badge").locator("[data-action=visible]").click();
   expect(await editor.settledHash()).toBe(swapped);
 
-  await page.locator("tc-decal-properties #name").fill("Crest");
-  await page.locator("tc-decal-properties #name").press("Enter");
+  await page.locator("tc-layer-properties #name").fill("Crest");
+  await page.locator("tc-layer-properties #name").press("Enter");
   expect(await names()).toContain("Crest");
 });
 

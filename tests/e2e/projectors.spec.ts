@@ -69,7 +69,7 @@ test("a design with slides, labels and stamps opens, each is painted, selected a
     ["Stamp", "size-u", "0.3"],
   ] as const) {
     await editor.row(name).getByText(name, { exact: true }).click();
-    await expect(page.locator("tc-decal-properties #name")).toHaveValue(name);
+    await expect(page.locator("tc-layer-properties #name")).toHaveValue(name);
     await editor.setField(field, value);
     const hash = await editor.settledHash();
     expect(hashes.has(hash), `${name} ${field}`).toBe(false);
@@ -158,7 +158,7 @@ test("what the camera sees is stuck onto the model, scaled by a corner, and take
     .boundingBox()
     .then((area) => area ?? { x: 0, y: 0 });
   await editor.drag({ x: x + 60, y: y + 500 }, { x: x + 110, y: y + 500 }, 5);
-  await page.locator("tc-decal-properties #view-again").click();
+  await page.locator("tc-layer-properties #view-again").click();
   await expect.poll(async () => JSON.stringify((await editor.decal(id)).projector)).not.toContain(JSON.stringify(eye));
   await page.locator("#undo").click();
   await page.locator("#undo").click();
@@ -174,7 +174,7 @@ test("a decal is wrapped around the mug, its arc pulled by a handle, and made a 
   const { id } = (await editor.design()).layers[0] ?? { id: "" };
   await editor.select(id);
   const before = (await editor.decal(id)).projector;
-  await page.locator("tc-decal-properties input[value=cylindrical]").check({ force: true });
+  await page.locator("tc-layer-properties input[value=cylindrical]").check({ force: true });
   const wrapped = (await editor.decal(id)).projector;
   if (wrapped.kind !== "cylindrical" || before.kind !== "planar") throw new Error("It is not wrapped around.");
   // The demo's mug stands upright on the origin and is 41 mm in radius.
@@ -186,7 +186,7 @@ test("a decal is wrapped around the mug, its arc pulled by a handle, and made a 
   await editor.drag(end, { x: end.x + 40, y: end.y }, 6);
   const pulled = (await editor.decal(id)).projector;
   expect(pulled.kind === "cylindrical" && pulled.arc).toBeGreaterThan(wrapped.arc + 3);
-  await page.locator("tc-decal-properties input[value=planar]").check({ force: true });
+  await page.locator("tc-layer-properties input[value=planar]").check({ force: true });
   const box = (await editor.decal(id)).projector;
   expect(box.kind === "planar" && box.size[1]).toBeCloseTo(before.size[1], 3);
 });

@@ -41,7 +41,7 @@ test("a design of strokes opens, is painted and listed, and its strokes are edit
   expect(hashes.size).toBe(2);
   for (const name of ["Line", "Rings"]) {
     await editor.row(name).getByText(name, { exact: true }).click();
-    await expect(page.locator("tc-decal-properties #name")).toHaveValue(name);
+    await expect(page.locator("tc-layer-properties #name")).toHaveValue(name);
     await editor.setField("opacity", "40");
     const hash = await editor.settledHash();
     expect(hashes.has(hash), name).toBe(false);

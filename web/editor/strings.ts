@@ -2,6 +2,7 @@
 
 import { layerAnnouncements, layerNotices, layerSteps, layerWords } from "./strings/layer-words.ts";
 import { plural } from "./strings/plural.ts";
+import { gradientWords, partsWords } from "./strings/property-words.ts";
 
 export const strings = {
   productName: "Texelcast",
@@ -308,10 +309,23 @@ export const strings = {
     material: "Material",
     materialsMet: "All that it meets",
     color: "Colour",
+    alpha: "Opacity",
+    brush: "Brush",
+    hardness: "Hardness",
+    hardnessHint: "The share of the brush that is solid",
+    flow: "Flow",
+    flowHint: "How much a touch of the brush lays down",
+    strokes: (count: number): string => plural(count, "stroke", "strokes"),
+    members: (count: number): string => plural(count, "layer", "layers"),
+    isolated: "Keep blending inside the group",
+    isolatedHint: "Its layers blend with each other only, and not with what is below the group",
     degrees: "°",
     percent: "%",
     metres: "m",
   },
+
+  gradient: gradientWords,
+  parts: partsWords,
 
   history: {
     title: "History",

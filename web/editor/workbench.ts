@@ -6,7 +6,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { carriesFiles, collectDrop } from "./files/file-collection.ts";
 import "./panels/bottom-sheet.ts";
 import { PALETTE_DRAG } from "./panels/decal-palette.ts";
-import "./panels/decal-properties.ts";
+import "./panels/layer-properties.ts";
 import "./panels/help-dialog.ts";
 import "./panels/history-panel.ts";
 import "./panels/layer-list.ts";

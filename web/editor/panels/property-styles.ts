@@ -14,6 +14,25 @@ export const propertyStyles = css`
   .header input {
     font-weight: 550;
   }
+  .fields {
+    display: grid;
+    gap: var(--space-4);
+  }
+  .fields[inert] {
+    opacity: 0.5;
+  }
+  .locked {
+    display: flex;
+    align-items: center;
+    gap: var(--space-2);
+    padding: var(--space-1) var(--space-1) var(--space-1) var(--space-3);
+    border-radius: var(--radius);
+    background: var(--surface-low);
+    color: var(--text-quiet);
+  }
+  .locked p {
+    flex: 1;
+  }
   section {
     display: grid;
     gap: var(--space-2);
@@ -115,6 +134,17 @@ export const propertyStyles = css`
     gap: 2px;
     padding-block: var(--space-1);
     font-size: var(--text-small);
+  }
+  .color {
+    display: grid;
+    grid-template-columns: auto minmax(0, 1fr);
+    gap: var(--space-2);
+  }
+  .picked {
+    display: flex;
+    align-items: center;
+    justify-content: space-between;
+    gap: var(--space-2);
   }
   .check {
     display: flex;

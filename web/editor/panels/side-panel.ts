@@ -208,7 +208,7 @@ export class SidePanel extends EditorElement {
   #properties(headed: boolean): TemplateResult {
     return html`<div class="section">
       ${headed ? html`<h2>${strings.properties.title}</h2>` : nothing}
-      <tc-decal-properties .editor=${this.editor}></tc-decal-properties>
+      <tc-layer-properties .editor=${this.editor}></tc-layer-properties>
     </div>`;
   }
 

@@ -16,6 +16,7 @@ export const TOOL_IDS = [
   "fill",
   "gradient",
   "clone",
+  "parts",
 ] as const;
 export type ToolId = (typeof TOOL_IDS)[number];
 

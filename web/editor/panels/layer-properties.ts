@@ -1,0 +1,143 @@
+/** Everything about the selected layer, as fields; of several, what they have in common. */
+import { html, nothing, type TemplateResult } from "lit";
+import { Lock } from "lucide";
+import type { DecalLayer, DesignLayer } from "../document/index.ts";
+import { layerById } from "../state/design-edits.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import { isLocked } from "../state/layer-edits.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
+import { brushFields } from "./brush-fields.ts";
+import { fillFields, partsFields } from "./fill-fields.ts";
+import { mirrorFields } from "./mirror-fields.ts";
+import { type PlacementMemory, placementFields } from "./placement-fields.ts";
+import { mixingFields, opacityField, type PropertyContext, toggleField } from "./property-controls.ts";
+import { projectionTools } from "./projector-tools.ts";
+import { propertyStyles } from "./property-styles.ts";
+import { materialField, reachFields, samplingFields } from "./reach-fields.ts";
+
+const words = strings.properties;
+/** Milliseconds between two changes of the numbers: a score of fields, which nobody reads faster while a decal is dragged. */
+const PACE = 80;
+
+export class LayerProperties extends EditorElement {
+  readonly #memory: PlacementMemory = { proportional: true, orientation: undefined };
+
+  static override styles = [controls, thumbnailStyles, propertyStyles];
+
+  constructor() {
+    super(PACE);
+  }
+
+  protected watched({ design, selectedId, selection, model, tool }: EditorState): readonly unknown[] {
+    const locked = selectedId !== null && isLocked(design, selectedId);
+    return [layerById(design, selectedId), selection, locked, model, tool];
+  }
+
+  override render(): TemplateResult {
+    const { design, selectedId, selection } = this.state;
+    const layer = layerById(design, selectedId);
+    if (!layer) {
+      return html`<div class="none">
+        <h2>${words.none}</h2>
+        <p class="quiet">${words.noneBody}</p>
+      </div>`;
+    }
+    const context: PropertyContext = { editor: this.editor, state: this.state, ids: selection };
+    const locked = isLocked(design, layer.id);
+    const several = selection.length > 1;
+    return html`
+      ${several ? html`<h2>${strings.layers.several(selection.length)}</h2>` : this.#header(layer)}
+      ${locked ? this.#lock(layer) : nothing}
+      <div class="fields" ?inert=${locked}>
+        ${several ? this.#look(context, layer) : this.#fields(context, layer)}
+      </div>
+    `;
+  }
+
+  #fields(context: PropertyContext, layer: DesignLayer): TemplateResult {
+    switch (layer.type) {
+      case "decal":
+      case "text":
+        return html`
+          ${layer.type === "decal" ? projectionTools(this.editor, layer) : nothing}
+          ${placementFields(context, layer, this.#aspectOf(layer), this.#memory, () => this.requestUpdate())}
+          ${mirrorFields(context, layer)}${this.#look(context, layer, samplingFields(context, layer))}${reachFields(context, layer)}
+        `;
+      case "stroke":
+        return html`
+          ${brushFields(context, layer)}${this.#look(context, layer, samplingFields(context, layer))}${mirrorFields(context, layer)}
+          ${reachFields(context, layer)}
+        `;
+      case "fill":
+        return html`
+          <section aria-label=${strings.gradient.kind}>${fillFields(context, layer)}</section>
+          ${partsFields(context, layer)}${this.#look(context, layer, materialField(context, layer))}
+        `;
+      case "paint":
+        return html`
+          <p class="quiet">${words.strokes(layer.strokes.length)}</p>
+          ${this.#look(context, layer)}${mirrorFields(context, layer)}
+        `;
+      case "group": {
+        const isolated = toggleField(context, "isolated", words.isolated, layer.isolated, (on) => ({ isolated: on }));
+        return html`
+          <p class="quiet">${words.members(layer.layers.length)}</p>
+          ${this.#look(context, layer, html`<div title=${words.isolatedHint}>${isolated}</div>`)}
+        `;
+      }
+    }
+  }
+
+  #look(context: PropertyContext, layer: DesignLayer, rest: TemplateResult | typeof nothing = nothing): TemplateResult {
+    return html`<section aria-label=${words.look}>
+      ${opacityField(context, layer)}${mixingFields(context, layer)}${rest}
+    </section>`;
+  }
+
+  /** Of its picture; null where it has none of its own. */
+  #aspectOf(layer: DesignLayer): number | null {
+    const asset = layer.type === "decal" ? (layer as DecalLayer).asset : undefined;
+    const picture = asset === undefined ? undefined : this.editor.library.get(this.state.design.assets[asset]);
+    return picture ? picture.width / picture.height : null;
+  }
+
+  #lock({ id, locked }: DesignLayer): TemplateResult {
+    const { layers } = this.editor;
+    return html`<div class="locked">
+      ${icon(Lock)}
+      <p>${locked ? strings.layers.lockedBody : strings.layers.lockedByGroup}</p>
+      ${
+        locked
+          ? html`<button class="outlined" id="unlock" @click=${() => layers.toggleLocked([id])}>${strings.layers.unlockAct}</button>`
+          : nothing
+      }
+    </div>`;
+  }
+
+  #header(layer: DesignLayer): TemplateResult {
+    const input = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
+    const keys = (event: KeyboardEvent): void => {
+      if (event.key === "Escape") input(event).value = layer.name;
+      if (event.key === "Escape" || event.key === "Enter") input(event).blur();
+    };
+    return html`
+      <div class="header">
+        ${thumbnail(this.editor.library, this.state.design, layer)}
+        <input
+          type="text"
+          id="name"
+          aria-label=${words.name}
+          .value=${layer.name}
+          maxlength="200"
+          @keydown=${keys}
+          @change=${(event: Event) => this.editor.layers.rename(layer.id, input(event).value)}
+        />
+      </div>
+    `;
+  }
+}
+customElements.define("tc-layer-properties", LayerProperties);

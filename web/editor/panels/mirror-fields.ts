@@ -1,0 +1,65 @@
+/** Whether a layer is painted a second time across a plane of the model. */
+import { html, nothing, type TemplateResult } from "lit";
+import {
+  type DecalLayer,
+  MIRROR_AXES,
+  type Mirror,
+  type PaintLayer,
+  type StrokeLayer,
+  type TextLayer,
+} from "../document/index.ts";
+import { strings } from "../strings.ts";
+import { mirrorOf } from "../tools/mirror-setting.ts";
+import { lengthStep, numberField, type PropertyContext, record, toggleField } from "./property-controls.ts";
+import { choiceField } from "./property-fields.ts";
+
+const words = strings.projection;
+
+/** Nothing for what lies on the texture: that has no side of the model. */
+export function mirrorFields(
+  context: PropertyContext,
+  layer: DecalLayer | TextLayer | StrokeLayer | PaintLayer,
+): TemplateResult | typeof nothing {
+  if ((layer.type === "decal" || layer.type === "text") && layer.projector.kind === "uv") return nothing;
+  const { mirror } = layer;
+  const info = context.state.model?.info ?? null;
+  const choose = (axis: Mirror["axis"] | "none"): void => {
+    // Words that are mirrored with their place cannot be read.
+    const first = { axis: "x", offset: 0, readable: layer.type === "text" } as const;
+    const made: Mirror | null = axis === "none" ? null : { ...first, ...mirror, ...mirrorOf(axis, info), axis };
+    record(context, words.mirror, { mirror: made && mirror ? { ...made, readable: mirror.readable } : made });
+  };
+  const names = Object.fromEntries(MIRROR_AXES.map((axis) => [axis, axis.toUpperCase()])) as Record<
+    Mirror["axis"],
+    string
+  >;
+  return html`
+    <section aria-label=${words.mirror} title=${words.mirrorHint}>
+      ${choiceField<Mirror["axis"] | "none">("mirror", words.mirror, { none: words.mirrorNone, ...names }, mirror?.axis ?? "none", choose)}
+      ${mirror === null ? nothing : planeFields(context, mirror, layer.type === "decal" || layer.type === "text")}
+    </section>
+  `;
+}
+
+function planeFields(context: PropertyContext, mirror: Mirror, hasPicture: boolean): TemplateResult {
+  return html`
+    <div class="field">
+      <span>${words.mirrorOffset}</span>
+      ${numberField(context, words.mirror, {
+        label: mirror.axis.toUpperCase(),
+        name: words.mirrorOffset,
+        hint: words.mirrorOffsetHint,
+        value: mirror.offset,
+        step: lengthStep(context.state),
+        patch: (offset) => ({ mirror: { ...mirror, offset } }),
+      })}
+    </div>
+    ${
+      hasPicture
+        ? toggleField(context, "readable", words.readable, mirror.readable, (readable) => ({
+            mirror: { ...mirror, readable },
+          }))
+        : nothing
+    }
+  `;
+}

@@ -1,0 +1,141 @@
+/** Where a decal is, which way it looks, and how large it is. */
+import { html, nothing, type TemplateResult } from "lit";
+import { Link2, Ratio, Unlink2 } from "lucide";
+import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
+import type { DecalLayer, TextLayer } from "../document/index.ts";
+import type { LayerPatch } from "../state/layer-commands.ts";
+import { type Orientation, orientationOf } from "../state/rotation.ts";
+import { strings } from "../strings.ts";
+import { icon } from "../ui/icon.ts";
+import {
+  type PosedProjector,
+  type ProjectorFieldGroup,
+  poseFields,
+  projectorFields,
+  withAxis,
+} from "./projector-fields.ts";
+import { lengthStep, numberField, type PropertyContext, record } from "./property-controls.ts";
+
+const words = strings.properties;
+
+/** What the fields remember from one render to the next. */
+export interface PlacementMemory {
+  /** Width and height change together. */
+  proportional: boolean;
+  /** The direction last shown: straight up and down it keeps the heading that the rotation alone has lost. */
+  orientation: Orientation | undefined;
+}
+
+/**
+ * @param aspect Width by height of the layer's picture; null where it has none of its own.
+ * @param changed Called when the memory was changed, so that the fields are shown anew.
+ */
+export function placementFields(
+  context: PropertyContext,
+  { projector }: DecalLayer | TextLayer,
+  aspect: number | null,
+  memory: PlacementMemory,
+  changed: () => void,
+): TemplateResult {
+  const step = lengthStep(context.state);
+  return html`
+    <section aria-label=${words.placement}>
+      ${projector.kind === "uv" ? nothing : pose(context, projector, step, memory)}
+      ${
+        projector.kind === "planar"
+          ? size(context, projector, step, aspect, memory, changed)
+          : projectorFields(projector, step).map((group) => fieldGroup(context, group))
+      }
+    </section>
+  `;
+}
+
+function pose(
+  context: PropertyContext,
+  projector: PosedProjector,
+  step: number,
+  memory: PlacementMemory,
+): TemplateResult[] {
+  memory.orientation = orientationOf(projector.rotation, memory.orientation);
+  const groups = poseFields(projector, step, memory.orientation, (orientation) => {
+    memory.orientation = orientation;
+  });
+  return groups.map((group) => fieldGroup(context, group));
+}
+
+function fieldGroup(context: PropertyContext, { title, fields }: ProjectorFieldGroup): TemplateResult {
+  return html`
+    <h3>${title}</h3>
+    <div class=${fields.length === 3 ? "three" : "two"}>
+      ${fields.map(({ set, ...field }) =>
+        numberField(context, title, { ...field, patch: (value) => ({ projector: set(value) as Projector }) }),
+      )}
+    </div>
+  `;
+}
+
+function size(
+  context: PropertyContext,
+  projector: PlanarProjector,
+  step: number,
+  aspect: number | null,
+  memory: PlacementMemory,
+  changed: () => void,
+): TemplateResult {
+  const resized = (axis: 0 | 1 | 2, value: number): LayerPatch => {
+    const resizedAxis = withAxis(projector.size, axis, value);
+    const other = axis === 0 ? 1 : 0;
+    const linked = memory.proportional && axis !== 2;
+    return {
+      projector: {
+        ...projector,
+        size: linked
+          ? withAxis(resizedAxis, other, (projector.size[other] * value) / projector.size[axis])
+          : resizedAxis,
+      },
+    };
+  };
+  const field = (axis: 0 | 1 | 2, side: "width" | "height" | "depth", hint = "") =>
+    numberField(context, words.size, {
+      label: words.sizeLetters[side],
+      name: words.axis(words.size, words[side]),
+      hint,
+      value: projector.size[axis],
+      step,
+      min: step / 100,
+      patch: (value) => resized(axis, value),
+    });
+  const own = aspect ?? projector.size[0] / projector.size[1];
+  const reset = (): void => {
+    const [width, , depth] = projector.size;
+    const natural: Vec3 = [width, width / own, depth];
+    record(context, words.size, { projector: { ...projector, size: natural } });
+  };
+  const distorted = Math.abs(projector.size[0] / projector.size[1] / own - 1) > 1e-3;
+  return html`
+    <div class="titled">
+      <h3>${words.size}</h3>
+      ${
+        distorted
+          ? html`<button class="icon small" id="reset-proportions" aria-label=${words.resetProportions} title=${words.resetProportions} @click=${reset}>
+              ${icon(Ratio)}
+            </button>`
+          : nothing
+      }
+      <button
+        class="icon small"
+        id="proportional"
+        aria-pressed=${memory.proportional}
+        aria-label=${words.keepProportions}
+        title=${words.keepProportions}
+        @click=${() => {
+          memory.proportional = !memory.proportional;
+          changed();
+        }}
+      >
+        ${icon(memory.proportional ? Link2 : Unlink2)}
+      </button>
+    </div>
+    <div class="three">${field(0, "width")}${field(1, "height")}${field(2, "depth", words.depthHint)}</div>
+  `;
+}

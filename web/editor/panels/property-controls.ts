@@ -1,0 +1,186 @@
+/** Fields of the property panel that are bound to layers: what they show, preview and record. */
+import { html, type TemplateResult } from "lit";
+import type { DesignLayer } from "../document/index.ts";
+import type { Editor } from "../state/editor.ts";
+import { diagonalOf, type EditorState } from "../state/editor-state.ts";
+import type { LayerPatch } from "../state/layer-commands.ts";
+import { strings } from "../strings.ts";
+import type { NumberFieldEvent } from "../ui/number-field.ts";
+import type { ProjectorField } from "./projector-fields.ts";
+import { checkField, choiceField } from "./property-fields.ts";
+
+const words = strings.properties;
+
+/** What fields are about. */
+export interface PropertyContext {
+  readonly editor: Editor;
+  readonly state: EditorState;
+  /** Ids of the layers that a change is for. */
+  readonly ids: readonly string[];
+}
+
+export interface NumberFieldOptions extends Omit<ProjectorField, "set"> {
+  /** What the value makes of the layer. */
+  readonly patch: (value: number) => LayerPatch;
+}
+
+/** @param group What the step of the history is named after. */
+export function numberField(context: PropertyContext, group: string, options: NumberFieldOptions): TemplateResult {
+  const { label, name, hint = "", unit = "", value, step, min, max, patch } = options;
+  const { editor, ids } = context;
+  const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
+  const change = (event: Event): void => {
+    const { value: next, repeated } = detail(event);
+    record(context, group, patch(next), repeated ? name : undefined);
+  };
+  return html`<tc-number
+    data-field=${name.toLowerCase().replaceAll(" ", "-")}
+    .label=${label}
+    .name=${name}
+    .hint=${hint}
+    .unit=${unit}
+    .value=${value}
+    .step=${step}
+    .min=${min ?? Number.NEGATIVE_INFINITY}
+    .max=${max ?? Number.POSITIVE_INFINITY}
+    @field-preview=${(event: Event) => editor.layers.preview(ids, patch(detail(event).value))}
+    @field-change=${change}
+    @field-cancel=${() => editor.layers.cancelPreview()}
+  ></tc-number>`;
+}
+
+/** One step of the history, named after a field; with a `mergeKey` those that follow each other fast are one. */
+export function record({ editor, ids }: PropertyContext, field: string, patch: LayerPatch, mergeKey?: string): void {
+  const key = mergeKey === undefined ? undefined : `${mergeKey}:${ids.join(" ")}`;
+  editor.layers.change(ids, patch, strings.steps.change(field), key);
+}
+
+export function toggleField(
+  context: PropertyContext,
+  name: string,
+  label: string,
+  on: boolean,
+  patch: (on: boolean) => LayerPatch,
+): TemplateResult {
+  return checkField(name, label, on, (next) => record(context, label, patch(next)));
+}
+
+export function optionField<T extends string>(
+  context: PropertyContext,
+  name: string,
+  label: string,
+  options: Readonly<Record<T, string>>,
+  chosen: T,
+  patch: (value: T) => LayerPatch,
+): TemplateResult {
+  return choiceField<T>(name, label, options, chosen, (value) => record(context, label, patch(value)));
+}
+
+/** A colour with its alpha: "#rrggbb", or "#rrggbbaa" where it is not opaque. */
+export function colorField(
+  context: PropertyContext,
+  id: string,
+  label: string,
+  color: string,
+  patch: (color: string) => LayerPatch,
+): TemplateResult {
+  return html`
+    <div class="field">
+      <label for=${id}>${label}</label>
+      <div class="color">${colorWell(context, id, label, color, patch)}${alphaField(context, label, color, patch)}</div>
+    </div>
+  `;
+}
+
+export function colorWell(
+  context: PropertyContext,
+  id: string,
+  label: string,
+  color: string,
+  patch: (color: string) => LayerPatch,
+): TemplateResult {
+  const chosen = (event: Event): string => (event.target as HTMLInputElement).value + color.slice(7);
+  return html`<input
+    type="color"
+    id=${id}
+    aria-label=${label}
+    .value=${color.slice(0, 7)}
+    @input=${(event: Event) => context.editor.layers.preview(context.ids, patch(chosen(event)))}
+    @change=${(event: Event) => record(context, label, patch(chosen(event)))}
+  />`;
+}
+
+export function alphaField(
+  context: PropertyContext,
+  label: string,
+  color: string,
+  patch: (color: string) => LayerPatch,
+): TemplateResult {
+  return numberField(context, label, {
+    label: words.alpha,
+    name: words.axis(label, words.alpha),
+    unit: words.percent,
+    value: Math.round(alphaOf(color) * 100),
+    step: 1,
+    min: 0,
+    max: 100,
+    patch: (value) => patch(withAlpha(color, value / 100)),
+  });
+}
+
+/** 0 to 1. */
+function alphaOf(color: string): number {
+  return color.length > 7 ? Number.parseInt(color.slice(7, 9), 16) / 255 : 1;
+}
+
+function withAlpha(color: string, alpha: number): string {
+  const byte = Math.round(Math.max(0, Math.min(1, alpha)) * 255);
+  return color.slice(0, 7) + (byte === 255 ? "" : byte.toString(16).padStart(2, "0"));
+}
+
+export function opacityField(context: PropertyContext, { opacity }: DesignLayer): TemplateResult {
+  const { editor, ids } = context;
+  const percent = Math.round(opacity * 1000) / 10;
+  const share = (event: Event): number => Number((event.target as HTMLInputElement).value) / 100;
+  return html`
+    <div class="field">
+      <label for="opacity">${words.opacity}</label>
+      <div class="slider">
+        <input
+          type="range"
+          id="opacity"
+          min="0"
+          max="100"
+          .value=${String(percent)}
+          @input=${(event: Event) => editor.layers.preview(ids, { opacity: share(event) })}
+          @change=${(event: Event) => record(context, words.opacity, { opacity: share(event) }, "opacity")}
+        />
+        ${numberField(context, words.opacity, {
+          label: "",
+          name: words.opacity,
+          unit: words.percent,
+          value: percent,
+          step: 1,
+          min: 0,
+          max: 100,
+          patch: (value) => ({ opacity: value / 100 }),
+        })}
+      </div>
+    </div>
+  `;
+}
+
+/** In which colours a layer is mixed with what is below, and whether it keeps to what is there. */
+export function mixingFields(context: PropertyContext, { blendSpace, lockAlpha }: DesignLayer): TemplateResult {
+  const spaces = { srgb: words.blendSpaceSrgb, linear: words.blendSpaceLinear };
+  return html`
+    ${optionField(context, "blendSpace", words.blendSpace, spaces, blendSpace, (value) => ({ blendSpace: value }))}
+    ${toggleField(context, "lockAlpha", words.lockAlpha, lockAlpha, (on) => ({ lockAlpha: on }))}
+  `;
+}
+
+/** Metres a step: a power of ten near a thousandth of the model, so that models of any size feel alike. */
+export function lengthStep({ model }: Pick<EditorState, "model">): number {
+  if (!model) return 0.001;
+  return 10 ** Math.floor(Math.log10(Math.max(diagonalOf(model), 1e-9) / 300));
+}

@@ -1,0 +1,39 @@
+/** Words of the property panel for fills, gradients and parts. */
+import { plural } from "./plural.ts";
+
+export const gradientWords = {
+  name: "Gradient",
+  kind: "Fill with",
+  kinds: { color: "Colour", linear: "Linear", radial: "Radial" },
+  stops: "Colours of the gradient",
+  barHint: "Double-click adds a colour",
+  stop: (place: number, count: number): string => `Colour ${place} of ${count}`,
+  color: "Colour here",
+  offset: "Offset",
+  offsetLetter: "At",
+  alpha: "Opacity of this colour",
+  alphaLetter: "α",
+  add: "Add a colour",
+  remove: "Remove this colour",
+  reverse: "Turn the gradient round",
+  align: "Align to",
+  alignTo: { x: "From side to side (X)", y: "From bottom to top (Y)", z: "From back to front (Z)" },
+  wholeModel: "Model",
+  from: "From",
+  to: "To",
+  center: "Centre",
+  radius: "Radius",
+} as const;
+
+export const partsWords = {
+  title: "Paints",
+  kinds: { all: "All", charts: "Charts", faces: "Faces" },
+  picked: (kind: "charts" | "faces", count: number): string =>
+    kind === "charts" ? plural(count, "chart", "charts") : plural(count, "face", "faces"),
+  pick: "Pick…",
+  done: "Done",
+  tool: "Pick parts",
+  oneMaterial: "Choose one material first",
+  otherMaterial: "That part has another material than this fill.",
+  step: "pick parts",
+} as const;
