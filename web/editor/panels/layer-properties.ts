@@ -14,8 +14,8 @@ import { brushFields } from "./brush-fields.ts";
 import { fillFields, partsFields } from "./fill-fields.ts";
 import { mirrorFields } from "./mirror-fields.ts";
 import { type PlacementMemory, placementFields } from "./placement-fields.ts";
-import { mixingFields, opacityField, type PropertyContext, toggleField } from "./property-controls.ts";
 import { projectionTools } from "./projector-tools.ts";
+import { mixingFields, opacityField, type PropertyContext, toggleField } from "./property-controls.ts";
 import { propertyStyles } from "./property-styles.ts";
 import { materialField, reachFields, samplingFields } from "./reach-fields.ts";
 
