@@ -325,7 +325,7 @@ export const strings = {
   },
 
   gradient: gradientWords,
-  parts: partsWords,
+  fillParts: partsWords,
 
   history: {
     title: "History",

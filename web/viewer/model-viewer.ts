@@ -217,7 +217,7 @@ class ThreeModelViewer implements ModelViewer {
 
   #placer(material: number): ProjectorPlacer {
     const { query } = this.#requireModel();
-    this.setAnimationPlaying(false);
+    this.setAnimation({ clip: null });
     return new ProjectorPlacer(query, { eye: this.#screen.eye, ...this.#screen.axes }, (uv) => {
       const place = query.triangleAtUv(material, uv);
       return place && query.at(place.triangle, place.shares);

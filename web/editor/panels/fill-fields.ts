@@ -12,7 +12,7 @@ import { colorField, lengthStep, numberField, type PropertyContext, record } fro
 import { choiceField } from "./property-fields.ts";
 
 const words = strings.gradient;
-const parts = strings.parts;
+const parts = strings.fillParts;
 const MODEL_AXES = ["x", "y", "z"] as const satisfies readonly ModelAxis[];
 
 type FillKind = "color" | Gradient["kind"];

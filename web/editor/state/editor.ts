@@ -10,6 +10,7 @@ import { type DemoCatalogue, loadDemoCatalogue } from "../files/demo-catalogue.t
 import type { Autosave } from "../storage/autosave.ts";
 import { strings } from "../strings.ts";
 import { PaletteCommands } from "../tools/palette-commands.ts";
+import { PartsTool } from "../tools/parts-tool.ts";
 import { registerTools } from "../tools/register-tools.ts";
 import { Toolbox } from "../tools/toolbox.ts";
 import { AssetLibrary } from "./asset-library.ts";
@@ -94,6 +95,7 @@ export class Editor {
     const reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     this.palettes = new PaletteCommands(tools, board);
     registerTools({ engine, viewer, textureView, session, library, store, board, tools, reach });
+    tools.register(new PartsTool({ engine, viewer, textureView, store, board, layers: this.layers }));
     const showMaterial = (material: number): void => this.showMaterial(material);
     this.views = new ViewCommands({
       engine,
