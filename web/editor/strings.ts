@@ -477,6 +477,7 @@ export const strings = {
     undoRemove: "Undo",
     undoRemoveOf: (name: string): string => `Bring ${name} back`,
     layers: (count: number): string => plural(count, "layer", "layers"),
+    megabytes: (size: string): string => `${size} MB`,
     copyOf: (name: string): string => `${name} (copy)`,
     restored: (name: string): string => `${name} is back`,
     back: (name: string): string => `${name} is back as you left it`,

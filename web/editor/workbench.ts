@@ -11,6 +11,7 @@ import "./panels/help-dialog.ts";
 import "./panels/history-panel.ts";
 import "./panels/layer-list.ts";
 import "./panels/notice-stack.ts";
+import "./panels/projects-dialog.ts";
 import "./panels/side-panel.ts";
 import "./panels/stage.ts";
 import "./panels/status-line.ts";
@@ -164,7 +165,8 @@ export class Workbench extends EditorElement {
         .editor=${editor}
         .compact=${compact}
         @help=${() => this.#help()}
-        @templates=${() => this.renderRoot.querySelector("tc-template-dialog")?.show()}
+        @templates=${this.#templates}
+        @projects=${() => this.renderRoot.querySelector("tc-projects-dialog")?.show()}
       ></tc-top-bar>
       ${this.#views()}
       ${
@@ -179,6 +181,7 @@ export class Workbench extends EditorElement {
       }
       <tc-help-dialog></tc-help-dialog>
       <tc-template-dialog .editor=${editor}></tc-template-dialog>
+      <tc-projects-dialog .editor=${editor} @create=${this.#templates}></tc-projects-dialog>
       ${
         this.dropping
           ? html`<div class="drop">
@@ -222,6 +225,8 @@ export class Workbench extends EditorElement {
   #help(): void {
     this.renderRoot.querySelector("tc-help-dialog")?.show();
   }
+
+  readonly #templates = (): void => this.renderRoot.querySelector("tc-template-dialog")?.show();
 
   readonly #resize = (): void => {
     this.compact = this.#phone.matches;

@@ -44,7 +44,7 @@ export class StatusLine extends LitElement {
     new StoreController<EditorState>(
       this,
       () => this.editor?.store,
-      ({ targets, material, model }) => [targets, material, model],
+      ({ targets, material, model, keeping }) => [targets, material, model, keeping],
     );
     new StoreController<Figures>(
       this,
@@ -55,12 +55,14 @@ export class StatusLine extends LitElement {
   }
 
   override render(): TemplateResult {
-    const { targets, material, model } = this.editor.store.state;
+    const { targets, material, model, keeping } = this.editor.store.state;
+    const kept = strings.projects.keeping[keeping];
     const target = material === null ? undefined : targets.get(material);
     const { update, uploadMilliseconds } = this.editor.figures.state;
     if (!target) return html`<div class="line"><span>${model ? words.ready : words.noModel}</span></div>`;
     return html`<div class="line">
       <span>${words.size(target.width, target.height)}</span>
+      ${kept ? html`<span id="keeping">${kept}</span>` : nothing}
       ${
         update
           ? html`

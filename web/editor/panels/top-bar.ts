@@ -4,10 +4,14 @@ import {
   Box,
   CircleQuestionMark,
   Download,
+  FileArchive,
   FileDown,
+  Folder,
   FolderOpen,
   Image,
+  LayoutGrid,
   LayoutTemplate,
+  Plus,
   Redo2,
   Save,
   Undo2,
@@ -94,15 +98,22 @@ export class TopBar extends EditorElement {
   }
 
   protected watched(state: EditorState): readonly unknown[] {
-    const { model, undoLabel, redoLabel, unsaved, demos, switching } = state;
-    return [model, undoLabel, redoLabel, unsaved, demos, switching];
+    const { model, undoLabel, redoLabel, unsaved, demos, switching, designName, keeping } = state;
+    return [model, undoLabel, redoLabel, unsaved, demos, switching, designName, keeping];
   }
 
   override render(): TemplateResult {
-    const { model, undoLabel, redoLabel, unsaved, switching } = this.state;
+    const { model, undoLabel, redoLabel, unsaved, switching, designName } = this.state;
     const { files } = this.editor;
     return html`
       ${this.compact ? nothing : html`<h1>${strings.productName}</h1>`}
+      <tc-menu
+        class="projects"
+        .label=${this.compact ? "" : designName}
+        .name=${strings.projects.menu(designName)}
+        .icon=${Folder}
+        .items=${this.#projectItems()}
+      ></tc-menu>
       <tc-menu
         class="models"
         .label=${model?.ref.title ?? words.noModel}
@@ -172,6 +183,43 @@ export class TopBar extends EditorElement {
         ${icon(Save)}${unsaved ? html`<span class="unsaved"></span>` : nothing}
       </button>
     `;
+  }
+
+  #projectItems(): MenuItem[] {
+    const { keeping, model } = this.state;
+    const { projects, files } = this.editor;
+    const projectWords = strings.projects;
+    const none = model === null;
+    return [
+      {
+        label: projectWords.all,
+        hint: projectWords.keeping[keeping] || projectWords.allHint,
+        icon: LayoutGrid,
+        run: () => this.dispatchEvent(new CustomEvent("projects")),
+      },
+      { label: projectWords.create, icon: Plus, run: () => this.dispatchEvent(new CustomEvent("templates")) },
+      {
+        label: projectWords.saveFile,
+        hint: projectWords.saveFileHint,
+        icon: FileArchive,
+        disabled: none,
+        separated: true,
+        run: () => projects.saveFile(true),
+      },
+      {
+        label: projectWords.saveFileWithoutModel,
+        hint: projectWords.saveFileWithoutModelHint,
+        icon: Save,
+        disabled: none,
+        run: () => projects.saveFile(false),
+      },
+      {
+        label: projectWords.openFile,
+        hint: projectWords.openFileHint,
+        icon: FolderOpen,
+        run: () => pickFiles({ accept: ACCEPT.any }, (chosen) => void files.openFiles(chosen)),
+      },
+    ];
   }
 
   #modelItems(): MenuItem[] {

@@ -13,6 +13,7 @@ export const ACCEPT = {
   picture: ".png,.jpg,.jpeg,.webp,.svg,image/png,image/jpeg,image/webp,image/svg+xml",
   font: ".ttf,.otf,font/ttf,font/otf",
   design: ".json,.texelcast,.png,.jpg,.jpeg,.webp,.svg,.ttf,.otf",
+  any: ".texelcast,.glb,.gltf,.bin,.json,.png,.jpg,.jpeg,.webp,.svg",
 } as const;
 
 /** Calls `take` when the user has chosen something. Must be called from a user's gesture. */

@@ -1,0 +1,317 @@
+/** The projects that the browser keeps: open, rename, duplicate, delete and bring back. */
+import { css, html, nothing, type TemplateResult } from "lit";
+import { repeat } from "lit/directives/repeat.js";
+import { Copy, Image, Pencil, Plus, Trash2, Undo2, X } from "lucide";
+import type { EditorState, ListedProject } from "../state/editor-state.ts";
+import { megabytes } from "../state/megabytes.ts";
+import { strings } from "../strings.ts";
+import { EditorElement } from "../ui/editor-element.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.projects;
+
+export class ProjectsDialog extends EditorElement {
+  static override properties = { shown: { state: true }, renaming: { state: true } };
+  declare shown: boolean;
+  /** Id of the project whose name is being typed. */
+  declare renaming: string | null;
+
+  static override styles = [
+    controls,
+    css`
+      dialog {
+        width: min(40rem, calc(100vw - 2rem));
+        max-height: calc(100dvh - 4rem);
+        padding: 0;
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface-high);
+        color: var(--text);
+        box-shadow: var(--shadow);
+      }
+      dialog::backdrop {
+        background: rgb(0 0 0 / 35%);
+      }
+      header {
+        position: sticky;
+        z-index: 1;
+        inset-block-start: 0;
+        display: flex;
+        align-items: center;
+        gap: var(--space-2);
+        padding: var(--space-3) var(--space-3) var(--space-2) var(--space-4);
+        background: inherit;
+      }
+      h2 {
+        flex: 1;
+      }
+      ul {
+        display: grid;
+        gap: 2px;
+        margin: 0;
+        padding: 0 var(--space-2) var(--space-3);
+        list-style: none;
+      }
+      .empty {
+        padding: var(--space-2) var(--space-4) var(--space-5);
+        line-height: 1.5;
+      }
+      li {
+        display: grid;
+        grid-template-columns: minmax(0, 1fr) auto;
+        align-items: center;
+        gap: var(--space-1);
+        padding-inline-end: var(--space-1);
+        border-radius: var(--radius-large);
+      }
+      @media (hover: hover) {
+        li:hover {
+          background: var(--hover);
+        }
+      }
+      .open,
+      .still {
+        display: grid;
+        grid-template-columns: auto minmax(0, 1fr);
+        align-items: center;
+        justify-content: start;
+        gap: var(--space-3);
+        padding: var(--space-2);
+        text-align: start;
+      }
+      .open:hover {
+        background: none;
+      }
+      .picture {
+        display: grid;
+        place-items: center;
+        width: 72px;
+        height: 54px;
+        overflow: hidden;
+        border-radius: var(--radius);
+        background: var(--stage);
+        color: var(--text-quiet);
+      }
+      .picture img {
+        width: 100%;
+        height: 100%;
+        object-fit: cover;
+      }
+      .words {
+        display: grid;
+        gap: 3px;
+        min-width: 0;
+      }
+      .name {
+        overflow: hidden;
+        font-weight: 550;
+        text-overflow: ellipsis;
+        white-space: nowrap;
+      }
+      .about {
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+        line-height: 1.4;
+      }
+      .here {
+        color: var(--accent);
+        font-weight: 550;
+      }
+      .acts {
+        display: flex;
+        gap: 2px;
+      }
+      .deleted .still {
+        opacity: 0.55;
+      }
+      .deleted .name {
+        text-decoration: line-through;
+      }
+      @media (max-width: 560px) {
+        li:not(.deleted) {
+          grid-template-columns: minmax(0, 1fr);
+        }
+        .acts {
+          justify-content: end;
+          margin-block: calc(-1 * var(--space-2)) var(--space-1);
+        }
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.shown = false;
+    this.renaming = null;
+  }
+
+  show(): void {
+    this.shown = true;
+    this.#dialog?.showModal();
+    void this.editor.projects.refresh().then(() => this.editor.projects.refreshThumbnail());
+  }
+
+  protected watched({ projects, switching }: EditorState): readonly unknown[] {
+    return [projects, switching];
+  }
+
+  get #dialog(): HTMLDialogElement | null {
+    return this.renderRoot.querySelector("dialog");
+  }
+
+  override render(): TemplateResult {
+    const outside = (event: Event): void => {
+      if (event.target === event.currentTarget) this.#close();
+    };
+    return html`
+      <dialog aria-labelledby="title" @click=${outside} @close=${this.#closed}>
+        <header>
+          <h2 id="title">${words.title}</h2>
+          <button class="outlined" id="new-project" @click=${this.#create}>${icon(Plus)}${words.create}</button>
+          <button class="icon" aria-label=${words.close} title=${words.close} @click=${this.#close}>${icon(X)}</button>
+        </header>
+        ${this.shown ? this.#list(this.state.projects) : nothing}
+      </dialog>
+    `;
+  }
+
+  #list(projects: EditorState["projects"]): TemplateResult {
+    if (projects === null) return html`<p class="empty quiet">${words.loading}</p>`;
+    if (projects.length === 0) return html`<p class="empty quiet">${words.empty}</p>`;
+    return html`
+      <ul aria-label=${words.list}>
+        ${repeat(
+          projects,
+          ({ id }) => id,
+          (project) => (project.deleted ? this.#deletedRow(project) : this.#row(project)),
+        )}
+      </ul>
+    `;
+  }
+
+  #row(project: ListedProject): TemplateResult {
+    const { id, name, open } = project;
+    const commands = this.editor.projects;
+    const renaming = this.renaming === id;
+    return html`
+      <li data-project=${id} aria-current=${open === "here" ? "true" : nothing}>
+        ${
+          renaming
+            ? html`<div class="still">${picture(project)}${this.#nameField(project)}</div>`
+            : html`
+                <button class="open" aria-label=${words.open(name)} aria-describedby=${`about-${id}`} @click=${() => this.#open(project)}>
+                  ${picture(project)}
+                  <span class="words">
+                    <span class="name">${name}</span>
+                    <span class="about" id=${`about-${id}`}>
+                      ${open ? html`<span class="here">${open === "here" ? words.openHere : words.openElsewhere}</span> · ` : nothing}${aboutOf(project)}
+                    </span>
+                  </span>
+                </button>
+              `
+        }
+        <div class="acts">
+          ${action("rename", words.rename(name), Pencil, () => this.#rename(id))}
+          ${action("duplicate", words.duplicate(name), Copy, () => void commands.duplicate(project))}
+          ${action("delete", words.remove(name), Trash2, () => this.#remove(project))}
+        </div>
+      </li>
+    `;
+  }
+
+  #deletedRow(project: ListedProject): TemplateResult {
+    const restore = (): void => void this.editor.projects.restore(project);
+    return html`
+      <li class="deleted" data-project=${project.id}>
+        <div class="still">
+          ${picture(project)}
+          <span class="words">
+            <span class="name">${project.name}</span>
+            <span class="about">${words.deleted}</span>
+          </span>
+        </div>
+        <button class="outlined" data-action="restore" aria-label=${words.undoRemoveOf(project.name)} @click=${restore}>
+          ${icon(Undo2)}${words.undoRemove}
+        </button>
+      </li>
+    `;
+  }
+
+  #nameField({ id, name }: ListedProject): TemplateResult {
+    const end = (keep: boolean, input: HTMLInputElement): void => {
+      if (this.renaming !== id) return;
+      this.renaming = null;
+      if (keep && input.value !== name) void this.editor.projects.rename(id, input.value);
+      void this.#focus(id, "[data-action=rename]");
+    };
+    const key = (event: KeyboardEvent): void => {
+      if (event.key !== "Enter" && event.key !== "Escape") return;
+      // Escape ends the typing, not the dialog.
+      event.preventDefault();
+      event.stopPropagation();
+      end(event.key === "Enter", event.target as HTMLInputElement);
+    };
+    const leave = (event: FocusEvent): void => end(true, event.target as HTMLInputElement);
+    return html`
+      <input type="text" aria-label=${words.nameOf(name)} .value=${name} maxlength="120" @keydown=${key} @blur=${leave} />
+    `;
+  }
+
+  #rename(id: string): void {
+    this.renaming = id;
+    void this.#focus(id, "input").then((input) => (input as HTMLInputElement | null)?.select());
+  }
+
+  async #remove(project: ListedProject): Promise<void> {
+    await this.editor.projects.remove(project);
+    await this.#focus(project.id, "[data-action=restore]");
+  }
+
+  async #focus(id: string, selector: string): Promise<HTMLElement | null> {
+    await this.updateComplete;
+    const element = this.renderRoot.querySelector<HTMLElement>(`[data-project="${id}"] ${selector}`);
+    element?.focus();
+    return element;
+  }
+
+  #open({ id, open }: ListedProject): void {
+    this.#close();
+    if (open !== "here") void this.editor.projects.open(id);
+  }
+
+  readonly #create = (): void => {
+    this.#close();
+    this.dispatchEvent(new CustomEvent("create"));
+  };
+
+  readonly #close = (): void => this.#dialog?.close();
+
+  readonly #closed = (): void => {
+    this.shown = false;
+    this.renaming = null;
+    void this.editor.projects.sweep();
+  };
+}
+customElements.define("tc-projects-dialog", ProjectsDialog);
+
+function action(name: string, label: string, node: Parameters<typeof icon>[0], run: () => void): TemplateResult {
+  return html`
+    <button class="icon" data-action=${name} aria-label=${label} title=${label} @click=${run}>${icon(node)}</button>
+  `;
+}
+
+function picture({ thumbnail }: ListedProject): TemplateResult {
+  return html`<span class="picture">${thumbnail ? html`<img src=${thumbnail} alt="" draggable="false" />` : icon(Image)}</span>`;
+}
+
+function aboutOf({ layers, modelTitle, size, modified }: ListedProject): string {
+  const time = new Date(modified).toLocaleString("en", { dateStyle: "medium", timeStyle: "short" });
+  return [words.layers(layers), modelTitle, words.megabytes(megabytes(size)), time].join(" · ");
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "tc-projects-dialog": ProjectsDialog;
+  }
+}
