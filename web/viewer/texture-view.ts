@@ -8,6 +8,7 @@ import { FrameTask } from "./frame-task.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
 import type { ScreenPoint } from "./screen-space.ts";
+import { StampGizmo } from "./stamp-gizmo.ts";
 import { TextureCamera } from "./texture-camera.ts";
 import { TextureGuide } from "./texture-guide.ts";
 import { type PaintedLines, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
@@ -17,7 +18,15 @@ import { ToolPointer } from "./tool-pointer.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import { UvCharts } from "./uv-charts.ts";
 import { meanLength, uvEdges } from "./uv-edges.ts";
-import type { GuideEntry, MapPicture, SurfaceHit, TextureHover, TextureView, TextureViewEvents } from "./viewer-api.ts";
+import type {
+  GuideEntry,
+  MapPicture,
+  SurfaceHit,
+  TextureHover,
+  TextureView,
+  TextureViewEvents,
+  ViewerDecal,
+} from "./viewer-api.ts";
 import { adoptViewerStyle } from "./viewer-style.ts";
 
 export interface TextureViewOptions {
@@ -70,6 +79,8 @@ class GlTextureView implements TextureView {
   readonly #options: TextureViewOptions;
   readonly #gl: WebGL2RenderingContext;
   readonly #camera = new TextureCamera();
+  readonly #stamp: StampGizmo;
+  #stampDecal: ViewerDecal | null = null;
   readonly #tools: ToolPointer;
   readonly #ringOverlay: RingOverlay;
   readonly #guide: TextureGuide;
@@ -115,6 +126,12 @@ class GlTextureView implements TextureView {
     this.#painter = new TexturePainter(this.#gl);
     this.#guide = new TextureGuide(root);
     this.#ringOverlay = new RingOverlay(root);
+    // Before the other inputs, from which it keeps what it takes.
+    this.#stamp = new StampGizmo(root, {
+      pixelOf: (uv) => this.#camera.pixelOf(uv),
+      uvOf: (x, y) => this.#camera.uvOf(x, y),
+      gesture: (gesture) => this.#events.emit("gesture", gesture),
+    });
     this.#pointer = new TexturePointer(root, {
       hover: (at) => this.#events.emit("hover", at && this.#hoverOf(at)),
       click: (at) => this.#events.emit("click", this.#hoverOf(at)),
@@ -225,6 +242,7 @@ class GlTextureView implements TextureView {
   setTool(input: ToolInput | null, pick: (uv: readonly [number, number]) => SurfaceHit | null): void {
     this.#pick = pick;
     this.#tools.tool = input;
+    this.#showStamp();
     if (input === null) {
       this.setRing(null);
     }
@@ -233,6 +251,11 @@ class GlTextureView implements TextureView {
   setRing(outlines: readonly (readonly (readonly [number, number])[])[] | null): void {
     this.#ring = outlines;
     this.#placeRing();
+  }
+
+  setStamp(decal: ViewerDecal | null): void {
+    this.#stampDecal = decal;
+    this.#showStamp();
   }
 
   resetZoom(): void {
@@ -246,6 +269,7 @@ class GlTextureView implements TextureView {
     this.#resize.disconnect();
     this.#input.dispose();
     this.#tools.dispose();
+    this.#stamp.dispose();
     this.#ringOverlay.dispose();
     this.#guide.dispose();
     this.#pointer.dispose();
@@ -308,6 +332,7 @@ class GlTextureView implements TextureView {
     this.#placeMarker();
     this.#placeRing();
     this.#guide.place(this.#camera);
+    this.#stamp.draw();
   }
 
   #hoverOf({ x, y }: ScreenPoint): TextureHover {
@@ -345,6 +370,10 @@ class GlTextureView implements TextureView {
       y: this.#camera.y,
       scale: (this.#camera.scale * target.width) / map.width,
     });
+  }
+
+  #showStamp(): void {
+    this.#stamp.decal = this.#tools.tool === null ? this.#stampDecal : null;
   }
 
   #placeMarker(): void {

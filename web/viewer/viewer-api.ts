@@ -232,6 +232,8 @@ export interface TextureViewEvents {
   hover: TextureHover | null;
   /** A click or tap that was no drag. */
   click: TextureHover;
+  /** A drag of the stamp that is shown. */
+  gesture: DecalGesture;
 }
 
 /** The unfolded texture: the live target or a map view, UV outlines over it, zoom and pan. */
@@ -253,6 +255,8 @@ export interface TextureView {
   setTool(input: ToolInput | null, pick: (uv: readonly [number, number]) => SurfaceHit | null): void;
   /** Shows a brush's preview: outlines in texture coordinates; null shows none. */
   setRing(outlines: readonly (readonly (readonly [number, number])[])[] | null): void;
+  /** Shows a flat stamp's border and handles, to be dragged while no tool has the pointer; null, or another kind, shows none. */
+  setStamp(decal: ViewerDecal | null): void;
   resetZoom(): void;
   dispose(): void;
 }

@@ -42,7 +42,7 @@ export class DecalCommands {
     this.#board = board;
     this.#layers = layers;
     this.#reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
-    viewer.on("gesture", (gesture) => this.#follow(gesture));
+    viewer.on("gesture", (gesture) => this.followGesture(gesture));
     viewer.on("select", ({ id }) => layers.select(id));
   }
 
@@ -149,7 +149,8 @@ export class DecalCommands {
     return true;
   }
 
-  #follow({ id, kind, phase, projector, material: onto }: DecalGesture): void {
+  /** A view's drag of a decal: shown while it goes on, a step of the history when it ends. */
+  followGesture({ id, kind, phase, projector, material: onto }: DecalGesture): void {
     if (phase === "start") this.#layers.select(id);
     else if (phase === "cancel") this.#session.cancelPreview();
     else {

@@ -27,6 +27,7 @@ import { ModelSession } from "./model-session.ts";
 import { NoticeBoard } from "./notice-board.ts";
 import type { ProjectCommands } from "./project-commands.ts";
 import { keepProjects } from "./project-keeping.ts";
+import { shownStamp } from "./shown-stamp.ts";
 import { Store } from "./store.ts";
 import { Tasks } from "./tasks.ts";
 import { UpdateRouter } from "./update-router.ts";
@@ -187,6 +188,7 @@ export class Editor {
   }
 
   #connect(): void {
+    this.textureView.on("gesture", (gesture) => this.decals.followGesture(gesture));
     this.viewer.on("needsFullUpdate", ({ material }) => this.refresh(material));
     this.engine.onError((error) => this.#tellOfFault(error));
     let seen = this.store.state;
@@ -221,6 +223,7 @@ export class Editor {
       if (before.model === now.model) this.board.dismissInfos();
       this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
     }
+    this.textureView.setStamp(shownStamp(now));
     const selected = layerById(now.design, now.selectedId);
     const other = now.selectedId !== before.selectedId;
     const movedOn = selected?.material !== layerById(before.design, before.selectedId)?.material;
