@@ -102,7 +102,7 @@ describe("ways over a surface", () => {
       [sphere(), [0, 0, 1], [0.3, 0, 0.954]],
     ] as const) {
       const { joins } = joinsOn(shape);
-      expect(joins(hit(...a), hit(...b))).toBe(true);
+      expect(joins(hit(a[0], a[1], a[2]), hit(b[0], b[1], b[2]))).toBe(true);
     }
   });
 
