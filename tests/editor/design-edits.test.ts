@@ -3,10 +3,12 @@ import {
   type DecalLayer,
   type Design,
   emptyDesign,
+  freeIdIn,
+  makeDecalLayer,
   parseDesign,
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
-import { addDecal, patchLayer, withAsset } from "../../web/editor/state/design-edits.ts";
+import { addOnTop, patchLayer, withAsset } from "../../web/editor/state/design-edits.ts";
 import { groupLayers } from "../../web/editor/state/layer-edits.ts";
 
 const PROJECTOR = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] } as const;
@@ -16,9 +18,12 @@ const MOON = { type: "image/png", uri: "data:image/png;base64,TU9PTg==" } as con
 /** Decals, bottom to top. */
 function designOf(...names: string[]): Design {
   let { design, key } = withAsset(emptyDesign(), "star.png", STAR);
-  for (const name of names) ({ design } = addDecal(design, { name, material: 0, asset: key, projector: PROJECTOR }));
+  for (const name of names) design = addOnTop(design, decal(design, name, key));
   return design;
 }
+
+const decal = (design: Design, name: string, asset = "star"): DecalLayer =>
+  makeDecalLayer({ id: freeIdIn(design), name, asset, projector: PROJECTOR });
 
 const idOf = (design: Design, name: string): string => design.layers.find((layer) => layer.name === name)?.id ?? "";
 
@@ -42,10 +47,10 @@ describe("edits of a design", () => {
   it("put a new decal on top of all, or of those in a group", () => {
     const design = designOf("A", "B");
     const grouped = groupLayers(design, [idOf(design, "A")], { name: "Group" });
-    const fields = { name: "C", material: 0, asset: "star", projector: PROJECTOR };
-    const { design: inside } = addDecal(grouped?.design as Design, fields, grouped?.id);
+    const layer = decal(design, "C");
+    const inside = addOnTop(grouped?.design as Design, layer, grouped?.id);
     expect(inside.layers[0]).toMatchObject({ layers: [{ name: "A" }, { name: "C" }] });
-    expect(addDecal(grouped?.design as Design, fields).design.layers.at(-1)?.name).toBe("C");
+    expect(addOnTop(grouped?.design as Design, layer).layers.at(-1)?.name).toBe("C");
   });
 
   it("use one asset for the same picture, and another key for another picture of the same name", () => {

@@ -11,12 +11,15 @@ export interface Intake {
   /** A project in one file, which has its design and mostly its model inside. */
   readonly project?: CollectedFile;
   readonly pictures: readonly CollectedFile[];
+  /** For texts. Web fonts are among them: what is wrong with them is told when they are read. */
+  readonly fonts: readonly CollectedFile[];
   /** Everything that came along: a design's relative addresses are looked up here. */
   readonly companions: readonly CollectedFile[];
 }
 
 const MODEL = /\.(glb|gltf)$/i;
-const PICTURE = /\.(png|jpe?g|webp)$/i;
+const PICTURE = /\.(png|jpe?g|webp|svgz?)$/i;
+const FONT = /\.(ttf|otf|ttc|otc|woff2?)$/i;
 const DESIGN = /\.json$/i;
 const PROJECT = /\.texelcast$/i;
 
@@ -32,9 +35,11 @@ export async function sortFiles(files: readonly CollectedFile[]): Promise<Intake
   const designs = files.filter(({ path }) => DESIGN.test(path));
   const design = designs.find(({ path }) => path.endsWith(".design.json")) ?? designs[0];
   const project = files.find(({ path }) => PROJECT.test(path));
-  // Pictures that come with a model, a design or a project are its own; alone they are decals.
-  const pictures = modelFile || design || project ? [] : files.filter(({ path }) => PICTURE.test(path));
-  if (!modelFile && !design && !project && pictures.length === 0) {
+  // Pictures and fonts that come with a model, a design or a project are its own; alone they are for decals.
+  const alone = modelFile || design || project ? [] : files;
+  const pictures = alone.filter(({ path }) => PICTURE.test(path));
+  const fonts = alone.filter(({ path }) => FONT.test(path));
+  if (!modelFile && !design && !project && pictures.length + fonts.length === 0) {
     const first = files[0];
     throw new TexelcastError("unsupported", strings.errors.unknownFile(first?.path ?? ""), {
       ...(first && { subject: first.path }),
@@ -47,6 +52,7 @@ export async function sortFiles(files: readonly CollectedFile[]): Promise<Intake
     ...(design && { design }),
     ...(project && { project }),
     pictures,
+    fonts,
     companions: files,
   };
 }

@@ -1,6 +1,6 @@
 /** Adding decals: a picture of one's own, or a demo decal by click or by dragging it onto the model. */
 import { css, html, nothing, type TemplateResult } from "lit";
-import { ImagePlus } from "lucide";
+import { ImagePlus, Type } from "lucide";
 import type { DemoDecal } from "../files/demo-catalogue.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
@@ -22,8 +22,12 @@ export class DecalPalette extends EditorElement {
         display: grid;
         gap: var(--space-2);
       }
+      .adds {
+        display: flex;
+        gap: var(--space-1);
+      }
       .add {
-        width: 100%;
+        flex: auto;
         min-height: max(var(--target), 32px);
       }
       .palette {
@@ -62,7 +66,19 @@ export class DecalPalette extends EditorElement {
     const { demos, model } = this.state;
     const add = (): void => pickFiles({ accept: ACCEPT.picture }, (files) => void this.editor.files.openFiles(files));
     return html`
-      <button class="outlined add" id="add-picture" ?disabled=${model === null} @click=${add}>${icon(ImagePlus)}${words.add}</button>
+      <div class="adds">
+        <button class="outlined add" id="add-picture" ?disabled=${model === null} @click=${add}>
+          ${icon(ImagePlus)}${words.add}
+        </button>
+        <button
+          class="outlined add"
+          id="add-text"
+          ?disabled=${model === null}
+          @click=${() => void this.editor.texts.add()}
+        >
+          ${icon(Type)}${strings.text.add}
+        </button>
+      </div>
       ${
         demos && model
           ? html`<div class="palette" role="group" aria-label=${words.palette}>

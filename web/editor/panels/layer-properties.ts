@@ -15,9 +15,10 @@ import { fillFields, partsFields } from "./fill-fields.ts";
 import { mirrorFields } from "./mirror-fields.ts";
 import { type PlacementMemory, placementFields } from "./placement-fields.ts";
 import { projectionTools } from "./projector-tools.ts";
-import { mixingFields, opacityField, type PropertyContext, toggleField } from "./property-controls.ts";
+import { lengthStep, mixingFields, opacityField, type PropertyContext, toggleField } from "./property-controls.ts";
 import { propertyStyles } from "./property-styles.ts";
 import { materialField, reachFields, samplingFields } from "./reach-fields.ts";
+import "./text-fields.ts";
 
 const words = strings.properties;
 /** Milliseconds between two changes of the numbers: a score of fields, which nobody reads faster while a decal is dragged. */
@@ -63,7 +64,12 @@ export class LayerProperties extends EditorElement {
       case "decal":
       case "text":
         return html`
-          ${layer.type === "decal" ? projectionTools(this.editor, layer) : nothing}
+          ${
+            layer.type === "text"
+              ? html`<tc-text-fields .editor=${this.editor} .step=${lengthStep(this.state)}></tc-text-fields>`
+              : nothing
+          }
+          ${projectionTools(this.editor, layer)}
           ${placementFields(context, layer, this.#aspectOf(layer), this.#memory, () => this.requestUpdate())}
           ${mirrorFields(context, layer)}${this.#look(context, layer, samplingFields(context, layer))}${reachFields(context, layer)}
         `;

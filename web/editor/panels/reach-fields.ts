@@ -81,7 +81,7 @@ export function materialField(context: PropertyContext, layer: DesignLayer): Tem
     if (select.value === ALL_MET) {
       // Where that is what it paints already, nothing is drawn anew: the list must not stay on this word.
       select.value = own.join(" ");
-      if (layer.type === "decal") editor.decals.paintAllMet(layer);
+      if (layer.type === "decal" || layer.type === "text") editor.decals.paintAllMet(layer);
       return;
     }
     const material = Number(select.value);
@@ -98,7 +98,7 @@ export function materialField(context: PropertyContext, layer: DesignLayer): Tem
       <label for="material">${words.material}</label>
       <select id="material" @change=${choose}>
         ${listed ? html`<option value=${own.join(" ")} .selected=${true} disabled>${own.map(nameOf).join(", ")}</option>` : nothing}
-        ${layer.type === "decal" ? html`<option value=${ALL_MET}>${words.materialsMet}</option>` : nothing}
+        ${layer.type === "decal" || layer.type === "text" ? html`<option value=${ALL_MET}>${words.materialsMet}</option>` : nothing}
         ${materials.map(
           ({
             index,

@@ -1,11 +1,11 @@
 /** What a user does to decals, each a step of the history. */
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
-import { type DecalLayer, materialsOf, visitOf } from "../document/index.ts";
+import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf, visitOf } from "../document/index.ts";
 import { strings } from "../strings.ts";
 import type { LibraryPicture } from "./asset-library.ts";
-import { DecalReach } from "./decal-reach.ts";
-import { addDecal, layerById, withAsset } from "./design-edits.ts";
+import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
+import { addOnTop, layerById, withAsset } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf, type EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
@@ -46,23 +46,38 @@ export class DecalCommands {
     viewer.on("select", ({ id }) => layers.select(id));
   }
 
-  get selected(): DecalLayer | undefined {
+  get selected(): PlacedLayer | undefined {
     const { selected } = this.#session;
-    return selected?.type === "decal" ? selected : undefined;
+    return selected?.type === "decal" || selected?.type === "text" ? selected : undefined;
   }
 
   /** Puts a picture on the model: at `hit`, else in the middle of the view, else in front of the model. */
   add(name: string, picture: LibraryPicture, hit: SurfaceHit | null): void {
-    const place = hit ?? this.#viewer.surfaceAtCentre();
-    const aspect = picture.width / picture.height;
-    const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
-    const projector = place ? this.#viewer.projectorAt(place, width, aspect) : this.#inFront(width, aspect);
-    const material = this.#reach.at(projector, false, place?.material ?? this.#store.state.material ?? 0);
-    const { design: withPicture, key } = withAsset(this.#session.recordedDesign, name, picture.asset);
-    const { design, id } = addDecal(withPicture, { name, material, asset: key, projector }, this.#group());
-    this.#session.record(design, strings.steps.add);
-    this.#session.select(id);
+    this.addLayer(picture.width / picture.height, hit, strings.steps.add, (id, projector, material) => {
+      const { design, key } = withAsset(this.#session.recordedDesign, name, picture.asset);
+      return { design, layer: makeDecalLayer({ id, name, material, asset: key, projector }) };
+    });
     this.#board.announce(strings.announce.added(name));
+  }
+
+  /**
+   * Puts a layer of that aspect (width by height) on the model, where `add` puts pictures. `make` gives it, and the design
+   * that it comes into, which has its assets.
+   */
+  addLayer(
+    aspect: number,
+    hit: SurfaceHit | null,
+    label: string,
+    make: (id: string, projector: PlanarProjector, material: LayerMaterials) => { design: Design; layer: PlacedLayer },
+  ): void {
+    const spot = hit ?? this.#viewer.surfaceAtCentre();
+    const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
+    const projector = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
+    const material = this.#reach.at(projector, false, spot?.material ?? this.#store.state.material ?? 0);
+    const id = freeIdIn(this.#session.recordedDesign);
+    const { design, layer } = make(id, projector, material);
+    this.#session.record(addOnTop(design, layer, this.#group()), label);
+    this.#session.select(id);
   }
 
   /** The group that is worked in: new decals lie on top of it. */
@@ -128,14 +143,14 @@ export class DecalCommands {
   }
 
   /** The material in whose texture a layer lies as a stamp: the shown one where it paints that, too. */
-  #stampMaterial(layer: DecalLayer): number {
+  #stampMaterial(layer: PlacedLayer): number {
     const own = materialsOf(layer);
     const { material } = this.#store.state;
     return material !== null && own.includes(material) ? material : (own[0] ?? 0);
   }
 
   /** Gives a decal all materials that it meets where it lies. */
-  paintAllMet(layer: DecalLayer): void {
+  paintAllMet(layer: PlacedLayer): void {
     const material = this.#reach.at(layer.projector, layer.backfaces, materialsOf(layer)[0] ?? 0);
     this.#layers.change(layer.id, { material }, strings.steps.change(strings.properties.material));
   }
@@ -155,7 +170,7 @@ export class DecalCommands {
     else if (phase === "cancel") this.#session.cancelPreview();
     else {
       const layer = layerById(this.#session.recordedDesign, id);
-      if (layer?.type !== "decal") return;
+      if (layer?.type !== "decal" && layer?.type !== "text") return;
       const patch = { projector, material: this.#reach.movedTo(layer, projector, onto) };
       if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, strings.steps[kind]);

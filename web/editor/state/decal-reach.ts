@@ -1,13 +1,22 @@
 /** Which materials a decal paints from where it lies, and how that follows it when it is moved. */
 import type { MaterialInfo, Projector } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
-import { type DecalLayer, type LayerMaterials, layerMaterials, materialsOf } from "../document/index.ts";
+import {
+  type DecalLayer,
+  type LayerMaterials,
+  layerMaterials,
+  materialsOf,
+  type TextLayer,
+} from "../document/index.ts";
+
+/** What lies where its projector is: a picture, or words. */
+export type PlacedLayer = DecalLayer | TextLayer;
 
 export class DecalReach {
   readonly #viewer: Pick<ModelViewer, "materialsReached">;
   readonly #materials: () => readonly MaterialInfo[];
   /** Asked in each frame of a drag, of the layer as it was before. */
-  readonly #follows = new WeakMap<DecalLayer, boolean>();
+  readonly #follows = new WeakMap<PlacedLayer, boolean>();
 
   constructor(viewer: Pick<ModelViewer, "materialsReached">, materials: () => readonly MaterialInfo[]) {
     this.#viewer = viewer;
@@ -31,7 +40,7 @@ export class DecalReach {
    *
    * @param onto the material of the surface that it was dragged onto; null where it was moved without touching one
    */
-  movedTo(layer: DecalLayer, projector: Projector, onto: number | null): LayerMaterials {
+  movedTo(layer: PlacedLayer, projector: Projector, onto: number | null): LayerMaterials {
     const own = materialsOf(layer);
     const landed = onto !== null && !own.includes(onto) && this.#canPaint(onto) ? onto : null;
     if (!this.#followsSurface(layer)) return landed ?? layer.material;
@@ -39,7 +48,7 @@ export class DecalReach {
     return reached.length === 0 ? (landed ?? layer.material) : layerMaterials(reached);
   }
 
-  #followsSurface(layer: DecalLayer): boolean {
+  #followsSurface(layer: PlacedLayer): boolean {
     const known = this.#follows.get(layer);
     if (known !== undefined) return known;
     const own = materialsOf(layer);

@@ -1,15 +1,12 @@
 /** The edits of a design: each takes a design and gives a new one that shares all that did not change. */
 import {
   assetsOf,
-  type DecalLayer,
   type Design,
   type DesignAsset,
   type DesignLayer,
   findLayer,
   flattenLayers,
-  freeIdIn,
   insertAt,
-  makeDecalLayer,
   mapLayer,
   materialsIn,
 } from "../document/index.ts";
@@ -29,15 +26,10 @@ export function patchLayer<L extends DesignLayer>(
   return mapLayer(design, id, (before) => ({ ...before, ...patch }) as DesignLayer);
 }
 
-/** Adds a decal on top of all others, or of those in a group. */
-export function addDecal(
-  design: Design,
-  fields: Pick<DecalLayer, "name" | "material" | "asset" | "projector">,
-  parentId: string | null = null,
-): { design: Design; id: string } {
-  const id = freeIdIn(design);
-  const layer = makeDecalLayer({ id, ...fields, name: freeName(design, fields.name) });
-  return { design: insertAt(design, { parentId, list: "layers", index: Number.POSITIVE_INFINITY }, layer), id };
+/** Puts a layer on top of all others, or of those in a group; gives it another name where its own is taken. */
+export function addOnTop(design: Design, layer: DesignLayer, parentId: string | null = null): Design {
+  const place = { parentId, list: "layers", index: Number.POSITIVE_INFINITY } as const;
+  return insertAt(design, place, { ...layer, name: freeName(design, layer.name) });
 }
 
 /** Gives the asset's key: the existing one where the same picture is already part of the design. */

@@ -175,8 +175,8 @@ export class DesignSession {
     const decals: ViewerDecal[] = [];
     for (const { layer, shown } of walkLayers(design, { masks: false, strokes: false })) {
       // A locked one cannot be taken hold of, and does not stand before those that can.
-      if (layer.type !== "decal" || isLocked(design, layer.id)) continue;
-      const picture = this.#library.get(design.assets[layer.asset]);
+      if ((layer.type !== "decal" && layer.type !== "text") || isLocked(design, layer.id)) continue;
+      const picture = layer.type === "decal" ? this.#library.get(design.assets[layer.asset]) : undefined;
       const { id, name, projector } = layer;
       const aspect = picture ? picture.width / picture.height : 1;
       const twin = layer.mirror && mirroredProjector(projector, layer.mirror);

@@ -89,6 +89,8 @@ export interface EditorState {
   readonly collapsed: ReadonlySet<string>;
   /** Id of the layer whose mask the brush paints on; null: it paints on the layer itself. */
   readonly editingMask: string | null;
+  /** Id of the text that was put on the model just now, and whose words are to be typed. */
+  readonly textToType: string | null;
   /** The material that the texture view and the target settings are about; null without a paintable one. */
   readonly material: number | null;
   readonly targets: ReadonlyMap<number, TargetInfo>;
@@ -124,6 +126,7 @@ export const INITIAL_STATE: EditorState = {
   selection: [],
   collapsed: new Set(),
   editingMask: null,
+  textToType: null,
   material: null,
   targets: new Map(),
   targetSettings: new Map(),

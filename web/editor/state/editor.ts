@@ -12,6 +12,7 @@ import { strings } from "../strings.ts";
 import { PaletteCommands } from "../tools/palette-commands.ts";
 import { PartsTool } from "../tools/parts-tool.ts";
 import { registerTools } from "../tools/register-tools.ts";
+import { textTool } from "../tools/text-tool.ts";
 import { Toolbox } from "../tools/toolbox.ts";
 import { AssetLibrary } from "./asset-library.ts";
 import { DecalCommands } from "./decal-commands.ts";
@@ -30,6 +31,7 @@ import { keepProjects } from "./project-keeping.ts";
 import { shownStamp } from "./shown-stamp.ts";
 import { Store } from "./store.ts";
 import { Tasks } from "./tasks.ts";
+import { TextCommands } from "./text-commands.ts";
 import { UpdateRouter } from "./update-router.ts";
 import { ViewCommands } from "./view-commands.ts";
 import type { TextureMode } from "./view-state.ts";
@@ -60,6 +62,7 @@ export class Editor {
   readonly tools: Toolbox;
   readonly palettes: PaletteCommands;
   readonly views: ViewCommands;
+  readonly texts: TextCommands;
   readonly projects: ProjectCommands;
   readonly autosave: Autosave;
   readonly #models: ModelSession;
@@ -82,7 +85,18 @@ export class Editor {
     const { decals } = this;
     const models = this.#models;
     const projects = (): ProjectCommands => this.projects;
-    this.files = new FileCommands({ engine, store, session, models, decals, library, board, tasks, projects });
+    this.files = new FileCommands({
+      engine,
+      store,
+      session,
+      models,
+      decals,
+      library,
+      board,
+      tasks,
+      projects,
+      texts: () => this.texts,
+    });
     const keeping = keepProjects({
       ...{ store, library, files: this.files, board, tasks },
       session,
@@ -108,6 +122,8 @@ export class Editor {
       tasks,
       showMaterial,
     });
+    this.texts = new TextCommands({ engine, session, store, board, library, decals });
+    tools.register(textTool(this.texts, tools));
     this.#connect();
   }
 

@@ -18,6 +18,7 @@ import type { NoticeBoard } from "./notice-board.ts";
 import type { ProjectCommands } from "./project-commands.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
+import type { TextCommands } from "./text-commands.ts";
 
 export interface FileCommandsParts {
   readonly engine: Engine;
@@ -28,6 +29,7 @@ export interface FileCommandsParts {
   readonly library: AssetLibrary;
   readonly board: NoticeBoard;
   readonly tasks: Tasks;
+  readonly texts: () => TextCommands;
   /** A function, because the two need each other. */
   readonly projects: () => ProjectCommands;
 }
@@ -69,7 +71,7 @@ export class FileCommands {
       const collected = await files;
       if (collected.length === 0) return;
       name = collected.length === 1 ? (collected[0]?.file.name ?? "") : strings.files.several(collected.length);
-      const { model, design, project, pictures, companions } = await sortFiles(collected);
+      const { model, design, project, pictures, fonts, companions } = await sortFiles(collected);
       if (project) {
         name = project.file.name;
         const own = model && { source: model, title: model.name, demoId: null };
@@ -80,6 +82,10 @@ export class FileCommands {
       const opened = design && (await this.#readDesign(design, companions));
       if (model) await this.#openModel({ source: model, title: model.name, demoId: null }, opened ?? emptyDesign());
       else if (opened && design) this.#takeDesign(opened, design.file.name);
+      for (const font of fonts) {
+        name = font.file.name;
+        await this.#useFont(font, hit);
+      }
       for (const picture of pictures) {
         name = picture.file.name;
         await this.#addPicture(picture, pictures.length === 1 ? hit : null);
@@ -263,6 +269,13 @@ export class FileCommands {
     }
     const picture = await library.add(file.name, await bytesOf(file));
     decals.add(fileStem(file.name), picture, hit);
+  }
+
+  async #useFont({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
+    if (!this.#parts.store.state.model) {
+      throw new TexelcastError("bad-argument", strings.errors.noModelForText, { subject: file.name });
+    }
+    await this.#parts.texts().useFontFile(file.name, await bytesOf(file), hit);
   }
 
   async #export(name: string, type: string, make: () => Promise<Uint8Array>): Promise<void> {

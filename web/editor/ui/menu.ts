@@ -13,6 +13,8 @@ export interface MenuItem {
   readonly icon?: IconNode;
   readonly checked?: boolean;
   readonly disabled?: boolean;
+  /** Font family that the label is written in. */
+  readonly family?: string;
   /** A heading above this item. */
   readonly heading?: string;
   /** A line above this item. */
@@ -149,7 +151,7 @@ export class Menu extends LitElement {
               @click=${() => this.#choose(item)}
             >
               ${item.checked ? icon(Check) : item.icon ? icon(item.icon) : html`<span></span>`}
-              <span>${item.label}</span>
+              <span style=${item.family ? `font-family: "${item.family}", var(--font)` : nothing}>${item.label}</span>
               ${item.hint ? html`<span class="hint">${item.hint}</span>` : nothing}
             </button>
           `,

@@ -1,0 +1,191 @@
+/** What a user does with words: put on the model, typed, dressed; their box follows them. */
+import type { Engine, EngineText, Projector, TextMeasure } from "../../engine/engine-api.ts";
+import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
+import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import { type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
+import { resolveWords } from "../document/resolve-layers.ts";
+import { strings } from "../strings.ts";
+import type { AssetLibrary } from "./asset-library.ts";
+import type { DecalCommands } from "./decal-commands.ts";
+import { layerById, patchLayer, withAsset, withoutUnusedAssets } from "./design-edits.ts";
+import type { DesignSession } from "./design-session.ts";
+import type { EditorState } from "./editor-state.ts";
+import { isLocked } from "./layer-edits.ts";
+import type { NoticeBoard } from "./notice-board.ts";
+import type { Store } from "./store.ts";
+import { fitsClosely, fitted, refitted } from "./text-box.ts";
+
+export type TextPatch = Partial<
+  Pick<TextLayer, "text" | "letterSpacing" | "align" | "curve" | "color" | "outline"> & {
+    /** What takes the place of the layer's font. */
+    readonly fontAsset: { readonly name: string; readonly asset: DesignAsset };
+  }
+>;
+
+export interface TextCommandsParts {
+  readonly engine: Pick<Engine, "measureText">;
+  readonly session: DesignSession;
+  readonly store: Store<EditorState>;
+  readonly board: NoticeBoard;
+  readonly library: AssetLibrary;
+  readonly decals: DecalCommands;
+}
+
+const FIRST_FONT: ShippedFontId = "inter-700";
+const REMEMBERED = 400;
+
+export class TextCommands {
+  readonly #parts: TextCommandsParts;
+  readonly #measured = new Map<string, TextMeasure>();
+  /** Counts the changes asked for: of several that wait for their measure only the newest is shown. */
+  #asked = 0;
+
+  constructor(parts: TextCommandsParts) {
+    this.#parts = parts;
+  }
+
+  get selected(): TextLayer | undefined {
+    const { selected } = this.#parts.session;
+    return selected?.type === "text" ? selected : undefined;
+  }
+
+  /** Puts a text on the model: at `hit`, else in the middle of the view, and asks the panel to have it typed. */
+  async add(hit: SurfaceHit | null = null, font = shippedFont(FIRST_FONT)): Promise<void> {
+    const { session, store, board, decals } = this.#parts;
+    if (!store.state.model || store.state.switching) return;
+    try {
+      const { design: withFont, key } = withAsset(session.recordedDesign, font.name, font.asset);
+      const text = strings.text.sample;
+      const plain = makeTextLayer({ id: "", text, font: key, projector: NOWHERE });
+      const room = await this.#measure(this.#wordsOf(plain, withFont.assets));
+      decals.addLayer(room.width / room.height, hit, strings.steps.addText, (id, projector, material) => ({
+        design: withFont,
+        layer: { ...plain, id, projector, material, fontSize: 1 / room.height },
+      }));
+      store.set({ textToType: session.selected?.id ?? null });
+      board.announce(strings.announce.added(strings.text.name));
+    } catch (thrown) {
+      board.error(strings.errors.couldNotWrite, thrown);
+    }
+  }
+
+  /** Shows a change that is still going on (typing, the scrub of a field); the newest one asked for wins. */
+  preview(id: string, patch: TextPatch): Promise<void> {
+    return this.#apply(id, patch, (design) => this.#parts.session.preview(design));
+  }
+
+  cancelPreview(): void {
+    this.#asked += 1;
+    this.#parts.session.cancelPreview();
+  }
+
+  /** One step of the history. */
+  change(id: string, patch: TextPatch, label: string, mergeKey?: string): Promise<void> {
+    return this.#apply(id, patch, (design) => this.#parts.session.record(design, label, mergeKey));
+  }
+
+  /** A font of the user's: taken into the design, and given to the text. Rejects with "bad-font". */
+  async useFontFile(fileName: string, bytes: Uint8Array, hit: SurfaceHit | null): Promise<void> {
+    const { name, asset } = await this.#parts.library.addFont(fileName, bytes);
+    const { selected } = this;
+    if (selected)
+      await this.change(selected.id, { fontAsset: { name, asset } }, strings.steps.change(strings.text.font));
+    else await this.add(hit, { name, asset });
+  }
+
+  /** Lays the box close about the words again, its height as it is. */
+  async fitBox({ id }: TextLayer): Promise<void> {
+    const { session } = this.#parts;
+    const design = session.recordedDesign;
+    const layer = layerById(design, id);
+    if (layer?.type !== "text") return;
+    const room = await this.#measure(this.#wordsOf(layer, design.assets));
+    const fit = fitted(layer, room, this.#textureAspect(layer));
+    session.record(
+      patchLayer<TextLayer>(session.recordedDesign, id, fit),
+      strings.steps.change(strings.properties.size),
+    );
+  }
+
+  /** What is known of the room that a text asks for; undefined until it was measured, which `measure` does. */
+  measureOf(layer: TextLayer): TextMeasure | undefined {
+    return this.#measured.get(keyOf(this.#wordsOf(layer, this.#parts.session.design.assets)));
+  }
+
+  async measure(layer: TextLayer): Promise<TextMeasure> {
+    return await this.#measure(this.#wordsOf(layer, this.#parts.session.design.assets));
+  }
+
+  isClose(layer: TextLayer): boolean {
+    const room = this.measureOf(layer);
+    return room === undefined || fitsClosely(layer, room, this.#textureAspect(layer));
+  }
+
+  async #apply(id: string, patch: TextPatch, put: (design: DesignSession["design"]) => void): Promise<void> {
+    const { session, board } = this.#parts;
+    const before = session.recordedDesign;
+    const layer = layerById(before, id);
+    if (layer?.type !== "text" || isLocked(before, id)) return;
+    this.#asked += 1;
+    const request = this.#asked;
+    const { fontAsset, ...fields } = patch;
+    const { design, key } = fontAsset
+      ? withAsset(before, fontAsset.name, fontAsset.asset)
+      : { design: before, key: layer.font };
+    const changed: TextLayer = { ...layer, ...fields, font: key };
+    const finish = (old: TextMeasure, now: TextMeasure): void => {
+      const close = fitsClosely(layer, old, this.#textureAspect(layer));
+      const box = close ? refitted({ ...layer, align: changed.align }, old, now) : {};
+      const edited = patchLayer<TextLayer>(design, id, { ...fields, font: key, ...box });
+      put(fontAsset ? withoutUnusedAssets(edited) : edited);
+    };
+    const words = [this.#wordsOf(layer, design.assets), this.#wordsOf(changed, design.assets)] as const;
+    const known = words.map((each) => this.#measured.get(keyOf(each)));
+    // Known at once, so that a click elsewhere, which ends the typing, comes after its step.
+    if (known[0] && known[1]) {
+      finish(known[0], known[1]);
+      return;
+    }
+    try {
+      const [old, now] = await Promise.all(words.map((each) => this.#measure(each)));
+      if (request === this.#asked && old && now && session.recordedDesign === before) finish(old, now);
+    } catch (thrown) {
+      board.error(strings.errors.couldNotWrite, thrown);
+    }
+  }
+
+  #wordsOf(layer: TextLayer, assets: Readonly<Record<string, DesignAsset>>): EngineText {
+    const words = resolveWords(layer, assets);
+    const key = this.#parts.library.engineKey(assets[layer.font]);
+    // What does not change the room is left out, so that a scrub of a colour measures nothing.
+    return { ...words, font: key ?? words.font, fontSize: 1, color: BLACK, outline: thickness(words.outline) };
+  }
+
+  async #measure(words: EngineText): Promise<TextMeasure> {
+    const key = keyOf(words);
+    const known = this.#measured.get(key);
+    if (known) return known;
+    const room = await this.#parts.engine.measureText(words);
+    if (this.#measured.size >= REMEMBERED) this.#measured.clear();
+    this.#measured.set(key, room);
+    return room;
+  }
+
+  #textureAspect(layer: TextLayer): number {
+    const target = this.#parts.store.state.targets.get(materialsOf(layer)[0] ?? 0);
+    return target ? target.width / target.height : 1;
+  }
+}
+
+const BLACK = [0, 0, 0, 1] as const;
+/** A place to measure at. */
+const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] };
+
+const keyOf = (words: EngineText): string => JSON.stringify(words);
+const thickness = (outline: EngineText["outline"]): EngineText["outline"] =>
+  outline && { width: outline.width, color: BLACK };
+
+/** A font that comes with Texelcast, as a text takes it. */
+export function shippedFont(id: ShippedFontId): { readonly name: string; readonly asset: DesignAsset } {
+  return { name: id, asset: { type: "font/ttf", uri: shippedFontAddress(id) } };
+}
