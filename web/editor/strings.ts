@@ -625,7 +625,7 @@ export const strings = {
       ["− and +", "Make it smaller or larger"],
       ["Alt S, Alt U, Alt V", "Align it to the surface, upright, to the view"],
       ["Alt P", "Project it from the view"],
-      ["Shift W", "Wrap it around"],
+      ["Alt W", "Wrap it around"],
       ["Delete", "Delete the selected layers"],
       ["Ctrl or ⌘ D", "Duplicate them"],
       ["Ctrl or ⌘ G", "Group them; with Shift, ungroup"],

@@ -3,6 +3,7 @@ import { type Ray, Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
 import { frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
+import { ClipClock } from "./clip-clock.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
 import { beneath, nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
 import { poseOf, projectorOf } from "./decal-pose.ts";
@@ -48,9 +49,6 @@ export function createModelViewer(host: HTMLElement, options: ModelViewerOptions
   return new ThreeModelViewer(host, options);
 }
 
-/** While a clip plays its place is told this often, seconds. */
-const ANIMATION_NEWS = 0.1;
-
 class ThreeModelViewer implements ModelViewer {
   readonly element: HTMLElement;
   readonly #stage: Stage;
@@ -59,6 +57,7 @@ class ThreeModelViewer implements ModelViewer {
   readonly #tools: ModelTools;
   readonly #input: ViewInput;
   readonly #display: ModelDisplay;
+  readonly #clock: ClipClock;
   readonly #events = new EventHub<ModelViewerEvents>();
   #model: ShownModel | null = null;
   /** The newest load; an older one that ends later is dropped. */
@@ -69,12 +68,7 @@ class ThreeModelViewer implements ModelViewer {
     (update) => this.#applyNow(update),
     (task) => this.#stage.whenGpuDone(task),
   );
-  readonly #abort = new AbortController();
   #disposed = false;
-  /** Seconds since the animation's place was told. */
-  #untold = 0;
-  /** A button is down over the model: the clip waits, so that the surface stays under the pointer. */
-  #held = false;
 
   constructor(host: HTMLElement, options: ModelViewerOptions) {
     adoptViewerStyle(host);
@@ -111,7 +105,7 @@ class ThreeModelViewer implements ModelViewer {
         return {
           drawn: model.drawn,
           toPosed: (point) => model.toPosed(point),
-          moving: model.animation.playing && !this.#held,
+          moving: this.#clock.runs,
         };
       },
     });
@@ -127,10 +121,12 @@ class ThreeModelViewer implements ModelViewer {
       hover: (sample) => this.#events.emit("hover", { hit: sample && hitOf(sample) }),
       setPanning: (pans) => this.#stage.setPanning(pans),
     });
-    root.addEventListener("pointerdown", (event) => this.#hold(event), { capture: true });
-    for (const type of ["pointerup", "pointercancel"] as const) {
-      window.addEventListener(type, () => this.#release(), { capture: true, signal: this.#abort.signal });
-    }
+    this.#clock = new ClipClock(root, {
+      animation: () => this.#model?.animation ?? null,
+      isOnModel: (event) => this.#sampleAt(this.#screen.pointOf(event.clientX, event.clientY)) !== null,
+      tell: (state) => this.#events.emit("animation", state),
+      changed: () => this.#followModel(),
+    });
     root.addEventListener("keydown", (event) => this.#onKey(event));
   }
 
@@ -217,6 +213,7 @@ class ThreeModelViewer implements ModelViewer {
 
   #placer(material: number): ProjectorPlacer {
     const { query } = this.#requireModel();
+    // What the camera sees must be what is painted.
     this.setAnimation({ clip: null });
     return new ProjectorPlacer(query, { eye: this.#screen.eye, ...this.#screen.axes }, (uv) => {
       const place = query.triangleAtUv(material, uv);
@@ -294,14 +291,7 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   setAnimation(change: Partial<AnimationState>): void {
-    const animation = this.#model?.animation;
-    if (animation === undefined || animation.clips.length === 0) {
-      return;
-    }
-    animation.set(change);
-    this.#tell(animation.state);
-    this.#followCamera();
-    this.#stage.requestFrame();
+    this.#clock.set(change);
   }
 
   get parts(): readonly ModelPart[] {
@@ -368,7 +358,7 @@ class ThreeModelViewer implements ModelViewer {
 
   dispose(): void {
     this.#disposed = true;
-    this.#abort.abort();
+    this.#clock.dispose();
     this.#input.dispose();
     this.#tools.dispose();
     this.#dropModel();
@@ -410,22 +400,7 @@ class ThreeModelViewer implements ModelViewer {
 
   #advance(delta: number): boolean {
     this.#display.beforeFrame();
-    const animation = this.#model?.animation;
-    if (animation?.playing !== true || this.#held) {
-      return false;
-    }
-    animation.advance(delta);
-    this.#untold += delta;
-    if (this.#untold >= ANIMATION_NEWS) {
-      this.#tell(animation.state);
-    }
-    this.#followCamera();
-    return true;
-  }
-
-  #tell(state: AnimationState): void {
-    this.#untold = 0;
-    this.#events.emit("animation", state);
+    return this.#clock.advance(delta);
   }
 
   #followCamera(): void {
@@ -434,19 +409,10 @@ class ThreeModelViewer implements ModelViewer {
     this.#display.moved();
   }
 
-  #hold(event: PointerEvent): void {
-    const playing = this.#model?.animation.playing === true;
-    this.#held = playing && this.#sampleAt(this.#screen.pointOf(event.clientX, event.clientY)) !== null;
-    if (this.#held) {
-      this.#gizmo.drawNow();
-    }
-  }
-
-  #release(): void {
-    if (this.#held) {
-      this.#held = false;
-      this.#stage.requestFrame();
-    }
+  /** What lies on the surface moves with it. */
+  #followModel(): void {
+    this.#followCamera();
+    this.#stage.requestFrame();
   }
 
   #refill(): void {
