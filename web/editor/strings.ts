@@ -191,7 +191,7 @@ export const strings = {
     times: (speed: number): string => `${speed}×`,
   },
 
-  parts: {
+  modelParts: {
     title: "Parts",
     list: "Parts of the model",
     note: "Hide what is in the way. Nothing painted changes.",

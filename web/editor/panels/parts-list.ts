@@ -8,7 +8,7 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 
-const words = strings.parts;
+const words = strings.modelParts;
 
 export class PartsList extends EditorElement {
   static override styles = [

@@ -219,7 +219,7 @@ export class SidePanel extends EditorElement {
         <tc-target-settings .editor=${this.editor}></tc-target-settings>
       </div>
       <details class="section" id="parts" ?open=${!headed || this.state.shown.parts.length < FEW_PARTS}>
-        <summary><h2>${strings.parts.title}</h2></summary>
+        <summary><h2>${strings.modelParts.title}</h2></summary>
         <tc-parts-list .editor=${this.editor}></tc-parts-list>
       </details>`;
   }

@@ -116,12 +116,12 @@ export class ViewCommands {
     const alone = !shown.hidden.has(id) && others.every((other) => shown.hidden.has(other));
     this.#hide(new Set(alone ? [] : others));
     const name = shown.parts.find((part) => part.id === id)?.name ?? "";
-    this.#parts.board.announce(alone ? strings.parts.allShown : strings.parts.isolated(name));
+    this.#parts.board.announce(alone ? strings.modelParts.allShown : strings.modelParts.isolated(name));
   }
 
   showAllParts(): void {
     this.#hide(new Set());
-    this.#parts.board.announce(strings.parts.allShown);
+    this.#parts.board.announce(strings.modelParts.allShown);
   }
 
   #hide(hidden: ReadonlySet<number>): void {
