@@ -28,6 +28,8 @@ const hit = (x: number, y: number, z = 0): SurfaceHit => ({
   face: 0,
 });
 
+const hitAt = ([x, y, z]: readonly [number, number, number]): SurfaceHit => hit(x, y, z);
+
 /** A view that looks straight at z = 0, a hundred pixels to the metre, with a gap from x = 3 to x = 4. */
 const VIEW: ToolView = {
   kind: "model",
@@ -102,7 +104,7 @@ describe("ways over a surface", () => {
       [sphere(), [0, 0, 1], [0.3, 0, 0.954]],
     ] as const) {
       const { joins } = joinsOn(shape);
-      expect(joins(hit(a[0], a[1], a[2]), hit(b[0], b[1], b[2]))).toBe(true);
+      expect(joins(hitAt(a), hitAt(b))).toBe(true);
     }
   });
 
@@ -217,6 +219,13 @@ describe("where a stroke goes", () => {
       mask: { layers: [{ id: "new", blend: "erase" }], invert: false },
     });
     expect(paintTargetOf(design, null, true)).toMatchObject({ kind: "refused", reason: "nothing-to-erase" });
+  });
+
+  it("to the mask of the layer whose mask is edited, by brush and eraser alike", () => {
+    const design = designOf({ ...paint, mask: { layers: [], invert: false } });
+    for (const erases of [false, true]) {
+      expect(paintTargetOf(design, "paint", erases, "paint")).toEqual({ kind: "mask", layerId: "paint" });
+    }
   });
 
   it("not to what is locked or hidden, by itself or by its group", () => {

@@ -1,7 +1,8 @@
 /** Where the texels of a small texture lie on the model. */
 import type { SurfaceQuery } from "./surface-query.ts";
+import type { UvPlace } from "./uv-lookup.ts";
 
-/** Of each texel, row by row from the top. A texel counts as covered where its centre lies in a triangle. */
+/** Of each texel, row by row from the top. A texel counts as covered where its middle or a corner lies in a triangle. */
 export interface TexelPlaces {
   readonly width: number;
   readonly height: number;
@@ -17,6 +18,15 @@ export interface TexelPlaces {
   readonly sizes: Float32Array;
 }
 
+/** Where a texel is looked at: its middle, else near its corners. A chart that merely touches it there does not count. */
+const LOOKS = [
+  [0.5, 0.5],
+  [0.02, 0.02],
+  [0.98, 0.02],
+  [0.02, 0.98],
+  [0.98, 0.98],
+] as const;
+
 /** Looks every texel up, so that time goes with width times height: for skins of some hundred texels across. */
 export function texelPlaces(query: SurfaceQuery, material: number, width: number, height: number): TexelPlaces {
   const count = width * height;
@@ -31,8 +41,7 @@ export function texelPlaces(query: SurfaceQuery, material: number, width: number
   };
   const sizeOf = new Map<number, number>();
   for (let texel = 0; texel < count; texel++) {
-    const uv = [((texel % width) + 0.5) / width, (Math.floor(texel / width) + 0.5) / height] as const;
-    const place = query.triangleAtUv(material, uv);
+    const place = placeIn(query, material, texel % width, Math.floor(texel / width), { width, height });
     if (place === null) continue;
     const sample = query.at(place.triangle, place.shares);
     let size = sizeOf.get(place.triangle);
@@ -48,4 +57,18 @@ export function texelPlaces(query: SurfaceQuery, material: number, width: number
     places.sizes[texel] = size;
   }
   return places;
+}
+
+function placeIn(
+  query: SurfaceQuery,
+  material: number,
+  column: number,
+  row: number,
+  { width, height }: { readonly width: number; readonly height: number },
+): UvPlace | null {
+  for (const [x, y] of LOOKS) {
+    const place = query.triangleAtUv(material, [(column + x) / width, (row + y) / height]);
+    if (place !== null) return place;
+  }
+  return null;
 }

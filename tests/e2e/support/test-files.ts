@@ -43,6 +43,17 @@ export function twoSquaresGlb(): TestFile {
   return file("squares.glb", writeGlb(json, binary));
 }
 
+/** The square with its left and right halves apart in the texture: a tenth lies free between their charts. */
+export function seamedGlb(): TestFile {
+  const half = (left: number, u: number): MeshParts => ({
+    ...SQUARE,
+    positions: [left, -0.5, 0, left + 0.5, -0.5, 0, left + 0.5, 0.5, 0, left, 0.5, 0],
+    uvs: [u, 1, u + 0.45, 1, u + 0.45, 0, u, 0],
+  });
+  const { json, binary } = buildModel({ meshes: [half(-0.5, 0), half(0, 0.55)], materials: [{ name: "Board" }] });
+  return file("seamed.glb", writeGlb(json, binary));
+}
+
 export function glbWithoutUvs(): TestFile {
   const { positions, indices } = SQUARE;
   const parts = { meshes: [{ positions, ...(indices && { indices }), material: 0 }], materials: [{ name: "Bare" }] };

@@ -159,7 +159,8 @@ export class BrushTool implements Tool {
   #begin(): boolean {
     const { session, store, board, tools, reach } = this.#context;
     const erases = this.id === "eraser";
-    const target = paintTargetOf(session.recordedDesign, store.state.selectedId, erases);
+    const { selectedId, editingMask } = store.state;
+    const target = paintTargetOf(session.recordedDesign, selectedId, erases, editingMask);
     if (target.kind === "refused") {
       board.info({
         ...strings.tools.refusals[target.reason],
@@ -187,14 +188,14 @@ export class BrushTool implements Tool {
   }
 
   #finish(): void {
-    const { session, board } = this.#context;
+    const { session, store, board } = this.#context;
     const gesture = this.#gesture;
     this.#lastPlace = this.#path?.last ?? this.#lastPlace;
     this.#gesture = null;
     this.#path = null;
     const layerId = gesture?.end(strings.tools.steps[this.id]) ?? null;
     if (layerId === null) return;
-    session.select(layerId);
+    if (store.state.selectedId !== layerId) session.select(layerId);
     board.announce(strings.tools.painted[this.id]);
   }
 
@@ -225,5 +226,5 @@ export class BrushTool implements Tool {
 
 function isInTexture({ view, at }: ToolSample): boolean {
   const uv = view.uvAt(at);
-  return uv !== null && uv.every((part) => part >= 0 && part <= 1);
+  return uv?.every((part) => part >= 0 && part <= 1) ?? false;
 }

@@ -26,18 +26,30 @@ export interface PaintRefusal {
 }
 
 /**
- * What a stroke would change. An eraser on a layer that is no paint layer hides it by its mask, so that nothing is lost.
+ * What a stroke would change. `editingMask`: the layer whose mask is painted on instead of the layer. An eraser on a layer that is no paint layer hides it by its mask, so that nothing is lost.
  */
-export function paintTargetOf(design: Design, selectedId: string | null, erases: boolean): PaintTarget | PaintRefusal {
+export function paintTargetOf(
+  design: Design,
+  selectedId: string | null,
+  erases: boolean,
+  editingMask: string | null = null,
+): PaintTarget | PaintRefusal {
   const visit = visitOf(design, selectedId);
   if (visit === undefined) {
     if (erases) return { kind: "refused", reason: "nothing-to-erase", name: "" };
     return { kind: "new", place: { parentId: null, list: "layers", index: design.layers.length } };
   }
   const { layer, parent } = visit;
-  const paint = layer.type === "paint" ? layer : parent?.type === "paint" && visit.list === "strokes" ? parent : null;
+  const onMask = layer.id === editingMask;
+  const paint = onMask
+    ? null
+    : layer.type === "paint"
+      ? layer
+      : parent?.type === "paint" && visit.list === "strokes"
+        ? parent
+        : null;
   const changed: DesignLayer = paint ?? layer;
-  if (paint !== null || erases) {
+  if (paint !== null || erases || onMask) {
     if (isLocked(design, changed.id)) return { kind: "refused", reason: "locked", name: changed.name };
     if (!changed.visible) return { kind: "refused", reason: "hidden", name: changed.name };
     return { kind: paint === null ? "mask" : "strokes", layerId: changed.id };

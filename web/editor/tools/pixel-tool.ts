@@ -219,9 +219,9 @@ export class PixelTool implements Tool {
   }
 
   #record(gesture: PixelGesture): void {
-    const { session, board } = this.#context;
+    const { session, store, board } = this.#context;
     this.#pixels.finish(gesture, strings.tools.steps[this.id], (id) => {
-      session.select(id);
+      if (store.state.selectedId !== id) session.select(id);
       board.announce(strings.tools.painted[this.id]);
     });
   }

@@ -1,0 +1,217 @@
+import type { CDPSession, Page } from "@playwright/test";
+import type { PaintLayer } from "../../web/editor/document/index.ts";
+import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
+import { demoFile, seamedGlb, twoSquaresGlb } from "./support/test-files.ts";
+
+/** Of the 1024 texels of a row through the middle, how many are not as they were. */
+async function paintedAcross(editor: EditorPage, before: Buffer): Promise<{ left: number; right: number }> {
+  const now = await middleRow(editor);
+  const changed = Array.from(
+    { length: now.length / 4 },
+    (_, x) => !now.subarray(x * 4, x * 4 + 4).equals(before.subarray(x * 4, x * 4 + 4)),
+  );
+  const half = changed.length / 2;
+  return { left: changed.slice(0, half).filter(Boolean).length, right: changed.slice(half).filter(Boolean).length };
+}
+
+const middleRow = (editor: EditorPage): Promise<Buffer> => editor.texels({ x: 0, y: 512, width: 1024, height: 1 });
+
+async function clientPoint(page: Page, x: number, y: number, z = 0): Promise<Point> {
+  const point = await page.evaluate((at) => window.texelcast.project(...at) ?? null, [x, y, z] as const);
+  if (!point) throw new Error("The place is not in view.");
+  return point;
+}
+
+async function paintLayers(editor: EditorPage): Promise<PaintLayer[]> {
+  return (await editor.design()).layers.filter((layer) => layer.type === "paint");
+}
+
+test("a stroke over a seam paints both charts as one step, Escape gives one up, and the eraser takes it away", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([seamedGlb()]);
+  const bare = await editor.settledHash();
+  const before = await middleRow(editor);
+  const [from, to] = [await clientPoint(page, -0.2, 0), await clientPoint(page, 0.2, 0)];
+
+  await page.keyboard.press("b");
+  await expect(page.getByRole("radio", { name: "Brush" })).toBeChecked();
+  await editor.drag(from, to, 6);
+  const painted = await paintedAcross(editor, before);
+  expect(painted.left, "texels of the left chart").toBeGreaterThan(100);
+  expect(painted.right, "texels of the right chart").toBeGreaterThan(100);
+  const [layer] = await paintLayers(editor);
+  expect(layer?.strokes).toHaveLength(1);
+
+  const whole = await editor.settledHash();
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x, from.y - 60, { steps: 4 });
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  expect(await editor.settledHash(), "a stroke that was given up leaves nothing").toBe(whole);
+
+  await page.keyboard.press("e");
+  await page.keyboard.press("Shift+BracketRight");
+  await page.keyboard.press("Shift+BracketRight");
+  for (let step = 0; step < 4; step += 1) await page.keyboard.press("BracketRight");
+  await editor.drag(from, to, 6);
+  expect(await paintedAcross(editor, before)).toEqual({ left: 0, right: 0 });
+  expect((await paintLayers(editor))[0]?.strokes.map(({ blend }) => blend)).toEqual(["normal", "erase"]);
+
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(whole);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(bare);
+  await expect(editor.notices).toHaveCount(0);
+});
+
+test("a stroke over the border of two materials paints both", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([twoSquaresGlb()]);
+  await page.keyboard.press("b");
+  for (let step = 0; step < 6; step += 1) await page.keyboard.press("BracketRight");
+  await editor.drag(await clientPoint(page, -0.3, 0), await clientPoint(page, 0.3, 0), 6);
+  const [layer] = await paintLayers(editor);
+  expect(layer?.strokes[0]?.material).toEqual([0, 1]);
+});
+
+test("a pen's pressure reaches the dabs", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([seamedGlb()]);
+  await page.keyboard.press("b");
+  const pen = await page.context().newCDPSession(page);
+  const at = await clientPoint(page, -0.3, 0.1);
+  const touch = (type: "mousePressed" | "mouseMoved" | "mouseReleased", x: number, force: number) =>
+    pen.send("Input.dispatchMouseEvent", {
+      type,
+      x,
+      y: at.y,
+      button: "left",
+      buttons: type === "mouseReleased" ? 0 : 1,
+      clickCount: 1,
+      pointerType: "pen",
+      force,
+    });
+  await touch("mousePressed", at.x, 0.1);
+  for (let step = 1; step <= 8; step += 1) await touch("mouseMoved", at.x + step * 12, 0.1 + step * 0.1);
+  await touch("mouseReleased", at.x + 96, 0);
+  await editor.idle();
+  const dabs = (await paintLayers(editor))[0]?.strokes[0]?.dabs ?? [];
+  expect(dabs.length).toBeGreaterThan(4);
+  expect(dabs[0]?.flow).toBeCloseTo(0.1, 1);
+  expect(Math.max(...dabs.map(({ flow }) => flow))).toBeGreaterThan(0.7);
+});
+
+test("the flat texture is painted with dabs that lie on the model, and keys paint where their cursor is", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([seamedGlb()]);
+  const before = await middleRow(editor);
+  await page.keyboard.press("b");
+  const view = await page.locator("tc-texture-panel .view").boundingBox();
+  if (!view) throw new Error("The texture is not shown.");
+  const middle = { x: view.x + view.width / 2, y: view.y + view.height / 2 };
+  await editor.drag({ x: middle.x - view.width / 4, y: middle.y }, { x: middle.x - view.width / 8, y: middle.y }, 4);
+  const flat = await paintedAcross(editor, before);
+  expect(flat.left).toBeGreaterThan(50);
+  expect(flat.right).toBe(0);
+  expect((await paintLayers(editor))[0]?.strokes[0]?.dabs[0]).toMatchObject({ kind: "planar" });
+
+  await page.getByRole("application", { name: /Model in 3D/ }).focus();
+  for (const key of ["ArrowRight", "Enter"]) await page.keyboard.press(key);
+  await page.keyboard.down("Enter");
+  for (let step = 0; step < 3; step += 1) await page.keyboard.press("ArrowRight");
+  await page.keyboard.up("Enter");
+  await editor.idle();
+  const strokes = (await paintLayers(editor))[0]?.strokes ?? [];
+  expect(strokes).toHaveLength(3);
+  expect(strokes[2]?.dabs.length).toBeGreaterThan(strokes[1]?.dabs.length ?? 0);
+});
+
+test.describe("on a touch screen", () => {
+  test.use({ hasTouch: true });
+
+  const fingers = (cdp: CDPSession, type: "touchStart" | "touchMove" | "touchEnd", ...points: Point[]) =>
+    cdp.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(({ x, y }, id) => ({ x, y, id })) });
+
+  test("one finger on the model paints, two turn it and paint nothing", async ({ editor, page }) => {
+    await editor.open();
+    await editor.openModel([seamedGlb()]);
+    await page.locator("[data-tool=brush]").tap();
+    const cdp = await page.context().newCDPSession(page);
+    const at = await clientPoint(page, 0, 0);
+    await fingers(cdp, "touchStart", at);
+    for (let step = 1; step <= 4; step += 1) await fingers(cdp, "touchMove", { x: at.x + step * 10, y: at.y });
+    await fingers(cdp, "touchEnd");
+    await editor.idle();
+    expect((await paintLayers(editor))[0]?.strokes).toHaveLength(1);
+
+    const corner = await clientPoint(page, 0.5, 0.5);
+    const beside = { x: at.x + 60, y: at.y };
+    await fingers(cdp, "touchStart", at);
+    await fingers(cdp, "touchStart", at, beside);
+    for (let step = 1; step <= 6; step += 1) {
+      const away = step * 12;
+      await fingers(cdp, "touchMove", { x: at.x + away, y: at.y }, { x: beside.x + away, y: beside.y });
+    }
+    await fingers(cdp, "touchEnd");
+    await editor.idle();
+    await expect
+      .poll(async () => {
+        const now = await clientPoint(page, 0.5, 0.5);
+        return Math.hypot(now.x - corner.x, now.y - corner.y);
+      })
+      .toBeGreaterThan(10);
+    expect((await paintLayers(editor))[0]?.strokes).toHaveLength(1);
+  });
+});
+
+test("on a small skin the pixel tools are offered: pencil, bucket over seams, picker, and each is one step", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([demoFile("block-wide.glb")]);
+  expect(await editor.textureSize()).toEqual({ width: 64, height: 64 });
+  const bare = await editor.settledHash();
+  const box = await editor.stage.boundingBox();
+  if (!box) throw new Error("The stage has no place.");
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+
+  await page.keyboard.press("n");
+  await editor.drag({ x: middle.x - 30, y: middle.y - 20 }, { x: middle.x + 30, y: middle.y - 20 }, 5);
+  await expect.poll(async () => (await editor.design()).layers.length).toBe(1);
+  expect((await editor.design()).layers[0]).toMatchObject({
+    type: "decal",
+    filter: "nearest",
+    projector: { kind: "uv", size: [1, 1] },
+  });
+  const pencilled = await editor.settledHash();
+  expect(pencilled).not.toBe(bare);
+
+  await page.keyboard.press("x");
+  await page.keyboard.press("g");
+  await page.mouse.click(middle.x, middle.y + 10);
+  await expect.poll(() => editor.settledHash()).not.toBe(pencilled);
+  const texels = await editor.texels({ x: 0, y: 0, width: 64, height: 64 });
+  let white = 0;
+  for (let at = 0; at < texels.length; at += 4) if (texels.readUInt32LE(at) === 0xffffffff) white += 1;
+  // A whole box but for the pencil's line: two sides of 8 x 12, two of 4 x 12, and two ends of 8 x 4 at the least.
+  expect(white).toBeGreaterThan(300);
+
+  await page.keyboard.press("d");
+  await page.keyboard.press("i");
+  await page.mouse.click(middle.x, middle.y + 10);
+  await expect(page.locator("tc-tool-options #tool-color")).toHaveValue("#ffffff");
+
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => editor.settledHash()).toBe(pencilled);
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => editor.settledHash()).toBe(bare);
+  await expect(editor.notices).toHaveCount(0);
+});
