@@ -16,8 +16,8 @@ import type { Tool, ToolOption } from "./tool.ts";
 import type { ToolContext } from "./tool-context.ts";
 import { withRecent } from "./tool-settings.ts";
 
-/** A stroke shorter than this, milliseconds, that a second finger ends was meant as the beginning of a pinch. */
-const PINCH_TIME = 250;
+/** A stroke whose finger went less far than this, pixels, when a second one came was meant as the beginning of a pinch. */
+const PINCH_SLOP = 16;
 
 /** Of the brush's size: how far an arrow key moves its cursor. */
 const KEY_STEP = 0.25;
@@ -40,7 +40,8 @@ export class BrushTool implements Tool {
   readonly #cursor: PaintCursor;
   #gesture: StrokeGesture | null = null;
   #path: PointerPath | null = null;
-  #startTime = 0;
+  #start: ToolSample | null = null;
+  #wandered = 0;
   #picking = false;
   /** Where the newest stroke ended: Shift draws a straight line from there. */
   #lastPlace: SurfaceHit | null = null;
@@ -101,7 +102,8 @@ export class BrushTool implements Tool {
     }
     // A locked layer keeps the press too: the camera turning instead would be a surprise.
     if (!this.#begin()) return true;
-    this.#startTime = sample.time;
+    this.#start = sample;
+    this.#wandered = 0;
     const { stabiliser } = this.#context.tools.settings;
     const size = this.#size();
     const { spacing } = this.#context.tools.settings;
@@ -120,7 +122,11 @@ export class BrushTool implements Tool {
     const newest = samples.at(-1);
     if (this.#picking) this.#probe.pick(newest?.hit ?? null);
     if (this.#gesture === null || this.#path === null) return;
-    for (const sample of samples) this.#gesture.extend(this.#path.add(sample));
+    for (const sample of samples) {
+      this.#gesture.extend(this.#path.add(sample));
+      const from = this.#start?.at ?? sample.at;
+      this.#wandered = Math.max(this.#wandered, Math.hypot(sample.at.x - from.x, sample.at.y - from.y));
+    }
     this.#follow();
   }
 
@@ -136,7 +142,7 @@ export class BrushTool implements Tool {
     this.#picking = false;
     if (this.#gesture === null) return;
     // What was painted before the system took the pointer is the user's work.
-    if (reason === "pinch" && performance.now() - this.#startTime < PINCH_TIME) this.#cancel();
+    if (reason === "pinch" && this.#wandered < PINCH_SLOP) this.#cancel();
     else this.#finish();
   }
 
