@@ -365,6 +365,28 @@ TxcStatus txc_layer_def(TxcSession session, TxcLayer id, TxcLayerDef* out_def) {
     });
 }
 
+// ---- Fills ------------------------------------------------------------------------------------------------------------
+
+void txc_gradient_default(TxcGradient* gradient) {
+    if (gradient == nullptr) return;
+    *gradient = TxcGradient{};
+    gradient->to_model[1] = 1.0f;
+    gradient->radius = 1.0f;
+    gradient->stop_count = 2;
+    gradient->offsets[1] = 1.0f;
+    gradient->colors[3] = 1.0f;
+    for (int c = 4; c < 8; ++c) gradient->colors[c] = 1.0f;
+}
+
+TxcStatus txc_fill_set_gradient(TxcSession session, TxcLayer layer, const TxcGradient* gradient) {
+    return in_session(session, [&](Session& s) { return s.set_gradient(layer, gradient); });
+}
+
+TxcStatus txc_fill_set_triangles(TxcSession session, TxcLayer layer, const uint32_t* triangles,
+                                 uint32_t triangle_count) {
+    return in_session(session, [&](Session& s) { return s.set_triangles(layer, triangles, triangle_count); });
+}
+
 // ---- Strokes ----------------------------------------------------------------------------------------------------------
 
 void txc_dab_default(TxcDab* dab) {

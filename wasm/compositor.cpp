@@ -4,141 +4,15 @@
 #include <cstring>
 
 #include "dirty_rects.h"
-#include "texel_bytes.h"
-#include "tile_blend.h"
 
 namespace txc {
 namespace {
-
-/// The part of a tile that lies inside the target.
-struct TileArea {
-    std::uint32_t x, y, width, height;
-};
 
 TileArea tile_area(const Target& target, std::uint32_t tile) {
     const std::uint32_t x = tile % target.tile_columns() * kTileSize;
     const std::uint32_t y = tile / target.tile_columns() * kTileSize;
     return {x, y, std::min(kTileSize, target.def.width - x), std::min(kTileSize, target.def.height - y)};
 }
-
-bool is_opaque(const TexelRows& base) {
-    Byte16 all = load_byte16(base.first);
-    for (std::uint32_t y = 0; y < kTileSize; ++y) {
-        for (std::uint32_t x = 0; x < kTileSize * 4; x += 16) all &= load_byte16(base.first + y * base.stride + x);
-    }
-    return (all[3] & all[7] & all[11] & all[15]) == 255;
-}
-
-/// A visible layer while the dirty tiles go by in ascending order.
-class LayerWalk {
-public:
-    explicit LayerWalk(const Layer& layer) : tiles_(layer.tiles) {
-        const TxcLayerDef& def = layer.def;
-        is_fill_ = def.kind == TXC_LAYER_FILL;
-        next_ = tiles_.indices.begin();
-        const float color_scale = def.opacity * (255.0f / kFullScale);
-        paint_.scale = Float4{color_scale, color_scale, color_scale, def.opacity * (1.0f / kFullScale)};
-        const float alpha = def.color[3] * def.opacity;
-        paint_.color = Float4{def.color[0], def.color[1], def.color[2], 0.0f} * splat(alpha * 255.0f);
-        paint_.color[3] = alpha;
-        paint_.blend = def.blend;
-        paint_.blend_space = def.blend_space;
-        paint_.lock_alpha = def.lock_alpha != 0;
-        paint_.is_unfaded = !is_fill_ && def.opacity == 1.0f;
-    }
-
-    /// The layer's paint on a tile, or null where there is none.
-    const TilePaint* on(std::uint32_t tile) {
-        if (is_fill_) return &paint_;
-        if (next_ != tiles_.indices.end() && *next_ < tile)
-            next_ = std::lower_bound(next_ + 1, tiles_.indices.end(), tile);
-        if (next_ == tiles_.indices.end() || *next_ != tile) return nullptr;
-        paint_.texels =
-            tiles_.texels.data() + static_cast<std::size_t>(next_ - tiles_.indices.begin()) * kTileTexels * 4;
-        return &paint_;
-    }
-
-private:
-    const LayerTiles& tiles_;
-    bool is_fill_;
-    std::vector<std::uint32_t>::const_iterator next_;
-    TilePaint paint_{};
-};
-
-/// Writes tiles of level 0.
-class TileCompositor {
-public:
-    TileCompositor(Target& target, const std::vector<const Layer*>& layers) : target_(target) {
-        for (const Layer* layer : layers) {
-            if (layer->def.opacity > 0.0f) walks_.emplace_back(*layer);
-        }
-        for (std::uint32_t x = 0; x < kTileSize; ++x) std::memcpy(color_row_ + x * 4, target.base.color, 4);
-    }
-
-    /// Tiles come in ascending order. Returns whether any byte changed.
-    bool composite(std::uint32_t tile, const TileArea& area) {
-        paints_.clear();
-        bool plain = true;
-        for (LayerWalk& walk : walks_) {
-            const TilePaint* paint = walk.on(tile);
-            if (paint == nullptr) continue;
-            paints_.push_back(*paint);
-            plain = plain && paint->is_plain();
-        }
-        const TexelRows base = base_rows(area);
-        const std::size_t out_stride = static_cast<std::size_t>(target_.def.width) * 4;
-        std::uint8_t* out =
-            target_.output.levels[0].rgba.data() + (static_cast<std::size_t>(area.y) * target_.def.width + area.x) * 4;
-        if (paints_.empty()) return copy_rows(base, area, out, out_stride);
-        const bool whole = area.width == kTileSize && area.height == kTileSize;
-        if (plain && whole && is_opaque(base))
-            return paint_opaque_tile(base, paints_.data(), paints_.size(), out, out_stride);
-        std::uint8_t bytes[kTileTexels * 4] = {};  // texels beyond the target's edge are dropped
-        copy_rows(base, area, bytes, kTileSize * 4);
-        blend_paints(bytes);
-        return copy_rows({bytes, kTileSize * 4}, area, out, out_stride);
-    }
-
-private:
-    TexelRows base_rows(const TileArea& area) const {
-        if (target_.base.rgba.empty()) return {color_row_, 0};
-        const std::size_t first = static_cast<std::size_t>(area.y) * target_.def.width + area.x;
-        return {target_.base.rgba.data() + first * 4, static_cast<std::size_t>(target_.def.width) * 4};
-    }
-
-    static bool copy_rows(const TexelRows& from, const TileArea& area, std::uint8_t* to, std::size_t to_stride) {
-        bool changed = false;
-        for (std::uint32_t y = 0; y < area.height; ++y) {
-            const std::uint8_t* row = from.first + y * from.stride;
-            std::uint8_t* to_row = to + y * to_stride;
-            if (area.width == kTileSize) {  // WebAssembly's memcmp goes byte by byte
-                Byte16 difference{};
-                for (std::uint32_t x = 0; x < kTileSize * 4; x += 16) {
-                    const Byte16 bytes = load_byte16(row + x);
-                    difference |= bytes ^ load_byte16(to_row + x);
-                    store_byte16(to_row + x, bytes);
-                }
-                changed = changed || any_byte(difference);
-            } else if (std::memcmp(to_row, row, area.width * 4) != 0) {
-                std::memcpy(to_row, row, area.width * 4);
-                changed = true;
-            }
-        }
-        return changed;
-    }
-
-    void blend_paints(std::uint8_t (&bytes)[kTileTexels * 4]) const {
-        Float4 backdrops[kTileTexels / 4][4];
-        for (std::uint32_t t = 0; t < kTileTexels / 4; ++t) unpack_texels(load_byte16(bytes + t * 16), backdrops[t]);
-        for (const TilePaint& paint : paints_) blend_tile(paint, backdrops[0]);
-        for (std::uint32_t t = 0; t < kTileTexels / 4; ++t) store_byte16(bytes + t * 16, pack_texels(backdrops[t]));
-    }
-
-    Target& target_;
-    std::vector<LayerWalk> walks_;
-    std::vector<TilePaint> paints_;  // on the tile at hand, bottom to top
-    std::uint8_t color_row_[kTileSize * 4];
-};
 
 /// The texels of charts, gutters included.
 CoverageBits charted_texels(const Target& target) {
@@ -198,7 +72,7 @@ void pack_rects(Target& target) {
 
 }  // namespace
 
-TxcStatus composite_target(Target& target, const std::vector<const Layer*>& layers, std::uint32_t& out_texels) {
+TxcStatus composite_target(Target& target, const std::vector<LayerNode>& layers, std::uint32_t& out_texels) {
     out_texels = 0;
     const bool first = target.output.levels.empty();
     if (first) {

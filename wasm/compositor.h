@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "target.h"
+#include "tile_compositor.h"
 
 namespace txc {
 
 /// Composites the target's dirty tiles, refreshes the mip levels above them, and packs what really changed into
-/// `target.rects` and `target.packed`. `layers`: visible ones, bottom to top. `out_texels`: how many were composited.
+/// `target.rects` and `target.packed`. `layers`: the target's own list, bottom to top. `out_texels`: how many were composited.
 /// Errors: OUT_OF_BUDGET, with nothing changed.
-TxcStatus composite_target(Target& target, const std::vector<const Layer*>& layers, std::uint32_t& out_texels);
+TxcStatus composite_target(Target& target, const std::vector<LayerNode>& layers, std::uint32_t& out_texels);
 
 }  // namespace txc

@@ -50,6 +50,9 @@ TxcStatus read_layer_def(const TxcLayerDef& def, PictureCast& out) {
         {def.occlusion, TXC_OCCLUSION_COUNT, "occlusion"},
         {def.projector, TXC_PROJECTOR_COUNT, "projector"},
         {def.tip, TXC_TIP_COUNT, "tip"},
+        {def.role, TXC_ROLE_COUNT, "role"},
+        {def.isolated, 2, "isolated"},
+        {def.invert_mask, 2, "invert_mask"},
     };
     for (const auto& choice : choices) {
         if (const TxcStatus status = check_choice(choice.value, choice.count, choice.field); status != TXC_STATUS_OK)
@@ -65,7 +68,7 @@ TxcStatus read_layer_def(const TxcLayerDef& def, PictureCast& out) {
     for (const auto& share : shares) {
         if (const TxcStatus status = check_share(share.value, share.field); status != TXC_STATUS_OK) return status;
     }
-    if (def.kind == TXC_LAYER_FILL) return TXC_STATUS_OK;
+    if (def.kind == TXC_LAYER_FILL || def.kind == TXC_LAYER_GROUP) return TXC_STATUS_OK;
     if (!(def.angle_fade_start >= 0.0f && def.angle_fade_start <= def.angle_fade_end && def.angle_fade_end <= 90.0f)) {
         return fail(TXC_STATUS_BAD_ARGUMENT, "angle_fade is %g to %g degrees; it must rise within 0 to 90",
                     static_cast<double>(def.angle_fade_start), static_cast<double>(def.angle_fade_end));
@@ -75,6 +78,9 @@ TxcStatus read_layer_def(const TxcLayerDef& def, PictureCast& out) {
 }
 
 bool same_projection(const TxcLayerDef& a, const TxcLayerDef& b) {
+    // Of a fill's tiles the blend space is a part: gradients are mixed in it.
+    if (a.kind == TXC_LAYER_FILL && b.kind == TXC_LAYER_FILL)
+        return a.blend_space == b.blend_space && std::memcmp(a.color, b.color, sizeof a.color) == 0;
     const bool same_reach = a.kind == b.kind && a.image == b.image && a.filter == b.filter && a.wrap == b.wrap &&
                             a.flip_x == b.flip_x && a.flip_y == b.flip_y && a.backfaces == b.backfaces &&
                             a.angle_fade_start == b.angle_fade_start && a.angle_fade_end == b.angle_fade_end &&

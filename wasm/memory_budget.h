@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "status.h"
@@ -20,8 +22,17 @@ public:
     std::uint64_t limit() const { return limit_; }
     bool fits(std::uint64_t bytes) const { return bytes <= limit_ && used_ <= limit_ - bytes; }
 
+    /// `give_back` is called when room is short, before a request is refused: it gives up what can be made again.
+    void on_shortage(std::function<void()> give_back) { give_back_ = std::move(give_back); }
+
 private:
     friend class BudgetShare;
+    bool makes_room(std::uint64_t bytes) {
+        if (!fits(bytes) && give_back_) give_back_();
+        return fits(bytes);
+    }
+
+    std::function<void()> give_back_;
     std::uint64_t limit_;
     std::uint64_t used_ = 0;
     std::uint64_t peak_ = 0;
@@ -50,7 +61,7 @@ public:
 
     /// Makes the share `bytes` large. On OUT_OF_BUDGET the share is as it was; `what` names the work for the message.
     TxcStatus resize(std::uint64_t bytes, const char* what) {
-        if (bytes > bytes_ && !budget_->fits(bytes - bytes_)) {
+        if (bytes > bytes_ && !budget_->makes_room(bytes - bytes_)) {
             return fail(TXC_STATUS_OUT_OF_BUDGET,
                         "%s needs %llu MiB, but only %llu of the budget's %llu MiB are left: choose a smaller size or "
                         "raise the memory budget",

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "compositor.h"
 #include "exact_math.h"
 #include "gltf_reader.h"
 #include "gutter.h"
-#include "layer_def.h"
 
 namespace txc {
 namespace {
@@ -25,6 +23,11 @@ TxcStatus check_size(std::uint32_t width, std::uint32_t height) {
 }
 
 }  // namespace
+
+Session::Session(const TxcSessionDef& def)
+    : budget_(static_cast<std::uint64_t>(def.memory_budget_mib) << 20), mesh_share_(budget_) {
+    budget_.on_shortage([this] { targets_.for_each([](TxcTarget, Target& target) { target.backdrops.forget(); }); });
+}
 
 TxcSessionStats Session::stats() const {
     TxcSessionStats stats{};
@@ -206,7 +209,7 @@ TxcStatus Session::bake(TxcTarget id, std::uint32_t work_limit, float& out_progr
 TxcStatus Session::destroy_target(TxcTarget id) {
     Target* target = nullptr;
     if (const TxcStatus status = find_target(id, target); status != TXC_STATUS_OK) return status;
-    for (const TxcLayer layer : target->order) layers_.remove(layer);
+    remove_layers(target->order);
     targets_.remove(id);
     drop_unused_maps(kSpareMaps);
     return TXC_STATUS_OK;
@@ -234,7 +237,7 @@ TxcStatus Session::set_base(TxcTarget id, std::uint32_t width, std::uint32_t hei
         return status;
     target->base.rgba.resize(static_cast<std::size_t>(bytes));
     resample_rgba(rgba, width, height, nearest, target->def.width, target->def.height, target->base.rgba.data());
-    target->mark_all_dirty();
+    target->change_base();
     return TXC_STATUS_OK;
 }
 
@@ -244,7 +247,7 @@ TxcStatus Session::set_base_color(TxcTarget id, const std::uint8_t (&rgba)[4]) {
     target->base.rgba = std::vector<std::uint8_t>();  // `= {}` would keep the room
     target->base_share.release();
     std::memcpy(target->base.color, rgba, 4);
-    target->mark_all_dirty();
+    target->change_base();
     return TXC_STATUS_OK;
 }
 
@@ -266,229 +269,6 @@ TxcStatus Session::destroy_image(TxcImage id) {
     layers_.for_each([id](TxcLayer, Layer& layer) {
         if (layer.def.image == id) layer.needs_projection = true;
     });
-    return TXC_STATUS_OK;
-}
-
-// ---- Layers -----------------------------------------------------------------------------------------------------------
-
-TxcStatus Session::check_image(TxcImage id) const {
-    if (id == 0 || images_.find(id) != nullptr) return TXC_STATUS_OK;
-    return fail(TXC_STATUS_STALE_HANDLE, "there is no image %u", id);
-}
-
-TxcStatus Session::create_layer(TxcTarget target_id, const TxcLayerDef& def, TxcLayer& out_layer) {
-    Target* target = nullptr;
-    if (const TxcStatus status = find_target(target_id, target); status != TXC_STATUS_OK) return status;
-    auto layer = std::make_unique<Layer>(budget_);
-    if (const TxcStatus status = read_layer_def(def, layer->cast); status != TXC_STATUS_OK) return status;
-    if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
-    layer->target = target_id;
-    layer->def = def;
-    layer->needs_projection = true;
-    target->mark_dirty(*layer);
-    out_layer = layers_.add(std::move(layer));
-    if (out_layer == 0) return fail(TXC_STATUS_BAD_ARGUMENT, "there are too many layers");
-    target->order.push_back(out_layer);
-    return TXC_STATUS_OK;
-}
-
-TxcStatus Session::update_layer(TxcLayer id, const TxcLayerDef& def) {
-    Layer* layer = nullptr;
-    if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
-    PictureCast cast;
-    if (const TxcStatus status = read_layer_def(def, cast); status != TXC_STATUS_OK) return status;
-    // An image that was destroyed under the layer may stay named: the layer is transparent until it gets another.
-    if (def.image != layer->def.image) {
-        if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
-    }
-    if (std::memcmp(&layer->def, &def, sizeof def) == 0) return TXC_STATUS_OK;
-    Target& target = *targets_.find(layer->target);
-    // Where it was: its old tiles. Where it will be: the projection marks those.
-    target.mark_dirty(*layer);
-    if (!same_projection(layer->def, def)) layer->needs_projection = true;
-    layer->def = def;
-    layer->cast = cast;
-    if (def.kind == TXC_LAYER_FILL) target.mark_all_dirty();
-    if (def.kind != TXC_LAYER_STROKE) layer->stroke.clear();
-    return TXC_STATUS_OK;
-}
-
-TxcStatus Session::move_layer(TxcLayer id, std::uint32_t index) {
-    Layer* layer = nullptr;
-    if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
-    Target& target = *targets_.find(layer->target);
-    const auto from = std::find(target.order.begin(), target.order.end(), id);
-    const std::size_t to = std::min<std::size_t>(index, target.order.size() - 1);
-    if (static_cast<std::size_t>(from - target.order.begin()) == to) return TXC_STATUS_OK;
-    target.order.erase(from);
-    target.order.insert(target.order.begin() + static_cast<std::ptrdiff_t>(to), id);
-    target.mark_dirty(*layer);
-    return TXC_STATUS_OK;
-}
-
-TxcStatus Session::destroy_layer(TxcLayer id) {
-    Layer* layer = nullptr;
-    if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
-    Target& target = *targets_.find(layer->target);
-    target.mark_dirty(*layer);
-    target.order.erase(std::find(target.order.begin(), target.order.end(), id));
-    layers_.remove(id);
-    return TXC_STATUS_OK;
-}
-
-TxcStatus Session::find_layer(TxcLayer id, Layer*& out_layer) const {
-    out_layer = layers_.find(id);
-    return out_layer != nullptr ? TXC_STATUS_OK : fail(TXC_STATUS_STALE_HANDLE, "there is no layer %u", id);
-}
-
-// ---- Strokes ----------------------------------------------------------------------------------------------------------
-
-TxcStatus Session::find_stroke(TxcLayer id, Layer*& out_layer) const {
-    if (const TxcStatus status = find_layer(id, out_layer); status != TXC_STATUS_OK) return status;
-    return out_layer->def.kind == TXC_LAYER_STROKE ? TXC_STATUS_OK
-                                                   : fail(TXC_STATUS_BAD_ARGUMENT, "layer %u is not a stroke", id);
-}
-
-TxcStatus Session::add_dabs(TxcLayer id, const TxcDab* dabs, std::uint32_t count) {
-    Layer* layer = nullptr;
-    if (const TxcStatus status = find_stroke(id, layer); status != TXC_STATUS_OK) return status;
-    return layer->stroke.add(dabs, count);
-}
-
-TxcStatus Session::clear_dabs(TxcLayer id) {
-    Layer* layer = nullptr;
-    if (const TxcStatus status = find_stroke(id, layer); status != TXC_STATUS_OK) return status;
-    layer->stroke.clear();
-    layer->needs_projection = true;
-    return TXC_STATUS_OK;
-}
-
-// ---- Update -----------------------------------------------------------------------------------------------------------
-
-TxcStatus Session::ensure_occlusion_tree() {
-    if (occlusion_ != nullptr) return TXC_STATUS_OK;
-    auto tree = std::make_unique<OcclusionTree>(budget_);
-    if (const TxcStatus status = tree->build(*mesh_); status != TXC_STATUS_OK) return status;
-    occlusion_ = std::move(tree);
-    return TXC_STATUS_OK;
-}
-
-TxcStatus Session::project_layer(Target& target, Layer& layer, TxcUpdate& update) {
-    if (layer.def.kind == TXC_LAYER_STROKE) return project_stroke(target, layer, update);
-    target.mark_dirty(layer);
-    const ImagePyramid* image = images_.find(layer.def.image);
-    if (layer.def.kind == TXC_LAYER_FILL || image == nullptr) {
-        layer.tiles.indices.clear();
-        layer.tiles.texels.clear();
-        layer.needs_projection = false;
-        return TXC_STATUS_OK;
-    }
-    if (layer.cast.asks_for_occluders()) {
-        if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
-    }
-    std::uint32_t texels = 0;
-    const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
-    if (const TxcStatus status = cast_picture(scene, layer.cast, *image, layer.tiles, texels); status != TXC_STATUS_OK)
-        return status;
-    layer.needs_projection = false;
-    ++projection_count_;
-    ++update.projected_layers;
-    update.projected_texels += texels;
-    target.mark_dirty(layer);
-    return TXC_STATUS_OK;
-}
-
-RoundTips& Session::round_tips_of(Layer& layer) {
-    const float hardness = layer.def.hardness;
-    std::shared_ptr<RoundTips>& tips = layer.stroke.round_tips;
-    if (tips == nullptr || tips->hardness() != hardness) {
-        tips.reset();
-        std::erase_if(round_tips_, [](const auto& other) { return other.expired(); });
-        for (const auto& other : round_tips_) {
-            if (const auto known = other.lock(); known->hardness() == hardness) tips = known;
-        }
-        if (tips == nullptr) {
-            tips = std::make_shared<RoundTips>(hardness, budget_);
-            round_tips_.push_back(tips);
-        }
-    }
-    return *tips;
-}
-
-TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& update) {
-    Stroke& stroke = layer.stroke;
-    if (layer.needs_projection) {
-        target.mark_dirty(layer);
-        release_tiles(layer.tiles);
-        stroke.painted = 0;
-        layer.needs_projection = false;
-    }
-    if (stroke.painted == stroke.dabs.size()) return TXC_STATUS_OK;
-    const TxcLayerDef& def = layer.def;
-    Brush brush;
-    brush.is_mask = def.tip != TXC_TIP_PICTURE;
-    brush.color = Float4{def.color[0], def.color[1], def.color[2], def.color[3]};
-    brush.flow = def.flow;
-    if (def.tip == TXC_TIP_ROUND) {
-        brush.round_tips = &round_tips_of(layer);
-    } else {
-        stroke.round_tips.reset();
-        brush.picture = images_.find(def.image);
-        if (brush.picture == nullptr) {
-            stroke.painted = stroke.dabs.size();
-            return TXC_STATUS_OK;
-        }
-    }
-    const bool asks_for_occluders =
-        std::any_of(stroke.dabs.begin() + static_cast<std::ptrdiff_t>(stroke.painted), stroke.dabs.end(),
-                    [&](const TxcDab& dab) { return layer.cast.occludes && dab.projector != TXC_PROJECTOR_UV; });
-    if (asks_for_occluders) {
-        if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
-    }
-    const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
-    std::uint64_t texels = 0;
-    target.ensure_tile_marks();
-    const TxcStatus status =
-        paint_dabs(scene, layer.cast, brush, stroke.dabs, stroke.painted, layer.tiles, target.dirty_tiles, texels);
-    if (status != TXC_STATUS_OK) {
-        // Some of the dabs may be there: the next update begins anew.
-        layer.needs_projection = true;
-        return status;
-    }
-    stroke.painted = stroke.dabs.size();
-    ++projection_count_;
-    ++update.projected_layers;
-    update.projected_texels += static_cast<std::uint32_t>(std::min<std::uint64_t>(texels, 0xffffffffu));
-    return TXC_STATUS_OK;
-}
-
-TxcStatus Session::find_bleed(TxcTarget id, Target*& out_target) {
-    if (const TxcStatus status = find_baked(id, out_target); status != TXC_STATUS_OK) return status;
-    return txc::find_bleed(*out_target, budget_);
-}
-
-TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
-    Target* target = nullptr;
-    if (const TxcStatus status = find_baked(id, target); status != TXC_STATUS_OK) return status;
-    TxcUpdate update{};
-    std::vector<const Layer*> visible;
-    for (const TxcLayer layer_id : target->order) {
-        Layer& layer = *layers_.find(layer_id);
-        // A hidden layer's projection can wait until it is shown.
-        if (layer.def.visible == 0) continue;
-        if (layer.is_behind()) {
-            if (const TxcStatus status = project_layer(*target, layer, update); status != TXC_STATUS_OK) return status;
-        }
-        visible.push_back(&layer);
-    }
-    target->bleed.forget();
-    if (const TxcStatus status = composite_target(*target, visible, update.composited_texels); status != TXC_STATUS_OK)
-        return status;
-    projected_texels_ = update.projected_texels;
-    composited_texels_ = update.composited_texels;
-    update.rect_count = static_cast<std::uint32_t>(target->rects.size());
-    update.byte_count = static_cast<std::uint32_t>(target->packed.size());
-    out_update = update;
     return TXC_STATUS_OK;
 }
 

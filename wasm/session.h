@@ -8,14 +8,13 @@
 #include "image_pyramid.h"
 #include "mesh.h"
 #include "occlusion.h"
-#include "target.h"
+#include "tile_compositor.h"
 
 namespace txc {
 
 class Session {
 public:
-    explicit Session(const TxcSessionDef& def)
-        : budget_(static_cast<std::uint64_t>(def.memory_budget_mib) << 20), mesh_share_(budget_) {}
+    explicit Session(const TxcSessionDef& def);
 
     TxcSessionStats stats() const;
 
@@ -47,6 +46,8 @@ public:
     TxcStatus destroy_layer(TxcLayer layer);
     TxcStatus find_layer(TxcLayer id, Layer*& out_layer) const;
 
+    TxcStatus set_gradient(TxcLayer layer, const TxcGradient* gradient);
+    TxcStatus set_triangles(TxcLayer layer, const std::uint32_t* triangles, std::uint32_t count);
     TxcStatus add_dabs(TxcLayer layer, const TxcDab* dabs, std::uint32_t count);
     TxcStatus clear_dabs(TxcLayer layer);
     /// Like find_layer, and BAD_ARGUMENT for a layer of another kind.
@@ -61,6 +62,21 @@ private:
     bool drop_unused_maps(std::size_t keep);
     void forget_model();
     TxcStatus check_image(TxcImage id) const;
+    std::uint32_t depth_below(const Layer& layer) const;
+    TxcStatus check_parent(TxcTarget target, TxcLayer id, const TxcLayerDef& def) const;
+    std::vector<TxcLayer>& siblings(Target& target, const TxcLayerDef& def);
+    /// With all that is in them; the list that they stand in keeps their ids.
+    void remove_layers(const std::vector<TxcLayer>& ids);
+    void mark_dirty(Target& target, const Layer& layer);
+    void note_move(Target& target, Layer& layer);
+    TxcStatus find_fill(TxcLayer id, Layer*& out_layer) const;
+    void change_fill(Target& target, Layer& layer);
+    /// Projects what is shown and behind, in groups and masks too.
+    TxcStatus project_layers(Target& target, const std::vector<TxcLayer>& ids, TxcUpdate& update);
+    std::vector<LayerNode> nodes_of(const std::vector<TxcLayer>& ids) const;
+    /// Whether any of a mask's layers, or of their masks', changed; forgets that it did.
+    bool takes_changes(const std::vector<TxcLayer>& ids);
+    void follow_changes(Target& target);
     /// Brings the layer's tiles up to date and marks those that change.
     TxcStatus project_layer(Target& target, Layer& layer, TxcUpdate& update);
     TxcStatus project_stroke(Target& target, Layer& layer, TxcUpdate& update);

@@ -170,6 +170,7 @@ TxcStatus read_dab(const TxcDab& dab, PictureCast& cast) {
         return fail(TXC_STATUS_BAD_ARGUMENT, "projector is %u; it must be below %d", dab.projector,
                     TXC_PROJECTOR_COUNT);
     }
+    if (dab.flip_x > 1) return fail(TXC_STATUS_BAD_ARGUMENT, "flip_x is %u; it must be below 2", dab.flip_x);
     TxcLayerDef def{};
     def.projector = dab.projector;
     std::memcpy(reinterpret_cast<char*>(&def) + offsetof(TxcLayerDef, position_model),
@@ -213,10 +214,12 @@ TxcStatus paint_dabs(const CastScene& scene, PictureCast cast, const Brush& brus
         return status;
     LayerTiles dab_tiles(scene.budget);  // one for all dabs
     std::vector<std::uint32_t> near_tiles;
+    const bool flip_x = cast.settings.flip_x;
     for (std::size_t d = first; d < dabs.size(); ++d) {
         const float flow = brush.flow * dabs[d].flow;
         if (!(flow > 0.0f)) continue;
         if (const TxcStatus status = read_dab(dabs[d], cast); status != TXC_STATUS_OK) return status;
+        cast.settings.flip_x = flip_x != (dabs[d].flip_x != 0);
         const ImagePyramid* picture = brush.picture;
         if (brush.round_tips != nullptr) {
             const TxcStatus status = brush.round_tips->find(texels_across(scene.map, cast, near_tiles), picture);

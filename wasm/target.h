@@ -5,8 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include "backdrop_cache.h"
 #include "base_picture.h"
 #include "bleed.h"
+#include "fill_paint.h"
 #include "layer_tiles.h"
 #include "local_space_map.h"
 #include "map_baker.h"
@@ -17,28 +19,33 @@
 namespace txc {
 
 struct Layer {
-    explicit Layer(MemoryBudget& budget) : tiles(budget), stroke(budget) {}
+    explicit Layer(MemoryBudget& budget) : tiles(budget), stroke(budget), fill(budget) {}
 
     TxcTarget target = 0;
     TxcLayerDef def{};
     PictureCast cast;               // of a decal, and of a stroke but for the projector; derived from def
-    LayerTiles tiles;               // of a decal and of a stroke
+    LayerTiles tiles;               // of all but groups and fills that go everywhere
     Stroke stroke;                  // empty for the other kinds
+    FillShape fill;                 // likewise
+    std::vector<TxcLayer> content;  // of a group, bottom to top
+    std::vector<TxcLayer> mask;     // bottom to top
     bool needs_projection = false;  // `tiles` show an older def
+    bool changed = true;            // since the newest update, in whatever way
 
     /// `tiles` lack something: an older def, or fewer dabs.
     bool is_behind() const { return needs_projection || stroke.painted < stroke.dabs.size(); }
+    bool is_everywhere() const { return def.kind == TXC_LAYER_FILL && fill.is_everywhere(); }
 };
 
 struct Target {
     Target(const TxcTargetDef& target_def, MemoryBudget& budget)
-        : def(target_def), bleed(budget), base_share(budget), output_share(budget) {}
+        : def(target_def), bleed(budget), backdrops(budget), base_share(budget), output_share(budget) {}
 
     TxcTargetDef def;
     std::unique_ptr<MapBaker> baker;     // while the bake is under way
     std::shared_ptr<LocalSpaceMap> map;  // once it is done
     BasePicture base;
-    std::vector<TxcLayer> order;            // bottom to top
+    std::vector<TxcLayer> order;            // those that are in no other, bottom to top
     MipChain output;                        // empty before the first update
     std::vector<std::uint8_t> dirty_tiles;  // per tile: must be composited again
     bool all_dirty = true;
@@ -48,6 +55,7 @@ struct Target {
     std::vector<std::uint8_t> packed;
 
     Bleed bleed;  // for exports
+    BackdropCache backdrops;
 
     BudgetShare base_share;
     BudgetShare output_share;  // output, packed bytes, tile marks
@@ -60,9 +68,17 @@ struct Target {
     void ensure_tile_marks() {
         if (dirty_tiles.empty()) dirty_tiles.assign(tile_count(), 0);
     }
-    /// Marks the tiles that a layer paints, so that the next update composites them.
-    void mark_dirty(const Layer& layer);
+    /// Marks tiles, so that the next update composites them.
+    void mark_dirty(const LayerTiles& tiles) {
+        ensure_tile_marks();
+        for (const std::uint32_t tile : tiles.indices) dirty_tiles[tile] = 1;
+    }
     void mark_all_dirty() { all_dirty = true; }
+    /// What everything lies on changed.
+    void change_base() {
+        all_dirty = true;
+        backdrops.forget();
+    }
 };
 
 }  // namespace txc

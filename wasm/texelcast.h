@@ -3,7 +3,7 @@
  * The one public header of the core. It is plain C, so that a WebAssembly host can call it without glue, and it is
  * written in the order in which a program calls it:
  *
- *   session -> model -> target (bake) -> base picture -> images -> layers -> strokes' dabs -> update -> read
+ *   session -> model -> target (bake) -> base picture -> images -> layers -> fills, strokes' dabs -> update -> read
  *
  * Rules that hold for every call:
  *   - Structs hold 4-byte fields only, so their layout is the same in wasm32 and natively. Fill one with its
@@ -34,9 +34,11 @@ extern "C" {
 #define TXC_API
 #endif
 
-#define TXC_ABI_VERSION 3u
+#define TXC_ABI_VERSION 4u
 #define TXC_MAX_SIZE 8192u    /* texels along one side of a target or an image */
 #define TXC_MAX_DABS 1000000u /* of one stroke */
+#define TXC_MAX_DEPTH 16u     /* of a layer in a layer in a layer: 1 is in none */
+#define TXC_MAX_STOPS 16u     /* of a gradient */
 
 /* ---- Statuses ---------------------------------------------------------------------------------------------------
  * One list; names and messages are read from the module itself (txc_status_name, txc_status_message), so that no
@@ -228,8 +230,26 @@ TXC_API TxcStatus txc_image_create(TxcSession session, uint32_t width, uint32_t 
 /* Layers that use it turn transparent; give them another image or destroy them. */
 TXC_API TxcStatus txc_image_destroy(TxcSession session, TxcImage image);
 
-/* ---- Layers ----------------------------------------------------------------------------------------------------- */
-typedef enum TxcLayerKind { TXC_LAYER_DECAL, TXC_LAYER_FILL, TXC_LAYER_STROKE, TXC_LAYER_KIND_COUNT } TxcLayerKind;
+/* ---- Layers -----------------------------------------------------------------------------------------------------
+ * A target's layers are a tree. A layer's content (a group's) and its mask (any layer's) are lists of layers, each bottom to
+ * top, as the target's own list is.
+ *
+ * A group is composited by itself, as W3C's isolated groups are, and what comes out is laid on what is below it by its
+ * opacity, blend, blend space and alpha lock. One that is not isolated and blends normally lets its content onto what is
+ * below, layer by layer; each texel then goes from how it was before to how it is now as far as opacity and mask say,
+ * colours weighted by their alpha, in the group's blend space.
+ *
+ * A mask is composited onto alpha 1: erasing layers hide, all others show. Its alpha, or 1 less it, multiplies what the
+ * masked layer lays on; colour, blend space and the other modes mean nothing in it. An empty mask shows all. */
+typedef enum TxcLayerKind {
+    TXC_LAYER_DECAL,
+    TXC_LAYER_FILL,
+    TXC_LAYER_STROKE,
+    TXC_LAYER_GROUP,
+    TXC_LAYER_KIND_COUNT
+} TxcLayerKind;
+/* What a layer is to its parent. */
+typedef enum TxcRole { TXC_ROLE_CONTENT, TXC_ROLE_MASK, TXC_ROLE_COUNT } TxcRole;
 typedef enum TxcProjector {
     TXC_PROJECTOR_PLANAR,      /* a box: position, rotation, size */
     TXC_PROJECTOR_PERSPECTIVE, /* an eye that looks along its own -Z: position, rotation, fov to far_distance */
@@ -308,19 +328,50 @@ typedef struct TxcLayerDef {
     uint32_t tip;            /* stroke: TxcTip; round */
     float hardness;          /* stroke with a round tip: the share of the radius that is solid, 0 to 1; 1 */
     float flow;              /* stroke: what share of the tip's alpha a dab lays down, 0 to 1; 1 */
+    uint32_t parent;         /* TxcLayer that it is in; 0: the target's own list */
+    uint32_t role;           /* TxcRole; content, which only a group has; a group cannot be part of a mask */
+    uint32_t isolated;       /* group: 0; any blend but normal isolates too */
+    uint32_t invert_mask;    /* 0: 1 takes the mask's alpha for what it lacks to 1 */
 } TxcLayerDef;
 
 TXC_API void txc_layer_def_default(TxcLayerDef* def);
-/* Adds a layer on top of the target's others. */
+/* Adds a layer on top of its parent's others. BAD_ARGUMENT for a parent that cannot have it, and beyond TXC_MAX_DEPTH. */
 TXC_API TxcStatus txc_layer_create(TxcSession session, TxcTarget target, const TxcLayerDef* def, TxcLayer* out_layer);
 /* Changes any field. Only a change of image, filter, wrap, flips, culling, fade, occlusion, projector or a stroke's brush
- * projects again; the rest recomposites. A layer that stops being a stroke loses its dabs. */
+ * projects again; the rest recomposites. Under another parent, or in another role, it goes on top of the others there. A
+ * layer that stops being a stroke loses its dabs, one that stops being a fill its gradient and triangles; a group must be empty
+ * to become anything else. */
 TXC_API TxcStatus txc_layer_update(TxcSession session, TxcLayer layer, const TxcLayerDef* def);
-/* Puts the layer at `index` from the bottom; an index past the top is the top. */
+/* Puts the layer at `index` from the bottom of the list that it is in; an index past the top is the top. */
 TXC_API TxcStatus txc_layer_move(TxcSession session, TxcLayer layer, uint32_t index);
+/* Destroys the layer and all layers in it. */
 TXC_API TxcStatus txc_layer_destroy(TxcSession session, TxcLayer layer);
 /* Reads back what the layer was last given. */
 TXC_API TxcStatus txc_layer_def(TxcSession session, TxcLayer layer, TxcLayerDef* out_def);
+
+/* ---- Fills ------------------------------------------------------------------------------------------------------
+ * A fill is one colour over the whole target. A gradient takes the colour from where a texel lies on the model, and a list of
+ * triangles keeps the fill to those; with either, only texels of the model are painted, gutters with their triangle. */
+typedef enum TxcGradientKind { TXC_GRADIENT_LINEAR, TXC_GRADIENT_RADIAL, TXC_GRADIENT_KIND_COUNT } TxcGradientKind;
+/* Between stops colours are mixed premultiplied, in the layer's blend space; before the first and after the last one they
+ * stay. Where two stops share an offset the colour jumps, from there on to that of the later. */
+typedef struct TxcGradient {
+    uint32_t kind;       /* TxcGradientKind */
+    float from_model[3]; /* metres; linear: offset 0 is here, radial: the centre */
+    float to_model[3];   /* linear: offset 1; not `from_model` */
+    float radius;        /* radial: metres to offset 1, above 0 */
+    uint32_t stop_count; /* 2 to TXC_MAX_STOPS */
+    float offsets[16];   /* 0 to 1, none below the one before */
+    float colors[64];    /* four a stop: sRGB 0 to 1, straight alpha */
+} TxcGradient;
+/* Linear, from the origin to +Y, black to white. */
+TXC_API void txc_gradient_default(TxcGradient* gradient);
+/* Null takes the gradient away. BAD_ARGUMENT for a layer of another kind. */
+TXC_API TxcStatus txc_fill_set_gradient(TxcSession session, TxcLayer layer, const TxcGradient* gradient);
+/* Triangles of the target's material, counted as txc_material_uvs has them, in any order. Null: everywhere. BAD_ARGUMENT for
+ * one that is not there and for a layer of another kind; OUT_OF_BUDGET. */
+TXC_API TxcStatus txc_fill_set_triangles(TxcSession session, TxcLayer layer, const uint32_t* triangles,
+                                         uint32_t triangle_count);
 
 /* ---- Strokes ----------------------------------------------------------------------------------------------------
  * A stroke is a brush's path over the surface: the layer's fields say what the brush is, its dabs where it touched. Each
@@ -329,6 +380,7 @@ TXC_API TxcStatus txc_layer_def(TxcSession session, TxcLayer layer, TxcLayerDef*
  * call or in many, and an update paints those alone that came since the update before. */
 typedef struct TxcDab {
     float flow;         /* 0 to 1: its share of the layer's flow, such as a pen's pressure; 1 */
+    uint32_t flip_x;    /* 0: 1 turns the layer's flip_x round for this dab (a mirrored one's) */
     uint32_t projector; /* TxcProjector; this and all that follows as in TxcLayerDef */
     float position_model[3];
     float rotation[4];

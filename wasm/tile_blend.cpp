@@ -3,19 +3,18 @@
 #include "blend.h"
 #include "blend_modes.h"
 #include "image_pyramid.h"
+#include "srgb_curve.h"
 #include "texel_bytes.h"
 
 namespace txc {
 namespace {
 
-/// `step`: 1 for a source a texel, 0 for one that serves all.
-using TileBlend = void (*)(const Float4* sources, std::size_t step, bool lock_alpha, Float4* backdrops);
+using TileBlend = void (*)(const Float4* sources, bool lock_alpha, Float4* backdrops);
 
 template <void (*kBlend)(Float4, bool, Float4&)>
-void blend_texels(const Float4* sources, std::size_t step, bool lock_alpha, Float4* backdrops) {
+void blend_texels(const Float4* sources, bool lock_alpha, Float4* backdrops) {
     for (std::uint32_t t = 0; t < kTileTexels; ++t) {
-        const Float4 source = sources[t * step];
-        if (source[3] > 0.0f) kBlend(source, lock_alpha, backdrops[t]);
+        if (sources[t][3] > 0.0f) kBlend(sources[t], lock_alpha, backdrops[t]);
     }
 }
 
@@ -139,15 +138,98 @@ bool paint_rows(const TexelRows& base, std::uint8_t* out, std::size_t out_stride
 
 }  // namespace
 
-void blend_tile(const TilePaint& paint, Float4* backdrops) {
-    const TileBlend blend = kBlends[paint.blend][paint.blend_space];
-    if (paint.texels == nullptr) {
-        blend(&paint.color, 0, paint.lock_alpha, backdrops);
+void load_sources(const TilePaint& paint, Float4* sources) {
+    for (std::uint32_t t = 0; t < kTileTexels; ++t)
+        sources[t] = paint.texels == nullptr ? paint.color : load_ushort4(paint.texels + t * 4) * paint.scale;
+}
+
+void mask_sources(const float* shares, Float4* sources) {
+    for (std::uint32_t t = 0; t < kTileTexels; ++t) sources[t] = sources[t] * splat(shares[t]);
+}
+
+void blend_tile(const TileMode& mode, const Float4* sources, Float4* backdrops) {
+    kBlends[mode.blend][mode.blend_space](sources, mode.lock_alpha, backdrops);
+}
+
+void blend_isolated(const TileMode& mode, const Float4* sources, Float4* texels) {
+    if (mode.blend == TXC_BLEND_ERASE) {
+        if (mode.lock_alpha) return;
+        for (std::uint32_t t = 0; t < kTileTexels; ++t) texels[t] = texels[t] * splat(1.0f - sources[t][3]);
         return;
     }
-    Float4 sources[kTileTexels];
-    for (std::uint32_t t = 0; t < kTileTexels; ++t) sources[t] = load_ushort4(paint.texels + t * 4) * paint.scale;
-    blend(sources, 1, paint.lock_alpha, backdrops);
+    if (mode.blend == TXC_BLEND_NORMAL && mode.blend_space == TXC_BLEND_SPACE_SRGB) {
+        for (std::uint32_t t = 0; t < kTileTexels; ++t) {
+            const Float4 source = sources[t];
+            const float alpha = texels[t][3];
+            const Float4 kept = texels[t] * splat(1.0f - source[3]);
+            texels[t] = mode.lock_alpha ? kept + source * splat(alpha) : kept + source;
+            if (mode.lock_alpha) texels[t][3] = alpha;
+        }
+        return;
+    }
+    Float4 backdrops[kTileTexels];
+    for (std::uint32_t t = 0; t < kTileTexels; ++t) {
+        const float alpha = texels[t][3];
+        backdrops[t] = alpha > 0.0f ? texels[t] * splat(1.0f / alpha) : splat(0.0f);
+        backdrops[t][3] = alpha * 255.0f;
+    }
+    blend_tile(mode, sources, backdrops);
+    for (std::uint32_t t = 0; t < kTileTexels; ++t) {
+        if (!(sources[t][3] > 0.0f)) continue;
+        if (texels[t][3] > 0.0f) {
+            const float alpha = backdrops[t][3] * (1.0f / 255.0f);
+            texels[t] = backdrops[t] * splat(alpha);
+            texels[t][3] = alpha;
+        } else if (!mode.lock_alpha) {
+            texels[t] = sources[t];
+        }
+    }
+}
+
+namespace {
+
+/// Colour straight, on 0 to 1, and alpha on 0 to 1.
+Float4 straight_unit(Float4 texel, bool isolated) {
+    const float alpha = isolated ? texel[3] : texel[3] * (1.0f / 255.0f);
+    const float scale = !isolated ? 1.0f / 255.0f : alpha > 0.0f ? 1.0f / (255.0f * alpha) : 0.0f;
+    Float4 straight = greater(lesser(texel * splat(scale), splat(1.0f)), splat(0.0f));
+    straight[3] = alpha;
+    return straight;
+}
+
+Float4 interpolate(const TileMode& mode, bool isolated, Float4 before, float share, Float4 after) {
+    const bool is_linear = mode.blend_space == TXC_BLEND_SPACE_LINEAR;
+    const Float4 low = straight_unit(before, isolated);
+    const Float4 high = straight_unit(after, isolated);
+    float alpha = low[3] + (high[3] - low[3]) * share;
+    // How far the colour goes: by the alpha that each side brings.
+    const float brought = high[3] * share;
+    const float total = low[3] * (1.0f - share) + brought;
+    const float color_share = low[3] == high[3] ? share : total > 0.0f ? brought / total : 0.0f;
+    if (mode.lock_alpha) alpha = low[3];
+    const Float4 from = is_linear ? srgb_to_linear(low) : low;
+    const Float4 to = is_linear ? srgb_to_linear(high) : high;
+    Float4 color = from + (to - from) * splat(color_share);
+    if (is_linear) color = linear_to_srgb(color);
+    Float4 result = color * splat(isolated ? alpha * 255.0f : 255.0f);
+    result[3] = isolated ? alpha : alpha * 255.0f;
+    return result;
+}
+
+bool is_same(Float4 a, Float4 b) { return !any_lane(a != b); }
+
+}  // namespace
+
+void interpolate_tile(const TileMode& mode, bool isolated, const Float4* before, const float* shares, Float4* after) {
+    for (std::uint32_t t = 0; t < kTileTexels; ++t) {
+        const bool stays =
+            shares[t] <= 0.0f || is_same(before[t], after[t]) || (mode.lock_alpha && !(before[t][3] > 0.0f));
+        if (stays) {
+            after[t] = before[t];
+        } else if (shares[t] < 1.0f || (mode.lock_alpha && before[t][3] != after[t][3])) {
+            after[t] = interpolate(mode, isolated, before[t], shares[t], after[t]);
+        }
+    }
 }
 
 bool paint_opaque_tile(const TexelRows& base, const TilePaint* paints, std::size_t count, std::uint8_t* out,

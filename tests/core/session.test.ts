@@ -8,6 +8,7 @@ import {
   NONE,
   Occlusions,
   Projectors,
+  Roles,
   TargetDefLayout,
   Tips,
   Wraps,
@@ -256,6 +257,10 @@ describe("a layer", () => {
       tip: Tips.mask,
       hardness: 0.0625,
       flow: 0.3125,
+      parent: target.createLayer({ kind: LayerKinds.group }),
+      role: Roles.mask,
+      isolated: 1,
+      invertMask: 1,
     };
     expect(Object.keys(def)).toEqual(Object.keys(LayerDefLayout.fields));
     const layer = target.createLayer({ image, size: [1, 1, 1] });
@@ -270,6 +275,7 @@ describe("a layer", () => {
     expect(target.dabs(layer)).toEqual([]);
     const dab = {
       flow: 0.25,
+      flipX: 1,
       projector: Projectors.cylindrical,
       ...PROJECTOR_FIELDS,
     };
@@ -282,6 +288,29 @@ describe("a layer", () => {
     expect(target.dabs(layer)).toHaveLength(2);
     target.clearDabs(layer);
     expect(target.dabs(layer)).toEqual([]);
+  });
+
+  it("of one colour takes a gradient and triangles, and gives them up again", () => {
+    const target = planeTarget();
+    const fill = target.createLayer({ kind: LayerKinds.fill, color: [1, 0, 0, 1] });
+    const { width, height } = target.info();
+    const paint = (): string => {
+      target.update();
+      return target.hash(0, 0, width, height);
+    };
+    const plain = paint();
+    target.setGradient(fill, { toModel: [1, 0, 0] });
+    const coloured = paint();
+    target.setTriangles(fill, Uint32Array.of(1));
+    const half = paint();
+    target.setTriangles(fill, new Uint32Array());
+    expect(new Set([plain, coloured, half, paint()]).size).toBe(4);
+    target.setTriangles(fill, null);
+    expect(paint()).toBe(coloured);
+    target.setGradient(fill, null);
+    expect(paint()).toBe(plain);
+    expect(() => target.setTriangles(fill, Uint32Array.of(99))).toThrow(coded("bad-argument"));
+    expect(() => target.setGradient(fill, { stopCount: 1 })).toThrow(coded("bad-argument"));
   });
 
   it("has the design document's defaults for what is left out", () => {

@@ -60,7 +60,10 @@ TEST_CASE("A bad field of a layer is named with its value, and changes nothing")
         const char* said;
     };
     const Case cases[] = {
-        {[](TxcLayerDef& d) { d.kind = 3; }, "kind is 3"},
+        {[](TxcLayerDef& d) { d.kind = 4; }, "kind is 4"},
+        {[](TxcLayerDef& d) { d.role = 2; }, "role is 2"},
+        {[](TxcLayerDef& d) { d.isolated = 2; }, "isolated is 2"},
+        {[](TxcLayerDef& d) { d.invert_mask = 2; }, "invert_mask is 2"},
         {[](TxcLayerDef& d) { d.visible = 7; }, "visible is 7"},
         {[](TxcLayerDef& d) { d.opacity = 1.5f; }, "opacity is 1.5"},
         {[](TxcLayerDef& d) { d.opacity = -0.25f; }, "opacity is -0.25"},

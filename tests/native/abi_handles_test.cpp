@@ -119,6 +119,8 @@ std::vector<Call> calls_on_layer(TxcLayer layer) {
              return txc_layer_update(s, layer, &def);
          }},
         {"txc_layer_move", [=](TxcSession s) { return txc_layer_move(s, layer, 0); }},
+        {"txc_fill_set_gradient", [=](TxcSession s) { return txc_fill_set_gradient(s, layer, nullptr); }},
+        {"txc_fill_set_triangles", [=](TxcSession s) { return txc_fill_set_triangles(s, layer, nullptr, 0); }},
         {"txc_stroke_add_dabs",
          [=](TxcSession s) {
              TxcDab dab;

@@ -103,11 +103,28 @@ TEST_CASE("The defaults are those that the header and spec section 8 name") {
     CHECK(layer.uv_angle_degrees == 0.0f);
     CHECK(layer.rotation[3] == 1.0f);
     CHECK(layer.color[3] == 1.0f);
+    CHECK(layer.parent == 0);
+    CHECK(layer.role == TXC_ROLE_CONTENT);
+    CHECK(layer.isolated == 0);
+    CHECK(layer.invert_mask == 0);
+
+    TxcGradient gradient;
+    std::memset(&gradient, 0xcd, sizeof gradient);
+    txc_gradient_default(&gradient);
+    CHECK(gradient.kind == TXC_GRADIENT_LINEAR);
+    CHECK(gradient.to_model[1] == 1.0f);
+    CHECK(gradient.radius == 1.0f);
+    CHECK(gradient.stop_count == 2);
+    CHECK(gradient.offsets[1] == 1.0f);
+    CHECK(gradient.colors[3] == 1.0f);
+    CHECK(gradient.colors[4] == 1.0f);
+    CHECK(sizeof(TxcGradient) == 89 * 4);
 
     txc_session_def_default(nullptr);
     txc_target_def_default(nullptr);
     txc_mesh_def_default(nullptr);
     txc_layer_def_default(nullptr);
+    txc_gradient_default(nullptr);
 }
 
 TEST_CASE("A layer's every field is kept apart and read back as it was given") {
@@ -137,12 +154,19 @@ TEST_CASE("A layer's every field is kept apart and read back as it was given") {
                          &def.uv_size[1], &def.uv_angle_degrees})
         *field = number++;
     for (int c = 0; c < 4; ++c) def.color[c] = 0.0625f * static_cast<float>(c + 1);
+    TxcLayerDef group_def;
+    txc_layer_def_default(&group_def);
+    group_def.kind = TXC_LAYER_GROUP;
+    def.parent = session.layer(target, group_def);
+    def.role = TXC_ROLE_MASK;
+    def.isolated = 1;
+    def.invert_mask = 1;
     const TxcLayer layer = session.layer(target, def);
     TxcLayerDef back;
     std::memset(&back, 0xcd, sizeof back);
     must(txc_layer_def(session.id(), layer, &back));
     CHECK(std::memcmp(&def, &back, sizeof def) == 0);
-    CHECK(sizeof(TxcLayerDef) == 46 * 4);
+    CHECK(sizeof(TxcLayerDef) == 50 * 4);
     def.flip_x = 0;
     def.flip_y = 1;
     session.change(layer, def);

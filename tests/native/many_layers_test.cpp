@@ -1,6 +1,7 @@
 // The recipe of tests/golden/README.md: the same bytes here, in WebAssembly, in Node and in Chromium.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -228,6 +229,127 @@ TxcLayerDef fill() {
     return def;
 }
 
+/// Layers of the recipe once more, in and around each other.
+class Tree {
+public:
+    Tree(TxcSession session, TxcTarget target, const TxcImage (&pictures)[3])
+        : session_(session), target_(target), pictures_(pictures) {}
+
+    void add() {
+        TxcLayerDef def = group(0.75f, TXC_BLEND_SPACE_LINEAR);
+        TxcLayer parent = make(def);
+        make(decal(2, pictures_), parent);
+        make(decal(3, pictures_), parent);
+
+        def = group(0.5f, TXC_BLEND_SPACE_LINEAR);
+        def.isolated = 1;
+        def.blend = TXC_BLEND_MULTIPLY;
+        parent = make(def);
+        paint(stroke(0, pictures_), parent);
+        make(blend_mode(16, pictures_), parent);
+        TxcLayerDef part = blend_mode(5, pictures_);
+        part.blend = TXC_BLEND_ERASE;
+        make(part, parent, TXC_ROLE_MASK);
+        Stroke shown = stroke(2, pictures_);
+        shown.def.blend = TXC_BLEND_NORMAL;
+        paint(shown, parent, TXC_ROLE_MASK);
+
+        add_fills();
+
+        Stroke twice;
+        txc_layer_def_default(&twice.def);
+        twice.def.kind = TXC_LAYER_STROKE;
+        twice.def.tip = TXC_TIP_PICTURE;
+        twice.def.image = pictures_[0];
+        for (std::uint32_t d = 0; d < 2; ++d) {
+            TxcDab dab;
+            txc_dab_default(&dab);
+            dab.flip_x = d;
+            dab.projector = TXC_PROJECTOR_UV;
+            dab.uv_center[0] = d == 0 ? 0.25f : 0.75f;
+            dab.uv_center[1] = 0.75f;
+            dab.uv_size[0] = dab.uv_size[1] = 0.25f;
+            twice.dabs.push_back(dab);
+        }
+        paint(twice);
+    }
+
+private:
+    static TxcLayerDef group(float opacity, std::uint32_t blend_space) {
+        TxcLayerDef def;
+        txc_layer_def_default(&def);
+        def.kind = TXC_LAYER_GROUP;
+        def.opacity = opacity;
+        def.blend_space = blend_space;
+        return def;
+    }
+
+    static TxcLayerDef black() {
+        TxcLayerDef def;
+        txc_layer_def_default(&def);
+        def.kind = TXC_LAYER_FILL;
+        return def;
+    }
+
+    void add_fills() {
+        TxcLayerDef def = black();
+        def.opacity = 0.5f;
+        def.blend_space = TXC_BLEND_SPACE_LINEAR;
+        def.invert_mask = 1;
+        TxcLayer layer = make(def);
+        TxcGradient gradient;
+        txc_gradient_default(&gradient);
+        const float to[3] = {1, 0.5f, 1};
+        for (int c = 0; c < 3; ++c) gradient.to_model[c] = to[c];
+        set_stop(gradient, 0, 0, {1, 0, 0, 1});
+        set_stop(gradient, 1, 0.5f, {0.25f, 0.75f, 0.5f, 0.25f});
+        set_stop(gradient, 2, 1, {0, 0, 1, 0.75f});
+        REQUIRE(txc_fill_set_gradient(session_, layer, &gradient) == TXC_STATUS_OK);
+        std::vector<uint32_t> triangles;
+        for (uint32_t t = 0; t < 1024; t += 3) triangles.push_back(t);
+        REQUIRE(txc_fill_set_triangles(session_, layer, triangles.data(), static_cast<uint32_t>(triangles.size())) ==
+                TXC_STATUS_OK);
+        TxcLayerDef part = blend_mode(9, pictures_);
+        part.blend = TXC_BLEND_NORMAL;
+        make(part, layer, TXC_ROLE_MASK);
+
+        def = black();
+        def.lock_alpha = 1;
+        layer = make(def);
+        txc_gradient_default(&gradient);
+        gradient.kind = TXC_GRADIENT_RADIAL;
+        const float center[3] = {0.5f, 0.25f, 0.5f};
+        for (int c = 0; c < 3; ++c) gradient.from_model[c] = center[c];
+        gradient.radius = 0.75f;
+        set_stop(gradient, 0, 0, {1, 1, 0, 0.5f});
+        set_stop(gradient, 1, 1, {0, 1, 1, 0});
+        REQUIRE(txc_fill_set_gradient(session_, layer, &gradient) == TXC_STATUS_OK);
+    }
+
+    static void set_stop(TxcGradient& gradient, uint32_t stop, float offset, const float (&rgba)[4]) {
+        gradient.stop_count = std::max(gradient.stop_count, stop + 1);
+        gradient.offsets[stop] = offset;
+        for (uint32_t c = 0; c < 4; ++c) gradient.colors[stop * 4 + c] = rgba[c];
+    }
+
+    TxcLayer make(TxcLayerDef def, TxcLayer parent = 0, std::uint32_t role = TXC_ROLE_CONTENT) {
+        def.parent = parent;
+        def.role = role;
+        TxcLayer layer = 0;
+        REQUIRE(txc_layer_create(session_, target_, &def, &layer) == TXC_STATUS_OK);
+        return layer;
+    }
+    void paint(const Stroke& painted, TxcLayer parent = 0, std::uint32_t role = TXC_ROLE_CONTENT) {
+        const auto count = static_cast<uint32_t>(painted.dabs.size());
+        REQUIRE(txc_stroke_add_dabs(session_, make(painted.def, parent, role), painted.dabs.data(), count) ==
+                TXC_STATUS_OK);
+    }
+
+    TxcSession session_;
+    TxcTarget target_;
+    const TxcImage (&pictures_)[3];
+};
+
 std::string paint_many_layers() {
     TxcSessionDef session_def;
     txc_session_def_default(&session_def);
@@ -266,9 +388,10 @@ std::string paint_many_layers() {
         REQUIRE(txc_stroke_add_dabs(session, layer, painted.dabs.data(), static_cast<uint32_t>(painted.dabs.size())) ==
                 TXC_STATUS_OK);
     }
+    Tree(session, target, pictures).add();
     TxcUpdate update;
     REQUIRE(txc_target_update(session, target, &update) == TXC_STATUS_OK);
-    REQUIRE(update.projected_layers == 38);
+    REQUIRE(update.projected_layers == 48);
     uint32_t hash[2] = {0, 0};
     REQUIRE(txc_target_hash(session, target, 0, 0, kSize, kSize, hash) == TXC_STATUS_OK);
     REQUIRE(txc_session_destroy(session) == TXC_STATUS_OK);

@@ -20,6 +20,7 @@ TxcDab dab_of_numbers() {
     TxcDab dab{};
     dab.projector = TXC_PROJECTOR_CYLINDRICAL;
     dab.flow = 0.0625f;
+    dab.flip_x = 1;
     float number = 51.0f;
     for (float* field : {&dab.position_model[0],
                          &dab.position_model[1],
@@ -57,9 +58,10 @@ TEST_CASE("A dab's defaults are a layer's, at full flow") {
     TxcLayerDef def;
     txc_layer_def_default(&def);
     CHECK(dab.flow == 1.0f);
+    CHECK(dab.flip_x == 0);
     CHECK(dab.projector == TXC_PROJECTOR_PLANAR);
     CHECK(std::memcmp(dab.position_model, def.position_model, sizeof(float) * 23) == 0);
-    CHECK(sizeof(TxcDab) == 25 * 4);
+    CHECK(sizeof(TxcDab) == 26 * 4);
     CHECK(def.tip == TXC_TIP_ROUND);
     CHECK(def.hardness == 1.0f);
     CHECK(def.flow == 1.0f);
@@ -108,6 +110,7 @@ TEST_CASE("A bad dab is named with its field and value, and none of its call is 
         {[](TxcDab& d) { d.flow = 1.5f; }, "dabs[2]: flow is 1.5; it must be from 0 to 1"},
         {[](TxcDab& d) { d.flow = -0.5f; }, "dabs[2]: flow is -0.5"},
         {[](TxcDab& d) { d.projector = 4; }, "dabs[2]: projector is 4"},
+        {[](TxcDab& d) { d.flip_x = 2; }, "dabs[2]: flip_x is 2"},
         {[=](TxcDab& d) { d.position_model[1] = nan; }, "dabs[2]: position[1] is "},
         {[=](TxcDab& d) { d.size[2] = infinity; }, "dabs[2]: size[2] is inf"},
         {[](TxcDab& d) { d.size[0] = 0; }, "dabs[2]: size[0] is 0"},

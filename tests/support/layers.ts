@@ -3,6 +3,8 @@ import type {
   EngineDab,
   EngineDecalLayer,
   EngineFillLayer,
+  EngineGroupLayer,
+  EngineLayer,
   EngineStrokeLayer,
   PlanarProjector,
 } from "../../web/engine/engine-api.ts";
@@ -61,6 +63,16 @@ export function fill(
     ...LAID_ON,
     ...changes,
   };
+}
+
+/** A group that is passed through. */
+export function group(
+  id: string,
+  layers: readonly EngineLayer[],
+  changes: Partial<EngineGroupLayer> = {},
+): EngineGroupLayer {
+  const { material: _material, ...laidOn } = LAID_ON;
+  return { id, type: "group", layers, isolated: false, ...laidOn, ...changes };
 }
 
 /** A black round brush. */

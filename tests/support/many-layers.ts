@@ -1,8 +1,8 @@
 /** The recipe of tests/golden/README.md, for Node and for the page. */
 import { readFileSync } from "node:fs";
 import { BLEND_MODES } from "../../web/editor/document/design.ts";
-import type { EngineDab, EngineLayer, Projector, Quaternion } from "../../web/engine/engine-api.ts";
-import { decal, stroke } from "./layers.ts";
+import type { EngineDab, EngineDecalLayer, EngineLayer, Projector, Quaternion } from "../../web/engine/engine-api.ts";
+import { decal, fill, group, stroke } from "./layers.ts";
 import { buildGlb, type MeshParts } from "./model-builder.ts";
 import { makePng } from "./png-file.ts";
 
@@ -73,15 +73,16 @@ export function manyLayers(): EngineLayer[] {
       projector: decalProjector(k),
     }),
   );
-  const fill: EngineLayer = {
-    ...shared,
-    id: "fill",
-    type: "fill",
-    opacity: 1,
-    lockAlpha: true,
-    color: [0.25, 0.5, 0.75, 0.125],
-  };
-  return [...decals.slice(0, 6), fill, ...decals.slice(6), ...otherLayers(), ...blendModes(), ...strokes()];
+  const between = fill("fill", [0.25, 0.5, 0.75, 0.125], { lockAlpha: true });
+  return [
+    ...decals.slice(0, 6),
+    between,
+    ...decals.slice(6),
+    ...otherLayers(),
+    ...blendModes(),
+    ...strokes(),
+    ...tree(decals),
+  ];
 }
 
 const decalProjector = (k: number): Projector => ({
@@ -143,6 +144,62 @@ function strokes(): EngineLayer[] {
       opacity: 1 / 2,
       blend: "erase",
     }),
+  ];
+}
+
+function tree(decals: readonly EngineLayer[]): EngineLayer[] {
+  const [stroke0, , stroke2] = strokes();
+  const again = (layer: EngineLayer | undefined, changes: Partial<EngineDecalLayer> = {}): EngineLayer => {
+    if (layer === undefined) throw new Error("The recipe names a layer that is not there.");
+    return { ...layer, ...changes, id: `again-${layer.id}` } as EngineLayer;
+  };
+  const mode = (m: number, changes: Partial<EngineDecalLayer> = {}): EngineLayer => again(blendModes()[m], changes);
+  const from = { kind: "uv", size: [1 / 4, 1 / 4], angle: 0, flow: 1 } as const;
+  return [
+    group("tree-0", [again(decals[2]), again(decals[3])], { opacity: 3 / 4, blendSpace: "linear" }),
+    group("tree-1", [again(stroke0), mode(16)], {
+      isolated: true,
+      opacity: 1 / 2,
+      blend: "multiply",
+      blendSpace: "linear",
+      mask: { layers: [mode(5, { blend: "erase" }), again(stroke2, { blend: "normal" })], invert: false },
+    }),
+    fill("tree-2", [0, 0, 0, 1], {
+      opacity: 1 / 2,
+      blendSpace: "linear",
+      gradient: {
+        kind: "linear",
+        from: [0, 0, 0],
+        to: [1, 1 / 2, 1],
+        stops: [
+          { offset: 0, color: [1, 0, 0, 1] },
+          { offset: 1 / 2, color: [1 / 4, 3 / 4, 1 / 2, 1 / 4] },
+          { offset: 1, color: [0, 0, 1, 3 / 4] },
+        ],
+      },
+      parts: { kind: "faces", faces: Array.from({ length: 342 }, (_, t) => 3 * t) },
+      mask: { layers: [mode(9, { blend: "normal" })], invert: true },
+    }),
+    fill("tree-3", [0, 0, 0, 1], {
+      lockAlpha: true,
+      gradient: {
+        kind: "radial",
+        center: [1 / 2, 1 / 4, 1 / 2],
+        radius: 3 / 4,
+        stops: [
+          { offset: 0, color: [1, 1, 0, 1 / 2] },
+          { offset: 1, color: [0, 1, 1, 0] },
+        ],
+      },
+    }),
+    stroke(
+      "tree-4",
+      [
+        { ...from, center: [1 / 4, 3 / 4] },
+        { ...from, center: [3 / 4, 3 / 4], flipX: true },
+      ],
+      { brush: { tip: "picture", asset: "picture-0", color: null, flow: 1 } },
+    ),
   ];
 }
 

@@ -4,17 +4,22 @@
  */
 import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
 
-export const ABI_VERSION = 3;
+export const ABI_VERSION = 4;
 /** Texels along one side of a target or an image, at most. */
 export const MAX_SIZE = 8192;
 /** Dabs of one stroke, at most. */
 export const MAX_DABS = 1_000_000;
+/** How deep layers may lie in each other; 1 is in none. */
+export const MAX_DEPTH = 16;
+/** Stops of a gradient, at most. */
+export const MAX_STOPS = 16;
 /** TXC_NONE: "no such index", and "the default" for a gutter. */
 export const NONE = 0xffffffff;
 
 export const MapViews = { positions: 0, normals: 1, coverage: 2, overlap: 3 } as const;
 export const Filters = { linear: 0, nearest: 1 } as const;
-export const LayerKinds = { decal: 0, fill: 1, stroke: 2 } as const;
+export const LayerKinds = { decal: 0, fill: 1, stroke: 2, group: 3 } as const;
+export const Roles = { content: 0, mask: 1 } as const;
 export const Projectors = { planar: 0, perspective: 1, cylindrical: 2, uv: 3 } as const;
 export const Blends = {
   normal: 0,
@@ -39,6 +44,7 @@ export const BlendSpaces = { srgb: 0, linear: 1 } as const;
 export const Wraps = { none: 0, repeat: 1 } as const;
 export const Occlusions = { self: 0, none: 1 } as const;
 export const Tips = { round: 0, picture: 1, mask: 2 } as const;
+export const GradientKinds = { linear: 0, radial: 1 } as const;
 
 export const SessionDefLayout = defineStruct({ memoryBudgetMib: u32 });
 
@@ -133,9 +139,23 @@ export const LayerDefLayout = defineStruct({
   tip: u32,
   hardness: f32,
   flow: f32,
+  parent: u32,
+  role: u32,
+  isolated: u32,
+  invertMask: u32,
 });
 
-export const DabLayout = defineStruct({ flow: f32, ...projectorFields });
+export const GradientLayout = defineStruct({
+  kind: u32,
+  fromModel: f32Array(3),
+  toModel: f32Array(3),
+  radius: f32,
+  stopCount: u32,
+  offsets: f32Array(MAX_STOPS),
+  colors: f32Array(4 * MAX_STOPS),
+});
+
+export const DabLayout = defineStruct({ flow: f32, flipX: u32, ...projectorFields });
 
 export const RectLayout = defineStruct({ x: u32, y: u32, width: u32, height: u32, level: u32, byteOffset: u32 });
 
@@ -158,6 +178,7 @@ export type MeshDef = ValueOf<typeof MeshDefLayout>;
 export type TargetDef = ValueOf<typeof TargetDefLayout>;
 export type MapInfo = ValueOf<typeof MapInfoLayout>;
 export type LayerDef = ValueOf<typeof LayerDefLayout>;
+export type CoreGradient = ValueOf<typeof GradientLayout>;
 export type Dab = ValueOf<typeof DabLayout>;
 export type Rect = ValueOf<typeof RectLayout>;
 export type Update = ValueOf<typeof UpdateLayout>;
@@ -201,6 +222,9 @@ export const CORE_FUNCTIONS = {
   txc_layer_move: 3,
   txc_layer_destroy: 2,
   txc_layer_def: 3,
+  txc_gradient_default: 1,
+  txc_fill_set_gradient: 3,
+  txc_fill_set_triangles: 4,
   txc_dab_default: 1,
   txc_stroke_add_dabs: 4,
   txc_stroke_clear: 2,

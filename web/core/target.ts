@@ -1,7 +1,9 @@
 /** One material's texture at a size: its baked map, its base picture and its layers. Made by `Session.createTarget`. */
 import {
+  type CoreGradient,
   type Dab,
   DabLayout,
+  GradientLayout,
   type LayerDef,
   LayerDefLayout,
   type MapInfo,
@@ -134,7 +136,7 @@ export class Target {
     this.#core.run("txc_target_set_base_color", this.#session, this.#handle, red, green, blue, alpha);
   }
 
-  /** Adds a layer on top; what `def` leaves out has the ABI's default. */
+  /** Adds a layer on top of its parent's others, else of the target's; what `def` leaves out has the ABI's default. */
   createLayer(def: Partial<LayerDef>): LayerHandle {
     return this.#core.withStruct(LayerDefLayout, "txc_layer_def_default", def, (pointer) =>
       this.#core.collectU32((out) => this.#core.run("txc_layer_create", this.#session, this.#handle, pointer, out)),
@@ -148,11 +150,12 @@ export class Target {
     });
   }
 
-  /** Puts a layer at `index` from the bottom. */
+  /** Puts a layer at `index` from the bottom of the list that it is in. */
   moveLayer(layer: LayerHandle, index: number): void {
     this.#core.run("txc_layer_move", this.#session, layer, index);
   }
 
+  /** Ends a layer and all that are in it. */
   destroyLayer(layer: LayerHandle): void {
     this.#core.run("txc_layer_destroy", this.#session, layer);
   }
@@ -162,6 +165,25 @@ export class Target {
     return this.#core.collectStruct(LayerDefLayout, (out) =>
       this.#core.run("txc_layer_def", this.#session, layer, out),
     );
+  }
+
+  /** Gives a fill a gradient, what it leaves out with the ABI's default, or (null) one colour again. */
+  setGradient(fill: LayerHandle, gradient: Partial<CoreGradient> | null): void {
+    const core = this.#core;
+    if (gradient === null) core.run("txc_fill_set_gradient", this.#session, fill, 0);
+    else
+      core.withStruct(GradientLayout, "txc_gradient_default", gradient, (pointer) => {
+        core.run("txc_fill_set_gradient", this.#session, fill, pointer);
+      });
+  }
+
+  /** Keeps a fill to some of the material's triangles; null: everywhere. */
+  setTriangles(fill: LayerHandle, triangles: Uint32Array | null): void {
+    // An empty list means none, a null pointer all.
+    const bytes = triangles !== null && triangles.length === 0 ? new Uint32Array(1) : triangles;
+    this.#core.withBytes(bytes, (pointer) => {
+      this.#core.run("txc_fill_set_triangles", this.#session, fill, pointer, triangles?.length ?? 0);
+    });
   }
 
   /** Adds dabs after a stroke's others, all or none; what a dab leaves out has the ABI's default. */

@@ -2,18 +2,20 @@
 import {
   BlendSpaces,
   Blends,
+  type CoreGradient,
   type Dab,
   Filters,
+  GradientKinds,
   type LayerDef,
   LayerKinds,
+  MAX_STOPS,
   Occlusions,
   Projectors,
   Tips,
   Wraps,
 } from "../core/abi.ts";
 import type { ImageHandle } from "../core/session.ts";
-import type { BlendMode, EngineBrush, EngineDab, Projector } from "./engine-api.ts";
-import type { EnginePaintingLayer } from "./layer-tree.ts";
+import type { BlendMode, EngineBrush, EngineDab, EngineGradient, EngineLayer, Projector } from "./engine-api.ts";
 
 /** The ABI's numbers under the standard's names, which are hyphenated. */
 const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
@@ -24,15 +26,17 @@ const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
   "soft-light": Blends.softLight,
 };
 
-/** `image`: the layer's picture, 0 where it has none. */
-export function coreLayer(layer: EnginePaintingLayer, image: ImageHandle): Partial<LayerDef> {
+/** A layer without its place among the others. `image`: the layer's picture, 0 where it has none. */
+export function coreLayer(layer: EngineLayer, image: ImageHandle): Partial<LayerDef> {
   const shared = {
     visible: Number(layer.visible),
     opacity: layer.opacity,
     blend: BLEND_NUMBERS[layer.blend],
     blendSpace: BlendSpaces[layer.blendSpace],
     lockAlpha: Number(layer.lockAlpha),
+    invertMask: Number(layer.mask?.invert ?? false),
   };
+  if (layer.type === "group") return { ...shared, kind: LayerKinds.group, isolated: Number(layer.isolated) };
   if (layer.type === "fill") return { ...shared, kind: LayerKinds.fill, color: layer.color };
   const cast = {
     ...shared,
@@ -50,7 +54,35 @@ export function coreLayer(layer: EnginePaintingLayer, image: ImageHandle): Parti
   return { ...cast, kind: LayerKinds.decal, ...coreProjector(layer.projector) };
 }
 
-export const coreDab = (dab: EngineDab): Partial<Dab> => ({ flow: dab.flow, ...coreProjector(dab) });
+/** Stops that a gradient does not have are zeros. */
+export function coreGradient(gradient: EngineGradient): Partial<CoreGradient> {
+  const stops = gradient.stops.slice(0, MAX_STOPS);
+  const padded = (numbers: readonly number[], length: number): number[] => [
+    ...numbers,
+    ...new Array<number>(length - numbers.length).fill(0),
+  ];
+  const shared = {
+    kind: GradientKinds[gradient.kind],
+    // All of them, so that too many are refused and not cut off.
+    stopCount: gradient.stops.length,
+    offsets: padded(
+      stops.map(({ offset }) => offset),
+      MAX_STOPS,
+    ),
+    colors: padded(
+      stops.flatMap(({ color }) => color),
+      4 * MAX_STOPS,
+    ),
+  };
+  if (gradient.kind === "radial") return { ...shared, fromModel: gradient.center, radius: gradient.radius };
+  return { ...shared, fromModel: gradient.from, toModel: gradient.to };
+}
+
+export const coreDab = (dab: EngineDab): Partial<Dab> => ({
+  flow: dab.flow,
+  flipX: Number(dab.flipX ?? false),
+  ...coreProjector(dab),
+});
 
 function coreBrush(brush: EngineBrush): Partial<LayerDef> {
   const { flow } = brush;
@@ -58,7 +90,7 @@ function coreBrush(brush: EngineBrush): Partial<LayerDef> {
   return brush.color === null ? { tip: Tips.picture, flow } : { tip: Tips.mask, flow, color: brush.color };
 }
 
-function coreProjector(projector: Projector): Partial<Omit<Dab, "flow">> {
+function coreProjector(projector: Projector): Partial<Omit<Dab, "flow" | "flipX">> {
   const kind = { projector: Projectors[projector.kind] };
   if (projector.kind === "uv") {
     const { center, size, angle } = projector;

@@ -1,5 +1,5 @@
 /** Which pictures layers show: those given to `Engine.setAsset`, and words. */
-import type { EngineLayer, EngineMask, EnginePicture, Projector } from "./engine-api.ts";
+import type { EngineDab, EngineLayer, EnginePicture, Projector } from "./engine-api.ts";
 import { paintingLayers } from "./layer-tree.ts";
 import { isShippedFontAddress } from "./shipped-fonts.ts";
 
@@ -28,35 +28,57 @@ export function fontsOf(layers: readonly EngineLayer[]): Set<string> {
   return new Set(fonts.filter((font) => !isShippedFontAddress(font)));
 }
 
-/**
- * The layer with other pictures, in groups and masks too.
- *
- * @param change gives the picture that takes a picture's place; `projector` is where it lies, a stroke's first dab,
- * undefined for a stroke without any
- */
-export function withPictures(
-  layer: EngineLayer,
-  change: (picture: EnginePicture, projector: Projector | undefined) => EnginePicture,
-): EngineLayer {
-  const own = withOwnPicture(layer, change);
-  if (!own.mask) return own;
-  const mask: EngineMask = { ...own.mask, layers: own.mask.layers.map((held) => withPictures(held, change)) };
-  return { ...own, mask };
+/** Gives the picture that takes a picture's place; `projector` is where it lies, undefined for a stroke without any dab. */
+export type ChangePicture = (picture: EnginePicture, projector: Projector | undefined) => EnginePicture;
+
+/** The layer with other pictures, in groups and masks too. Equal layers stay the same objects, by which the engine knows them. */
+export function withPictures(layer: EngineLayer, change: ChangePicture): EngineLayer {
+  const own = pictureOf(layer);
+  const parts: ChangedParts = {
+    picture: own === null ? null : change(own, layer.type === "decal" ? layer.projector : dabsOf(layer)[0]),
+    held: layer.type === "group" ? layer.layers.map((one) => withPictures(one, change)) : [],
+    masking: layer.mask?.layers.map((one) => withPictures(one, change)) ?? [],
+  };
+  const before = { picture: own, held: heldBy(layer), masking: layer.mask?.layers ?? [] };
+  if (sameParts(parts, before)) return layer;
+  const known = CHANGED.get(layer);
+  if (known !== undefined && sameParts(parts, known)) return known.changed;
+  const changed = withParts(layer, parts);
+  CHANGED.set(layer, { ...parts, changed });
+  return changed;
 }
 
-function withOwnPicture(
-  layer: EngineLayer,
-  change: (picture: EnginePicture, projector: Projector | undefined) => EnginePicture,
-): EngineLayer {
-  if (layer.type === "decal") return { ...layer, asset: change(layer.asset, layer.projector) };
-  if (layer.type === "group") return { ...layer, layers: layer.layers.map((held) => withPictures(held, change)) };
+interface ChangedParts {
+  readonly picture: EnginePicture | null;
+  readonly held: readonly EngineLayer[];
+  readonly masking: readonly EngineLayer[];
+}
+
+const CHANGED = new WeakMap<EngineLayer, ChangedParts & { readonly changed: EngineLayer }>();
+
+const dabsOf = (layer: EngineLayer): readonly EngineDab[] => (layer.type === "stroke" ? layer.dabs : []);
+const heldBy = (layer: EngineLayer): readonly EngineLayer[] => (layer.type === "group" ? layer.layers : []);
+
+function sameParts(a: ChangedParts, b: ChangedParts): boolean {
+  const same = (left: readonly EngineLayer[], right: readonly EngineLayer[]): boolean =>
+    left.length === right.length && left.every((layer, index) => layer === right[index]);
+  return a.picture === b.picture && same(a.held, b.held) && same(a.masking, b.masking);
+}
+
+function withParts(layer: EngineLayer, { picture, held, masking }: ChangedParts): EngineLayer {
+  const mask = layer.mask && { ...layer.mask, layers: masking };
+  if (layer.type === "group") return { ...layer, mask, layers: held };
+  if (picture === null) return { ...layer, mask };
+  if (layer.type === "decal") return { ...layer, mask, asset: picture };
   if (layer.type === "stroke" && layer.brush.tip === "picture")
-    return { ...layer, brush: { ...layer.brush, asset: change(layer.brush.asset, layer.dabs[0]) } };
-  return layer;
+    return { ...layer, mask, brush: { ...layer.brush, asset: picture } };
+  return { ...layer, mask };
 }
 
 /** `withPictures` for whoever keeps pictures and fonts under other keys than the design: one function for both. */
 export const withKeys = (layer: EngineLayer, rename: (key: string) => string): EngineLayer =>
-  withPictures(layer, (picture) =>
-    typeof picture === "string" ? rename(picture) : { ...picture, font: rename(picture.font) },
-  );
+  withPictures(layer, (picture) => {
+    if (typeof picture === "string") return rename(picture);
+    const font = rename(picture.font);
+    return font === picture.font ? picture : { ...picture, font };
+  });

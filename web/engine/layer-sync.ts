@@ -1,125 +1,212 @@
 /**
- * Brings the core's layers of one target in line with a list: by id, with the fewest calls, so that only what changed
- * is projected again. The list is the truth; what the core has is derived from it.
+ * Brings the core's layers of one target in line with a tree: by id, with the fewest calls, so that only what changed
+ * is projected again. The tree is the truth; what the core has is derived from it.
  */
-import type { LayerDef } from "../core/abi.ts";
+import { type LayerDef, Roles } from "../core/abi.ts";
 import type { ImageHandle } from "../core/session.ts";
 import type { LayerHandle, Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import { coreDab, coreLayer } from "./core-layer.ts";
-import type { EngineDab } from "./engine-api.ts";
+import { coreLayer } from "./core-layer.ts";
+import type { EngineLayer } from "./engine-api.ts";
+import { type LayerDetails, NO_DETAILS, sameDetails, sameNumbersOf, syncDetails } from "./layer-details.ts";
 import { pictureOf } from "./layer-picture.ts";
-import type { EnginePaintingLayer } from "./layer-tree.ts";
 
-/** What the core is told of a layer. */
+type List = "content" | "mask";
+
+/** A layer as the core shall have it. */
 interface WantedLayer {
-  readonly def: Partial<LayerDef>;
-  /** Of a stroke; none for the other kinds. */
-  readonly dabs: readonly EngineDab[];
+  readonly id: string;
+  /** What it was made of, and with which picture: where both are what they were, nothing of the layer's own changed. */
+  readonly source: EngineLayer;
+  readonly image: ImageHandle;
+  readonly content: readonly WantedLayer[];
+  readonly mask: readonly WantedLayer[];
 }
 
+/** A layer as the core has it. */
 interface SyncedLayer {
   readonly id: string;
   readonly handle: LayerHandle;
+  source: EngineLayer;
+  image: ImageHandle;
   def: Partial<LayerDef>;
-  dabs: readonly EngineDab[];
+  details: LayerDetails;
+  parent: SyncedLayer | null;
+  list: List;
+  content: SyncedLayer[];
+  mask: SyncedLayer[];
 }
 
-const NO_DABS: readonly EngineDab[] = [];
+interface RefusedLayer {
+  readonly def: Partial<LayerDef>;
+  readonly details: LayerDetails;
+}
+
+export interface LayerSyncContext {
+  /** The picture of an asset, undefined while it is unknown (its layers wait). */
+  readonly imageOf: (asset: string) => ImageHandle | undefined;
+  /** Takes what the core refused. */
+  readonly report: (error: TexelcastError) => void;
+}
 
 export class LayerSync {
   readonly #target: Target;
-  /** Bottom to top, as the core has them. */
-  #order: SyncedLayer[] = [];
+  /** What of a layer goes beside its def; throws what is refused. */
+  readonly #detailsOf: (layer: EngineLayer) => LayerDetails;
+  /** Those in no other, bottom to top, as the core has them. */
+  #top: SyncedLayer[] = [];
+  readonly #byId = new Map<string, SyncedLayer>();
   /** Layers that the core refused, so that each is reported once and not once a frame. */
-  readonly #refused = new Map<string, WantedLayer>();
+  readonly #refused = new Map<string, RefusedLayer>();
 
-  constructor(target: Target) {
+  constructor(target: Target, detailsOf: (layer: EngineLayer) => LayerDetails) {
     this.#target = target;
+    this.#detailsOf = detailsOf;
   }
 
-  /**
-   * `layers` are this target's, bottom to top; `imageOf` gives the picture of an asset, undefined while it is unknown
-   * (its layers wait). A layer that the core refuses is reported once and left out; a crash is thrown.
-   */
-  apply(
-    layers: readonly EnginePaintingLayer[],
-    imageOf: (asset: string) => ImageHandle | undefined,
-    report: (error: TexelcastError) => void,
-  ): void {
-    const wanted = new Map<string, WantedLayer>();
-    for (const layer of layers) {
-      const picture = pictureOf(layer);
-      // Words become pictures before they come here; those that could not yet, wait.
-      const image = picture === null ? 0 : typeof picture === "string" ? imageOf(picture) : undefined;
-      if (image === undefined) continue;
-      const dabs = layer.type === "stroke" ? layer.dabs : NO_DABS;
-      wanted.set(layer.id, { def: coreLayer(layer, image), dabs });
+  /** `layers` are this target's. A layer that the core refuses is reported once and left out; a crash is thrown. */
+  apply(layers: readonly EngineLayer[], context: LayerSyncContext): void {
+    const wanted = wantedLayers(layers, context);
+    this.#removeOthers(wanted);
+    this.#placeList(wanted, null, "content", context);
+  }
+
+  /** Takes out what is not wanted, and lifts out of it, and of where it was, what is wanted elsewhere. */
+  #removeOthers(wanted: readonly WantedLayer[]): void {
+    const places = new Map<string, { layer: WantedLayer; parentId: string | null; list: List }>();
+    const note = (layers: readonly WantedLayer[], parentId: string | null, list: List): void => {
+      for (const layer of layers) {
+        places.set(layer.id, { layer, parentId, list });
+        note(layer.mask, layer.id, "mask");
+        note(layer.content, layer.id, "content");
+      }
+    };
+    note(wanted, null, "content");
+    const isKept = ({ id, source }: SyncedLayer): boolean => {
+      const place = places.get(id);
+      return place !== undefined && (place.layer.source.type === "group") === (source.type === "group");
+    };
+    for (const layer of [...this.#byId.values()]) {
+      const place = places.get(layer.id);
+      const stays = place?.parentId === (layer.parent?.id ?? null) && place.list === layer.list;
+      if (isKept(layer) && (!stays || (layer.parent !== null && !isKept(layer.parent)))) this.#lift(layer);
     }
-    this.#order = this.#order.filter((layer) => {
-      if (wanted.has(layer.id)) return true;
-      this.#target.destroyLayer(layer.handle);
-      return false;
-    });
+    for (const layer of [...this.#byId.values()]) {
+      if (!isKept(layer) && this.#byId.has(layer.id)) this.#destroy(layer);
+    }
+  }
+
+  /** To the top of the target's own list: from there every other place can be reached. */
+  #lift(layer: SyncedLayer): void {
+    if (layer.parent === null) return;
+    this.#target.updateLayer(layer.handle, layer.def);
+    remove(this.#listOf(layer.parent, layer.list), layer);
+    layer.parent = null;
+    layer.list = "content";
+    this.#top.push(layer);
+  }
+
+  #destroy(layer: SyncedLayer): void {
+    this.#target.destroyLayer(layer.handle);
+    remove(this.#listOf(layer.parent, layer.list), layer);
+    const forget = (one: SyncedLayer): void => {
+      this.#byId.delete(one.id);
+      one.content.forEach(forget);
+      one.mask.forEach(forget);
+    };
+    forget(layer);
+  }
+
+  #placeList(wanted: readonly WantedLayer[], parent: SyncedLayer | null, list: List, context: LayerSyncContext): void {
     let index = 0;
-    for (const [id, layer] of wanted) {
+    for (const layer of wanted) {
+      const placed = this.#place(layer, parent, list, index, context);
+      if (placed === null) continue;
+      index++;
+      this.#placeList(layer.mask, placed, "mask", context);
+      this.#placeList(layer.content, placed, "content", context);
+    }
+  }
+
+  /** Creates, changes and moves one layer as needed; null for one that was refused as it is. */
+  #place(
+    wanted: WantedLayer,
+    parent: SyncedLayer | null,
+    list: List,
+    index: number,
+    context: LayerSyncContext,
+  ): SyncedLayer | null {
+    const { id, source, image } = wanted;
+    let layer = this.#byId.get(id);
+    const isSettled =
+      layer?.source === source && layer.image === image && layer.parent === parent && layer.list === list;
+    if (layer === undefined || !isSettled) {
+      const def = coreLayer(source, image);
+      let details = NO_DETAILS;
       try {
-        if (this.#place(id, layer, index)) index++;
+        details = this.#detailsOf(source);
+        const refused = this.#refused.get(id);
+        if (refused && sameNumbersOf(refused.def, def) && sameDetails(refused.details, details)) return null;
+        layer = this.#settle(layer, wanted, def, details, parent, list);
       } catch (error) {
         if (!(error instanceof TexelcastError) || error.code === "engine-crashed") throw error;
-        this.#refuse(id, layer, error, report);
+        this.#refuse(id, { def, details }, error, context);
+        return null;
       }
+      this.#refused.delete(id);
     }
+    this.#move(layer, index);
+    return layer;
   }
 
-  /** Creates, changes and moves one layer as needed; false for one that was refused as it is. */
-  #place(id: string, wanted: WantedLayer, index: number): boolean {
-    const { def } = wanted;
-    const refused = this.#refused.get(id);
-    if (refused !== undefined && sameNumbersOf(refused.def, def) && sameDabs(refused.dabs, wanted.dabs)) return false;
-    const at = this.#order.findIndex((layer) => layer.id === id);
-    const found = this.#order[at];
-    if (found === undefined) {
-      const made: SyncedLayer = { id, handle: this.#target.createLayer(def), def, dabs: NO_DABS };
-      this.#order.push(made);
-      this.#syncDabs(made, wanted.dabs);
-      this.#move(this.#order.length - 1, index);
+  #settle(
+    found: SyncedLayer | undefined,
+    { id, source, image }: WantedLayer,
+    def: Partial<LayerDef>,
+    details: LayerDetails,
+    parent: SyncedLayer | null,
+    list: List,
+  ): SyncedLayer {
+    const placed = parent === null ? def : { ...def, parent: parent.handle, role: Roles[list] };
+    let layer = found;
+    if (layer === undefined) {
+      const handle = this.#target.createLayer(placed);
+      layer = { id, handle, source, image, def, details: NO_DETAILS, parent, list, content: [], mask: [] };
+      this.#byId.set(id, layer);
+      this.#listOf(parent, list).push(layer);
     } else {
-      if (found.def.kind !== def.kind) found.dabs = NO_DABS;
-      if (!sameNumbersOf(found.def, def)) this.#target.updateLayer(found.handle, def);
-      found.def = def;
-      this.#syncDabs(found, wanted.dabs);
-      this.#move(at, index);
+      const moves = layer.parent !== parent || layer.list !== list;
+      if (moves || !sameNumbersOf(layer.def, def)) this.#target.updateLayer(layer.handle, placed);
+      if (moves) {
+        remove(this.#listOf(layer.parent, layer.list), layer);
+        this.#listOf(parent, list).push(layer);
+      }
+      // What the core forgets of a layer that changes its kind.
+      if (layer.def.kind !== def.kind) layer.details = NO_DETAILS;
+      Object.assign(layer, { def, parent, list });
     }
-    this.#refused.delete(id);
-    return true;
+    syncDetails(this.#target, layer.handle, layer.details, details);
+    Object.assign(layer, { details, source, image });
+    return layer;
   }
 
-  /** A stroke that grew is told of its new dabs alone; any other change begins it anew. */
-  #syncDabs(layer: SyncedLayer, dabs: readonly EngineDab[]): void {
-    let kept = commonDabs(layer.dabs, dabs);
-    if (kept < layer.dabs.length) {
-      this.#target.clearDabs(layer.handle);
-      kept = 0;
-    }
-    if (kept < dabs.length) this.#target.addDabs(layer.handle, dabs.slice(kept).map(coreDab));
-    layer.dabs = dabs;
-  }
-
-  #move(from: number, to: number): void {
-    const layer = this.#order[from];
-    if (layer === undefined || from === to) return;
+  #move(layer: SyncedLayer, to: number): void {
+    const siblings = this.#listOf(layer.parent, layer.list);
+    const from = siblings.indexOf(layer);
+    if (from === to) return;
     this.#target.moveLayer(layer.handle, to);
-    this.#order.splice(from, 1);
-    this.#order.splice(to, 0, layer);
+    siblings.splice(from, 1);
+    siblings.splice(to, 0, layer);
   }
 
-  #refuse(id: string, wanted: WantedLayer, error: TexelcastError, report: (error: TexelcastError) => void): void {
-    this.#order = this.#order.filter((layer) => {
-      if (layer.id === id) this.#target.destroyLayer(layer.handle);
-      return layer.id !== id;
-    });
-    this.#refused.set(id, wanted);
+  #listOf(parent: SyncedLayer | null, list: List): SyncedLayer[] {
+    return parent === null ? this.#top : parent[list];
+  }
+
+  #refuse(id: string, refused: RefusedLayer, error: TexelcastError, { report }: LayerSyncContext): void {
+    const layer = this.#byId.get(id);
+    if (layer !== undefined) this.#destroy(layer);
+    this.#refused.set(id, refused);
     report(
       new TexelcastError(error.code, `The layer “${id}” cannot be drawn: ${error.message}`, {
         field: `layers[id=${id}]`,
@@ -129,29 +216,17 @@ export class LayerSync {
   }
 }
 
-/** How many dabs two lists begin with alike. */
-function commonDabs(a: readonly EngineDab[], b: readonly EngineDab[]): number {
-  const most = Math.min(a.length, b.length);
-  for (let i = 0; i < most; i++) {
-    const [left, right] = [a[i], b[i]];
-    // Lists that grow share their objects, so the numbers are seldom looked at.
-    if (left === undefined || right === undefined) return i;
-    if (left !== right && !sameNumbersOf(coreDab(left), coreDab(right))) return i;
-  }
-  return most;
+function wantedLayers(layers: readonly EngineLayer[], context: LayerSyncContext): WantedLayer[] {
+  return layers.flatMap((source): WantedLayer[] => {
+    const picture = pictureOf(source);
+    // Words become pictures before they come here; those that could not yet, wait.
+    const image = picture === null ? 0 : typeof picture === "string" ? context.imageOf(picture) : undefined;
+    if (image === undefined) return [];
+    const content = source.type === "group" ? wantedLayers(source.layers, context) : [];
+    return [{ id: source.id, source, image, content, mask: wantedLayers(source.mask?.layers ?? [], context) }];
+  });
 }
 
-const sameDabs = (a: readonly EngineDab[], b: readonly EngineDab[]): boolean =>
-  a.length === b.length && commonDabs(a, b) === a.length;
-
-type Numbers = Readonly<Record<string, number | readonly number[] | undefined>>;
-
-function sameNumbersOf(a: Numbers, b: Numbers): boolean {
-  const keys = new Set([...Object.keys(a), ...Object.keys(b)]);
-  return [...keys].every((key) => sameNumbers(a[key], b[key]));
-}
-
-function sameNumbers(a: number | readonly number[] | undefined, b: number | readonly number[] | undefined): boolean {
-  if (typeof a !== "object" || typeof b !== "object") return Object.is(a, b);
-  return a.length === b.length && a.every((number, i) => Object.is(number, b[i]));
+function remove(list: SyncedLayer[], layer: SyncedLayer): void {
+  list.splice(list.indexOf(layer), 1);
 }

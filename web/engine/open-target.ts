@@ -4,10 +4,13 @@ import type { ImageHandle, Session } from "../core/session.ts";
 import type { Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { applyBase, loadBasePicture, targetSize } from "./base-picture.ts";
+import { coreGradient } from "./core-layer.ts";
 import type { EngineLayer, MapView, Picture, TargetInfo, TargetOptions, TargetUpdate, Vec3 } from "./engine-api.ts";
 import { nextTurn } from "./event-loop.ts";
+import { FillTriangles } from "./fill-triangles.ts";
+import { NO_DETAILS } from "./layer-details.ts";
 import { LayerSync } from "./layer-sync.ts";
-import { layersOnMaterial, paintingLayers } from "./layer-tree.ts";
+import { layersOnMaterial } from "./layer-tree.ts";
 import type { LoadedModel } from "./model-loader.ts";
 import type { RasterTarget } from "./raster-size.ts";
 import { texelsPerMetre } from "./texel-density.ts";
@@ -46,11 +49,21 @@ export class OpenTarget {
   readonly #layers: LayerSync;
   #raster: RasterTarget | null = null;
 
-  private constructor(target: Target, info: TargetInfo, factorBaked: boolean) {
+  private constructor(target: Target, info: TargetInfo, factorBaked: boolean, readUvs: () => Float32Array) {
     this.#target = target;
     this.info = info;
     this.factorBaked = factorBaked;
-    this.#layers = new LayerSync(target);
+    const triangles = new FillTriangles(readUvs);
+    this.#layers = new LayerSync(target, (layer) => {
+      if (layer.type === "stroke") return { ...NO_DETAILS, dabs: layer.dabs };
+      if (layer.type !== "fill") return NO_DETAILS;
+      const { gradient, parts } = layer;
+      return {
+        ...NO_DETAILS,
+        gradient: gradient ? coreGradient(gradient) : null,
+        triangles: parts ? triangles.of(parts) : null,
+      };
+    });
   }
 
   /** Makes a target, sets its base and bakes it in steps. When it throws, nothing is left of it. */
@@ -79,7 +92,8 @@ export class OpenTarget {
     try {
       applyBase(target, base);
       await bake(target, context);
-      return new OpenTarget(target, targetInfo(options.material, target.info()), base.factorBaked);
+      const info = targetInfo(options.material, target.info());
+      return new OpenTarget(target, info, base.factorBaked, () => session.materialUvs(options.material));
     } catch (error) {
       if (!session.core.crashed) target.destroy();
       throw error;
@@ -117,7 +131,7 @@ export class OpenTarget {
     const { material } = this.info;
     const own = layersOnMaterial(layers, material);
     const drawn = pictures.resolve(own, () => this.raster);
-    this.#layers.apply([...paintingLayers(drawn, false)], pictures.imageOf, report);
+    this.#layers.apply(drawn, { imageOf: pictures.imageOf, report });
     const update = this.#target.update();
     if (update.rects.length === 0) return null;
     return { material, revision, ...update, milliseconds: performance.now() - start };

@@ -1,7 +1,8 @@
 /** The charts of a surface's materials as pieces of the surface: what lights up on the model when a chart is pointed at. */
+
+import { gridKey } from "../engine/uv-charts.ts";
 import type { RestingSurface } from "./resting-surface.ts";
 import { UvCharts } from "./uv-charts.ts";
-import { gridKey } from "./uv-edges.ts";
 import type { TexturePlace } from "./viewer-api.ts";
 
 /** A chart's triangles, three vertices of the surface each, and its border, two each. */

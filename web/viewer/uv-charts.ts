@@ -1,8 +1,5 @@
-/**
- * The charts of an unfolded mesh: triangles that hang together by shared corners in the texture. Two charts that lie on
- * the same texels are one here, for a place of the texture cannot tell them apart.
- */
-import { broughtBack, gridKey } from "./uv-edges.ts";
+/** The charts of an unfolded mesh, and which of them lies where. */
+import { broughtBack, chartsOf } from "../engine/uv-charts.ts";
 
 /** Cells along each side of the grid by which a place's triangle is found. */
 const CELLS = 64;
@@ -16,25 +13,10 @@ export class UvCharts {
 
   /** @param uvTriangles six numbers a triangle, as the model has them */
   constructor(uvTriangles: Float32Array) {
-    const count = Math.floor(uvTriangles.length / 6);
-    this.#corners = new Float32Array(count * 6);
-    this.chartOf = Uint32Array.from({ length: count }, (_, triangle) => triangle);
-    const firstWith = new Map<number, number>();
-    for (let triangle = 0; triangle < count; triangle++) {
-      const corners = broughtBack(uvTriangles.subarray(triangle * 6, triangle * 6 + 6));
-      this.#corners.set(corners, triangle * 6);
-      for (let corner = 0; corner < 6; corner += 2) {
-        const key = gridKey(corners[corner] as number, corners[corner + 1] as number);
-        const other = firstWith.get(key);
-        if (other === undefined) {
-          firstWith.set(key, triangle);
-        } else {
-          this.#join(triangle, other);
-        }
-      }
-    }
-    for (let triangle = 0; triangle < count; triangle++) {
-      this.chartOf[triangle] = this.#rootOf(triangle);
+    this.chartOf = chartsOf(uvTriangles);
+    this.#corners = new Float32Array(this.chartOf.length * 6);
+    for (let triangle = 0; triangle < this.chartOf.length; triangle++) {
+      this.#corners.set(broughtBack(uvTriangles.subarray(triangle * 6, triangle * 6 + 6)), triangle * 6);
     }
   }
 
@@ -104,26 +86,6 @@ export class UvCharts {
       }
     }
     return cells;
-  }
-
-  /** The lower root wins, so that a chart goes by its lowest triangle. */
-  #join(a: number, b: number): void {
-    const [first, second] = [this.#rootOf(a), this.#rootOf(b)];
-    this.chartOf[Math.max(first, second)] = Math.min(first, second);
-  }
-
-  #rootOf(triangle: number): number {
-    let root = triangle;
-    while (this.chartOf[root] !== root) {
-      root = this.chartOf[root] as number;
-    }
-    let step = triangle;
-    while (step !== root) {
-      const next = this.chartOf[step] as number;
-      this.chartOf[step] = root;
-      step = next;
-    }
-    return root;
   }
 }
 

@@ -1,5 +1,7 @@
 /** The lines of an unfolded mesh: chart borders, which one triangle has, told from inner edges, which two share. */
 
+import { broughtBack, gridKey } from "../engine/uv-charts.ts";
+
 export interface UvEdges {
   /** Four numbers a line: u, v of both ends. */
   readonly borders: Float32Array;
@@ -15,9 +17,6 @@ export function meanLength(lines: Float32Array): number {
   }
   return lines.length === 0 ? 0 : total / (lines.length / 4);
 }
-
-/** UVs nearer than this are the same vertex: a quarter of a texel at the largest texture, 8192. */
-const GRID = 8192 * 4;
 
 /**
  * @param uvTriangles six numbers a triangle, as the model has them: triangles that lie in another repeat of the texture
@@ -54,19 +53,6 @@ function linesOf(ends: readonly number[], uses: readonly number[], border: boole
     }
   }
   return Float32Array.from(lines);
-}
-
-/** A triangle's six numbers, moved as a whole into the repeat of the texture that its middle lies in. */
-export function broughtBack(corners: Float32Array): number[] {
-  const [u0, v0, u1, v1, u2, v2] = corners as unknown as [number, number, number, number, number, number];
-  const u = Math.floor((u0 + u1 + u2) / 3);
-  const v = Math.floor((v0 + v1 + v2) / 3);
-  return [u0 - u, v0 - v, u1 - u, v1 - v, u2 - u, v2 - v];
-}
-
-/** The same for all vertices that count as one. */
-export function gridKey(u: number, v: number): number {
-  return Math.round(u * GRID) * 2 ** 26 + Math.round(v * GRID);
 }
 
 /** The key's place in the order in which keys came. */

@@ -40,23 +40,62 @@ function resolveList(layers: readonly DesignLayer[], assets: Assets): EngineLaye
   return layers.map((layer) => resolveLayer(layer, assets));
 }
 
-function resolveLayer(layer: DesignLayer, assets: Assets): EngineLayer {
+function resolveLayer(layer: DesignLayer, assets: Assets, outer: Mirror | null = null): EngineLayer {
   const mask = resolveMask(layer, assets);
-  switch (layer.type) {
-    case "text":
-      return resolveText(layer, mask, assets);
-    case "decal":
-      return resolveDecal(layer, mask);
-    case "stroke":
-      return resolveStroke(layer, mask);
-    case "fill":
-      return resolveFill(layer, mask);
-    case "group":
-      return resolveGroup(layer, resolveList(layer.layers, assets), mask);
-    case "paint":
-      return resolvePaint(layer, mask, assets);
-  }
+  const held =
+    layer.type === "group"
+      ? resolveList(layer.layers, assets)
+      : layer.type === "paint"
+        ? layer.strokes.map((stroke) => resolveLayer(stroke, assets, layer.mirror))
+        : [];
+  const font = layer.type === "text" ? (assets[layer.font]?.uri ?? null) : null;
+  return resolvedOnce(layer, { mask, held, outer, font }, () => {
+    switch (layer.type) {
+      case "text":
+        return resolveText(layer, mask, assets);
+      case "decal":
+        return resolveDecal(layer, mask);
+      case "stroke":
+        return resolveStroke(layer, mask, outer);
+      case "fill":
+        return resolveFill(layer, mask);
+      case "group":
+        return resolveGroup(layer, held, mask, layer.isolated);
+      case "paint":
+        return resolveGroup(layer, held, mask, true);
+    }
+  });
 }
+
+/** What a resolved layer is made of besides its own fields. */
+interface LayerContext {
+  readonly mask: EngineMask | null;
+  readonly held: readonly EngineLayer[];
+  /** Of the paint layer that it is in. */
+  readonly outer: Mirror | null;
+  /** Of words: their font's address. */
+  readonly font: string | null;
+}
+
+/** By the design's layers, which never change: what is the same object for the editor is the same one for the engine. */
+const RESOLVED = new WeakMap<DesignLayer, LayerContext & { readonly engineLayer: EngineLayer }>();
+
+function resolvedOnce(layer: DesignLayer, context: LayerContext, resolve: () => EngineLayer): EngineLayer {
+  const known = RESOLVED.get(layer);
+  const isKnown =
+    known !== undefined &&
+    known.outer === context.outer &&
+    known.font === context.font &&
+    sameList(known.held, context.held) &&
+    sameList(known.mask?.layers ?? [], context.mask?.layers ?? []);
+  if (isKnown) return known.engineLayer;
+  const engineLayer = resolve();
+  RESOLVED.set(layer, { ...context, engineLayer });
+  return engineLayer;
+}
+
+const sameList = (a: readonly EngineLayer[], b: readonly EngineLayer[]): boolean =>
+  a.length === b.length && a.every((layer, index) => layer === b[index]);
 
 function resolveMask({ mask }: LayerBase, assets: Assets): EngineMask | null {
   return mask === null ? null : { ...mask, layers: resolveList(mask.layers, assets) };
@@ -95,13 +134,12 @@ function resolveDecal(layer: DecalLayer, mask: EngineMask | null): EngineLayer {
   return mirror === null ? decal : mirroredDecal(decal, mirror);
 }
 
-function resolveStroke(layer: StrokeLayer, mask: EngineMask | null, outer: Mirror | null = null): EngineLayer {
+function resolveStroke(layer: StrokeLayer, mask: EngineMask | null, outer: Mirror | null): EngineLayer {
   const { name: _shownName, locked: _locked, mirror, ...fields } = layer;
-  const mirrors = [mirror, outer].filter((one) => one !== null);
-  const [own, other] = mirrors;
-  const different = own !== undefined && other !== undefined && sameMirror(own, other) ? [own] : mirrors;
+  const isTwice = mirror !== null && outer !== null && sameMirror(mirror, outer);
+  const mirrors = isTwice ? [mirror] : [mirror, outer].filter((one) => one !== null);
   // The dabs' own objects: by them the engine knows what is new in a stroke that grows.
-  return { ...fields, mask, brush: resolveBrush(layer.brush), dabs: mirroredDabs(layer.dabs, different) };
+  return { ...fields, mask, brush: resolveBrush(layer.brush), dabs: mirroredDabs(layer.dabs, mirrors) };
 }
 
 function resolveBrush(brush: Brush): EngineBrush {
@@ -125,15 +163,10 @@ function resolveGradient(gradient: Gradient): EngineGradient {
 }
 
 function resolveGroup(
-  { id, visible, opacity, blend, blendSpace, lockAlpha, isolated }: GroupLayer,
+  { id, visible, opacity, blend, blendSpace, lockAlpha }: GroupLayer | PaintLayer,
   layers: readonly EngineLayer[],
   mask: EngineMask | null,
+  isolated: boolean,
 ): EngineGroupLayer {
   return { id, type: "group", visible, opacity, blend, blendSpace, lockAlpha, isolated, layers, mask };
-}
-
-function resolvePaint(layer: PaintLayer, mask: EngineMask | null, assets: Assets): EngineGroupLayer {
-  const { id, visible, opacity, blend, blendSpace, lockAlpha } = layer;
-  const layers = layer.strokes.map((stroke) => resolveStroke(stroke, resolveMask(stroke, assets), layer.mirror));
-  return { id, type: "group", visible, opacity, blend, blendSpace, lockAlpha, isolated: true, layers, mask };
 }
