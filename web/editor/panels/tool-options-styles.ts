@@ -33,16 +33,16 @@ export const toolOptionsStyles = css`
     flex: none;
   }
   .often tc-number {
-    width: 6.9rem;
+    width: 6.5rem;
   }
   .often .check {
     padding-inline: var(--space-2);
   }
-  .tip {
+  .often .tip {
     width: 5.5rem;
   }
-  .mirror {
-    width: 6rem;
+  .often .mirror {
+    width: 5.9rem;
   }
   .colors {
     display: inline-flex;

@@ -19,9 +19,14 @@ const words = strings.tools;
 
 /** Options that stand behind the button "More": set once and left alone. */
 const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock"];
+/** On a phone, where the bar has room for a colour and a size, besides those. */
+const SELDOM_ON_PHONE: readonly ToolOption[] = [...SELDOM, "tip", "hardness", "opacity", "mirror"];
+const PHONE = "(max-width: 720px)";
 
 export class ToolOptions extends EditorElement {
-  static override properties = { shown: { state: true } };
+  static override properties = { shown: { state: true }, compact: { state: true } };
+  declare compact: boolean;
+  readonly #phone = matchMedia(PHONE);
   /** What hangs below the bar. */
   declare shown: "more" | "palette" | null;
 
@@ -30,7 +35,22 @@ export class ToolOptions extends EditorElement {
   constructor() {
     super();
     this.shown = null;
+    this.compact = this.#phone.matches;
   }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#phone.addEventListener("change", this.#resize);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#phone.removeEventListener("change", this.#resize);
+  }
+
+  readonly #resize = (): void => {
+    this.compact = this.#phone.matches;
+  };
 
   protected watched({ tool, toolSettings, model, design, selectedId }: EditorState): readonly unknown[] {
     return [tool, toolSettings, model, design.assets, selectedId];
@@ -39,11 +59,12 @@ export class ToolOptions extends EditorElement {
   override render(): TemplateResult | typeof nothing {
     const tool = this.editor.tools.active;
     if (!tool || (tool.options.length === 0 && !tool.renderOptions)) return nothing;
-    const seldom = tool.options.filter((option) => SELDOM.includes(option));
+    const behind = this.compact ? SELDOM_ON_PHONE : SELDOM;
+    const seldom = tool.options.filter((option) => behind.includes(option));
     return html`
       <div class="bar" role="toolbar" aria-label=${words.options}>
         <div class="often">
-          ${tool.options.map((option) => (SELDOM.includes(option) ? nothing : this.#field(option, tool)))}
+          ${tool.options.map((option) => (behind.includes(option) ? nothing : this.#field(option, tool)))}
           ${tool.renderOptions?.() ?? nothing}
         </div>
         ${
