@@ -1,8 +1,17 @@
 /** Projects kept by the page itself: what is there after the tab was closed, in a second tab, and where the browser refuses. */
+import { spawnSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 import { EditorPage, expect, test } from "./support/editor-page.ts";
 import { squareGltf } from "./support/test-files.ts";
 
-test("a tab closed without saving is back as it was when the page is opened again", async ({ editor, page }) => {
+/** Built by every stage of `npm test` before its tests. */
+const COMMAND_LINE = fileURLToPath(new URL("../../build/node/texelcast.mjs", import.meta.url));
+
+test("a tab closed without saving is back as it was, and its file renders to the same bytes in Node", async ({
+  editor,
+  page,
+}, info) => {
   await editor.open();
   await editor.openModel(squareGltf());
   await editor.addDemoDecal("badge");
@@ -16,7 +25,85 @@ test("a tab closed without saving is back as it was when the page is opened agai
   const again = new EditorPage(await context.newPage());
   await again.open();
   await expect(again.page.locator("tc-top-bar .models")).toContainText("square.gltf");
+  await expect(again.notices).toContainText("square is back as you left it");
   expect(await again.settledHash()).toBe(before);
   expect(await again.design()).toEqual(design);
-  await expect(again.notices).toContainText("square is back as you left it");
+
+  const { bytes: exported } = await again.exported("Texture as PNG");
+  const project = await again.savedProject();
+  expect(project.name).toBe("square.texelcast");
+  const [input, output] = [info.outputPath(project.name), info.outputPath("rendered.png")];
+  writeFileSync(input, project.bytes);
+  const run = spawnSync(process.execPath, [COMMAND_LINE, "render", input, "--out", output], { encoding: "utf8" });
+  expect(run.stderr).toBe("");
+  expect(readFileSync(output).equals(exported)).toBe(true);
+
+  await again.removeAllDecals();
+  await again.drop([{ name: project.name, mimeType: "application/zip", buffer: project.bytes }], { x: 300, y: 400 });
+  expect(await again.settledHash()).toBe(before);
+  expect(await again.design()).toEqual({ ...design, assets: (await again.design()).assets });
+});
+
+test("a second tab has a copy, and neither overwrites the other; the list brings back what was deleted", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  await page.evaluate(() => window.texelcast.kept());
+  const first = await editor.settledHash();
+
+  const other = new EditorPage(await page.context().newPage());
+  await other.open();
+  await expect(other.notices).toContainText("Mug is open in another tab");
+  expect(await other.settledHash()).toBe(first);
+  await other.removeAllDecals();
+  await other.page.evaluate(() => window.texelcast.kept());
+
+  const list = other.page.locator("tc-projects-dialog");
+  await other.page.locator("tc-top-bar .projects button").first().click();
+  await other.page.getByRole("menuitem", { name: "All projects" }).click();
+  const rows = list.getByRole("listitem");
+  await expect(rows).toHaveCount(2);
+  await expect(rows.nth(0)).toContainText("Open here");
+  await expect(rows.nth(1)).toContainText("Open in another tab");
+  await rows.nth(0).getByRole("button", { name: "Rename" }).click();
+  await list.getByRole("textbox").fill("Empty mug");
+  await list.getByRole("textbox").press("Enter");
+  await expect(rows.nth(0)).toContainText("Empty mug");
+  await rows.nth(0).getByRole("button", { name: "Delete" }).click();
+  await list.getByRole("button", { name: "Bring Empty mug back" }).click();
+  await expect(rows.nth(0).getByRole("button", { name: "Open Empty mug" })).toBeVisible();
+  await other.page.close();
+
+  await page.goto("./?new");
+  await page.waitForFunction(() => window.texelcast !== undefined);
+  await page.evaluate(() => window.texelcast.ready);
+  expect(await editor.settledHash()).not.toBe(first);
+  expect(new URL(page.url()).search).toBe("");
+  await page.locator("tc-top-bar .projects button").first().click();
+  await page.getByRole("menuitem", { name: "All projects" }).click();
+  await page.getByRole("button", { name: "Open Mug", exact: true }).click();
+  await expect(page.locator("tc-top-bar .projects")).toContainText("Mug");
+  expect(await editor.settledHash()).toBe(first);
+});
+
+test("where the browser keeps nothing the page says so once, works on, and offers a file", async ({ editor, page }) => {
+  await page.addInitScript(() => {
+    indexedDB.open = () => {
+      throw new DOMException("denied", "SecurityError");
+    };
+  });
+  await editor.open();
+  await expect(editor.notices).toHaveCount(0);
+  const before = await editor.hash();
+  await editor.addDemoDecal("badge");
+  await page.evaluate(() => window.texelcast.kept());
+  await expect(editor.notices).toContainText("Your work is not being kept in this browser");
+  await editor.addDemoDecal("smiley");
+  expect(await editor.settledHash()).not.toBe(before);
+  await expect(editor.notices).toHaveCount(1);
+  const download = page.waitForEvent("download");
+  await editor.notices.getByRole("button", { name: "Save as one file" }).click();
+  expect((await download).suggestedFilename()).toBe("Mug.texelcast");
 });

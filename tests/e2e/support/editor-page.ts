@@ -230,6 +230,14 @@ export class EditorPage {
     return this.saved(() => this.page.locator("#save-design").click());
   }
 
+  /** The project as one file, with its model. */
+  savedProject(): Promise<{ name: string; bytes: Buffer }> {
+    return this.saved(async () => {
+      await this.page.locator("tc-top-bar .projects button").first().click();
+      await this.page.getByRole("menuitem", { name: "Save as one file" }).click();
+    });
+  }
+
   exported(item: "Texture as PNG" | "Model as GLB"): Promise<{ name: string; bytes: Buffer }> {
     return this.saved(async () => {
       await this.page.getByRole("button", { name: "Export", exact: true }).click();

@@ -3,8 +3,9 @@
  * itself still refuses a save over one that the tab has not seen.
  */
 
-/** A page that is being reloaded lets go of its locks a moment after the new one has begun. */
-const PATIENCE = 500;
+/** A page that is being reloaded lets go of its locks a moment after the new one has begun: it is given that moment. */
+const TRIES = 5;
+const BETWEEN_TRIES = 150;
 
 const nameOf = (id: string): string => `texelcast-project-${id}`;
 
@@ -17,22 +18,33 @@ export class ProjectLock {
     if (this.#held === id) return true;
     this.letGo();
     this.#held = id;
+    for (let tries = 1; this.#held === id; tries++) {
+      if (await this.#request(id)) return true;
+      if (tries === TRIES) {
+        if (this.#held === id) this.#held = null;
+        return false;
+      }
+      await new Promise((resolve) => setTimeout(resolve, BETWEEN_TRIES));
+    }
+    // Another one was taken meanwhile.
+    return false;
+  }
+
+  /** Asks once, and is told at once. */
+  #request(id: string): Promise<boolean> {
     const { locks } = navigator;
-    if (!locks) return true;
-    const taken = await new Promise<boolean>((resolve) => {
-      const keep = (): Promise<void> => {
-        resolve(true);
-        // Another one may have been taken while this one was waited for.
-        if (this.#held !== id) return Promise.resolve();
+    if (!locks) return Promise.resolve(true);
+    return new Promise((resolve) => {
+      const keep = (lock: Lock | null): Promise<void> | undefined => {
+        resolve(lock !== null);
+        if (lock === null || this.#held !== id) return;
         return new Promise((release) => {
           this.#release = release;
         });
       };
-      const wait = { signal: AbortSignal.timeout(PATIENCE) };
-      locks.request(nameOf(id), wait, keep).catch(() => resolve(false));
+      // A browser that refuses locks (a sandboxed frame) has nobody to share with.
+      locks.request(nameOf(id), { ifAvailable: true }, keep).catch(() => resolve(true));
     });
-    if (!taken && this.#held === id) this.#held = null;
-    return taken;
   }
 
   letGo(): void {
