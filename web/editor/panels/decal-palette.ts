@@ -50,6 +50,31 @@ export class DecalPalette extends EditorElement {
           grid-template-columns: repeat(auto-fill, minmax(44px, 1fr));
         }
       }
+      /* On a phone one row that scrolls, so that the layers have the room. */
+      :host([row]) {
+        display: flex;
+        overflow: auto hidden;
+        scrollbar-width: none;
+      }
+      :host([row]) .adds {
+        display: flex;
+        flex: none;
+      }
+      :host([row]) .add {
+        flex: none;
+        width: 44px;
+        padding: 0;
+      }
+      :host([row]) .add span {
+        display: none;
+      }
+      :host([row]) .palette {
+        display: flex;
+      }
+      :host([row]) .palette button {
+        flex: none;
+        width: 44px;
+      }
       img {
         width: 100%;
         height: 100%;
@@ -67,16 +92,17 @@ export class DecalPalette extends EditorElement {
     const add = (): void => pickFiles({ accept: ACCEPT.picture }, (files) => void this.editor.files.openFiles(files));
     return html`
       <div class="adds">
-        <button class="outlined add" id="add-picture" ?disabled=${model === null} @click=${add}>
-          ${icon(ImagePlus)}${words.add}
+        <button class="outlined add" id="add-picture" aria-label=${words.add} ?disabled=${model === null} @click=${add}>
+          ${icon(ImagePlus)}<span>${words.add}</span>
         </button>
         <button
           class="outlined add"
           id="add-text"
+          aria-label=${strings.text.add}
           ?disabled=${model === null}
           @click=${() => void this.editor.texts.add()}
         >
-          ${icon(Type)}${strings.text.add}
+          ${icon(Type)}<span>${strings.text.add}</span>
         </button>
       </div>
       ${

@@ -15,6 +15,7 @@ import {
   SquareDashed,
   SquareStack,
   Trash,
+  Type,
   Ungroup,
 } from "lucide";
 import { findLayer, makeFillLayer, makeGroupLayer, makePaintLayer } from "../document/index.ts";
@@ -77,7 +78,7 @@ export function moreItems({ layers, store }: Editor): MenuItem[] {
   ];
 }
 
-export function addItems({ layers, files, store }: Editor): MenuItem[] {
+export function addItems({ layers, files, store, texts }: Editor): MenuItem[] {
   const material = store.state.material ?? 0;
   const { steps } = strings;
   return [
@@ -110,6 +111,7 @@ export function addItems({ layers, files, store }: Editor): MenuItem[] {
       icon: ImagePlus,
       run: () => pickFiles({ accept: ACCEPT.picture }, (chosen) => void files.openFiles(chosen)),
     },
+    { label: strings.text.add, icon: Type, run: () => void texts.add() },
     {
       label: words.addGroup,
       icon: FolderPlus,

@@ -18,7 +18,7 @@ const UPPER_TABS: readonly UpperTab[] = ["layers", "history"];
 const FEW_PARTS = 24;
 
 export class SidePanel extends EditorElement {
-  static override properties = { only: {}, tab: { state: true } };
+  static override properties = { only: { attribute: false }, tab: { state: true } };
   /** Shows one section; null shows all. */
   declare only: Section | null;
   declare tab: UpperTab;
@@ -51,10 +51,10 @@ export class SidePanel extends EditorElement {
         scrollbar-width: thin;
         scrollbar-color: var(--line-strong) transparent;
       }
-      :host([only]) {
+      :host([single]) {
         grid-template-rows: minmax(0, 1fr);
       }
-      :host([only]) .upper {
+      :host([single]) .upper {
         grid-template-rows: minmax(0, 1fr) auto;
         height: 100%;
         max-height: none;
@@ -123,8 +123,8 @@ export class SidePanel extends EditorElement {
       .section + .section {
         border-top: 1px solid var(--line);
       }
-      :host([only]) .upper .adding {
-        padding-block: var(--space-1);
+      :host([single]) .upper .adding {
+        padding: var(--space-1) var(--space-2);
         border-block-start: 1px solid var(--line);
       }
     `,
@@ -141,7 +141,7 @@ export class SidePanel extends EditorElement {
   }
 
   override render(): TemplateResult {
-    this.toggleAttribute("only", this.only !== null);
+    this.toggleAttribute("single", this.only !== null);
     if (this.only !== null) return this.#single(this.only);
     return html`
       <div class=${`upper ${this.tab}`}>
@@ -202,7 +202,7 @@ export class SidePanel extends EditorElement {
   }
 
   #adding(): TemplateResult {
-    return html`<div class="section adding"><tc-decal-palette .editor=${this.editor}></tc-decal-palette></div>`;
+    return html`<div class="section adding"><tc-decal-palette ?row=${this.only !== null} .editor=${this.editor}></tc-decal-palette></div>`;
   }
 
   #properties(headed: boolean): TemplateResult {
