@@ -1,6 +1,7 @@
 /** The editor page: engine, views and editor put together, and the handle for tests. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { Editor } from "../editor/state/editor.ts";
+import { applyLanguage } from "../editor/strings/language.ts";
 import { strings } from "../editor/strings.ts";
 import "../editor/workbench.ts";
 import { createEngineClient } from "../engine/engine-client.ts";
@@ -9,6 +10,7 @@ import { createTextureView } from "../viewer/texture-view.ts";
 import { showStartFailure } from "./start-failure.ts";
 import { makeTestHandle } from "./test-handle.ts";
 
+applyLanguage(document.documentElement);
 const workbench = document.createElement("tc-workbench");
 try {
   const engine = createEngineClient();

@@ -1,10 +1,12 @@
 /** Every word that the page says, in one place. Errors of the engine bring their own words. */
 
+import { language } from "./strings/language.ts";
 import { layerAnnouncements, layerNotices, layerSteps, layerWords } from "./strings/layer-words.ts";
 import { plural } from "./strings/plural.ts";
 import { gradientWords, partsWords } from "./strings/property-words.ts";
+import { german } from "./strings.de.ts";
 
-export const strings = {
+const english = {
   productName: "Texelcast",
   materialName: (index: number, name: string): string => name || `Material ${index}`,
 
@@ -619,6 +621,7 @@ export const strings = {
     title: "Keys and licences",
     close: "Close",
     keys: "Keys",
+    language: "Language",
     keyList: [
       ["Arrow keys", "Move the selected decal; with Shift ten times as far"],
       ["[ and ]", "Turn it; with Shift ten times as far"],
@@ -654,9 +657,33 @@ export const strings = {
       ["Shift G", "Names of the texture’s parts"],
       ["Shift P", "Play or pause the animation"],
       ["Escape", "End a drag and put the decal back, or deselect"],
+      ["?", "This list"],
+      ["Two fingers", "Turn or move the view, and zoom"],
+      ["Three fingers", "Tap: undo; swipe left or right: undo, redo"],
+      ["Four fingers", "Tap: redo"],
     ] as readonly (readonly [string, string])[],
     licences: "Licences",
     icons: "Icons by Lucide",
+  },
+
+  /** What the first visit shows. */
+  hint: {
+    label: "First steps",
+    place: (step: number, count: number): string => `${step} of ${count}`,
+    next: "Next",
+    done: "Start",
+    dismiss: "Close the first steps",
+    steps: [
+      ["Choose a picture", "Click one of the examples, or drop a picture of your own on the model."],
+      [
+        "Drag it where it should go",
+        "It lies on the surface. Handles turn and size it; beside it, a drag turns the model.",
+      ],
+      [
+        "Take it with you",
+        "Everything is kept in this browser. Export gives you the texture or the model. ? lists all keys.",
+      ],
+    ] as readonly (readonly [string, string])[],
   },
 
   sheet: {
@@ -671,3 +698,15 @@ export const strings = {
   splitter: "Width of the texture view",
   sidePanel: "Layers and properties",
 } as const;
+
+/** The same words in another language: any text for a text, the same values for a sentence. */
+type Words<T> = T extends string
+  ? string
+  : T extends (...values: infer V) => string
+    ? (...values: V) => string
+    : { readonly [K in keyof T]: Words<T[K]> };
+
+/** What a language must say; tsc refuses one that leaves something out. */
+export type Strings = Words<typeof english>;
+
+export const strings: Strings = { en: english, de: german }[language];

@@ -7,6 +7,7 @@ import { carriesFiles, collectDrop } from "./files/file-collection.ts";
 import "./panels/bottom-sheet.ts";
 import { PALETTE_DRAG } from "./panels/decal-palette.ts";
 import "./panels/layer-properties.ts";
+import "./panels/first-hint.ts";
 import "./panels/help-dialog.ts";
 import "./panels/history-panel.ts";
 import "./panels/layer-list.ts";
@@ -20,6 +21,7 @@ import "./panels/template-dialog.ts";
 import "./panels/texture-panel.ts";
 import "./panels/top-bar.ts";
 import type { EditorState } from "./state/editor-state.ts";
+import { watchFingers } from "./state/finger-gestures.ts";
 import { handleShortcut } from "./state/shortcuts.ts";
 import { strings } from "./strings.ts";
 import { EditorElement } from "./ui/editor-element.ts";
@@ -42,6 +44,7 @@ export class Workbench extends EditorElement {
   /** Of the views' width. */
   declare textureShare: number;
   readonly #phone = matchMedia(PHONE);
+  #endFingers: () => void = () => {};
 
   static override styles = [
     theme,
@@ -95,8 +98,15 @@ export class Workbench extends EditorElement {
         grid-area: status;
       }
       .views > :first-child,
-      tc-notice-stack {
+      tc-notice-stack,
+      tc-first-hint {
         grid-area: 1 / 1;
+      }
+      tc-first-hint {
+        z-index: 9;
+        align-self: end;
+        justify-self: start;
+        padding: var(--space-3);
       }
       tc-notice-stack {
         z-index: 10;
@@ -139,6 +149,7 @@ export class Workbench extends EditorElement {
     addEventListener("dragleave", this.#dragLeave);
     addEventListener("drop", this.#drop);
     addEventListener("beforeunload", this.#leave);
+    this.#endFingers = watchFingers(this, (gesture) => void this.editor.files.travel(gesture));
   }
 
   override disconnectedCallback(): void {
@@ -149,10 +160,11 @@ export class Workbench extends EditorElement {
     removeEventListener("dragleave", this.#dragLeave);
     removeEventListener("drop", this.#drop);
     removeEventListener("beforeunload", this.#leave);
+    this.#endFingers();
   }
 
-  protected watched({ view }: EditorState): readonly unknown[] {
-    return [view.layout];
+  protected watched({ view, model }: EditorState): readonly unknown[] {
+    return [view.layout, model === null];
   }
 
   override render(): TemplateResult {
@@ -210,6 +222,7 @@ export class Workbench extends EditorElement {
             : html`<tc-stage .editor=${editor}><slot name="view" slot="view"></slot></tc-stage>`
         }
         <tc-notice-stack .editor=${editor}></tc-notice-stack>
+        ${this.state.model ? html`<tc-first-hint></tc-first-hint>` : nothing}
         ${
           split
             ? html`
@@ -235,7 +248,8 @@ export class Workbench extends EditorElement {
   readonly #key = (event: KeyboardEvent): void => {
     const openModel = (): void =>
       pickFiles({ accept: ACCEPT.model }, (files) => void this.editor.files.openFiles(files));
-    if (handleShortcut(event, this.editor, { openModel })) event.preventDefault();
+    const help = (): void => this.#help();
+    if (handleShortcut(event, this.editor, { openModel, help })) event.preventDefault();
   };
 
   readonly #dragOver = (event: DragEvent): void => {

@@ -318,7 +318,8 @@ export class Stage {
     controls.mouseButtons.wheel = ACTION.DOLLY;
     controls.touches.one = ACTION.TOUCH_ROTATE;
     controls.touches.two = ACTION.TOUCH_DOLLY_TRUCK;
-    controls.touches.three = ACTION.TOUCH_TRUCK;
+    // Three fingers undo and redo.
+    controls.touches.three = ACTION.NONE;
     controls.dollyToCursor = true;
     controls.minPolarAngle = 0.01;
     controls.maxPolarAngle = Math.PI - 0.01;

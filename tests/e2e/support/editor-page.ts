@@ -50,6 +50,8 @@ export class EditorPage {
 
   /** Opens the page on its first demo. */
   async open(): Promise<void> {
+    // The first visit's hint is a test's own matter.
+    await this.page.addInitScript(() => localStorage.setItem("texelcast-hint-seen", "yes"));
     await this.page.goto("./");
     await this.page.waitForFunction(() => window.texelcast !== undefined);
     await this.page.evaluate(() => window.texelcast.ready);

@@ -2,6 +2,7 @@
 import { css, html, LitElement, type TemplateResult } from "lit";
 import { X } from "lucide";
 import lucideLicence from "../../../node_modules/lucide/LICENSE?raw";
+import { LANGUAGES, type Language, language, speak } from "../strings/language.ts";
 import { strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
@@ -53,6 +54,12 @@ export class HelpDialog extends LitElement {
         margin: 0;
         color: var(--text-quiet);
       }
+      .language {
+        display: flex;
+        align-items: center;
+        gap: var(--space-3);
+        font-weight: 550;
+      }
       pre {
         margin: var(--space-2) 0 0;
         color: var(--text-quiet);
@@ -90,6 +97,15 @@ export class HelpDialog extends LitElement {
                   <dd>${meaning}</dd>`,
             )}
           </dl>
+          <label class="language">
+            ${words.language}
+            <select id="language" @change=${(event: Event) => speak((event.target as HTMLSelectElement).value as Language)}>
+              ${Object.entries(LANGUAGES).map(
+                ([code, name]) =>
+                  html`<option value=${code} lang=${code} ?selected=${code === language}>${name}</option>`,
+              )}
+            </select>
+          </label>
           <details>
             <summary>${words.licences}</summary>
             <pre>

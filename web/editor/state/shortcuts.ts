@@ -5,6 +5,7 @@ import { VIEW_LAYOUTS } from "./view-state.ts";
 
 export interface ShortcutActions {
   readonly openModel: () => void;
+  readonly help: () => void;
 }
 
 /** True when the key was ours, and its default must not happen. */
@@ -16,6 +17,10 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
     return !ofTheText && handleCommand(event, editor, actions);
   }
   if (focus !== "page") return false;
+  if (event.key === "?") {
+    actions.help();
+    return true;
+  }
   if (handleView(event, editor)) return true;
   return editor.tools.handleKey(event) || (event.altKey ? handleAlt : handlePlain)(event, editor);
 }

@@ -1,0 +1,101 @@
+/** Three steps for the first visit, in a corner of the views: what one could do, in nobody's way, gone for good when closed. */
+import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { X } from "lucide";
+import { strings } from "../strings.ts";
+import { icon } from "../ui/icon.ts";
+import { controls } from "../ui/theme.ts";
+
+const words = strings.hint;
+const SEEN = "texelcast-hint-seen";
+
+export class FirstHint extends LitElement {
+  static override properties = { step: { state: true }, seen: { state: true } };
+  declare step: number;
+  declare seen: boolean;
+
+  static override styles = [
+    controls,
+    css`
+      :host {
+        pointer-events: none;
+      }
+      section {
+        display: grid;
+        gap: var(--space-1);
+        box-sizing: border-box;
+        width: min(17rem, 100%);
+        padding: var(--space-3);
+        border: 1px solid var(--line);
+        border-radius: var(--radius-large);
+        background: var(--surface-high);
+        box-shadow: var(--shadow);
+        line-height: 1.4;
+        pointer-events: auto;
+      }
+      header,
+      footer {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        gap: var(--space-2);
+      }
+      header button {
+        margin: calc(-1 * var(--space-1));
+      }
+      p,
+      footer span {
+        color: var(--text-quiet);
+      }
+    `,
+  ];
+
+  constructor() {
+    super();
+    this.step = 0;
+    this.seen = wasSeen();
+  }
+
+  override render(): TemplateResult | typeof nothing {
+    const current = words.steps[this.step];
+    if (this.seen || !current) return nothing;
+    const [title, body] = current;
+    const isLast = this.step === words.steps.length - 1;
+    return html`
+      <section aria-label=${words.label}>
+        <header>
+          <h3>${title}</h3>
+          <button class="icon small" id="dismiss" aria-label=${words.dismiss} title=${words.dismiss} @click=${this.#close}>
+            ${icon(X)}
+          </button>
+        </header>
+        <p aria-live="polite">${body}</p>
+        <footer>
+          <span>${words.place(this.step + 1, words.steps.length)}</span>
+          <button id="next" @click=${isLast ? this.#close : this.#next}>${isLast ? words.done : words.next}</button>
+        </footer>
+      </section>
+    `;
+  }
+
+  readonly #next = (): void => {
+    this.step += 1;
+  };
+
+  readonly #close = (): void => {
+    this.seen = true;
+    try {
+      localStorage.setItem(SEEN, "yes");
+    } catch {
+      // A browser that keeps nothing shows it again.
+    }
+  };
+}
+customElements.define("tc-first-hint", FirstHint);
+
+function wasSeen(): boolean {
+  try {
+    return localStorage.getItem(SEEN) !== null;
+  } catch {
+    return false;
+  }
+}
