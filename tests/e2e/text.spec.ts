@@ -1,0 +1,128 @@
+/** Words on the model: put there, typed, bent, saved, opened again, and rendered by the command line to the same bytes. */
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import type { TextLayer } from "../../web/editor/document/index.ts";
+import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
+import { file, squareGlb } from "./support/test-files.ts";
+
+const inCheckout = (name: string): string => fileURLToPath(new URL(`../../${name}`, import.meta.url));
+const OWN_FONT = inCheckout("node_modules/@expo-google-fonts/lobster/400Regular/Lobster_400Regular.ttf");
+const FLAG = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 3 2"><path fill="#07c" d="M0 0h3v2H0"/></svg>';
+
+async function textLayer(editor: EditorPage): Promise<TextLayer> {
+  const layer = (await editor.design()).layers.at(-1);
+  if (layer?.type !== "text") throw new Error("The topmost layer is not a text.");
+  return layer;
+}
+
+async function middleOf(editor: EditorPage): Promise<Point> {
+  const box = await editor.stage.boundingBox();
+  if (!box) throw new Error("There is no stage.");
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
+test("words are put on the model, typed, bent and outlined, stay editable, and Node renders the same bytes", async ({
+  editor,
+  page,
+}) => {
+  const fetched: string[] = [];
+  page.on("request", (request) => fetched.push(request.url()));
+  await editor.open();
+  expect(
+    fetched.filter((url) => /harfbuzz|resvg|\.ttf/i.test(url)),
+    "fetched without a text",
+  ).toEqual([]);
+  const model = squareGlb();
+  await editor.openModel([model]);
+  const spot = await middleOf(editor);
+  await page.keyboard.press("t");
+  await page.mouse.click(spot.x, spot.y);
+  const words = page.locator("tc-text-fields textarea");
+  await expect(words).toBeFocused();
+  const first = await textLayer(editor);
+
+  // Latin with a combining accent, Hebrew and Arabic; live while it is typed, one step when it is done.
+  await page.keyboard.insertText("Cafe\u0301\nשלום");
+  await expect.poll(async () => (await textLayer(editor)).text).toBe("Cafe\u0301\nשלום");
+  const typed = await editor.settledHash();
+  await words.blur();
+  await expect(page.getByRole("button", { name: "Undo change text" })).toBeVisible();
+  expect(await editor.settledHash()).toBe(typed);
+  const grown = await textLayer(editor);
+  const heights = [first, grown].map(({ projector }) => (projector.kind === "planar" ? projector.size[1] : 0));
+  expect((heights[1] ?? 0) / (heights[0] ?? 1)).toBeCloseTo(2, 1);
+  expect(grown.fontSize * (heights[1] ?? 0)).toBeCloseTo(first.fontSize * (heights[0] ?? 0), 9);
+
+  await editor.setField("curve", "40");
+  await page.locator("tc-text-fields #outline").check();
+  await page.locator("tc-text-fields #font button").click();
+  await page.getByRole("menuitemradio", { name: "Source Serif Bold" }).click();
+  await expect.poll(async () => (await textLayer(editor)).font).toBe("source-serif-4-700");
+  expect(await textLayer(editor)).toMatchObject({ curve: 40, outline: { width: 0.06 } });
+  expect(Object.keys((await editor.design()).assets)).toEqual(["source-serif-4-700"]);
+  const dressed = await editor.settledHash();
+  expect(dressed).not.toBe(typed);
+  await page.keyboard.press("Control+z");
+  await expect.poll(async () => (await textLayer(editor)).font).toBe("inter-700");
+  await page.keyboard.press("Control+Shift+z");
+  expect(await editor.settledHash()).toBe(dressed);
+
+  // Opened again it is the same, and still words.
+  const design = await editor.saveDesign();
+  await editor.removeAllDecals();
+  await editor.openDesign([file(design.name, design.bytes, "application/json")]);
+  expect(await editor.settledHash()).toBe(dressed);
+  await expect(words).toHaveValue("Cafe\u0301\nשלום");
+
+  const png = await editor.exported("Texture as PNG");
+  const folder = mkdtempSync(path.join(tmpdir(), "texelcast-text-"));
+  try {
+    writeFileSync(path.join(folder, "text.json"), design.bytes);
+    writeFileSync(path.join(folder, "model.glb"), model.buffer);
+    const tool = inCheckout("scripts/texelcast.mjs");
+    execFileSync("node", [tool, "render", "model.glb", "text.json", "--out", "out.png"], { cwd: folder });
+    expect(readFileSync(path.join(folder, "out.png")).equals(png.bytes), "the command line's PNG is the page's").toBe(
+      true,
+    );
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+});
+
+test("a font of one's own and an SVG file are dropped on the model; what cannot be written or read is said", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const bare = await editor.settledHash();
+  const spot = await middleOf(editor);
+  await editor.drop([file("flag.svg", Buffer.from(FLAG), "image/svg+xml")], spot);
+  const withFlag = await editor.settledHash();
+  expect(withFlag).not.toBe(bare);
+  const flag = (await editor.design()).layers.at(-1);
+  if (flag?.type !== "decal" || flag.projector.kind !== "planar") throw new Error("The drawing is no decal.");
+  expect(flag.projector.size[0] / flag.projector.size[1]).toBeCloseTo(1.5, 6);
+
+  await editor.drop([file("Own.ttf", readFileSync(OWN_FONT), "font/ttf")], spot);
+  await expect.poll(async () => (await editor.design()).layers.length).toBe(2);
+  const { font } = await textLayer(editor);
+  expect((await editor.design()).assets[font]?.uri.slice(0, 22)).toBe("data:font/ttf;base64,A");
+  expect(await editor.settledHash()).not.toBe(withFlag);
+  await page.locator("tc-text-fields textarea").fill("☃ 漢");
+  await expect(page.locator("tc-text-fields .note")).toContainText("☃ 漢");
+
+  await editor.drop([file("web.woff2", Buffer.from("wOF2".padEnd(99, ".")), "font/woff2")], spot);
+  await expect(editor.notices).toContainText("web.woff2");
+  await expect(editor.notices).toContainText("it is a web font (WOFF)");
+  await editor.notices.getByRole("button", { name: "Dismiss" }).click();
+  await editor.drop(
+    [file("broken.svg", Buffer.from("<svg xmlns='http://www.w3.org/2000/svg'><a"), "image/svg+xml")],
+    spot,
+  );
+  await expect(editor.notices).toContainText("broken.svg");
+  await expect(editor.notices).toContainText("not well-formed");
+});
