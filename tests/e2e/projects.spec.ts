@@ -48,6 +48,8 @@ test("a second tab has a copy, and neither overwrites the other; the list brings
   editor,
   page,
 }) => {
+  // The page is opened three times.
+  test.slow();
   await editor.open();
   await editor.addDemoDecal("badge");
   await page.evaluate(() => window.texelcast.kept());

@@ -202,7 +202,8 @@ class EngineClient implements Engine {
 
   dispose(): void {
     if (this.#ended?.code === "disposed") return;
-    this.#end(new TexelcastError("disposed", "The engine was ended."));
+    this.#ended = new TexelcastError("disposed", "The engine was ended.");
+    this.#rejectAll(this.#ended);
     this.#updateListeners.clear();
     this.#errorListeners.clear();
   }
@@ -332,11 +333,6 @@ class EngineClient implements Engine {
     const pending = [...this.#pending.values()];
     this.#pending.clear();
     for (const { reject } of pending) reject(error);
-  }
-
-  #end(error: TexelcastError): void {
-    this.#ended = error;
-    this.#rejectAll(error);
   }
 
   #crash(error: TexelcastError): void {
