@@ -1,0 +1,146 @@
+import { readFileSync } from "node:fs";
+import { expect, test } from "./support/editor-page.ts";
+import { file } from "./support/test-files.ts";
+
+const TEMPLATE = new URL("../../build/public/demo/block-wide.glb", import.meta.url);
+const blockFigure = () => file("block-wide.glb", readFileSync(TEMPLATE));
+
+/** Pixels of the figure, metres: 1.8 m are 32 of them. */
+const px = (count: number): number => (count * 1.8) / 32;
+
+async function openTemplate(page: import("@playwright/test").Page, id: string): Promise<void> {
+  await page.locator("tc-top-bar .models button").first().click();
+  await page.getByRole("menuitem", { name: "New from template…" }).click();
+  await page.locator(`[data-template=${id}]`).click();
+}
+
+test("a template opens at 64 × 64, its outer layer hidden, with a guide of its parts", async ({ editor, page }) => {
+  await editor.open();
+  await openTemplate(page, "block-slim");
+  await expect(page.locator("tc-top-bar .models")).toContainText("Block figure, slim arms");
+  await editor.idle();
+  expect(await editor.textureSize()).toEqual({ width: 64, height: 64 });
+  expect((await editor.design()).layers).toEqual([]);
+  await page.locator("tc-texture-panel #guide").check();
+  await expect(page.locator(".tcv-guide-names text.tcv-part", { hasText: /^Torso$/ })).toBeVisible();
+  await expect(page.locator("tc-parts-list li.off")).toHaveCount(6);
+  await page.locator("tc-parts-list [data-group=Overlay]").click();
+  await expect(page.locator("tc-parts-list li.off")).toHaveCount(0);
+});
+
+test("the pointer's chart lights up in both views, and the flat view says which texel it is on", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([blockFigure()]);
+  const before = await page.locator("tc-texture-panel .view").screenshot();
+  const face = await page.evaluate((at) => window.texelcast.project(...at), [0, px(28), px(4)] as const);
+  if (!face) throw new Error("The figure's face is not in view.");
+  const model = await editor.stage.screenshot();
+  await page.mouse.move(face.x, face.y);
+  await expect.poll(async () => (await page.locator("tc-texture-panel .view").screenshot()).equals(before)).toBe(false);
+  await expect.poll(async () => (await editor.stage.screenshot()).equals(model)).toBe(false);
+  const box = await page.locator("tc-texture-panel .view").boundingBox();
+  if (!box) throw new Error("There is no flat view.");
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await expect(page.locator("tc-texture-panel #texel")).toHaveText(/^3[12], 3[12]$/);
+});
+
+test("unlit, the model shows its texels' own colours", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([blockFigure()]);
+  await page.locator("#view-menu").click();
+  await page.locator("tc-view-menu input[value=unlit]").check();
+  await page.locator("#view-menu").click();
+  await page.mouse.move(4, 300);
+  const [red, green, blue] = await editor.texels({ x: 23, y: 26, width: 1, height: 1 });
+  const chest = await page.evaluate((at) => window.texelcast.project(...at), [0, px(17.5), px(2)] as const);
+  if (!chest) throw new Error("The figure's chest is not in view.");
+  await expect
+    .poll(async () => {
+      const clip = { x: Math.round(chest.x) - 2, y: Math.round(chest.y) - 2, width: 4, height: 4 };
+      const png = (await page.screenshot({ clip })).toString("base64");
+      return page.evaluate(async (data) => {
+        const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+        const canvas = new OffscreenCanvas(4, 4).getContext("2d");
+        canvas?.drawImage(image, 0, 0);
+        return [...(canvas?.getImageData(1, 1, 1, 1).data.slice(0, 3) ?? [])];
+      }, png);
+    })
+    .toEqual([red, green, blue]);
+});
+
+test("a part that is hidden lets the pointer through to what is behind it", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([blockFigure()]);
+  const placed = async (): Promise<readonly number[]> => {
+    const id = await editor.addDemoDecal("smiley");
+    const { projector } = await editor.decal(id);
+    await page.locator("#undo").click();
+    await editor.idle();
+    return projector.kind === "planar" ? projector.position : [];
+  };
+  const on = await placed();
+  const torso = page.locator("tc-parts-list li").filter({ hasText: /^Torso$/ });
+  await torso.getByRole("button", { name: "Hide Torso" }).click();
+  const before = await editor.hash();
+  const through = await placed();
+  expect(Math.hypot(...on.map((value, axis) => value - (through[axis] ?? 0)))).toBeGreaterThan(px(2));
+  expect(await editor.hash(), "hiding paints nothing").toBe(before);
+  await page.locator("#show-all-parts").click();
+});
+
+test("a decal that is placed on a posed model lies on the same place of the resting one", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([blockFigure()]);
+  await page.locator("#play").click();
+  const bar = page.locator("tc-animation-bar");
+  await bar.locator("#clip").selectOption({ label: "Wave" });
+  await bar.locator("#play").click();
+  await bar.locator("#scrub").fill("60");
+  // The front of the raised right hand, where it is seen, and where the arm hangs at rest.
+  const hand = [px(-6), px(14), px(2)] as const;
+  const seen = await page.evaluate((at) => window.texelcast.project(...at), hand);
+  if (!seen) throw new Error("The hand is not in view.");
+  await editor.drop(
+    [
+      file(
+        "ring.png",
+        readFileSync(new URL("../../build/public/demo/decals/smiley.png", import.meta.url)),
+        "image/png",
+      ),
+    ],
+    seen,
+  );
+  const [layer] = (await editor.design()).layers;
+  if (layer?.type !== "decal" || layer.projector.kind !== "planar") throw new Error("No decal was placed.");
+  const [x, y, z] = layer.projector.position;
+  expect(Math.hypot(x - hand[0], y - hand[1])).toBeLessThan(px(0.6));
+  expect(Math.abs(z - hand[2])).toBeLessThan(px(2));
+  await bar.locator("#rest").click();
+  await expect(bar.locator("#scrub")).toHaveCount(0);
+  const resting = await page.evaluate((at) => window.texelcast.project(...at), hand);
+  expect(Math.hypot((resting?.x ?? 0) - seen.x, (resting?.y ?? 0) - seen.y)).toBeGreaterThan(60);
+});
+
+test("the views are chosen by keys, and on a phone the flat texture takes the model's place", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.keyboard.press("Alt+3");
+  await expect(page.locator("tc-stage")).toHaveCount(0);
+  await page.keyboard.press("Alt+1");
+  await expect(page.locator("tc-texture-panel")).toHaveCount(0);
+  await page.keyboard.press("Alt+2");
+  await expect(page.locator("tc-texture-panel")).toBeVisible();
+  await page.setViewportSize({ width: 390, height: 844 });
+  await page.locator("#swap-views").click();
+  const flat = await page.locator("tc-texture-panel").boundingBox();
+  const sheet = await page.locator("tc-bottom-sheet").boundingBox();
+  expect(flat?.height).toBeGreaterThan(844 * 0.35);
+  expect((flat?.y ?? 0) + (flat?.height ?? 0)).toBeLessThanOrEqual((sheet?.y ?? 0) + 1);
+  await page.locator("#swap-views").click();
+  await expect(page.locator("tc-stage")).toBeVisible();
+});
