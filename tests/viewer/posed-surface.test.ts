@@ -86,7 +86,7 @@ describe("a posed surface", () => {
     for (const [x, y] of [
       [1.2, 0.4],
       [0.8, 0.3],
-      [0, -1.5],
+      [0.05, -1.52],
     ] as const) {
       const ray = new Ray(new Vector3(x, y, 4), new Vector3(0, 0, -1));
       const seen = posed.query.raycast(ray.origin, ray.direction);
