@@ -94,7 +94,7 @@ describe("ways over a surface", () => {
       const found = query.closest(new Vector3(...position));
       return found && hitOf(found);
     };
-    return { near, joins: surfaceJoins({ surfaceNear: near }, 0.01) };
+    return { near, joins: surfaceJoins({ near }, 0.01) };
   };
 
   it("along a wall, round a cylinder and over an edge belong together", () => {
@@ -115,7 +115,7 @@ describe("ways over a surface", () => {
   });
 
   it("inside a dab are joined whatever lies between", () => {
-    const joins = surfaceJoins({ surfaceNear: () => null }, 0.1);
+    const joins = surfaceJoins({ near: () => null }, 0.1);
     expect(joins(hit(0, 0), hit(0.1, 0))).toBe(true);
     expect(joins(hit(0, 0), hit(0.11, 0))).toBe(false);
   });

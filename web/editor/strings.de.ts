@@ -649,7 +649,10 @@ export const german: Strings = {
       ["Umschalt und drücken", "Eine gerade Linie vom Ende des Strichs davor"],
       ["Alt und drücken", "Die Farbe aufnehmen, die dort liegt"],
       ["X und D", "Die beiden Farben tauschen; Schwarz und Weiß"],
-      ["Pfeiltasten, dann Leertaste oder Eingabe", "Einen Pinsel über die Oberfläche der gewählten Ansicht bewegen und malen"],
+      [
+        "Pfeiltasten, dann Leertaste oder Eingabe",
+        "Einen Pinsel über die Oberfläche der gewählten Ansicht bewegen und malen",
+      ],
       ["Leertaste und ziehen", "Das Modell drehen oder die Textur schieben, während ein Werkzeug malt"],
       ["Strg oder ⌘ Z", "Rückgängig; mit Umschalt, oder Strg Y, wiederholen"],
       ["Strg oder ⌘ S", "Das Design speichern"],

@@ -6,7 +6,7 @@ import { tangentPart, tupleOf } from "./decal-pose.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
 import { type TexelPlaces, texelPlaces } from "./texel-places.ts";
-import type { BrushRing, ToolInput } from "./tool-input.ts";
+import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 import { ToolPointer } from "./tool-pointer.ts";
 import type { SurfaceHit } from "./viewer-api.ts";
 
@@ -22,7 +22,7 @@ export interface ModelToolsHooks {
   toDrawn(point: Vector3): Vector3;
 }
 
-export class ModelTools {
+export class ModelTools implements ToolSurface {
   readonly #pointer: ToolPointer;
   readonly #ring: SurfaceRing;
   readonly #screen: ScreenSpace;

@@ -20,8 +20,7 @@ import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { ShownModel } from "./shown-model.ts";
 import { Stage } from "./stage.ts";
 import type { SurfaceSample } from "./surface-query.ts";
-import type { TexelPlaces } from "./texel-places.ts";
-import type { BrushRing, ToolInput } from "./tool-input.ts";
+import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import { ViewInput } from "./view-input.ts";
 import type {
@@ -237,33 +236,13 @@ class ThreeModelViewer implements ModelViewer {
     this.#tools.showRing(ring);
   }
 
-  surfaceNear(position: Vec3): SurfaceHit | null {
-    return this.#tools.near(position);
-  }
-
-  surfaceAtUv(material: number, uv: readonly [number, number]): SurfaceHit | null {
-    return this.#tools.atUv(material, uv);
-  }
-
-  circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[] {
-    return this.#tools.circleInTexture(hit, radius);
-  }
-
-  placesInModel(hit: SurfaceHit, uvs: readonly (readonly [number, number])[]): readonly Vec3[] {
-    return this.#tools.placesInModel(hit, uvs);
-  }
-
-  texelPlaces(material: number, width: number, height: number): TexelPlaces | null {
-    return this.#tools.texelPlaces(material, width, height);
-  }
-
   setPixelated(material: number, pixelated: boolean | null): void {
     this.#model?.materials.setPixelated(material, pixelated);
     this.#stage.requestFrame();
   }
 
-  metresPerPixel(hit: SurfaceHit): number {
-    return this.#tools.metresPerPixel(hit);
+  get surface(): ToolSurface {
+    return this.#tools;
   }
 
   frameModel(): void {

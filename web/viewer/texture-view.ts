@@ -1,7 +1,6 @@
 /** The 2D view: a material's unfolded texture, live, with UV outlines over it. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { MapView, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
-import { closedPath, crossPath, RingOverlay } from "./brush-ring.ts";
 import { type CssColor, readCssColor } from "./css-color.ts";
 import { EventHub } from "./event-hub.ts";
 import { FrameTask } from "./frame-task.ts";
@@ -13,8 +12,8 @@ import { TextureCamera } from "./texture-camera.ts";
 import { TextureGuide } from "./texture-guide.ts";
 import { type PaintedLines, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
 import { TexturePointer } from "./texture-pointer.ts";
+import { TextureTools } from "./texture-tools.ts";
 import type { ToolInput } from "./tool-input.ts";
-import { ToolPointer } from "./tool-pointer.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import { UvCharts } from "./uv-charts.ts";
 import { meanLength, uvEdges } from "./uv-edges.ts";
@@ -42,8 +41,6 @@ export function createTextureView(host: HTMLElement, options: TextureViewOptions
 }
 
 const MOST_PIXEL_RATIO = 2;
-/** Pixels across. */
-const LEAST_RING = 6;
 /** Opacity of inner lines against borders, where they are this many pixels long on average, or longer. */
 const MOST_INNER_STRENGTH = 0.4;
 const LINES_APART = 40;
@@ -81,8 +78,7 @@ class GlTextureView implements TextureView {
   readonly #camera = new TextureCamera();
   readonly #stamp: StampGizmo;
   #stampDecal: ViewerDecal | null = null;
-  readonly #tools: ToolPointer;
-  readonly #ringOverlay: RingOverlay;
+  readonly #tools: TextureTools;
   readonly #guide: TextureGuide;
   readonly #pointer: TexturePointer;
   readonly #events = new EventHub<TextureViewEvents>();
@@ -102,8 +98,6 @@ class GlTextureView implements TextureView {
   #outlines = true;
   #lit: LitChart | null = null;
   #markedUv: readonly [number, number] | null = null;
-  #ring: readonly (readonly (readonly [number, number])[])[] | null = null;
-  #pick: (uv: readonly [number, number]) => SurfaceHit | null = () => null;
   #pixelRatio = 1;
   #colors: { checkerA: CssColor; checkerB: CssColor; border: CssColor; glow: CssColor } | null = null;
 
@@ -125,7 +119,6 @@ class GlTextureView implements TextureView {
     this.#pace = new GpuPace(this.#gl);
     this.#painter = new TexturePainter(this.#gl);
     this.#guide = new TextureGuide(root);
-    this.#ringOverlay = new RingOverlay(root);
     // Before the other inputs, from which it keeps what it takes.
     this.#stamp = new StampGizmo(root, {
       pixelOf: (uv) => this.#camera.pixelOf(uv),
@@ -137,12 +130,7 @@ class GlTextureView implements TextureView {
       click: (at) => this.#events.emit("click", this.#hoverOf(at)),
     });
     // Before the panning input, which it keeps from what a tool takes.
-    this.#tools = new ToolPointer(root, {
-      kind: "texture",
-      hitAt: ({ x, y }) => this.#pick(this.#camera.uvOf(x, y)),
-      uvAt: ({ x, y }) => this.#camera.uvOf(x, y),
-      placeOf: (hit) => this.#camera.pixelOf(hit.uv),
-    });
+    this.#tools = new TextureTools(root, this.#camera);
     this.#input = new PanZoomInput(root, this.#camera, {
       changed: () => this.#drawTask.request(),
       fit: () => this.resetZoom(),
@@ -240,17 +228,12 @@ class GlTextureView implements TextureView {
   }
 
   setTool(input: ToolInput | null, pick: (uv: readonly [number, number]) => SurfaceHit | null): void {
-    this.#pick = pick;
-    this.#tools.tool = input;
+    this.#tools.set(input, pick);
     this.#showStamp();
-    if (input === null) {
-      this.setRing(null);
-    }
   }
 
   setRing(outlines: readonly (readonly (readonly [number, number])[])[] | null): void {
-    this.#ring = outlines;
-    this.#placeRing();
+    this.#tools.showRing(outlines);
   }
 
   setStamp(decal: ViewerDecal | null): void {
@@ -270,7 +253,6 @@ class GlTextureView implements TextureView {
     this.#input.dispose();
     this.#tools.dispose();
     this.#stamp.dispose();
-    this.#ringOverlay.dispose();
     this.#guide.dispose();
     this.#pointer.dispose();
     this.#drawTask.cancel();
@@ -330,7 +312,7 @@ class GlTextureView implements TextureView {
       }
     }
     this.#placeMarker();
-    this.#placeRing();
+    this.#tools.place(this.#target !== null);
     this.#guide.place(this.#camera);
     this.#stamp.draw();
   }
@@ -373,7 +355,7 @@ class GlTextureView implements TextureView {
   }
 
   #showStamp(): void {
-    this.#stamp.decal = this.#tools.tool === null ? this.#stampDecal : null;
+    this.#stamp.decal = this.#tools.active ? null : this.#stampDecal;
   }
 
   #placeMarker(): void {
@@ -385,23 +367,6 @@ class GlTextureView implements TextureView {
       const { x, y } = this.#camera.pixelOf(this.#markedUv);
       this.#marker.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`;
     }
-  }
-
-  #placeRing(): void {
-    const paths = this.#target === null ? [] : (this.#ring ?? []).map((outline) => this.#outlinePath(outline));
-    this.#ringOverlay.draw(paths[0] ?? "", paths[1] ?? "");
-  }
-
-  /** A ring that would be a dot is a cross. */
-  #outlinePath(outline: readonly (readonly [number, number])[]): string {
-    const points = outline.map((uv) => this.#camera.pixelOf(uv));
-    const [first, opposite] = [points[0], points[points.length >> 1]];
-    if (first === undefined || opposite === undefined) {
-      return "";
-    }
-    const across = Math.hypot(first.x - opposite.x, first.y - opposite.y);
-    const middle = { x: (first.x + opposite.x) / 2, y: (first.y + opposite.y) / 2 };
-    return across < LEAST_RING ? crossPath(middle) : closedPath(points);
   }
 
   #applySize(): void {

@@ -1,6 +1,7 @@
 /** What a tool of the editor above gets from either view, and what it may show there. */
 import type { Vec3 } from "../engine/engine-api.ts";
 import type { ScreenPoint } from "./screen-space.ts";
+import type { TexelPlaces } from "./texel-places.ts";
 import type { SurfaceHit } from "./viewer-api.ts";
 
 /** One place of the pointer. Fast pens report several in a frame; all of them come, oldest first. */
@@ -56,4 +57,20 @@ export interface BrushRing {
   readonly inner: number;
   /** Corners that are shown in place of the ring, model space: a square of texels. */
   readonly corners?: readonly Vec3[];
+}
+
+/** What a tool asks of the model's surface. */
+export interface ToolSurface {
+  /** The point of the surface nearest to one in model space; null without a model. */
+  near(position: Vec3): SurfaceHit | null;
+  /** The surface that a place of a material's texture is painted on; null between the charts. */
+  atUv(material: number, uv: readonly [number, number]): SurfaceHit | null;
+  /** A circle about a hit (radius in metres) as it lies in the texture: its points, texture coordinates, not wrapped. */
+  circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[];
+  /** The way back: places of the texture in the plane of the hit's own triangle, model space. */
+  placesInModel(hit: SurfaceHit, uvs: readonly (readonly [number, number])[]): readonly Vec3[];
+  /** Where the texels of a material's texture of this size lie; for small textures. Null without a model. */
+  texelPlaces(material: number, width: number, height: number): TexelPlaces | null;
+  /** Metres that one CSS pixel spans on the surface at a hit. */
+  metresPerPixel(hit: SurfaceHit): number;
 }

@@ -8,12 +8,11 @@ import type {
   TargetUpdate,
   Vec3,
 } from "../engine/engine-api.ts";
-import type { TexelPlaces } from "./texel-places.ts";
-import type { BrushRing, ToolInput } from "./tool-input.ts";
+import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 
 export type { Vec3 } from "../engine/engine-api.ts";
 export type { TexelPlaces } from "./texel-places.ts";
-export type { BrushRing, ToolInput, ToolSample, ToolView } from "./tool-input.ts";
+export type { BrushRing, ToolInput, ToolSample, ToolSurface, ToolView } from "./tool-input.ts";
 
 /** A piece of the model that can be hidden by itself. Hiding is a matter of looking: nothing that is painted changes. */
 export interface ModelPart {
@@ -173,20 +172,10 @@ export interface ModelViewer {
   setTool(input: ToolInput | null): void;
   /** Shows a brush's preview on the surface. */
   setRing(ring: BrushRing | null): void;
-  /** The point of the surface nearest to one in model space; null without a model. */
-  surfaceNear(position: Vec3): SurfaceHit | null;
-  /** The surface that a place of a material's texture is painted on; null between the charts. */
-  surfaceAtUv(material: number, uv: readonly [number, number]): SurfaceHit | null;
-  /** A circle about a hit (radius in metres) as it lies in the texture: its points, texture coordinates, not wrapped. */
-  circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[];
-  /** The way back: places of the texture in the plane of the hit's own triangle, model space. */
-  placesInModel(hit: SurfaceHit, uvs: readonly (readonly [number, number])[]): readonly Vec3[];
-  /** Where the texels of a material's texture of this size lie; for small textures. Null without a model. */
-  texelPlaces(material: number, width: number, height: number): TexelPlaces | null;
+  /** Where places lie on the model and in its textures. */
+  readonly surface: ToolSurface;
   /** Whether a material's texels are shown as squares; null: as the model's own texture asks. */
   setPixelated(material: number, pixelated: boolean | null): void;
-  /** Metres that one CSS pixel spans on the surface at a hit. */
-  metresPerPixel(hit: SurfaceHit): number;
   frameModel(): void;
   frameDecal(id: string): void;
   /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */

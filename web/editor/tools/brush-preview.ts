@@ -33,6 +33,6 @@ export class BrushPreview {
     viewer.setRing({ hit, radius, inner });
     const shown = hit.material === store.state.material;
     const radii = inner > 0 && inner < 1 ? [radius, radius * inner] : [radius];
-    textureView.setRing(shown ? radii.map((part) => viewer.circleInTexture(hit, part)) : null);
+    textureView.setRing(shown ? radii.map((part) => viewer.surface.circleInTexture(hit, part)) : null);
   }
 }

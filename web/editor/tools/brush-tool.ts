@@ -57,7 +57,7 @@ export class BrushTool implements Tool {
     this.#probe = probe;
     this.#preview = new BrushPreview(context, () => this.#innerShare());
     this.#cursor = new PaintCursor(context, {
-      stepAt: (hit) => Math.max(this.#size() * KEY_STEP, context.viewer.metresPerPixel(hit) * 3),
+      stepAt: (hit) => Math.max(this.#size() * KEY_STEP, context.viewer.surface.metresPerPixel(hit) * 3),
       moved: (hit) => this.#preview.show(hit),
       begin: (hit) => this.#begin() && this.#extend(hit),
       extend: (hit) => this.#extend(hit),
@@ -109,7 +109,7 @@ export class BrushTool implements Tool {
     const { spacing } = this.#context.tools.settings;
     this.#path = new PointerPath(sample, {
       rope: ropeOf(stabiliser),
-      joined: surfaceJoins(this.#context.viewer, size * spacing),
+      joined: surfaceJoins(this.#context.viewer.surface, size * spacing),
     });
     const straight = sample.shift && this.#lastPlace !== null;
     const steps = straight ? this.#path.lineFrom(this.#lastPlace as SurfaceHit, sample) : this.#path.first(sample);

@@ -64,7 +64,7 @@ export class PaintCursor {
       const step = this.#hooks.stepAt(this.#hit) * (coarse ? COARSE : 1);
       const lying = viewer.projectorAt(this.#hit, step, 1);
       const moved = viewer.nudge(lying, right * step, up * step);
-      const next = moved.kind === "planar" ? viewer.surfaceNear(moved.position) : null;
+      const next = moved.kind === "planar" ? viewer.surface.near(moved.position) : null;
       if (next === null) return;
       this.#hit = next;
       if (this.#heldKey !== null) this.#hooks.extend(next);

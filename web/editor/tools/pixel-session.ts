@@ -80,7 +80,7 @@ export class PixelSession {
     if (info === undefined) return null;
     const key = `${material} ${width} ${height}`;
     if (this.#neighbours?.model !== info || this.#neighbours.key !== key) {
-      const places = viewer.texelPlaces(material, width, height);
+      const places = viewer.surface.texelPlaces(material, width, height);
       this.#neighbours = places && { model: info, key, map: new TexelNeighbours(places) };
     }
     return this.#neighbours?.map ?? null;

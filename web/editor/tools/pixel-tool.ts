@@ -118,7 +118,7 @@ export class PixelTool implements Tool {
     if (!isInside(start, size)) return false;
     const gesture = this.#begin(material);
     if (gesture === null) return true;
-    const joins = surfaceJoins(this.#context.viewer, 0);
+    const joins = surfaceJoins(this.#context.viewer.surface, 0);
     const path = new PointerPath(sample, { rope: 0, look: LOOK, joined: joins });
     this.#stroke = { gesture, color: this.#color(), first: sample, start, path, last: start };
     if (this.id === "bucket") {
@@ -181,7 +181,7 @@ export class PixelTool implements Tool {
     const { pixelSize, filled } = this.#context.tools.settings;
     const place = placeOf(sample, gesture.material, gesture);
     if (this.id === "line" && sample.view.kind === "model") {
-      const joins = surfaceJoins(this.#context.viewer, 0);
+      const joins = surfaceJoins(this.#context.viewer.surface, 0);
       const path = new PointerPath(first, { rope: 0, look: LOOK, joined: joins });
       const steps = [...path.first(first), ...path.finish(sample)];
       const { places } = texelsAlong(steps, gesture.material, gesture, null);
@@ -283,7 +283,7 @@ export class PixelTool implements Tool {
   /** The texels that would be painted, as a square in both views. */
   #showRing(hit: SurfaceHit | null, corners: ReturnType<typeof blockCorners> | null): void {
     const { viewer, textureView, store } = this.#context;
-    viewer.setRing(hit && corners && { hit, radius: 0, inner: 1, corners: viewer.placesInModel(hit, corners) });
+    viewer.setRing(hit && corners && { hit, radius: 0, inner: 1, corners: viewer.surface.placesInModel(hit, corners) });
     const shown = hit === null || hit.material === store.state.material;
     textureView.setRing(corners !== null && shown ? [corners] : null);
   }
@@ -300,7 +300,7 @@ export class PixelTool implements Tool {
     const size = this.#pixels.sizeOf(hit.material);
     if (size === null) return 0;
     const [u, v] = hit.uv;
-    const [a, b] = this.#context.viewer.placesInModel(hit, [hit.uv, [u + 1 / size.width, v]]);
+    const [a, b] = this.#context.viewer.surface.placesInModel(hit, [hit.uv, [u + 1 / size.width, v]]);
     return a && b ? Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) : 0;
   }
 }

@@ -1,5 +1,5 @@
 /** Whether a brush that went from one place to another on the screen went over the surface, or jumped across a gap. */
-import type { ModelViewer, SurfaceHit, Vec3 } from "../../viewer/viewer-api.ts";
+import type { SurfaceHit, ToolSurface, Vec3 } from "../../viewer/viewer-api.ts";
 
 /** Of the way between two places: how far from the surface its middle may lie. A sphere's quarter turn stays below. */
 const MOST_SAG = 0.22;
@@ -8,14 +8,14 @@ const MOST_SAG = 0.22;
  * @param near metres within which two places are joined whatever lies between them: a dab is larger than that
  */
 export function surfaceJoins(
-  viewer: Pick<ModelViewer, "surfaceNear">,
+  surface: Pick<ToolSurface, "near">,
   near: number,
 ): (a: SurfaceHit, b: SurfaceHit) => boolean {
   return (a, b) => {
     const way = distance(a.position, b.position);
     if (way <= near) return true;
     const middle = a.position.map((part, axis) => (part + (b.position[axis] as number)) / 2) as unknown as Vec3;
-    const nearest = viewer.surfaceNear(middle);
+    const nearest = surface.near(middle);
     return nearest !== null && distance(nearest.position, middle) <= MOST_SAG * way;
   };
 }

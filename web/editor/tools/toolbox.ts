@@ -124,7 +124,7 @@ export class Toolbox {
     const { viewer, textureView, store } = this.#parts;
     textureView.setTool(tool.input, (uv) => {
       const { material } = store.state;
-      return material === null ? null : viewer.surfaceAtUv(material, uv);
+      return material === null ? null : viewer.surface.atUv(material, uv);
     });
   }
 
