@@ -211,6 +211,15 @@ describe("a browser that keeps nothing", () => {
     expect(await save("a", content(design(1)), 0)).toBe(1);
   });
 
+  it("is not waited for when it never answers", async () => {
+    vi.useFakeTimers({ toFake: ["setTimeout", "clearTimeout"] });
+    vi.spyOn(indexedDB, "open").mockImplementation(() => new EventTarget() as IDBOpenDBRequest);
+    const listing = expect(store.list()).rejects.toMatchObject({ code: "storage-refused", message: /does not answer/ });
+    await vi.advanceTimersByTimeAsync(6000);
+    await listing;
+    vi.useRealTimers();
+  });
+
   it("is told as well where it has no database at all", async () => {
     vi.stubGlobal("indexedDB", undefined);
     await expect(store.list()).rejects.toMatchObject({ code: "storage-refused" });

@@ -539,6 +539,7 @@ const english = {
     refusedTitle: "Your work is not being kept in this browser",
     restoredTitle: "Your work is being kept again",
     none: "This browser has no place to keep projects.",
+    silent: "The browser does not answer when asked to keep data for this page.",
     full: "The browser's space for this page is used up.",
     fullHint: "Save the project as a file, or delete projects that you no longer need.",
     refused: (reason: string): string => `The browser does not keep data for this page (${reason.replace(/\.$/, "")}).`,

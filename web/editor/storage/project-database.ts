@@ -6,6 +6,8 @@ import type { ProjectSummary, StoredModel } from "./project.ts";
 
 const NAME = "texelcast";
 const VERSION = 1;
+/** Some browsers never answer where they do not like to keep data. The page must not wait for them. */
+const PATIENCE = 5_000;
 
 export interface ProjectRow extends ProjectSummary {
   /** The revision before the newest: kept until the one after the newest is safe. */
@@ -63,7 +65,7 @@ export class ProjectConnection {
 
   async #open(): Promise<ProjectDatabase> {
     if (typeof indexedDB === "undefined") throw new TexelcastError("storage-refused", strings.storage.none);
-    return openDB<ProjectSchema>(NAME, VERSION, {
+    const opened = openDB<ProjectSchema>(NAME, VERSION, {
       upgrade(database) {
         database.createObjectStore("projects", { keyPath: "id" });
         const revisions = database.createObjectStore("revisions", { keyPath: ["project", "revision"] });
@@ -74,6 +76,17 @@ export class ProjectConnection {
       blocking: () => this.close(),
       terminated: () => this.#forget(this.#opening),
     });
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    const patience = new Promise<never>((_, reject) => {
+      timer = setTimeout(() => reject(new TexelcastError("storage-refused", strings.storage.silent)), PATIENCE);
+    });
+    try {
+      return await Promise.race([opened, patience]);
+    } finally {
+      clearTimeout(timer);
+      // One that comes too late is nobody's.
+      void opened.then((database) => this.#opening || database.close()).catch(() => undefined);
+    }
   }
 
   #forget(opening: Promise<ProjectDatabase> | null): void {
