@@ -43,9 +43,11 @@ async function hashes(before: Design): Promise<{ merge: Merge; before: string; a
 }
 
 describe("merging down", () => {
-  it("joins the strokes of opaque paint layers and leaves the picture as it was, to the byte", async () => {
-    const opaque = { brush: { tip: "round", color: "#00a000", hardness: 1, flow: 1 } } as const;
-    const upper = paint("upper", [stroke("b", 0, "#00a000", opaque), stroke("c", 0.1, "#ffff00", opaque)]);
+  it.each([
+    ["sharp", { brush: { tip: "round", color: "#00a000", hardness: 1, flow: 1 } }],
+    ["soft", { brush: { tip: "round", color: "#00a000", hardness: 0, flow: 0.37 }, opacity: 0.61 }],
+  ] as const)("joins the %s strokes of paint layers and leaves the picture as it was, to the byte", async (_, look) => {
+    const upper = paint("upper", [stroke("b", 0, "#00a000", look), stroke("c", 0.1, "#ffff00", look)]);
     const { merge, before, after } = await hashes(designOf(upper));
     expect(merge.obstacle).toBeNull();
     expect(merge.design.layers.map(({ id }) => id)).toEqual(["ground", "lower"]);
