@@ -699,7 +699,7 @@ export const german: Strings = {
     properties: "Ändern",
     history: "Verlauf",
     texture: "Textur",
-    target: "Einstellungen",
+    target: "Optionen",
   },
 
   splitter: "Breite der Texturansicht",

@@ -32,18 +32,23 @@ import "./ui/splitter.ts";
 import { controls, theme } from "./ui/theme.ts";
 
 const PHONE = "(max-width: 720px)";
+/** A tablet held upright: beside each other the two views would be slits. */
+const UPRIGHT = "(max-width: 1000px) and (orientation: portrait)";
 
 export class Workbench extends EditorElement {
   static override properties = {
     compact: { state: true },
+    upright: { state: true },
     dropping: { state: true },
     textureShare: { state: true },
   };
   declare compact: boolean;
+  declare upright: boolean;
   declare dropping: boolean;
   /** Of the views' width. */
   declare textureShare: number;
   readonly #phone = matchMedia(PHONE);
+  readonly #tablet = matchMedia(UPRIGHT);
   #endFingers: () => void = () => {};
 
   static override styles = [
@@ -137,6 +142,7 @@ export class Workbench extends EditorElement {
   constructor() {
     super();
     this.compact = this.#phone.matches;
+    this.upright = this.#tablet.matches;
     this.dropping = false;
     this.textureShare = 0.38;
   }
@@ -144,6 +150,7 @@ export class Workbench extends EditorElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#phone.addEventListener("change", this.#resize);
+    this.#tablet.addEventListener("change", this.#resize);
     addEventListener("keydown", this.#key);
     addEventListener("dragover", this.#dragOver);
     addEventListener("dragleave", this.#dragLeave);
@@ -155,6 +162,7 @@ export class Workbench extends EditorElement {
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#phone.removeEventListener("change", this.#resize);
+    this.#tablet.removeEventListener("change", this.#resize);
     removeEventListener("keydown", this.#key);
     removeEventListener("dragover", this.#dragOver);
     removeEventListener("dragleave", this.#dragLeave);
@@ -206,16 +214,18 @@ export class Workbench extends EditorElement {
   }
 
   #views(): TemplateResult {
-    const { editor, compact, textureShare } = this;
+    const { editor, compact, upright, textureShare } = this;
     const { layout } = this.state.view;
     const split = !compact && layout === "both";
     const flat = layout === "texture";
-    const columns = split ? `minmax(0, ${1 - textureShare}fr) auto minmax(0, ${textureShare}fr)` : "minmax(0, 1fr)";
+    const shares = `minmax(0, ${1 - textureShare}fr) auto minmax(0, ${textureShare}fr)`;
+    const whole = "minmax(0, 1fr)";
+    const grid = split && upright ? `${shares} / ${whole}` : `${whole} / ${split ? shares : whole}`;
     const resize = (event: CustomEvent<number>): void => {
       this.textureShare = event.detail;
     };
     return html`
-      <main class="views" style=${`grid-template-columns: ${columns}`}>
+      <main class="views" style=${`grid-template: ${grid}`}>
         ${
           flat
             ? html`<tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>`
@@ -226,7 +236,7 @@ export class Workbench extends EditorElement {
         ${
           split
             ? html`
-                <tc-splitter .name=${strings.splitter} .share=${textureShare} @split=${resize}></tc-splitter>
+                <tc-splitter ?hidden=${upright} .name=${strings.splitter} .share=${textureShare} @split=${resize}></tc-splitter>
                 <tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>
               `
             : nothing
@@ -243,6 +253,7 @@ export class Workbench extends EditorElement {
 
   readonly #resize = (): void => {
     this.compact = this.#phone.matches;
+    this.upright = this.#tablet.matches;
   };
 
   readonly #key = (event: KeyboardEvent): void => {
