@@ -545,6 +545,7 @@ export const german: Strings = {
     refusedTitle: "Deine Arbeit wird in diesem Browser nicht aufbewahrt",
     restoredTitle: "Deine Arbeit wird wieder aufbewahrt",
     none: "Dieser Browser hat keinen Ort, um Projekte aufzubewahren.",
+    silent: "Der Browser antwortet nicht auf die Frage, ob er etwas für diese Seite aufbewahrt.",
     full: "Der Platz des Browsers für diese Seite ist verbraucht.",
     fullHint: "Speichere das Projekt als Datei, oder lösche Projekte, die du nicht mehr brauchst.",
     refused: (reason) => `Der Browser bewahrt für diese Seite nichts auf (${reason.replace(/\.$/, "")}).`,

@@ -85,7 +85,11 @@ export class ProjectConnection {
     } finally {
       clearTimeout(timer);
       // One that comes too late is nobody's.
-      void opened.then((database) => this.#opening || database.close()).catch(() => undefined);
+      void opened
+        .then((database) => {
+          if (this.#opening === null) database.close();
+        })
+        .catch(() => undefined);
     }
   }
 
