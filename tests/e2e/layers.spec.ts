@@ -1,7 +1,12 @@
+import type { DesignLayer } from "../../web/editor/document/index.ts";
 import { expect, test } from "./support/editor-page.ts";
 import { squareGlb } from "./support/test-files.ts";
 
-test("layers are grouped, renamed, dragged into and out of a group, masked and locked, and the history goes anywhere", async ({
+/** "Badge, Group(Number, Flower)": bottom to top. */
+const shapeOf = (layers: readonly DesignLayer[]): string =>
+  layers.map((layer) => (layer.type === "group" ? `${layer.name}(${shapeOf(layer.layers)})` : layer.name)).join(", ");
+
+test("layers are grouped, renamed, hidden together, and dragged or moved by key into a group and out of it", async ({
   editor,
   page,
 }) => {
@@ -9,11 +14,7 @@ test("layers are grouped, renamed, dragged into and out of a group, masked and l
   await editor.openModel([squareGlb()]);
   for (const id of ["badge", "number", "flower"]) await editor.addDemoDecal(id);
   const start = await editor.settledHash();
-  const shape = async (): Promise<string> => {
-    const names = (layers: Awaited<ReturnType<typeof editor.design>>["layers"]): string =>
-      layers.map((layer) => (layer.type === "group" ? `${layer.name}(${names(layer.layers)})` : layer.name)).join(", ");
-    return names((await editor.design()).layers);
-  };
+  const shape = async () => shapeOf((await editor.design()).layers);
 
   await editor.row("Number 07").click();
   await editor.row("Flower").click({ modifiers: ["Shift"] });
@@ -48,29 +49,32 @@ test("layers are grouped, renamed, dragged into and out of a group, masked and l
   await expect(editor.row("Flower")).toHaveCount(0);
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press(" ");
-  const hidden = await editor.settledHash();
-  expect(hidden, "a hidden group hides its layers").not.toBe(start);
-  await page.keyboard.press(" ");
+  expect(await editor.settledHash(), "a hidden group hides its layers").not.toBe(start);
+});
 
-  await editor.row("Crest").click();
+test("a mask hides what it hides, a lock refuses, and the history goes to any step", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const bare = await editor.settledHash();
+  await editor.addDemoDecal("badge");
+  const painted = await editor.settledHash();
+
   await page.locator("tc-layer-list .more button").first().click();
   await page.getByRole("menuitem", { name: "Add mask that hides all" }).click();
-  await expect.poll(() => editor.settledHash(), "a mask hides what it hides").toBe(hidden);
-  await expect(editor.row("Crest").locator("[data-action=mask]")).toHaveAttribute("aria-pressed", "true");
+  expect(await editor.settledHash()).toBe(bare);
+  await expect(editor.row("Travel badge").locator("[data-action=mask]")).toHaveAttribute("aria-pressed", "true");
 
-  await editor.row("Flower").click();
-  await editor.row("Flower").locator("[data-action=locked]").click();
+  await editor.row("Travel badge").locator("[data-action=locked]").click();
+  await editor.row("Travel badge").focus();
   await page.keyboard.press("Delete");
-  await expect(editor.notices).toContainText("Flower is locked");
-  await expect(editor.row("Flower")).toHaveCount(1);
+  await expect(editor.notices).toContainText("Travel badge is locked");
+  await expect(editor.row("Travel badge")).toHaveCount(1);
 
   await page.getByRole("tab", { name: "History" }).click();
   const steps = page.locator("tc-history-panel [role=option]");
   await expect(page.locator("tc-history-panel [aria-selected=true]")).toHaveText("Lock layer");
-  await steps.filter({ hasText: "Group layers" }).click();
-  expect(await shape()).toBe("Travel badge, Group(Number 07, Flower)");
-  expect(await editor.settledHash()).toBe(start);
+  await steps.filter({ hasText: "Add decal" }).click();
+  expect(await editor.settledHash()).toBe(painted);
   await page.locator("tc-history-panel .list").press("End");
-  expect(await shape()).toBe("Crest(Number 07, Travel badge, Flower)");
-  expect(await editor.settledHash()).toBe(hidden);
+  expect(await editor.settledHash()).toBe(bare);
 });
