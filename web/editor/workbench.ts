@@ -113,6 +113,10 @@ export class Workbench extends EditorElement {
         justify-self: start;
         padding: var(--space-3);
       }
+      /* Above the tools, which lie at the bottom there. */
+      :host([compact]) tc-first-hint {
+        margin-block-end: calc(var(--target) + var(--space-4));
+      }
       tc-notice-stack {
         z-index: 10;
         align-self: end;

@@ -5,8 +5,8 @@ import type { Mirror } from "../document/index.ts";
 export type MirrorSetting = "none" | Mirror["axis"];
 
 const AXES = { x: 0, y: 1, z: 2 } as const;
-/** Of the model's extent: a middle this near to the origin's plane is that plane, whatever a strand of hair adds to a side. */
-const CENTRED = 0.05;
+/** Of the model's extent: a middle this near to the origin's plane is that plane, whatever a mug's handle adds to a side. */
+const CENTRED = 0.2;
 
 /** The model's own plane of symmetry across an axis: through the origin where the model stands about it. */
 export function mirrorOf(
