@@ -222,9 +222,10 @@ export class Workbench extends EditorElement {
     const { layout } = this.state.view;
     const split = !compact && layout === "both";
     const flat = layout === "texture";
-    const shares = `minmax(0, ${1 - textureShare}fr) auto minmax(0, ${textureShare}fr)`;
+    const [first, second] = [`minmax(0, ${1 - textureShare}fr)`, `minmax(0, ${textureShare}fr)`];
     const whole = "minmax(0, 1fr)";
-    const grid = split && upright ? `${shares} / ${whole}` : `${whole} / ${split ? shares : whole}`;
+    const grid =
+      split && upright ? `${first} ${second} / ${whole}` : `${whole} / ${split ? `${first} auto ${second}` : whole}`;
     const resize = (event: CustomEvent<number>): void => {
       this.textureShare = event.detail;
     };
