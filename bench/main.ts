@@ -31,7 +31,9 @@ const local10 = work.projectors.get("local10") as PlanarProjector;
 const native = new PlainNativeEngine();
 const plainWasm = await PlainWasmEngine.create();
 const ours = await TexelcastEngine.create();
-const oursOverOthers = await TexelcastEngine.create("Texelcast, over 20 others", decalsAround(local10, 20));
+const stacks = await Promise.all(
+  [20, 100].map((count) => TexelcastEngine.create(`Texelcast, over ${count} others`, decalsAround(local10, count))),
+);
 const engines: readonly BenchEngine[] = [native, plainWasm, ours];
 
 const conditions = circumstances();
@@ -41,10 +43,10 @@ console.log(`Work: ${work.source}. ${rounds} rounds, engines in turn; millisecon
 const rows: Row[] = [];
 const memory: MemoryRow[] = [];
 for (const mesh of work.meshes.filter(({ name }) => meshes.some((chosen) => chosen === name))) {
-  for (const engine of [...engines, oursOverOthers]) await engine.load(mesh, work.decal);
+  for (const engine of [...engines, ...stacks]) await engine.load(mesh, work.decal);
   for (const size of sizes) await measureAll(mesh.name, size);
 }
-for (const engine of [...engines, oursOverOthers]) engine.close();
+for (const engine of [...engines, ...stacks]) engine.close();
 
 console.log(formatRows(rows));
 if (memory.length > 0) console.log(`\n${formatMemory(memory)}`);
@@ -63,10 +65,9 @@ async function measureAll(mesh: string, size: number): Promise<void> {
     if (works.some((chosen) => chosen === name)) await measureDrag(name, mesh, size, engines, projector, "none");
   }
   if (works.includes("occluded")) await measureDrag("occluded", mesh, size, engines, local10, "self");
-  if (works.includes("stacked")) {
-    await oursOverOthers.bake(size);
-    await measureDrag("stacked", mesh, size, [...engines, oursOverOthers], local10, "none");
-  }
+  if (works.includes("stacked") || works.includes("open")) for (const stack of stacks) await stack.bake(size);
+  if (works.includes("stacked")) await measureDrag("stacked", mesh, size, [...engines, ...stacks], local10, "none");
+  if (works.includes("open")) await measure("open", mesh, size, stacks, (engine) => engine.open(size));
 }
 
 function measureDrag(
@@ -82,12 +83,12 @@ function measureDrag(
   );
 }
 
-async function measure(
+async function measure<Contestant extends BenchEngine>(
   name: string,
   mesh: string,
   size: number,
-  contestants: readonly BenchEngine[],
-  run: (engine: BenchEngine, round: number) => Promise<Run>,
+  contestants: readonly Contestant[],
+  run: (engine: Contestant, round: number) => Promise<Run>,
 ): Promise<void> {
   const results = await takeTurns(contestants, rounds, run);
   const medianOf = (engine: BenchEngine): number =>
@@ -101,7 +102,8 @@ async function measure(
       ...figures,
       toPlainNative: figures.median / medianOf(native),
       toPlainWasm: figures.median / medianOf(plainWasm),
-      ...(contestant === oursOverOthers && { toAlone: figures.median / medianOf(ours) }),
+      ...(name === "stacked" &&
+        stacks.some((stack) => stack.name === contestant.name) && { toAlone: figures.median / medianOf(ours) }),
     });
   }
   process.stderr.write(`${name} ${mesh} ${size}²\n`);

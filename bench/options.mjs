@@ -8,7 +8,16 @@ import { parseArgs } from "node:util";
 const LARGEST_SIZE = 8192;
 export const MESHES = /** @type {const} */ (["torus20k", "torus200k"]);
 /** In the order in which they run. bench/README.md says what each is. */
-export const WORKS = /** @type {const} */ (["bake", "local1", "local10", "whole", "occluded", "stacked", "memory"]);
+export const WORKS = /** @type {const} */ ([
+  "bake",
+  "local1",
+  "local10",
+  "whole",
+  "occluded",
+  "stacked",
+  "open",
+  "memory",
+]);
 export const BROWSER_WORKS = /** @type {const} */ (["bake", "local1", "local10", "whole", "drag"]);
 
 /** @typedef {(typeof MESHES)[number]} MeshName */

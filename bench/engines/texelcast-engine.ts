@@ -66,6 +66,22 @@ export class TexelcastEngine implements BenchEngine {
     return { milliseconds: performance.now() - start, texels: update.projectedTexels };
   }
 
+  /** A design's first picture: all layers below are made, projected and composited. The map is there already. */
+  async open(size: number): Promise<Run> {
+    const [session, decal] = [this.#session, this.#decal];
+    if (!session || !decal) throw new Error("bake comes first");
+    const image = session.createImage(decal.width, decal.height, decal.rgba);
+    const target = session.createTarget({ width: size, height: size });
+    target.bake(ALL_OF_IT);
+    const start = performance.now();
+    for (const projector of this.#below) target.createLayer(definition(projector, "none", image));
+    const { projectedTexels } = target.update();
+    const milliseconds = performance.now() - start;
+    target.destroy();
+    session.destroyImage(image);
+    return { milliseconds, texels: projectedTexels };
+  }
+
   /** What the newest step of a drag changed, for a GPU. */
   get newestUpdate(): CoreUpdate {
     if (!this.#newest) throw new Error("project comes first");

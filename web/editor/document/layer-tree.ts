@@ -246,8 +246,12 @@ function changeLists(
     changed ||= result !== layer;
     return result;
   });
-  return change(changed ? within : layers);
+  const result = change(changed ? within : layers);
+  return sameLayers(result, layers) ? layers : result;
 }
+
+const sameLayers = (a: readonly DesignLayer[], b: readonly DesignLayer[]): boolean =>
+  a.length === b.length && a.every((layer, index) => layer === b[index]);
 
 /** The caller answers for the types of what the list holds. */
 function withList(layer: DesignLayer, list: LayerList, layers: readonly DesignLayer[]): DesignLayer {
@@ -256,8 +260,7 @@ function withList(layer: DesignLayer, list: LayerList, layers: readonly DesignLa
 }
 
 function withLayers(design: Design, layers: readonly DesignLayer[]): Design {
-  const same = layers.length === design.layers.length && layers.every((layer, index) => layer === design.layers[index]);
-  return same ? design : { ...design, layers };
+  return layers === design.layers ? design : { ...design, layers };
 }
 
 function refusal(field: string, value: string | null, message: string): TexelcastError {

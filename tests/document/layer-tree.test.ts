@@ -1,0 +1,136 @@
+import { describe, expect, it } from "vitest";
+import {
+  type Design,
+  type DesignLayer,
+  emptyDesign,
+  findLayer,
+  flattenLayers,
+  freeIdIn,
+  insertAt,
+  layerDepth,
+  layerIds,
+  makeFillLayer,
+  makeGroupLayer,
+  makePaintLayer,
+  makeStrokeLayer,
+  mapLayer,
+  materialsIn,
+  moveTo,
+  parentOf,
+  removeById,
+  walkLayers,
+  withFreeIds,
+} from "../../web/editor/document/index.ts";
+
+const fill = (id: string, material = 0) => makeFillLayer({ id, color: "#102030", material });
+const stroke = (id: string) =>
+  makeStrokeLayer({ id, brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 }, dabs: [] });
+const top = { parentId: null, list: "layers" } as const;
+
+/** a, a group of b (masked by m) and a paint layer p of s, then z. */
+function tree(): Design {
+  const b = { ...fill("b", 1), mask: { layers: [fill("m", 7)], invert: false } };
+  const p = makePaintLayer({ id: "p", strokes: [stroke("s")] });
+  return { ...emptyDesign(), layers: [fill("a"), makeGroupLayer({ id: "g", layers: [b, p] }), fill("z", 2)] };
+}
+const idsOf = (design: Design, options = {}): string[] => flattenLayers(design, options).map(({ id }) => id);
+
+function nest(depth: number): DesignLayer {
+  let layer: DesignLayer = fill("leaf");
+  for (let level = 1; level < depth; level++) layer = makeGroupLayer({ id: `g${level}`, layers: [layer] });
+  return layer;
+}
+
+describe("the tree of layers", () => {
+  it("is walked bottom to top, each layer before those that it holds, with the place of each", () => {
+    expect(idsOf(tree())).toEqual(["a", "g", "b", "m", "p", "s", "z"]);
+    expect(idsOf(tree(), { masks: false, strokes: false })).toEqual(["a", "g", "b", "p", "z"]);
+    const visits = new Map(Array.from(walkLayers(tree()), (visit) => [visit.layer.id, visit]));
+    expect(visits.get("m")).toMatchObject({ parentId: "b", list: "mask", index: 0, depth: 3, inMask: true });
+    expect(visits.get("m")?.path).toEqual(["layers", 1, "layers", 0, "mask", "layers", 0]);
+    expect(visits.get("s")).toMatchObject({ parentId: "p", list: "strokes", depth: 3, inMask: false });
+    expect(parentOf(tree(), "b")?.id).toBe("g");
+    expect(parentOf(tree(), "a")).toBeNull();
+  });
+
+  it("tells what is shown: a layer in a hidden group is not", () => {
+    const hidden = mapLayer(tree(), "g", (layer) => ({ ...layer, visible: false }));
+    const shown = Array.from(walkLayers(hidden)).filter((visit) => visit.shown);
+    expect(shown.map(({ layer }) => layer.id)).toEqual(["a", "z"]);
+  });
+
+  it("names the materials that a layer and what it holds paint, without those of masks", () => {
+    expect(materialsIn(findLayer(tree(), "g") as DesignLayer)).toEqual([1, 0]);
+  });
+
+  it("is edited anywhere by id, and what did not change is shared", () => {
+    const before = tree();
+    const after = mapLayer(before, "m", (layer) => ({ ...layer, opacity: 0.5 }));
+    expect(findLayer(after, "m")?.opacity).toBe(0.5);
+    expect(after.layers[0]).toBe(before.layers[0]);
+    expect(findLayer(after, "p")).toBe(findLayer(before, "p"));
+    expect(mapLayer(before, "m", (layer) => layer)).toBe(before);
+    expect(mapLayer(before, "nobody", () => fill("x"))).toBe(before);
+    expect(idsOf(removeById(before, "g"))).toEqual(["a", "z"]);
+    expect(idsOf(removeById(before, "m"))).toEqual(["a", "g", "b", "p", "s", "z"]);
+    expect(removeById(before, "nobody")).toBe(before);
+  });
+
+  it("takes a layer at any place, and makes a mask where there is none", () => {
+    expect(idsOf(insertAt(tree(), { parentId: "g", list: "layers", index: 1 }, fill("new")))).toEqual([
+      "a",
+      "g",
+      "b",
+      "m",
+      "new",
+      "p",
+      "s",
+      "z",
+    ]);
+    const masked = insertAt(tree(), { parentId: "z", list: "mask", index: 0 }, fill("new"));
+    expect(findLayer(masked, "z")?.mask).toEqual({ layers: [fill("new")], invert: false });
+    expect(idsOf(insertAt(tree(), { parentId: "p", list: "strokes", index: 9 }, stroke("new")))).toContain("new");
+    expect(idsOf(insertAt(tree(), { ...top, index: 99 }, fill("new"))).at(-1)).toBe("new");
+  });
+
+  it.each<[string, () => Design]>([
+    ["a parent that is not there", () => insertAt(tree(), { parentId: "no", list: "layers", index: 0 }, fill("n"))],
+    ["layers in a fill", () => insertAt(tree(), { parentId: "a", list: "layers", index: 0 }, fill("n"))],
+    ["a fill among strokes", () => insertAt(tree(), { parentId: "p", list: "strokes", index: 0 }, fill("n"))],
+    ["a group in a mask", () => insertAt(tree(), { parentId: "a", list: "mask", index: 0 }, nest(2))],
+    ["a group put into itself", () => moveTo(tree(), "g", { parentId: "g", list: "layers", index: 0 })],
+    ["a group put into what it holds", () => moveTo(tree(), "g", { parentId: "b", list: "mask", index: 0 })],
+    ["a seventeenth level", () => insertAt(emptyDesign(), { ...top, index: 0 }, nest(17))],
+  ])("refuses %s", (_what, edit) => {
+    expect(edit).toThrow(expect.objectContaining({ code: "bad-argument" }));
+  });
+
+  it("takes sixteen levels", () => {
+    expect(layerDepth(nest(16))).toBe(16);
+    expect(insertAt(emptyDesign(), { ...top, index: 0 }, nest(16)).layers).toHaveLength(1);
+  });
+
+  it("moves a layer with all that it holds, within its list and out of it", () => {
+    expect(idsOf(moveTo(tree(), "g", { ...top, index: 0 }))).toEqual(["g", "b", "m", "p", "s", "a", "z"]);
+    expect(idsOf(moveTo(tree(), "b", { ...top, index: 0 }))).toEqual(["b", "m", "a", "g", "p", "s", "z"]);
+    expect(idsOf(moveTo(tree(), "a", { parentId: "g", list: "layers", index: 2 }))).toEqual([
+      "g",
+      "b",
+      "m",
+      "p",
+      "s",
+      "a",
+      "z",
+    ]);
+    const before = tree();
+    expect(moveTo(before, "z", { ...top, index: 2 })).toBe(before);
+  });
+
+  it("gives copies ids that no layer has, down to the strokes and masks", () => {
+    const copy = withFreeIds(tree(), findLayer(tree(), "g") as DesignLayer);
+    const ids = flattenLayers({ layers: [copy] }).map(({ id }) => id);
+    expect(new Set(ids).size).toBe(5);
+    expect(ids.some((id) => layerIds(tree()).has(id))).toBe(false);
+    expect(layerIds(tree()).has(freeIdIn(tree()))).toBe(false);
+  });
+});
