@@ -4,6 +4,7 @@ import {
   axisOf,
   type DecalPose,
   fromLocal,
+  minimalRotation,
   rollOf,
   type SurfacePoint,
   tangentPart,
@@ -71,6 +72,12 @@ export function placeOnSurface(
   const pose: DecalPose = { position: place.position.clone(), rotation, size };
   size.z = keep === null ? fittingDepth(query, pose) : keep.size.z;
   return pose;
+}
+
+/** The box turned so that it faces along a normal: the least leaning one leaves the most room under a layer. */
+export function laidFlat(pose: DecalPose, normal: Vector3): DecalPose {
+  const rotation = minimalRotation(axisOf(pose, 2), normal).multiply(pose.rotation).normalize();
+  return { ...pose, rotation };
 }
 
 /** A box keeps this share of the way to what is hidden above it. */

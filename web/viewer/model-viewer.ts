@@ -5,7 +5,7 @@ import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, V
 import { frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
 import { ClipClock } from "./clip-clock.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
-import { beneath, nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
+import { beneath, laidFlat, nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
 import { poseOf, projectorOf } from "./decal-pose.ts";
 import { EventHub } from "./event-hub.ts";
 import { ModelDisplay } from "./model-display.ts";
@@ -191,7 +191,7 @@ class ThreeModelViewer implements ModelViewer {
     const place = { position: new Vector3(...hit.position), normal: new Vector3(...hit.normal) };
     const kept = keep === undefined ? null : poseOf(keep);
     const pose = placeOnSurface(query, place, width, aspect, this.#screen.axes, kept);
-    return projectorOf(concealed === null ? pose : beneath(concealed, query, pose));
+    return projectorOf(concealed === null ? pose : beneath(concealed, query, laidFlat(pose, place.normal)));
   }
 
   nudge(projector: Projector, rightMetres: number, upMetres: number): Projector {

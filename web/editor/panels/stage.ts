@@ -21,6 +21,7 @@ export class Stage extends EditorElement {
       :host {
         position: relative;
         display: block;
+        container-type: size;
         min-width: 0;
         min-height: 0;
         overflow: hidden;

@@ -36,7 +36,7 @@ export class ViewMenu extends EditorElement {
         gap: var(--space-2);
         width: 18.5rem;
         max-width: calc(100vw - 5rem);
-        max-height: var(--room, 60dvh);
+        max-height: calc(100cqh - 4.5rem);
         padding: var(--space-3) var(--space-4);
         overflow: auto;
         overscroll-behavior: contain;
