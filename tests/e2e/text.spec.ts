@@ -28,6 +28,8 @@ test("words are put on the model, typed, bent and outlined, stay editable, and N
   editor,
   page,
 }) => {
+  // A dozen renders, and one by the command line.
+  test.slow();
   const fetched: string[] = [];
   page.on("request", (request) => fetched.push(request.url()));
   await editor.open();
