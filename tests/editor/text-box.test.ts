@@ -40,14 +40,14 @@ describe("a text's box", () => {
     const layer = textOn(PLANAR, { align });
     const { projector } = refitted(layer, ROOM, { width: 10, height: 1.25 });
     if (projector.kind !== "planar") throw new Error("the projector became another");
-    expect(projector.size).toEqual([0.8, 0.1, 0.2]);
+    expect(projector.size).toEqual([0.8, 0.1, 0.4]);
     if (side === null) expect(projector.position).toEqual([1, 2, 3]);
     else expect(projector.position[0] + Math.sign(side) * 0.4).toBeCloseTo(1 + side, 12);
   });
 
   it("grows as a whole when the letters are made larger", () => {
     const layer = textOn(PLANAR);
-    expect(withEm(layer, 2 * emOf(layer))).toMatchObject({ size: [0.8, 0.2, 0.2], position: [1, 2, 3] });
+    expect(withEm(layer, 2 * emOf(layer))).toMatchObject({ size: [0.8, 0.2, 0.4], position: [1, 2, 3] });
   });
 
   it("that a user made otherwise is known by it", () => {

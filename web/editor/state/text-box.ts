@@ -84,7 +84,8 @@ function grown(projector: Projector, wide: number, high: number, align: Align): 
       return {
         ...projector,
         position: moved(projector.position, projector.rotation, along),
-        size: [width * wide, height * high, depth],
+        // A wider box on a rounded surface must reach further in, or the words would end before it does.
+        size: [width * wide, height * high, depth * wide],
       };
     }
     case "uv":
