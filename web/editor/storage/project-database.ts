@@ -78,18 +78,16 @@ export class ProjectConnection {
     });
     let timer: ReturnType<typeof setTimeout> | undefined;
     const patience = new Promise<never>((_, reject) => {
-      timer = setTimeout(() => reject(new TexelcastError("storage-refused", strings.storage.silent)), PATIENCE);
+      timer = setTimeout(() => {
+        // One that comes too late is nobody's.
+        opened.then((database) => database.close()).catch(() => undefined);
+        reject(new TexelcastError("storage-refused", strings.storage.silent));
+      }, PATIENCE);
     });
     try {
       return await Promise.race([opened, patience]);
     } finally {
       clearTimeout(timer);
-      // One that comes too late is nobody's.
-      void opened
-        .then((database) => {
-          if (this.#opening === null) database.close();
-        })
-        .catch(() => undefined);
     }
   }
 
