@@ -381,6 +381,38 @@ describe("hostile designs", () => {
     expect(refusal(text).message).toBe('layers[0].color: must be a colour as "#rrggbb" or "#rrggbbaa", is a list of 1');
   });
 
+  it("nested deeper than any stack are refused by their depth, whichever list they hide in", () => {
+    for (const wrap of [
+      (inner: object) => ({ type: "group", layers: [inner] }),
+      (inner: object) => ({ type: "fill", color: "#000000", mask: { layers: [inner] } }),
+      (inner: object) => ({ type: "paint", strokes: [inner] }),
+    ]) {
+      let layer: object = { type: "fill", color: "#000000" };
+      for (let level = 0; level < 200_000; level++) layer = wrap(layer);
+      expect(refusal(design([layer])).message).toContain("more than 16 deep");
+    }
+  });
+
+  it("name the whole path of what is wrong inside groups and masks", () => {
+    const fill = { type: "fill", color: "#000000" };
+    const inside = (layer: object) =>
+      design([{ type: "group", layers: [fill, { ...fill, mask: { layers: [layer] } }] }]);
+    expect(refusal(inside({ ...fill, opacity: 2 })).field).toBe("layers[0].layers[1].mask.layers[0].opacity");
+    expect(refusal(inside({ type: "decal", asset: "no", projector: planar })).field).toBe(
+      "layers[0].layers[1].mask.layers[0].asset",
+    );
+    const twice = design([
+      { ...fill, id: "a" },
+      { type: "group", layers: [{ ...fill, id: "a" }] },
+    ]);
+    expect(refusal(twice).message).toContain("layers[1].layers[0].id: must be unique: layers[0] has the same id");
+    const stamp = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 };
+    expect(refusal(decal({ projector: stamp, mirror: { axis: "x" } })).field).toBe("layers[0].mirror");
+    expect(refusal(stroke({ dabs: [stamp], mirror: { axis: "x" } })).field).toBe("layers[0].mirror");
+    const parts = { kind: "faces", faces: [0] };
+    expect(refusal(design([{ ...fill, material: [0, 1], parts }])).field).toBe("layers[0].parts");
+  });
+
   it("are refused by count before their items are looked at", () => {
     const many = new Array(2_000_000).fill(0);
     expect(refusal(design(many)).message).toBe(
