@@ -262,7 +262,7 @@ test("the maps behind the texture are shown beside the model", async ({ editor, 
     expect(outlines.x, "the panel keeps its width").toBeLessThan(panel.x + panel.width - 40);
   }
   await page.locator("#outlines").uncheck();
-  await page.locator("#toggle-texture").click();
+  await page.locator("#layout-model").click();
   await expect(page.locator("tc-texture-panel")).toHaveCount(0);
   await expect(editor.notices).toHaveCount(0);
 });
