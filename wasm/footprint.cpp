@@ -56,6 +56,10 @@ float largest_smooth_error(float across_x, float across_y, float down_x, float d
 // is what two texels may differ by that should be alike.
 constexpr float kChordError = 0.75f;
 
+// The same along a tile's rows, whose chords begin at the same columns for every triangle. A bound for the worst of all
+// pictures: one that bends by a step a pixel all along comes to a third of it.
+constexpr float kTileChordError = 4.0f;
+
 /// The most that a straight line between two samples this far apart may be from the picture, where no second difference of
 /// the level exceeds 1: along an axis the picture bends once a pixel, at the worst once half way.
 float largest_chord_error(float x, float y) {
@@ -188,7 +192,7 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     f.inset_x = f.reach_x + rim / on.scale_x;
     f.inset_y = f.reach_y + rim / on.scale_y;
     const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
-    const bool is_known = reach <= static_cast<float>(kRoughnessReaches);
+    const bool is_known = reach <= 2.0f;
     const float error =
         largest_smooth_error(across_x * on.scale_x, across_y * on.scale_y, down_x * on.scale_x, down_y * on.scale_y);
     f.smooth_reach = reach <= 1.0f ? 1 : 2;
@@ -204,10 +208,28 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     return f;
 }
 
-std::int32_t chord_limit(const ImagePyramid& image, const Footprint& f, float texels) {
+namespace {
+
+std::int32_t chord_limit_within(const ImagePyramid& image, const Footprint& f, float texels, float error) {
     const PyramidLevel& on = image.levels[f.level];
     const float most = largest_chord_error(f.across_x * on.scale_x * texels, f.across_y * on.scale_y * texels);
-    return std::min(f.smooth_limit, steps_within(kChordError, most));
+    return std::min(f.smooth_limit, steps_within(error, most));
+}
+
+}  // namespace
+
+std::int32_t chord_limit(const ImagePyramid& image, const Footprint& f, float texels) {
+    return chord_limit_within(image, f, texels, kChordError);
+}
+
+ChordLimits tile_chord_limits(const ImagePyramid& image, const Footprint& f) {
+    const PyramidLevel& on = image.levels[f.level];
+    const float across = std::max(std::fabs(f.across_x * on.scale_x), std::fabs(f.across_y * on.scale_y));
+    const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
+    // No place between the two ends is further from one of them than the list's reach beyond the footprint's own.
+    const bool knows_between = reach + 2.5f * across <= static_cast<float>(kRoughnessReaches);
+    return {chord_limit_within(image, f, 3.0f, kTileChordError),
+            knows_between ? chord_limit_within(image, f, 5.0f, kTileChordError) : -1};
 }
 
 namespace {

@@ -47,6 +47,14 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
 /// as good as interpolated. Never above smooth_limit.
 std::int32_t chord_limit(const ImagePyramid& image, const Footprint& footprint, float texels);
 
+/// Where colours along a tile's row may be interpolated: the largest roughness for each; -1 for none.
+struct ChordLimits {
+    std::int32_t three;  // over three texels, by the roughness at all four
+    std::int32_t five;   // over five, by that of the longest reach at both ends
+};
+
+ChordLimits tile_chord_limits(const ImagePyramid& image, const Footprint& footprint);
+
 /// A texel whose footprint one sample does not stand for.
 struct RoughTexel {
     const PyramidLevel* level;  // the footprint's

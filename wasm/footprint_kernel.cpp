@@ -77,7 +77,7 @@ FootprintKernel make_footprint_kernel(float across_x, float across_y, float down
     const KernelRow& along_y = row_for(across_y, down_y);
     const float covariance = (across_x * across_y + down_x * down_y) * (1.0f / 12.0f);
     // Below this no picture shows it: the slopes' products are at most 1.
-    constexpr float kLeast = 1.0f / 512.0f;
+    constexpr float kLeast = 1.0f / 64.0f;
     return {along_x.kernels, along_y.kernels, along_x.slopes, along_y.slopes,
             std::fabs(covariance) < kLeast ? 0 : static_cast<std::int32_t>(covariance * kWeightOne)};
 }

@@ -98,10 +98,10 @@ void measure_roughness(PyramidLevel& level) {
 }  // namespace
 
 TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba) {
-    // Pixels, two lists of roughness and one to make them, of all levels.
+    // Pixels, the lists of roughness and one to make them, of all levels.
     std::uint64_t bytes = 0;
     for (std::uint32_t w = width, h = height;; w = std::max(1u, w / 2), h = std::max(1u, h / 2)) {
-        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + 3);
+        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + kRoughnessReaches + 1);
         if (w == 1 && h == 1) break;
     }
     if (const TxcStatus status = share.resize(bytes, "the decal's picture"); status != TXC_STATUS_OK) return status;

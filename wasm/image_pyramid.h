@@ -14,7 +14,7 @@ namespace txc {
 /// 16 bits a channel, premultiplied. Full scale is 255 * 255, so that colour times alpha of an 8-bit picture is exact.
 inline constexpr float kFullScale = 65025.0f;
 
-inline constexpr std::int32_t kRoughnessReaches = 2;
+inline constexpr std::int32_t kRoughnessReaches = 3;
 
 /// Transparent pixels around each level, so that footprints over a picture's edge are no case of their own: the picture
 /// fades out over half a pixel by itself. As many as let most runs of texels that leave it pass in one piece.
@@ -28,7 +28,7 @@ struct PyramidLevel {
     std::vector<std::uint16_t> rgba;  // padded
     // Per pixel, padded likewise: the largest second difference of any channel, in 8-bit steps, rounded up, among the
     // pixels where a footprint can feel it whose centre lies between this pixel's centre and those of its right and
-    // lower neighbours: up to 1 (first list) or 2 pixels away. Where it is small the picture is as good as linear, and
+    // lower neighbours: up to 1 (first list), 2 or 3 pixels away. Where it is small the picture is as good as linear, and
     // the mean over the footprint is the value at its centre. (Blocks of 8 pixels would take less room, but on a picture
     // with fine detail they spared an eighth of the texels their samples, where pixels spare three quarters.)
     std::vector<std::uint8_t> roughness[kRoughnessReaches];
@@ -41,7 +41,7 @@ struct PyramidLevel {
 
     /// The picture's first pixel; its neighbours lie up to kPad before it.
     const std::uint16_t* first_pixel() const { return pixel(0, 0); }
-    /// The same of the list for a reach of 1 or 2.
+    /// The same of the list for a reach of 1 to kRoughnessReaches.
     const std::uint8_t* first_roughness(std::int32_t reach) const {
         return roughness[reach - 1].data() + padded_place(0, 0);
     }

@@ -10,7 +10,7 @@ std::uint64_t LocalSpaceMap::byte_count() const {
     for (const auto& tile : overlap_tiles) overlap_bytes += tile != nullptr ? kTileSize * kTileSize : 0;
     return frames.capacity() * sizeof(TexelFrame) + (runs.capacity() + gutter_runs.capacity()) * sizeof(TexelRun) +
            tiles.capacity() * sizeof(MapTile) + tile_of.capacity() * sizeof(std::uint32_t) + tree.byte_count() +
-           overlap_bytes;
+           overlap_bytes + patches->byte_count();
 }
 
 glm::vec3 LocalSpaceMap::unit_normal(const TexelRun& run, std::int32_t x, std::int32_t y) const {

@@ -16,6 +16,7 @@
 #include "memory_budget.h"
 #include "mesh.h"
 #include "texel_frame.h"
+#include "tile_patch.h"
 #include "tile_tree.h"
 
 namespace txc {
@@ -64,7 +65,8 @@ struct MapKey {
 enum Coverage : std::uint8_t { kEmpty = 0, kCovered = 1, kGutter = 2 };
 
 struct LocalSpaceMap {
-    explicit LocalSpaceMap(const MapKey& map_key, MemoryBudget& budget) : key(map_key), share(budget) {}
+    explicit LocalSpaceMap(const MapKey& map_key, MemoryBudget& budget)
+        : key(map_key), share(budget), patches(std::make_unique<TilePatches>(budget)) {}
 
     MapKey key;
     Bounds bounds;  // of the material's triangles
@@ -80,6 +82,7 @@ struct LocalSpaceMap {
     std::uint32_t gutter_texels = 0;
     std::uint32_t overlapping_texels = 0;
     BudgetShare share;
+    std::unique_ptr<TilePatches> patches;  // a cache: a map that is const otherwise fills it
 
     std::uint32_t tile_columns() const { return key.tile_columns(); }
     std::uint32_t tile_rows() const { return key.tile_rows(); }

@@ -73,6 +73,17 @@ public:
         return TXC_STATUS_OK;
     }
 
+    /// Makes the share larger where at least half of the budget then stays free: for what can be made anew. False where
+    /// it would not; the share is then as it was.
+    bool resize_within_half(std::uint64_t bytes) {
+        const std::uint64_t used = budget_->used_ - bytes_ + bytes;
+        if (used > budget_->limit_ / 2) return false;
+        budget_->used_ = used;
+        bytes_ = bytes;
+        if (used > budget_->peak_) budget_->peak_ = used;
+        return true;
+    }
+
     void release() {
         if (budget_ != nullptr) budget_->used_ -= bytes_;
         bytes_ = 0;

@@ -5,12 +5,19 @@
 #include <limits>
 
 #include "decal_frame.h"
+#include "patch_painter.h"
 #include "whole_runs.h"
 
 namespace txc {
 namespace {
 
 constexpr float kAny = std::numeric_limits<float>::max();
+
+// How much the sides of a tile's footprints may differ from the one that stands for all of them, on either side: pixels, and as
+// much again for each pixel of the longest.
+constexpr float kFootprintSpread = 0.1f;
+// Half a tile may be this many pixels wide: of places 16 bits are kept.
+constexpr float kMostReach = 128.0f;
 
 /// Bounds of what a frame's texels show to the tests, lane by lane.
 struct LaneBounds {
@@ -49,11 +56,17 @@ public:
             projector_.rows[kX][c] *= splat(scale_x);
             projector_.rows[kY][c] *= splat(scale_y);
         }
+        for (int c = 0; c < 3; ++c) {
+            centre_[c] = projector_.centre[c][0];
+            columns_[c] = Float4{projector_.rows[kX][c][0], projector_.rows[kY][c][0], projector_.rows[kDepth][c][0],
+                                 projector_.rows[kFacing][c][0]};
+        }
         if (occluders != nullptr) known_clear_.assign(map.frames.size(), 0);
     }
 
     /// Paints one tile's texels into `texels` (zeroed before).
     void paint_tile(const MapTile& tile, std::uint16_t* texels) {
+        if (!settings_.nearest && paint_as_one(tile, texels)) return;
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
         tile_ = tile.index;
@@ -77,6 +90,120 @@ public:
     }
 
 private:
+    /// Paints a tile whose texels are all alike to the decal, or one that it does not meet. False where it must be looked at
+    /// frame by frame.
+    bool paint_as_one(const MapTile& tile, std::uint16_t* texels) {
+        const std::uint32_t place = map_.tile_of[tile.index];
+        const TilePatch& patch = map_.patches->find(map_, place);
+        const Float4 from = patch.middle - centre_;
+        const Float4 middle = turn(from) + Float4{0.5f * width_, 0.5f * height_, 0.0f, 0.0f};
+        const Float4 reach = turn_extent(patch.step) * splat(32767.0f);
+        const float facing = turn_normal(patch.normal);
+        const float facing_spread = turn_normal_extent(patch.normal_spread);
+        if (!settings_.backfaces && facing + facing_spread <= 0.0f) return true;
+        const Float4 across = turn(patch.across);
+        const Float4 down = turn(patch.down);
+        const Float4 margin =
+            (absolute(across) + absolute(down) + turn_extent(patch.across_spread) + turn_extent(patch.down_spread)) *
+                splat(0.5f) +
+            splat(fade_);
+        const Float4 low = middle - reach;
+        const Float4 high = middle + reach;
+        if (high[kX] < -margin[kX] || low[kX] > width_ + margin[kX] || high[kY] < -margin[kY] ||
+            low[kY] > height_ + margin[kY] || high[kDepth] < -0.5f || low[kDepth] > 0.5f)
+            return true;
+        if (patch.state != TilePatch::State::kUniform) return false;
+        // Written so that what is no number is not as one.
+        if (!(low[kDepth] >= -0.5f && high[kDepth] <= 0.5f)) return false;
+        const float least_facing = settings_.backfaces ? std::fabs(facing) - facing_spread : facing - facing_spread;
+        if (!(least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal)) return false;
+        const Float4 spread = greater(turn_extent(patch.across_spread), turn_extent(patch.down_spread));
+        const Float4 sides = greater(absolute(across), absolute(down));
+        const float most_spread = kFootprintSpread * (1.0f + std::max(sides[kX], sides[kY]));
+        if (!(spread[kX] <= most_spread && spread[kY] <= most_spread)) return false;
+        if (!(reach[kX] <= kMostReach && reach[kY] <= kMostReach)) return false;
+        if (occluders_ != nullptr && !is_clear(tile)) return false;
+        const Footprint footprint =
+            make_footprint(image_, across[kX], across[kY], down[kX], down[kY], settings_.repeat);
+        const bool is_inside = low[kX] >= footprint.inset_x && high[kX] <= width_ - footprint.inset_x &&
+                               low[kY] >= footprint.inset_y && high[kY] <= height_ - footprint.inset_y;
+        // Beyond the picture all is alike, if the padding holds a whole footprint and what the picture fades into.
+        const bool is_padded =
+            footprint.inset_x <= -footprint.reach_x - 1.0f && footprint.inset_y <= -footprint.reach_y - 1.0f;
+        if (!is_inside && !is_padded) return false;
+        const PyramidLevel& level = image_.levels[footprint.level];
+        const PatchView view = view_of(patch, level, footprint, middle, reach);
+        RoughTexel* const rough =
+            paint_patch(patch, map_.patches->texels(map_, place, patch), view, level, footprint, texels, rough_);
+        paint_rough(rough_, static_cast<std::uint32_t>(rough - rough_));
+        clear_uncovered(patch, texels);
+        return true;
+    }
+
+    PatchView view_of(const TilePatch& patch, const PyramidLevel& level, const Footprint& footprint, Float4 middle,
+                      Float4 reach) const {
+        constexpr float kOne = static_cast<float>(kWeightOne);
+        const float scale_x = level.scale_x * kOne;
+        const float scale_y = level.scale_y * kOne;
+        const float most = std::max(reach[kX] * scale_x, reach[kY] * scale_y) * (1.0f / 32767.0f);
+        PatchView view;
+        view.chords = tile_chord_limits(image_, footprint);
+        // The sum of a place's slopes times the whole numbers stays below 2^30.
+        float up = 1.0f;
+        while (view.shift < 16 && most * up < 16384.0f) {
+            ++view.shift;
+            up *= 2.0f;
+        }
+        const auto slope = [&](int row, int axis, float scale) {
+            return static_cast<std::int32_t>(
+                std::nearbyint(projector_.rows[row][axis][0] * patch.step[axis] * scale * up));
+        };
+        const auto halves = [](std::int32_t low, std::int32_t high) {
+            return splat((low & 0xffff) | static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << 16));
+        };
+        view.xy_to_x = halves(slope(kX, 0, scale_x), slope(kX, 1, scale_x));
+        view.z_to_x = halves(slope(kX, 2, scale_x), 0);
+        view.xy_to_y = halves(slope(kY, 0, scale_y), slope(kY, 1, scale_y));
+        view.z_to_y = halves(slope(kY, 2, scale_y), 0);
+        const auto fixed = [](float pixels, float scale) {
+            return static_cast<std::int32_t>(std::floor(pixels * scale)) - kWeightOne / 2;
+        };
+        view.base_x = fixed(middle[kX], scale_x);
+        view.base_y = fixed(middle[kY], scale_y);
+        view.least_x = fixed(footprint.inset_x, scale_x);
+        view.most_x = fixed(width_ - footprint.inset_x, scale_x);
+        view.least_y = fixed(footprint.inset_y, scale_y);
+        view.most_y = fixed(height_ - footprint.inset_y, scale_y);
+        return view;
+    }
+
+    /// Whether nothing hides any texel of a tile.
+    bool is_clear(const MapTile& tile) {
+        bool clear = true;
+        map_.for_each_run_of(tile, [&](const TexelRun& run) {
+            if (clear && known_clear_[run.frame] == 0)
+                clear = hiding_of(decal_frame(run.frame, nullptr)) == Hiding::kNone;
+        });
+        return clear;
+    }
+
+    /// Vectors of model space into the picture: x, y, depth.
+    Float4 turn(Float4 v) const {
+        return columns_[0] * splat(v[0]) + columns_[1] * splat(v[1]) + columns_[2] * splat(v[2]);
+    }
+    /// Half the extents of what a box with such half extents becomes.
+    Float4 turn_extent(Float4 v) const {
+        return absolute(columns_[0]) * splat(v[0]) + absolute(columns_[1]) * splat(v[1]) +
+               absolute(columns_[2]) * splat(v[2]);
+    }
+    float turn_normal(Float4 v) const {
+        return columns_[0][kFacing] * v[0] + columns_[1][kFacing] * v[1] + columns_[2][kFacing] * v[2];
+    }
+    float turn_normal_extent(Float4 v) const {
+        return std::fabs(columns_[0][kFacing]) * v[0] + std::fabs(columns_[1][kFacing]) * v[1] +
+               std::fabs(columns_[2][kFacing]) * v[2];
+    }
+
     /// Projects the frames that own covered texels of a tile, and lists those that the decal may reach. All before the first
     /// is painted: so the reads from here and there in the map's frames go on side by side, and not one by one.
     std::uint32_t see_frames(const MapTile& tile, std::int32_t tile_x, std::int32_t tile_y) {
@@ -266,6 +393,8 @@ private:
     float height_;
     float fade_;                             // pixels on either side of the picture's edge
     PlanarProjector projector_;              // into pixels of the picture, from its middle
+    Float4 centre_{};                        // the projector's
+    Float4 columns_[3] = {};                 // of the same map, and of the one to n . ray
     TileFrame tile_frames_[kTileTexels];     // of the tile under way
     std::vector<std::uint8_t> known_clear_;  // per frame: 1 where nothing hides it (the cache below forgets)
     RoughTexel rough_[kTileTexels + 1];      // of the tile under way: they are painted in one go

@@ -1,0 +1,33 @@
+// The quickest way through a planar decal: a whole tile in one loop, where all of its texels take the decal's full weight
+// under footprints that are as good as one.
+#pragma once
+
+#include "footprint.h"
+#include "tile_patch.h"
+
+namespace txc {
+
+/// How a decal sees a patch's whole numbers, in fixed point on a level (bilinear.h): place = base + (whole . slope >> shift).
+struct PatchView {
+    Int4 xy_to_x{};  // the slopes in all lanes, two halves each, as PatchTexels has them
+    Int4 z_to_x{};
+    Int4 xy_to_y{};
+    Int4 z_to_y{};
+    std::int32_t base_x = 0;
+    std::int32_t base_y = 0;
+    std::int32_t shift = 0;
+    // Places are held within these: what lies beyond is as transparent as what lies there.
+    std::int32_t least_x = 0, most_x = 0, least_y = 0, most_y = 0;
+    ChordLimits chords{-1, -1};
+};
+
+/// Paints the patch's texels into the tile's `texels`. Those for which one sample does not stand are left to `rough`; returns
+/// what follows the last of them. May paint beside the patch's coverage: see clear_uncovered.
+RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const PatchView& view,
+                        const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
+                        RoughTexel* rough);
+
+/// Takes back what was painted where the patch has no texel.
+void clear_uncovered(const TilePatch& patch, std::uint16_t* texels);
+
+}  // namespace txc

@@ -1,0 +1,70 @@
+// A tile's texels without their triangles: positions as a structure of arrays, and bounds of what else a planar decal asks.
+// A tile whose texels all look alike to a decal is painted from here in one loop, however many triangles it holds.
+//
+// Patches are derived from the map's frames and runs when a decal first comes near, and kept while the session has plenty of
+// memory; where it has not they are made anew each time, to the same values.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "float4.h"
+#include "memory_budget.h"
+
+namespace txc {
+
+struct LocalSpaceMap;
+struct MapTile;
+
+/// What is known of a tile as a whole; covered and gutter texels alike. Vectors in the first three lanes.
+struct TilePatch {
+    enum class State : std::uint8_t {
+        kUnmade,
+        kBounds,  // its texels differ too much, or are too few, for one loop: the bounds alone are of use
+        kUniform
+    };
+
+    State state = State::kUnmade;
+    bool is_full = false;             // every texel of the tile is there
+    std::uint16_t coverage[16] = {};  // of each row, the first column in the lowest bit
+    float longest_normal = 0.0f;
+    Float4 middle{};  // of the positions, model space
+    Float4 step{};    // of the positions' whole numbers
+    Float4 across{};  // middle and half width of the change from a texel to the next of its row, over the frames
+    Float4 across_spread{};
+    Float4 down{};  // of its column
+    Float4 down_spread{};
+    Float4 normal{};  // of the normals, which are not of unit length
+    Float4 normal_spread{};
+};
+
+/// Positions in whole numbers from -32767 to 32767: (position - middle) / step. 0 where there is no texel.
+struct PatchTexels {
+    std::int32_t xy[256];  // x in the low half, y in the high one
+    std::int32_t z[256];
+};
+
+/// The patches of a map's tiles.
+class TilePatches {
+public:
+    explicit TilePatches(MemoryBudget& budget) : share_(budget) {}
+
+    /// Of the tile at `place` of map.tiles.
+    const TilePatch& find(const LocalSpaceMap& map, std::uint32_t place);
+    /// Its texels, where it is uniform.
+    const PatchTexels& texels(const LocalSpaceMap& map, std::uint32_t place, const TilePatch& patch);
+
+    std::uint64_t byte_count() const { return share_.bytes(); }
+
+private:
+    bool has_room(std::uint64_t bytes);
+
+    std::vector<TilePatch> patches_;  // none, or one a tile
+    std::vector<std::unique_ptr<PatchTexels>> texels_;
+    BudgetShare share_;
+    TilePatch unkept_;
+    std::unique_ptr<PatchTexels> unkept_texels_;
+};
+
+}  // namespace txc
