@@ -57,8 +57,9 @@ float largest_smooth_error(float across_x, float across_y, float down_x, float d
 constexpr float kChordError = 0.75f;
 
 // The same along a tile's rows, whose chords begin at the same columns for every triangle. A bound for the worst of all
-// pictures: one that bends by a step a pixel all along comes to a third of it.
-constexpr float kTileChordError = 4.0f;
+// pictures: one that bends by a step a pixel all along comes to a third of it. (With 4 a round tip differed by 2 steps from
+// itself turned by a right angle.)
+constexpr float kTileChordError = 2.0f;
 
 /// The most that a straight line between two samples this far apart may be from the picture, where no second difference of
 /// the level exceeds 1: along an axis the picture bends once a pixel, at the worst once half way.

@@ -14,7 +14,8 @@ namespace {
 constexpr float kAny = std::numeric_limits<float>::max();
 
 // How much the sides of a tile's footprints may differ from the one that stands for all of them, on either side: pixels, and as
-// much again for each pixel of the longest.
+// much again for each pixel of the longest. (On a torus of 20,000 triangles, whose facets are as large as its tiles, 0.06 leaves
+// 524 of the 1,450 tiles of a decal to the frames, and 0.1 fewer than 130.)
 constexpr float kFootprintSpread = 0.1f;
 // Half a tile may be this many pixels wide: of places 16 bits are kept.
 constexpr float kMostReach = 128.0f;
