@@ -6,7 +6,7 @@ test.describe("on a phone", () => {
   test("the model stays in sight whatever panel is open", async ({ editor, page }) => {
     await editor.open();
     const sheet = page.locator("tc-bottom-sheet");
-    for (const tab of ["decals", "properties", "texture", "target"]) {
+    for (const tab of ["layers", "properties", "history", "texture", "target"]) {
       const button = page.locator(`#sheet-${tab}`);
       if ((await button.getAttribute("aria-expanded")) !== "true") await button.tap();
       await expect(button).toHaveAttribute("aria-expanded", "true");

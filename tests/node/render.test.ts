@@ -351,10 +351,10 @@ describe("what texelcast render refuses", () => {
     ["a ground that is missing", [], ["--base", "ground.png"], "ground.png: there is no such file"],
     ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
     [
-      "a layer of a later day",
+      "words in a font that the design lacks",
       [{ type: "text", text: "Ada", font: "serif", projector: middle }],
       [],
-      "layers[0].type: text layers cannot be drawn yet",
+      'layers[0].font: must name one of the design\'s assets (there are none), is "serif"',
     ],
   ])("%s: exit code 3, nothing written, nothing on stdout", async (_what, layers, args, told) => {
     const bench = await workbench(layers);

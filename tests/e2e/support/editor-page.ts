@@ -181,7 +181,7 @@ export class EditorPage {
 
   /** The middle of one of the gizmo's handles. */
   async handle(name: string): Promise<Point> {
-    const box = await this.page.locator(`[data-handle="${name}"] .tcv-mark`).boundingBox();
+    const box = await this.page.locator(`.tcv-root:not(.tcv-texture) [data-handle="${name}"] .tcv-mark`).boundingBox();
     if (!box) throw new Error(`The gizmo shows no handle ${name}.`);
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   }

@@ -175,12 +175,12 @@ export const layerListStyles = css`
   }
   @media (pointer: coarse) {
     .cell button {
-      min-width: 40px;
-      width: 40px;
+      min-width: 44px;
+      width: 44px;
     }
     .twist {
       width: 28px;
-      min-height: 40px;
+      min-height: 44px;
     }
     .quiet-until-near button[aria-pressed="false"] {
       display: none;

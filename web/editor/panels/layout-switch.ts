@@ -30,7 +30,7 @@ export class LayoutSwitch extends EditorElement {
         border-radius: var(--radius);
         background: var(--surface-low);
       }
-      button {
+      [role="radio"] {
         min-height: calc(var(--target) - 4px);
         border-radius: 4px;
       }
