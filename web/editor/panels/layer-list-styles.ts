@@ -177,6 +177,7 @@ export const layerListStyles = css`
     .cell button {
       min-width: 44px;
       width: 44px;
+      min-height: 44px;
     }
     .twist {
       width: 28px;
