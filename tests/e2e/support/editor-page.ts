@@ -200,6 +200,20 @@ export class EditorPage {
     }, files);
   }
 
+  /** Begins anew with one of the templates for skins. */
+  async openTemplate(id: string): Promise<void> {
+    await this.page.locator("tc-top-bar .models button").first().click();
+    await this.page.getByRole("menuitem", { name: "New from template…" }).click();
+    await this.page.locator(`tc-template-dialog [data-template=${id}]`).click();
+    await this.idle();
+  }
+
+  async middleOfStage(): Promise<Point> {
+    const box = await this.stage.boundingBox();
+    if (!box) throw new Error("The page shows no model.");
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  }
+
   async openDesign(files: readonly TestFile[]): Promise<void> {
     await this.choose(() => this.page.locator("#open-design").click(), files);
   }
