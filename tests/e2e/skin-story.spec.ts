@@ -1,28 +1,6 @@
 /** The whole way of a skin: from a template to a picture that the command line gives byte for byte. */
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import path from "node:path";
-import { fileURLToPath } from "node:url";
 import { EditorPage, expect, test } from "./support/editor-page.ts";
-import { readPng } from "./support/read-png.ts";
-
-const COMMAND_LINE = fileURLToPath(new URL("../../scripts/texelcast.mjs", import.meta.url));
-
-/** What `texelcast render` makes of a project in one file, from its own folder. */
-function rendered(project: Buffer): Buffer {
-  const folder = mkdtempSync(path.join(tmpdir(), "texelcast-story-"));
-  try {
-    writeFileSync(path.join(folder, "skin.texelcast"), project);
-    execFileSync(process.execPath, [COMMAND_LINE, "render", "skin.texelcast", "--out", "skin.png"], {
-      cwd: folder,
-      env: { ...process.env, INIT_CWD: folder },
-    });
-    return readFileSync(path.join(folder, "skin.png"));
-  } finally {
-    rmSync(folder, { recursive: true, force: true });
-  }
-}
+import { rendered } from "./support/rendered.ts";
 
 test("a skin made from a template outlives its closed tab, and the command line paints the same bytes", async ({
   editor,
@@ -61,10 +39,10 @@ test("a skin made from a template outlives its closed tab, and the command line 
   await again.open();
   expect(await again.settledHash()).toBe(finished);
 
-  const picture = readPng((await again.exported("Texture as PNG")).bytes);
+  const picture = await again.exported("Texture as PNG");
   const project = await again.savedProject();
   expect(project.name).toMatch(/\.texelcast$/);
-  expect(readPng(rendered(project.bytes)).rgba.equals(picture.rgba)).toBe(true);
+  expect(rendered(project).equals(picture.bytes)).toBe(true);
 });
 
 test("two hundred strokes and a hundred undos stay within the budgets of memory", async ({ editor, page }) => {

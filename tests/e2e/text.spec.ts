@@ -1,11 +1,9 @@
 /** Words on the model: put there, typed, bent, saved, opened again, and rendered by the command line to the same bytes. */
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import path from "node:path";
+import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import type { TextLayer } from "../../web/editor/document/index.ts";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
+import { rendered } from "./support/rendered.ts";
 import { file, squareGlb } from "./support/test-files.ts";
 
 const inCheckout = (name: string): string => fileURLToPath(new URL(`../../${name}`, import.meta.url));
@@ -80,18 +78,8 @@ test("words are put on the model, typed, bent and outlined, stay editable, and N
   await expect(words).toHaveValue("Cafe\u0301\nשלום");
 
   const png = await editor.exported("Texture as PNG");
-  const folder = mkdtempSync(path.join(tmpdir(), "texelcast-text-"));
-  try {
-    writeFileSync(path.join(folder, "text.json"), design.bytes);
-    writeFileSync(path.join(folder, "model.glb"), model.buffer);
-    const tool = inCheckout("scripts/texelcast.mjs");
-    execFileSync("node", [tool, "render", "model.glb", "text.json", "--out", "out.png"], { cwd: folder });
-    expect(readFileSync(path.join(folder, "out.png")).equals(png.bytes), "the command line's PNG is the page's").toBe(
-      true,
-    );
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
+  const picture = rendered({ name: "model.glb", bytes: model.buffer }, { name: "text.json", bytes: design.bytes });
+  expect(picture.equals(png.bytes), "the command line's PNG is the page's").toBe(true);
 });
 
 test("a font of one's own and an SVG file are dropped on the model; what cannot be written or read is said", async ({
