@@ -351,10 +351,10 @@ describe("what texelcast render refuses", () => {
     ["a ground that is missing", [], ["--base", "ground.png"], "ground.png: there is no such file"],
     ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
     [
-      "words in a font that the design lacks",
+      "words in a font whose file is missing",
       [{ type: "text", text: "Ada", font: "serif", projector: middle }],
       [],
-      'layers[0].font: must name one of the design\'s assets (there are none), is "serif"',
+      'design.json: assets.serif.uri: "serif.ttf": there is no such file',
     ],
   ])("%s: exit code 3, nothing written, nothing on stdout", async (_what, layers, args, told) => {
     const bench = await workbench(layers);
