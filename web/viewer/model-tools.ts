@@ -1,10 +1,11 @@
 /** The editor's tools in the 3D view: their pointer, their ring, and the places of the surface that they ask for. */
 import { type Ray, Vector3 } from "three";
-import type { Vec3 } from "../engine/engine-api.ts";
+import type { PerspectiveProjector, Vec3 } from "../engine/engine-api.ts";
 import { SurfaceRing } from "./brush-ring.ts";
 import { tangentPart, tupleOf } from "./decal-pose.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
+import type { SurfaceSight } from "./surface-sight.ts";
 import { type TexelPlaces, texelPlaces } from "./texel-places.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 import { ToolPointer } from "./tool-pointer.ts";
@@ -116,6 +117,20 @@ export class ModelTools implements ToolSurface {
   texelPlaces(material: number, width: number, height: number): TexelPlaces | null {
     const query = this.#hooks.query();
     return query && texelPlaces(query, material, width, height);
+  }
+
+  lookAt(hit: SurfaceHit): { readonly eye: Vec3; readonly up: Vec3 } {
+    const place = new Vector3(...hit.position);
+    const drawn = this.#hooks.toDrawn(place);
+    const { eye } = this.#screen;
+    if (drawn.equals(place)) return { eye: tupleOf(eye), up: tupleOf(this.#screen.axes.up) };
+    const above = place.clone().addScaledVector(new Vector3(...hit.normal), eye.distanceTo(drawn));
+    const isLevel = Math.abs(hit.normal[1]) > 0.99;
+    return { eye: tupleOf(above), up: isLevel ? [0, 0, -1] : [0, 1, 0] };
+  }
+
+  seenFrom(eye: PerspectiveProjector, width: number, height: number): SurfaceSight | null {
+    return this.#hooks.query()?.seenFrom(eye, width, height) ?? null;
   }
 
   metresPerPixel(hit: SurfaceHit): number {

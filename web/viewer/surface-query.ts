@@ -1,10 +1,12 @@
 /** Questions to the resting model: where does a ray meet it, which point is nearest, what is its smooth normal there. */
 import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Sphere, Triangle, Vector3 } from "three";
 import { type HitPointInfo, MeshBVH } from "three-mesh-bvh";
+import type { PerspectiveProjector } from "../engine/engine-api.ts";
 import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
 import type { ReachVolume } from "./reached-materials.ts";
 import { DOUBLE_SIDED, FACETED, type RestingSurface } from "./resting-surface.ts";
 import { shellsOf } from "./surface-shells.ts";
+import { type SurfaceSight, seenFrom } from "./surface-sight.ts";
 import { UvLookup, type UvPlace } from "./uv-lookup.ts";
 
 /** A point of the surface with what lies there; `distance` from the question's origin, metres. */
@@ -134,6 +136,11 @@ export class SurfaceQuery {
     const { a, b, c } = this.#triangle;
     const position = a.clone().multiplyScalar(shares[0]).addScaledVector(b, shares[1]).addScaledVector(c, shares[2]);
     return this.#sample(triangle, position, 0);
+  }
+
+  /** What an eye sees of the surface, in a picture of that many pixels. */
+  seenFrom(eye: PerspectiveProjector, width: number, height: number): SurfaceSight {
+    return seenFrom(this.#surface, eye, width, height);
   }
 
   /** How u and v grow over a triangle's plane, per metre; zeros where the triangle has no area. */

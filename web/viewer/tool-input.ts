@@ -1,6 +1,7 @@
 /** What a tool of the editor above gets from either view, and what it may show there. */
-import type { Vec3 } from "../engine/engine-api.ts";
+import type { PerspectiveProjector, Vec3 } from "../engine/engine-api.ts";
 import type { ScreenPoint } from "./screen-space.ts";
+import type { SurfaceSight } from "./surface-sight.ts";
 import type { TexelPlaces } from "./texel-places.ts";
 import type { SurfaceHit } from "./viewer-api.ts";
 
@@ -71,6 +72,13 @@ export interface ToolSurface {
   placesInModel(hit: SurfaceHit, uvs: readonly (readonly [number, number])[]): readonly Vec3[];
   /** Where the texels of a material's texture of this size lie; for small textures. Null without a model. */
   texelPlaces(material: number, width: number, height: number): TexelPlaces | null;
+  /**
+   * From where the camera looks at a hit, and what is up there; model space. While the model is posed, from straight above
+   * the hit's place at rest.
+   */
+  lookAt(hit: SurfaceHit): { readonly eye: Vec3; readonly up: Vec3 };
+  /** What an eye sees of the visible surface at rest; null without a model. */
+  seenFrom(eye: PerspectiveProjector, width: number, height: number): SurfaceSight | null;
   /** Metres that one CSS pixel spans on the surface at a hit. */
   metresPerPixel(hit: SurfaceHit): number;
 }

@@ -11,6 +11,7 @@ import type {
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 
 export type { Vec3 } from "../engine/engine-api.ts";
+export type { SurfaceSight } from "./surface-sight.ts";
 export type { TexelPlaces } from "./texel-places.ts";
 export type { BrushRing, ToolInput, ToolSample, ToolSurface, ToolView } from "./tool-input.ts";
 

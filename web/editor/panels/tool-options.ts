@@ -18,7 +18,7 @@ import { toolOptionsStyles } from "./tool-options-styles.ts";
 const words = strings.tools;
 
 /** Options that stand behind the button "More": set once and left alone. */
-const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock"];
+const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock", "aligned"];
 /** On a phone, where the bar has room for a colour and a size, besides those. */
 const SELDOM_ON_PHONE: readonly ToolOption[] = [...SELDOM, "tip", "hardness", "opacity", "mirror"];
 const PHONE = "(max-width: 720px)";
@@ -64,8 +64,8 @@ export class ToolOptions extends EditorElement {
     return html`
       <div class="bar" role="toolbar" aria-label=${words.options}>
         <div class="often">
-          ${tool.options.map((option) => (behind.includes(option) ? nothing : this.#field(option, tool)))}
           ${tool.renderOptions?.() ?? nothing}
+          ${tool.options.map((option) => (behind.includes(option) ? nothing : this.#field(option, tool)))}
         </div>
         ${
           seldom.length > 0
@@ -153,6 +153,10 @@ export class ToolOptions extends EditorElement {
           max: 255,
           set: (value) => ({ tolerance: Math.round(value) }),
         });
+      case "aligned":
+        return checkField("tool-aligned", strings.clone.aligned, settings.cloneAligned, (on) =>
+          this.#set({ cloneAligned: on }),
+        );
       case "contiguous":
       case "filled":
       case "alphaLock":

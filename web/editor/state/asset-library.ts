@@ -47,8 +47,6 @@ export interface LibraryFont {
 const TYPES = { png: "image/png", jpeg: "image/jpeg", webp: "image/webp" } as const;
 
 const LIVE_KEY = "picture-live";
-/** Stands in designs that are only previewed; no file has this address. */
-const LIVE_ASSET: DesignAsset = { type: "image/png", uri: "live:picture" };
 
 export class AssetLibrary {
   readonly #engine: Engine;
@@ -104,13 +102,17 @@ export class AssetLibrary {
   }
 
   /**
-   * Shows a picture that is still being changed: each takes the place of the one before, in the engine too, and none is kept.
-   * PNG. Rejects as `add` does.
+   * Shows a picture that is still being changed: each of a slot takes the place of the one before, in the engine too, and none
+   * is kept. Its address stands in designs that are only previewed; no file has it. PNG. Rejects as `add` does.
    */
-  async setLive(bytes: Uint8Array): Promise<LibraryPicture> {
-    const { width, height } = await this.#engine.setAsset(LIVE_KEY, { name: LIVE_KEY, bytes });
-    const picture: LibraryPicture = { engineKey: LIVE_KEY, asset: LIVE_ASSET, width, height, url: "" };
-    this.#pictures.set(LIVE_ASSET.uri, picture);
+  async setLive(bytes: Uint8Array, slot = "picture"): Promise<LibraryPicture> {
+    const engineKey = `${LIVE_KEY}-${slot}`;
+    const { width, height } = await this.#engine.setAsset(engineKey, { name: engineKey, bytes });
+    const asset: DesignAsset = { type: "image/png", uri: `live:${slot}` };
+    URL.revokeObjectURL(this.#pictures.get(asset.uri)?.url ?? "");
+    const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type: asset.type }));
+    const picture: LibraryPicture = { engineKey, asset, width, height, url };
+    this.#pictures.set(asset.uri, picture);
     return picture;
   }
 

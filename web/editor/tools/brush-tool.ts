@@ -1,20 +1,15 @@
-/** Brush and eraser: strokes over the model or over its flat texture, by pointer or by keys. */
-import { Brush as BrushIcon, Eraser, type IconNode } from "lucide";
+/** Brushes: strokes over the model or over its flat texture, by pointer or by keys. */
+import type { TemplateResult } from "lit";
+import type { IconNode } from "lucide";
 import type { SurfaceHit, ToolInput, ToolSample } from "../../viewer/viewer-api.ts";
-import type { Brush } from "../document/index.ts";
-import { strings } from "../strings.ts";
 import { BrushPreview } from "./brush-preview.ts";
-import { mirrorOf } from "./mirror-setting.ts";
 import { PaintCursor } from "./paint-cursor.ts";
-import { paintTargetOf } from "./paint-target.ts";
-import type { PixelProbe } from "./pixel-probe.ts";
 import { PointerPath, ropeOf } from "./pointer-path.ts";
 import { handleBrushKey } from "./size-keys.ts";
-import { StrokeGesture } from "./stroke-gesture.ts";
+import type { PaintGesture } from "./stroke-gesture.ts";
 import { surfaceJoins } from "./surface-joins.ts";
-import type { Tool, ToolOption } from "./tool.ts";
+import type { Tool, ToolId, ToolOption } from "./tool.ts";
 import type { ToolContext } from "./tool-context.ts";
-import { withRecent } from "./tool-settings.ts";
 
 /** A stroke whose finger went less far than this, pixels, when a second one came was meant as the beginning of a pinch. */
 const PINCH_SLOP = 16;
@@ -22,23 +17,49 @@ const PINCH_SLOP = 16;
 /** Of the brush's size: how far an arrow key moves its cursor. */
 const KEY_STEP = 0.25;
 
-const KINDS = {
-  brush: { icon: BrushIcon, shortcut: "B" },
-  eraser: { icon: Eraser, shortcut: "E" },
-} as const satisfies Record<string, { icon: IconNode; shortcut: string }>;
+/** Where a stroke begins; `hit` is null beside the charts of the flat texture, and `uv` beside the model. */
+export interface StrokeStart {
+  readonly view: "model" | "texture";
+  readonly hit: SurfaceHit | null;
+  readonly uv: readonly [number, number] | null;
+}
+
+/** What is special to one of the brushes. */
+export interface BrushKind {
+  readonly id: ToolId;
+  readonly label: string;
+  readonly icon: IconNode;
+  readonly shortcut: string;
+  readonly options: readonly ToolOption[];
+  /** Of the radius, where the brush begins to fade. */
+  inner(): number;
+  /** What a press with Alt does, and each move until its release; without it, Alt means nothing. */
+  readonly alt?: (start: StrokeStart) => void;
+  /** Whether a press without Alt means one with it. */
+  readonly armed?: () => boolean;
+  /** Null where nothing can be painted; the user is told why. */
+  begin(start: StrokeStart): PaintGesture | null;
+  /** The brush is over a place now, or over none. */
+  readonly over?: (hit: SurfaceHit | null) => void;
+  readonly key?: (event: KeyboardEvent) => boolean;
+  readonly activate?: () => void;
+  readonly deactivate?: () => void;
+  readonly renderOptions?: () => TemplateResult;
+}
 
 export class BrushTool implements Tool {
-  readonly id: "brush" | "eraser";
+  readonly id: ToolId;
   readonly label: string;
   readonly icon: IconNode;
   readonly shortcut: string;
   readonly options: readonly ToolOption[];
   readonly input: ToolInput;
+  readonly renderOptions?: () => TemplateResult;
+  readonly #kind: BrushKind;
   readonly #context: ToolContext;
-  readonly #probe: PixelProbe;
   readonly #preview: BrushPreview;
   readonly #cursor: PaintCursor;
-  #gesture: StrokeGesture | null = null;
+  #gesture: PaintGesture | null = null;
   #path: PointerPath | null = null;
   #start: ToolSample | null = null;
   #wandered = 0;
@@ -46,20 +67,16 @@ export class BrushTool implements Tool {
   /** Where the newest stroke ended: Shift draws a straight line from there. */
   #lastPlace: SurfaceHit | null = null;
 
-  constructor(id: "brush" | "eraser", context: ToolContext, probe: PixelProbe) {
-    this.id = id;
-    this.label = strings.tools[id];
-    this.icon = KINDS[id].icon;
-    this.shortcut = KINDS[id].shortcut;
-    const common = ["size", "hardness", "flow", "opacity", "spacing", "stabiliser", "pressure", "mirror"] as const;
-    this.options = id === "brush" ? ["color", "tip", ...common, "alphaLock"] : common;
+  constructor(kind: BrushKind, context: ToolContext) {
+    ({ id: this.id, label: this.label, icon: this.icon, shortcut: this.shortcut, options: this.options } = kind);
+    if (kind.renderOptions) this.renderOptions = kind.renderOptions;
+    this.#kind = kind;
     this.#context = context;
-    this.#probe = probe;
-    this.#preview = new BrushPreview(context, () => this.#innerShare());
+    this.#preview = new BrushPreview(context, () => kind.inner());
     this.#cursor = new PaintCursor(context, {
       stepAt: (hit) => Math.max(this.#size() * KEY_STEP, context.viewer.surface.metresPerPixel(hit) * 3),
-      moved: (hit) => this.#preview.show(hit),
-      begin: (hit) => this.#begin() && this.#extend(hit),
+      moved: (hit) => this.#show(hit),
+      begin: (hit) => this.#beginByKey(hit),
       extend: (hit) => this.#extend(hit),
       end: () => this.#finish(),
     });
@@ -73,10 +90,15 @@ export class BrushTool implements Tool {
     };
   }
 
+  activate(): void {
+    this.#kind.activate?.();
+  }
+
   deactivate(): void {
     this.#cancel();
     this.#cursor.hide();
-    this.#preview.show(null);
+    this.#show(null);
+    this.#kind.deactivate?.();
   }
 
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
@@ -84,7 +106,7 @@ export class BrushTool implements Tool {
       this.#cancel();
       return true;
     }
-    if (this.#cursor.key(event, view !== null)) return true;
+    if (this.#cursor.key(event, view !== null) || this.#kind.key?.(event)) return true;
     const { tools } = this.#context;
     if (!handleBrushKey(event, tools)) return false;
     this.#preview.refresh();
@@ -95,13 +117,15 @@ export class BrushTool implements Tool {
     this.#cursor.hide();
     // In the flat view a stroke may begin beside the charts and go on into one.
     if (sample.hit === null && (sample.view.kind === "model" || !isInTexture(sample))) return false;
-    if (sample.alt && this.id === "brush") {
+    const { alt, armed } = this.#kind;
+    if (alt && (sample.alt || armed?.())) {
       this.#picking = true;
-      this.#probe.pick(sample.hit);
+      alt(startOf(sample));
       return true;
     }
     // A locked layer keeps the press too: the camera turning instead would be a surprise.
-    if (!this.#begin()) return true;
+    this.#gesture = this.#kind.begin(startOf(sample));
+    if (this.#gesture === null) return true;
     this.#start = sample;
     this.#wandered = 0;
     const { stabiliser } = this.#context.tools.settings;
@@ -120,7 +144,7 @@ export class BrushTool implements Tool {
 
   #move(samples: readonly ToolSample[]): void {
     const newest = samples.at(-1);
-    if (this.#picking) this.#probe.pick(newest?.hit ?? null);
+    if (this.#picking && newest !== undefined) this.#kind.alt?.(startOf(newest));
     if (this.#gesture === null || this.#path === null) return;
     for (const sample of samples) {
       this.#gesture.extend(this.#path.add(sample));
@@ -149,11 +173,26 @@ export class BrushTool implements Tool {
   #hover(sample: ToolSample | null): void {
     if (sample !== null) this.#cursor.hide();
     else if (this.#cursor.shown) return;
-    this.#preview.show(sample?.hit ?? null);
+    this.#show(sample?.hit ?? null);
   }
 
   #follow(): void {
-    this.#preview.show(this.#path?.last ?? null);
+    this.#show(this.#path?.last ?? null);
+  }
+
+  #show(hit: SurfaceHit | null): void {
+    this.#preview.show(hit);
+    this.#kind.over?.(hit);
+  }
+
+  #beginByKey(hit: SurfaceHit): void {
+    const start = { view: "model", hit, uv: hit.uv } as const;
+    if (this.#kind.alt && this.#kind.armed?.()) {
+      this.#kind.alt(start);
+      return;
+    }
+    this.#gesture = this.#kind.begin(start);
+    this.#extend(hit);
   }
 
   #extend(hit: SurfaceHit): void {
@@ -161,48 +200,12 @@ export class BrushTool implements Tool {
     this.#lastPlace = hit;
   }
 
-  /** False where nothing can be painted; the user is told why. */
-  #begin(): boolean {
-    const { session, store, board, tools, reach } = this.#context;
-    const erases = this.id === "eraser";
-    const { selectedId, editingMask } = store.state;
-    const target = paintTargetOf(session.recordedDesign, selectedId, erases, editingMask);
-    if (target.kind === "refused") {
-      board.info({
-        ...strings.tools.refusals[target.reason],
-        title: strings.tools.refusals[target.reason].title(target.name),
-      });
-      return false;
-    }
-    const { spacing, pressure, opacity, alphaLock, color, recent, mirror } = tools.settings;
-    tools.configure({ recent: erases ? recent : withRecent(recent, color) });
-    this.#gesture = new StrokeGesture({
-      brush: this.#brush(),
-      name: this.label,
-      size: this.#size(),
-      spacing,
-      pressure,
-      opacity,
-      erases,
-      alphaLock: alphaLock && !erases,
-      mirror: mirrorOf(mirror, store.state.model?.info ?? null),
-      target,
-      session,
-      reach,
-    });
-    return true;
-  }
-
   #finish(): void {
-    const { session, store, board } = this.#context;
     const gesture = this.#gesture;
     this.#lastPlace = this.#path?.last ?? this.#lastPlace;
     this.#gesture = null;
     this.#path = null;
-    const layerId = gesture?.end(strings.tools.steps[this.id]) ?? null;
-    if (layerId === null) return;
-    if (store.state.selectedId !== layerId) session.select(layerId);
-    board.announce(strings.tools.painted[this.id]);
+    gesture?.end();
   }
 
   #cancel(): void {
@@ -211,23 +214,13 @@ export class BrushTool implements Tool {
     this.#path = null;
   }
 
-  #brush(): Brush {
-    const { color, flow, hardness, tip, tinted } = this.#context.tools.settings;
-    const { assets } = this.#context.session.recordedDesign;
-    if (tip !== null && this.id === "brush" && Object.hasOwn(assets, tip)) {
-      return { tip: "picture", asset: tip, color: tinted ? color : null, flow };
-    }
-    return { tip: "round", color: this.id === "eraser" ? "#000000" : color, hardness, flow };
-  }
-
   #size(): number {
     return this.#context.tools.settings.size ?? 1;
   }
+}
 
-  #innerShare(): number {
-    const { tip, hardness } = this.#context.tools.settings;
-    return tip !== null && this.id === "brush" ? 1 : hardness;
-  }
+function startOf({ view, at, hit }: ToolSample): StrokeStart {
+  return { view: view.kind, hit, uv: view.uvAt(at) };
 }
 
 function isInTexture({ view, at }: ToolSample): boolean {

@@ -1,6 +1,7 @@
 /** A stroke under way: shown in each frame, one step of the history when it ends. */
 import {
   type Brush,
+  type Design,
   freeIdIn,
   layerMaterials,
   type Mirror,
@@ -11,8 +12,15 @@ import {
 import type { DecalReach } from "../state/decal-reach.ts";
 import type { DesignSession } from "../state/design-session.ts";
 import { DabChain, type DabChainOptions } from "./dab-chain.ts";
-import { type PaintTarget, withStroke } from "./paint-target.ts";
 import type { PathStep } from "./pointer-path.ts";
+
+/** What a brush does between its press and its release. */
+export interface PaintGesture {
+  extend(steps: readonly PathStep[]): void;
+  /** Records what was painted as one step. */
+  end(): void;
+  cancel(): void;
+}
 
 export interface StrokeGestureOptions extends DabChainOptions {
   readonly brush: Brush;
@@ -21,7 +29,8 @@ export interface StrokeGestureOptions extends DabChainOptions {
   readonly erases: boolean;
   readonly mirror: Mirror | null;
   readonly alphaLock: boolean;
-  readonly target: PaintTarget;
+  /** The design with the stroke where it goes, and the id of the layer that it belongs to; null while that cannot be told. */
+  readonly put: (design: Design, stroke: StrokeLayer) => { readonly design: Design; readonly layerId: string } | null;
   readonly session: DesignSession;
   readonly reach: DecalReach;
 }
@@ -56,17 +65,22 @@ export class StrokeGesture {
     });
   }
 
-  /** The id of the layer that the stroke became part of; null when it painted nothing. */
-  end(label: string): string | null {
+  /** Ends the stroke without recording it, and gives it; null when it painted nothing. */
+  finish(): StrokeLayer | null {
     this.#stopFrame();
-    const { session, target } = this.#options;
-    if (this.#chain.dabs.length === 0) {
-      session.cancelPreview();
-      return null;
-    }
-    const { design, layerId } = withStroke(session.recordedDesign, target, this.#stroke());
-    session.record(design, label);
-    return layerId;
+    if (this.#chain.dabs.length > 0) return this.#stroke();
+    this.#options.session.cancelPreview();
+    return null;
+  }
+
+  /** Records the stroke; the id of the layer that it became part of, null when it painted nothing. */
+  end(label: string): string | null {
+    const { session, put } = this.#options;
+    const stroke = this.finish();
+    const placed = stroke && put(session.recordedDesign, stroke);
+    if (placed === null) return null;
+    session.record(placed.design, label);
+    return placed.layerId;
   }
 
   cancel(): void {
@@ -74,10 +88,16 @@ export class StrokeGesture {
     this.#options.session.cancelPreview();
   }
 
+  /** Shows the stroke as it is: `put` can tell now where it goes. */
+  refresh(): void {
+    this.#show();
+  }
+
   #show(): void {
-    const { session, target } = this.#options;
+    const { session, put } = this.#options;
     if (this.#chain.dabs.length === 0) return;
-    session.preview(withStroke(session.recordedDesign, target, this.#stroke()).design);
+    const placed = put(session.recordedDesign, this.#stroke());
+    if (placed !== null) session.preview(placed.design);
   }
 
   #stroke(): StrokeLayer {

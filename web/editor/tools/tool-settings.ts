@@ -44,6 +44,10 @@ export interface ToolSettings {
   readonly filled: boolean;
   /** Paints only where the layer has paint. */
   readonly alphaLock: boolean;
+  /** Clone strokes keep the offset of the first since the source was set; else each copies from the source itself. */
+  readonly cloneAligned: boolean;
+  /** The next press says where clone strokes copy from. */
+  readonly cloneArmed: boolean;
 }
 
 export const DEFAULT_COLORS = { color: "#1f2329", background: "#ffffff" } as const;
@@ -68,6 +72,8 @@ export const INITIAL_TOOL_SETTINGS: ToolSettings = {
   contiguous: true,
   filled: false,
   alphaLock: false,
+  cloneAligned: true,
+  cloneArmed: false,
 };
 
 /** Of the model's diagonal. */

@@ -8,6 +8,7 @@ export const TOOL_IDS = [
   "brush",
   "eraser",
   "pencil",
+  "clone",
   "bucket",
   "line",
   "rectangle",
@@ -15,7 +16,6 @@ export const TOOL_IDS = [
   "text",
   "fill",
   "gradient",
-  "clone",
   "parts",
 ] as const;
 export type ToolId = (typeof TOOL_IDS)[number];
@@ -37,6 +37,7 @@ export const TOOL_OPTIONS = [
   "contiguous",
   "filled",
   "alphaLock",
+  "aligned",
 ] as const;
 export type ToolOption = (typeof TOOL_OPTIONS)[number];
 
@@ -53,7 +54,7 @@ export interface Tool {
   readonly input: ToolInput | null;
   /** Whether the rail offers it now; default always. Read when the state changes. */
   readonly offered?: () => boolean;
-  /** Fields of its own in the options bar, after the common ones. */
+  /** Fields of its own in the options bar, before the common ones. */
   readonly renderOptions?: () => TemplateResult;
   readonly activate?: () => void;
   /** Another tool was chosen; what is under way must end. */

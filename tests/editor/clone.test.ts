@@ -1,0 +1,148 @@
+import { describe, expect, it } from "vitest";
+import {
+  type Dab,
+  type DecalLayer,
+  emptyDesign,
+  type GroupLayer,
+  makeFillLayer,
+  makeGroupLayer,
+  makeStrokeLayer,
+  parseDesign,
+  serialiseDesign,
+} from "../../web/editor/document/index.ts";
+import { type ClonePatch, cloneTargetOf, isCloneGroup, withClone } from "../../web/editor/tools/clone-layer.ts";
+import { areaOf, eyeOf, type Look, steppedLook } from "../../web/editor/tools/clone-look.ts";
+import { pictureOfSight, pieceOf } from "../../web/editor/tools/clone-picture.ts";
+
+/** From in front of the origin, two metres away. */
+const FRONT: Look = { at: [0, 0, 0], eye: [0, 0, 2], up: [0, 1, 0] };
+/** From the right of another place, one metre away. */
+const SIDE: Look = { at: [5, 1, 0], eye: [6, 1, 0], up: [0, 1, 0] };
+
+describe("the two eyes of the clone tool", () => {
+  it("see pictures of one size where they look, however far away they stand", () => {
+    const spans = [FRONT, SIDE].map((look) => {
+      const { fov, aspect, position } = eyeOf(look, [0.4, 0.2], 3);
+      const distance = Math.hypot(...position.map((part, axis) => part - (look.at[axis] as number)));
+      return [distance * Math.tan((fov * Math.PI) / 360), aspect];
+    });
+    for (const [half, aspect] of spans) {
+      expect(half).toBeCloseTo(0.2, 12);
+      expect(aspect).toBe(2);
+    }
+  });
+
+  it("look along their own -Z with what is up upright", () => {
+    expect(eyeOf(FRONT, [1, 1], 3).rotation).toEqual([0, 0, 0, 1]);
+    const [x, y, z, w] = eyeOf(SIDE, [1, 1], 3).rotation;
+    expect([x, z]).toEqual([0, 0]);
+    expect([y, w].map((part) => part * part)).toEqual([expect.closeTo(0.5), expect.closeTo(0.5)]);
+  });
+
+  it("a step of the painted place is the same step of the source, as each is looked at", () => {
+    const stepped = steppedLook(SIDE, FRONT, [0.3, -0.1, 0.7]);
+    // To the right of the front is +X, to the right of the side -Z; what goes towards the eye is no step.
+    for (const [axis, value] of [5, 0.9, -0.3].entries()) expect(stepped.at[axis]).toBeCloseTo(value);
+    for (const [axis, value] of [6, 0.9, -0.3].entries()) expect(stepped.eye[axis]).toBeCloseTo(value);
+  });
+
+  it("a dab's area lies where the eye sees it, wider where it is nearer, and nowhere behind the eye", () => {
+    const near = areaOf(FRONT, [0.1, 0, 1], 0.1);
+    expect(((near?.left ?? 0) + (near?.right ?? 0)) / 2).toBeCloseTo(0.2);
+    expect((near?.right ?? 0) - (near?.left ?? 0)).toBeGreaterThan(0.4);
+    expect(areaOf(FRONT, [0, 0, 3], 0.1)).toBeNull();
+  });
+});
+
+describe("the clone tool's pictures", () => {
+  const texture = { width: 2, height: 1, rgba: Uint8Array.of(255, 0, 0, 255, 0, 0, 255, 0) };
+  const all = { left: 0, top: 0, right: 2, bottom: 1 };
+  const sight = (...uvs: number[]) => ({
+    width: 2,
+    height: 1,
+    materials: Int32Array.of(3, -1),
+    uvs: Float32Array.from(uvs),
+  });
+
+  it("take a seen place's colour; beside the model, outside the area and without a texture they are clear", () => {
+    const seen = sight(0.25, 0.5, 0.25, 0.5);
+    const textures = new Map([[3, texture]]);
+    expect([...pictureOfSight(seen, textures, all, true).rgba]).toEqual([255, 0, 0, 255, 0, 0, 0, 0]);
+    expect([...pictureOfSight(seen, textures, { ...all, left: 1 }, true).rgba]).toEqual(Array(8).fill(0));
+    expect([...pictureOfSight(seen, new Map(), all, true).rgba]).toEqual(Array(8).fill(0));
+  });
+
+  it("mix neighbours by their alpha: what is clear lends no colour", () => {
+    const { rgba } = pictureOfSight(sight(0.5, 0.5, 0, 0), new Map([[3, texture]]), all, false);
+    expect([...rgba.subarray(0, 4)]).toEqual([255, 0, 0, 128]);
+  });
+
+  it("a piece that reaches over the texture's border is clear there", () => {
+    const piece = pieceOf(texture, { left: -1, top: 0, right: 1, bottom: 2 });
+    expect([piece.width, piece.height]).toEqual([2, 2]);
+    expect([...piece.rgba]).toEqual([0, 0, 0, 0, 255, 0, 0, 255, ...Array(8).fill(0)]);
+  });
+});
+
+describe("what a clone stroke becomes", () => {
+  const dab: Dab = { kind: "planar", position: [1, 0, 0], rotation: [0, 0, 0, 1], size: [0.1, 0.1, 0.1], flow: 1 };
+  const stroke = makeStrokeLayer({
+    id: "layer-1",
+    brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 },
+    dabs: [dab],
+  });
+  const patch: ClonePatch = {
+    asset: { type: "image/png", uri: "data:image/png;base64,AAAA" },
+    projector: eyeOf(FRONT, [0.4, 0.2], 3),
+    material: 0,
+    filter: "linear",
+    opacity: 0.5,
+    mirror: null,
+  };
+  const top = cloneTargetOf(emptyDesign(), null);
+  if (top.kind === "refused") throw new Error("An empty design refuses nothing.");
+  const once = withClone(emptyDesign(), top, stroke, patch);
+
+  it("a decal in a group of its own, shown where the stroke went, that is read back as it was written", () => {
+    const [group] = once.design.layers as [GroupLayer];
+    expect(isCloneGroup(group)).toBe(true);
+    expect(group.layers[0]).toMatchObject({
+      type: "decal",
+      opacity: 0.5,
+      mask: { invert: true, layers: [{ type: "stroke", blend: "erase", opacity: 1, dabs: [dab] }] },
+    });
+    expect(parseDesign(serialiseDesign(once.design), "clone.json")).toEqual(once.design);
+  });
+
+  it("the next goes into the same group while that or a stroke of it is selected, else above the selection", () => {
+    const [group] = once.design.layers as [GroupLayer];
+    for (const id of [group.id, group.layers[0]?.id ?? null]) {
+      const target = cloneTargetOf(once.design, id);
+      expect(target).toEqual({ kind: "group", groupId: group.id });
+      if (target.kind === "refused") continue;
+      const [grown] = withClone(once.design, target, stroke, patch).design.layers as [GroupLayer];
+      expect(grown.layers).toHaveLength(2);
+    }
+    const below = makeFillLayer({ id: "below", color: "#ffffff" });
+    const design = { ...once.design, layers: [below, ...once.design.layers] };
+    expect(cloneTargetOf(design, "below")).toMatchObject({ kind: "new", place: { index: 1 } });
+  });
+
+  it("with a mirror its twin is a layer of its own, with the picture and the dabs mirrored", () => {
+    const mirror = { axis: "x", offset: 0, readable: false } as const;
+    const [group] = withClone(emptyDesign(), top, stroke, { ...patch, mirror }).design.layers as [GroupLayer];
+    const [, twin] = group.layers as [DecalLayer, DecalLayer];
+    expect(twin.flipX).toBe(true);
+    expect(twin.mask?.layers[0]).toMatchObject({ dabs: [{ position: [-1, 0, 0] }] });
+  });
+
+  it("a locked or hidden group is not painted on", () => {
+    const [group] = once.design.layers as [GroupLayer];
+    const held = (change: Partial<GroupLayer>) => ({
+      ...once.design,
+      layers: [makeGroupLayer({ ...group, ...change })],
+    });
+    expect(cloneTargetOf(held({ locked: true }), group.id)).toMatchObject({ kind: "refused", reason: "locked" });
+    expect(cloneTargetOf(held({ visible: false }), group.id)).toMatchObject({ kind: "refused", reason: "hidden" });
+  });
+});
