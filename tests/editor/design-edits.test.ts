@@ -3,8 +3,12 @@ import {
   type DecalLayer,
   type Design,
   emptyDesign,
+  findLayer,
   freeIdIn,
   makeDecalLayer,
+  makePaintLayer,
+  makeStrokeLayer,
+  moveTo,
   parseDesign,
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
@@ -42,6 +46,34 @@ describe("edits of a design", () => {
     expect(patchLayer<DecalLayer>(design, id, { opacity: 1, angleFade: [70, 90] })).toBe(design);
     const grouped = groupLayers(design, [id], { name: "Group" })?.design as Design;
     expect(patchLayer<DecalLayer>(grouped, id, { opacity: 1, angleFade: [70, 90] })).toBe(grouped);
+  });
+
+  it("what lies on the texture never has a mirror, in whatever way it gets there: the saved file is read again", () => {
+    const stamp = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } as const;
+    const mirror = { axis: "x", offset: 0, readable: false } as const;
+    const flat = makeStrokeLayer({
+      id: "flat",
+      brush: { tip: "round", color: "#ff0000", hardness: 1, flow: 1 },
+      dabs: [{ ...stamp, flow: 1 }],
+    });
+    const round = makeStrokeLayer({ ...flat, id: "round", dabs: [{ ...PROJECTOR, flow: 1 }] });
+    let design: Design = {
+      ...designOf("A"),
+      layers: [
+        ...designOf("A").layers,
+        makePaintLayer({ id: "flats", strokes: [flat] }),
+        makePaintLayer({ id: "rounds", strokes: [round] }),
+      ],
+    };
+    const decalId = idOf(design, "A");
+    for (const id of ["flat", "flats", "rounds", decalId]) design = patchLayer<DecalLayer>(design, id, { mirror });
+    expect(() => moveTo(design, "flat", { parentId: "rounds", list: "strokes", index: 0 })).toThrow(
+      "cannot be mirrored",
+    );
+    design = patchLayer<DecalLayer>(design, decalId, { projector: stamp });
+    expect(parseDesign(serialiseDesign(design), "mirrors.json")).toEqual(design);
+    expect(findLayer(design, "rounds")).toMatchObject({ mirror });
+    for (const id of ["flat", "flats", decalId]) expect(findLayer(design, id)).toMatchObject({ mirror: null });
   });
 
   it("put a new decal on top of all, or of those in a group", () => {

@@ -1,15 +1,18 @@
 import { BoxGeometry, type BufferGeometry } from "three";
 import { describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { type Design, emptyDesign } from "../../web/editor/document/index.ts";
 import { floodFill } from "../../web/editor/tools/flood-fill.ts";
 import { MOST_COLORS, parseGimpPalette, printGimpPalette } from "../../web/editor/tools/gimp-palette.ts";
 import { colorsOf } from "../../web/editor/tools/picture-palette.ts";
 import { PixelCanvas, pixelColorOf } from "../../web/editor/tools/pixel-canvas.ts";
-import { joined, texelsAlong } from "../../web/editor/tools/pixel-places.ts";
+import { PixelGesture, type PixelSource, type PixelStart } from "../../web/editor/tools/pixel-gesture.ts";
+import { byMaterial, joined, texelsAlong } from "../../web/editor/tools/pixel-places.ts";
 import { squared, texelLine, texelRectangle, tipCorner } from "../../web/editor/tools/pixel-shapes.ts";
 import { TexelNeighbours } from "../../web/editor/tools/texel-neighbours.ts";
+import type { ToolContext } from "../../web/editor/tools/tool-context.ts";
 import { texelPlaces } from "../../web/viewer/texel-places.ts";
-import { queryOf } from "../viewer/surface-helpers.ts";
+import { queryOf, sheet } from "../viewer/surface-helpers.ts";
 
 /** Texels across a face, and of the whole texture: the six faces lie side by side, three in a row, without a gap. */
 const FACE = 8;
@@ -81,6 +84,92 @@ describe("texels side by side on a model", () => {
   });
 });
 
+describe("texels of two materials", () => {
+  const left = texelPlaces(queryOf(sheet().translate(-1, 0, 0)), 0, 4, 4);
+  const right = texelPlaces(queryOf(sheet().translate(1, 0, 0)), 0, 4, 4);
+  /** One shell, as two materials of one mesh are. */
+  const joint = new TexelNeighbours(
+    { ...left, shells: left.shells.map(() => 0) },
+    { ...right, shells: right.shells.map(() => 0) },
+  );
+
+  it("are beside each other over the border of the two, and nowhere else", () => {
+    for (let texel = 0; texel < 16; texel++) {
+      const over = joint.of(texel).filter((other) => other >= 16);
+      expect(over, `texel ${texel}`).toEqual(texel % 4 === 3 ? [16 + texel - 3] : []);
+    }
+  });
+
+  it("a fill goes over the border", () => {
+    const rgba = new Uint8Array(32 * 4).fill(255);
+    const options = { tolerance: 0, contiguous: true, neighbours: (texel: number) => joint.of(texel) };
+    expect(floodFill(rgba, 0, options)).toHaveLength(32);
+  });
+
+  it("a path over the border goes on in the other material, each part at its own grid", () => {
+    const at = (material: number, u: number) => ({
+      hit: { position: [0, 0, 0], normal: [0, 0, 1], material, uv: [u, 0], face: 0 } as const,
+      pressure: 1,
+    });
+    const sizes = [
+      { width: 4, height: 4 },
+      { width: 8, height: 8 },
+    ];
+    const { places, last } = texelsAlong(
+      [at(0, 0.9), at(1, 0.05), at(1, 0.4)],
+      (material) => sizes[material] ?? null,
+      null,
+    );
+    const parts = byMaterial(places);
+    expect(parts.get(0)?.map(([x]) => Math.floor(x))).toEqual([3]);
+    expect(parts.get(1)?.map(([x]) => Math.floor(x))).toEqual([0, 1, 2, 3]);
+    expect(last?.material).toBe(1);
+    expect(texelsAlong([at(7, 0.5)], (material) => sizes[material] ?? null, last).last).toBeNull();
+  });
+});
+
+describe("a change of the layers of two materials", () => {
+  const begun: PixelStart = { layer: null, picture: { width: 2, height: 2, rgba: new Uint8Array(16) } };
+  const source: PixelSource = { width: 2, height: 2, layerId: null, alphaLock: false, begun: Promise.resolve(begun) };
+  const contextOf = (recorded: Design[]) => {
+    const design = emptyDesign();
+    const picture = (_: unknown, bytes: Uint8Array) => ({
+      asset: { type: "image/png", uri: `data:${bytes.length},${recorded.length}` },
+    });
+    return {
+      session: {
+        recordedDesign: design,
+        record: (next: Design) => recorded.push(next),
+        preview: () => {},
+        cancelPreview: () => {},
+      },
+      library: { add: picture, setLive: (bytes: Uint8Array) => picture(null, bytes) },
+      store: { state: { selectedId: null } },
+    } as unknown as ToolContext;
+  };
+
+  it("is one step, with a layer of each", async () => {
+    const recorded: Design[] = [];
+    const gesture = new PixelGesture(contextOf(recorded), () => source);
+    gesture.draw(0, (canvas) => canvas.set(0, 0, [1, 2, 3, 255]));
+    gesture.draw(3, (canvas) => canvas.set(1, 1, [1, 2, 3, 255]));
+    await gesture.end("pencil");
+    expect(recorded).toHaveLength(1);
+    expect(recorded[0]?.layers.map(({ material }) => material).sort()).toEqual([0, 3]);
+  });
+
+  it("leaves a material alone on which nothing was drawn in the end, and one that cannot be painted", async () => {
+    const recorded: Design[] = [];
+    const gesture = new PixelGesture(contextOf(recorded), (material) => (material === 5 ? null : source));
+    gesture.draw(5, (canvas) => canvas.set(0, 0, [1, 2, 3, 255]));
+    gesture.draw(3, (canvas) => canvas.set(0, 0, [1, 2, 3, 255]));
+    gesture.restart();
+    gesture.draw(0, (canvas) => canvas.set(0, 0, [1, 2, 3, 255]));
+    await gesture.end("line");
+    expect(recorded[0]?.layers.map(({ material }) => material)).toEqual([0]);
+  });
+});
+
 describe("shapes on the texel grid", () => {
   it("a line has no gaps, holds both ends, and is the same length either way", () => {
     for (const [x, y] of [
@@ -123,9 +212,9 @@ describe("shapes on the texel grid", () => {
       pressure: 1,
     });
     const size = { width: 16, height: 16 };
-    expect(texelsAlong([at(1.5, 1.5), at(4.4, 1.5)], 0, size, null).places).toHaveLength(4);
-    expect(texelsAlong([at(1.5, 1.5), at(9.5, 1.5)], 0, size, null).places).toHaveLength(2);
-    expect(texelsAlong([at(1.5, 1.5), null, at(3.5, 1.5)], 0, size, null).places).toHaveLength(2);
+    expect(texelsAlong([at(1.5, 1.5), at(4.4, 1.5)], () => size, null).places).toHaveLength(4);
+    expect(texelsAlong([at(1.5, 1.5), at(9.5, 1.5)], () => size, null).places).toHaveLength(2);
+    expect(texelsAlong([at(1.5, 1.5), null, at(3.5, 1.5)], () => size, null).places).toHaveLength(2);
     expect(joined([0.5, 0.5], [3.5, 0.5])).toEqual([
       [1.5, 0.5],
       [2.5, 0.5],

@@ -3,7 +3,7 @@ export * from "./design.ts";
 export { isHexColor, parseHexColor, type Rgba } from "./hex-color.ts";
 export * from "./layer-tree.ts";
 export * from "./make-layer.ts";
-export { mirroredProjector, sameMirror } from "./mirror-layer.ts";
+export { liesOnTexture, mirroredProjector, sameMirror } from "./mirror-layer.ts";
 export { parseDesign } from "./parse-design.ts";
 export {
   PROJECT_EXTENSION,

@@ -5,6 +5,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { type Design, type DesignLayer, freeLayerId, materialsOf } from "./design.ts";
 import type { DesignPath } from "./design-problem.ts";
+import { liesOnTexture } from "./mirror-layer.ts";
 import { DESIGN_LIMITS } from "./schema-parts.ts";
 
 /** Which of a layer's lists: what a group holds, what a paint layer holds, what a mask holds. */
@@ -202,6 +203,9 @@ export function insertAt(design: Design, { parentId, list, index }: LayerPlace, 
     list === "layers" ||
     (list === "strokes" ? layer.type === "stroke" : layer.type !== "group" && layer.type !== "paint");
   if (!takes) throw refusal("type", layer.type, `The list “${list}” takes no layers of type “${layer.type}”.`);
+  if (list === "strokes" && parent.layer.type === "paint" && parent.layer.mirror !== null && liesOnTexture(layer)) {
+    throw refusal("mirror", parent.layer.mirror.axis, "A stroke that lies on the texture cannot be mirrored.");
+  }
   return mapLayer(design, parent.layer.id, (holder) =>
     list === "mask"
       ? withList(

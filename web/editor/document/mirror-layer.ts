@@ -3,7 +3,7 @@
  * signs and places of its parts, so that it costs no digit.
  */
 import type { EngineDab, EngineDecalLayer, EngineStrokeLayer } from "../../engine/engine-api.ts";
-import type { Mirror, Projector, Quaternion, Vec3 } from "./design.ts";
+import type { DesignLayer, Mirror, Projector, Quaternion, Vec3 } from "./design.ts";
 
 /**
  * The projector as the mirror shows it. A projector cannot be left-handed: its picture, left and right exchanged, is what
@@ -16,6 +16,13 @@ export function mirroredProjector<P extends Projector>(projector: P, mirror: Mir
     position: mirroredPoint(projector.position, mirror),
     rotation: mirroredRotation(projector.rotation, mirror),
   };
+}
+
+/** Whether a layer, or a dab of it, lies on the texture and so on no side of the model: such a one has no mirror. */
+export function liesOnTexture(layer: DesignLayer): boolean {
+  if (layer.type === "decal" || layer.type === "text") return layer.projector.kind === "uv";
+  if (layer.type === "paint") return layer.strokes.some(liesOnTexture);
+  return layer.type === "stroke" && layer.dabs.some(({ kind }) => kind === "uv");
 }
 
 function mirroredPoint([x, y, z]: Vec3, { axis, offset }: Mirror): Vec3 {

@@ -49,6 +49,7 @@ function gradientFields(context: PropertyContext, gradient: Gradient): TemplateR
   return html`
     <tc-gradient-stops
       .stops=${gradient.stops}
+      .recent=${context.state.toolSettings.recent}
       @stops-preview=${(event: Event) => layers.preview(context.ids, { gradient: { ...gradient, stops: stopsOf(event) } })}
       @stops-change=${(event: Event) => record(context, words.name, { gradient: { ...gradient, stops: stopsOf(event) } }, "stops")}
       @stops-cancel=${() => layers.cancelPreview()}

@@ -33,9 +33,9 @@ export class LayerProperties extends EditorElement {
     super(PACE);
   }
 
-  protected watched({ design, selectedId, selection, model, tool }: EditorState): readonly unknown[] {
+  protected watched({ design, selectedId, selection, model, tool, toolSettings }: EditorState): readonly unknown[] {
     const locked = selectedId !== null && isLocked(design, selectedId);
-    return [layerById(design, selectedId), selection, locked, model, tool];
+    return [layerById(design, selectedId), selection, locked, model, tool, toolSettings.recent];
   }
 
   override render(): TemplateResult {

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import {
   type DecalLayer,
+  liesOnTexture,
   MIRROR_AXES,
   type Mirror,
   type PaintLayer,
@@ -20,7 +21,7 @@ export function mirrorFields(
   context: PropertyContext,
   layer: DecalLayer | TextLayer | StrokeLayer | PaintLayer,
 ): TemplateResult | typeof nothing {
-  if ((layer.type === "decal" || layer.type === "text") && layer.projector.kind === "uv") return nothing;
+  if (liesOnTexture(layer)) return nothing;
   const { mirror } = layer;
   const info = context.state.model?.info ?? null;
   const choose = (axis: Mirror["axis"] | "none"): void => {

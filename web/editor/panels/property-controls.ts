@@ -6,6 +6,7 @@ import { diagonalOf, type EditorState } from "../state/editor-state.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
 import { strings } from "../strings.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { recentColors } from "../ui/recent-colors.ts";
 import type { ProjectorField } from "./projector-fields.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 
@@ -103,11 +104,12 @@ export function colorWell(
   return html`<input
     type="color"
     id=${id}
+    list=${`${id}-recent`}
     aria-label=${label}
     .value=${color.slice(0, 7)}
     @input=${(event: Event) => context.editor.layers.preview(context.ids, patch(chosen(event)))}
     @change=${(event: Event) => record(context, label, patch(chosen(event)))}
-  />`;
+  />${recentColors(`${id}-recent`, context.state.toolSettings.recent)}`;
 }
 
 export function alphaField(

@@ -16,6 +16,7 @@ import { icon } from "../ui/icon.ts";
 import "../ui/menu.ts";
 import type { MenuItem } from "../ui/menu.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { recentColors } from "../ui/recent-colors.ts";
 import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
@@ -97,8 +98,8 @@ export class TextFields extends EditorElement {
     this.step = 0.001;
   }
 
-  protected watched({ design, selectedId, textToType }: EditorState): readonly unknown[] {
-    return [layerById(design, selectedId), textToType, design.assets];
+  protected watched({ design, selectedId, textToType, toolSettings }: EditorState): readonly unknown[] {
+    return [layerById(design, selectedId), textToType, design.assets, toolSettings.recent];
   }
 
   protected override updated(): void {
@@ -338,11 +339,12 @@ export class TextFields extends EditorElement {
     return html`<input
       type="color"
       id=${id}
+      list=${`${id}-recent`}
       aria-label=${id === "text-color" ? strings.properties.color : words.outlineColor}
       .value=${value.slice(0, 7)}
       @input=${(event: Event) => void texts.preview(layer.id, patch(color(event)))}
       @change=${(event: Event) => void texts.change(layer.id, patch(color(event)), label)}
-    />`;
+    />${recentColors(`${id}-recent`, this.state.toolSettings.recent)}`;
   }
 
   #number(layer: TextLayer, { id, label, hint = "", unit = "", value, step, min, max, patch }: NumberOptions) {

@@ -9,6 +9,7 @@ import { LEAST_SIZE, MOST_PIXEL_SIZE, MOST_SIZE, type ToolSettings } from "../to
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { recentColors } from "../ui/recent-colors.ts";
 import { controls } from "../ui/theme.ts";
 import "./color-palette.ts";
 import { checkField, choiceField } from "./property-fields.ts";
@@ -178,7 +179,7 @@ export class ToolOptions extends EditorElement {
           @change=${pick}
           list="recent-colors"
         />
-        <datalist id="recent-colors">${recent.map((value) => html`<option value=${value}></option>`)}</datalist>
+        ${recentColors("recent-colors", recent)}
         <button
           class="icon second"
           id="swap-colors"

@@ -3,6 +3,7 @@ import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.t
 import type { DecalGesture, ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf, visitOf } from "../document/index.ts";
 import { strings } from "../strings.ts";
+import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
 import { addOnTop, layerById, withAsset } from "./design-edits.ts";
@@ -55,7 +56,9 @@ export class DecalCommands {
   add(name: string, picture: LibraryPicture, hit: SurfaceHit | null): void {
     this.addLayer(picture.width / picture.height, hit, strings.steps.add, (id, projector, material) => {
       const { design, key } = withAsset(this.#session.recordedDesign, name, picture.asset);
-      return { design, layer: makeDecalLayer({ id, name, material, asset: key, projector }) };
+      const { state } = this.#store;
+      const filter = isPixelated(state, hit?.material ?? state.material) ? "nearest" : "linear";
+      return { design, layer: makeDecalLayer({ id, name, material, asset: key, projector, filter }) };
     });
     this.#board.announce(strings.announce.added(name));
   }

@@ -7,6 +7,7 @@ import {
   findLayer,
   flattenLayers,
   insertAt,
+  liesOnTexture,
   mapLayer,
   materialsIn,
 } from "../document/index.ts";
@@ -23,7 +24,11 @@ export function patchLayer<L extends DesignLayer>(
   if (!layer) return design;
   const fields = Object.entries(patch) as [keyof DesignLayer, unknown][];
   if (fields.every(([key, value]) => sameValue(layer[key], value))) return design;
-  return mapLayer(design, id, (before) => ({ ...before, ...patch }) as DesignLayer);
+  return mapLayer(design, id, (before) => {
+    const after = { ...before, ...patch } as DesignLayer;
+    // Documents refuse it; a patch for several layers does not know which of them lie on the texture.
+    return "mirror" in after && after.mirror !== null && liesOnTexture(after) ? { ...after, mirror: null } : after;
+  });
 }
 
 /** Puts a layer on top of all others, or of those in a group; gives it another name where its own is taken. */

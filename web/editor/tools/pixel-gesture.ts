@@ -1,10 +1,11 @@
 /**
- * A change of a pixel layer under way. Its picture is read, changed, and written as PNG by the engine's own codec, the same
- * bytes everywhere; since that takes turns of the event loop, what the tool draws waits in line and is shown as it is done.
+ * A change of pixel layers under way, one of each material that it meets. Their pictures are read, changed, and written as PNG
+ * by the engine's own codec, the same bytes everywhere; since that takes turns of the event loop, what the tool draws waits in
+ * line and is shown as it is done.
  */
 import type { Picture } from "../../engine/engine-api.ts";
 import { encodePng } from "../../engine/png-encoder.ts";
-import type { DecalLayer } from "../document/index.ts";
+import type { DecalLayer, Design } from "../document/index.ts";
 import { strings } from "../strings.ts";
 import { PixelCanvas } from "./pixel-canvas.ts";
 import { addPixelLayer, withPixels } from "./pixel-layer.ts";
@@ -12,43 +13,54 @@ import type { ToolContext } from "./tool-context.ts";
 
 export type PixelChange = (canvas: PixelCanvas) => void | Promise<void>;
 
-/** What a gesture begins with: the layer that it changes, null for a new one, and that layer's picture. */
+/** What a sheet begins with: the layer that it changes, null for a new one, and that layer's picture. */
 export interface PixelStart {
   readonly layer: DecalLayer | null;
   readonly picture: Picture;
 }
 
-export class PixelGesture {
+/** What a gesture needs of a material; `layerId` is that of the layer it would change now, null for a new one. */
+export interface PixelSource {
   readonly width: number;
   readonly height: number;
+  readonly layerId: string | null;
+  readonly alphaLock: boolean;
+  readonly begun: Promise<PixelStart>;
+}
+
+/** One layer of a gesture. */
+interface Sheet {
+  readonly source: PixelSource;
   readonly material: number;
+  canvas: PixelCanvas | null;
+  layer: DecalLayer | null;
+  previewing: boolean;
+}
+
+export class PixelGesture {
   readonly #context: ToolContext;
-  readonly #alphaLock: boolean;
-  readonly #begun: Promise<PixelStart>;
-  readonly #changes: PixelChange[] = [];
+  readonly #open: (material: number) => PixelSource | null;
+  readonly #sheets = new Map<number, Sheet | null>();
+  readonly #changes: { readonly sheet: Sheet; readonly change: PixelChange }[] = [];
   #work: Promise<void> | null = null;
-  #canvas: PixelCanvas | null = null;
-  #previewing = false;
   #over = false;
 
-  constructor(
-    context: ToolContext,
-    material: number,
-    size: { readonly width: number; readonly height: number },
-    alphaLock: boolean,
-    begun: Promise<PixelStart>,
-  ) {
+  /** @param open what there is to paint of a material; null where nothing can be */
+  constructor(context: ToolContext, open: (material: number) => PixelSource | null) {
     this.#context = context;
-    this.material = material;
-    this.width = size.width;
-    this.height = size.height;
-    this.#alphaLock = alphaLock;
-    this.#begun = begun;
+    this.#open = open;
   }
 
-  /** Changes the picture, soon; changes are made in the order of these calls. */
-  draw(change: PixelChange): void {
-    this.#changes.push(change);
+  /** Texels of a material's grid; null where it cannot be painted. */
+  sizeOf(material: number): { readonly width: number; readonly height: number } | null {
+    return this.#sheetOf(material)?.source ?? null;
+  }
+
+  /** Changes a material's picture, soon; changes are made in the order of these calls. */
+  draw(material: number, change: PixelChange): void {
+    const sheet = this.#sheetOf(material);
+    if (sheet === null) return;
+    this.#changes.push({ sheet, change });
     this.#work ??= this.#workOff().finally(() => {
       this.#work = null;
     });
@@ -56,27 +68,32 @@ export class PixelGesture {
     this.#work.catch(() => {});
   }
 
-  /** Records what was drawn as one step, and gives the layer's id; null when nothing changed. Rejects as the engine does. */
+  /** Takes back what was drawn so far, everywhere: a shape that follows the pointer is drawn anew. */
+  restart(): void {
+    for (const sheet of new Set(this.#sheets.values())) {
+      if (sheet !== null) this.draw(sheet.material, (canvas) => canvas.restart());
+    }
+  }
+
+  /** Records what was drawn as one step, and gives the first layer's id; null when nothing changed. Rejects as the engine does. */
   async end(label: string): Promise<string | null> {
     this.#over = true;
+    const { session, library, store } = this.#context;
     try {
       while (this.#work !== null || this.#changes.length > 0) await (this.#work ?? this.#workOff());
-      const { layer } = await this.#begun;
-      if (!this.#canvas?.changed) {
-        this.#context.session.cancelPreview();
-        return null;
+      let design = session.recordedDesign;
+      let first: string | null = null;
+      for (const { canvas, layer, material } of this.#drawn()) {
+        const { asset } = await library.add(strings.tools.pixelLayer, await encodePng(canvas));
+        const placed = withSheet(design, store.state.selectedId, layer, material, asset.uri);
+        design = placed.design;
+        first ??= placed.id;
       }
-      const { session, library, store } = this.#context;
-      const { asset } = await library.add(strings.tools.pixelLayer, await encodePng(this.#canvas));
-      const png = { type: "image/png", uri: asset.uri } as const;
-      const { design, id } =
-        layer === null
-          ? addPixelLayer(session.recordedDesign, store.state.selectedId, this.material, png)
-          : { design: withPixels(session.recordedDesign, layer.id, png), id: layer.id };
-      session.record(design, label);
-      return id;
+      if (first === null) session.cancelPreview();
+      else session.record(design, label);
+      return first;
     } catch (thrown) {
-      this.#context.session.cancelPreview();
+      session.cancelPreview();
       throw thrown;
     }
   }
@@ -84,30 +101,74 @@ export class PixelGesture {
   cancel(): void {
     this.#over = true;
     this.#changes.length = 0;
-    if (this.#previewing) this.#context.session.cancelPreview();
+    if ([...this.#sheets.values()].some((sheet) => sheet?.previewing)) this.#context.session.cancelPreview();
+  }
+
+  /** Two materials that share a layer share its sheet. */
+  #sheetOf(material: number): Sheet | null {
+    const known = this.#sheets.get(material);
+    if (known !== undefined) return known;
+    const source = this.#open(material);
+    const shared = [...this.#sheets.values()].find(
+      (sheet) => sheet !== null && source?.layerId != null && sheet.source.layerId === source.layerId,
+    );
+    const sheet = shared ?? (source && { source, material, canvas: null, layer: null, previewing: false });
+    this.#sheets.set(material, sheet);
+    return sheet;
+  }
+
+  /** The sheets that are not as they were, in the order in which they were met. */
+  #drawn(): { readonly canvas: PixelCanvas; readonly layer: DecalLayer | null; readonly material: number }[] {
+    return [...new Set(this.#sheets.values())].flatMap((sheet) =>
+      sheet?.canvas?.changed ? [{ canvas: sheet.canvas, layer: sheet.layer, material: sheet.material }] : [],
+    );
   }
 
   async #workOff(): Promise<void> {
-    const { layer, picture } = await this.#begun;
-    this.#canvas ??= new PixelCanvas(picture, this.#alphaLock);
     while (this.#changes.length > 0) {
-      for (const change of this.#changes.splice(0)) await change(this.#canvas);
-      if (!this.#over && this.#canvas.changed) await this.#show(this.#canvas, layer);
+      const touched = new Set<Sheet>();
+      for (const { sheet, change } of this.#changes.splice(0)) {
+        const { layer, picture } = await sheet.source.begun;
+        sheet.layer = layer;
+        sheet.canvas ??= new PixelCanvas(picture, sheet.source.alphaLock);
+        await change(sheet.canvas);
+        touched.add(sheet);
+      }
+      if (!this.#over) await this.#show(touched);
     }
   }
 
-  /** The design is shown with a picture whose key stays: from then on a new picture is all that the engine needs. */
-  async #show(canvas: PixelCanvas, layer: DecalLayer | null): Promise<void> {
+  /** The design is shown with pictures whose keys stay: from then on a new picture is all that the engine needs. */
+  async #show(touched: ReadonlySet<Sheet>): Promise<void> {
     const { session, library, store } = this.#context;
-    const { asset } = await library.setLive(await encodePng(canvas));
-    if (this.#over || this.#previewing) return;
-    this.#previewing = true;
-    const png = { type: "image/png", uri: asset.uri } as const;
-    const { recordedDesign } = session;
-    session.preview(
-      layer === null
-        ? addPixelLayer(recordedDesign, store.state.selectedId, this.material, png).design
-        : withPixels(recordedDesign, layer.id, png),
-    );
+    let more = false;
+    for (const sheet of touched) {
+      if (!sheet.canvas?.changed && !sheet.previewing) continue;
+      await library.setLive(await encodePng(sheet.canvas as PixelCanvas), slotOf(sheet));
+      more ||= !sheet.previewing;
+      sheet.previewing = true;
+    }
+    if (this.#over || !more) return;
+    let design = session.recordedDesign;
+    for (const sheet of new Set(this.#sheets.values())) {
+      if (!sheet?.previewing) continue;
+      const { layer, material } = sheet;
+      design = withSheet(design, store.state.selectedId, layer, material, `live:${slotOf(sheet)}`).design;
+    }
+    session.preview(design);
   }
+}
+
+const slotOf = ({ material }: Sheet): string => `pixels-${material}`;
+
+function withSheet(
+  design: Design,
+  selectedId: string | null,
+  layer: DecalLayer | null,
+  material: number,
+  uri: string,
+): { readonly design: Design; readonly id: string } {
+  const png = { type: "image/png", uri } as const;
+  if (layer === null) return addPixelLayer(design, selectedId, material, png);
+  return { design: withPixels(design, layer.id, png), id: layer.id };
 }

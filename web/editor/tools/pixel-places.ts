@@ -26,25 +26,44 @@ export function placeOf(sample: ToolSample, material: number, size: PixelSize): 
   return uv && placeOfUv(uv, size);
 }
 
-/** The texels that a path over the surface passes, joined where it stays within a chart. */
+/** A place of one material's grid. */
+export interface MaterialPlace {
+  readonly material: number;
+  readonly at: GridPlace;
+}
+
+/** The texels that a path over the surface passes, in its order, joined where it stays within a chart. */
 export function texelsAlong(
   steps: readonly PathStep[],
-  material: number,
-  size: PixelSize,
-  from: GridPlace | null,
-): { readonly places: readonly GridPlace[]; readonly last: GridPlace | null } {
-  const places: GridPlace[] = [];
+  sizeOf: (material: number) => PixelSize | null,
+  from: MaterialPlace | null,
+): { readonly places: readonly MaterialPlace[]; readonly last: MaterialPlace | null } {
+  const places: MaterialPlace[] = [];
   let last = from;
   for (const step of steps) {
-    if (step === null || step.hit.material !== material) {
+    const material = step?.hit.material;
+    const size = material === undefined ? null : sizeOf(material);
+    if (step === null || material === undefined || size === null) {
       last = null;
       continue;
     }
-    const place = placeOfUv(step.hit.uv, size);
-    places.push(...(last !== null && isNear(last, place) ? joined(last, place) : [place]));
-    last = place;
+    const at = placeOfUv(step.hit.uv, size);
+    const joins = last !== null && last.material === material && isNear(last.at, at);
+    for (const each of joins ? joined((last as MaterialPlace).at, at) : [at]) places.push({ material, at: each });
+    last = { material, at };
   }
   return { places, last };
+}
+
+/** By material, in the order in which they come. */
+export function byMaterial(places: readonly MaterialPlace[]): ReadonlyMap<number, readonly GridPlace[]> {
+  const parts = new Map<number, GridPlace[]>();
+  for (const { material, at } of places) {
+    const part = parts.get(material);
+    if (part === undefined) parts.set(material, [at]);
+    else part.push(at);
+  }
+  return parts;
 }
 
 /** From the second texel of the line on to the place itself. */

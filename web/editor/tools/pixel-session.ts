@@ -1,9 +1,10 @@
 /** Begins changes of pixel layers, one after another, and keeps what is read from them. */
 import type { ModelInfo, Picture } from "../../engine/engine-api.ts";
 import { decodePicture } from "../../engine/picture-decoder.ts";
+import type { DecalLayer } from "../document/index.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
 import { strings } from "../strings.ts";
-import { PixelGesture, type PixelStart } from "./pixel-gesture.ts";
+import { PixelGesture, type PixelSource, type PixelStart } from "./pixel-gesture.ts";
 import { pixelLayerFor } from "./pixel-layer.ts";
 import { TexelNeighbours } from "./texel-neighbours.ts";
 import type { ToolContext } from "./tool-context.ts";
@@ -13,6 +14,16 @@ export interface PixelSize {
   readonly height: number;
 }
 
+/** A material's texels among those of several, counted one after another from `first` on. */
+export interface JoinedGrid extends PixelSize {
+  readonly material: number;
+  readonly first: number;
+}
+
+/** Texels: textures of other materials that have more are not looked at when a fill might reach them. */
+const MOST_JOINED = 512 * 512;
+/** Of a target without a picture that is not open yet: the engine's. */
+const UNKNOWN_SIZE = 1024;
 /** Pictures kept decoded: the newest, and what an undo or two goes back to. */
 const PICTURES_KEPT = 6;
 
@@ -29,32 +40,51 @@ export class PixelSession {
   /** Texels of the grid that is painted on a material; null while its target is not open. */
   sizeOf(material: number): PixelSize | null {
     const { session, store, library } = this.#context;
-    const layer = pixelLayerFor(session.recordedDesign, store.state.selectedId, material);
+    const layer = this.#layerOf(material);
     const picture = layer && library.get(session.recordedDesign.assets[layer.asset]);
-    return picture ?? store.state.targets.get(material) ?? null;
+    return picture ?? store.state.targets.get(material) ?? this.#sizeToBe(material);
   }
 
-  /** Null where nothing can be painted; the user is told why. */
+  /** Of a target that is opened once something lies on it: another material that the pointer went over. */
+  #sizeToBe(material: number): PixelSize | null {
+    const { model, targetSettings } = this.#context.store.state;
+    const info = model?.info.materials.find(({ index }) => index === material);
+    if (info === undefined || info.refusal !== null) return null;
+    const size = targetSettings.get(material)?.size ?? null;
+    const [width, height] = size === null ? (info.textureSize ?? [UNKNOWN_SIZE, UNKNOWN_SIZE]) : [size, size];
+    return { width, height };
+  }
+
+  /** Null where nothing can be painted of the material that it begins on; the user is told why. */
   begin(material: number): PixelGesture | null {
-    const { session, store, board, tools } = this.#context;
-    const size = this.sizeOf(material);
-    if (size === null) return null;
-    const layer = pixelLayerFor(session.recordedDesign, store.state.selectedId, material);
+    const { board } = this.#context;
+    const layer = this.#layerOf(material);
     if (layer !== undefined && (layer.locked || !layer.visible)) {
       const words = strings.tools.refusals[layer.locked ? "locked" : "hidden"];
       board.info({ title: words.title(layer.name), message: words.message });
       return null;
     }
-    const { alphaLock } = tools.settings;
-    const lock = alphaLock || layer?.lockAlpha === true;
-    // A change that is still being written may be what makes the layer.
-    return new PixelGesture(
-      this.#context,
-      material,
-      size,
-      lock,
-      this.#line.then(() => this.#start(material, size)),
-    );
+    // Changes that are still being written may be what makes the layers.
+    const ready = this.#line;
+    const gesture = new PixelGesture(this.#context, (met) => this.#open(met, ready));
+    return gesture.sizeOf(material) === null ? null : gesture;
+  }
+
+  #open(material: number, ready: Promise<unknown>): PixelSource | null {
+    const size = this.sizeOf(material);
+    const layer = this.#layerOf(material);
+    if (size === null || layer?.locked || layer?.visible === false) return null;
+    return {
+      ...size,
+      layerId: layer?.id ?? null,
+      alphaLock: this.#context.tools.settings.alphaLock || layer?.lockAlpha === true,
+      begun: ready.then(() => this.#start(material, size)),
+    };
+  }
+
+  #layerOf(material: number): DecalLayer | undefined {
+    const { session, store } = this.#context;
+    return pixelLayerFor(session.recordedDesign, store.state.selectedId, material);
   }
 
   /** Ends a gesture as one step, before any later one begins. */
@@ -73,17 +103,34 @@ export class PixelSession {
     await this.#line;
   }
 
-  /** Which texels of a material's grid lie beside each other; null without a model. */
-  neighboursOf(material: number, { width, height }: PixelSize): TexelNeighbours | null {
+  /**
+   * Which texels lie beside each other on the model: those of a material, and with `others` those of the other materials that
+   * are open. `neighbours` is null without a model.
+   */
+  joinedGrids(
+    material: number,
+    others: boolean,
+  ): { readonly grids: readonly JoinedGrid[]; readonly neighbours: TexelNeighbours | null } {
     const { viewer, store } = this.#context;
-    const info = store.state.model?.info;
-    if (info === undefined) return null;
-    const key = `${material} ${width} ${height}`;
-    if (this.#neighbours?.model !== info || this.#neighbours.key !== key) {
-      const places = viewer.surface.texelPlaces(material, width, height);
-      this.#neighbours = places && { model: info, key, map: new TexelNeighbours(places) };
+    const met = [material, ...(others ? [...store.state.targets.keys()].filter((other) => other !== material) : [])];
+    const grids: JoinedGrid[] = [];
+    let first = 0;
+    for (const each of met) {
+      const size = this.sizeOf(each);
+      if (size === null || (each !== material && size.width * size.height > MOST_JOINED)) continue;
+      grids.push({ material: each, width: size.width, height: size.height, first });
+      first += size.width * size.height;
     }
-    return this.#neighbours?.map ?? null;
+    const info = store.state.model?.info;
+    if (info === undefined) return { grids, neighbours: null };
+    const key = grids.map(({ material: each, width, height }) => `${each} ${width} ${height}`).join();
+    if (this.#neighbours?.model !== info || this.#neighbours.key !== key) {
+      const places = grids.map((grid) => viewer.surface.texelPlaces(grid.material, grid.width, grid.height));
+      const known = places.filter((each) => each !== null);
+      const complete = known.length === places.length;
+      this.#neighbours = complete ? { model: info, key, map: new TexelNeighbours(...known) } : null;
+    }
+    return { grids, neighbours: this.#neighbours?.map ?? null };
   }
 
   /** The finished texture of a material, at the grid's size: what is seen where a bucket is emptied. */

@@ -6,7 +6,17 @@ import { PaintCursor } from "./paint-cursor.ts";
 import { CLEAR, type PixelCanvas, type PixelColor, pixelColorOf } from "./pixel-canvas.ts";
 import { fillFrom } from "./pixel-fill.ts";
 import type { PixelGesture } from "./pixel-gesture.ts";
-import { blockCorners, type GridPlace, joined, placeOf, placeOfUv, texelAt, texelsAlong } from "./pixel-places.ts";
+import {
+  blockCorners,
+  byMaterial,
+  type GridPlace,
+  joined,
+  type MaterialPlace,
+  placeOf,
+  placeOfUv,
+  texelAt,
+  texelsAlong,
+} from "./pixel-places.ts";
 import type { PixelProbe } from "./pixel-probe.ts";
 import type { PixelSession, PixelSize } from "./pixel-session.ts";
 import { squared, type Texel, texelLine, texelRectangle, tipCorner } from "./pixel-shapes.ts";
@@ -35,9 +45,9 @@ interface Stroke {
   readonly gesture: PixelGesture;
   readonly color: PixelColor;
   readonly first: ToolSample;
-  readonly start: GridPlace;
+  readonly start: MaterialPlace;
   readonly path: PointerPath;
-  last: GridPlace | null;
+  last: MaterialPlace | null;
 }
 
 export class PixelTool implements Tool {
@@ -53,9 +63,9 @@ export class PixelTool implements Tool {
   readonly #cursor: PaintCursor;
   #stroke: Stroke | null = null;
   #picking = false;
-  #keyed: { readonly gesture: PixelGesture; last: GridPlace | null } | null = null;
+  #keyed: PixelGesture | null = null;
   /** Where the newest line ended in the flat view, in texels: Shift draws a straight line from there. */
-  #lastPlace: { readonly material: number; readonly at: GridPlace } | null = null;
+  #lastPlace: MaterialPlace | null = null;
 
   constructor(kind: PixelKind, context: ToolContext, pixels: PixelSession, probe: PixelProbe) {
     this.id = kind;
@@ -113,21 +123,20 @@ export class PixelTool implements Tool {
       return true;
     }
     const size = this.#pixels.sizeOf(material);
-    const start = size && placeOf(sample, material, size);
-    if (size === null || start === null) return false;
-    if (!isInside(start, size)) return false;
+    const at = size && placeOf(sample, material, size);
+    if (size === null || at === null) return false;
+    if (!isInside(at, size)) return false;
     const gesture = this.#begin(material);
     if (gesture === null) return true;
     const joins = surfaceJoins(this.#context.viewer.surface, 0);
     const path = new PointerPath(sample, { rope: 0, look: LOOK, joined: joins });
+    const start = { material, at };
     this.#stroke = { gesture, color: this.#color(), first: sample, start, path, last: start };
-    if (this.id === "bucket") {
-      const { tolerance, contiguous } = this.#context.tools.settings;
-      fillFrom(gesture, this.#pixels, texelAt(start), this.#color(), { tolerance, contiguous });
-    } else if (this.#drags) {
+    if (this.id === "bucket") this.#fill(gesture, material, at);
+    else if (this.#drags) {
       const from = sample.shift && this.#lastPlace?.material === material ? this.#lastPlace.at : null;
       path.first(sample);
-      this.#stamp(this.#stroke, from === null ? [start] : [from, ...joined(from, start)]);
+      this.#stamp(this.#stroke, material, from === null ? [at] : [from, ...joined(from, at)]);
     } else this.#shape(this.#stroke, sample);
     return true;
   }
@@ -158,47 +167,51 @@ export class PixelTool implements Tool {
   }
 
   #follow(stroke: Stroke, sample: ToolSample): void {
-    const { gesture, path } = stroke;
+    const { gesture, path, start } = stroke;
+    const size = gesture.sizeOf(start.material);
     if (sample.view.kind === "texture") {
-      const place = placeOf(sample, gesture.material, gesture);
-      if (place !== null) this.#stamp(stroke, stroke.last === null ? [place] : joined(stroke.last, place));
-      stroke.last = place;
+      const at = size && placeOf(sample, start.material, size);
+      if (at !== null) this.#stamp(stroke, start.material, stroke.last === null ? [at] : joined(stroke.last.at, at));
+      stroke.last = at && { material: start.material, at };
       return;
     }
-    const { places, last } = texelsAlong(path.add(sample), gesture.material, gesture, stroke.last);
+    const { places, last } = texelsAlong(path.add(sample), (material) => gesture.sizeOf(material), stroke.last);
     stroke.last = last;
-    this.#stamp(stroke, places);
+    for (const [material, part] of byMaterial(places)) this.#stamp(stroke, material, part);
   }
 
-  #stamp({ gesture, color }: Pick<Stroke, "gesture" | "color">, places: readonly GridPlace[]): void {
+  #stamp({ gesture, color }: Pick<Stroke, "gesture" | "color">, material: number, places: readonly GridPlace[]): void {
     if (places.length === 0) return;
     const { pixelSize } = this.#context.tools.settings;
-    gesture.draw((canvas) => stampAll(canvas, places, pixelSize, color));
+    gesture.draw(material, (canvas) => stampAll(canvas, places, pixelSize, color));
   }
 
   /** The shape from where the pointer was pressed to where it is now, in place of the one before. */
   #shape({ gesture, color, first, start }: Stroke, sample: ToolSample): void {
-    const { pixelSize, filled } = this.#context.tools.settings;
-    const place = placeOf(sample, gesture.material, gesture);
+    const { filled } = this.#context.tools.settings;
+    const { material } = start;
     if (this.id === "line" && sample.view.kind === "model") {
       const joins = surfaceJoins(this.#context.viewer.surface, 0);
       const path = new PointerPath(first, { rope: 0, look: LOOK, joined: joins });
       const steps = [...path.first(first), ...path.finish(sample)];
-      const { places } = texelsAlong(steps, gesture.material, gesture, null);
-      gesture.draw((canvas) => {
-        canvas.restart();
-        stampAll(canvas, places, pixelSize, color);
-      });
+      const { places } = texelsAlong(steps, (met) => gesture.sizeOf(met), null);
+      gesture.restart();
+      for (const [met, part] of byMaterial(places)) this.#stamp({ gesture, color }, met, part);
       return;
     }
+    const size = gesture.sizeOf(material);
+    const place = size && placeOf(sample, material, size);
     if (place === null) return;
-    const from = texelAt(start);
+    const from = texelAt(start.at);
     const to = sample.shift ? squared(from, texelAt(place), this.id === "line") : texelAt(place);
     const texels = this.id === "line" ? texelLine(from, to) : texelRectangle(from, to, filled);
-    gesture.draw((canvas) => {
-      canvas.restart();
-      stampAll(canvas, texels.map(centreOf), pixelSize, color);
-    });
+    gesture.restart();
+    this.#stamp({ gesture, color }, material, texels.map(centreOf));
+  }
+
+  #fill(gesture: PixelGesture, material: number, at: GridPlace): void {
+    const { tolerance, contiguous } = this.#context.tools.settings;
+    fillFrom(gesture, this.#pixels, material, texelAt(at), this.#color(), { tolerance, contiguous });
   }
 
   #begin(material: number): PixelGesture | null {
@@ -214,7 +227,7 @@ export class PixelTool implements Tool {
     const stroke = this.#stroke;
     this.#stroke = null;
     if (stroke === null) return;
-    if (stroke.last !== null) this.#lastPlace = { material: stroke.gesture.material, at: stroke.last };
+    if (stroke.last !== null) this.#lastPlace = stroke.last;
     this.#record(stroke.gesture);
   }
 
@@ -233,27 +246,23 @@ export class PixelTool implements Tool {
   }
 
   #beginByKey(hit: SurfaceHit): void {
-    const gesture = this.#begin(hit.material);
-    if (gesture === null) return;
-    this.#keyed = { gesture, last: null };
-    if (this.id !== "bucket") {
-      this.#extendByKey(hit);
-      return;
-    }
-    const { tolerance, contiguous } = this.#context.tools.settings;
-    fillFrom(gesture, this.#pixels, texelAt(placeOfUv(hit.uv, gesture)), this.#color(), { tolerance, contiguous });
+    this.#keyed = this.#begin(hit.material);
+    const size = this.#keyed?.sizeOf(hit.material);
+    if (this.#keyed && size && this.id === "bucket") this.#fill(this.#keyed, hit.material, placeOfUv(hit.uv, size));
+    else this.#extendByKey(hit);
   }
 
   #extendByKey(hit: SurfaceHit): void {
-    const keyed = this.#keyed;
-    if (keyed === null || this.id === "bucket" || hit.material !== keyed.gesture.material) return;
-    this.#stamp({ gesture: keyed.gesture, color: this.#color() }, [placeOfUv(hit.uv, keyed.gesture)]);
+    const gesture = this.#keyed;
+    const size = gesture?.sizeOf(hit.material);
+    if (!gesture || !size || this.id === "bucket") return;
+    this.#stamp({ gesture, color: this.#color() }, hit.material, [placeOfUv(hit.uv, size)]);
   }
 
   #endByKey(): void {
     const keyed = this.#keyed;
     this.#keyed = null;
-    if (keyed !== null) this.#record(keyed.gesture);
+    if (keyed !== null) this.#record(keyed);
   }
 
   #hover(sample: ToolSample | null): void {

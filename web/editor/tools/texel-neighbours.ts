@@ -15,15 +15,24 @@ const MOST_IN_CHART = 2.5;
 const LEAST_ALIKE = -0.5;
 
 export class TexelNeighbours {
-  readonly #places: TexelPlaces;
+  readonly #places: Omit<TexelPlaces, "width" | "height">;
+  readonly #grids: readonly { readonly first: number; readonly width: number; readonly height: number }[];
   /** Of texels at the border of a chart alone. */
   readonly #acrossSeams = new Map<number, readonly number[]>();
 
-  constructor(places: TexelPlaces) {
-    this.#places = places;
+  /** Several textures are counted one after another, as if the texels of each followed those of the one before. */
+  constructor(...textures: readonly TexelPlaces[]) {
+    this.#places = joinedPlaces(textures);
+    let first = 0;
+    this.#grids = textures.map(({ width, height }) => {
+      const grid = { first, width, height };
+      first += width * height;
+      return grid;
+    });
+    const { covered } = this.#places;
     const border: number[] = [];
-    for (let texel = 0; texel < places.covered.length; texel++) {
-      if (places.covered[texel] === 1 && this.#inChart(texel).length < 4) border.push(texel);
+    for (let texel = 0; texel < covered.length; texel++) {
+      if (covered[texel] === 1 && this.#inChart(texel).length < 4) border.push(texel);
     }
     this.#joinBorders(border);
   }
@@ -35,8 +44,11 @@ export class TexelNeighbours {
   }
 
   #inChart(texel: number): number[] {
-    const { width, height, covered } = this.#places;
-    const [x, y] = [texel % width, Math.floor(texel / width)];
+    const { covered } = this.#places;
+    const grid = this.#grids.findLast(({ first }) => first <= texel);
+    if (grid === undefined) return [];
+    const { first, width, height } = grid;
+    const [x, y] = [(texel - first) % width, Math.floor((texel - first) / width)];
     const found: number[] = [];
     const look = (other: number): void => {
       if (covered[other] === 1 && this.#areNear(texel, other, MOST_IN_CHART)) found.push(other);
@@ -95,4 +107,16 @@ export class TexelNeighbours {
     const width = ((sizes[a] as number) + (sizes[b] as number)) / 2;
     return alike > LEAST_ALIKE && square <= (widths * width) ** 2;
   }
+}
+
+function joinedPlaces(textures: readonly TexelPlaces[]): Omit<TexelPlaces, "width" | "height"> {
+  const [only] = textures;
+  if (only !== undefined && textures.length === 1) return only;
+  return {
+    covered: Uint8Array.from(textures.flatMap(({ covered }) => [...covered])),
+    positions: Float32Array.from(textures.flatMap(({ positions }) => [...positions])),
+    normals: Float32Array.from(textures.flatMap(({ normals }) => [...normals])),
+    shells: Uint32Array.from(textures.flatMap(({ shells }) => [...shells])),
+    sizes: Float32Array.from(textures.flatMap(({ sizes }) => [...sizes])),
+  };
 }

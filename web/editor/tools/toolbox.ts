@@ -1,10 +1,10 @@
 /** The tools and which of them is chosen. Tools register themselves here; the rail and the options bar read it. */
-import type { TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import type { Store } from "../state/store.ts";
 import { strings } from "../strings.ts";
+import { isPixelated } from "./pixel-mode.ts";
 import { TOOL_IDS, type Tool, type ToolId } from "./tool.ts";
 import { DEFAULT_COLORS, type ToolSettings, USUAL_SIZE, withRecent } from "./tool-settings.ts";
 
@@ -14,9 +14,6 @@ export interface ToolboxParts {
   readonly store: Store<EditorState>;
   readonly board: NoticeBoard;
 }
-
-/** Texels: textures up to this size are skins that are painted texel by texel, unless the user says otherwise. */
-const PIXEL_MODE_UP_TO = 128;
 
 export class Toolbox {
   readonly #parts: ToolboxParts;
@@ -58,8 +55,8 @@ export class Toolbox {
 
   /** Whether the shown texture is painted texel by texel: as the user says, else where it is small. */
   get pixelMode(): boolean {
-    const { material, targets } = this.#parts.store.state;
-    return material !== null && isPixelated(this.settings, targets.get(material));
+    const { state } = this.#parts.store;
+    return isPixelated(state, state.material);
   }
 
   /** Adds a tool, or takes the place of one of the same id. */
@@ -129,10 +126,10 @@ export class Toolbox {
   }
 
   #showPixels(): void {
-    const { targets } = this.#parts.store.state;
-    for (const [material, target] of targets) {
+    const { state } = this.#parts.store;
+    for (const material of state.targets.keys()) {
       const byUser = this.settings.pixelMode;
-      this.#parts.viewer.setPixelated(material, byUser ?? (isPixelated(this.settings, target) || null));
+      this.#parts.viewer.setPixelated(material, byUser ?? (isPixelated(state, material) || null));
     }
   }
 
@@ -144,8 +141,4 @@ export class Toolbox {
     const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
     this.configure({ size: diagonal * USUAL_SIZE, pixelMode: null });
   }
-}
-
-function isPixelated({ pixelMode }: ToolSettings, target: TargetInfo | undefined): boolean {
-  return target !== undefined && (pixelMode ?? Math.max(target.width, target.height) <= PIXEL_MODE_UP_TO);
 }

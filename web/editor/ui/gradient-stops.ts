@@ -10,6 +10,7 @@ import type { GradientStop } from "../document/index.ts";
 import { strings } from "../strings.ts";
 import { icon } from "./icon.ts";
 import type { NumberFieldEvent } from "./number-field.ts";
+import { recentColors } from "./recent-colors.ts";
 import { controls } from "./theme.ts";
 
 const words = strings.gradient;
@@ -21,8 +22,10 @@ const COARSE_STEP = 0.1;
 const DRAG_START = 2;
 
 export class GradientStops extends LitElement {
-  static override properties = { stops: { attribute: false }, chosen: { state: true } };
+  static override properties = { stops: { attribute: false }, recent: { attribute: false }, chosen: { state: true } };
   declare stops: readonly GradientStop[];
+  /** Colours that the fields offer. */
+  declare recent: readonly string[];
   /** Place of the stop that the fields are about. */
   declare chosen: number;
   #drag: { readonly pointer: number; readonly x: number; moved: boolean; stops: readonly GradientStop[] } | null = null;
@@ -30,6 +33,7 @@ export class GradientStops extends LitElement {
   constructor() {
     super();
     this.stops = [];
+    this.recent = [];
     this.chosen = 0;
   }
 
@@ -146,11 +150,13 @@ export class GradientStops extends LitElement {
     return html`<div class="fields">
       <input
         type="color"
+        list="recent-colors"
         aria-label=${words.color}
         .value=${color.slice(0, 7)}
         @input=${(event: Event) => this.#tell("stops-preview", this.#with(place, { color: value(event) }))}
         @change=${(event: Event) => this.#tell("stops-change", this.#with(place, { color: value(event) }))}
       />
+      ${recentColors("recent-colors", this.recent)}
       ${this.#number("offset", words.offsetLetter, words.offset, offset, moved)}
       ${this.#number("stop-alpha", words.alphaLetter, words.alpha, alphaOf(color), faded)}
       <button
