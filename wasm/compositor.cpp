@@ -23,6 +23,19 @@ CoverageBits charted_texels(const Target& target) {
     return charts;
 }
 
+/// Whether the tile or one beside it is marked: a drag's next step reaches a little further than the step before.
+bool is_near(const Target& target, const std::vector<std::uint8_t>& tiles, std::uint32_t tile) {
+    const std::uint32_t columns = target.tile_columns();
+    const std::uint32_t x = tile % columns;
+    const std::uint32_t y = tile / columns;
+    for (std::uint32_t v = y > 0 ? y - 1 : 0; v <= std::min(y + 1, target.tile_rows() - 1); ++v) {
+        for (std::uint32_t u = x > 0 ? x - 1 : 0; u <= std::min(x + 1, columns - 1); ++u) {
+            if (tiles[v * columns + u] != 0) return true;
+        }
+    }
+    return false;
+}
+
 /// A level's rectangle that depends on the tiles, outward to whole texels; empty where an odd last column dropped out.
 TxcRect rect_on_level(const MipLevel& mip, const TileRect& tiles, std::uint32_t level) {
     const std::uint32_t round_up = (1u << level) - 1;
@@ -102,6 +115,20 @@ TxcStatus composite_target(Target& target, const std::vector<LayerNode>& layers,
     find_rects(target, changed_tiles);
     pack_rects(target);
     return TXC_STATUS_OK;
+}
+
+std::uint32_t fill_backdrops(Target& target, const std::vector<LayerNode>& layers,
+                             const std::vector<std::uint8_t>& tiles, std::uint32_t first, std::uint32_t count) {
+    TileCompositor compositor(target, layers);
+    for (std::uint32_t tile = first; tile < target.tile_count(); ++tile) {
+        if (target.backdrops.find(tile) != nullptr || !is_near(target, tiles, tile)) continue;
+        if (!target.backdrops.has_room(1)) break;
+        if (count == 0) return tile;
+        --count;
+        // On its way to the very bytes that are there.
+        compositor.composite(tile, tile_area(target, tile));
+    }
+    return target.tile_count();
 }
 
 }  // namespace txc

@@ -26,6 +26,8 @@ TxcStatus check_size(std::uint32_t width, std::uint32_t height) {
 
 Session::Session(const TxcSessionDef& def)
     : budget_(static_cast<std::uint64_t>(def.memory_budget_mib) << 20), mesh_share_(budget_) {
+    nothing_.def.visible = 1;
+    nothing_.def.opacity = 1.0f;
     budget_.on_shortage([this] { targets_.for_each([](TxcTarget, Target& target) { target.backdrops.forget(); }); });
 }
 

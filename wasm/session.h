@@ -54,6 +54,8 @@ public:
     TxcStatus find_stroke(TxcLayer id, Layer*& out_layer) const;
 
     TxcStatus update_target(TxcTarget target, TxcUpdate& out_update);
+    TxcStatus prepare_layer(TxcLayer layer, bool inside, std::uint32_t first_tile, std::uint32_t tile_count,
+                            std::uint32_t& out_next_tile);
 
 private:
     TxcStatus begin_map(Target& target);
@@ -73,7 +75,16 @@ private:
     void change_fill(Target& target, Layer& layer);
     /// Projects what is shown and behind, in groups and masks too.
     TxcStatus project_layers(Target& target, const std::vector<TxcLayer>& ids, TxcUpdate& update);
-    std::vector<LayerNode> nodes_of(const std::vector<TxcLayer>& ids) const;
+    /// `split`: of the backdrops; where it is the end of a group, that stands there as a layer which paints nothing.
+    std::vector<LayerNode> nodes_of(const std::vector<TxcLayer>& ids, TxcLayer split) const;
+    /// Whether the mask of a layer hides anything, so that it is composited by itself.
+    bool shows_by_mask(const Layer& layer) const;
+    /// The tiles where the layer, or what is in it, paints.
+    void note_tiles(const Layer& layer, std::vector<std::uint8_t>& tiles) const;
+    /// Whether the target's picture shows all that its layers were told.
+    bool is_settled(const Target& target) const;
+    /// Shown, as far as that is the layer's and its parents' to say.
+    bool is_shown(const Layer& layer) const;
     /// Whether any of a mask's layers, or of their masks', changed; forgets that it did.
     bool takes_changes(const std::vector<TxcLayer>& ids);
     void follow_changes(Target& target);
@@ -86,6 +97,7 @@ private:
 
     // The budget outlives everything that holds a share of it.
     MemoryBudget budget_;
+    Layer nothing_{budget_};  // what stands at the end of a group; shown, and without paint
     std::unique_ptr<Mesh> mesh_;
     BudgetShare mesh_share_;
     std::unique_ptr<OcclusionTree> occlusion_;

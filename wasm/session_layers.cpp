@@ -82,11 +82,18 @@ void Session::mark_dirty(Target& target, const Layer& layer) {
     for (const TxcLayer held : layer.content) mark_dirty(target, *layers_.find(held));
 }
 
-/// Notes a change of the tree itself: no place in it counts any more.
+bool Session::shows_by_mask(const Layer& layer) const {
+    return layer.def.invert_mask != 0 || std::any_of(layer.mask.begin(), layer.mask.end(), [&](TxcLayer id) {
+               const TxcLayerDef& def = layers_.find(id)->def;
+               return def.visible != 0 && def.opacity > 0.0f;
+           });
+}
+
+/// Notes a change of the tree itself: what is held may be what was below other layers.
 void Session::note_move(Target& target, Layer& layer) {
     layer.changed = true;
     mark_dirty(target, layer);
-    target.backdrops.forget();
+    target.backdrops.empty();
 }
 
 // ---- Layers -----------------------------------------------------------------------------------------------------------
@@ -104,8 +111,17 @@ TxcStatus Session::create_layer(TxcTarget target_id, const TxcLayerDef& def, Txc
     layer.needs_projection = true;
     out_layer = layers_.add(std::move(made));
     if (out_layer == 0) return fail(TXC_STATUS_BAD_ARGUMENT, "there are too many layers");
+    Layer* parent = layers_.find(def.parent);
+    const bool was_masked = parent != nullptr && shows_by_mask(*parent);
     siblings(*target, def).push_back(out_layer);
-    note_move(*target, layer);
+    layer.changed = true;
+    mark_dirty(*target, layer);
+    if (def.role == TXC_ROLE_CONTENT) {
+        // It lies on top of all that is held, or right on it.
+        if (parent != nullptr) target->backdrops.rename(end_of(def.parent), out_layer);
+    } else if (shows_by_mask(*parent) != was_masked) {
+        target->backdrops.empty();
+    }
     return TXC_STATUS_OK;
 }
 
@@ -131,7 +147,11 @@ TxcStatus Session::update_layer(TxcLayer id, const TxcLayerDef& def) {
         siblings(target, def).push_back(id);
     }
     if (!same_projection(layer->def, def)) layer->needs_projection = true;
+    // A group that is composited by itself has a ground of its own among the backdrops.
+    const Layer* parent = def.role == TXC_ROLE_MASK ? layers_.find(def.parent) : nullptr;
+    const bool was_masked = parent != nullptr && shows_by_mask(*parent);
     layer->def = def;
+    if (parent != nullptr && shows_by_mask(*parent) != was_masked) target.backdrops.empty();
     layer->cast = cast;
     layer->changed = true;
     if (def.kind != TXC_LAYER_STROKE) layer->stroke.clear();

@@ -130,12 +130,14 @@ TxcStatus Session::project_layers(Target& target, const std::vector<TxcLayer>& i
     return TXC_STATUS_OK;
 }
 
-std::vector<LayerNode> Session::nodes_of(const std::vector<TxcLayer>& ids) const {
+std::vector<LayerNode> Session::nodes_of(const std::vector<TxcLayer>& ids, TxcLayer split) const {
     std::vector<LayerNode> nodes;
     nodes.reserve(ids.size());
     for (const TxcLayer id : ids) {
         const Layer& layer = *layers_.find(id);
-        nodes.push_back({id, &layer, nodes_of(layer.content), nodes_of(layer.mask)});
+        nodes.push_back({id, &layer, nodes_of(layer.content, split), nodes_of(layer.mask, 0)});
+        if (split == end_of(id) && layer.def.kind == TXC_LAYER_GROUP)
+            nodes.back().content.push_back({split, &nothing_, {}, {}});
     }
     return nodes;
 }
@@ -150,25 +152,48 @@ bool Session::takes_changes(const std::vector<TxcLayer>& ids) {
     return any;
 }
 
-/// Tells the target's backdrops which layers changed, and forgets that they did. A mask's change is that of its layer.
+namespace {
+
+/// Where each layer of a target stands, counted from the bottom, and the end of each group after what is in it.
+class LayerPlaces {
+public:
+    void add(TxcLayer id) { places_.emplace(id, static_cast<std::int64_t>(places_.size())); }
+    /// Negative for one that is not there.
+    std::int64_t operator()(TxcLayer id) const {
+        const auto found = places_.find(id);
+        return found != places_.end() ? found->second : -1;
+    }
+
+private:
+    std::map<TxcLayer, std::int64_t> places_;
+};
+
+}  // namespace
+
+/// Tells the target's backdrops which layers changed, and forgets that they did. A mask's change is that of its layer; a
+/// group's mask lies over all that is in the group, and leaves that as it was.
 void Session::follow_changes(Target& target) {
-    std::map<TxcLayer, std::int64_t> places;
+    LayerPlaces places;
     TxcLayer lowest = 0;
+    const auto note = [&](bool changed, TxcLayer id) {
+        if (changed && lowest == 0) lowest = id;
+    };
     const auto visit = [&](const auto& self, const std::vector<TxcLayer>& ids) -> void {
         for (const TxcLayer id : ids) {
             Layer& layer = *layers_.find(id);
-            places.emplace(id, static_cast<std::int64_t>(places.size()));
-            const bool changed = takes_changes(layer.mask) || layer.changed;
+            places.add(id);
+            const bool is_group = layer.def.kind == TXC_LAYER_GROUP;
+            const bool mask_changed = takes_changes(layer.mask);
+            note(layer.changed || (mask_changed && !is_group), id);
             layer.changed = false;
-            if (changed && lowest == 0) lowest = id;
             self(self, layer.content);
+            if (!is_group) continue;
+            places.add(end_of(id));
+            note(mask_changed, end_of(id));
         }
     };
     visit(visit, target.order);
-    target.backdrops.follow(lowest, [&](TxcLayer id) {
-        const auto found = places.find(id);
-        return found != places.end() ? found->second : std::int64_t{-1};
-    });
+    target.backdrops.follow(lowest, places);
 }
 
 TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
@@ -178,7 +203,7 @@ TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
     if (const TxcStatus status = project_layers(*target, target->order, update); status != TXC_STATUS_OK) return status;
     target->bleed.forget();
     follow_changes(*target);
-    const std::vector<LayerNode> nodes = nodes_of(target->order);
+    const std::vector<LayerNode> nodes = nodes_of(target->order, target->backdrops.split());
     if (const TxcStatus status = composite_target(*target, nodes, update.composited_texels); status != TXC_STATUS_OK) {
         target->backdrops.forget();
         return status;
@@ -188,6 +213,69 @@ TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
     update.rect_count = static_cast<std::uint32_t>(target->rects.size());
     update.byte_count = static_cast<std::uint32_t>(target->packed.size());
     out_update = update;
+    return TXC_STATUS_OK;
+}
+
+// ---- Ahead of updates -------------------------------------------------------------------------------------------------
+
+void Session::note_tiles(const Layer& layer, std::vector<std::uint8_t>& tiles) const {
+    if (layer.def.visible == 0) return;
+    if (layer.is_everywhere()) std::fill(tiles.begin(), tiles.end(), std::uint8_t{1});
+    for (const std::uint32_t tile : layer.tiles.indices) tiles[tile] = 1;
+    for (const TxcLayer held : layer.content) note_tiles(*layers_.find(held), tiles);
+}
+
+bool Session::is_settled(const Target& target) const {
+    const auto is_dirty = [](std::uint8_t mark) { return mark != 0; };
+    if (target.output.levels.empty() || target.all_dirty ||
+        std::any_of(target.dirty_tiles.begin(), target.dirty_tiles.end(), is_dirty))
+        return false;
+    const auto is_told = [&](const auto& self, const std::vector<TxcLayer>& ids) -> bool {
+        return std::all_of(ids.begin(), ids.end(), [&](TxcLayer id) {
+            const Layer& layer = *layers_.find(id);
+            if (layer.changed) return false;
+            return layer.def.visible == 0 ||
+                   (!layer.is_behind() && self(self, layer.mask) && self(self, layer.content));
+        });
+    };
+    return is_told(is_told, target.order);
+}
+
+bool Session::is_shown(const Layer& layer) const {
+    if (layer.def.visible == 0 || layer.def.opacity <= 0.0f) return false;
+    return layer.def.parent == 0 || is_shown(*layers_.find(layer.def.parent));
+}
+
+TxcStatus Session::prepare_layer(TxcLayer id, bool inside, std::uint32_t first_tile, std::uint32_t tile_count,
+                                 std::uint32_t& out_next_tile) {
+    Layer* layer = nullptr;
+    if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
+    out_next_tile = TXC_NONE;
+    // What a mask's layer changes is the layer that it masks.
+    while (layer->def.role == TXC_ROLE_MASK) {
+        id = layer->def.parent;
+        inside = true;
+        layer = layers_.find(id);
+    }
+    Target& target = *targets_.find(layer->target);
+    if (!is_settled(target) || !is_shown(*layer)) return TXC_STATUS_OK;
+    LayerPlaces places;
+    const auto visit = [&](const auto& self, const std::vector<TxcLayer>& ids) -> void {
+        for (const TxcLayer held : ids) {
+            const Layer& other = *layers_.find(held);
+            places.add(held);
+            self(self, other.content);
+            if (other.def.kind == TXC_LAYER_GROUP) places.add(end_of(held));
+        }
+    };
+    visit(visit, target.order);
+    const bool is_group = layer->def.kind == TXC_LAYER_GROUP;
+    target.backdrops.expect(is_group && inside ? end_of(id) : id, places);
+    std::vector<std::uint8_t> tiles(target.tile_count(), 0);
+    note_tiles(*layer, tiles);
+    const std::vector<LayerNode> nodes = nodes_of(target.order, target.backdrops.split());
+    const std::uint32_t next = fill_backdrops(target, nodes, tiles, first_tile, tile_count);
+    if (next < target.tile_count()) out_next_tile = next;
     return TXC_STATUS_OK;
 }
 

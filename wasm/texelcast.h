@@ -34,7 +34,7 @@ extern "C" {
 #define TXC_API
 #endif
 
-#define TXC_ABI_VERSION 4u
+#define TXC_ABI_VERSION 5u
 #define TXC_MAX_SIZE 8192u    /* texels along one side of a target or an image */
 #define TXC_MAX_DABS 1000000u /* of one stroke */
 #define TXC_MAX_DEPTH 16u     /* of a layer in a layer in a layer: 1 is in none */
@@ -427,6 +427,13 @@ typedef struct TxcUpdate {
 /* Projects the layers that changed, composites where they were and are, and packs the rectangles that changed since the
  * update before (the first one: everything) for upload, RGBA, straight alpha. Rectangles of a level do not overlap. */
 TXC_API TxcStatus txc_target_update(TxcSession session, TxcTarget target, TxcUpdate* out_update);
+/* Gets ready for changes of a layer that are likely to come, a drag or a stroke, so that the first of them is as quick as those
+ * after it: keeps what lies below it on the tiles that it paints and those around them, within a quarter of the budget at
+ * most. Changes no texel. `inside` 1: of a group, for what will be put on top in it, and for its mask. At most `tile_count`
+ * tiles a call, from `first_tile` (0) on; `out_next_tile` is where to go on, TXC_NONE once there is no more to do. That is so
+ * at once while something waits for an update, and for a layer that is not shown. */
+TXC_API TxcStatus txc_layer_prepare(TxcSession session, TxcLayer layer, uint32_t inside, uint32_t first_tile,
+                                    uint32_t tile_count, uint32_t* out_next_tile);
 /* Of the newest update; they live until the target's next update or end. Null where there are none. */
 TXC_API const TxcRect* txc_target_update_rects(TxcSession session, TxcTarget target);
 TXC_API const uint8_t* txc_target_update_bytes(TxcSession session, TxcTarget target);

@@ -160,4 +160,49 @@ describe("resolving layers for the engine", () => {
     const [layer] = resolveLayers({ ...emptyDesign(), layers: [made] });
     expect(layer?.type === "stroke" && layer.dabs[0]).toBe(dab);
   });
+
+  it("lets a mask's layers reach what the masked layer paints, whatever materials they name", () => {
+    const mask = { layers: [decal(), { type: "fill", color: "#000000", material: 7, mask: { layers: [decal()] } }] };
+    const [masked] = resolve(decal({ material: [1, 2], mask }));
+    expect(masked?.mask?.layers).toMatchObject([
+      { material: [1, 2] },
+      { material: [1, 2], mask: { layers: [{ material: [1, 2] }] } },
+    ]);
+    const inside = [
+      decal({ material: 3 }),
+      { type: "paint", strokes: [{ type: "stroke", brush: {}, dabs: [], material: 5 }] },
+    ];
+    const [group] = resolve({ type: "group", layers: inside, mask: { layers: [decal({ material: 1 })] } });
+    expect(group?.mask?.layers).toMatchObject([{ material: [3, 5] }]);
+  });
+
+  it("keeps what a mask has in the texture itself to those of its materials that the masked layer paints", () => {
+    const stamp = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 };
+    const parts = { kind: "faces", faces: [0] };
+    const layers = [
+      decal({ projector: stamp, material: [2, 3] }),
+      decal({ projector: stamp, material: 9 }),
+      { type: "fill", color: "#000000", parts, material: 1 },
+      { type: "fill", color: "#000000", parts, material: 9 },
+      { type: "stroke", brush: {}, dabs: [stamp], material: 2 },
+    ];
+    const [masked] = resolve(decal({ material: [1, 2], mask: { layers } }));
+    const materials = masked?.mask?.layers.map((layer) => (layer.type === "group" ? null : layer.material));
+    expect(materials).toEqual([2, [1, 2], 1, [], 2]);
+  });
+
+  it("follows a masked layer to other materials", () => {
+    const mask = { layers: [decal()], invert: false };
+    const design = parseDesign({
+      format: "texelcast-design",
+      version: 1,
+      assets: { logo: { type: "image/png", uri: "a" } },
+      layers: [decal({ mask })],
+    });
+    expect(resolveLayers(design)[0]?.mask?.layers).toMatchObject([{ material: 0 }]);
+    const [layer] = design.layers;
+    if (layer === undefined) throw new Error("The design has a layer.");
+    const moved = resolveLayers({ ...design, layers: [{ ...layer, material: [0, 4] }] });
+    expect(moved[0]?.mask?.layers).toMatchObject([{ material: [0, 4] }]);
+  });
 });

@@ -24,8 +24,8 @@ import {
   removeLayers,
   removeMask,
   stepLayers,
-  ungroupLayers,
 } from "../../web/editor/state/layer-edits.ts";
+import { ungroupLayers } from "../../web/editor/state/layer-ungroup.ts";
 
 const fill = (id: string): DesignLayer => makeFillLayer({ id, name: id, color: "#ff0000" });
 const group = (id: string, ...layers: DesignLayer[]): DesignLayer => makeGroupLayer({ id, name: id, layers });

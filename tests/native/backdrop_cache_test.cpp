@@ -121,3 +121,161 @@ TEST_CASE("A session without room to spare drags all the same") {
     };
     CHECK(drag(10) == drag(512));
 }
+
+namespace {
+
+/// Everything that can be held for a layer, in steps of so many tiles.
+void prepare(TestSession& session, TxcLayer layer, bool inside, std::uint32_t tiles_a_call = 7) {
+    for (std::uint32_t tile = 0; tile != TXC_NONE;)
+        must(txc_layer_prepare(session.id(), layer, inside ? 1 : 0, tile, tiles_a_call, &tile));
+}
+
+/// All layers of a tree, groups too.
+void list_all(std::vector<TreeLayer>& layers, std::vector<TreeLayer*>& out) {
+    for (TreeLayer& layer : layers) {
+        out.push_back(&layer);
+        list_all(layer.mask, out);
+        list_all(layer.content, out);
+    }
+}
+
+/// Ten layers over a whole target of 256 tiles, of which the topmost, a group, holds four.
+struct Stack {
+    TestSession session{64};
+    TxcTarget target;
+    TxcLayerDef def = decal_def(0);
+    TxcLayer group;
+    TxcLayer mask = 0;
+    TxcLayer top = 0;
+
+    explicit Stack(bool isolated) {
+        Random random(37);
+        session.add(make_plane());
+        target = session.target(256, 256);
+        def.image = session.image(make_noise(16, 16, random.next(), true));
+        for (int i = 0; i < 9; ++i) session.layer(target, def);
+        TxcLayerDef holder = decal_def(0);
+        holder.kind = TXC_LAYER_GROUP;
+        holder.isolated = isolated ? 1 : 0;
+        group = session.layer(target, holder);
+        for (int i = 0; i < 4; ++i) top = add(TXC_ROLE_CONTENT);
+        session.update(target);
+    }
+
+    TxcLayer add(std::uint32_t role) {
+        TxcLayerDef held = def;
+        held.parent = group;
+        held.role = role;
+        return session.layer(target, held);
+    }
+
+    std::uint32_t used_kib() { return session.stats().memory_used_kib; }
+};
+
+constexpr std::uint32_t kGroundKib = 256 * 4;  // of one ground on all tiles
+
+}  // namespace
+
+TEST_CASE("What is held for changes that are expected, and for others, never shows") {
+    Random random(41);
+    for (int round = 0; round < 10; ++round) {
+        TestSession session(make_plane());
+        const TxcTarget target = session.target(kSize, kSize);
+        const Picture base = make_noise(kSize, kSize, random.next(), random.coin());
+        session.set_base(target, base);
+        std::vector<TreeLayer> layers;
+        for (int i = 0; i < 8; ++i) layers.push_back(draw_layer(kSize, 3, false, random));
+        make_layers(session, target, layers);
+        session.update(target);
+        std::vector<TreeLayer*> all;
+        list_all(layers, all);
+        std::vector<TxcLayer> added;
+        for (int act = 0; act < 40; ++act) {
+            TreeLayer& some = *all[random.below(static_cast<std::uint32_t>(all.size()))];
+            if (random.below(3) == 0) prepare(session, some.handle, random.coin(), 1 + random.below(9));
+            for (int step = random.below(3); step >= 0; --step) {
+                some.def.position_model[0] = static_cast<float>(random.between(-0.5, 0.5));
+                if (random.below(4) == 0) some.def.opacity = static_cast<float>(random.unit());
+                if (random.below(6) == 0) some.def.visible ^= 1;
+                if (random.below(6) == 0) some.def.invert_mask ^= 1;
+                session.change(some.handle, some.def);
+                if (random.coin()) session.update(target);
+            }
+            TxcLayerDef def = decal_def(all[0]->def.image);
+            def.image = session.image(patchy_noise(16, random));
+            def.role = some.def.kind == TXC_LAYER_GROUP && random.coin() ? TXC_ROLE_CONTENT : TXC_ROLE_MASK;
+            def.parent = some.handle;
+            if (random.coin()) added.push_back(session.layer(target, def));
+            if (!added.empty() && random.below(4) == 0) {
+                must(txc_layer_destroy(session.id(), added.back()));
+                added.pop_back();
+            }
+            if (random.below(8) == 0) must(txc_layer_move(session.id(), some.handle, random.below(4)));
+            session.update(target);
+            if (act % 4 != 3) continue;
+            const Picture after = session.read(target);
+            INFO("round ", round, ", act ", act);
+            CHECK(painted_anew(session, target, base) == after);
+        }
+    }
+}
+
+TEST_CASE("Getting ready for a layer holds what lies below it, so that the first step of its drag finds it") {
+    Stack stack(true);
+    const Picture before = stack.session.read(stack.target);
+    const std::uint32_t used = stack.used_kib();
+    prepare(stack.session, stack.top, false);
+    CHECK(stack.session.read(stack.target) == before);
+    const std::uint32_t held = stack.used_kib();
+    CHECK(held >= used + 2 * kGroundKib);
+    stack.def.parent = stack.group;
+    stack.def.opacity = 0.5f;
+    stack.session.change(stack.top, stack.def);
+    CHECK(stack.session.update(stack.target).composited_texels == 256 * 256);
+    CHECK(stack.used_kib() == held);
+}
+
+TEST_CASE("What is put on top in a group, and what hides it, begins on what is held of the group") {
+    for (const bool isolated : {true, false}) {
+        for (const std::uint32_t role : {std::uint32_t{TXC_ROLE_CONTENT}, std::uint32_t{TXC_ROLE_MASK}}) {
+            Stack stack(isolated);
+            // A mask that shows nothing yet leaves a group that is passed through without a ground of its own.
+            if (role == TXC_ROLE_MASK) stack.add(role);
+            stack.session.update(stack.target);
+            prepare(stack.session, stack.group, true);
+            const std::uint32_t held = stack.used_kib();
+            for (int stroke = 0; stroke < 3; ++stroke) {
+                const std::uint32_t before = stack.used_kib();
+                stack.add(role);
+                stack.session.update(stack.target);
+                INFO("isolated ", isolated, ", role ", role, ", stroke ", stroke);
+                // The new layer's own tiles, 2 KiB each, and nothing given up for them.
+                CHECK(stack.used_kib() >= before + 512);
+                CHECK(stack.used_kib() <= before + 516);
+            }
+            CHECK(stack.used_kib() >= held + 3 * 512);
+        }
+    }
+}
+
+TEST_CASE("Getting ready goes by as many tiles as asked, and waits for updates and for what is not shown") {
+    Stack stack(true);
+    std::uint32_t next = 0;
+    stack.def.parent = stack.group;
+    stack.def.opacity = 0.25f;
+    stack.session.change(stack.top, stack.def);
+    const std::uint32_t used = stack.used_kib();
+    must(txc_layer_prepare(stack.session.id(), stack.top, 0, 0, 1000, &next));
+    CHECK(next == TXC_NONE);
+    CHECK(stack.used_kib() == used);
+    stack.def.visible = 0;
+    stack.session.change(stack.top, stack.def);
+    stack.session.update(stack.target);
+    must(txc_layer_prepare(stack.session.id(), stack.top, 0, 0, 1000, &next));
+    CHECK(next == TXC_NONE);
+    Stack fresh(true);
+    must(txc_layer_prepare(fresh.session.id(), fresh.top, 0, 0, 10, &next));
+    CHECK(next == 10);
+    CHECK(txc_layer_prepare(stack.session.id(), 987654, 0, 0, 10, &next) == TXC_STATUS_STALE_HANDLE);
+    CHECK(txc_layer_prepare(stack.session.id(), stack.top, 0, 0, 10, nullptr) == TXC_STATUS_BAD_ARGUMENT);
+}

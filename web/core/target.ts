@@ -8,6 +8,7 @@ import {
   LayerDefLayout,
   type MapInfo,
   MapInfoLayout,
+  NONE,
   type Rect,
   RectLayout,
   UpdateLayout,
@@ -158,6 +159,17 @@ export class Target {
   /** Ends a layer and all that are in it. */
   destroyLayer(layer: LayerHandle): void {
     this.#core.run("txc_layer_destroy", this.#session, layer);
+  }
+
+  /**
+   * Gets ready for changes of a layer (`inside`: of what is on top in a group, and of its mask), on at most `tileCount` tiles
+   * from `firstTile` on. Returns the tile to go on with; null when there is no more to do.
+   */
+  prepareLayer(layer: LayerHandle, inside: boolean, firstTile: number, tileCount: number): number | null {
+    const next = this.#core.collectU32((out) =>
+      this.#core.run("txc_layer_prepare", this.#session, layer, Number(inside), firstTile, tileCount, out),
+    );
+    return next === NONE ? null : next;
   }
 
   /** What the layer was last given. */

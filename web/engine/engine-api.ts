@@ -298,6 +298,13 @@ export interface TargetUpdate {
   readonly milliseconds: number;
 }
 
+/** Which layer will probably change next: it is selected, or under the pointer. */
+export interface ExpectedChange {
+  readonly id: string;
+  /** What is put on top in it (it is a group) or changes its mask, and not the layer itself. */
+  readonly inside: boolean;
+}
+
 export type MapView = "positions" | "normals" | "coverage" | "overlap";
 
 /** Straight-alpha RGBA, row 0 at the top. */
@@ -352,6 +359,11 @@ export interface Engine {
    * open target are kept and drawn when those appear.
    */
   setLayers(layers: readonly EngineLayer[], revision: number): void;
+  /**
+   * Makes the first steps of a change that is likely to come as quick as those after it: what lies below the layer is kept
+   * ready, in pauses of other work. Null: nothing in particular is expected. Returns at once; changes no texel.
+   */
+  expect(change: ExpectedChange | null): void;
   /** Called after each change, one call per changed target. Returns an unsubscribe function. */
   onUpdate(listener: (update: TargetUpdate) => void): () => void;
   /** Faults outside a call of the user's (the engine crashed, a layer was refused). */

@@ -9,6 +9,7 @@ import type {
   EngineLayer,
   EngineStats,
   EngineText,
+  ExpectedChange,
   MapView,
   ModelInfo,
   ModelSource,
@@ -18,10 +19,11 @@ import type {
   TargetUpdate,
   TextMeasure,
 } from "./engine-api.ts";
-import { cancelled, crashError, haltError } from "./engine-faults.ts";
+import { cancelled, crashError, disposed, haltError } from "./engine-faults.ts";
 import type { Call, CallArguments, CallName, CallResult, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
 import type { CallOptions, PendingCall } from "./pending-call.ts";
 import { LayerSender } from "./sent-layers.ts";
+import { absoluteAddress } from "./worker-address.ts";
 import { WorkerWatch } from "./worker-watch.ts";
 
 export interface EngineClientOptions {
@@ -62,11 +64,12 @@ class EngineClient implements Engine {
   readonly #targets = new Map<number, TargetOptions>();
   #layers: { readonly layers: readonly EngineLayer[]; readonly revision: number } | null = null;
 
+  #expected: ExpectedChange | null = null;
+
   /** What the worker has of the layers. */
   #sender = new LayerSender();
-  /** The worker has a list of layers that it has not drawn yet. */
+  /** The worker has a list of layers that it has not drawn yet; waiting is one that was not sent yet. */
   #layersUnderWay = false;
-  /** `#layers` was not sent yet. */
   #layersWaiting = false;
   /** Times of crashes since a worker last drew everything. */
   #crashes: number[] = [];
@@ -158,6 +161,11 @@ class EngineClient implements Engine {
     if (!this.#layersUnderWay) this.#sendLayers();
   }
 
+  expect(change: ExpectedChange | null): void {
+    this.#expected = change;
+    this.#send({ type: "expect", change });
+  }
+
   onUpdate(listener: (update: TargetUpdate) => void): () => void {
     this.#updateListeners.add(listener);
     return () => this.#updateListeners.delete(listener);
@@ -202,7 +210,7 @@ class EngineClient implements Engine {
 
   dispose(): void {
     if (this.#ended?.code === "disposed") return;
-    this.#ended = new TexelcastError("disposed", "The engine was ended.");
+    this.#ended = disposed();
     this.#rejectAll(this.#ended);
     this.#updateListeners.clear();
     this.#errorListeners.clear();
@@ -259,7 +267,7 @@ class EngineClient implements Engine {
     this.#sender = new LayerSender();
     this.#send({
       type: "start",
-      ...(wasm !== undefined && { wasm: absolute(wasm) }),
+      ...(wasm !== undefined && { wasm: absoluteAddress(wasm) }),
       ...(memoryBudgetMib !== undefined && { memoryBudgetMib }),
     });
   }
@@ -378,6 +386,7 @@ class EngineClient implements Engine {
     for (const [key, font] of this.#fonts) steps.push(this.#call("setFont", [key, font], replay));
     for (const target of this.#targets.values()) steps.push(this.#call("openTarget", [target], replay));
     if (this.#layers !== null) this.#sendLayers();
+    this.#send({ type: "expect", change: this.#expected });
     const drawn = this.#call("idle", [], replay).then(() => {
       this.#crashes = [];
     });
@@ -388,9 +397,4 @@ class EngineClient implements Engine {
       });
     }
   }
-}
-
-/** The worker's own address is another one than the page's, so a relative address must be made whole here. */
-function absolute(address: URL | string): string {
-  return typeof location === "undefined" ? String(address) : new URL(address, location.href).href;
 }

@@ -17,3 +17,14 @@ export function haltError(crash: TexelcastError, times: number): TexelcastError 
 }
 
 export const cancelled = (): TexelcastError => new TexelcastError("cancelled", "The call was cancelled.");
+
+export const disposed = (): TexelcastError => new TexelcastError("disposed", "The engine was ended.");
+
+export const noModel = (): TexelcastError => new TexelcastError("no-model", "No model is loaded yet.");
+
+export const notOpen = (material: number): TexelcastError =>
+  new TexelcastError("bad-argument", `Material ${material} is not open for painting.`, {
+    field: "material",
+    value: String(material),
+    hint: "Open it with openTarget first.",
+  });

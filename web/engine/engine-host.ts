@@ -16,6 +16,7 @@ import type {
   EngineLayer,
   EngineStats,
   EngineText,
+  ExpectedChange,
   MapView,
   ModelInfo,
   ModelSource,
@@ -25,6 +26,8 @@ import type {
   TargetUpdate,
   TextMeasure,
 } from "./engine-api.ts";
+import { disposed, noModel, notOpen } from "./engine-faults.ts";
+import { engineStats } from "./engine-stats.ts";
 import { callLater } from "./event-loop.ts";
 import { modelInfo } from "./model-info.ts";
 import { type LoadedModel, loadModelFile } from "./model-loader.ts";
@@ -32,6 +35,7 @@ import { type TextureEdit, writeModel } from "./model-writer.ts";
 import { type MapChannel, OpenTarget, type TargetPictures } from "./open-target.ts";
 import { decodePicture } from "./picture-decoder.ts";
 import { encodePng } from "./png-encoder.ts";
+import { Readying } from "./readying.ts";
 import { isSvg } from "./svg-file.ts";
 
 export type { MapChannel } from "./open-target.ts";
@@ -55,14 +59,20 @@ export class EngineHost implements Engine {
   readonly #targets = new Map<number, OpenTarget>();
   readonly #images = new Map<string, ImageHandle>();
   readonly #drawn = new DrawnPictures();
-  /** Fonts of words are on their way. */
-  #loading = false;
+  #fontsComing = false;
 
   #layers: readonly EngineLayer[] = [];
   #revision = 0;
   /** The newest layers (or what they refer to) were not drawn yet. */
   #stale = false;
   #drawingSoon = false;
+
+  #unanswered = 0;
+  readonly #readying = new Readying({
+    targets: () => [...this.#targets.values()],
+    isBusy: () => this.#disposed || this.#session === null || this.#stale || this.#unanswered > 0,
+    fault: (error) => this.#report(error),
+  });
 
   readonly #updateListeners = new Set<(update: TargetUpdate) => void>();
   readonly #errorListeners = new Set<(error: Error) => void>();
@@ -173,6 +183,10 @@ export class EngineHost implements Engine {
     this.#markStale();
   }
 
+  expect(change: ExpectedChange | null): void {
+    if (!this.#disposed) this.#readying.expect(change);
+  }
+
   onUpdate(listener: (update: TargetUpdate) => void): () => void {
     this.#updateListeners.add(listener);
     return () => this.#updateListeners.delete(listener);
@@ -236,16 +250,7 @@ export class EngineHost implements Engine {
   }
 
   stats(): Promise<EngineStats> {
-    return this.#enqueue((session) => {
-      const stats = session.stats();
-      return {
-        bakeCount: stats.bakeCount,
-        projectionCount: stats.projectionCount,
-        memoryUsedBytes: stats.memoryUsedKib * 1024,
-        memoryPeakBytes: stats.memoryPeakKib * 1024,
-        memoryBudgetBytes: stats.memoryBudgetKib * 1024,
-      };
-    });
+    return this.#enqueue(engineStats);
   }
 
   /** Rows of an open target's map: three floats a texel for positions and normals, one byte else (texelcast.h). */
@@ -291,7 +296,13 @@ export class EngineHost implements Engine {
         throw error;
       }
     });
-    this.#line = result.catch(() => undefined);
+    this.#unanswered += 1;
+    this.#line = result
+      .catch(() => undefined)
+      .finally(() => {
+        this.#unanswered -= 1;
+        this.#readying.resume();
+      });
     return result;
   }
 
@@ -332,15 +343,15 @@ export class EngineHost implements Engine {
 
   /** Words whose fonts are not there yet are drawn as soon as they are. */
   #loadSoon(): void {
-    if (this.#loading) return;
-    this.#loading = true;
+    if (this.#fontsComing) return;
+    this.#fontsComing = true;
     this.#drawn.load(this.#layers).then(
       () => {
-        this.#loading = false;
+        this.#fontsComing = false;
         if (!this.#disposed) this.#markStale();
       },
       (error: unknown) => {
-        this.#loading = false;
+        this.#fontsComing = false;
         if (!this.#disposed) this.#report(TexelcastError.wrap(error, "internal", "A font could not be loaded."));
       },
     );
@@ -364,6 +375,7 @@ export class EngineHost implements Engine {
       if (this.#session !== session) return;
     }
     this.#drawn.sweep(session);
+    this.#readying.restart();
   }
 
   #report(error: Error): void {
@@ -371,22 +383,18 @@ export class EngineHost implements Engine {
   }
 
   #checkAlive(): void {
-    if (this.#disposed) throw new TexelcastError("disposed", "The engine was ended.");
+    if (this.#disposed) throw disposed();
   }
 
   #requireModel(): LoadedModel {
-    if (this.#model === null) throw new TexelcastError("no-model", "No model is loaded yet.");
+    if (this.#model === null) throw noModel();
     return this.#model;
   }
 
   #requireTarget(material: number): OpenTarget {
     this.#requireModel();
     const target = this.#targets.get(material);
-    if (target !== undefined) return target;
-    throw new TexelcastError("bad-argument", `Material ${material} is not open for painting.`, {
-      field: "material",
-      value: String(material),
-      hint: "Open it with openTarget first.",
-    });
+    if (target === undefined) throw notOpen(material);
+    return target;
   }
 }

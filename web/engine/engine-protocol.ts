@@ -1,6 +1,6 @@
 /** What the engine's client and its worker say to each other. */
 import type { TexelcastErrorJson } from "../core/texelcast-error.ts";
-import type { Engine, TargetOptions, TargetUpdate } from "./engine-api.ts";
+import type { Engine, ExpectedChange, TargetOptions, TargetUpdate } from "./engine-api.ts";
 import type { SentLayer } from "./sent-layers.ts";
 
 /** Calls that are answered, by name; arguments and results are the interface's own. */
@@ -38,6 +38,7 @@ export type ClientMessage =
   | { readonly type: "cancel"; readonly id: number }
   /** Answered by "pong" as soon as the worker's thread is free. */
   | { readonly type: "ping" }
+  | { readonly type: "expect"; readonly change: ExpectedChange | null }
   | { readonly type: "layers"; readonly layers: readonly SentLayer[]; readonly revision: number };
 
 export type WorkerMessage =

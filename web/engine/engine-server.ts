@@ -56,6 +56,9 @@ export function serveEngine(port: ServerPort): void {
       case "cancel":
         cancels.get(data.id)?.abort();
         break;
+      case "expect":
+        host.expect(data.change);
+        break;
       case "layers":
         host.setLayers(receiver.unpack(data.layers), data.revision);
         // The host draws in a turn that it has just asked for, so this one comes after it.

@@ -71,6 +71,11 @@ export class LayerSync {
     this.#placeList(wanted, null, "content", context);
   }
 
+  /** The core's layer of that id; undefined where it has none. */
+  handleOf(id: string): LayerHandle | undefined {
+    return this.#byId.get(id)?.handle;
+  }
+
   /** Takes out what is not wanted, and lifts out of it, and of where it was, what is wanted elsewhere. */
   #removeOthers(wanted: readonly WantedLayer[]): void {
     const places = new Map<string, { layer: WantedLayer; parentId: string | null; list: List }>();

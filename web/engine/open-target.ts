@@ -5,7 +5,16 @@ import type { Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { applyBase, loadBasePicture, targetSize } from "./base-picture.ts";
 import { coreGradient } from "./core-layer.ts";
-import type { EngineLayer, MapView, Picture, TargetInfo, TargetOptions, TargetUpdate, Vec3 } from "./engine-api.ts";
+import type {
+  EngineLayer,
+  ExpectedChange,
+  MapView,
+  Picture,
+  TargetInfo,
+  TargetOptions,
+  TargetUpdate,
+  Vec3,
+} from "./engine-api.ts";
 import { nextTurn } from "./event-loop.ts";
 import { FillTriangles } from "./fill-triangles.ts";
 import { NO_DETAILS } from "./layer-details.ts";
@@ -135,6 +144,15 @@ export class OpenTarget {
     const update = this.#target.update();
     if (update.rects.length === 0) return null;
     return { material, revision, ...update, milliseconds: performance.now() - start };
+  }
+
+  /**
+   * Gets ready for a change, on at most `tileCount` tiles from `firstTile` on. Returns the tile to go on with; null when there
+   * is no more to do.
+   */
+  prepare({ id, inside }: ExpectedChange, firstTile: number, tileCount: number): number | null {
+    const layer = this.#layers.handleOf(id);
+    return layer === undefined ? null : this.#target.prepareLayer(layer, inside, firstTile, tileCount);
   }
 
   read(x: number, y: number, width: number, height: number): Uint8Array<ArrayBuffer> {

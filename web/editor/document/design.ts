@@ -87,7 +87,8 @@ export interface LayerBase {
 /**
  * What of a layer shows. A mask begins with alpha 1 everywhere; its layers are composited onto that like any, bottom to
  * top, and the alpha which comes out multiplies what the masked layer paints. A stroke with blend "erase" hides, a normal
- * one shows again; what colour it has does not matter.
+ * one shows again; what colour it has does not matter. Of their `material` only what lies in the texture itself takes notice
+ * (`resolveLayers`); the others reach whatever the masked layer paints.
  */
 export interface Mask {
   readonly layers: readonly MaskLayer[];

@@ -18,12 +18,15 @@ import type {
   Gradient,
   GroupLayer,
   LayerBase,
+  LayerMaterials,
   Mirror,
   PaintLayer,
   StrokeLayer,
   TextLayer,
 } from "./design.ts";
+import { layerMaterials } from "./design.ts";
 import { parseHexColor } from "./hex-color.ts";
+import { materialsIn } from "./layer-tree.ts";
 import { mirroredDabs, mirroredDecal, sameMirror } from "./mirror-layer.ts";
 
 type Assets = Design["assets"];
@@ -40,8 +43,14 @@ function resolveList(layers: readonly DesignLayer[], assets: Assets): EngineLaye
   return layers.map((layer) => resolveLayer(layer, assets));
 }
 
-function resolveLayer(layer: DesignLayer, assets: Assets, outer: Mirror | null = null): EngineLayer {
-  const mask = resolveMask(layer, assets);
+function resolveLayer(
+  layer: DesignLayer,
+  assets: Assets,
+  outer: Mirror | null = null,
+  masked: readonly number[] | null = null,
+): EngineLayer {
+  const own = masked === null ? materialsIn(layer) : materialsInMask(layer, masked);
+  const mask = resolveMask(layer, assets, own);
   const held =
     layer.type === "group"
       ? resolveList(layer.layers, assets)
@@ -49,22 +58,45 @@ function resolveLayer(layer: DesignLayer, assets: Assets, outer: Mirror | null =
         ? layer.strokes.map((stroke) => resolveLayer(stroke, assets, layer.mirror))
         : [];
   const font = layer.type === "text" ? (assets[layer.font]?.uri ?? null) : null;
-  return resolvedOnce(layer, { mask, held, outer, font }, () => {
-    switch (layer.type) {
-      case "text":
-        return resolveText(layer, mask, assets);
-      case "decal":
-        return resolveDecal(layer, mask);
-      case "stroke":
-        return resolveStroke(layer, mask, outer);
-      case "fill":
-        return resolveFill(layer, mask);
-      case "group":
-        return resolveGroup(layer, held, mask, layer.isolated);
-      case "paint":
-        return resolveGroup(layer, held, mask, true);
-    }
+  const material = masked === null ? null : layerMaterials(own);
+  return resolvedOnce(layer, { mask, held, outer, font, material }, () => {
+    const resolved = resolveKind(layer, { mask, held, outer, font, material }, assets);
+    return material === null || resolved.type === "group" ? resolved : { ...resolved, material };
   });
+}
+
+function resolveKind(layer: DesignLayer, { mask, held, outer }: LayerContext, assets: Assets): EngineLayer {
+  switch (layer.type) {
+    case "text":
+      return resolveText(layer, mask, assets);
+    case "decal":
+      return resolveDecal(layer, mask);
+    case "stroke":
+      return resolveStroke(layer, mask, outer);
+    case "fill":
+      return resolveFill(layer, mask);
+    case "group":
+      return resolveGroup(layer, held, mask, layer.isolated);
+    case "paint":
+      return resolveGroup(layer, held, mask, true);
+  }
+}
+
+/**
+ * A mask's layers reach what the masked layer paints: thrown at the surface, they need no list of their own. What lies in one
+ * texture itself, by its place there or by its triangles, keeps to those that it names, unless the masked layer paints none.
+ */
+function materialsInMask(layer: DesignLayer, masked: readonly number[]): readonly number[] {
+  if (!liesInTexture(layer)) return masked;
+  const common = materialsIn(layer).filter((material) => masked.includes(material));
+  // Triangles are those of one material, and mean others in another.
+  return common.length > 0 || layer.type === "fill" ? common : masked;
+}
+
+function liesInTexture(layer: DesignLayer): boolean {
+  if (layer.type === "fill") return layer.parts !== null;
+  if (layer.type === "stroke") return layer.dabs.some(({ kind }) => kind === "uv");
+  return (layer.type === "decal" || layer.type === "text") && layer.projector.kind === "uv";
 }
 
 /** What a resolved layer is made of besides its own fields. */
@@ -75,6 +107,8 @@ interface LayerContext {
   readonly outer: Mirror | null;
   /** Of words: their font's address. */
   readonly font: string | null;
+  /** Of a mask's layers: in place of their own. */
+  readonly material: LayerMaterials | null;
 }
 
 /** By the design's layers, which never change: what is the same object for the editor is the same one for the engine. */
@@ -86,6 +120,7 @@ function resolvedOnce(layer: DesignLayer, context: LayerContext, resolve: () => 
     known !== undefined &&
     known.outer === context.outer &&
     known.font === context.font &&
+    String(known.material) === String(context.material) &&
     sameList(known.held, context.held) &&
     sameList(known.mask?.layers ?? [], context.mask?.layers ?? []);
   if (isKnown) return known.engineLayer;
@@ -97,8 +132,9 @@ function resolvedOnce(layer: DesignLayer, context: LayerContext, resolve: () => 
 const sameList = (a: readonly EngineLayer[], b: readonly EngineLayer[]): boolean =>
   a.length === b.length && a.every((layer, index) => layer === b[index]);
 
-function resolveMask({ mask }: LayerBase, assets: Assets): EngineMask | null {
-  return mask === null ? null : { ...mask, layers: resolveList(mask.layers, assets) };
+function resolveMask({ mask }: LayerBase, assets: Assets, masked: readonly number[]): EngineMask | null {
+  if (mask === null) return null;
+  return { ...mask, layers: mask.layers.map((layer) => resolveLayer(layer, assets, null, masked)) };
 }
 
 function resolveText(layer: TextLayer, mask: EngineMask | null, assets: Assets): EngineLayer {

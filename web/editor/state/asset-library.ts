@@ -1,6 +1,7 @@
 /**
  * The pictures and fonts that designs use, by their `data:` URI: their bytes in the engine, their size, an address to show them.
- * Nothing is thrown away while the page lives, because an undo may ask for any of them again.
+ * What no step of the history holds any more is thrown away; of what an undo may ask for, the engine keeps the newest, and
+ * is given the others again from their URIs.
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
@@ -14,6 +15,7 @@ import { fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { bytesOf, findCompanion } from "../files/file-intake.ts";
 import { strings } from "../strings.ts";
+import { MEBIBYTE } from "./megabytes.ts";
 
 export interface LibraryPicture {
   /** Key in the engine; the design's own keys may mean different pictures after another design is opened. */
@@ -21,7 +23,7 @@ export interface LibraryPicture {
   readonly asset: DesignAsset;
   readonly width: number;
   readonly height: number;
-  /** For `<img>`; valid while the page lives. */
+  /** For `<img>`; valid while the design or a step of the history uses the picture. */
   readonly url: string;
 }
 
@@ -48,10 +50,26 @@ const TYPES = { png: "image/png", jpeg: "image/jpeg", webp: "image/webp" } as co
 
 const LIVE_KEY = "picture-live";
 
+/** Bytes that the engine may hold of pictures and fonts that only the history's steps use. */
+const SPARE_BYTES = 64 * MEBIBYTE;
+/** A decoded picture's pixel, with the coarser levels and what else the core keeps of it. */
+const DECODED_PIXEL_BYTES = 15;
+
+interface Kept {
+  readonly held: LibraryPicture | LibraryFont;
+  /** What it takes up outside the design, about. */
+  readonly bytes: number;
+  /** The engine has it. */
+  given: boolean;
+  /** A recorded design had it: before that, somebody is about to use it. */
+  used: boolean;
+}
+
 export class AssetLibrary {
   readonly #engine: Engine;
-  readonly #pictures = new Map<string, LibraryPicture>();
-  readonly #fonts = new Map<string, LibraryFont>();
+  /** By URI, those used last at the end. */
+  readonly #kept = new Map<string, Kept>();
+  readonly #returning = new Map<string, Promise<void>>();
   #count = 0;
 
   constructor(engine: Engine) {
@@ -59,30 +77,35 @@ export class AssetLibrary {
   }
 
   get(asset: DesignAsset | undefined): LibraryPicture | undefined {
-    return asset && this.#pictures.get(asset.uri);
+    const held = asset && this.#kept.get(asset.uri)?.held;
+    return held && "url" in held ? held : undefined;
   }
 
   /** The user's own font; undefined for those that come with Texelcast. */
   font(asset: DesignAsset | undefined): LibraryFont | undefined {
-    return asset && this.#fonts.get(asset.uri);
+    const held = asset && this.#kept.get(asset.uri)?.held;
+    return held && "url" in held ? undefined : held;
   }
 
   /** Under which the engine has a picture or a font of the user's. */
   engineKey(asset: DesignAsset | undefined): string | undefined {
-    return (this.get(asset) ?? this.font(asset))?.engineKey;
+    return asset && this.#kept.get(asset.uri)?.held.engineKey;
   }
 
   /** Checks a font file and gives it to the engine. Rejects with a TexelcastError ("bad-font"). */
   async addFont(fileName: string, bytes: Uint8Array): Promise<LibraryFont> {
     const type = `font/${readFontHeader(bytes, fileName).format}` as const;
     const uri = encodeDataUri(type, bytes);
-    const known = this.#fonts.get(uri);
-    if (known) return known;
+    const known = this.font({ type, uri });
+    if (known) {
+      await this.#giveBack(uri);
+      return known;
+    }
     this.#count += 1;
     const engineKey = `font-${this.#count}`;
     const { name } = await this.#engine.setFont(engineKey, { name: fileName, bytes });
     const font: LibraryFont = { engineKey, asset: { type, uri }, name: name || fileStem(fileName), bytes };
-    this.#fonts.set(uri, font);
+    this.#kept.set(uri, { held: font, bytes: 2 * bytes.length, given: true, used: false });
     return font;
   }
 
@@ -90,15 +113,85 @@ export class AssetLibrary {
   async add(name: string, bytes: Uint8Array): Promise<LibraryPicture> {
     const type = isSvg(bytes) ? "image/svg+xml" : TYPES[readPictureHeader(bytes, name).format];
     const uri = encodeDataUri(type, bytes);
-    const known = this.#pictures.get(uri);
-    if (known) return known;
+    const known = this.get({ type, uri });
+    if (known) {
+      await this.#giveBack(uri);
+      return known;
+    }
     this.#count += 1;
     const engineKey = `picture-${this.#count}`;
     const { width, height } = await this.#engine.setAsset(engineKey, { name, bytes });
     const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
     const picture: LibraryPicture = { engineKey, asset: { type, uri }, width, height, url };
-    this.#pictures.set(uri, picture);
+    const decoded = type === "image/svg+xml" ? 0 : width * height * DECODED_PIXEL_BYTES;
+    this.#kept.set(uri, { held: picture, bytes: decoded + 2 * bytes.length, given: true, used: false });
     return picture;
+  }
+
+  /** Whether the engine lacks something that a design uses and that `giveBack` can give it. */
+  lacks({ assets }: Design): boolean {
+    return Object.values(assets).some(({ uri }) => uri.startsWith("data:") && this.#kept.get(uri)?.given !== true);
+  }
+
+  /** Gives the engine what it lacks of a design. Rejects as `add` and `addFont` do. */
+  async giveBack({ assets }: Design): Promise<void> {
+    const lacking = Object.entries(assets).filter(([, { uri }]) => uri.startsWith("data:"));
+    await Promise.all(lacking.map(([key, asset]) => this.#giveBack(asset.uri, key, asset.type)));
+  }
+
+  async #giveBack(uri: string, name = "", type = ""): Promise<void> {
+    const kept = this.#kept.get(uri);
+    if (kept?.given) return;
+    const returning = this.#returning.get(uri) ?? this.#giveAgain(uri, kept, name, type);
+    this.#returning.set(uri, returning);
+    await returning.finally(() => this.#returning.delete(uri));
+  }
+
+  async #giveAgain(uri: string, kept: Kept | undefined, name: string, type: string): Promise<void> {
+    const bytes = decodeDataUri(uri, name);
+    if (kept === undefined) {
+      await (type.startsWith("font/") ? this.addFont(name, bytes) : this.add(name, bytes));
+      return;
+    }
+    const { held } = kept;
+    const file = { name: name || held.engineKey, bytes };
+    if ("url" in held) await this.#engine.setAsset(held.engineKey, file);
+    else await this.#engine.setFont(held.engineKey, file);
+    kept.given = true;
+  }
+
+  /**
+   * Frees what is not needed any more.
+   *
+   * @param shown the designs that are looked at now, which keep all that they use
+   * @param reachable all designs that an undo or redo could bring back
+   */
+  sweep(shown: readonly Design[], reachable: () => Iterable<Design>): void {
+    const inUse = urisOf(shown);
+    for (const uri of inUse) {
+      const kept = this.#kept.get(uri);
+      if (kept === undefined) continue;
+      kept.used = true;
+      this.#kept.delete(uri);
+      this.#kept.set(uri, kept);
+    }
+    const idle = [...this.#kept].filter(([uri, { used }]) => used && !inUse.has(uri));
+    if (idle.length === 0) return;
+    const wanted = urisOf(reachable());
+    let spare = 0;
+    for (const [uri, kept] of idle.reverse()) {
+      const isWanted = wanted.has(uri);
+      if (isWanted && kept.given) spare += kept.bytes;
+      if (kept.given && (!isWanted || spare > SPARE_BYTES)) {
+        if (isWanted) spare -= kept.bytes;
+        kept.given = false;
+        // An engine that was ended, or that crashes over it, has nothing of it any more.
+        this.#engine.removeAsset(kept.held.engineKey).catch(() => undefined);
+      }
+      if (isWanted) continue;
+      this.#kept.delete(uri);
+      if ("url" in kept.held) URL.revokeObjectURL(kept.held.url);
+    }
   }
 
   /**
@@ -109,10 +202,10 @@ export class AssetLibrary {
     const engineKey = `${LIVE_KEY}-${slot}`;
     const { width, height } = await this.#engine.setAsset(engineKey, { name: engineKey, bytes });
     const asset: DesignAsset = { type: "image/png", uri: `live:${slot}` };
-    URL.revokeObjectURL(this.#pictures.get(asset.uri)?.url ?? "");
+    URL.revokeObjectURL(this.get(asset)?.url ?? "");
     const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type: asset.type }));
     const picture: LibraryPicture = { engineKey, asset, width, height, url };
-    this.#pictures.set(asset.uri, picture);
+    this.#kept.set(asset.uri, { held: picture, bytes: 0, given: true, used: false });
     return picture;
   }
 
@@ -135,6 +228,12 @@ export class AssetLibrary {
     }
     return { ...design, assets };
   }
+}
+
+function urisOf(designs: Iterable<Design>): Set<string> {
+  const uris = new Set<string>();
+  for (const { assets } of designs) for (const { uri } of Object.values(assets)) uris.add(uri);
+  return uris;
 }
 
 async function readAsset(uri: string, field: string, { path, files, baseUrl, read }: DesignPlace): Promise<Uint8Array> {

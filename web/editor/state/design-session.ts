@@ -23,6 +23,8 @@ export interface DesignSessionParts {
   readonly viewer: ModelViewer;
   readonly library: AssetLibrary;
   readonly store: Store<EditorState>;
+  /** Sees to work that goes on after a call, and tells the user where it fails. */
+  readonly later: (work: Promise<void>) => void;
 }
 
 export class DesignSession {
@@ -30,16 +32,18 @@ export class DesignSession {
   readonly #viewer: ModelViewer;
   readonly #library: AssetLibrary;
   readonly #store: Store<EditorState>;
+  readonly #later: (work: Promise<void>) => void;
   readonly #history = new History<Snapshot>({ design: emptyDesign(), model: null });
   #saved: Design = this.#history.present.design;
   #sent: Design | null = null;
   #revision = 0;
 
-  constructor({ engine, viewer, library, store }: DesignSessionParts) {
+  constructor({ engine, viewer, library, store, later }: DesignSessionParts) {
     this.#engine = engine;
     this.#viewer = viewer;
     this.#library = library;
     this.#store = store;
+    this.#later = later;
   }
 
   get design(): Design {
@@ -94,6 +98,7 @@ export class DesignSession {
     const unchanged = design === this.#history.recorded.design;
     this.#history.record(unchanged ? this.#history.recorded : { ...this.#history.recorded, design }, label, mergeKey);
     this.#publish();
+    this.#sweep();
   }
 
   /** A model took the place of another, with a design of its own: one step that brings both back when undone. */
@@ -102,17 +107,20 @@ export class DesignSession {
     else this.#history.record({ model, design }, label);
     this.#saved = design;
     this.#publish();
+    this.#sweep();
   }
 
   travelTo(position: number): void {
     this.#history.travelTo(position);
     this.#publish();
+    this.#sweep();
   }
 
   /** Bytes that the history's steps may hold; steps that no longer fit are dropped, the oldest first. */
   setHistoryBudget(bytes: number): void {
     this.#history.budget = bytes;
     this.#publish();
+    this.#sweep();
   }
 
   markSaved(): void {
@@ -143,11 +151,37 @@ export class DesignSession {
     };
   }
 
+  /** Lets the engine get ready for a change of the selected layer, or of what is painted on it. */
+  expectChange(): void {
+    const { selected } = this;
+    const { editingMask } = this.#store.state;
+    const inside = selected?.type === "paint" || editingMask === selected?.id;
+    this.#engine.expect(selected === undefined ? null : { id: selected.id, inside });
+  }
+
   /** Gives the engine the layers of a design that is not the recorded one yet (its model is being opened). */
   send(design: Design): void {
     this.#revision += 1;
     this.#sent = design;
-    this.#engine.setLayers(this.#engineLayers(design), this.#revision);
+    if (this.#library.lacks(design)) this.#later(this.#sendLater(design));
+    else this.#engine.setLayers(this.#engineLayers(design), this.#revision);
+  }
+
+  /** A step far back may use pictures that the engine has no more: until it has them, it goes on showing what it shows. */
+  async #sendLater(design: Design): Promise<void> {
+    await this.#library.giveBack(design).finally(() => {
+      if (this.#sent?.layers !== design.layers) return;
+      this.#engine.setLayers(this.#engineLayers(design), this.#revision);
+      this.#showDecals();
+    });
+  }
+
+  #sweep(): void {
+    const history = this.#history;
+    const reachable = function* (): Iterable<Design> {
+      for (const { design } of history.values()) yield design;
+    };
+    this.#library.sweep([this.design, this.recordedDesign], reachable);
   }
 
   #engineLayers(design: Design): EngineLayer[] {

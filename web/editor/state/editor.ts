@@ -76,7 +76,10 @@ export class Editor {
     const { store, board, tasks } = this;
     this.library = new AssetLibrary(engine);
     this.#router = new UpdateRouter(engine, viewer, textureView, this.figures);
-    this.session = new DesignSession({ engine, viewer, library: this.library, store });
+    this.session = new DesignSession({
+      ...{ engine, viewer, library: this.library, store },
+      later: (work) => this.#attempt(strings.errors.engineFault, work),
+    });
     const send = this.session.send.bind(this.session);
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
     const { session, library } = this;
@@ -240,6 +243,7 @@ export class Editor {
       this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
     }
     this.textureView.setStamp(shownStamp(now));
+    if (now.selectedId !== before.selectedId || now.editingMask !== before.editingMask) this.session.expectChange();
     const selected = layerById(now.design, now.selectedId);
     const other = now.selectedId !== before.selectedId;
     const movedOn = selected?.material !== layerById(before.design, before.selectedId)?.material;

@@ -28,10 +28,10 @@ import {
   removeMask,
   stepLayers,
   type TreePlace,
-  ungroupLayers,
 } from "./layer-edits.ts";
 import { mergeDown } from "./layer-merge.ts";
 import { layerRows, rowsBetween } from "./layer-rows.ts";
+import { ungroupLayers } from "./layer-ungroup.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 
@@ -207,16 +207,21 @@ export class LayerCommands {
     this.#board.announce(strings.announce.grouped(layerById(made.design, made.id)?.name ?? ""));
   }
 
-  ungroup(ids = this.#store.state.selection): void {
+  /** Where the picture would change by it, says how and asks first. */
+  ungroup(ids = this.#store.state.selection, anyway = false): void {
     const before = this.#session.recordedDesign;
     const groups = this.unlocked(ids).filter((id) => layerById(before, id)?.type === "group");
-    const { design, ids: freed } = ungroupLayers(before, groups);
+    const { design, ids: freed, lost } = ungroupLayers(before, groups);
     if (design === before) return;
-    const plain = groups.every((id) => paintsPlainly(layerById(before, id)));
+    if (lost.size > 0 && !anyway) {
+      const { ungroupChanges, ungroupLoses, ungroupAnyway } = strings.notices;
+      const action = { label: ungroupAnyway, run: () => this.ungroup(groups, true) };
+      this.#board.info({ title: ungroupChanges, message: ungroupLoses([...lost]), action });
+      return;
+    }
     this.#session.record(design, strings.steps.ungroup);
     this.#choose(freed.toReversed());
     this.#board.announce(strings.announce.ungrouped(freed.length));
-    if (!plain) this.#board.info({ title: strings.notices.ungrouped, message: strings.notices.ungroupedHint });
   }
 
   /** Joins a layer with the one below it; several chosen layers become a group. */
@@ -335,11 +340,4 @@ const listed = (ids: string | readonly string[]): readonly string[] => (typeof i
 
 function patched(design: Design, ids: readonly string[], patch: LayerPatch): Design {
   return ids.reduce((made, id) => patchLayer(made, id, patch as Partial<DesignLayer>), design);
-}
-
-/** Without its group, what it holds looks the same. */
-function paintsPlainly(layer: DesignLayer | undefined): boolean {
-  return (
-    layer?.type === "group" && layer.opacity === 1 && layer.blend === "normal" && layer.mask === null && !layer.isolated
-  );
 }

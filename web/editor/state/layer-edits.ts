@@ -127,22 +127,6 @@ export function groupLayers(
   return { design: insertAt(without, { parentId, list: "layers", index }, group), id };
 }
 
-/** Puts the layers of groups in their groups' places. Those of a hidden group stay hidden. */
-export function ungroupLayers(design: Design, ids: readonly string[]): { design: Design; ids: string[] } {
-  const freed: string[] = [];
-  let left = design;
-  for (const { layer: group } of outermost(design, ids)) {
-    const visit = visitOf(left, group.id);
-    if (!visit || group.type !== "group") continue;
-    const { parentId, index } = visit;
-    const place = (offset: number) => ({ parentId, list: "layers", index: index + offset }) as const;
-    const members = group.layers.map((layer) => (group.visible ? layer : { ...layer, visible: false }));
-    left = members.reduce((made, layer, offset) => insertAt(made, place(offset), layer), removeById(left, group.id));
-    freed.push(...members.map(({ id }) => id));
-  }
-  return { design: left, ids: freed };
-}
-
 /** Puts copies right above their originals. `patchOf` sets a copy apart (its place). Ids are those of the copies. */
 export function duplicateLayers(
   design: Design,

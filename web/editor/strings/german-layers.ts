@@ -5,6 +5,14 @@ import { plural } from "./plural.ts";
 const layers = (count: number): string => plural(count, "Ebene", "Ebenen");
 const inGroup = "In einer Gruppe bleibt das Bild, wie es ist.";
 
+const GROUP_FIELDS = {
+  opacity: "Deckkraft",
+  blend: "Mischmodus",
+  mask: "Maske",
+  isolated: "Isolation",
+  lockAlpha: "gesperrte Transparenz",
+} as const;
+
 export const germanLayers: Strings["layers"] = {
   title: "Ebenen",
   tabs: "Ebenen und Verlauf",
@@ -136,9 +144,10 @@ export const germanLayerAnnouncements = {
 export const germanLayerNotices = {
   locked: (name: string): string => `${name} ist gesperrt`,
   lockedHint: "Entsperre die Ebene in der Liste, um sie zu ändern.",
-  ungrouped: "Das eigene Aussehen der Gruppe ging mit ihr",
-  ungroupedHint:
-    "Ihre Deckkraft, Mischung oder Maske galt für alle ihre Ebenen zusammen. Rückgängig bringt sie zurück.",
+  ungroupChanges: "Ohne die Gruppe sieht das Bild anders aus",
+  ungroupLoses: (fields: readonly (keyof typeof GROUP_FIELDS)[]): string =>
+    `Für alle Ebenen der Gruppe zusammen gilt: ${fields.map((field) => GROUP_FIELDS[field]).join(", ")}. Das ginge verloren.`,
+  ungroupAnyway: "Trotzdem auflösen",
   grouped: "Stattdessen in eine Gruppe gelegt",
   mergeObstacles: {
     kind: "Nur Malebenen können eine werden. In einer Gruppe bleibt alles änderbar und sieht gleich aus.",

@@ -1,6 +1,17 @@
 /** Words of the layer list, of its acts and of what the acts say. */
 import { plural } from "./plural.ts";
 
+/** What of a group goes when it is taken apart. */
+type GroupField = "opacity" | "blend" | "mask" | "isolated" | "lockAlpha";
+
+const GROUP_FIELDS: Readonly<Record<GroupField, string>> = {
+  opacity: "opacity",
+  blend: "blend mode",
+  mask: "mask",
+  isolated: "isolation",
+  lockAlpha: "locked transparency",
+};
+
 export const layerWords = {
   title: "Layers",
   tabs: "Layers and history",
@@ -133,8 +144,10 @@ export const layerAnnouncements = {
 export const layerNotices = {
   locked: (name: string): string => `${name} is locked`,
   lockedHint: "Unlock it in the list of layers to change it.",
-  ungrouped: "The group’s own look went with it",
-  ungroupedHint: "Its opacity, blending or mask held for all of its layers together. Undo brings it back.",
+  ungroupChanges: "Ungrouping changes the picture",
+  ungroupLoses: (fields: readonly GroupField[]): string =>
+    `The group’s ${fields.map((field) => GROUP_FIELDS[field]).join(", ")} holds for all of its layers together, and would be lost.`,
+  ungroupAnyway: "Ungroup anyway",
   grouped: "Put into a group instead",
   mergeObstacles: {
     kind: "Only paint layers can become one. In a group everything stays editable and looks the same.",
