@@ -1,6 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { type Design, emptyDesign } from "../../web/editor/document/index.ts";
+import { countedName } from "../../web/editor/files/counted-name.ts";
 import { type EditorState, INITIAL_STATE, type ModelRef } from "../../web/editor/state/editor-state.ts";
 import { Store } from "../../web/editor/state/store.ts";
 import { Autosave } from "../../web/editor/storage/autosave.ts";
@@ -18,6 +19,7 @@ function page() {
   let recorded: { design: Design; model: ModelRef | null } = { design: emptyDesign(), model: null };
   const saves: { id: string; packed: PackedProject; seen: number }[] = [];
   const told: string[] = [];
+  const taken = new Set<string>();
   let refusal: TexelcastError | null = null;
   const autosave = new Autosave({
     store,
@@ -30,6 +32,7 @@ function page() {
         saves.push({ id, packed, seen });
         return seen + 1;
       },
+      freeName: async (name) => countedName(name, taken),
       setThumbnail: async (id) => {
         told.push(`picture of ${id}`);
       },
@@ -59,7 +62,7 @@ function page() {
   const refuse = (error: TexelcastError | null): void => {
     refusal = error;
   };
-  return { store, autosave, saves, told, open, step, settle, refuse };
+  return { store, autosave, saves, told, taken, open, step, settle, refuse };
 }
 
 beforeEach(() => {
@@ -197,5 +200,18 @@ describe("autosave", () => {
     await settle(1000);
     expect(saves[1]?.id).not.toBe(saves[0]?.id);
     expect(saves[1]?.seen).toBe(0);
+  });
+
+  it("gives a new project a name that no other has, on the page too, and asks no more once it is kept", async () => {
+    const { open, step, settle, saves, store, taken } = page();
+    taken.add("Mug").add("Mug 2");
+    open(modelRef("Mug", null));
+    await settle(1000);
+    expect(saves.at(-1)?.packed.name).toBe("Mug 3");
+    expect(store.state.designName).toBe("Mug 3");
+    taken.add("Mug 3");
+    step();
+    await settle(1000);
+    expect(saves.map(({ packed }) => packed.name)).toEqual(["Mug 3", "Mug 3"]);
   });
 });

@@ -225,4 +225,15 @@ describe("a browser that keeps nothing", () => {
     await expect(store.list()).rejects.toMatchObject({ code: "storage-refused" });
     vi.unstubAllGlobals();
   });
+
+  it("offers names that no other project has, those of deleted ones among them", async () => {
+    await save("a", content(design(1), "Mug"), 0);
+    await save("b", content(design(1), "Mug 2"), 0);
+    await save("c", content(design(1), "Cup"), 0);
+    await store.remove("c");
+    expect(await store.freeName("Mug", null)).toBe("Mug 3");
+    expect(await store.freeName("Mug", "a")).toBe("Mug");
+    expect(await store.freeName("Mug 2", "a")).toBe("Mug 3");
+    expect(await store.freeName("Cup", null)).toBe("Cup");
+  });
 });

@@ -483,6 +483,7 @@ export const german: Strings = {
   tasks: {
     label: "Laufende Arbeit",
     opening: (name) => `${name} wird geöffnet`,
+    packing: (name) => `${name} wird gepackt`,
     baking: "Die Oberfläche wird vermessen",
     restoring: (name) => `${name} kommt zurück`,
     exporting: (name) => `${name} wird exportiert`,
@@ -534,6 +535,8 @@ export const german: Strings = {
     layers: (count) => plural(count, "Ebene", "Ebenen"),
     megabytes: (size) => `${size} MB`,
     copyOf: (name) => `${name} (Kopie)`,
+    packerFailed: (reason) => `Die Projektdatei ließ sich nicht packen. ${reason}`,
+    namedInstead: (name) => `Ein anderes Projekt heißt schon so: dieses heißt jetzt ${name}`,
     restored: (name) => `${name} ist zurück`,
     back: (name) => `${name} ist zurück, wie du es verlassen hast`,
     backMessage: (time) =>

@@ -477,6 +477,7 @@ const english = {
   tasks: {
     label: "Work in progress",
     opening: (name: string): string => `Opening ${name}`,
+    packing: (name: string): string => `Packing ${name}`,
     baking: "Mapping the surface",
     restoring: (name: string): string => `Bringing back ${name}`,
     exporting: (name: string): string => `Exporting ${name}`,
@@ -528,6 +529,8 @@ const english = {
     layers: (count: number): string => plural(count, "layer", "layers"),
     megabytes: (size: string): string => `${size} MB`,
     copyOf: (name: string): string => `${name} (copy)`,
+    packerFailed: (reason: string): string => `The project’s file could not be packed. ${reason}`,
+    namedInstead: (name: string): string => `Another project has that name: this one is now ${name}`,
     restored: (name: string): string => `${name} is back`,
     back: (name: string): string => `${name} is back as you left it`,
     backMessage: (time: number): string =>

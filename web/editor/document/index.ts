@@ -9,6 +9,7 @@ export {
   PROJECT_EXTENSION,
   type ProjectFile,
   type ProjectTarget,
+  type ProjectToWrite,
   readProjectFile,
   writeProjectFile,
 } from "./project-file.ts";

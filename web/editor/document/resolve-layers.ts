@@ -27,7 +27,7 @@ import type {
 import { layerMaterials } from "./design.ts";
 import { parseHexColor } from "./hex-color.ts";
 import { materialsIn } from "./layer-tree.ts";
-import { mirroredDabs, mirroredDecal, sameMirror } from "./mirror-layer.ts";
+import { liesOnTexture, mirroredDabs, mirroredDecal, sameMirror } from "./mirror-layer.ts";
 
 type Assets = Design["assets"];
 
@@ -87,16 +87,11 @@ function resolveKind(layer: DesignLayer, { mask, held, outer }: LayerContext, as
  * texture itself, by its place there or by its triangles, keeps to those that it names, unless the masked layer paints none.
  */
 function materialsInMask(layer: DesignLayer, masked: readonly number[]): readonly number[] {
-  if (!liesInTexture(layer)) return masked;
+  const isInTexture = layer.type === "fill" ? layer.parts !== null : liesOnTexture(layer);
+  if (!isInTexture) return masked;
   const common = materialsIn(layer).filter((material) => masked.includes(material));
   // Triangles are those of one material, and mean others in another.
   return common.length > 0 || layer.type === "fill" ? common : masked;
-}
-
-function liesInTexture(layer: DesignLayer): boolean {
-  if (layer.type === "fill") return layer.parts !== null;
-  if (layer.type === "stroke") return layer.dabs.some(({ kind }) => kind === "uv");
-  return (layer.type === "decal" || layer.type === "text") && layer.projector.kind === "uv";
 }
 
 /** What a resolved layer is made of besides its own fields. */

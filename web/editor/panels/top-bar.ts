@@ -204,14 +204,14 @@ export class TopBar extends EditorElement {
         icon: FileArchive,
         disabled: none,
         separated: true,
-        run: () => projects.saveFile(true),
+        run: () => void projects.saveFile(true),
       },
       {
         label: projectWords.saveFileWithoutModel,
         hint: projectWords.saveFileWithoutModelHint,
         icon: Save,
         disabled: none,
-        run: () => projects.saveFile(false),
+        run: () => void projects.saveFile(false),
       },
       {
         label: projectWords.openFile,

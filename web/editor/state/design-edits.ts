@@ -12,6 +12,8 @@ import {
   materialsIn,
 } from "../document/index.ts";
 
+import { countedName } from "../files/counted-name.ts";
+
 export const layerById = findLayer;
 
 /** `patch` may hold any field of the layer but its id and type. An unknown id or an equal value changes nothing. */
@@ -66,12 +68,7 @@ export function withoutUnusedAssets(design: Design): Design {
 
 /** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. */
 export function freeName(design: Design, name: string): string {
-  const taken = new Set(flattenLayers(design, { masks: false, strokes: false }).map((layer) => layer.name));
-  // Only what was counted on before: the 07 of "Number 07" is part of the name.
-  const stem = name.replace(/ (?:[2-9]|[1-9]\d+)$/, "");
-  let free = name;
-  for (let number = 2; taken.has(free); number += 1) free = `${stem} ${number}`;
-  return free;
+  return countedName(name, new Set(flattenLayers(design, { masks: false, strokes: false }).map((layer) => layer.name)));
 }
 
 function sameValue(a: unknown, b: unknown): boolean {

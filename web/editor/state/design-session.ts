@@ -123,8 +123,9 @@ export class DesignSession {
     this.#sweep();
   }
 
-  markSaved(): void {
-    this.#saved = this.recordedDesign;
+  /** What was written to a file, while the user may have gone on. */
+  markSaved(design = this.recordedDesign): void {
+    this.#saved = design;
     this.#publish();
   }
 

@@ -1,9 +1,10 @@
 /** Projects that the browser keeps: the one the page begins with, and what the list of them offers. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { PROJECT_EXTENSION, type ProjectFile, readProjectFile, writeProjectFile } from "../document/index.ts";
-import { decodeDataUri } from "../files/data-uri.ts";
+import { PROJECT_EXTENSION, type ProjectFile, readProjectFile } from "../document/index.ts";
 import { fetchBytes } from "../files/demo-catalogue.ts";
 import { download, fileNameOf } from "../files/download.ts";
+import { packInWorker } from "../files/project-packer.ts";
+import type { ProjectToPack } from "../files/project-packing.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { randomId } from "../storage/content-hash.ts";
 import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/project.ts";
@@ -87,22 +88,23 @@ export class ProjectCommands {
   }
 
   /** Hands the project to the browser's downloads, as one file. */
-  saveFile(withModel: boolean): void {
-    const { store, session, board } = this.#parts;
+  async saveFile(withModel: boolean): Promise<void> {
+    const { store, session, board, tasks } = this.#parts;
     const { model, designName, targetSettings } = store.state;
     if (!model) return;
     const name = `${fileNameOf(designName)}${PROJECT_EXTENSION}`;
+    const design = session.recordedDesign;
+    const { source, title, demoId } = model.ref;
+    const project: ProjectToPack = {
+      name: designName,
+      design,
+      targets: [...targetSettings].map(([material, settings]) => ({ material, ...settings })),
+      model: { title, demo: demoId, source: withModel ? source : null },
+    };
     try {
-      const { source, title, demoId } = model.ref;
-      const bytes = writeProjectFile({
-        name: designName,
-        design: session.recordedDesign,
-        assetBytes: (key, { uri }) => (uri.startsWith("data:") ? decodeDataUri(uri, key) : undefined),
-        targets: [...targetSettings].map(([material, settings]) => ({ material, ...settings })),
-        model: { title, demo: demoId, source: withModel ? source : null },
-      });
+      const bytes = await tasks.run(strings.tasks.packing(name), ({ signal }) => packInWorker(project, signal));
       download(name, "application/zip", bytes);
-      session.markSaved();
+      session.markSaved(design);
       board.announce(strings.announce.saved(name));
     } catch (thrown) {
       board.error(words.couldNotSave(name), thrown);
@@ -125,12 +127,14 @@ export class ProjectCommands {
 
   /** An empty name is no name: nothing happens. */
   async rename(id: string, name: string): Promise<void> {
-    const { store, projects, autosave } = this.#parts;
+    const { store, projects, autosave, board } = this.#parts;
     const trimmed = name.trim();
     if (trimmed === "") return;
     await this.#attempt(words.couldNotSave(trimmed), async () => {
-      await projects.rename(id, trimmed);
-      if (id === autosave.projectId) store.set({ designName: trimmed });
+      const free = await projects.freeName(trimmed, id);
+      await projects.rename(id, free);
+      if (id === autosave.projectId) store.set({ designName: free });
+      if (free !== trimmed) board.announce(words.namedInstead(free));
       await autosave.flush();
       await this.#list();
     });
@@ -140,7 +144,7 @@ export class ProjectCommands {
     const { projects, autosave, board } = this.#parts;
     await this.#attempt(words.couldNotSave(name), async () => {
       await autosave.flush();
-      await projects.duplicate(id, words.copyOf(name));
+      await projects.duplicate(id, await projects.freeName(words.copyOf(name), null));
       await this.#list();
       board.announce(strings.announce.duplicated(name));
     });
@@ -160,7 +164,9 @@ export class ProjectCommands {
 
   async restore({ id, name }: ProjectSummary): Promise<void> {
     await this.#attempt(words.couldNotOpen(name), async () => {
-      await this.#parts.projects.restore(id);
+      const { projects } = this.#parts;
+      await projects.rename(id, await projects.freeName(name, id));
+      await projects.restore(id);
       this.#deleted.delete(id);
       await this.#list();
       this.#parts.board.announce(words.restored(name));

@@ -42,7 +42,7 @@ export function keepProjects({ thumbnail, ...parts }: ProjectKeepingParts): Proj
     thumbnail: async () => thumbnail(),
     notices: {
       refused: ({ message, hint = "" }: TexelcastError) => {
-        const action = { label: strings.projects.saveFile, run: () => commands.saveFile(true) };
+        const action = { label: strings.projects.saveFile, run: () => void commands.saveFile(true) };
         refusal = board.info({ title: strings.storage.refusedTitle, message, hint, action, stays: true });
       },
       restored: () => {

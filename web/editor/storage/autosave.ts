@@ -16,7 +16,7 @@ import type { ProjectStore } from "./project-store.ts";
 export interface AutosaveParts {
   readonly store: Store<EditorState>;
   readonly recorded: () => Snapshot;
-  readonly projects: Pick<ProjectStore, "save" | "setThumbnail">;
+  readonly projects: Pick<ProjectStore, "save" | "setThumbnail" | "freeName">;
   readonly lock: Pick<ProjectLock, "take">;
   /** A small picture of the model as it is seen; null where there is none. */
   readonly thumbnail: () => Promise<string | null>;
@@ -161,13 +161,25 @@ export class Autosave {
     this.#lastStart = performance.now();
     this.#tell();
     try {
-      const packed = await this.#packer.pack(content);
+      const named = project.revision > 0 ? content : await this.#named(content, project.id);
+      const packed = await this.#packer.pack(named);
       project.revision = await this.#parts.projects.save(project.id, packed, project.revision);
-      project.kept = content;
+      project.kept = named;
       this.#saved(project);
     } catch (thrown) {
       this.#failed(project, TexelcastError.wrap(thrown, "storage-refused", String(thrown)));
     }
+  }
+
+  /** A new project's name is one that no other has: in a list, two of a name could not be told apart. */
+  async #named(content: ProjectContent, id: string): Promise<ProjectContent> {
+    const name = await this.#parts.projects.freeName(content.name, id);
+    const { store } = this.#parts;
+    // Meanwhile the user may have chosen another, or opened another project.
+    if (name !== content.name && this.#current?.id === id && store.state.designName === content.name) {
+      store.set({ designName: name });
+    }
+    return { ...content, name };
   }
 
   #saved(project: OpenProject): void {

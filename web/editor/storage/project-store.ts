@@ -4,6 +4,7 @@
  * TexelcastError: "storage-full" or "storage-refused" when the browser will not, else what is said there.
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { countedName } from "../files/counted-name.ts";
 import { strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";
 import { type PackedProject, unpackDesign, unpackModel } from "./packed-project.ts";
@@ -92,6 +93,14 @@ export class ProjectStore {
         });
         return { ...backup, fromBackup: true };
       }
+    });
+  }
+
+  /** The name, or with a number behind it where another project than `id` has it already. */
+  freeName(name: string, id: string | null): Promise<string> {
+    return this.#read(async (database) => {
+      const others = (await database.getAll("projects")).filter((row) => row.deleted === null && row.id !== id);
+      return countedName(name, new Set(others.map((row) => row.name)));
     });
   }
 
