@@ -134,6 +134,24 @@ describe("a growing chain of dabs", () => {
     expect(chain.dabs.slice(0, before.length).every((dab, index) => dab === before[index])).toBe(true);
   });
 
+  it("under a hidden layer ends below it, and reaches as far into the surface as ever", () => {
+    const chain = new DabChain({
+      size: 1,
+      spacing: 0.5,
+      pressure: "none",
+      freeAbove: ([x], _, reach) => (x > 0.9 ? 0.1 : reach),
+    });
+    chain.extend(steps(0, 1));
+    const spans = chain.dabs.map((dab) =>
+      dab.kind === "planar" ? [dab.position[2] - dab.size[2] / 2, dab.position[2] + dab.size[2] / 2] : [],
+    );
+    expect(spans).toEqual([
+      [-0.5, 0.5],
+      [-0.5, 0.5],
+      [expect.closeTo(-0.5), expect.closeTo(0.09)],
+    ]);
+  });
+
   it("lays no dabs over a gap", () => {
     const chain = new DabChain({ size: 1, spacing: 0.25, pressure: "none" });
     chain.extend(steps(0, 1, null, 9, 10));

@@ -17,6 +17,8 @@ const CIRCLE_POINTS = 40;
 export interface ModelToolsHooks {
   /** The visible surface at rest; null while there is nothing to paint on. */
   query(): SurfaceQuery | null;
+  /** The hidden surface at rest, seen from both sides; null where nothing is hidden. */
+  concealed(): SurfaceQuery | null;
   /** What a ray of the view meets, told as it lies at rest. */
   pick(ray: Ray): SurfaceSample | null;
   /** Where a point of the resting surface is drawn. */
@@ -71,6 +73,10 @@ export class ModelTools implements ToolSurface {
     const query = this.#hooks.query();
     const place = query?.triangleAtUv(material, uv) ?? null;
     return query && place && hitOf(query.at(place.triangle, place.shares));
+  }
+
+  freeAbove(position: Vec3, normal: Vec3, reach: number): number {
+    return this.#hooks.concealed()?.raycast(new Vector3(...position), new Vector3(...normal), reach)?.distance ?? reach;
   }
 
   /** The circle of the tangent plane, carried into the texture by the triangle's own affine map. */

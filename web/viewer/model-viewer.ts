@@ -112,7 +112,12 @@ class ThreeModelViewer implements ModelViewer {
     const pick = (ray: Ray) => this.#model?.pick(ray) ?? null;
     const toDrawn = (point: Vector3) => this.#model?.toPosed(point) ?? point;
     // Before the decals' own input, which it keeps from what a tool takes.
-    this.#tools = new ModelTools(root, this.#screen, { query: () => this.#model?.query ?? null, pick, toDrawn });
+    this.#tools = new ModelTools(root, this.#screen, {
+      query: () => this.#model?.query ?? null,
+      concealed: () => this.#model?.concealed ?? null,
+      pick,
+      toDrawn,
+    });
     this.#input = new ViewInput(root, this.#gizmo, this.#screen, {
       pick,
       isPosed: () => this.#model?.animation.posed ?? false,

@@ -66,6 +66,11 @@ export interface ToolSurface {
   near(position: Vec3): SurfaceHit | null;
   /** The surface that a place of a material's texture is painted on; null between the charts. */
   atUv(material: number, uv: readonly [number, number]): SurfaceHit | null;
+  /**
+   * How far above a place of the visible surface a hidden one lies, metres; `reach` where there is none within that. What is
+   * painted under a hidden layer must stay below it, or it goes onto that layer.
+   */
+  freeAbove(position: Vec3, normal: Vec3, reach: number): number;
   /** A circle about a hit (radius in metres) as it lies in the texture: its points, texture coordinates, not wrapped. */
   circleInTexture(hit: SurfaceHit, radius: number): readonly (readonly [number, number])[];
   /** The way back: places of the texture in the plane of the hit's own triangle, model space. */

@@ -110,6 +110,7 @@ export class CloneBrush implements BrushKind {
         name: words.mask,
         ...{ size: size ?? 1, spacing, pressure, opacity, copy, session, reach },
         ...{ erases: true, alphaLock: false },
+        freeAbove: (...place) => this.#context.viewer.surface.freeAbove(...place),
         filter: tools.pixelMode ? "nearest" : "linear",
         // A copy in the flat texture lies on no side of the model.
         mirror: flat ? null : mirrorOf(mirror, store.state.model?.info ?? null),

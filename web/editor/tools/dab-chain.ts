@@ -1,5 +1,5 @@
 /** The dabs of a stroke that grows: placed along each piece of its path, begun anew where the path breaks. */
-import { type Dab, type PathTail, placeDabs } from "../document/index.ts";
+import { type Dab, type PathTail, placeDabs, type Vec3 } from "../document/index.ts";
 import type { PathStep } from "./pointer-path.ts";
 
 export interface DabChainOptions {
@@ -9,10 +9,14 @@ export interface DabChainOptions {
   readonly spacing: number;
   /** What the pen's pressure changes. */
   readonly pressure: "none" | "flow" | "size";
+  /** How far above the surface a hidden one lies, metres; `reach` where there is none. Without it nothing is hidden. */
+  readonly freeAbove?: (position: Vec3, normal: Vec3, reach: number) => number;
 }
 
 /** Of the size: thinner than this no line is seen, and a length must not be 0. */
 const LEAST_SHARE = 0.05;
+/** A dab keeps this share of the way to what is hidden above it. */
+const KEPT_CLEARANCE = 0.9;
 
 export class DabChain {
   readonly #options: DabChainOptions;
@@ -41,10 +45,25 @@ export class DabChain {
       const point = { position, normal, pressure: pressure === "none" ? 1 : step.pressure };
       const piece = placeDabs([point], { size, spacing }, this.#tail);
       this.#tail = piece.tail;
-      for (const dab of piece.dabs) added.push(rounded(pressure === "size" ? sized(dab) : dab));
+      for (const dab of piece.dabs) added.push(rounded(this.#below(pressure === "size" ? sized(dab) : dab)));
     }
     if (added.length > 0) this.#dabs = [...this.#dabs, ...added];
     return added;
+  }
+
+  /** Cut off on its outer side below what is hidden there: that would be painted, and not what is seen. */
+  #below(dab: Dab): Dab {
+    const { freeAbove } = this.#options;
+    if (dab.kind !== "planar" || freeAbove === undefined) return dab;
+    const [width, height, depth] = dab.size;
+    const [x, y, z, w] = dab.rotation;
+    const outward: Vec3 = [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+    const free = freeAbove(dab.position, outward, depth / 2);
+    if (free >= depth / 2) return dab;
+    const kept = KEPT_CLEARANCE * free;
+    const shift = (kept - depth / 2) / 2;
+    const position = dab.position.map((part, axis) => part + outward[axis as 0 | 1 | 2] * shift) as unknown as Vec3;
+    return { ...dab, position, size: [width, height, depth / 2 + kept] };
   }
 }
 

@@ -62,6 +62,7 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     put: (design, layer) => withStroke(design, target, layer),
     session,
     reach,
+    freeAbove: (...place) => context.viewer.surface.freeAbove(...place),
   });
   return {
     extend: (steps) => stroke.extend(steps),
