@@ -4,37 +4,24 @@
  *   docs/images/maps.png    what the engine works with: texture, positions, normals
  */
 import { mkdirSync } from "node:fs";
-import { findChromium } from "./bootstrap/chromium.mjs";
 import { inRoot } from "./bootstrap/paths.mjs";
-import { bootstrapOrExit } from "./bootstrap.mjs";
+import { withSiteInChromium } from "./site-in-chromium.mjs";
 
 /** CSS pixels. */
 const EDITOR_SIZE = { width: 1600, height: 940 };
 /** Low enough that the texture fills its panel. */
 const MAPS_SIZE = { width: 1600, height: 610 };
 
-await bootstrapOrExit("test");
-const { build, preview } = await import("vite");
-const { chromium } = await import("@playwright/test");
-const configFile = inRoot("vite.config.ts");
-await build({ configFile, logLevel: "warn" });
-const server = await preview({ configFile, preview: { port: 4180 } });
-const browser = await chromium.launch({
-  executablePath: findChromium() ?? undefined,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-});
-try {
+await withSiteInChromium(4180, async (browser, address) => {
   mkdirSync(inRoot("docs/images"), { recursive: true });
   const page = await browser.newPage({ viewport: EDITOR_SIZE, colorScheme: "light" });
-  await page.goto(server.resolvedUrls?.local[0] ?? "");
+  await page.addInitScript(() => localStorage.setItem("texelcast-hint-seen", "yes"));
+  await page.goto(address);
   await page.waitForFunction(() => "texelcast" in window);
   await page.evaluate(() => window.texelcast.ready);
   await takeEditor(page);
   await takeMaps(page);
-} finally {
-  await browser.close();
-  await server.close();
-}
+});
 
 /** @param {import("@playwright/test").Page} page */
 async function settle(page) {

@@ -1,5 +1,6 @@
 /** Every word that the page says, in one place. Errors of the engine bring their own words. */
 
+import { hundredths, momentOf } from "./strings/formats.ts";
 import { language } from "./strings/language.ts";
 import { layerAnnouncements, layerNotices, layerSteps, layerWords } from "./strings/layer-words.ts";
 import { plural } from "./strings/plural.ts";
@@ -48,7 +49,7 @@ const english = {
     frame: "Show the whole model",
     play: "Play the animation",
     emptyTitle: "Open a model to begin",
-    emptyBody: "Drop a .glb file anywhere on this page, or a folder with a .gltf and its files.",
+    emptyBody: "A .glb file, or a .gltf with its files: choose it, or drop it anywhere on this page.",
     dropModel: "Drop to open",
     dropHint: "A model, a design, or a picture right where it should go",
   },
@@ -94,6 +95,7 @@ const english = {
     pixelSize: "Size",
     texelUnit: "px",
     more: "More settings",
+    closePanel: "Close the tool’s panel",
     hardness: "Hardness",
     flow: "Flow",
     opacity: "Opacity",
@@ -208,7 +210,7 @@ const english = {
     time: "Time",
     speed: "Speed",
     rest: "Back to rest",
-    at: (seconds: number, of: number): string => `${seconds.toFixed(2)} / ${of.toFixed(2)} s`,
+    at: (seconds: number, of: number): string => `${hundredths(seconds)} / ${hundredths(of)} s`,
     times: (speed: number): string => `${speed}×`,
   },
 
@@ -534,7 +536,7 @@ const english = {
     restored: (name: string): string => `${name} is back`,
     back: (name: string): string => `${name} is back as you left it`,
     backMessage: (time: number): string =>
-      `Last changed ${new Date(time).toLocaleString("en", { dateStyle: "medium", timeStyle: "short" })}. Other projects and new ones are in the project menu.`,
+      `Last changed ${momentOf(time)}. Other projects and new ones are in the project menu.`,
     backupTitle: (name: string): string => `${name} is open as it was one save earlier`,
     backup: "The newest save could not be read.",
     elsewhereTitle: (name: string): string => `${name} is open in another tab`,
@@ -698,7 +700,7 @@ const english = {
     done: "Start",
     dismiss: "Close the first steps",
     steps: [
-      ["Choose a picture", "Click one of the examples, or drop a picture of your own on the model."],
+      ["Choose a picture", "Take one of the examples, or drop a picture of your own on the model."],
       [
         "Drag it where it should go",
         "It lies on the surface. Handles turn and size it; beside it, a drag turns the model.",

@@ -64,7 +64,8 @@ export class Workbench extends EditorElement {
           "views panel"
           "status panel";
         height: 100dvh;
-        overflow: hidden;
+        /* Not even what takes the focus scrolls the page itself. */
+        overflow: clip;
         background: var(--surface);
         color: var(--text);
         font: var(--text-normal) / 1.3 var(--font);
@@ -107,15 +108,11 @@ export class Workbench extends EditorElement {
       tc-first-hint {
         grid-area: 1 / 1;
       }
-      tc-first-hint {
+      .views tc-first-hint {
         z-index: 9;
         align-self: end;
         justify-self: start;
         padding: var(--space-3);
-      }
-      /* Above the tools, which lie at the bottom there. */
-      :host([compact]) tc-first-hint {
-        margin-block-end: calc(var(--target) + var(--space-4));
       }
       tc-notice-stack {
         z-index: 10;
@@ -123,6 +120,15 @@ export class Workbench extends EditorElement {
         justify-self: center;
         width: 100%;
         padding: var(--space-4);
+      }
+      /* Over the sheet, not over the model. */
+      :host([compact]) tc-notice-stack {
+        position: absolute;
+        inset-block-end: calc(3.25rem + env(safe-area-inset-bottom));
+        padding: var(--space-2);
+      }
+      :host([compact]) .views {
+        z-index: 10;
       }
       .drop {
         position: absolute;
@@ -196,6 +202,7 @@ export class Workbench extends EditorElement {
       ${
         compact
           ? html`<tc-bottom-sheet .editor=${editor}>
+              <div slot="hint">${this.#hint()}</div>
               ${this.state.view.layout === "texture" ? nothing : html`<slot name="texture" slot="texture"></slot>`}
             </tc-bottom-sheet>`
           : html`
@@ -234,10 +241,10 @@ export class Workbench extends EditorElement {
         ${
           flat
             ? html`<tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>`
-            : html`<tc-stage .editor=${editor}><slot name="view" slot="view"></slot></tc-stage>`
+            : html`<tc-stage .editor=${editor} @templates=${this.#templates}><slot name="view" slot="view"></slot></tc-stage>`
         }
         <tc-notice-stack .editor=${editor}></tc-notice-stack>
-        ${this.state.model ? html`<tc-first-hint></tc-first-hint>` : nothing}
+        ${compact ? nothing : this.#hint()}
         ${
           split
             ? html`
@@ -248,6 +255,10 @@ export class Workbench extends EditorElement {
         }
       </main>
     `;
+  }
+
+  #hint(): TemplateResult | typeof nothing {
+    return this.state.model ? html`<tc-first-hint ?compact=${this.compact}></tc-first-hint>` : nothing;
   }
 
   #help(): void {

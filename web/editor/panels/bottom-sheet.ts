@@ -3,12 +3,13 @@
  * instead of covering it, and never more than half of the screen: the model stays in sight.
  */
 import { css, html, type TemplateResult } from "lit";
-import { Grid2x2, History, Layers, Settings2, SlidersHorizontal } from "lucide";
+import { Grid2x2, History, Layers, Settings2, SlidersHorizontal, X } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
+import { offersToolPanel } from "./tool-options.ts";
 
 export type SheetTab = "layers" | "properties" | "history" | "texture" | "target";
 
@@ -24,6 +25,8 @@ export class BottomSheet extends EditorElement {
   static override properties = { tab: { state: true }, open: { type: Boolean, reflect: true } };
   declare tab: SheetTab;
   declare open: boolean;
+  /** The text that the sheet was opened for last. */
+  #typed: string | null = null;
 
   static override styles = [
     controls,
@@ -38,10 +41,26 @@ export class BottomSheet extends EditorElement {
       }
       .panel {
         display: grid;
+        grid-template-rows: auto minmax(0, 1fr);
         height: min(42dvh, 24rem);
         min-height: 0;
         overflow: hidden;
         border-bottom: 1px solid var(--line);
+      }
+      /* The hint, where there is one, has the row before it. */
+      .panel > :last-child {
+        grid-row: 2;
+        min-height: 0;
+      }
+      .tool {
+        display: grid;
+        grid-template-rows: auto minmax(0, 1fr);
+      }
+      .tool header {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        padding-inline: var(--space-4) var(--space-1);
       }
       nav {
         display: grid;
@@ -69,23 +88,39 @@ export class BottomSheet extends EditorElement {
     this.open = true;
   }
 
-  protected watched({ view }: EditorState): readonly unknown[] {
-    return [view.layout];
+  protected watched({ view, textToType, tool, toolPanel }: EditorState): readonly unknown[] {
+    return [view.layout, textToType, tool, toolPanel];
   }
 
-  /** The texture is no panel while it has the place of the model. */
+  /** Words that were put on the model just now are typed; and the texture is no panel while it has the place of the model. */
   override willUpdate(): void {
+    const { textToType } = this.state;
+    if (textToType !== null && textToType !== this.#typed) {
+      this.tab = "properties";
+      this.open = true;
+    }
+    if (this.#toolPanel) this.open = true;
+    this.#typed = textToType;
     if (this.tab === "texture" && this.state.view.layout === "texture") this.tab = "layers";
   }
 
+  /** Of the chosen tool: in front of the tabs' panels until it is closed. */
+  get #toolPanel(): "more" | "palette" | null {
+    const { toolPanel } = this.state;
+    return toolPanel !== null && offersToolPanel(this.editor.tools.active, toolPanel) ? toolPanel : null;
+  }
+
   override render(): TemplateResult {
+    const toolPanel = this.#toolPanel;
     return html`
-      <div class="panel" id="panel" ?hidden=${!this.open}>${this.open ? this.#panel() : ""}</div>
+      <div class="panel" id="panel" ?hidden=${!this.open}>
+        ${this.open ? html`<slot name="hint"></slot>${toolPanel ? this.#tool(toolPanel) : this.#panel()}` : ""}
+      </div>
       <nav aria-label=${strings.sheet.label}>
         ${TABS.filter(({ id }) => id !== "texture" || this.state.view.layout !== "texture").map(
           ({ id, drawing }) => html`<button
             id=${`sheet-${id}`}
-            aria-expanded=${this.open && this.tab === id}
+            aria-expanded=${this.open && !toolPanel && this.tab === id}
             aria-controls="panel"
             @click=${() => this.#choose(id)}
           >
@@ -94,6 +129,20 @@ export class BottomSheet extends EditorElement {
         )}
       </nav>
     `;
+  }
+
+  #tool(panel: "more" | "palette"): TemplateResult {
+    const words = strings.tools;
+    const close = (): void => this.editor.store.set({ toolPanel: null });
+    return html`<div class="tool">
+      <header>
+        <h2>${panel === "more" ? words.more : strings.palette.show}</h2>
+        <button class="icon" id="close-tool" aria-label=${words.closePanel} title=${words.closePanel} @click=${close}>
+          ${icon(X)}
+        </button>
+      </header>
+      <tc-tool-options sheet .editor=${this.editor}></tc-tool-options>
+    </div>`;
   }
 
   #panel(): TemplateResult {
@@ -105,8 +154,9 @@ export class BottomSheet extends EditorElement {
 
   /** The open tab's own button closes the sheet. */
   #choose(tab: SheetTab): void {
-    this.open = !(this.open && this.tab === tab);
+    this.open = this.#toolPanel !== null || !(this.open && this.tab === tab);
     this.tab = tab;
+    this.editor.store.set({ toolPanel: null });
   }
 }
 customElements.define("tc-bottom-sheet", BottomSheet);

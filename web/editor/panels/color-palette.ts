@@ -16,6 +16,7 @@ export class ColorPalette extends EditorElement {
     css`
       :host {
         display: grid;
+        grid-template-columns: minmax(0, 1fr);
         gap: var(--space-2);
       }
       header {
@@ -34,8 +35,6 @@ export class ColorPalette extends EditorElement {
         display: grid;
         grid-template-columns: repeat(auto-fill, minmax(26px, 1fr));
         gap: 2px;
-        max-height: 14rem;
-        overflow: auto;
         padding: 2px;
       }
       .colors button {

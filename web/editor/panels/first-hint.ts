@@ -46,6 +46,40 @@ export class FirstHint extends LitElement {
       footer span {
         color: var(--text-quiet);
       }
+      /* A strip of the phone's sheet, with its buttons beside the words. */
+      :host([compact]) section {
+        grid-template: auto minmax(0, 1fr) / minmax(0, 1fr) auto;
+        gap: 0 var(--space-2);
+        width: 100%;
+        border-width: 0 0 1px;
+        border-radius: 0;
+        padding: var(--space-1) var(--space-2) var(--space-2) var(--space-4);
+        background: var(--accent-soft);
+        box-shadow: none;
+      }
+      :host([compact]) header,
+      :host([compact]) footer {
+        display: contents;
+      }
+      :host([compact]) h3 {
+        align-self: center;
+        color: var(--text);
+      }
+      :host([compact]) #dismiss {
+        justify-self: end;
+        margin: 0;
+      }
+      :host([compact]) p {
+        color: var(--text);
+      }
+      :host([compact]) footer span {
+        display: none;
+      }
+      :host([compact]) #next {
+        align-self: end;
+        color: var(--accent);
+        font-weight: 550;
+      }
     `,
   ];
 

@@ -50,6 +50,15 @@ export class HelpDialog extends LitElement {
       dt {
         font-weight: 550;
       }
+      @media (max-width: 560px) {
+        dl {
+          grid-template-columns: minmax(0, 1fr);
+          gap: 0;
+        }
+        dd {
+          padding-block-end: var(--space-3);
+        }
+      }
       dd {
         margin: 0;
         color: var(--text-quiet);

@@ -21,6 +21,14 @@ export const layerListStyles = css`
     gap: var(--space-1);
     padding: var(--space-1) var(--space-3) var(--space-2);
   }
+  /* Each in its own row, whether the ones before it are there or not. */
+  .rows,
+  .empty {
+    grid-row: 2;
+  }
+  .bar {
+    grid-row: 3;
+  }
   .rows {
     position: relative;
     min-height: 0;

@@ -43,9 +43,9 @@ export class LayerList extends EditorElement implements LayerDragHost {
   }
 
   protected watched(state: EditorState): readonly unknown[] {
-    const { design, selectedId, selection, collapsed, editingMask, model, material } = state;
+    const { design, selectedId, selection, collapsed, editingMask, model, material, starting } = state;
     const shown = layerRows(design, collapsed).flatMap(shownOf);
-    return [design.assets, selectedId, selection, collapsed, editingMask, model, material, ...shown];
+    return [design.assets, selectedId, selection, collapsed, editingMask, model, material, starting, ...shown];
   }
 
   get list(): HTMLElement | null {
@@ -53,15 +53,12 @@ export class LayerList extends EditorElement implements LayerDragHost {
   }
 
   override render(): TemplateResult {
-    const { design, collapsed, model } = this.state;
+    const { design, collapsed, model, starting } = this.state;
+    const without = starting ? "" : words.emptyWithoutModel;
     this.rows = layerRows(design, collapsed);
     return html`
       ${this.#looks()}
-      ${
-        this.rows.length === 0
-          ? html`<p class="quiet empty">${model ? words.emptyBody : words.emptyWithoutModel}</p>`
-          : this.#tree()
-      }
+      ${this.rows.length === 0 ? html`<p class="quiet empty">${model ? words.emptyBody : without}</p>` : this.#tree()}
       ${model ? this.#bar() : nothing}
     `;
   }

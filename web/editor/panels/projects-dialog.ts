@@ -4,6 +4,7 @@ import { repeat } from "lit/directives/repeat.js";
 import { Copy, Image, Pencil, Plus, Trash2, Undo2, X } from "lucide";
 import type { EditorState, ListedProject } from "../state/editor-state.ts";
 import { megabytes } from "../state/megabytes.ts";
+import { momentOf } from "../strings/formats.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
@@ -306,8 +307,7 @@ function picture({ thumbnail }: ListedProject): TemplateResult {
 }
 
 function aboutOf({ layers, modelTitle, size, modified }: ListedProject): string {
-  const time = new Date(modified).toLocaleString("en", { dateStyle: "medium", timeStyle: "short" });
-  return [words.layers(layers), modelTitle, words.megabytes(megabytes(size)), time].join(" · ");
+  return [words.layers(layers), modelTitle, words.megabytes(megabytes(size)), momentOf(modified)].join(" · ");
 }
 
 declare global {

@@ -45,6 +45,7 @@ export class SidePanel extends EditorElement {
         height: 46dvh;
       }
       .lower {
+        position: relative;
         min-height: 0;
         overflow: hidden auto;
         overscroll-behavior: contain;

@@ -32,6 +32,16 @@ export class Stage extends EditorElement {
           background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 9%), var(--stage) 78%);
         }
       }
+      .view {
+        position: absolute;
+        inset: 0;
+      }
+      /* Where the model fills a small view, the tools stand beside it and not on it. */
+      @media (pointer: coarse), (max-width: 1200px) {
+        .view {
+          inset-inline-start: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
+        }
+      }
       .tools {
         position: absolute;
         inset-block-start: var(--space-2);
@@ -74,6 +84,9 @@ export class Stage extends EditorElement {
         inset-inline: var(--space-2) calc(var(--target) + 2 * var(--space-2));
       }
       @media (max-width: 720px) {
+        .view {
+          inset: var(--target) 0 calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
+        }
         tc-tool-rail {
           inset-block: auto var(--space-2);
           inset-inline: var(--space-2);
@@ -98,22 +111,29 @@ export class Stage extends EditorElement {
         max-width: 22rem;
         color: var(--text-quiet);
       }
+      .ways {
+        display: flex;
+        flex-wrap: wrap;
+        justify-content: center;
+        gap: var(--space-2);
+      }
       h2 {
         font-size: 1.125rem;
       }
     `,
   ];
 
-  protected watched({ model, animation, tasks, view }: EditorState): readonly unknown[] {
-    return [model, animation.clips, animation.clip === null, tasks.length === 0, view.background];
+  protected watched({ model, animation, tasks, view, starting, demos }: EditorState): readonly unknown[] {
+    return [model, animation.clips, animation.clip === null, tasks.length === 0, view.background, starting, demos];
   }
 
   override render(): TemplateResult {
-    const { model, tasks, view } = this.state;
+    const { model, tasks, view, starting } = this.state;
+    const empty = tasks.length === 0 && !starting;
     this.dataset.tone = view.background;
     return html`
-      <slot name="view"></slot>
-      ${model ? this.#tools() : tasks.length === 0 ? this.#empty() : nothing}
+      <div class="view"><slot name="view"></slot></div>
+      ${model ? this.#tools() : empty ? this.#empty() : nothing}
     `;
   }
 
@@ -141,11 +161,16 @@ export class Stage extends EditorElement {
 
   #empty(): TemplateResult {
     const open = (): void => pickFiles({ accept: ACCEPT.model }, (files) => void this.editor.files.openFiles(files));
+    const { demos } = this.state;
+    const templates = (): boolean => this.dispatchEvent(new CustomEvent("templates"));
     return html`
       <div class="empty">
         <h2>${words.emptyTitle}</h2>
         <p>${words.emptyBody}</p>
-        <button class="filled" @click=${open}>${strings.topBar.openModel}</button>
+        <div class="ways">
+          <button class="filled" @click=${open}>${strings.topBar.openModel}</button>
+          <button class="outlined" ?hidden=${!demos?.templates.length} @click=${templates}>${strings.topBar.newFromTemplate}</button>
+        </div>
       </div>
     `;
   }

@@ -3,12 +3,12 @@ import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../state/editor.ts";
 import type { EditorState, Figures } from "../state/editor-state.ts";
 import { StoreController } from "../state/store.ts";
+import { tenths, wholeNumber } from "../strings/formats.ts";
 import { strings } from "../strings.ts";
 
 const words = strings.status;
 /** Milliseconds between two changes of the figures: faster ones nobody reads. */
 const PACE = 150;
-const whole = new Intl.NumberFormat("en-GB");
 
 export class StatusLine extends LitElement {
   static override properties = { editor: { attribute: false } };
@@ -66,10 +66,10 @@ export class StatusLine extends LitElement {
       ${
         update
           ? html`
-              <span>${words.painted(whole.format(update.projectedTexels))}</span>
+              <span>${words.painted(wholeNumber(update.projectedTexels))}</span>
               <span class="gap"></span>
-              <span>${words.engine(update.milliseconds.toFixed(1))}</span>
-              <span>${words.upload(uploadMilliseconds.toFixed(1))}</span>
+              <span>${words.engine(tenths(update.milliseconds))}</span>
+              <span>${words.upload(tenths(uploadMilliseconds))}</span>
             `
           : nothing
       }

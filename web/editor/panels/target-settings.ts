@@ -1,6 +1,7 @@
 /** The paint target of a material: its size, its gutter, and how well the model is unwrapped. */
 import { css, html, nothing, type TemplateResult } from "lit";
 import { DEFAULT_TARGET, type EditorState } from "../state/editor-state.ts";
+import { tenths, wholeNumber } from "../strings/formats.ts";
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
@@ -9,7 +10,6 @@ import { checkField } from "./property-fields.ts";
 const words = strings.target;
 const SIZES = [256, 512, 1024, 2048, 4096, 8192];
 const GUTTERS = [0, 1, 2, 4, 8, 16, 32, 64];
-const whole = new Intl.NumberFormat("en-GB");
 /** Without a picture of its own a material gets a target of this size. */
 const SIZE_WITHOUT_PICTURE = 1024;
 
@@ -127,11 +127,11 @@ export class TargetSettings extends EditorElement {
     coveredTexels: number;
     overlappingTexels: number;
   }): TemplateResult {
-    const share = (part: number, of: number): string => words.share(of > 0 ? ((100 * part) / of).toFixed(1) : "0");
+    const share = (part: number, of: number): string => words.share(of > 0 ? tenths((100 * part) / of) : "0");
     return html`
       <dl>
         <dt>${words.coverage}</dt>
-        <dd>${share(coveredTexels, width * height)} · ${words.texels(whole.format(coveredTexels))}</dd>
+        <dd>${share(coveredTexels, width * height)} · ${words.texels(wholeNumber(coveredTexels))}</dd>
         <dt>${words.overlap}</dt>
         <dd>${share(overlappingTexels, coveredTexels)}</dd>
       </dl>

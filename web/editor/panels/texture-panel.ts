@@ -40,6 +40,11 @@ export class TexturePanel extends EditorElement {
         color: var(--text);
         font-weight: 550;
       }
+      @media (max-width: 400px) {
+        [role="tab"] {
+          padding-inline: 6px;
+        }
+      }
       .view {
         position: relative;
         min-height: 0;
@@ -91,12 +96,12 @@ export class TexturePanel extends EditorElement {
     );
   }
 
-  protected watched({ textureMode, outlines, targets, material, view }: EditorState): readonly unknown[] {
-    return [textureMode, outlines, targets, material, view.guide];
+  protected watched({ textureMode, outlines, targets, material, view, starting }: EditorState): readonly unknown[] {
+    return [textureMode, outlines, targets, material, view.guide, starting];
   }
 
   override render(): TemplateResult {
-    const { textureMode, outlines, targets, material, view } = this.state;
+    const { textureMode, outlines, targets, material, view, starting } = this.state;
     const { texel } = this.editor.figures.state;
     const named = material !== null && this.editor.viewer.guideOf(material).length > 0;
     const shown = material !== null && targets.has(material);
@@ -118,7 +123,7 @@ export class TexturePanel extends EditorElement {
       </div>
       <div class="view" id="panel" role="tabpanel" aria-labelledby=${`tab-${textureMode}`}>
         <slot name="texture"></slot>
-        <div class="empty" ?hidden=${shown}><p>${words.empty}</p></div>
+        <div class="empty" ?hidden=${shown || starting}><p>${words.empty}</p></div>
       </div>
       <footer>
         ${

@@ -42,7 +42,7 @@ export const toolOptionsStyles = css`
     width: 5.5rem;
   }
   .often .mirror {
-    width: 5.9rem;
+    width: auto;
   }
   .colors {
     display: inline-flex;
@@ -83,5 +83,19 @@ export const toolOptionsStyles = css`
   }
   .drop.end {
     inset-inline: auto 0;
+  }
+  :host([sheet]) {
+    overflow: hidden auto;
+    overscroll-behavior: contain;
+    pointer-events: auto;
+  }
+  :host([sheet]) .drop {
+    position: static;
+    width: auto;
+    max-width: none;
+    padding: 0 var(--space-4) var(--space-4);
+    border: 0;
+    background: none;
+    box-shadow: none;
   }
 `;

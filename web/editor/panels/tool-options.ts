@@ -1,4 +1,7 @@
-/** What the chosen tool paints with: a quiet bar over the model. Only what the tool reads is there. */
+/**
+ * What the chosen tool paints with: a quiet bar over the model. Only what the tool reads is there. What it lays open hangs
+ * below the bar, and on a phone, where it would cover the model, stands in the sheet.
+ */
 import { html, nothing, type TemplateResult } from "lit";
 import { ArrowLeftRight, Palette, SlidersHorizontal } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
@@ -21,47 +24,65 @@ const words = strings.tools;
 /** Options that stand behind the button "More": set once and left alone. */
 const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock", "aligned"];
 /** On a phone, where the bar has room for a colour and a size, besides those. */
-const SELDOM_ON_PHONE: readonly ToolOption[] = [...SELDOM, "tip", "hardness", "opacity", "mirror"];
+const SELDOM_ON_PHONE: readonly ToolOption[] = [
+  ...SELDOM,
+  "tip",
+  "hardness",
+  "opacity",
+  "mirror",
+  "contiguous",
+  "filled",
+];
 const PHONE = "(max-width: 720px)";
 
 export class ToolOptions extends EditorElement {
-  static override properties = { shown: { state: true }, compact: { state: true } };
+  static override properties = { compact: { state: true }, sheet: { type: Boolean, reflect: true } };
   declare compact: boolean;
+  /** Shows only what is laid open, as a panel of the sheet. */
+  declare sheet: boolean;
   readonly #phone = matchMedia(PHONE);
-  /** What hangs below the bar. */
-  declare shown: "more" | "palette" | null;
 
   static override styles = [controls, propertyStyles, toolOptionsStyles];
 
   constructor() {
     super();
-    this.shown = null;
+    this.sheet = false;
     this.compact = this.#phone.matches;
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.#phone.addEventListener("change", this.#resize);
+    if (!this.sheet) addEventListener("pointerdown", this.#pressed, { capture: true });
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#phone.removeEventListener("change", this.#resize);
+    removeEventListener("pointerdown", this.#pressed, { capture: true });
   }
 
   readonly #resize = (): void => {
     this.compact = this.#phone.matches;
   };
 
-  protected watched({ tool, toolSettings, model, design, selectedId }: EditorState): readonly unknown[] {
-    return [tool, toolSettings, model, design.assets, selectedId];
+  /** A press elsewhere closes the seldom used fields; the palette stays while one paints. */
+  readonly #pressed = (event: Event): void => {
+    if (this.compact || this.state.toolPanel !== "more" || event.composedPath().includes(this)) return;
+    this.editor.store.set({ toolPanel: null });
+  };
+
+  protected watched({ tool, toolSettings, model, design, selectedId, toolPanel }: EditorState): readonly unknown[] {
+    return [tool, toolSettings, model, design.assets, selectedId, toolPanel];
   }
 
   override render(): TemplateResult | typeof nothing {
     const tool = this.editor.tools.active;
     if (!tool || (tool.options.length === 0 && !tool.renderOptions)) return nothing;
+    const { toolPanel } = this.state;
     const behind = this.compact ? SELDOM_ON_PHONE : SELDOM;
     const seldom = tool.options.filter((option) => behind.includes(option));
+    if (this.sheet) return this.#laidOpen(tool, seldom);
     return html`
       <div class="bar" role="toolbar" aria-label=${words.options}>
         <div class="often">
@@ -75,28 +96,29 @@ export class ToolOptions extends EditorElement {
                 id="more-options"
                 aria-label=${words.more}
                 title=${words.more}
-                aria-expanded=${this.shown === "more"}
-                aria-pressed=${this.shown === "more"}
+                aria-expanded=${toolPanel === "more"}
+                aria-pressed=${toolPanel === "more"}
                 @click=${() => this.#toggle("more")}
               >
                 ${icon(SlidersHorizontal)}
               </button>`
             : nothing
         }
-        ${
-          this.shown === "more" && seldom.length > 0
-            ? html`<div class="drop end" @keydown=${this.#closeByKey}>${seldom.map((option) => this.#field(option, tool))}</div>`
-            : nothing
-        }
-        ${
-          this.shown === "palette" && tool.options.includes("color")
-            ? html`<div class="drop" @keydown=${this.#closeByKey}>
-                <tc-color-palette .editor=${this.editor}></tc-color-palette>
-              </div>`
-            : nothing
-        }
+        ${this.compact ? nothing : this.#laidOpen(tool, seldom)}
       </div>
     `;
+  }
+
+  #laidOpen(tool: Tool, seldom: readonly ToolOption[]): TemplateResult | typeof nothing {
+    const { toolPanel } = this.state;
+    if (toolPanel === null || !offersToolPanel(tool, toolPanel)) return nothing;
+    return html`<div class=${toolPanel === "more" ? "drop end" : "drop"} @keydown=${this.#closeByKey}>
+      ${
+        toolPanel === "more"
+          ? seldom.map((option) => this.#field(option, tool))
+          : html`<tc-color-palette .editor=${this.editor}></tc-color-palette>`
+      }
+    </div>`;
   }
 
   #field(option: ToolOption, tool: Tool): TemplateResult | typeof nothing {
@@ -195,8 +217,8 @@ export class ToolOptions extends EditorElement {
           id="show-palette"
           aria-label=${strings.palette.show}
           title=${strings.palette.show}
-          aria-expanded=${this.shown === "palette"}
-          aria-pressed=${this.shown === "palette"}
+          aria-expanded=${this.state.toolPanel === "palette"}
+          aria-pressed=${this.state.toolPanel === "palette"}
           @click=${() => this.#toggle("palette")}
         >
           ${icon(Palette)}
@@ -290,15 +312,23 @@ export class ToolOptions extends EditorElement {
   }
 
   #toggle(what: "more" | "palette"): void {
-    this.shown = this.shown === what ? null : what;
+    this.editor.store.set({ toolPanel: this.state.toolPanel === what ? null : what });
   }
 
   #closeByKey(event: KeyboardEvent): void {
     if (event.key !== "Escape") return;
     event.stopPropagation();
-    const opener = this.shown === "more" ? "#more-options" : "#show-palette";
-    this.shown = null;
+    const opener = this.state.toolPanel === "more" ? "#more-options" : "#show-palette";
+    this.editor.store.set({ toolPanel: null });
     this.renderRoot.querySelector<HTMLElement>(opener)?.focus();
   }
 }
 customElements.define("tc-tool-options", ToolOptions);
+
+/** Whether a tool has something for a panel to show. */
+export function offersToolPanel(tool: Tool | undefined, panel: "more" | "palette"): boolean {
+  if (!tool) return false;
+  return panel === "palette"
+    ? tool.options.includes("color")
+    : tool.options.some((option) => SELDOM_ON_PHONE.includes(option));
+}

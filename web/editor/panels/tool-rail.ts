@@ -11,6 +11,10 @@ const words = strings.tools;
 const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 };
 
 export class ToolRail extends EditorElement {
+  /** The tool that was scrolled into sight last. */
+  #shown: string | null = null;
+  readonly #resized = new ResizeObserver(() => this.#fade());
+
   static override styles = [
     controls,
     css`
@@ -51,6 +55,13 @@ export class ToolRail extends EditorElement {
           width: fit-content;
           max-width: 100%;
           margin-inline: auto;
+          overscroll-behavior: contain;
+        }
+        :host([fades]) [role="radiogroup"] {
+          mask-image: linear-gradient(to right, #000 calc(100% - 3rem), transparent);
+        }
+        :host([fades]):dir(rtl) [role="radiogroup"] {
+          mask-image: linear-gradient(to left, #000 calc(100% - 3rem), transparent);
         }
       }
     `,
@@ -85,6 +96,37 @@ export class ToolRail extends EditorElement {
       </div>
     `;
   }
+
+  override firstUpdated(): void {
+    const group = this.#group;
+    if (!group) return;
+    group.addEventListener("scroll", this.#fade, { passive: true });
+    this.#resized.observe(group);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#resized.disconnect();
+  }
+
+  override updated(): void {
+    this.#fade();
+    const { tool } = this.state;
+    if (tool === this.#shown) return;
+    this.#shown = tool;
+    this.renderRoot.querySelector(`#tool-${tool}`)?.scrollIntoView({ block: "nearest", inline: "nearest" });
+  }
+
+  get #group(): HTMLElement | null {
+    return this.renderRoot.querySelector<HTMLElement>("[role=radiogroup]");
+  }
+
+  /** Where a narrow screen cuts the row off, it fades out: there is more. */
+  readonly #fade = (): void => {
+    const group = this.#group;
+    const hidden = group ? group.scrollWidth - group.clientWidth - Math.abs(group.scrollLeft) : 0;
+    this.toggleAttribute("fades", hidden > 2);
+  };
 
   #key(event: KeyboardEvent): void {
     const step = STEPS[event.key];

@@ -103,6 +103,8 @@ export interface EditorState {
   readonly keeping: "untouched" | "kept" | "pending" | "refused";
   /** Newest first; null until they were asked for. */
   readonly projects: readonly ListedProject[] | null;
+  /** Until the page has opened what it begins with, or has found nothing. */
+  readonly starting: boolean;
   /** While one model takes the place of another: the design must not be edited against the wrong one. */
   readonly switching: boolean;
   readonly tasks: readonly Task[];
@@ -115,6 +117,8 @@ export interface EditorState {
   readonly textureMode: TextureMode;
   readonly outlines: boolean;
   readonly tool: ToolId;
+  /** What of the tool is laid open: fields that are seldom used, or the palette. */
+  readonly toolPanel: "more" | "palette" | null;
   readonly toolSettings: ToolSettings;
 }
 
@@ -136,6 +140,7 @@ export const INITIAL_STATE: EditorState = {
   unsaved: false,
   keeping: "untouched",
   projects: null,
+  starting: true,
   switching: false,
   tasks: [],
   notices: [],
@@ -147,6 +152,7 @@ export const INITIAL_STATE: EditorState = {
   textureMode: "texture",
   outlines: true,
   tool: "move",
+  toolPanel: null,
   toolSettings: INITIAL_TOOL_SETTINGS,
 };
 

@@ -135,6 +135,14 @@ export class Editor {
    * do without one.
    */
   async start(page: string): Promise<void> {
+    try {
+      await this.#openFirst(page);
+    } finally {
+      this.store.set({ starting: false });
+    }
+  }
+
+  async #openFirst(page: string): Promise<void> {
     const demos = await this.#loadDemos(page);
     const address = new URL(page);
     const fresh = address.searchParams.has("new");

@@ -100,7 +100,7 @@ export class FileCommands {
     const { demos } = store.state;
     if (!demos) return;
     try {
-      const bytes = await fetchBytes(demo.model, demos.page);
+      const bytes = await this.#fetchModel(demo.model, demo.name, demos.page);
       const source = { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes };
       const design = await library.adopt(parseDesign(demo.design, demo.name), { path: demo.name, baseUrl: demos.url });
       await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
@@ -109,11 +109,17 @@ export class FileCommands {
     }
   }
 
+  /** A large model on a slow line takes its time, which is said. */
+  #fetchModel(address: string, name: string, page: string): Promise<Uint8Array> {
+    const label = strings.tasks.opening(name);
+    return this.#parts.tasks.run(label, () => fetchBytes(address, page), { cancellable: false });
+  }
+
   async #openTemplate({ name, model }: DemoTemplate): Promise<void> {
     const { store, board } = this.#parts;
     if (!store.state.demos) return;
     try {
-      const bytes = await fetchBytes(model, store.state.demos.page);
+      const bytes = await this.#fetchModel(model, name, store.state.demos.page);
       const source = { name: model.slice(model.lastIndexOf("/") + 1), bytes };
       await this.#openModel({ source, title: name, demoId: null }, emptyDesign());
     } catch (thrown) {

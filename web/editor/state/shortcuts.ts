@@ -113,7 +113,7 @@ function handleAlt(event: KeyboardEvent, { decals }: Editor): boolean {
   }
 }
 
-function handlePlain(event: KeyboardEvent, { decals, layers, viewer }: Editor): boolean {
+function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Editor): boolean {
   const coarse = event.shiftKey;
   // By place on the keyboard: with Shift, the characters of these keys differ between layouts.
   if (event.code === "BracketLeft") return decals.spin(1, coarse);
@@ -137,7 +137,8 @@ function handlePlain(event: KeyboardEvent, { decals, layers, viewer }: Editor): 
       layers.remove();
       return true;
     case "Escape":
-      layers.select(null);
+      if (store.state.toolPanel === null) layers.select(null);
+      else store.set({ toolPanel: null });
       return true;
     case "f":
     case "F":

@@ -117,7 +117,7 @@ function fillInk({ color, gradient }: FillLayer): string {
 function pictured(library: AssetLibrary, design: Design, asset: string): TemplateResult {
   const picture = library.get(design.assets[asset]);
   return html`<span class="thumbnail">
-    ${picture ? html`<img src=${picture.url} alt="" draggable="false" />` : nothing}
+    ${picture?.url ? html`<img src=${picture.url} alt="" draggable="false" />` : nothing}
   </span>`;
 }
 
