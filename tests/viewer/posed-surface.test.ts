@@ -167,4 +167,34 @@ describe("a surface without some of its meshes", () => {
     expect(hit?.position.z).toBeCloseTo(0.5, 6);
     expect(hit?.face).toBeLessThan(12);
   });
+
+  it("tells what the view's directions mean at rest: a step to the right there is a step to the right here", () => {
+    const scene = turningBox();
+    const surface = gatherRestingSurface(scene);
+    const animation = new ModelAnimation(scene);
+    const posed = new PosedSurface(scene, surface, new SurfaceQuery(surface));
+    animation.set({ clip: 0, seconds: 1 - 1e-9 });
+    posed.refresh();
+    const view = { eye: new Vector3(0.2, 0.3, 9), right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
+    // The side that looks to -X at rest is the one in front.
+    const place = new Vector3(-1, 0.5, 0.25);
+    const { eye, right, up } = posed.viewAtRest(place, view);
+    expectVector(right, new Vector3(0, 0, 1), 1e-4);
+    expectVector(up, view.up, 1e-4);
+    expectVector(eye, new Vector3(-9, 0.3, 0.2), 1e-3);
+    const stepped = posed.toPosed(place.clone().addScaledVector(right, 0.3).addScaledVector(up, -0.2));
+    expectVector(stepped, posed.toPosed(place).add(new Vector3(0.3, -0.2, 0)), 1e-4);
+  });
+
+  it("turns the view with the joint that the place hangs on", () => {
+    const { scene, bone } = bendingPole();
+    const surface = gatherRestingSurface(scene);
+    const posed = new PosedSurface(scene, surface, new SurfaceQuery(surface));
+    bone.rotation.z = Math.PI / 2;
+    posed.refresh();
+    const view = { eye: new Vector3(0, 0, 9), right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
+    // The upper half now points to -X: along it, to the left, was up at rest.
+    expectVector(posed.viewAtRest(new Vector3(0, 1.5, 0.3), view).right, new Vector3(0, -1, 0), 1e-3);
+    expectVector(posed.viewAtRest(new Vector3(0, -1.5, 0.3), view).right, view.right, 1e-3);
+  });
 });

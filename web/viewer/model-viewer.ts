@@ -5,16 +5,15 @@ import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, V
 import { frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
 import { ClipClock } from "./clip-clock.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
-import { beneath, laidFlat, nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
-import { poseOf, projectorOf } from "./decal-pose.ts";
+import { poseOf } from "./decal-pose.ts";
 import { EventHub } from "./event-hub.ts";
 import { ModelDisplay } from "./model-display.ts";
 import { guideOf } from "./model-parts.ts";
+import { ModelPlacement } from "./model-placement.ts";
 import { loadModelScene } from "./model-scene.ts";
 import { hitOf, ModelTools } from "./model-tools.ts";
-import { nudged } from "./projector-drag.ts";
 import { pictureBox } from "./projector-outline.ts";
-import { type Alignment, ProjectorPlacer } from "./projector-placer.ts";
+import type { Alignment } from "./projector-placer.ts";
 import { reachVolume } from "./reached-materials.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { ShownModel } from "./shown-model.ts";
@@ -192,37 +191,23 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   projectorAt(hit: SurfaceHit, width: number, aspect: number, keep?: PlanarProjector): PlanarProjector {
-    const { query, concealed } = this.#requireModel();
-    const place = { position: new Vector3(...hit.position), normal: new Vector3(...hit.normal) };
-    const kept = keep === undefined ? null : poseOf(keep);
-    const pose = placeOnSurface(query, place, width, aspect, this.#screen.axes, kept);
-    return projectorOf(concealed === null ? pose : beneath(concealed, query, laidFlat(pose, place.normal)));
+    return this.#placement.at(hit, width, aspect, keep);
   }
 
   nudge(projector: Projector, rightMetres: number, upMetres: number): Projector {
-    const { query } = this.#requireModel();
-    if (projector.kind !== "planar") {
-      return nudged(projector, this.#screen.axes, rightMetres, upMetres, 2 * query.bounds.radius);
-    }
-    return projectorOf(nudgeOnSurface(query, poseOf(projector), this.#screen.axes, rightMetres, upMetres));
+    return this.#placement.nudged(projector, rightMetres, upMetres);
   }
 
   convertProjector(projector: Projector, kind: Projector["kind"], material: number): Projector | null {
-    return this.#placer(material).converted(projector, kind);
+    return this.#placement.placer(projector, material).converted(projector, kind);
   }
 
   alignProjector(projector: Projector, how: Alignment, material: number): Projector {
-    return this.#placer(material).aligned(projector, how);
+    return this.#placement.placer(projector, material).aligned(projector, how);
   }
 
-  #placer(material: number): ProjectorPlacer {
-    const { query } = this.#requireModel();
-    // What the camera sees must be what is painted.
-    this.setAnimation({ clip: null });
-    return new ProjectorPlacer(query, { eye: this.#screen.eye, ...this.#screen.axes }, (uv) => {
-      const place = query.triangleAtUv(material, uv);
-      return place && query.at(place.triangle, place.shares);
-    });
+  get #placement(): ModelPlacement {
+    return new ModelPlacement(this.#requireModel(), this.#screen);
   }
 
   materialsReached(projector: Projector, backfaces: boolean): readonly number[] {

@@ -2,8 +2,9 @@
  * The model's surface as an animation has posed it. Everything is painted at rest, so this surface is only for looking:
  * a ray meets the posed triangle, and the place in that triangle (the shares of its corners) is the place at rest.
  */
-import type { Ray, Vector3 } from "three";
+import { Matrix4, Quaternion, type Ray, type Vector3 } from "three";
 import type { ModelScene } from "./model-scene.ts";
+import type { ViewPoint } from "./projector-align.ts";
 import { type RestingSurface, writePose } from "./resting-surface.ts";
 import { SurfaceQuery, type SurfaceSample } from "./surface-query.ts";
 
@@ -46,6 +47,25 @@ export class PosedSurface {
     return { ...this.#rest.at(hit.triangle, this.#query.sharesOf(hit)), distance: hit.distance };
   }
 
+  /**
+   * From where, and which way up, the resting surface near a point is seen as the posed one is seen from `view`: what steps
+   * and directions of the view mean for something that lies there.
+   */
+  viewAtRest(point: Vector3, view: ViewPoint): ViewPoint {
+    const near = this.#rest.closest(point);
+    if (near === null) {
+      return view;
+    }
+    const shares = this.#rest.sharesOf(near);
+    const posed = this.#query.at(near.triangle, shares).position;
+    const toRest = frameOf(this.#rest, near.triangle).multiply(frameOf(this.#query, near.triangle).invert());
+    return {
+      eye: view.eye.clone().sub(posed).applyQuaternion(toRest).add(near.position),
+      right: view.right.clone().applyQuaternion(toRest),
+      up: view.up.clone().applyQuaternion(toRest),
+    };
+  }
+
   /** Where a point of the resting surface, or close to it, stands in the pose. */
   toPosed(point: Vector3): Vector3 {
     const near = this.#rest.closest(point);
@@ -56,4 +76,16 @@ export class PosedSurface {
     // What stood off the surface stands off it by as much again.
     return posed.position.clone().addScaledVector(posed.normal, point.clone().sub(near.position).dot(near.normal));
   }
+}
+
+/** How a triangle stands: its first edge is +X, its face +Z. */
+function frameOf(query: SurfaceQuery, triangle: number): Quaternion {
+  const corner = (shares: [number, number, number]): Vector3 => query.at(triangle, shares).position;
+  const [a, b, c] = [corner([1, 0, 0]), corner([0, 1, 0]), corner([0, 0, 1])];
+  const x = b.sub(a).normalize();
+  const z = x.clone().cross(c.sub(a)).normalize();
+  if (x.lengthSq() === 0 || z.lengthSq() === 0) {
+    return new Quaternion();
+  }
+  return new Quaternion().setFromRotationMatrix(new Matrix4().makeBasis(x, z.clone().cross(x), z));
 }

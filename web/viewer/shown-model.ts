@@ -7,6 +7,7 @@ import { partsOf } from "./model-parts.ts";
 import type { ModelScene } from "./model-scene.ts";
 import { PaintedMaterials } from "./painted-materials.ts";
 import { PosedSurface } from "./posed-surface.ts";
+import type { ViewPoint } from "./projector-align.ts";
 import {
   DOUBLE_SIDED,
   gatherRestingSurface,
@@ -90,6 +91,11 @@ export class ShownModel {
   /** Where a point of the resting surface stands now. */
   toPosed(point: Vector3): Vector3 {
     return this.animation.posed ? this.#pose().toPosed(point) : point;
+  }
+
+  /** `PosedSurface.viewAtRest`; the view as it is, while the model rests. */
+  viewAtRest(point: Vector3, view: ViewPoint): ViewPoint {
+    return this.animation.posed ? this.#pose().viewAtRest(point, view) : view;
   }
 
   /** The surface as it is drawn: for what hides what on the screen. */
