@@ -58,6 +58,13 @@ export const german: Strings = {
     dropHint: "Ein Modell, ein Design oder ein Bild, genau dort, wo es hinsoll",
   },
 
+  tips: {
+    label: (tip) => `Pinselspitze: ${tip}`,
+    chosen: (tip) => `Der Pinsel druckt ${tip}`,
+    title: "Pinselspitze",
+    inDesign: "Spitzen",
+    ownPicture: "Bild wählen …",
+  },
   clone: {
     name: "Klonen",
     mask: "Klonstrich",
@@ -109,7 +116,6 @@ export const german: Strings = {
     stabiliserHint: "Wie ruhig der Strich dem Zeiger folgt",
     pressure: "Stiftdruck",
     pressures: { none: "Aus", flow: "Fluss", size: "Größe" },
-    tip: "Spitze",
     mirror: "Spiegelachse",
     mirrors: { none: "Ohne Spiegel", x: "Spiegel X", y: "Spiegel Y", z: "Spiegel Z" },
     paintLayer: "Malebene",

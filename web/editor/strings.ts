@@ -54,6 +54,13 @@ const english = {
     dropHint: "A model, a design, or a picture right where it should go",
   },
 
+  tips: {
+    label: (tip: string): string => `Brush tip: ${tip}`,
+    chosen: (tip: string): string => `The brush prints ${tip}`,
+    title: "Brush tip",
+    inDesign: "Tips",
+    ownPicture: "Choose a picture…",
+  },
   clone: {
     name: "Clone",
     mask: "Clone stroke",
@@ -104,7 +111,6 @@ const english = {
     stabiliserHint: "How calmly the stroke follows the pointer",
     pressure: "Pen pressure",
     pressures: { none: "None", flow: "Flow", size: "Size" },
-    tip: "Tip",
     mirror: "Mirror across",
     mirrors: { none: "No mirror", x: "Mirror X", y: "Mirror Y", z: "Mirror Z" },
     paintLayer: "Paint",

@@ -6,6 +6,7 @@ import { css, html, type TemplateResult } from "lit";
 import { Grid2x2, History, Layers, Settings2, SlidersHorizontal, X } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
+import type { ToolPanel } from "../tools/tool.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
@@ -105,7 +106,7 @@ export class BottomSheet extends EditorElement {
   }
 
   /** Of the chosen tool: in front of the tabs' panels until it is closed. */
-  get #toolPanel(): "more" | "palette" | null {
+  get #toolPanel(): ToolPanel | null {
     const { toolPanel } = this.state;
     return toolPanel !== null && offersToolPanel(this.editor.tools.active, toolPanel) ? toolPanel : null;
   }
@@ -131,12 +132,12 @@ export class BottomSheet extends EditorElement {
     `;
   }
 
-  #tool(panel: "more" | "palette"): TemplateResult {
+  #tool(panel: ToolPanel): TemplateResult {
     const words = strings.tools;
     const close = (): void => this.editor.store.set({ toolPanel: null });
     return html`<div class="tool">
       <header>
-        <h2>${panel === "more" ? words.more : strings.palette.show}</h2>
+        <h2>${{ more: words.more, palette: strings.palette.show, tips: strings.tips.title }[panel]}</h2>
         <button class="icon" id="close-tool" aria-label=${words.closePanel} title=${words.closePanel} @click=${close}>
           ${icon(X)}
         </button>

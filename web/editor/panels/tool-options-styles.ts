@@ -38,8 +38,23 @@ export const toolOptionsStyles = css`
   .often .check {
     padding-inline: var(--space-2);
   }
-  .often .tip {
-    width: 5.5rem;
+  .tip {
+    display: inline-flex;
+    align-items: center;
+    gap: 2px;
+    padding-inline: 6px 4px;
+  }
+  .tip img {
+    width: 22px;
+    height: 22px;
+    object-fit: contain;
+  }
+  .tip .disc {
+    width: 16px;
+    height: 16px;
+    margin: 3px;
+    border-radius: 50%;
+    background: currentColor;
   }
   .often .mirror {
     width: auto;

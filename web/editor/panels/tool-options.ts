@@ -3,11 +3,11 @@
  * below the bar, and on a phone, where it would cover the model, stands in the sheet.
  */
 import { html, nothing, type TemplateResult } from "lit";
-import { ArrowLeftRight, Palette, SlidersHorizontal } from "lucide";
+import { ArrowLeftRight, ChevronDown, Palette, SlidersHorizontal } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
 import { stepFor, unitFor } from "../tools/length-unit.ts";
-import type { Tool, ToolOption } from "../tools/tool.ts";
+import type { Tool, ToolOption, ToolPanel } from "../tools/tool.ts";
 import { LEAST_SIZE, MOST_PIXEL_SIZE, MOST_SIZE, type ToolSettings } from "../tools/tool-settings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
@@ -17,6 +17,7 @@ import { controls } from "../ui/theme.ts";
 import "./color-palette.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
+import "./tip-picker.ts";
 import { toolOptionsStyles } from "./tool-options-styles.ts";
 
 const words = strings.tools;
@@ -24,15 +25,7 @@ const words = strings.tools;
 /** Options that stand behind the button "More": set once and left alone. */
 const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock", "aligned"];
 /** On a phone, where the bar has room for a colour and a size, besides those. */
-const SELDOM_ON_PHONE: readonly ToolOption[] = [
-  ...SELDOM,
-  "tip",
-  "hardness",
-  "opacity",
-  "mirror",
-  "contiguous",
-  "filled",
-];
+const SELDOM_ON_PHONE: readonly ToolOption[] = [...SELDOM, "hardness", "opacity", "mirror", "contiguous", "filled"];
 const PHONE = "(max-width: 720px)";
 
 export class ToolOptions extends EditorElement {
@@ -116,7 +109,9 @@ export class ToolOptions extends EditorElement {
       ${
         toolPanel === "more"
           ? seldom.map((option) => this.#field(option, tool))
-          : html`<tc-color-palette .editor=${this.editor}></tc-color-palette>`
+          : toolPanel === "tips"
+            ? html`<tc-tip-picker .editor=${this.editor}></tc-tip-picker>`
+            : html`<tc-color-palette .editor=${this.editor}></tc-color-palette>`
       }
     </div>`;
   }
@@ -227,16 +222,20 @@ export class ToolOptions extends EditorElement {
     `;
   }
 
-  #tip({ tip, tinted }: ToolSettings): TemplateResult {
-    const { assets } = this.state.design;
-    const keys = Object.keys(assets).filter((key) => assets[key]?.type.startsWith("image/"));
-    const choose = (event: Event): void => this.#set({ tip: (event.target as HTMLSelectElement).value || null });
+  #tip({ tip }: ToolSettings): TemplateResult {
     return html`
-      <select id="tool-tip" class="tip" aria-label=${words.tip} title=${words.tip} @change=${choose}>
-        <option value="" ?selected=${tip === null}>${words.roundTip}</option>
-        ${keys.map((key) => html`<option value=${key} ?selected=${key === tip}>${key}</option>`)}
-      </select>
-      ${tip !== null ? checkField("tool-tinted", words.tinted, tinted, (on) => this.#set({ tinted: on })) : nothing}
+      <button
+        class="tip"
+        id="tool-tip"
+        aria-label=${strings.tips.label(tip?.name ?? words.roundTip)}
+        title=${strings.tips.label(tip?.name ?? words.roundTip)}
+        aria-expanded=${this.state.toolPanel === "tips"}
+        aria-pressed=${this.state.toolPanel === "tips"}
+        @click=${() => this.#toggle("tips")}
+      >
+        ${tip === null ? html`<span class="disc"></span>` : html`<img src=${tip.asset.uri} alt="" />`}
+        ${icon(ChevronDown)}
+      </button>
     `;
   }
 
@@ -311,14 +310,15 @@ export class ToolOptions extends EditorElement {
     this.editor.tools.configure(settings);
   }
 
-  #toggle(what: "more" | "palette"): void {
+  #toggle(what: ToolPanel): void {
     this.editor.store.set({ toolPanel: this.state.toolPanel === what ? null : what });
   }
 
   #closeByKey(event: KeyboardEvent): void {
     if (event.key !== "Escape") return;
     event.stopPropagation();
-    const opener = this.state.toolPanel === "more" ? "#more-options" : "#show-palette";
+    const openers = { more: "#more-options", palette: "#show-palette", tips: "#tool-tip" } as const;
+    const opener = openers[this.state.toolPanel ?? "more"];
     this.editor.store.set({ toolPanel: null });
     this.renderRoot.querySelector<HTMLElement>(opener)?.focus();
   }
@@ -326,9 +326,8 @@ export class ToolOptions extends EditorElement {
 customElements.define("tc-tool-options", ToolOptions);
 
 /** Whether a tool has something for a panel to show. */
-export function offersToolPanel(tool: Tool | undefined, panel: "more" | "palette"): boolean {
+export function offersToolPanel(tool: Tool | undefined, panel: ToolPanel): boolean {
   if (!tool) return false;
-  return panel === "palette"
-    ? tool.options.includes("color")
-    : tool.options.some((option) => SELDOM_ON_PHONE.includes(option));
+  if (panel === "more") return tool.options.some((option) => SELDOM_ON_PHONE.includes(option));
+  return tool.options.includes(panel === "tips" ? "tip" : "color");
 }

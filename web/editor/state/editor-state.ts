@@ -3,7 +3,7 @@ import type { ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../eng
 import { type Design, emptyDesign } from "../document/index.ts";
 import type { DemoCatalogue } from "../files/demo-catalogue.ts";
 import type { ProjectSummary } from "../storage/project.ts";
-import type { ToolId } from "../tools/tool.ts";
+import type { ToolId, ToolPanel } from "../tools/tool.ts";
 import { INITIAL_TOOL_SETTINGS, type ToolSettings } from "../tools/tool-settings.ts";
 import { DEFAULT_BUDGET } from "./history.ts";
 import type { Notice } from "./notices.ts";
@@ -118,7 +118,7 @@ export interface EditorState {
   readonly outlines: boolean;
   readonly tool: ToolId;
   /** What of the tool is laid open: fields that are seldom used, or the palette. */
-  readonly toolPanel: "more" | "palette" | null;
+  readonly toolPanel: ToolPanel | null;
   readonly toolSettings: ToolSettings;
 }
 

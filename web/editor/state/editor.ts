@@ -9,6 +9,7 @@ import { type DesignLayer, materialsIn } from "../document/index.ts";
 import { type DemoCatalogue, loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { strings } from "../strings.ts";
+import { TipCommands } from "../tools/brush-tips.ts";
 import { PaletteCommands } from "../tools/palette-commands.ts";
 import { PartsTool } from "../tools/parts-tool.ts";
 import { registerTools } from "../tools/register-tools.ts";
@@ -61,6 +62,7 @@ export class Editor {
   readonly session: DesignSession;
   readonly tools: Toolbox;
   readonly palettes: PaletteCommands;
+  readonly tips: TipCommands;
   readonly views: ViewCommands;
   readonly texts: TextCommands;
   readonly projects: ProjectCommands;
@@ -112,6 +114,7 @@ export class Editor {
     const { tools } = this;
     const reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     this.palettes = new PaletteCommands(tools, board);
+    this.tips = new TipCommands(library, store, tools, board);
     registerTools({ engine, viewer, textureView, session, library, store, board, tools, reach });
     tools.register(new PartsTool({ engine, viewer, textureView, store, board, layers: this.layers }));
     const showMaterial = (material: number): void => this.showMaterial(material);

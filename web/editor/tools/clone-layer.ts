@@ -49,7 +49,7 @@ export function isCloneGroup(layer: DesignLayer | null | undefined): layer is Gr
 }
 
 /** A decal that shows where a stroke went. */
-function isClone(layer: DesignLayer): boolean {
+export function isClone(layer: DesignLayer): boolean {
   if (layer.type !== "decal" || layer.mask?.invert !== true) return false;
   const [shown] = layer.mask.layers;
   return shown?.type === "stroke" && shown.blend === "erase";

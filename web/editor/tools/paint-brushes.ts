@@ -1,6 +1,7 @@
 /** Brush and eraser: what they paint with, and where it goes. */
 import { Brush as BrushIcon, Eraser } from "lucide";
-import type { Brush } from "../document/index.ts";
+import type { Brush, Design } from "../document/index.ts";
+import { withAsset } from "../state/design-edits.ts";
 import { strings } from "../strings.ts";
 import type { BrushKind } from "./brush-tool.ts";
 import { mirrorOf } from "./mirror-setting.ts";
@@ -8,7 +9,7 @@ import { paintTargetOf, withStroke } from "./paint-target.ts";
 import type { PixelProbe } from "./pixel-probe.ts";
 import { type PaintGesture, StrokeGesture } from "./stroke-gesture.ts";
 import type { ToolContext } from "./tool-context.ts";
-import { withRecent } from "./tool-settings.ts";
+import { type ToolSettings, withRecent } from "./tool-settings.ts";
 
 const COMMON = ["size", "hardness", "flow", "opacity", "spacing", "stabiliser", "pressure", "mirror"] as const;
 
@@ -46,11 +47,12 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     board.info({ ...words, title: words.title(target.name) });
     return null;
   }
-  const { size, spacing, pressure, opacity, alphaLock, color, recent, mirror } = tools.settings;
+  const { settings } = tools;
+  const { size, spacing, pressure, opacity, alphaLock, color, recent, mirror } = settings;
   tools.configure({ recent: erases ? recent : withRecent(recent, color) });
   const id = erases ? "eraser" : "brush";
   const stroke = new StrokeGesture({
-    brush: brushOf(context, erases),
+    brush: brushIn(session.recordedDesign, settings, erases).brush,
     name: strings.tools[id],
     size: size ?? 1,
     spacing,
@@ -59,7 +61,10 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     erases,
     alphaLock: alphaLock && !erases,
     mirror: mirrorOf(mirror, store.state.model?.info ?? null),
-    put: (design, layer) => withStroke(design, target, layer),
+    put: (before, layer) => {
+      const { design, brush } = brushIn(before, settings, erases);
+      return withStroke(design, target, { ...layer, brush });
+    },
     session,
     reach,
     freeAbove: (...place) => context.viewer.surface.freeAbove(...place),
@@ -76,11 +81,14 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
   };
 }
 
-function brushOf({ tools, session }: ToolContext, erases: boolean): Brush {
-  const { color, flow, hardness, tip, tinted } = tools.settings;
-  if (erases) return { tip: "round", color: "#000000", hardness, flow };
-  if (tip !== null && Object.hasOwn(session.recordedDesign.assets, tip)) {
-    return { tip: "picture", asset: tip, color: tinted ? color : null, flow };
-  }
-  return { tip: "round", color, hardness, flow };
+/** What is painted with, and the design with the tip's picture among its assets. */
+function brushIn(
+  design: Design,
+  { color, flow, hardness, tip, tinted }: ToolSettings,
+  erases: boolean,
+): { readonly design: Design; readonly brush: Brush } {
+  if (erases) return { design, brush: { tip: "round", color: "#000000", hardness, flow } };
+  if (tip === null) return { design, brush: { tip: "round", color, hardness, flow } };
+  const { design: more, key } = withAsset(design, tip.name, tip.asset);
+  return { design: more, brush: { tip: "picture", asset: key, color: tinted ? color : null, flow } };
 }

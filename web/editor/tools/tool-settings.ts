@@ -1,5 +1,6 @@
 /** What the options bar sets: one value for all tools, so that brush and eraser keep their size when one goes from one to the other. */
 
+import type { BrushTip } from "./brush-tips.ts";
 import { DEFAULT_PALETTE } from "./default-palette.ts";
 import type { Palette } from "./gimp-palette.ts";
 import type { MirrorSetting } from "./mirror-setting.ts";
@@ -32,8 +33,8 @@ export interface ToolSettings {
   readonly pressure: "none" | "flow" | "size";
   /** Paints a second time across a plane of the model. */
   readonly mirror: MirrorSetting;
-  /** Key in the design's assets of a picture to stamp; null paints a disc. */
-  readonly tip: string | null;
+  /** A picture to stamp; null paints a disc. */
+  readonly tip: BrushTip | null;
   /** A picture tip is painted in the colour, else in its own. */
   readonly tinted: boolean;
   /** How far a colour may be from the one that was clicked and still be filled: 0 to 255 in each channel. */

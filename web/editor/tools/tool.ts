@@ -41,6 +41,9 @@ export const TOOL_OPTIONS = [
 ] as const;
 export type ToolOption = (typeof TOOL_OPTIONS)[number];
 
+/** What the options bar lays open: seldom used options, colours, brush tips. */
+export type ToolPanel = "more" | "palette" | "tips";
+
 export interface Tool {
   readonly id: ToolId;
   /** What it is called in the rail and by screen readers. */

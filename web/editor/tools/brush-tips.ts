@@ -1,0 +1,71 @@
+/** Pictures as a brush's tip: those of the design, those that come with the page, and the user's own files. */
+import { type Design, type DesignAsset, flattenLayers } from "../document/index.ts";
+import { type DemoDecal, fetchBytes } from "../files/demo-catalogue.ts";
+import { fileStem } from "../files/download.ts";
+import { bytesOf } from "../files/file-intake.ts";
+import type { AssetLibrary } from "../state/asset-library.ts";
+import type { EditorState } from "../state/editor-state.ts";
+import type { NoticeBoard } from "../state/notice-board.ts";
+import type { Store } from "../state/store.ts";
+import { strings } from "../strings.ts";
+import { isClone } from "./clone-layer.ts";
+import { isPixelLayer } from "./pixel-layer.ts";
+import type { Toolbox } from "./toolbox.ts";
+
+/** It becomes one of the design's assets when it first paints. */
+export interface BrushTip {
+  readonly name: string;
+  readonly asset: DesignAsset;
+}
+
+/** The design's pictures that somebody chose: what pixel and clone tools made is of one place and no tip. */
+export function tipsOf(design: Pick<Design, "assets" | "layers">): BrushTip[] {
+  const made = new Set<string>();
+  const chosen = new Set<string>();
+  for (const layer of flattenLayers(design)) {
+    if (layer.type === "decal") (isPixelLayer(layer) || isClone(layer) ? made : chosen).add(layer.asset);
+    else if (layer.type === "stroke" && layer.brush.tip === "picture") chosen.add(layer.brush.asset);
+  }
+  return Object.entries(design.assets)
+    .filter(([key, { type }]) => type.startsWith("image/") && (chosen.has(key) || !made.has(key)))
+    .map(([name, asset]) => ({ name, asset }));
+}
+
+export class TipCommands {
+  readonly #library: AssetLibrary;
+  readonly #store: Store<EditorState>;
+  readonly #tools: Toolbox;
+  readonly #board: NoticeBoard;
+
+  constructor(library: AssetLibrary, store: Store<EditorState>, tools: Toolbox, board: NoticeBoard) {
+    this.#library = library;
+    this.#store = store;
+    this.#tools = tools;
+    this.#board = board;
+  }
+
+  /** Null paints a disc. */
+  use(tip: BrushTip | null): void {
+    this.#tools.configure({ tip });
+    this.#board.announce(strings.tips.chosen(tip?.name ?? strings.tools.roundTip));
+  }
+
+  async useDemo({ name, picture }: DemoDecal): Promise<void> {
+    const { demos } = this.#store.state;
+    if (demos) await this.#take(name, picture, fetchBytes(picture, demos.page));
+  }
+
+  /** A file that cannot be read leaves the tip as it is. */
+  async useFile(file: File): Promise<void> {
+    await this.#take(fileStem(file.name), file.name, bytesOf(file));
+  }
+
+  async #take(name: string, fileName: string, bytes: Promise<Uint8Array>): Promise<void> {
+    try {
+      const { asset } = await this.#library.add(fileName, await bytes);
+      this.use({ name, asset });
+    } catch (thrown) {
+      this.#board.error(strings.errors.couldNotOpen(name), thrown);
+    }
+  }
+}
