@@ -123,6 +123,43 @@ test("a decal that is placed on a posed model lies on the same place of the rest
   expect(Math.hypot((resting?.x ?? 0) - seen.x, (resting?.y ?? 0) - seen.y)).toBeGreaterThan(60);
 });
 
+test("on a posed model a decal is moved as it is seen, by keys and by the mouse, and the pose stays", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([blockFigure()]);
+  await page.locator("#play").click();
+  const bar = page.locator("tc-animation-bar");
+  await bar.locator("#clip").selectOption({ label: "Wave" });
+  await bar.locator("#play").click();
+  await bar.locator("#scrub").fill("60");
+  const seenAt = async (at: readonly [number, number, number]) => {
+    const point = await page.evaluate((place) => window.texelcast.project(...place), at);
+    if (!point) throw new Error("The place is not in view.");
+    return point;
+  };
+  const ring = readFileSync(new URL("../../build/public/demo/decals/smiley.png", import.meta.url));
+  // The middle of the lower arm's front.
+  await editor.drop([file("ring.png", ring, "image/png")], await seenAt([px(-6), px(16), px(2)]));
+  const place = async (): Promise<{ x: number; y: number }> => {
+    const [layer] = (await editor.design()).layers;
+    if (layer?.type !== "decal" || layer.projector.kind !== "planar") throw new Error("No decal was placed.");
+    return seenAt(layer.projector.position);
+  };
+  const placed = await place();
+  await bar.locator("#scrub").blur();
+  for (let step = 0; step < 3; step++) await page.keyboard.press("ArrowUp");
+  await editor.idle();
+  const raised = await place();
+  expect(placed.y - raised.y, "up on the screen").toBeGreaterThan(3);
+  expect(Math.abs(raised.x - placed.x)).toBeLessThan((placed.y - raised.y) / 2);
+  await editor.drag(raised, { x: placed.x, y: placed.y }, 5);
+  const dragged = await place();
+  expect(Math.hypot(dragged.x - placed.x, dragged.y - placed.y)).toBeLessThan(4);
+  await expect(bar.locator("#scrub"), "the model keeps its pose").toHaveValue("60");
+});
+
 test("the views are chosen by keys, and on a phone the flat texture takes the model's place", async ({
   editor,
   page,
