@@ -92,6 +92,27 @@ describe("the averaged normal", () => {
     expect(before.angleTo(after)).toBeLessThan(0.35);
   });
 
+  it("is the same from wherever the drag has come", () => {
+    const cubes = queryOf(cube());
+    const ball = queryOf(sphere());
+    for (const [query, ends] of [
+      [cubes, [new Vector3(1, 0.1, 0.999), new Vector3(-0.2, 1, 0.9)]],
+      [ball, [new Vector3(1, 0.1, 0), new Vector3(-0.2, -0.7, 0.9)]],
+    ] as const) {
+      const places = ends.map((end) => query.closest(end) as SurfaceSample);
+      const fresh = places.map((place) => query.smoothNormal(place, 0.3));
+      for (let step = 0; step < 20; step++) {
+        const along = (places[0] as SurfaceSample).position
+          .clone()
+          .lerp((places[1] as SurfaceSample).position, step / 20);
+        query.smoothNormal(query.closest(along) as SurfaceSample, 0.3);
+      }
+      for (const [index, place] of places.entries()) {
+        expect(query.smoothNormal(place, 0.3).toArray()).toEqual(fresh[index]?.toArray());
+      }
+    }
+  });
+
   it("does not count the other side of a thin wall", () => {
     const wall = cube();
     wall.scale(1, 1, 0.01);

@@ -18,6 +18,7 @@ try {
   const textureView = createTextureView(addView("texture"), {
     label: strings.texture.view,
     onNeedsFullUpdate: (material) => editor.refresh(material),
+    readTexels: (material, x, y, width, height) => engine.readTexels(material, x, y, width, height),
   });
   const editor = new Editor({ engine, viewer, textureView });
   workbench.editor = editor;

@@ -4,9 +4,9 @@ import { UP_MODEL, uprightFrame } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
 import type { ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery } from "./surface-query.ts";
+import { makeOverlay, makeSvg } from "./svg-overlay.ts";
 import type { BrushRing } from "./tool-input.ts";
 
-const SVG = "http://www.w3.org/2000/svg";
 const POINTS = 40;
 /** Rings that would be drawn closer to each other than this, pixels, are one. */
 const RINGS_APART = 2.5;
@@ -15,17 +15,14 @@ const LEAST_RADIUS = 3;
 
 /** An SVG layer of rings, used by both views: what differs is how a ring becomes pixels. */
 export class RingOverlay {
-  readonly #element = document.createElementNS(SVG, "svg");
-  readonly #paths: readonly SVGPathElement[];
+  readonly #element = makeOverlay("tcv-ring");
+  readonly #paths: readonly { readonly element: SVGPathElement; drawn: string }[];
 
   constructor(root: HTMLElement) {
-    this.#element.classList.add("tcv-overlay", "tcv-ring");
-    this.#element.setAttribute("aria-hidden", "true");
     this.#paths = ["tcv-ring-casing", "tcv-ring-line", "tcv-ring-inner"].map((name) => {
-      const path = document.createElementNS(SVG, "path");
-      path.setAttribute("class", name);
-      this.#element.append(path);
-      return path;
+      const element = makeSvg("path", { class: name });
+      this.#element.append(element);
+      return { element, drawn: "" };
     });
     root.append(this.#element);
   }
@@ -33,8 +30,11 @@ export class RingOverlay {
   /** SVG path data, CSS pixels; "" draws nothing. */
   draw(outer: string, inner: string): void {
     const data = [outer, outer, inner];
-    for (const [index, path] of this.#paths.entries()) {
-      if (path.getAttribute("d") !== data[index]) path.setAttribute("d", data[index] as string);
+    for (const [index, line] of this.#paths.entries()) {
+      const path = data[index] as string;
+      if (line.drawn === path) continue;
+      line.drawn = path;
+      line.element.setAttribute("d", path);
     }
   }
 

@@ -1,4 +1,5 @@
 /** Draws the gizmo: an SVG over the 3D view. Knows pixels only; what is where is decided in gizmo-picture.ts. */
+import { makeSvg as make, makeOverlay } from "./svg-overlay.ts";
 
 export const HANDLES = ["nw", "ne", "se", "sw", "n", "e", "s", "w", "rotate", "depth", "near", "far"] as const;
 export type HandleName = (typeof HANDLES)[number];
@@ -32,8 +33,6 @@ export interface GizmoPicture {
   readonly handles: ReadonlyMap<HandleName, HandlePlace>;
 }
 
-const SVG = "http://www.w3.org/2000/svg";
-
 /** Radius of what reacts to the pointer: 24 px across for a mouse, 44 for a finger (WCAG 2.5.8 and 2.5.5). */
 const HIT_RADIUS_FINE = 12;
 const HIT_RADIUS_COARSE = 22;
@@ -57,19 +56,17 @@ const PATHS: readonly { readonly data: PathName; readonly className: string }[] 
 ];
 
 export class GizmoOverlay {
-  readonly element = document.createElementNS(SVG, "svg");
-  readonly #paths: { element: SVGPathElement; data: PathName }[] = [];
+  readonly element = makeOverlay();
+  readonly #paths: { readonly element: SVGPathElement; readonly data: PathName; drawn: string }[] = [];
   readonly #handles = new Map<HandleName, SVGGElement>();
   readonly #readout = document.createElement("div");
   readonly #coarse = matchMedia("(pointer: coarse)");
   #gesture: { readonly handle: HandleName | null } | null = null;
 
   constructor(root: HTMLElement) {
-    this.element.classList.add("tcv-overlay");
-    this.element.setAttribute("aria-hidden", "true");
     for (const { data, className } of PATHS) {
       const element = make("path", { class: className });
-      this.#paths.push({ element, data });
+      this.#paths.push({ element, data, drawn: "" });
       this.element.append(element);
     }
     for (const name of HANDLES) {
@@ -84,10 +81,11 @@ export class GizmoOverlay {
 
   /** Shows a picture; null shows nothing. */
   draw(picture: GizmoPicture | null): void {
-    for (const { element, data } of this.#paths) {
-      const path = picture?.[data] ?? "";
-      if (element.getAttribute("d") !== path) {
-        element.setAttribute("d", path);
+    for (const line of this.#paths) {
+      const path = picture?.[line.data] ?? "";
+      if (line.drawn !== path) {
+        line.drawn = path;
+        line.element.setAttribute("d", path);
       }
     }
     for (const [name, handle] of this.#handles) {
@@ -196,17 +194,6 @@ function marksOf(name: HandleName): SVGElement[] {
         make("rect", { class: "tcv-mark", x: "-5", y: "-5", width: "10", height: "10", rx: "2.5" }),
       ];
   }
-}
-
-function make<K extends keyof SVGElementTagNameMap>(
-  name: K,
-  attributes: Record<string, string>,
-): SVGElementTagNameMap[K] {
-  const element = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) {
-    element.setAttribute(key, value);
-  }
-  return element;
 }
 
 function round(value: number): number {

@@ -333,6 +333,7 @@ class ThreeModelViewer implements ModelViewer {
     this.#dropModel();
     this.#display.dispose();
     this.#gizmo.dispose();
+    this.#screen.dispose();
     this.#stage.dispose();
     this.element.remove();
   }

@@ -1,5 +1,6 @@
 /** Model space to CSS pixels of the view and back, for one camera and one view size. */
 import { type PerspectiveCamera, Ray, Vector2, Vector3 } from "three";
+import { ClientCorner } from "./client-corner.ts";
 
 export interface ScreenPoint {
   /** CSS pixels from the view's top left corner. */
@@ -10,16 +11,25 @@ export interface ScreenPoint {
 export class ScreenSpace {
   readonly #camera: PerspectiveCamera;
   readonly #element: HTMLElement;
+  readonly #corner: ClientCorner;
+  readonly #resize: ResizeObserver;
   #size: { readonly width: number; readonly height: number } | null = null;
 
   constructor(camera: PerspectiveCamera, element: HTMLElement) {
     this.#camera = camera;
     this.#element = element;
+    this.#corner = new ClientCorner(element);
     // Asked of the document once a size and not once a point: the gizmo changes its drawing in each frame of a drag, and
     // after a change each question makes the browser lay the page out anew.
-    new ResizeObserver(() => {
+    this.#resize = new ResizeObserver(() => {
       this.#size = null;
-    }).observe(element);
+    });
+    this.#resize.observe(element);
+  }
+
+  dispose(): void {
+    this.#resize.disconnect();
+    this.#corner.dispose();
   }
 
   /** Null for points behind the camera. */
@@ -46,8 +56,7 @@ export class ScreenSpace {
 
   /** Where an event is in the view. */
   pointOf(clientX: number, clientY: number): ScreenPoint {
-    const box = this.#element.getBoundingClientRect();
-    return { x: clientX - box.left, y: clientY - box.top };
+    return this.#corner.pointOf(clientX, clientY);
   }
 
   /** From the eye through a point of the view; the direction is unit. */

@@ -1,5 +1,6 @@
 /** The selected flat stamp in the texture view: its border, its handles, and drags of both. */
 import type { UvProjector } from "../engine/engine-api.ts";
+import { ClientCorner } from "./client-corner.ts";
 import { sideOf } from "./gizmo-drag.ts";
 import { GizmoOverlay, type GizmoPicture, type HandleName, type HandlePlace } from "./gizmo-overlay.ts";
 import { degreesOf, line, resizeCursor } from "./gizmo-picture.ts";
@@ -42,6 +43,7 @@ export class StampGizmo {
   readonly #root: HTMLElement;
   readonly #hooks: StampGizmoHooks;
   readonly #overlay: GizmoOverlay;
+  readonly #corner: ClientCorner;
   readonly #abort = new AbortController();
   #decal: ViewerDecal | null = null;
   #drag: StampDrag | null = null;
@@ -50,6 +52,7 @@ export class StampGizmo {
     this.#root = root;
     this.#hooks = hooks;
     this.#overlay = new GizmoOverlay(root);
+    this.#corner = new ClientCorner(root);
     const early = { capture: true, signal: this.#abort.signal };
     root.addEventListener("pointerdown", (event) => this.#onDown(event), early);
     root.addEventListener("pointermove", (event) => this.#onMove(event), early);
@@ -73,6 +76,7 @@ export class StampGizmo {
 
   dispose(): void {
     this.#abort.abort();
+    this.#corner.dispose();
     this.#overlay.dispose();
   }
 
@@ -140,8 +144,8 @@ export class StampGizmo {
   }
 
   #uvOf(event: PointerEvent): Uv {
-    const box = this.#root.getBoundingClientRect();
-    return this.#hooks.uvOf(event.clientX - box.left, event.clientY - box.top);
+    const { x, y } = this.#corner.pointOf(event.clientX, event.clientY);
+    return this.#hooks.uvOf(x, y);
   }
 
   #pictureOf(stamp: UvProjector): GizmoPicture {

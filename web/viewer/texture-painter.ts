@@ -13,6 +13,8 @@ export interface PaintedTexture {
   readonly width: number;
   readonly height: number;
   readonly levels: number;
+  /** The finest level that is drawn. */
+  firstLevel: number;
 }
 
 /** Lines in texture coordinates on the GPU. */
@@ -66,11 +68,23 @@ void main() { color = vec4(lineColor.rgb * lineColor.a, lineColor.a); }`;
 
 const UV_ATTRIBUTE = 0;
 
+const UNIFORMS = [
+  ...(["textureSize_texel", "corner_px", "view_px", "scale", "pixelRatio"] as const),
+  ...(["checkerA", "checkerB", "lineColor"] as const),
+] as const;
+type UniformName = (typeof UNIFORMS)[number];
+
+/** With the places of its uniforms: asked for in each frame they are new objects each time, and the browser looks them up. */
+interface Program {
+  readonly handle: WebGLProgram;
+  readonly at: Readonly<Record<UniformName, WebGLUniformLocation | null>>;
+}
+
 export class TexturePainter {
   readonly #gl: WebGL2RenderingContext;
-  #picture: WebGLProgram;
-  #line: WebGLProgram;
-  #quad: PaintedLines;
+  readonly #picture: Program;
+  readonly #line: Program;
+  readonly #quad: PaintedLines;
 
   constructor(gl: WebGL2RenderingContext) {
     this.#gl = gl;
@@ -89,7 +103,7 @@ export class TexturePainter {
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, levels > 1 ? gl.LINEAR_MIPMAP_LINEAR : gl.LINEAR);
-    return { handle, width, height, levels };
+    return { handle, width, height, levels, firstLevel: 0 };
   }
 
   /** A picture that is given once; its mip levels are made on the GPU. */
@@ -102,12 +116,12 @@ export class TexturePainter {
     return texture;
   }
 
-  /** Uploads what changed. An update without the smaller levels has them made on the GPU. */
-  upload(texture: PaintedTexture, update: TargetUpdate): void {
+  /** Uploads what changed, from a mip level on. */
+  upload(texture: PaintedTexture, update: Pick<TargetUpdate, "rects" | "bytes">, fromLevel: number): void {
     const gl = this.#gl;
     gl.bindTexture(gl.TEXTURE_2D, texture.handle);
     for (const { x, y, width, height, level, byteOffset } of update.rects) {
-      if (level < texture.levels) {
+      if (level >= fromLevel && level < texture.levels) {
         gl.texSubImage2D(
           gl.TEXTURE_2D,
           level,
@@ -122,8 +136,23 @@ export class TexturePainter {
         );
       }
     }
-    if (texture.levels > 1 && update.rects.every((rect) => rect.level === 0)) {
-      gl.generateMipmap(gl.TEXTURE_2D);
+  }
+
+  /** Makes all smaller levels from the finest one. */
+  makeLevels(texture: PaintedTexture): void {
+    if (texture.levels > 1) {
+      this.drawFrom(texture, 0);
+      this.#gl.generateMipmap(this.#gl.TEXTURE_2D);
+    }
+  }
+
+  /** Says which level is the finest that is drawn; the texture is bound afterwards. */
+  drawFrom(texture: PaintedTexture, level: number): void {
+    const gl = this.#gl;
+    gl.bindTexture(gl.TEXTURE_2D, texture.handle);
+    if (texture.firstLevel !== level) {
+      texture.firstLevel = level;
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_BASE_LEVEL, level);
     }
   }
 
@@ -154,9 +183,9 @@ export class TexturePainter {
     const gl = this.#gl;
     this.#use(this.#picture, texture, camera, pixelRatio);
     gl.bindTexture(gl.TEXTURE_2D, texture.handle);
-    gl.uniform4fv(this.#at(this.#picture, "checkerA"), colors.checkerA);
-    gl.uniform4fv(this.#at(this.#picture, "checkerB"), colors.checkerB);
-    gl.uniform1f(this.#at(this.#picture, "pixelRatio"), pixelRatio);
+    gl.uniform4fv(this.#picture.at.checkerA, colors.checkerA);
+    gl.uniform4fv(this.#picture.at.checkerB, colors.checkerB);
+    gl.uniform1f(this.#picture.at.pixelRatio, pixelRatio);
     gl.disable(gl.BLEND);
     this.#bind(this.#quad);
     gl.drawArrays(gl.TRIANGLE_STRIP, 0, 4);
@@ -172,7 +201,7 @@ export class TexturePainter {
   ): void {
     const gl = this.#gl;
     this.#use(this.#line, texture, camera, pixelRatio);
-    gl.uniform4fv(this.#at(this.#line, "lineColor"), color);
+    gl.uniform4fv(this.#line.at.lineColor, color);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     this.#bind(lines);
@@ -189,20 +218,20 @@ export class TexturePainter {
   ): void {
     const gl = this.#gl;
     this.#use(this.#line, texture, camera, pixelRatio);
-    gl.uniform4fv(this.#at(this.#line, "lineColor"), color);
+    gl.uniform4fv(this.#line.at.lineColor, color);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     this.#bind(corners);
     gl.drawArrays(gl.TRIANGLES, 0, corners.vertices);
   }
 
-  #use(program: WebGLProgram, texture: PaintedTexture, camera: TextureCamera, pixelRatio: number): void {
+  #use({ handle, at }: Program, texture: PaintedTexture, camera: TextureCamera, pixelRatio: number): void {
     const gl = this.#gl;
-    gl.useProgram(program);
-    gl.uniform2f(this.#at(program, "textureSize_texel"), texture.width, texture.height);
-    gl.uniform2f(this.#at(program, "corner_px"), camera.x, camera.y);
-    gl.uniform2f(this.#at(program, "view_px"), gl.drawingBufferWidth / pixelRatio, gl.drawingBufferHeight / pixelRatio);
-    gl.uniform1f(this.#at(program, "scale"), camera.scale);
+    gl.useProgram(handle);
+    gl.uniform2f(at.textureSize_texel, texture.width, texture.height);
+    gl.uniform2f(at.corner_px, camera.x, camera.y);
+    gl.uniform2f(at.view_px, gl.drawingBufferWidth / pixelRatio, gl.drawingBufferHeight / pixelRatio);
+    gl.uniform1f(at.scale, camera.scale);
   }
 
   #bind(lines: PaintedLines): void {
@@ -211,13 +240,9 @@ export class TexturePainter {
     gl.enableVertexAttribArray(UV_ATTRIBUTE);
     gl.vertexAttribPointer(UV_ATTRIBUTE, 2, gl.FLOAT, false, 0, 0);
   }
-
-  #at(program: WebGLProgram, name: string): WebGLUniformLocation | null {
-    return this.#gl.getUniformLocation(program, name);
-  }
 }
 
-function link(gl: WebGL2RenderingContext, fragment: string): WebGLProgram {
+function link(gl: WebGL2RenderingContext, fragment: string): Program {
   const program = gl.createProgram();
   for (const [type, source] of [
     [gl.VERTEX_SHADER, VERTEX],
@@ -233,5 +258,6 @@ function link(gl: WebGL2RenderingContext, fragment: string): WebGLProgram {
   if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
     throw new Error(`The texture view's shader does not link: ${gl.getProgramInfoLog(program)}`);
   }
-  return program;
+  const places = UNIFORMS.map((name) => [name, gl.getUniformLocation(program, name)] as const);
+  return { handle: program, at: Object.fromEntries(places) as Program["at"] };
 }

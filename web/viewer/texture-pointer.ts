@@ -1,4 +1,5 @@
 /** Where the pointer is in the flat view, and clicks that are no drags. Only listens: panning and tools keep what they take. */
+import { ClientCorner } from "./client-corner.ts";
 import { FrameTask } from "./frame-task.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 
@@ -12,17 +13,18 @@ export interface TexturePointerHooks {
 }
 
 export class TexturePointer {
-  readonly #root: HTMLElement;
+  readonly #corner: ClientCorner;
   readonly #abort = new AbortController();
   readonly #task: FrameTask;
   #at: ScreenPoint | null = null;
   #press: PointerEvent | null = null;
 
   constructor(root: HTMLElement, hooks: TexturePointerHooks) {
-    this.#root = root;
+    this.#corner = new ClientCorner(root);
     this.#task = new FrameTask(() => hooks.hover(this.#at));
     const early = { capture: true, signal: this.#abort.signal };
-    root.addEventListener("pointermove", (event) => this.#moveTo(this.#pointOf(event)), early);
+    const pointOf = ({ clientX, clientY }: PointerEvent): ScreenPoint => this.#corner.pointOf(clientX, clientY);
+    root.addEventListener("pointermove", (event) => this.#moveTo(pointOf(event)), early);
     root.addEventListener("pointerleave", () => this.#moveTo(null), early);
     root.addEventListener(
       "pointerdown",
@@ -38,7 +40,7 @@ export class TexturePointer {
         this.#press = null;
         const wandered = press && Math.hypot(event.clientX - press.clientX, event.clientY - press.clientY);
         if (press?.pointerId === event.pointerId && wandered !== null && wandered <= SLOP) {
-          hooks.click(this.#pointOf(event));
+          hooks.click(pointOf(event));
         }
       },
       early,
@@ -47,16 +49,12 @@ export class TexturePointer {
 
   dispose(): void {
     this.#abort.abort();
+    this.#corner.dispose();
     this.#task.cancel();
   }
 
   #moveTo(at: ScreenPoint | null): void {
     this.#at = at;
     this.#task.request();
-  }
-
-  #pointOf(event: PointerEvent): ScreenPoint {
-    const box = this.#root.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 }

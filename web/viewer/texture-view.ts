@@ -3,6 +3,7 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import type { MapView, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
 import { type CssColor, readCssColor } from "./css-color.ts";
 import { EventHub } from "./event-hub.ts";
+import { FinestLevel } from "./finest-level.ts";
 import { FrameTask } from "./frame-task.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
@@ -33,6 +34,11 @@ export interface TextureViewOptions {
   readonly label?: string;
   /** The GPU lost a target's picture: give a full update again. */
   readonly onNeedsFullUpdate?: (material: number) => void;
+  /**
+   * Reads texels of a target, RGBA, as `Engine.readTexels` does. With it the finest mip level is uploaded only while it is
+   * seen; without it always.
+   */
+  readonly readTexels?: (material: number, x: number, y: number, width: number, height: number) => Promise<Uint8Array>;
 }
 
 /** Builds a texture view that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
@@ -50,6 +56,7 @@ interface BoundTarget {
   readonly info: TargetInfo;
   readonly edges: { readonly borders: Float32Array; readonly inner: Float32Array };
   texture: PaintedTexture;
+  finest: FinestLevel;
   borders: PaintedLines;
   inner: PaintedLines;
   /** Of the inner lines, in texture widths. */
@@ -160,6 +167,7 @@ class GlTextureView implements TextureView {
       info,
       edges,
       texture: same ? before.texture : this.#makeTexture(info),
+      finest: same ? before.finest : new FinestLevel(),
       borders: this.#painter.makeLines(edges.borders),
       inner: this.#painter.makeLines(edges.inner),
       meanLength: meanLength(edges.inner),
@@ -273,8 +281,45 @@ class GlTextureView implements TextureView {
         rect.y + rect.height <= Math.max(1, height >> rect.level),
     );
     if (fits) {
-      this.#painter.upload(target.texture, update);
+      this.#upload(target, update);
       this.#drawTask.request();
+    }
+  }
+
+  #upload({ texture, finest }: BoundTarget, update: TargetUpdate): void {
+    const hasLevels = update.rects.some(({ level }) => level > 0);
+    const isSpared = hasLevels && this.#options.readTexels !== undefined && !this.#showsFinest();
+    this.#painter.upload(texture, update, isSpared ? 1 : 0);
+    if (isSpared) {
+      finest.leftOut(update.rects);
+    } else if (!hasLevels) {
+      this.#painter.makeLevels(texture);
+    }
+  }
+
+  /** At half its size a texture is drawn from its second level on. */
+  #showsFinest(): boolean {
+    return this.#camera.scale * this.#pixelRatio > 0.5;
+  }
+
+  /** Has what was left out brought where it is seen now. */
+  async #completeFinest({ info: { material }, texture, finest }: BoundTarget): Promise<void> {
+    const region = this.#showsFinest() ? finest.toAskFor() : null;
+    if (region === null) {
+      return;
+    }
+    const { x, y, width, height } = region;
+    try {
+      const bytes = (await this.#options.readTexels?.(material, x, y, width, height)) ?? new Uint8Array();
+      const isShown = this.#target?.texture === texture && !this.#gl.isContextLost();
+      if (isShown) {
+        this.#painter.upload(texture, { rects: [{ ...region, level: 0, byteOffset: 0 }], bytes }, 0);
+        this.#drawTask.request();
+      }
+      finest.answered(region);
+    } catch {
+      // The engine was ended or started anew; what it tells again comes as an update.
+      finest.answered(null);
     }
   }
 
@@ -293,6 +338,8 @@ class GlTextureView implements TextureView {
     if (target !== null && this.#pixelRatio > 0) {
       this.#colors ??= this.#computeColors();
       const { border } = this.#colors;
+      this.#painter.drawFrom(target.texture, target.finest.isStale ? 1 : 0);
+      void this.#completeFinest(target);
       this.#painter.drawPicture(
         this.#map?.texture ?? target.texture,
         this.#cameraFor(),
@@ -410,6 +457,7 @@ class GlTextureView implements TextureView {
     const target = this.#target;
     if (target !== null) {
       target.texture = this.#makeTexture(target.info);
+      target.finest = new FinestLevel();
       target.borders = this.#painter.makeLines(target.edges.borders);
       target.inner = this.#painter.makeLines(target.edges.inner);
       this.#options.onNeedsFullUpdate?.(target.info.material);

@@ -2,13 +2,14 @@
  * Pointer events of a view for the tool that is chosen. Listens before the view's own input and keeps from it what the
  * tool takes; all else (background, other buttons, a second finger) stays the camera's.
  */
+import { ClientCorner } from "./client-corner.ts";
 import { FrameTask } from "./frame-task.ts";
-import type { ScreenPoint } from "./screen-space.ts";
 import type { ToolInput, ToolSample, ToolView } from "./tool-input.ts";
 
 export class ToolPointer {
   readonly #root: HTMLElement;
   readonly #view: ToolView;
+  readonly #corner: ClientCorner;
   readonly #abort = new AbortController();
   readonly #hoverTask = new FrameTask(() => this.#hoverNow());
   #tool: ToolInput | null = null;
@@ -23,6 +24,7 @@ export class ToolPointer {
   constructor(root: HTMLElement, view: ToolView) {
     this.#root = root;
     this.#view = view;
+    this.#corner = new ClientCorner(root);
     const early = { capture: true, signal: this.#abort.signal };
     root.addEventListener("pointerdown", (event) => this.#onDown(event), early);
     root.addEventListener("pointermove", (event) => this.#onMove(event), early);
@@ -50,6 +52,7 @@ export class ToolPointer {
 
   dispose(): void {
     this.#abort.abort();
+    this.#corner.dispose();
     this.#hoverTask.cancel();
   }
 
@@ -142,7 +145,7 @@ export class ToolPointer {
 
   /** Coalesced events lack the keys of the event that brought them in some browsers. */
   #sampleOf(event: PointerEvent, keys: PointerEvent = event): ToolSample {
-    const at = this.#pointOf(event);
+    const at = this.#corner.pointOf(event.clientX, event.clientY);
     const view = this.#view;
     return {
       view,
@@ -154,10 +157,5 @@ export class ToolPointer {
       ctrl: keys.ctrlKey || keys.metaKey,
       time: event.timeStamp,
     };
-  }
-
-  #pointOf(event: PointerEvent): ScreenPoint {
-    const box = this.#root.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
   }
 }

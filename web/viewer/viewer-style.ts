@@ -25,11 +25,11 @@ const STYLE = /* css */ `
 .tcv-overlay path { fill: none; stroke-linejoin: round; stroke-linecap: round; }
 .tcv-casing { stroke: var(--tcv-casing); stroke-width: 3.5; }
 .tcv-outline { stroke: var(--tcv-accent); stroke-width: 1.75; }
-.tcv-outline-hidden { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 1 5; opacity: 0.75; }
-.tcv-box { stroke: var(--tcv-accent); stroke-width: 1; opacity: 0.5; }
-.tcv-box-hidden { stroke: var(--tcv-accent); stroke-width: 1; opacity: 0.18; }
-.tcv-hover { stroke: var(--tcv-accent); stroke-width: 1.75; opacity: 0.85; }
-.tcv-twin { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 5 4; opacity: 0.6; }
+.tcv-outline-hidden { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 1 5; stroke-opacity: 0.75; }
+.tcv-box { stroke: var(--tcv-accent); stroke-width: 1; stroke-opacity: 0.5; }
+.tcv-box-hidden { stroke: var(--tcv-accent); stroke-width: 1; stroke-opacity: 0.18; }
+.tcv-hover { stroke: var(--tcv-accent); stroke-width: 1.75; stroke-opacity: 0.85; }
+.tcv-twin { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 5 4; stroke-opacity: 0.6; }
 .tcv-arrow { stroke: var(--tcv-accent); stroke-width: 2; }
 .tcv-overlay .tcv-arrow-head { fill: var(--tcv-accent); stroke: none; }
 .tcv-guide { stroke: var(--tcv-accent); stroke-width: 1.25; }

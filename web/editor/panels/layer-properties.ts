@@ -22,7 +22,7 @@ import "./text-fields.ts";
 
 const words = strings.properties;
 /** Milliseconds between two changes of the numbers: a score of fields, which nobody reads faster while a decal is dragged. */
-const PACE = 80;
+const PACE = 100;
 
 export class LayerProperties extends EditorElement {
   readonly #memory: PlacementMemory = { proportional: true, orientation: undefined };

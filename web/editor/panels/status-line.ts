@@ -50,7 +50,7 @@ export class StatusLine extends LitElement {
       this,
       () => this.editor?.figures,
       ({ updates }) => [updates],
-      PACE,
+      { milliseconds: PACE },
     );
   }
 

@@ -38,30 +38,43 @@ export class Store<State extends object> {
   }
 }
 
+/** How often at most an element renders while the state changes in each frame of a drag. */
+export interface Pace<State> {
+  /** Least milliseconds between two renders. */
+  readonly milliseconds: number;
+  /** A change of this value is shown at once: what was shown in passing has become final. */
+  readonly final?: (state: State) => unknown;
+}
+
+/** Where frames are slow, as many of them go without a render as where they are fast: at 60 a second these are 100 ms. */
+const CHANGES_A_RENDER = 6;
+/** Milliseconds without a change, after which the newest is shown. */
+const REST = 250;
+
 /**
  * Renders its element again when one of the values that `pick` names has changed, and only then. With a `pace`, changes that
- * follow each other faster than that wait: the first is shown at once, the newest when the time is over.
+ * follow each other faster than that wait: the first is shown at once, the newest when they have come to rest.
  */
 export class StoreController<State extends object> implements ReactiveController {
   readonly #host: ReactiveControllerHost;
   readonly #store: () => Store<State> | undefined;
   readonly #pick: (state: State) => readonly unknown[];
-  readonly #pace: number;
+  readonly #pace: Pace<State> | null;
   #seen: readonly unknown[] = [];
+  #final: unknown;
   #unsubscribe: (() => void) | undefined;
   #waiting: ReturnType<typeof setTimeout> | undefined;
-  #requested = Number.NEGATIVE_INFINITY;
+  #rendered = Number.NEGATIVE_INFINITY;
+  /** Since the newest render. */
+  #changes = 0;
+  #changed = Number.NEGATIVE_INFINITY;
 
-  /**
-   * `store` is a function because an element is made before its properties are set.
-   *
-   * @param pace least milliseconds between two renders; default 0
-   */
+  /** `store` is a function because an element is made before its properties are set. */
   constructor(
     host: ReactiveControllerHost,
     store: () => Store<State> | undefined,
     pick: (state: State) => readonly unknown[],
-    pace = 0,
+    pace: Pace<State> | null = null,
   ) {
     this.#pace = pace;
     this.#host = host;
@@ -78,28 +91,46 @@ export class StoreController<State extends object> implements ReactiveController
     const store = this.#store();
     if (!store || this.#unsubscribe) return;
     this.#seen = this.#pick(store.state);
-    this.#unsubscribe = store.subscribe(() => {
-      const now = this.#pick(store.state);
-      if (now.length === this.#seen.length && now.every((value, index) => Object.is(value, this.#seen[index]))) return;
-      this.#seen = now;
-      this.#request();
-    });
+    this.#final = this.#pace?.final?.(store.state);
+    this.#unsubscribe = store.subscribe(() => this.#look(store.state));
     this.#host.requestUpdate();
   }
 
-  #request(): void {
-    if (this.#waiting !== undefined) return;
-    const wait = this.#requested + this.#pace - performance.now();
-    if (wait > 0) {
-      this.#waiting = setTimeout(() => this.#render(), wait);
-    } else {
-      this.#render();
-    }
+  #look(state: State): void {
+    const final = this.#pace?.final?.(state);
+    const isFinal = !Object.is(final, this.#final);
+    this.#final = final;
+    const now = this.#pick(state);
+    const changed = now.length !== this.#seen.length || now.some((value, at) => !Object.is(value, this.#seen[at]));
+    this.#seen = now;
+    if (isFinal && (changed || this.#changes > 0)) this.#render();
+    else if (changed) this.#change();
+  }
+
+  #change(): void {
+    const now = performance.now();
+    const rested = now - this.#changed >= REST;
+    this.#changed = now;
+    this.#changes += 1;
+    const { milliseconds } = this.#pace ?? { milliseconds: 0 };
+    const due = this.#changes >= CHANGES_A_RENDER && now - this.#rendered >= milliseconds;
+    if (milliseconds === 0 || rested || due) this.#render();
+    else this.#waiting ??= setTimeout(() => this.#rest(), REST);
+  }
+
+  /** Changes that went on meanwhile put it off. */
+  #rest(): void {
+    this.#waiting = undefined;
+    const wait = this.#changed + REST - performance.now();
+    if (wait > 0) this.#waiting = setTimeout(() => this.#rest(), wait);
+    else this.#render();
   }
 
   #render(): void {
+    clearTimeout(this.#waiting);
     this.#waiting = undefined;
-    this.#requested = performance.now();
+    this.#changes = 0;
+    this.#rendered = performance.now();
     this.#host.requestUpdate();
   }
 

@@ -8,14 +8,18 @@ export abstract class EditorElement extends LitElement {
   static override properties: PropertyDeclarations = { editor: { attribute: false } };
   declare editor: Editor;
 
-  /** @param pace least milliseconds between two renders, for a panel of numbers that change in each frame of a drag */
+  /**
+   * @param pace least milliseconds between two renders, for a panel of numbers that change in each frame of a drag; when the
+   * drag ends its outcome is shown at once
+   */
   constructor(pace = 0) {
     super();
     new StoreController<EditorState>(
       this,
       () => this.editor?.store,
       (state) => this.watched(state),
-      pace,
+      // What a gesture only shows is no step of the history: a new one, or the old one again, ends it.
+      pace === 0 ? null : { milliseconds: pace, final: ({ history }) => history },
     );
   }
 

@@ -165,7 +165,8 @@ export class NumberField extends LitElement {
   }
 
   override updated(changed: PropertyValues<this>): void {
-    if ((changed.has("value") || changed.has("step")) && !this.#typing) this.#show();
+    const own = this.#typing || this.#scrub?.active === true;
+    if ((changed.has("value") || changed.has("step")) && !own) this.#show();
   }
 
   override focus(): void {
@@ -176,10 +177,10 @@ export class NumberField extends LitElement {
     return this.renderRoot.querySelector("input");
   }
 
-  #show(): void {
+  #show(value = this.value): void {
     const input = this.#input;
     if (!input) return;
-    input.value = formatNumber(this.value, this.step);
+    input.value = formatNumber(value, this.step);
     if (input.getAttribute("aria-invalid") !== "false") input.setAttribute("aria-invalid", "false");
   }
 
@@ -238,6 +239,8 @@ export class NumberField extends LitElement {
     if (!scrub.active && Math.abs(distance) < SCRUB_START) return;
     scrub.active = true;
     scrub.value = this.#bounded(scrub.from + distance * this.step * factorOf(event));
+    // At once: the value itself may come back later, by a panel that does not render each frame.
+    this.#show(scrub.value);
     this.#emit("field-preview", scrub.value, false);
   }
 
@@ -245,15 +248,21 @@ export class NumberField extends LitElement {
     const scrub = this.#scrub;
     if (scrub?.pointer !== event.pointerId) return;
     this.#endScrub();
-    if (scrub.active) this.#emit("field-change", scrub.value, false);
-    else this.#input?.focus();
+    if (scrub.active) {
+      this.#emit("field-change", scrub.value, false);
+      // The value that was made of it is shown, also where that is the one before.
+      this.requestUpdate("value", scrub.value);
+    } else this.#input?.focus();
   }
 
   #abandon(): void {
     if (!this.#scrub) return;
     const { from, active } = this.#scrub;
     this.#endScrub();
-    if (active) this.#emit("field-cancel", from, false);
+    if (active) {
+      this.#show(from);
+      this.#emit("field-cancel", from, false);
+    }
   }
 
   readonly #escape = (event: KeyboardEvent): void => {
