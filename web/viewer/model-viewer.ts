@@ -7,6 +7,7 @@ import { ClipClock } from "./clip-clock.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
 import { poseOf } from "./decal-pose.ts";
 import { EventHub } from "./event-hub.ts";
+import { GradientHandles, type GradientLabels, type GradientPlace } from "./gradient-handles.ts";
 import { ModelDisplay } from "./model-display.ts";
 import { guideOf } from "./model-parts.ts";
 import { ModelPlacement } from "./model-placement.ts";
@@ -53,6 +54,7 @@ class ThreeModelViewer implements ModelViewer {
   readonly #screen: ScreenSpace;
   readonly #gizmo: DecalGizmo;
   readonly #tools: ModelTools;
+  readonly #gradient: GradientHandles;
   readonly #input: ViewInput;
   readonly #display: ModelDisplay;
   readonly #clock: ClipClock;
@@ -110,6 +112,11 @@ class ThreeModelViewer implements ModelViewer {
     this.#display = new ModelDisplay(root, this.#stage, this.#screen);
     const pick = (ray: Ray) => this.#model?.pick(ray) ?? null;
     const toDrawn = (point: Vector3) => this.#model?.toPosed(point) ?? point;
+    this.#gradient = new GradientHandles(root, this.#screen, {
+      pick: (at) => this.#sampleAt(at),
+      atRest: () => this.#model !== null && !this.#model.animation.posed,
+      changed: (place, phase) => this.#events.emit("gradient", { place, phase }),
+    });
     // Before the decals' own input, which it keeps from what a tool takes.
     this.#tools = new ModelTools(root, this.#screen, {
       query: () => this.#model?.query ?? null,
@@ -220,6 +227,11 @@ class ThreeModelViewer implements ModelViewer {
     this.#input.suspended = input !== null;
     this.#stage.setTwoFingersOrbit(input !== null);
     this.#gizmo.enabled = input === null;
+    this.#gradient.enabled = input === null;
+  }
+
+  setGradient(place: GradientPlace | null, labels: GradientLabels): void {
+    this.#gradient.show(place, labels);
   }
 
   setRing(ring: BrushRing | null): void {
@@ -330,6 +342,7 @@ class ThreeModelViewer implements ModelViewer {
     this.#clock.dispose();
     this.#input.dispose();
     this.#tools.dispose();
+    this.#gradient.dispose();
     this.#dropModel();
     this.#display.dispose();
     this.#gizmo.dispose();
@@ -376,6 +389,7 @@ class ThreeModelViewer implements ModelViewer {
   #followCamera(): void {
     this.#gizmo.drawNow();
     this.#tools.cameraMoved();
+    this.#gradient.drawNow();
     this.#display.moved();
   }
 

@@ -8,9 +8,11 @@ import type {
   TargetUpdate,
   Vec3,
 } from "../engine/engine-api.ts";
+import type { GradientLabels, GradientPhase, GradientPlace } from "./gradient-handles.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 
 export type { Vec3 } from "../engine/engine-api.ts";
+export type { GradientLabels, GradientPhase, GradientPlace } from "./gradient-handles.ts";
 export type { SurfaceSight } from "./surface-sight.ts";
 export type { TexelPlaces } from "./texel-places.ts";
 export type { BrushRing, ToolInput, ToolSample, ToolSurface, ToolView } from "./tool-input.ts";
@@ -119,6 +121,8 @@ export interface SurfaceHit {
 }
 
 export interface ModelViewerEvents {
+  /** The gradient's handles were moved; `cancel` (Escape) gives back where they were. */
+  gradient: { readonly place: GradientPlace; readonly phase: GradientPhase };
   gesture: DecalGesture;
   /** The user clicked a decal (its id) or nothing (null). */
   select: { readonly id: string | null };
@@ -173,6 +177,8 @@ export interface ModelViewer {
   setTool(input: ToolInput | null): void;
   /** Shows a brush's preview on the surface. */
   setRing(ring: BrushRing | null): void;
+  /** Shows a gradient's ends with handles, while no tool has the pointer and the model is at rest; null shows none. */
+  setGradient(place: GradientPlace | null, labels: GradientLabels): void;
   /** Where places lie on the model and in its textures. */
   readonly surface: ToolSurface;
   /** Whether a material's texels are shown as squares; null: as the model's own texture asks. */

@@ -61,6 +61,26 @@ const STYLE = /* css */ `
 .tcv-ring-line { stroke: #ffffff; stroke-width: 1.25; }
 .tcv-ring-inner { stroke: rgb(255 255 255 / 0.8); stroke-width: 1; stroke-dasharray: 3 3; }
 
+.tcv-gradient { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
+.tcv-gradient[hidden], .tcv-gradient-handle[hidden] { display: none; }
+.tcv-gradient-handle {
+  position: absolute; left: 0; top: 0; width: 28px; height: 28px; margin: -14px 0 0 -14px; padding: 0; border: 0;
+  background: none; cursor: grab; pointer-events: auto; touch-action: none;
+}
+.tcv-gradient-handle::after {
+  content: ""; position: absolute; inset: 6px; border-radius: 50%; box-sizing: border-box;
+  background: var(--tcv-handle); border: 2px solid var(--tcv-accent); box-shadow: 0 1px 5px rgb(10 14 24 / 0.35);
+}
+.tcv-gradient-handle[data-gradient-handle="second"]::after { border-radius: 3px; }
+.tcv-gradient-handle:hover::after, .tcv-gradient-handle[data-active]::after { background: var(--tcv-accent); border-color: var(--tcv-handle); }
+.tcv-gradient-handle:focus { outline: none; }
+.tcv-gradient-handle:focus-visible { outline: 2px solid var(--tcv-accent); outline-offset: -1px; border-radius: 50%; }
+.tcv-gradient-handle[data-active] { cursor: grabbing; }
+@media (pointer: coarse) {
+  .tcv-gradient-handle { width: 44px; height: 44px; margin: -22px 0 0 -22px; }
+  .tcv-gradient-handle::after { inset: 13px; }
+}
+
 .tcv-texture { cursor: grab; }
 .tcv-texture[data-panning] { cursor: grabbing; }
 .tcv-marker {

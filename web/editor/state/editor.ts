@@ -29,6 +29,7 @@ import { ModelSession } from "./model-session.ts";
 import { NoticeBoard } from "./notice-board.ts";
 import type { ProjectCommands } from "./project-commands.ts";
 import { keepProjects } from "./project-keeping.ts";
+import { followGradient, shownGradient } from "./shown-gradient.ts";
 import { shownStamp } from "./shown-stamp.ts";
 import { Store } from "./store.ts";
 import { Tasks } from "./tasks.ts";
@@ -219,6 +220,7 @@ export class Editor {
 
   #connect(): void {
     this.textureView.on("gesture", (gesture) => this.decals.followGesture(gesture));
+    this.viewer.on("gradient", ({ place, phase }) => followGradient(this.store.state, this.layers, place, phase));
     this.viewer.on("needsFullUpdate", ({ material }) => this.refresh(material));
     this.engine.onError((error) => this.#tellOfFault(error));
     let seen = this.store.state;
@@ -254,11 +256,19 @@ export class Editor {
       this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
     }
     this.textureView.setStamp(shownStamp(now));
+    this.#showGradient(now);
     if (now.selectedId !== before.selectedId || now.editingMask !== before.editingMask) this.session.expectChange();
     const selected = layerById(now.design, now.selectedId);
     const other = now.selectedId !== before.selectedId;
     const movedOn = selected?.material !== layerById(before.design, before.selectedId)?.material;
     if (selected && (other || movedOn)) this.#follow(selected, now);
+  }
+
+  #showGradient(state: EditorState): void {
+    const { from, to, center, radius, handle } = strings.gradient;
+    const place = shownGradient(state);
+    const names = place?.kind === "radial" ? ([center, radius] as const) : ([from, to] as const);
+    this.viewer.setGradient(place, [handle(names[0]), handle(names[1])]);
   }
 
   /** The texture view and the target settings follow the selected layer to its material, or stay on one of them. */

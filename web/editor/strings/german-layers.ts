@@ -184,6 +184,8 @@ export const germanGradient: Strings["gradient"] = {
   to: "Bis",
   center: "Mitte",
   radius: "Radius",
+  handle: (end) => `Farbverlauf: ${end}. Ziehen oder mit den Pfeiltasten bewegen; Alt setzt ihn auf die Fläche.`,
+  moved: "Farbverlauf bewegen",
 };
 
 export const germanParts: Strings["fillParts"] = {

@@ -23,6 +23,9 @@ export const gradientWords = {
   to: "To",
   center: "Centre",
   radius: "Radius",
+  handle: (end: string): string =>
+    `Gradient: ${end}. Drag it, or move it by the arrow keys; Alt takes it to the surface.`,
+  moved: "move the gradient",
 } as const;
 
 export const partsWords = {

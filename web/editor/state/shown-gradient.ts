@@ -1,0 +1,39 @@
+/** Which gradient the 3D view shows with handles, and what a drag of them does. */
+import type { GradientPhase, GradientPlace } from "../../viewer/viewer-api.ts";
+import { visitOf, walkLayers } from "../document/index.ts";
+import { strings } from "../strings.ts";
+import { layerById } from "./design-edits.ts";
+import type { EditorState } from "./editor-state.ts";
+import type { LayerCommands } from "./layer-commands.ts";
+import { isLocked } from "./layer-edits.ts";
+
+/** The selected fill's, where it is shown and may be changed; else null. */
+export function shownGradient({ design, selectedId }: EditorState): GradientPlace | null {
+  const layer = layerById(design, selectedId);
+  if (layer?.type !== "fill" || layer.gradient === null || isLocked(design, layer.id)) return null;
+  for (const visit of walkLayers(design)) {
+    if (visit.layer.id === layer.id && !visit.shown) return null;
+  }
+  const { gradient } = layer;
+  return gradient.kind === "linear"
+    ? { kind: "linear", from: gradient.from, to: gradient.to }
+    : { kind: "radial", center: gradient.center, radius: gradient.radius };
+}
+
+/** Keeps the colours. Steps that follow each other closely, as keys make them, are one. */
+export function followGradient(
+  { design, selectedId }: EditorState,
+  layers: LayerCommands,
+  place: GradientPlace,
+  phase: GradientPhase,
+): void {
+  const layer = visitOf(design, selectedId)?.layer;
+  if (layer?.type !== "fill" || layer.gradient?.kind !== place.kind) return;
+  if (phase === "cancel") {
+    layers.cancelPreview();
+    return;
+  }
+  const gradient = { ...place, stops: layer.gradient.stops };
+  if (phase === "move") layers.preview(layer.id, { gradient });
+  else layers.change(layer.id, { gradient }, strings.gradient.moved, `gradient:${layer.id}`);
+}
