@@ -8,8 +8,9 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import type { EngineLayer, EnginePicture, EngineText, Picture, Projector, TextMeasure } from "./engine-api.ts";
 import { allPicturesOf, withPictures } from "./layer-picture.ts";
 import { badPicture } from "./picture-header.ts";
-import { footprintTexels, type RasterTarget, rasterSize } from "./raster-size.ts";
+import { footprintTexels, LEAST_RASTER_PIXELS, type RasterTarget, rasterSize } from "./raster-size.ts";
 import { isShippedFontAddress, readShippedFont, SHIPPED_FONTS, type ShippedFontId } from "./shipped-fonts.ts";
+import { canFilter } from "./svg-cost.ts";
 import { describeFault, readSvgFile, type SvgFile } from "./svg-file.ts";
 import { renderSvg, startSvgRenderer, svgRendererReady } from "./svg-renderer.ts";
 import { drawText, measureText } from "./text-drawing.ts";
@@ -164,7 +165,12 @@ export class DrawnPictures {
   #planSvg(key: string, footprint: readonly [number, number]): Plan | undefined {
     const file = this.#svgs.get(key);
     if (file === undefined) return undefined;
-    const [width, height] = rasterSize(file.width / file.height, footprint);
+    const aspect = file.width / file.height;
+    let [width, height] = rasterSize(aspect, footprint);
+    // Less sharp rather than not at all; at the least size the file was checked when it came.
+    while (!canFilter(file.filters, width, height) && Math.max(width, height) > LEAST_RASTER_PIXELS) {
+      [width, height] = [Math.max(1, width >> 1), Math.max(1, height >> 1)];
+    }
     const draw = (): Picture => {
       try {
         return renderSvg(file.svg, width, this.#fontsOf(file));

@@ -16,7 +16,7 @@ export interface RasterTarget {
 }
 
 /** Pixels along the longer side. */
-const LEAST = 64;
+export const LEAST_RASTER_PIXELS = 64;
 export const MOST_RASTER_PIXELS = 4096;
 /** Texels lie askew to a drawing's pixels: with only one for each, edges would blur. */
 const MARGIN = 1.5;
@@ -46,7 +46,7 @@ export function footprintTexels(projector: Projector, target: RasterTarget): rea
  */
 export function rasterSize(aspect: number, [wide, high]: readonly [number, number]): readonly [number, number] {
   const longer = Math.max(wide, high * aspect, 1) * MARGIN * (aspect >= 1 ? 1 : 1 / aspect);
-  let side = LEAST;
+  let side = LEAST_RASTER_PIXELS;
   while (side < longer && side < MOST_RASTER_PIXELS) side *= 2;
   return aspect >= 1 ? [side, Math.max(1, Math.round(side / aspect))] : [Math.max(1, Math.round(side * aspect)), side];
 }

@@ -4,8 +4,10 @@
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { badPicture, readPictureHeader } from "./picture-header.ts";
+import { rasterSize } from "./raster-size.ts";
 import { type ShippedFontId, shippedFontAddress, standIn } from "./shipped-fonts.ts";
-import { startSvgRenderer, svgSize } from "./svg-renderer.ts";
+import { canFilter, type FilterUse, filterUses } from "./svg-cost.ts";
+import { simplifiedSvg, startSvgRenderer, svgSize } from "./svg-renderer.ts";
 import { isInvisible, scriptOf } from "./text-script.ts";
 
 export interface SvgFile {
@@ -16,6 +18,7 @@ export interface SvgFile {
   readonly height: number;
   /** Fonts for the words in it; none without. */
   readonly fonts: readonly ShippedFontId[];
+  readonly filters: readonly FilterUse[];
 }
 
 const MAX_BYTES = 16 * 2 ** 20;
@@ -35,7 +38,7 @@ export function isSvg(bytes: Uint8Array): boolean {
 
 /**
  * Reads an SVG file. Rejects with "bad-picture" naming the file: too large, not UTF-8 or UTF-16, not well-formed, without a
- * size, or with entities or pictures inside that grow beyond all measure.
+ * size, with entities or pictures inside that grow beyond all measure, or with filters that take as long.
  */
 export async function readSvgFile(bytes: Uint8Array, name: string): Promise<SvgFile> {
   if (bytes.length > MAX_BYTES) {
@@ -50,7 +53,12 @@ export async function readSvgFile(bytes: Uint8Array, name: string): Promise<SvgF
   if (!(aspect <= MAX_ASPECT && aspect >= 1 / MAX_ASPECT)) {
     throw badPicture(name, `it is ${width} × ${height}, which is more than ${MAX_ASPECT} times as long as wide`, HINT);
   }
-  return { name, svg, width, height, fonts: fontsOf(svg) };
+  const filters = /filter/.test(svg) ? filterUses(simplifiedSvg(svg), { width, height }) : [];
+  const [leastWidth, leastHeight] = rasterSize(aspect, [1, 1]);
+  if (!canFilter(filters, leastWidth, leastHeight)) {
+    throw badPicture(name, "its filters would take too long to draw", "Make them simpler, or save it as PNG.");
+  }
+  return { name, svg, width, height, fonts: fontsOf(svg), filters };
 }
 
 function encodingOf(bytes: Uint8Array): "utf-8" | "utf-16le" | "utf-16be" {

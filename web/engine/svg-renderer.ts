@@ -39,6 +39,11 @@ export function svgSize(svg: string): { readonly width: number; readonly height:
   return withDocument(svg, {}, null, ({ width, height }) => ({ width, height }));
 }
 
+/** The document with nothing reused, no styles, and numbers for all. Throws as `svgSize`. */
+export function simplifiedSvg(svg: string): string {
+  return withDocument(svg, {}, null, (document) => document.toString());
+}
+
 /**
  * Draws a document `width` pixels wide, its height in its own proportions. `startSvgRenderer` must have come first. Throws
  * what resvg says of a document that it cannot read.
