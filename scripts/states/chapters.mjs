@@ -244,6 +244,13 @@ export const CHAPTERS = [
         ),
       ],
       [
+        "context-menu",
+        async (hand) => {
+          await hand.press("Escape");
+          await hand.page.locator("tc-layer-list .row").nth(1).click({ button: "right" });
+        },
+      ],
+      [
         "locked-hidden",
         async (hand) => {
           await hand.press("Escape");

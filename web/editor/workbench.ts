@@ -71,6 +71,11 @@ export class Workbench extends EditorElement {
         font: var(--text-normal) / 1.3 var(--font);
         -webkit-font-smoothing: antialiased;
       }
+      @media (pointer: coarse) {
+        :host {
+          grid-template-columns: minmax(0, 1fr) 23rem;
+        }
+      }
       :host([compact]) {
         grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
         grid-template-areas: "bar" "views" "panel";

@@ -48,10 +48,9 @@ export class EditorPage {
     this.notices = page.locator("tc-notice-stack section");
   }
 
-  /** Opens the page on its first demo. */
-  async open(): Promise<void> {
-    // The first visit's hint is a test's own matter.
-    await this.page.addInitScript(() => localStorage.setItem("texelcast-hint-seen", "yes"));
+  /** Opens the page on its first demo; the first visit's hint is a test's own matter. */
+  async open({ hint = false } = {}): Promise<void> {
+    if (!hint) await this.page.addInitScript(() => localStorage.setItem("texelcast-hint-seen", "yes"));
     await this.page.goto("./");
     await this.page.waitForFunction(() => window.texelcast !== undefined);
     await this.page.evaluate(() => window.texelcast.ready);

@@ -69,6 +69,11 @@ export class HelpDialog extends LitElement {
         gap: var(--space-3);
         font-weight: 550;
       }
+      summary {
+        min-height: var(--target);
+        align-content: center;
+        cursor: pointer;
+      }
       pre {
         margin: var(--space-2) 0 0;
         color: var(--text-quiet);
@@ -100,7 +105,7 @@ export class HelpDialog extends LitElement {
         </header>
         <div class="body">
           <dl>
-            ${words.keyList.map(
+            ${keyList().map(
               ([key, meaning]) =>
                 html`<dt>${key}</dt>
                   <dd>${meaning}</dd>`,
@@ -129,3 +134,13 @@ ${lucideLicence}</pre
   }
 }
 customElements.define("tc-help-dialog", HelpDialog);
+
+/** How many entries, the last ones, are about fingers. */
+const FINGERS = 3;
+
+/** Where a finger is the pointer, its gestures come first. */
+function keyList(): typeof words.keyList {
+  const { keyList } = words;
+  if (!matchMedia("(pointer: coarse)").matches) return keyList;
+  return [...keyList.slice(-FINGERS), ...keyList.slice(0, -FINGERS)];
+}

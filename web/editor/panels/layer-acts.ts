@@ -12,6 +12,7 @@ import {
   ImagePlus,
   Layers2,
   PaintBucket,
+  Pencil,
   SquareDashed,
   SquareStack,
   Trash,
@@ -54,8 +55,8 @@ export function barActs({ layers, store }: Editor): LayerAct[] {
   ];
 }
 
-/** All other acts on the chosen layers. */
-export function moreItems({ layers, store }: Editor): MenuItem[] {
+/** What can be done with the chosen layers, as the bar's menu and the rows' context menu have it. */
+export function moreItems({ layers, store }: Editor, rename: (id: string) => void): MenuItem[] {
   const { selection, selectedId, design } = store.state;
   const layer = findLayer(design, selectedId);
   const none = selection.length === 0;
@@ -63,14 +64,24 @@ export function moreItems({ layers, store }: Editor): MenuItem[] {
   const grouped = selection.some((id) => findLayer(design, id)?.type === "group");
   const above = selectedId !== null && layerBelow(design, selectedId) !== undefined;
   return [
+    { label: words.rename, icon: Pencil, disabled: selection.length !== 1, run: () => rename(selectedId ?? "") },
+    { label: words.duplicate, icon: Copy, disabled: none, run: () => layers.duplicate() },
+    { label: words.remove, icon: Trash, disabled: none, run: () => layers.remove() },
+    { label: words.groupAct, icon: FolderPlus, disabled: none, separated: true, run: () => layers.group() },
     { label: words.ungroup, icon: Ungroup, disabled: !grouped, run: () => layers.ungroup() },
     { label: words.merge, icon: Layers2, disabled: selection.length < 2 && !above, run: () => layers.merge() },
     { label: words.selectAll, icon: SquareStack, disabled: design.layers.length === 0, run: () => layers.selectAll() },
     {
-      label: words.addHidingMask,
+      label: words.addMask,
       icon: SquareDashed,
       disabled: none || masked,
       separated: true,
+      run: () => layers.addMask(false),
+    },
+    {
+      label: words.addHidingMask,
+      icon: SquareDashed,
+      disabled: none || masked,
       run: () => layers.addMask(true),
     },
     { label: words.invertMask, icon: Contrast, disabled: !masked, run: () => layers.invertMask() },

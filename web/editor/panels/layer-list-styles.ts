@@ -103,8 +103,9 @@ export const layerListStyles = css`
   }
   .twist {
     flex: none;
-    width: 18px;
-    min-width: 18px;
+    width: 24px;
+    min-width: 24px;
+    margin-inline: -3px;
     min-height: 24px;
     padding: 0;
     color: var(--text-quiet);
@@ -187,9 +188,30 @@ export const layerListStyles = css`
       width: 44px;
       min-height: 44px;
     }
+    /* Wider than it looks. */
     .twist {
-      width: 28px;
+      width: 44px;
       min-height: 44px;
+      margin-inline: -8px;
+    }
+    .chip {
+      width: 44px;
+      height: 44px;
+      margin-inline-start: 0;
+      padding: 6px;
+    }
+    .chip,
+    .chip.painted-on {
+      box-shadow: none;
+    }
+    .chip .mask-picture {
+      border-radius: 5px;
+      box-shadow: 0 0 0 1px var(--line-strong);
+    }
+    .chip.painted-on .mask-picture {
+      box-shadow:
+        0 0 0 1px var(--surface),
+        0 0 0 3px var(--accent);
     }
     .quiet-until-near button[aria-pressed="false"] {
       display: none;
@@ -219,7 +241,7 @@ export const layerListStyles = css`
   @media (pointer: coarse) {
     .bar button.icon {
       flex: 1;
-      min-width: 36px;
+      min-width: 0;
     }
     .bar .gap {
       display: none;

@@ -14,6 +14,7 @@ import { type LayerDrop, type LayerRow, layerRows } from "../state/layer-rows.ts
 import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
+import type { Menu } from "../ui/menu.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { controls } from "../ui/theme.ts";
 import { thumbnailStyles } from "../ui/thumbnail.ts";
@@ -69,7 +70,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     const twists = this.rows.some(({ layer }) => layer.type === "group");
     const reachable = this.rows.find(({ layer }) => layer.id === selectedId) ?? this.rows[0];
     return html`
-      <div class="rows" role="treegrid" aria-label=${words.list} aria-multiselectable="true" @keydown=${this.#key}>
+      <div class="rows" role="treegrid" aria-label=${words.list} aria-multiselectable="true" @keydown=${this.#key} @contextmenu=${this.#contextMenu}>
         ${repeat(
           this.rows,
           ({ layer }) => layer.id,
@@ -197,13 +198,15 @@ export class LayerList extends EditorElement implements LayerDragHost {
           ${icon(drawing)}
         </button>`,
       )}
-      <tc-menu class="more" .name=${words.more} .icon=${Ellipsis} .items=${moreItems(editor)} alignEnd></tc-menu>
+      <tc-menu class="more" .name=${words.more} .icon=${Ellipsis} .items=${moreItems(editor, (id) => this.#acts.startRename(id))} alignEnd></tc-menu>
     </div>`;
   }
 
   override updated(changed: PropertyValues<this>): void {
     if (changed.has("renaming") && this.renaming !== null) {
-      this.renderRoot.querySelector<HTMLInputElement>("input.name")?.select();
+      const field = this.renderRoot.querySelector<HTMLInputElement>("input.name");
+      field?.focus();
+      field?.select();
     }
     if (this.#focusNext === undefined) {
       this.#keepInSight();
@@ -286,6 +289,22 @@ export class LayerList extends EditorElement implements LayerDragHost {
     if (event.shiftKey) layers.selectTo(id);
     else if (event.ctrlKey || event.metaKey) layers.toggleSelected(id);
     else layers.select(id);
+  }
+
+  /** By the right button, or by the keyboard, which has no place of its own: then at the row. */
+  #contextMenu(event: MouseEvent): void {
+    const row = (event.target as Element).closest<HTMLElement>(".row");
+    // A finger that is held chooses several.
+    if (!row || (event as PointerEvent).pointerType === "touch") return;
+    event.preventDefault();
+    const id = row.dataset.id ?? "";
+    if (!this.state.selection.includes(id)) this.editor.layers.select(id);
+    const { left, bottom } = row.getBoundingClientRect();
+    const byKey = event.clientX === 0 && event.clientY === 0;
+    const menu = this.renderRoot.querySelector<Menu>("tc-menu.more");
+    void this.updateComplete.then(() =>
+      menu?.openAt(byKey ? left + INDENT : event.clientX, byKey ? bottom : event.clientY),
+    );
   }
 
   #key(event: KeyboardEvent): void {

@@ -129,6 +129,11 @@ export const propertyStyles = css`
     outline: 2px solid var(--accent);
     outline-offset: 1px;
   }
+  @media (pointer: coarse) {
+    .segments span {
+      min-height: var(--target);
+    }
+  }
   .kinds span {
     grid-auto-flow: row;
     gap: 2px;

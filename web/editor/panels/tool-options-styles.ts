@@ -33,7 +33,7 @@ export const toolOptionsStyles = css`
     flex: none;
   }
   .often tc-number {
-    width: 6.5rem;
+    width: 6.75rem;
   }
   .often .check {
     padding-inline: var(--space-2);

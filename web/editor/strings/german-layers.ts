@@ -57,6 +57,7 @@ export const germanLayers: Strings["layers"] = {
   groupAct: "Gruppieren",
   ungroup: "Gruppe auflösen",
   merge: "Mit darunter vereinen",
+  rename: "Umbenennen",
   duplicate: "Duplizieren",
   remove: "Löschen",
   up: "Nach oben",

@@ -56,6 +56,7 @@ export const layerWords = {
   groupAct: "Group",
   ungroup: "Ungroup",
   merge: "Merge down",
+  rename: "Rename",
   duplicate: "Duplicate",
   remove: "Delete",
   up: "Move up",

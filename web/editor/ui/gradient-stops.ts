@@ -84,7 +84,7 @@ export class GradientStops extends LitElement {
           0 0 0 1px rgb(20 24 32 / 55%),
           inset 0 0 0 1px rgb(20 24 32 / 30%);
       }
-      .handle[aria-pressed="true"]::before {
+      .handle[aria-current="true"]::before {
         outline: 2px solid var(--accent);
         outline-offset: 1px;
       }
@@ -127,7 +127,7 @@ export class GradientStops extends LitElement {
       aria-valuemax="100"
       aria-valuenow=${Math.round(offset * 100)}
       aria-valuetext=${`${Math.round(offset * 100)} %, ${color}`}
-      aria-pressed=${pressed}
+      aria-current=${pressed}
       style=${styleMap({ left: `${offset * 100}%`, "--ink": color })}
       @focus=${() => {
         this.chosen = index;

@@ -160,8 +160,24 @@ export class Menu extends LitElement {
     `;
   }
 
-  async #toggle(open: boolean, last = false): Promise<void> {
+  /** Client pixels that a context menu was asked for at; null: it hangs at its button. */
+  #at: { readonly x: number; readonly y: number } | null = null;
+
+  /** Opens it as a context menu. */
+  async openAt(x: number, y: number): Promise<void> {
+    // One that is open already stands elsewhere.
+    this.open = false;
+    await this.updateComplete;
+    await this.#toggle(true, false, { x, y });
+  }
+
+  async #toggle(
+    open: boolean,
+    last = false,
+    at: { readonly x: number; readonly y: number } | null = null,
+  ): Promise<void> {
     this.open = open;
+    this.#at = at;
     if (!open) return;
     await this.updateComplete;
     this.#place();
@@ -173,14 +189,17 @@ export class Menu extends LitElement {
   /** Below the opener, or above it where there is more room, and within the page. */
   #place(): void {
     const menu = this.renderRoot.querySelector<HTMLElement>("[role=menu]");
-    const opener = this.renderRoot.querySelector(".opener, button")?.getBoundingClientRect();
+    const opener = this.#at
+      ? DOMRect.fromRect(this.#at)
+      : this.renderRoot.querySelector(".opener, button")?.getBoundingClientRect();
     if (!menu || !opener) return;
     menu.showPopover();
     const { offsetWidth: width, offsetHeight: height } = menu;
     const below = innerHeight - opener.bottom - GAP;
     const top = height > below && opener.top > below ? opener.top - GAP - height : opener.bottom + GAP;
     const rightToLeft = getComputedStyle(this).direction === "rtl";
-    const left = this.alignEnd === rightToLeft ? opener.left : opener.right - width;
+    const fromLeft = this.#at ? !rightToLeft : this.alignEnd === rightToLeft;
+    const left = fromLeft ? opener.left : opener.right - width;
     menu.style.top = `${Math.max(GAP, Math.min(top, innerHeight - height - GAP))}px`;
     menu.style.left = `${Math.max(GAP, Math.min(left, innerWidth - width - GAP))}px`;
   }

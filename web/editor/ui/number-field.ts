@@ -2,7 +2,7 @@
  * A numeric field: typing, arrow keys, and a label to scrub with the pointer. Emits `field-preview` while a scrub goes
  * on, `field-change` when a value is final, `field-cancel` when Escape ends a scrub; `detail` is a NumberFieldEvent.
  */
-import { css, html, LitElement, type PropertyValues, type TemplateResult } from "lit";
+import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { controls } from "./theme.ts";
 
 export interface NumberFieldEvent {
@@ -108,13 +108,15 @@ export class NumberField extends LitElement {
       }
       input[type="text"] {
         flex: 1;
+        min-width: 24px;
         min-height: 0;
         align-self: stretch;
-        padding: 0 var(--space-1) 0 0;
+        padding: 0;
+        padding-inline-end: var(--space-1);
         border: 0;
         outline: 0;
         background: transparent;
-        text-align: right;
+        text-align: end;
       }
       input[type="text"]:focus-visible {
         background: transparent;
@@ -123,7 +125,7 @@ export class NumberField extends LitElement {
         color: var(--danger);
       }
       .unit {
-        padding-right: var(--space-2);
+        padding-inline-end: var(--space-2);
         color: var(--text-quiet);
         font-size: var(--text-small);
       }
@@ -150,10 +152,10 @@ export class NumberField extends LitElement {
         autocomplete="off"
         spellcheck="false"
         aria-label=${this.unit ? `${this.name}, ${this.unit}` : this.name}
-        aria-valuenow=${this.value}
+        aria-valuenow=${formatNumber(this.value, this.step)}
         aria-valuetext=${`${formatNumber(this.value, this.step)} ${this.unit}`.trim()}
-        aria-valuemin=${Number.isFinite(this.min) ? this.min : ""}
-        aria-valuemax=${Number.isFinite(this.max) ? this.max : ""}
+        aria-valuemin=${Number.isFinite(this.min) ? formatNumber(this.min, this.step) : nothing}
+        aria-valuemax=${Number.isFinite(this.max) ? formatNumber(this.max, this.step) : nothing}
         ?disabled=${this.disabled}
         @input=${this.#type}
         @keydown=${this.#key}

@@ -1,0 +1,64 @@
+/** What keeps someone from using the page as it stands now: by axe's rules, and by the size of what is pressed. */
+import { createRequire } from "node:module";
+import type { Page } from "@playwright/test";
+import type { AxeResults, RunOptions } from "axe-core";
+
+const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+
+const RUNS = {
+  light: { type: "tag", values: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"] },
+  // All that the colours change.
+  dark: { type: "rule", values: ["color-contrast"] },
+} as const satisfies Record<string, RunOptions["runOnly"]>;
+
+/** Serious and critical faults of all that is shown, shadow trees included; in dark, those of contrast. */
+export async function seriousFaults(page: Page): Promise<string[]> {
+  if (!(await page.evaluate(() => "axe" in window))) await page.addScriptTag({ path: AXE });
+  const faults: string[] = [];
+  for (const colorScheme of ["light", "dark"] as const) {
+    await page.emulateMedia({ colorScheme });
+    await drawn(page);
+    const found = await page.evaluate(async (runOnly) => {
+      const { axe } = window as unknown as {
+        axe: { run: (place: Document, options: RunOptions) => Promise<AxeResults> };
+      };
+      const { violations } = await axe.run(document, { runOnly, resultTypes: ["violations"], preload: false });
+      return violations
+        .filter(({ impact }) => impact === "serious" || impact === "critical")
+        .flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
+    }, RUNS[colorScheme]);
+    faults.push(...found.map((fault) => `${colorScheme}: ${fault}`));
+  }
+  return faults;
+}
+
+/** Colours of the other scheme are there in the next frame, however short their transition is. */
+function drawn(page: Page): Promise<void> {
+  return page.evaluate(async () => {
+    for (let frame = 0; frame < 2; frame += 1) await new Promise((done) => requestAnimationFrame(done));
+  });
+}
+
+/** Whatever is pressed and is smaller than `least` pixels either way. */
+export function smallTargets(page: Page, least: number): Promise<string[]> {
+  return page.evaluate((least) => {
+    const found = new Set<string>();
+    const visit = (root: ParentNode): void => {
+      for (const element of root.querySelectorAll<HTMLElement>("*")) {
+        if (element.shadowRoot) visit(element.shadowRoot);
+        if (!element.matches("button, select, input, textarea, summary, [role=tab], [role=slider]")) continue;
+        const { host } = element.getRootNode() as ShadowRoot;
+        // A press on its label, or anywhere in a number's field, is a press on the control.
+        const field = host?.localName === "tc-number" ? (host as HTMLElement) : element;
+        const target = element.closest<HTMLElement>("label") ?? field;
+        if (!target.checkVisibility({ opacityProperty: true, visibilityProperty: true })) continue;
+        const { width, height } = target.getBoundingClientRect();
+        if (width === 0 || height === 0 || Math.min(width, height) >= least - 0.5) continue;
+        const name = element.getAttribute("aria-label") ?? element.textContent?.trim().slice(0, 30);
+        found.add(`${host?.localName} ${element.localName} "${name}" is ${width.toFixed(0)} × ${height.toFixed(0)}`);
+      }
+    };
+    visit(document);
+    return [...found];
+  }, least);
+}
