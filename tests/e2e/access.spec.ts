@@ -116,7 +116,6 @@ async function expectNoFault(editor: EditorPage, places: readonly Place[], least
   await editor.page.emulateMedia({ reducedMotion: "reduce" });
   await editor.open({ hint: true });
   for (const [name, open] of places) {
-    console.log(new Date().toISOString(), name);
     await open(editor);
     await editor.idle();
     expect.soft(await seriousFaults(editor.page), name).toEqual([]);

@@ -101,7 +101,7 @@ export class SidePanel extends EditorElement {
       summary {
         display: flex;
         align-items: center;
-        min-height: 24px;
+        min-height: max(24px, var(--target));
         cursor: pointer;
         list-style: none;
       }

@@ -70,7 +70,7 @@ export class TextFields extends EditorElement {
         min-width: 0;
       }
       .aligns button {
-        min-height: calc(var(--target) - 2px);
+        min-height: var(--target);
       }
       .colors {
         display: flex;

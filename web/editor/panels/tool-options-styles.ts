@@ -64,7 +64,7 @@ export const toolOptionsStyles = css`
     align-items: center;
   }
   .colors input[type="color"] {
-    width: 2.5rem;
+    width: max(2.5rem, var(--target));
     border: 0;
     cursor: pointer;
   }

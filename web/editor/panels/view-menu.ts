@@ -45,6 +45,20 @@ export class ViewMenu extends EditorElement {
         background: var(--surface-high);
         box-shadow: var(--shadow);
       }
+      @media (pointer: coarse) {
+        .panel {
+          width: 20.5rem;
+          max-width: calc(100vw - 4.25rem);
+          padding-inline: var(--space-3);
+        }
+        .panel .field,
+        .panel .slider {
+          grid-template-columns: 5rem minmax(0, 1fr);
+        }
+        .panel .slider output {
+          display: none;
+        }
+      }
       .titled h2 {
         flex: 1;
       }

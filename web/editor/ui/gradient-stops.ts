@@ -88,6 +88,25 @@ export class GradientStops extends LitElement {
         outline: 2px solid var(--accent);
         outline-offset: 1px;
       }
+      @media (pointer: coarse) {
+        .bar {
+          height: 36px;
+          margin-inline: 18px;
+        }
+        .ink {
+          inset: 0 -18px;
+        }
+        .handle {
+          inset-block: -4px;
+          width: 44px;
+          min-height: 44px;
+          margin-inline-start: -22px;
+        }
+        .handle::before {
+          width: 16px;
+          border-radius: 8px;
+        }
+      }
       .fields {
         display: grid;
         grid-template-columns: auto minmax(0, 1fr) minmax(0, 1fr) auto auto;
@@ -95,7 +114,7 @@ export class GradientStops extends LitElement {
         align-items: center;
       }
       input[type="color"] {
-        width: 2.5rem;
+        width: max(2.5rem, var(--target));
         height: var(--target);
         padding: 2px;
         border: 1px solid var(--line);
