@@ -3,14 +3,13 @@
  * instead of covering it, and never more than half of the screen: the model stays in sight.
  */
 import { css, html, type TemplateResult } from "lit";
-import { Grid2x2, History, Layers, Settings2, SlidersHorizontal, X } from "lucide";
+import { Grid2x2, History, Layers, Settings2, SlidersHorizontal } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { strings } from "../strings.ts";
-import type { ToolPanel } from "../tools/tool.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
-import { offersToolPanel } from "./tool-options.ts";
+import { openToolPanel, toolPanel } from "./tool-panel.ts";
 
 export type SheetTab = "layers" | "properties" | "history" | "texture" | "target";
 
@@ -100,28 +99,23 @@ export class BottomSheet extends EditorElement {
       this.tab = "properties";
       this.open = true;
     }
-    if (this.#toolPanel) this.open = true;
+    // What the chosen tool lays open is in front of the tabs' panels until it is closed.
+    if (openToolPanel(this.editor)) this.open = true;
     this.#typed = textToType;
     if (this.tab === "texture" && this.state.view.layout === "texture") this.tab = "layers";
   }
 
-  /** Of the chosen tool: in front of the tabs' panels until it is closed. */
-  get #toolPanel(): ToolPanel | null {
-    const { toolPanel } = this.state;
-    return toolPanel !== null && offersToolPanel(this.editor.tools.active, toolPanel) ? toolPanel : null;
-  }
-
   override render(): TemplateResult {
-    const toolPanel = this.#toolPanel;
+    const laidOpen = openToolPanel(this.editor);
     return html`
       <div class="panel" id="panel" ?hidden=${!this.open}>
-        ${this.open ? html`<slot name="hint"></slot>${toolPanel ? this.#tool(toolPanel) : this.#panel()}` : ""}
+        ${this.open ? html`<slot name="hint"></slot>${laidOpen ? toolPanel(this.editor, laidOpen) : this.#panel()}` : ""}
       </div>
       <nav aria-label=${strings.sheet.label}>
         ${TABS.filter(({ id }) => id !== "texture" || this.state.view.layout !== "texture").map(
           ({ id, drawing }) => html`<button
             id=${`sheet-${id}`}
-            aria-expanded=${this.open && !toolPanel && this.tab === id}
+            aria-expanded=${this.open && !laidOpen && this.tab === id}
             aria-controls="panel"
             @click=${() => this.#choose(id)}
           >
@@ -130,20 +124,6 @@ export class BottomSheet extends EditorElement {
         )}
       </nav>
     `;
-  }
-
-  #tool(panel: ToolPanel): TemplateResult {
-    const words = strings.tools;
-    const close = (): void => this.editor.store.set({ toolPanel: null });
-    return html`<div class="tool">
-      <header>
-        <h2>${{ more: words.more, palette: strings.palette.show, tips: strings.tips.title }[panel]}</h2>
-        <button class="icon" id="close-tool" aria-label=${words.closePanel} title=${words.closePanel} @click=${close}>
-          ${icon(X)}
-        </button>
-      </header>
-      <tc-tool-options sheet .editor=${this.editor}></tc-tool-options>
-    </div>`;
   }
 
   #panel(): TemplateResult {
@@ -155,7 +135,7 @@ export class BottomSheet extends EditorElement {
 
   /** The open tab's own button closes the sheet. */
   #choose(tab: SheetTab): void {
-    this.open = this.#toolPanel !== null || !(this.open && this.tab === tab);
+    this.open = openToolPanel(this.editor) !== null || !(this.open && this.tab === tab);
     this.tab = tab;
     this.editor.store.set({ toolPanel: null });
   }

@@ -8,6 +8,7 @@ import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
 import "./parts-list.ts";
+import { openToolPanel, toolPanel } from "./tool-panel.ts";
 
 export type Section = "layers" | "properties" | "history" | "target";
 type UpperTab = "layers" | "history";
@@ -18,6 +19,9 @@ const UPPER_TABS: readonly UpperTab[] = ["layers", "history"];
 const FEW_PARTS = 24;
 
 export class SidePanel extends EditorElement {
+  /** Of the tool, as it was shown last. */
+  #laidOpen: EditorState["toolPanel"] = null;
+
   static override properties = { only: { attribute: false }, tab: { state: true } };
   /** Shows one section; null shows all. */
   declare only: Section | null;
@@ -95,6 +99,15 @@ export class SidePanel extends EditorElement {
         gap: var(--space-3);
         padding: var(--space-4);
       }
+      .tool {
+        border-block-end: 1px solid var(--line);
+      }
+      .tool header {
+        display: flex;
+        align-items: center;
+        justify-content: space-between;
+        padding: var(--space-2) var(--space-1) 0 var(--space-4);
+      }
       .section.adding {
         padding-block: var(--space-3);
       }
@@ -137,8 +150,8 @@ export class SidePanel extends EditorElement {
     this.tab = "layers";
   }
 
-  protected watched({ model, shown }: EditorState): readonly unknown[] {
-    return [model === null, shown.parts];
+  protected watched({ model, shown, tool, toolPanel }: EditorState): readonly unknown[] {
+    return [model === null, shown.parts, tool, toolPanel];
   }
 
   override render(): TemplateResult {
@@ -151,7 +164,7 @@ export class SidePanel extends EditorElement {
           ${this.#upper(this.tab)}
         </div>
       </div>
-      <div class="lower">${this.#adding()}${this.#properties(true)}${this.#target(true)}</div>
+      <div class="lower">${this.#tool()}${this.#adding()}${this.#properties(true)}${this.#target(true)}</div>
     `;
   }
 
@@ -200,6 +213,19 @@ export class SidePanel extends EditorElement {
     const { editor } = this;
     if (tab === "history") return html`<tc-history-panel .editor=${editor}></tc-history-panel>`;
     return html`<tc-layer-list .editor=${editor}></tc-layer-list>`;
+  }
+
+  /** What is laid open is seen, wherever the panel was scrolled to. */
+  override updated(): void {
+    const { toolPanel } = this.state;
+    if (toolPanel !== null && toolPanel !== this.#laidOpen) this.renderRoot.querySelector(".lower")?.scrollTo(0, 0);
+    this.#laidOpen = toolPanel;
+  }
+
+  /** Where a finger is the pointer it would cover the model if it hung at its bar. */
+  #tool(): TemplateResult | typeof nothing {
+    const laidOpen = matchMedia("(pointer: coarse)").matches ? openToolPanel(this.editor) : null;
+    return laidOpen ? toolPanel(this.editor, laidOpen) : nothing;
   }
 
   #adding(): TemplateResult {

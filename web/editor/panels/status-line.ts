@@ -37,6 +37,11 @@ export class StatusLine extends LitElement {
     .gap {
       flex: 1;
     }
+    @media (max-width: 900px) {
+      .gap ~ span {
+        display: none;
+      }
+    }
   `;
 
   constructor() {

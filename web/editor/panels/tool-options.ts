@@ -1,6 +1,6 @@
 /**
  * What the chosen tool paints with: a quiet bar over the model. Only what the tool reads is there. What it lays open hangs
- * below the bar, and on a phone, where it would cover the model, stands in the sheet.
+ * below the bar, and on touch screens, where it would cover the model, stands in the sheet or in the side's panel.
  */
 import { html, nothing, type TemplateResult } from "lit";
 import { ArrowLeftRight, ChevronDown, Palette, SlidersHorizontal } from "lucide";
@@ -24,44 +24,51 @@ const words = strings.tools;
 
 /** Options that stand behind the button "More": set once and left alone. */
 const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock", "aligned"];
-/** On a phone, where the bar has room for a colour and a size, besides those. */
-const SELDOM_ON_PHONE: readonly ToolOption[] = [...SELDOM, "hardness", "opacity", "mirror", "contiguous", "filled"];
-const PHONE = "(max-width: 720px)";
+/** Where the bar has room for a colour and a size, besides those. */
+const SELDOM_IF_NARROW: readonly ToolOption[] = [...SELDOM, "hardness", "opacity", "mirror", "contiguous", "filled"];
+/** Where the bar has room for a few fields only. */
+const NARROW = "(max-width: 1000px)";
+/** Where what is laid open would cover the model: it stands in the sheet or in the side's panel. */
+const BESIDE = "(pointer: coarse), (max-width: 720px)";
 
 export class ToolOptions extends EditorElement {
-  static override properties = { compact: { state: true }, sheet: { type: Boolean, reflect: true } };
-  declare compact: boolean;
+  static override properties = { beside: { state: true }, sheet: { type: Boolean, reflect: true } };
+  declare beside: boolean;
   /** Shows only what is laid open, as a panel of the sheet. */
   declare sheet: boolean;
-  readonly #phone = matchMedia(PHONE);
+  readonly #narrow = matchMedia(NARROW);
+  readonly #beside = matchMedia(BESIDE);
 
   static override styles = [controls, propertyStyles, toolOptionsStyles];
 
   constructor() {
     super();
     this.sheet = false;
-    this.compact = this.#phone.matches;
+    this.beside = this.#beside.matches;
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#phone.addEventListener("change", this.#resize);
+    this.#narrow.addEventListener("change", this.#resize);
+    this.#beside.addEventListener("change", this.#resize);
     if (!this.sheet) addEventListener("pointerdown", this.#pressed, { capture: true });
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#phone.removeEventListener("change", this.#resize);
+    this.#narrow.removeEventListener("change", this.#resize);
+    this.#beside.removeEventListener("change", this.#resize);
     removeEventListener("pointerdown", this.#pressed, { capture: true });
   }
 
   readonly #resize = (): void => {
-    this.compact = this.#phone.matches;
+    this.beside = this.#beside.matches;
+    this.requestUpdate();
   };
 
   /** A press elsewhere closes the seldom used fields; the palette stays while one paints. */
   readonly #pressed = (event: Event): void => {
-    if (this.compact || this.state.toolPanel !== "more" || event.composedPath().includes(this)) return;
+    if (this.beside || this.state.toolPanel !== "more" || event.composedPath().includes(this)) return;
     this.editor.store.set({ toolPanel: null });
   };
 
@@ -73,7 +80,7 @@ export class ToolOptions extends EditorElement {
     const tool = this.editor.tools.active;
     if (!tool || (tool.options.length === 0 && !tool.renderOptions)) return nothing;
     const { toolPanel } = this.state;
-    const behind = this.compact ? SELDOM_ON_PHONE : SELDOM;
+    const behind = this.#narrow.matches ? SELDOM_IF_NARROW : SELDOM;
     const seldom = tool.options.filter((option) => behind.includes(option));
     if (this.sheet) return this.#laidOpen(tool, seldom);
     return html`
@@ -97,7 +104,7 @@ export class ToolOptions extends EditorElement {
               </button>`
             : nothing
         }
-        ${this.compact ? nothing : this.#laidOpen(tool, seldom)}
+        ${this.beside ? nothing : this.#laidOpen(tool, seldom)}
       </div>
     `;
   }
@@ -328,6 +335,6 @@ customElements.define("tc-tool-options", ToolOptions);
 /** Whether a tool has something for a panel to show. */
 export function offersToolPanel(tool: Tool | undefined, panel: ToolPanel): boolean {
   if (!tool) return false;
-  if (panel === "more") return tool.options.some((option) => SELDOM_ON_PHONE.includes(option));
+  if (panel === "more") return tool.options.some((option) => SELDOM_IF_NARROW.includes(option));
   return tool.options.includes(panel === "tips" ? "tip" : "color");
 }

@@ -80,6 +80,11 @@ export class TopBar extends EditorElement {
         border-radius: 50%;
         background: var(--accent);
       }
+      @media (max-width: 900px) {
+        h1 {
+          display: none;
+        }
+      }
       @media (max-width: 720px) {
         :host {
           padding-inline: var(--space-2);
