@@ -270,7 +270,7 @@ export const german: Strings = {
   layers: germanLayers,
 
   decals: {
-    add: "Bild hinzufügen…",
+    add: "Bild einfügen…",
     palette: "Beispielaufkleber",
     paletteItem: (name) => `${name} hinzufügen`,
   },
@@ -322,7 +322,7 @@ export const german: Strings = {
     look: "Aussehen",
     opacity: "Deckkraft",
     blendSpace: "Mischung",
-    blendSpaceSrgb: "Wie gesehen",
+    blendSpaceSrgb: "Optisch",
     blendSpaceLinear: "Wie Licht",
     lockAlpha: "Transparenz der Textur behalten",
     filter: "Abtastung",
@@ -437,7 +437,7 @@ export const german: Strings = {
   text: {
     name: "Text",
     tool: "Text",
-    add: "Text hinzufügen",
+    add: "Text einfügen",
     sample: "Text",
     words: "Wortlaut",
     font: "Schrift",
@@ -466,7 +466,7 @@ export const german: Strings = {
     material: "Material",
     notPaintable: (name, why) => `${name} (${why})`,
     size: "Größe",
-    ownSize: (width, height) => `Wie Modell, ${width} × ${height}`,
+    ownSize: (width, height) => `Modell, ${width} × ${height}`,
     squareSize: (size) => `${size} × ${size}`,
     gutter: "Rand",
     gutterHint: "Texel, die über den Rand jeder UV-Insel hinaus bemalt werden, damit keine Naht zu sehen ist",
