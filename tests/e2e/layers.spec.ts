@@ -78,3 +78,25 @@ test("a mask hides what it hides, a lock refuses, and the history goes to any st
   await page.locator("tc-history-panel .list").press("End");
   expect(await editor.settledHash()).toBe(bare);
 });
+
+test("ungrouping says first what would change, and goes on when it is told to", async ({ editor, page }) => {
+  await editor.open();
+  const { layers } = await editor.design();
+  await editor.row(layers[0]?.name ?? "").click();
+  await editor.row(layers[1]?.name ?? "").click({ modifiers: ["Shift"] });
+  await page.keyboard.press("Control+g");
+  await editor.idle();
+  await editor.setField("opacity", "40");
+  await editor.idle();
+  const grouped = await editor.settledHash();
+  await editor.row("Group").click();
+  await page.keyboard.press("Control+Shift+g");
+  const goOn = page.getByRole("button", { name: "Ungroup anyway" });
+  await expect(goOn).toBeVisible();
+  expect(await editor.settledHash(), "nothing was done yet").toBe(grouped);
+  await goOn.click();
+  await editor.idle();
+  expect((await editor.design()).layers).toHaveLength(layers.length);
+  await page.locator("#undo").click();
+  expect(await editor.settledHash()).toBe(grouped);
+});
