@@ -27,7 +27,7 @@ const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressur
 /** Where the bar has room for a colour and a size, besides those. */
 const SELDOM_IF_NARROW: readonly ToolOption[] = [...SELDOM, "hardness", "opacity", "mirror", "contiguous", "filled"];
 /** Where the bar has room for a few fields only. */
-const NARROW = "(max-width: 1000px)";
+const NARROW = "(max-width: 1200px)";
 /** Where what is laid open would cover the model: it stands in the sheet or in the side's panel. */
 const BESIDE = "(pointer: coarse), (max-width: 720px)";
 

@@ -73,8 +73,8 @@ export class TopBar extends EditorElement {
       }
       .unsaved {
         position: absolute;
-        top: 4px;
-        right: 3px;
+        inset-block-start: calc(50% - 11px);
+        inset-inline-end: calc(50% - 12px);
         width: 6px;
         height: 6px;
         border-radius: 50%;
