@@ -42,6 +42,7 @@ test("every control has a name, and the keyboard reaches the views and the panel
       for (const element of root.querySelectorAll<HTMLElement>("*")) {
         if (element.shadowRoot) visit(element.shadowRoot);
         if (!element.matches("button, input, select, [role=tab], [role=separator], [role=application]")) continue;
+        if (element.hidden) continue;
         const labelled = (element as HTMLInputElement).labels?.length ?? 0;
         const name = element.getAttribute("aria-label") ?? element.textContent?.trim() ?? "";
         if (!name && labelled === 0) faults.push(element.outerHTML.slice(0, 120));
