@@ -1,6 +1,7 @@
 import type { CDPSession, Page } from "@playwright/test";
 import type { PaintLayer } from "../../web/editor/document/index.ts";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
+import { rendered } from "./support/rendered.ts";
 import { demoFile, seamedGlb, twoSquaresGlb } from "./support/test-files.ts";
 
 /** Of the 1024 texels of a row through the middle, how many are not as they were. */
@@ -66,6 +67,74 @@ test("a stroke over a seam paints both charts as one step, Escape gives one up, 
   await page.keyboard.press("Control+z");
   expect(await editor.settledHash()).toBe(bare);
   await expect(editor.notices).toHaveCount(0);
+});
+
+test("the clone tool copies what lies at its source to where it paints, and the command line copies the same bytes", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([seamedGlb()]);
+  const bare = await middleRow(editor);
+  await page.keyboard.press("b");
+  await editor.drag(await clientPoint(page, -0.35, 0), await clientPoint(page, -0.25, 0), 4);
+  expect((await paintedAcross(editor, bare)).right).toBe(0);
+
+  await page.keyboard.press("s");
+  for (let step = 0; step < 10; step += 1) await page.keyboard.press("BracketRight");
+  const source = await clientPoint(page, -0.3, 0);
+  await page.mouse.click(source.x, source.y);
+  await expect(page.locator("#clone-source")).toHaveAttribute("aria-pressed", "false");
+  await editor.drag(await clientPoint(page, 0.2, 0), await clientPoint(page, 0.26, 0), 4);
+  await expect
+    .poll(async () => (await editor.design()).layers.at(-1))
+    .toMatchObject({ type: "group", layers: [{ type: "decal", mask: { invert: true } }] });
+  await expect.poll(async () => JSON.stringify((await editor.design()).assets).includes("live:")).toBe(false);
+  await editor.idle();
+  const { left, right } = await paintedAcross(editor, bare);
+  expect(right, "texels of the right chart").toBeGreaterThan(0.9 * left);
+  expect(right).toBeLessThan(1.1 * left);
+
+  const picture = await editor.exported("Texture as PNG");
+  expect(rendered(await editor.savedProject()).equals(picture.bytes)).toBe(true);
+  await page.keyboard.press("Control+z");
+  await editor.idle();
+  expect((await paintedAcross(editor, bare)).right).toBe(0);
+  await expect(editor.notices).toHaveCount(0);
+});
+
+test("a gradient's end is dragged over the model as one step, given up by Escape, and moved by keys", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([seamedGlb()]);
+  await page.locator("tc-layer-list tc-menu.add button").first().click();
+  await page.getByRole("menuitem", { name: /gradient/i }).click();
+  const ends = async () => {
+    const [layer] = (await editor.design()).layers;
+    return layer?.type === "fill" && layer.gradient?.kind === "linear" ? layer.gradient : null;
+  };
+  const before = await ends();
+  const handle = page.locator("[data-gradient-handle=second]");
+  const box = await handle.boundingBox();
+  if (!box) throw new Error("The gradient has no handle.");
+  const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  await editor.drag(from, await clientPoint(page, 0.3, 0.1), 5);
+  const dragged = await ends();
+  const at = await clientPoint(page, 0.3, 0.1);
+  const end = await clientPoint(page, ...(dragged?.to ?? ([0, 0, 0] as const)));
+  expect(Math.hypot(end.x - at.x, end.y - at.y), "pixels from where it was let go").toBeLessThan(1);
+  expect(dragged?.from).toEqual(before?.from);
+
+  await editor.drag(at, { x: at.x + 40, y: at.y }, 1, () => page.keyboard.press("Escape"));
+  expect(await ends()).toEqual(dragged);
+  await handle.focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  expect((await ends())?.to[1]).toBeGreaterThan(dragged?.to[1] as number);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  expect(await ends()).toEqual(before);
 });
 
 test("a stroke over the border of two materials paints both", async ({ editor, page }) => {

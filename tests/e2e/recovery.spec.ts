@@ -1,5 +1,6 @@
 /** What breaks below the page while it is used: the engine's worker, and the graphics context. */
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
+import { rendered } from "./support/rendered.ts";
 import { file } from "./support/test-files.ts";
 
 /** The selected decal's middle, and a place beside it on the model. */
@@ -49,6 +50,53 @@ test("the engine's worker is ended in mid-drag: it is replaced, and the drag end
   // Once more while nothing is done: it is back before it is needed, and says so.
   end();
   await expect(editor.notices).toContainText("The painting engine was restarted");
+  expect(await editor.settledHash()).toBe(after);
+});
+
+test("the engine's worker is ended in mid-stroke: the stroke is whole, and the command line paints the same bytes", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.keyboard.press("b");
+  const middle = await editor.middleOfStage();
+  const [from, to] = [
+    { x: middle.x - 60, y: middle.y + 40 },
+    { x: middle.x + 60, y: middle.y + 60 },
+  ];
+  const next = page.waitForEvent("worker");
+  let step = 0;
+  await editor.drag(from, to, 10, async () => {
+    step += 1;
+    // The thread is gone, and nobody is told.
+    if (step === 5)
+      void page
+        .workers()
+        .at(-1)
+        ?.evaluate(() => close())
+        .catch(() => undefined);
+  });
+  await next;
+  const after = await editor.settledHash();
+  const painted = (await editor.design()).layers.find((layer) => layer.type === "paint");
+  const [stroke, ...more] = painted?.type === "paint" ? painted.strokes : [];
+  expect(more).toHaveLength(0);
+  const places = stroke?.dabs.flatMap((dab) => (dab.kind === "planar" ? [dab.position] : [])) ?? [];
+  const ends = await Promise.all(
+    [places.at(0), places.at(-1)].map((place) =>
+      page.evaluate((at) => window.texelcast.project(...(at ?? [0, 0, 0])), place),
+    ),
+  );
+  expect(Math.abs((ends[0]?.x ?? 0) - from.x), "where the stroke begins").toBeLessThan(8);
+  expect(Math.abs((ends[1]?.x ?? 0) - to.x), "where it ends").toBeLessThan(8);
+  await expect(page.locator("tc-notice-stack .error")).toHaveCount(0);
+
+  const picture = await editor.exported("Texture as PNG");
+  const project = await editor.savedProject();
+  expect(rendered(project).equals(picture.bytes)).toBe(true);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).not.toBe(after);
+  await page.keyboard.press("Control+Shift+z");
   expect(await editor.settledHash()).toBe(after);
 });
 
