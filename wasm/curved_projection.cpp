@@ -24,14 +24,16 @@ public:
                   PictureSampler& sampler, const OcclusionTree* tree)
         : map_(map), mesh_(mesh), settings_(settings), projector_(projector), sampler_(sampler), tree_(tree) {}
 
-    /// Paints one tile's texels into `texels` (zeroed before).
-    void paint_tile(const MapTile& tile, std::uint16_t* texels) {
+    /// Paints one tile's texels into `texels`.
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels) {
+        clear_tile(texels);
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
         map_.for_each_run_of(tile, [&](const TexelRun& run) {
             paint_run(run, seen_frame(run.frame), tile_x + run.x, tile_y + run.y,
                       texels + (run.y * kTileSize + run.x) * 4);
         });
+        return true;
     }
 
 private:
@@ -118,7 +120,8 @@ public:
     StampPainter(const LocalSpaceMap& map, const UvProjector& projector, PictureSampler& sampler)
         : map_(map), projector_(projector), sampler_(sampler) {}
 
-    void paint_tile(const MapTile& tile, std::uint16_t* texels) {
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels) {
+        clear_tile(texels);
         const std::uint32_t tile_x = tile.index % map_.tile_columns() * kTileSize;
         const std::uint32_t tile_y = tile.index / map_.tile_columns() * kTileSize;
         map_.for_each_run_of(tile, [&](const TexelRun& run) {
@@ -128,6 +131,7 @@ public:
                 store_rounded_ushort4(texels + (run.y * kTileSize + x) * 4, sampler_.sample());
             }
         });
+        return true;
     }
 
 private:

@@ -103,7 +103,8 @@ public:
         return any;
     }
 
-    void paint_tile(const MapTile& tile, std::uint16_t* texels) const {
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels) const {
+        clear_tile(texels);
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
         map_.for_each_run_of(tile, [&](const TexelRun& run) {
@@ -117,6 +118,7 @@ public:
                 store_rounded_ushort4(texels + (run.y * kTileSize + x) * 4, color);
             }
         });
+        return true;
     }
 
 private:

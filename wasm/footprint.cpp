@@ -52,6 +52,10 @@ float largest_smooth_error(float across_x, float across_y, float down_x, float d
            (squares_x + squares_y) * (1.0f / 24.0f);
 }
 
+// The same by the footprint's very place between the kinks. Less, because where an edge along x meets one along y their kinks
+// multiply, which the sum of both leaves out.
+constexpr float kKinkError = 0.75f;
+
 // How far a colour interpolated between two samples may be from its own, in 8-bit steps. Rows begin anywhere, so twice this
 // is what two texels may differ by that should be alike.
 constexpr float kChordError = 0.75f;
@@ -61,6 +65,10 @@ constexpr float kChordError = 0.75f;
 // itself turned by a right angle.)
 constexpr float kTileChordError = 2.0f;
 
+// The largest bend over which a tile's colours are interpolated: what rounding to bytes leaves of a plane. Over five pixels
+// a picture that curves so much all along is off by two steps, and by one over three.
+constexpr std::int32_t kMostBend = 2;
+
 /// The most that a straight line between two samples this far apart may be from the picture, where no second difference of
 /// the level exceeds 1: along an axis the picture bends once a pixel, at the worst once half way.
 float largest_chord_error(float x, float y) {
@@ -68,6 +76,28 @@ float largest_chord_error(float x, float y) {
     const float along_x = std::fabs(x);
     const float along_y = std::fabs(y);
     return bend(along_x) + bend(along_y) + 0.25f * along_x * along_y;
+}
+
+/// The trapezoid of sides this long along an axis.
+void make_trapezoid(float side, float other_side, float& base, float& top, float& scale) {
+    const float longer = std::max(std::max(std::fabs(side), std::fabs(other_side)), 1e-3f);
+    // A side that has no length along the axis would make it a box: as good as one.
+    const float shorter = std::max(std::min(std::fabs(side), std::fabs(other_side)), 0.125f * longer);
+    base = 0.5f * (longer + shorter);
+    top = 0.5f * (longer - shorter);
+    scale = 1.0f / (6.0f * longer * shorter);
+}
+
+/// Of a footprint that reaches no further than a pixel, so that it meets the kinks before and behind its centre at the most.
+void find_kinks(const PyramidLevel& on, float reach, Footprint& f) {
+    f.knows_kinks = reach <= 1.0f;
+    const float across_x = f.across_x * on.scale_x;
+    const float across_y = f.across_y * on.scale_y;
+    const float down_x = f.down_x * on.scale_x;
+    const float down_y = f.down_y * on.scale_y;
+    make_trapezoid(across_x, down_x, f.base_x, f.top_x, f.scale_x);
+    make_trapezoid(across_y, down_y, f.base_y, f.top_y, f.scale_y);
+    f.lean = std::fabs(across_x * across_y + down_x * down_y) * (1.0f / 12.0f);
 }
 
 /// The largest roughness at which `error_a_step` times it stays within `error`.
@@ -198,6 +228,7 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
         largest_smooth_error(across_x * on.scale_x, across_y * on.scale_y, down_x * on.scale_x, down_y * on.scale_y);
     f.smooth_reach = reach <= 1.0f ? 1 : 2;
     f.smooth_limit = is_known ? steps_within(kSmoothError, error) : -1;
+    find_kinks(on, reach, f);
     // At the edge a coarse level would fade over too wide a rim, and a repeated picture is cut hard: there the samples
     // are as many as the reference has. A level whose pixels are no larger than their distance is still fine enough.
     const bool dense = repeat || level > 0;
@@ -225,12 +256,51 @@ std::int32_t chord_limit(const ImagePyramid& image, const Footprint& f, float te
 
 ChordLimits tile_chord_limits(const ImagePyramid& image, const Footprint& f) {
     const PyramidLevel& on = image.levels[f.level];
-    const float across = std::max(std::fabs(f.across_x * on.scale_x), std::fabs(f.across_y * on.scale_y));
     const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
-    // No place between the two ends is further from one of them than the list's reach beyond the footprint's own.
-    const bool knows_between = reach + 2.5f * across <= static_cast<float>(kRoughnessReaches);
-    return {chord_limit_within(image, f, 3.0f, kTileChordError),
-            knows_between ? chord_limit_within(image, f, 5.0f, kTileChordError) : -1};
+    const auto square = [&](float texels) {
+        SmoothTest test;
+        // No place in the square is further from all of its corners than this, its footprint included.
+        const float within = reach * (1.0f + texels);
+        const float most = largest_chord_error(f.across_x * on.scale_x * texels, f.across_y * on.scale_y * texels) +
+                           largest_chord_error(f.down_x * on.scale_x * texels, f.down_y * on.scale_y * texels);
+        if (within <= static_cast<float>(kRoughnessReaches)) {
+            test.list = on.first_roughness(within <= 1.0f ? 1 : 2);
+            test.limit = std::min(f.smooth_limit, steps_within(kTileChordError, most));
+        }
+        if (test.limit < 1 && within <= kBendReach) {
+            test.list = on.first_bend();
+            test.limit = std::min(f.smooth_limit / 2, kMostBend);
+        }
+        return test;
+    };
+    return {chord_limit_within(image, f, 3.0f, kTileChordError), square(3.0f), square(5.0f)};
+}
+
+Int4 are_rough(const PyramidLevel& level, const Footprint& f, Int4 steps, const FourPlaces& places) {
+    const Int4 exceeds = steps > splat(f.smooth_limit);
+    if (!f.knows_kinks) return exceeds;
+    const Kinks* const kinks = level.first_kinks();
+    const Kinks four[4] = {kinks[places.offset[0]], kinks[places.offset[1]], kinks[places.offset[2]],
+                           kinks[places.offset[3]]};
+    const Int4 kinks_x = {four[0].x, four[1].x, four[2].x, four[3].x};
+    const Int4 kinks_y = {four[0].y, four[1].y, four[2].y, four[3].y};
+    const Float4 zero = splat(0.0f);
+    // A kink at this distance from the centre takes the mean away by so much, for each step that it bends by.
+    const auto bend = [&](Float4 distance, float base, float top, float scale) {
+        const Float4 outer = greater(splat(base) - distance, zero);
+        const Float4 inner = greater(splat(top) - distance, zero);
+        return (outer * outer * outer - inner * inner * inner) * splat(scale);
+    };
+    const auto along = [&](Int4 place, float base, float top, float scale) {
+        const Float4 before = __builtin_convertvector(place & splat(kWeightOne - 1), Float4) *
+                              splat(1.0f / static_cast<float>(kWeightOne));
+        return bend(before, base, top, scale) + bend(splat(1.0f) - before, base, top, scale);
+    };
+    const Float4 error =
+        along(places.x, f.base_x, f.top_x, f.scale_x) * __builtin_convertvector(kinks_x, Float4) +
+        along(places.y, f.base_y, f.top_y, f.scale_y) * __builtin_convertvector(kinks_y, Float4) +
+        __builtin_convertvector(steps, Float4) * splat(f.lean);
+    return exceeds & (error > splat(kKinkError));
 }
 
 namespace {
@@ -293,13 +363,24 @@ void paint_rough(const RoughTexel* texels, std::uint32_t count) {
     }
 }
 
+namespace {
+
+bool is_rough(const PyramidLevel& level, const Footprint& f, std::int32_t steps, const FourPlaces& places) {
+    return steps > f.smooth_limit && are_rough(level, f, splat(steps), places)[0] != 0;
+}
+
+}  // namespace
+
 Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, float y) {
     const PyramidLevel& level = image.levels[f.level];
     const float level_x = x * level.scale_x - 0.5f;
     const float level_y = y * level.scale_y - 0.5f;
     const SamplePlaces place = place_samples(splat(level_x), splat(level_y), level.stride());
-    if (level.first_roughness(f.smooth_reach)[place.offset[0]] > f.smooth_limit)
-        return sample_rough(level, f, to_fixed(level_x), to_fixed(level_y));
+    const std::int32_t steps = level.first_roughness(f.smooth_reach)[place.offset[0]];
+    const std::int32_t fixed_x = to_fixed(level_x);
+    const std::int32_t fixed_y = to_fixed(level_y);
+    if (is_rough(level, f, steps, {splat(fixed_x), splat(fixed_y), place.offset}))
+        return sample_rough(level, f, fixed_x, fixed_y);
     return __builtin_convertvector(sum_samples(level, place, 1), Float4) + splat(static_cast<float>(kChannelBias));
 }
 

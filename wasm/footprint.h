@@ -21,6 +21,12 @@ struct Footprint {
     std::uint32_t level;
     std::int32_t smooth_reach;  // how far the footprint reaches, whole pixels of the level, 1 or 2
     std::int32_t smooth_limit;
+    // Along each axis the footprint is a trapezoid: half of its base and of its top (pixels of the level), and 1 / (6 ab) of
+    // its sides a and b. Where `knows_kinks`, they tell more closely how far one sample is from the mean.
+    bool knows_kinks;
+    float base_x, top_x, scale_x;
+    float base_y, top_y, scale_y;
+    float lean;  // the covariance of x and y
     float inset_x, inset_y;  // a centre this far from the picture's edges is well inside
     // Else, of small ones: up to kMostParts parts (0: there are none), each with its mean by the kernel, and where they
     // lie from the centre, in fixed point on the level.
@@ -47,10 +53,18 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
 /// as good as interpolated. Never above smooth_limit.
 std::int32_t chord_limit(const ImagePyramid& image, const Footprint& footprint, float texels);
 
-/// Where colours along a tile's row may be interpolated: the largest roughness for each; -1 for none.
+/// Where colours may be interpolated between the corners of a square of texels: where none of the corners' pixels has more
+/// than `limit` in `list` (as of its level's first pixel; -1: nowhere).
+struct SmoothTest {
+    const std::uint8_t* list = nullptr;
+    std::int32_t limit = -1;
+};
+
+/// Where colours of a tile's texels may be interpolated.
 struct ChordLimits {
-    std::int32_t three;  // over three texels, by the roughness at all four
-    std::int32_t five;   // over five, by that of the longest reach at both ends
+    std::int32_t three = -1;  // along its rows over three texels: the largest roughness at all four
+    SmoothTest block;         // over three by three
+    SmoothTest tile;          // over five by five
 };
 
 ChordLimits tile_chord_limits(const ImagePyramid& image, const Footprint& footprint);
@@ -65,6 +79,15 @@ struct RoughTexel {
 
 /// Paints texels by their kernels or lattices, many in one call.
 void paint_rough(const RoughTexel* texels, std::uint32_t count);
+
+/// Four places on a level: as of RoughTexel, and counted in pixels from the level's first one.
+struct FourPlaces {
+    Int4 x, y;
+    Int4 offset;
+};
+
+/// At which of four places, whose roughness is `steps`, one sample is further than allowed from the mean: -1, else 0.
+Int4 are_rough(const PyramidLevel& level, const Footprint& footprint, Int4 steps, const FourPlaces& places);
 
 /// Mean colour over the footprint centred on (x, y), which lies well inside the picture (inset_x, inset_y).
 Float4 sample_inside(const ImagePyramid& image, const Footprint& footprint, float x, float y);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
+#include <cstring>
 
 namespace txc {
 namespace {
@@ -40,30 +40,55 @@ void reduce(const PyramidLevel& fine, PyramidLevel& coarse) {
     }
 }
 
-/// How much four neighbouring pixels depart from a plane, in one channel.
-std::int32_t mixed_difference(const std::uint16_t* at, std::size_t row) {
-    return std::abs(at[0] - at[4] - at[row] + at[row + 4]);
+Int4 load_pixel(const std::uint16_t* from) {
+    UShort4 channels;
+    std::memcpy(&channels, from, sizeof channels);
+    return __builtin_convertvector(channels, Int4);
 }
 
-/// Of the pixel at `at`, which has neighbours on all sides.
-std::int32_t largest_second_difference(const std::uint16_t* at, std::size_t row) {
-    std::int32_t largest = 0;
-    for (int c = 0; c < 4; ++c, ++at) {
-        largest = std::max(largest, std::abs(*(at - 4) - 2 * at[0] + at[4]));
-        largest = std::max(largest, std::abs(*(at - row) - 2 * at[0] + at[row]));
-        largest = std::max(largest, mixed_difference(at - row - 4, row));
-        largest = std::max(largest, mixed_difference(at - row, row));
-        largest = std::max(largest, mixed_difference(at - 4, row));
-        largest = std::max(largest, mixed_difference(at, row));
-    }
-    return largest;
+/// The largest second differences around a pixel, by channels.
+struct Differences {
+    Int4 along_x;
+    Int4 along_y;
+    Int4 twist;  // how much the four pixels of a square at its corners depart from a plane
+
+    Int4 largest() const { return greater(greater(along_x, along_y), twist); }
+};
+
+/// Of the pixel at `at` and those `stride` away. `row`: values from row to row.
+Differences second_differences(const std::uint16_t* at, std::size_t row, std::size_t stride) {
+    const std::size_t right = stride * 4;
+    const std::size_t down = stride * row;
+    const Int4 middle = load_pixel(at);
+    const Int4 left_of = load_pixel(at - right);
+    const Int4 right_of = load_pixel(at + right);
+    const Int4 above = load_pixel(at - down);
+    const Int4 below = load_pixel(at + down);
+    const Int4 twice = middle + middle;
+    const auto magnitude = [](Int4 v) { return greater(v, -v); };
+    Differences of{magnitude(left_of - twice + right_of), magnitude(above - twice + below), splat(0)};
+    const auto twist = [&](Int4 along, Int4 across, const std::uint16_t* corner) {
+        of.twist = greater(of.twist, magnitude(middle - along - across + load_pixel(corner)));
+    };
+    twist(left_of, above, at - right - down);
+    twist(right_of, above, at + right - down);
+    twist(left_of, below, at - right + down);
+    twist(right_of, below, at + right + down);
+    return of;
+}
+
+/// On the scale of kFullScale to 8-bit steps, rounded up, at most 255.
+std::uint8_t to_steps(Int4 differences) {
+    const std::int32_t largest =
+        std::max(std::max(differences[0], differences[1]), std::max(differences[2], differences[3]));
+    return static_cast<std::uint8_t>(std::min((largest + kByteStep - 1) / kByteStep, 255));
 }
 
 /// The largest of each value, the one after it, and with `before` the one before it, `stride` apart, along lines.
-void spread(std::vector<std::uint8_t>& values, std::uint32_t lines, std::size_t line_stride, std::uint32_t count,
-            std::size_t stride, bool with_before) {
+void spread(std::uint8_t* values, std::uint32_t lines, std::size_t line_stride, std::uint32_t count, std::size_t stride,
+            bool with_before) {
     for (std::uint32_t line = 0; line < lines; ++line) {
-        std::uint8_t* at = values.data() + line * line_stride;
+        std::uint8_t* at = values + line * line_stride;
         std::uint8_t before = 0;
         for (std::uint32_t i = 0; i < count; ++i, at += stride) {
             const std::uint8_t own = *at;
@@ -75,33 +100,45 @@ void spread(std::vector<std::uint8_t>& values, std::uint32_t lines, std::size_t 
 }
 
 void measure_roughness(PyramidLevel& level) {
-    constexpr std::int32_t kStep = 255;  // an 8-bit step on the scale of kFullScale
     const auto width = static_cast<std::uint32_t>(level.stride());
     const std::uint32_t height = level.height + 2 * kPad;
+    const std::size_t row = std::size_t{width} * 4;
     std::vector<std::uint8_t> values(level.padded_count());
-    for (std::uint32_t y = 1; y + 1 < height; ++y) {
-        for (std::uint32_t x = 1; x + 1 < width; ++x) {
+    level.kinks.assign(level.padded_count(), Kinks{});
+    level.bend.assign(level.padded_count(), 0);
+    // What lies in the padding's outer half is transparent all around.
+    for (std::uint32_t y = 2; y + 2 < height; ++y) {
+        for (std::uint32_t x = 2; x + 2 < width; ++x) {
             const std::size_t place = std::size_t{y} * width + x;
-            const std::int32_t difference =
-                largest_second_difference(level.rgba.data() + place * 4, std::size_t{width} * 4);
-            values[place] = static_cast<std::uint8_t>(std::min((difference + kStep - 1) / kStep, 255));
+            const std::uint16_t* at = level.rgba.data() + place * 4;
+            const Differences near = second_differences(at, row, 1);
+            level.kinks[place] = {to_steps(near.along_x), to_steps(near.along_y)};
+            values[place] = to_steps(near.largest());
+            level.bend[place] = to_steps(greater(near.largest() >> 1, second_differences(at, row, 2).largest()));
         }
     }
     // A centre between two pixels' feels both up to a distance of 1, and one more on either side up to 2.
+    const auto widen = [&](std::uint8_t* of, std::size_t stride, bool with_before) {
+        spread(of, height, width * stride, width, stride, with_before);
+        spread(of, width, stride, height, width * stride, with_before);
+    };
     for (int reach = 0; reach < kRoughnessReaches; ++reach) {
-        spread(values, height, width, width, 1, reach > 0);
-        spread(values, width, 1, height, width, reach > 0);
+        widen(values.data(), 1, reach > 0);
         level.roughness[reach] = values;
     }
+    widen(&level.kinks.data()->x, sizeof(Kinks), false);
+    widen(&level.kinks.data()->y, sizeof(Kinks), false);
+    widen(level.bend.data(), 1, false);
+    for (int more = 1; more < static_cast<int>(kBendReach); ++more) widen(level.bend.data(), 1, true);
 }
 
 }  // namespace
 
 TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba) {
-    // Pixels, the lists of roughness and one to make them, of all levels.
+    // Pixels, the lists of roughness, kinks and bends, and one to make them, of all levels.
     std::uint64_t bytes = 0;
     for (std::uint32_t w = width, h = height;; w = std::max(1u, w / 2), h = std::max(1u, h / 2)) {
-        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + kRoughnessReaches + 1);
+        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + kRoughnessReaches + 4);
         if (w == 1 && h == 1) break;
     }
     if (const TxcStatus status = share.resize(bytes, "the decal's picture"); status != TXC_STATUS_OK) return status;

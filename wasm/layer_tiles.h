@@ -42,35 +42,38 @@ inline std::uint32_t count_painted(const std::uint16_t* texels) {
     return kTileTexels - (static_cast<std::uint16_t>(-clear[3]) + std::uint32_t{static_cast<std::uint16_t>(-clear[7])});
 }
 
+inline void clear_tile(std::uint16_t* texels) { std::memset(texels, 0, kTileTexels * 4 * sizeof *texels); }
+
 /// Paints a layer anew: `painter.paint_tile(tile, texels)` for each candidate (a place in map.tiles, ascending), which
-/// fills a zeroed tile. `out_texels`: how many texels took colour. Errors: OUT_OF_BUDGET;
+/// writes all of the tile, whatever stood there, or says with false that it paints nothing. `out_texels`: how many texels took colour. Errors: OUT_OF_BUDGET;
 /// `out` is then empty.
 template <typename Painter>
 TxcStatus paint_tiles(const LocalSpaceMap& map, const std::vector<std::uint32_t>& candidates, Painter&& painter,
                       LayerTiles& out, std::uint32_t& out_texels) {
     out.indices.clear();
-    out.texels.clear();
     out_texels = 0;
     constexpr std::size_t kTileBytes = kTileTexels * 4 * sizeof(std::uint16_t) + sizeof(std::uint32_t);
     // Dragged layers keep their arrays from step to step; one that shrank a lot gives them back.
-    if (out.texels.capacity() > candidates.size() * kTileTexels * 4 * 4) out.texels.shrink_to_fit();
+    if (out.texels.capacity() > candidates.size() * kTileTexels * 4 * 4) {
+        out.texels.clear();
+        out.texels.shrink_to_fit();
+    }
     const std::size_t tiles = std::max(candidates.size(), out.texels.capacity() / (kTileTexels * 4));
-    if (const TxcStatus status = out.share.resize(tiles * kTileBytes, "projecting a layer"); status != TXC_STATUS_OK)
+    if (const TxcStatus status = out.share.resize(tiles * kTileBytes, "projecting a layer"); status != TXC_STATUS_OK) {
+        out.texels.clear();
         return status;
-    out.texels.reserve(candidates.size() * kTileTexels * 4);
+    }
+    // What an earlier step left is not cleared: every tile is written anew.
+    out.texels.resize(candidates.size() * kTileTexels * 4);
+    std::uint16_t* texels = out.texels.data();
     for (const std::uint32_t place : candidates) {
-        const std::size_t start = out.texels.size();
-        out.texels.resize(start + kTileTexels * 4);
-        std::uint16_t* texels = out.texels.data() + start;
-        painter.paint_tile(map.tiles[place], texels);
-        const std::uint32_t painted = count_painted(texels);
-        if (painted == 0) {
-            out.texels.resize(start);
-            continue;
-        }
+        const std::uint32_t painted = painter.paint_tile(map.tiles[place], texels) ? count_painted(texels) : 0;
+        if (painted == 0) continue;
+        texels += kTileTexels * 4;
         out.indices.push_back(map.tiles[place].index);
         out_texels += painted;
     }
+    out.texels.resize(out.indices.size() * kTileTexels * 4);
     return TXC_STATUS_OK;
 }
 

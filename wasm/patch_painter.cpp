@@ -5,6 +5,7 @@
 
 #include "bilinear.h"
 #include "layer_tiles.h"
+#include "short8.h"
 
 namespace txc {
 namespace {
@@ -19,16 +20,21 @@ Int4 between(Int4 pairs) {
     return dot_halves(pairs, splat((kShare << 16) + (kWeightOne - kShare))) >> kWeightBits;
 }
 
-/// What the loop over a tile's rows has at hand: in registers, since what lies behind a reference would be read anew after
-/// every store.
+/// What the loops over a tile have at hand: in registers, since what lies behind a reference would be read anew after every
+/// store.
 struct Ground {
     const std::uint16_t* pixels;
     std::int32_t stride;
     PatchView view;
 
-    __attribute__((always_inline)) void find(Int4 xy, Int4 z, Int4& x, Int4& y) const {
+    __attribute__((always_inline)) SamplePlaces find(Int4 xy, Int4 z, Int4& x, Int4& y) const {
         x = turn(xy, z, view.xy_to_x, view.z_to_x, view.base_x, view.least_x, view.most_x);
         y = turn(xy, z, view.xy_to_y, view.z_to_y, view.base_y, view.least_y, view.most_y);
+        return place_samples(x, y, stride);
+    }
+    template <int kLane>
+    __attribute__((always_inline)) Int4 sample(const SamplePlaces& places) const {
+        return sample_lane<kLane>(pixels, stride, places);
     }
 
 private:
@@ -41,34 +47,176 @@ private:
 
 void store_two(std::uint16_t* to, Int4 low, Int4 high) { store_ushort8(to, low + kBias, high + kBias); }
 
-/// Three chords of five texels, where the picture is smooth all along the row. False where it is not.
-__attribute__((always_inline)) inline bool paint_row(const Ground& ground, const std::uint8_t* roughness,
-                                                     const PatchTexels& places, std::uint32_t at, std::uint16_t* out) {
+std::int32_t most_of(const std::uint8_t* list, Int4 at) {
+    return std::max(std::max<std::int32_t>(list[at[0]], list[at[1]]),
+                    std::max<std::int32_t>(list[at[2]], list[at[3]]));
+}
+
+constexpr std::int16_t kFifth = (32768 + 2) / 5;
+constexpr std::int16_t kThird = (32768 + 1) / 3;
+constexpr Short8 kSecondTexel = {0, 0, 0, 0, -1, -1, -1, -1};
+
+/// A row of a tile: the colours of its texels 0 and 5, 10 and 15, and the changes from a texel to the next in between.
+struct FiveChords {
+    Short8 ab, cd;
+    Short8 steps_ab;  // from a, from b
+    Short8 step_c;    // twice
+
+    FiveChords() = default;
+    FiveChords(Short8 first, Short8 second, Short8& overflow) : ab(first), cd(second) {
+        steps_ab = part_of(subtract(pick<1, 2>(ab, cd), ab, overflow), kFifth);
+        step_c = part_of(subtract(pick<1, 1>(cd, cd), pick<0, 0>(cd, cd), overflow), kFifth);
+    }
+
+    /// The change from a row to the next, of which `below` is the fifth.
+    FiveChords step_to(const FiveChords& below, Short8& overflow) const {
+        FiveChords step;
+        step.ab = part_of(subtract(below.ab, ab, overflow), kFifth);
+        step.cd = part_of(subtract(below.cd, cd, overflow), kFifth);
+        step.steps_ab = part_of(below.steps_ab - steps_ab, kFifth);
+        step.step_c = part_of(below.step_c - step_c, kFifth);
+        return step;
+    }
+    void go(const FiveChords& step) {
+        ab = add_clamped(ab, step.ab);
+        cd = add_clamped(cd, step.cd);
+        steps_ab += step.steps_ab;
+        step_c += step.step_c;
+    }
+
+    /// Rounded steps may go by a hair beyond full; black they cannot leave.
+    void store(std::uint16_t* out) const {
+        const Short8 step_a = pick<0, 0>(steps_ab, steps_ab);
+        const Short8 step_b = pick<1, 1>(steps_ab, steps_ab);
+        const Short8 two_a = step_a + step_a;
+        const Short8 two_b = step_b + step_b;
+        const Short8 two_c = step_c + step_c;
+        Short8 two = add_clamped(pick<0, 0>(ab, ab), step_a & kSecondTexel);
+        store_texels(out, two);
+        two = add_clamped(two, two_a);
+        store_texels(out + 8, two);
+        store_texels(out + 16, pick<0, 3>(add_clamped(two, two_a), ab));
+        two = add_clamped(pick<1, 1>(ab, ab), step_b + (step_b & kSecondTexel));
+        store_texels(out + 24, two);
+        store_texels(out + 32, add_clamped(two, two_b));
+        two = add_clamped(pick<0, 0>(cd, cd), step_c & kSecondTexel);
+        store_texels(out + 40, two);
+        two = add_clamped(two, two_c);
+        store_texels(out + 48, two);
+        store_texels(out + 56, pick<0, 3>(add_clamped(two, two_c), cd));
+    }
+};
+
+/// A whole tile from sixteen of its texels, three by three squares of five by five. False where the picture is not as smooth
+/// as that, or so steep that a square spans more than half of a channel.
+__attribute__((always_inline)) inline bool paint_squares(const Ground& ground, const PatchTexels& places,
+                                                         std::uint16_t* texels) {
+    const SmoothTest& test = ground.view.chords.tile;
+    SamplePlaces at[4];
+    for (std::size_t r = 0; r < 4; ++r) {
+        const std::int32_t* xy = places.xy + r * 5 * kTileSize;
+        const std::int32_t* z = places.z + r * 5 * kTileSize;
+        Int4 x;
+        Int4 y;
+        at[r] = ground.find(Int4{xy[0], xy[5], xy[10], xy[15]}, Int4{z[0], z[5], z[10], z[15]}, x, y);
+        if (most_of(test.list, at[r].offset) > test.limit) return false;
+    }
+    Short8 overflow{};
+    FiveChords rows[4];
+    FiveChords steps[3];
+    for (std::size_t r = 0; r < 4; ++r) {
+        rows[r] = FiveChords(narrow(ground.sample<0>(at[r]), ground.sample<1>(at[r])),
+                             narrow(ground.sample<2>(at[r]), ground.sample<3>(at[r])), overflow);
+        if (r > 0) steps[r - 1] = rows[r - 1].step_to(rows[r], overflow);
+    }
+    if (any_lane(overflow)) return false;
+    for (std::size_t r = 0; r < 3; ++r) {
+        FiveChords row = rows[r];
+        for (int i = 0; i < 5; ++i, texels += kTileSize * 4) {
+            row.store(texels);
+            row.go(steps[r]);
+        }
+    }
+    rows[3].store(texels);
+    return true;
+}
+
+/// Four by four texels from those at its corners; false as paint_squares.
+__attribute__((always_inline)) inline bool paint_block(const Ground& ground, const PatchTexels& places, std::size_t at,
+                                                       std::uint16_t* out) {
+    const SmoothTest& test = ground.view.chords.block;
     const std::int32_t* xy = places.xy + at;
     const std::int32_t* z = places.z + at;
+    constexpr std::size_t kLast = 3 * kTileSize;
     Int4 x;
     Int4 y;
-    ground.find(Int4{xy[0], xy[5], xy[10], xy[15]}, Int4{z[0], z[5], z[10], z[15]}, x, y);
-    const SamplePlaces place = place_samples(x, y, ground.stride);
-    const std::int32_t most = std::max(std::max<std::int32_t>(roughness[place.offset[0]], roughness[place.offset[1]]),
-                                       std::max<std::int32_t>(roughness[place.offset[2]], roughness[place.offset[3]]));
-    if (most > ground.view.chords.five) return false;
-    const Int4 a = sample_lane<0>(ground.pixels, ground.stride, place);
-    const Int4 b = sample_lane<1>(ground.pixels, ground.stride, place);
-    const Int4 c = sample_lane<2>(ground.pixels, ground.stride, place);
-    const Int4 d = sample_lane<3>(ground.pixels, ground.stride, place);
-    const Int4 ab = pair_up(a, b);
-    const Int4 bc = pair_up(b, c);
-    const Int4 cd = pair_up(c, d);
-    store_two(out, a, between<1, 5>(ab));
-    store_two(out + 8, between<2, 5>(ab), between<3, 5>(ab));
-    store_two(out + 16, between<4, 5>(ab), b);
-    store_two(out + 24, between<1, 5>(bc), between<2, 5>(bc));
-    store_two(out + 32, between<3, 5>(bc), between<4, 5>(bc));
-    store_two(out + 40, c, between<1, 5>(cd));
-    store_two(out + 48, between<2, 5>(cd), between<3, 5>(cd));
-    store_two(out + 56, between<4, 5>(cd), d);
+    const SamplePlaces place = ground.find(Int4{xy[0], xy[3], xy[kLast], xy[kLast + 3]},
+                                           Int4{z[0], z[3], z[kLast], z[kLast + 3]}, x, y);
+    if (most_of(test.list, place.offset) > test.limit) return false;
+    Short8 ends = narrow(ground.sample<0>(place), ground.sample<1>(place));
+    const Short8 last_ends = narrow(ground.sample<2>(place), ground.sample<3>(place));
+    Short8 overflow{};
+    const auto step_of = [&](Short8 row) {
+        return part_of(subtract(pick<1, 1>(row, row), pick<0, 0>(row, row), overflow), kThird);
+    };
+    Short8 step = step_of(ends);
+    const Short8 last_step = step_of(last_ends);
+    const Short8 ends_down = part_of(subtract(last_ends, ends, overflow), kThird);
+    const Short8 step_down = part_of(last_step - step, kThird);
+    if (any_lane(overflow)) return false;
+    const auto store = [](std::uint16_t* to, Short8 row, Short8 along) {
+        store_texels(to, add_clamped(pick<0, 0>(row, row), along & kSecondTexel));
+        store_texels(to + 8, add_clamped(pick<1, 1>(row, row), -along & ~kSecondTexel));
+    };
+    for (int row = 0; row < 3; ++row, out += kTileSize * 4) {
+        store(out, ends, step);
+        ends = add_clamped(ends, ends_down);
+        step += step_down;
+    }
+    store(out, last_ends, last_step);
     return true;
+}
+
+/// The roughness that a patch's texels are held against one by one, and where those that are too rough are left.
+struct RoughSearch {
+    const PyramidLevel* level;
+    const Footprint* footprint;
+    const std::uint8_t* roughness;
+    std::int32_t limit;
+    std::int32_t three;
+    RoughTexel* next;
+};
+
+/// Four texels of a row.
+__attribute__((always_inline)) inline void paint_four(const Ground& ground, const PatchTexels& places, std::size_t at,
+                                                      std::uint16_t* out, RoughSearch& search) {
+    Int4 x;
+    Int4 y;
+    const SamplePlaces place = ground.find(load_int4(places.xy + at), load_int4(places.z + at), x, y);
+    const Int4 steps = {search.roughness[place.offset[0]], search.roughness[place.offset[1]],
+                        search.roughness[place.offset[2]], search.roughness[place.offset[3]]};
+    const std::int32_t most = std::max(std::max(steps[0], steps[1]), std::max(steps[2], steps[3]));
+    const Int4 first = ground.sample<0>(place);
+    const Int4 fourth = ground.sample<3>(place);
+    if (most <= search.three) {
+        const Int4 pairs = pair_up(first, fourth);
+        store_two(out, first, between<1, 3>(pairs));
+        store_two(out + 8, between<2, 3>(pairs), fourth);
+        return;
+    }
+    store_two(out, first, ground.sample<1>(place));
+    store_two(out + 8, ground.sample<2>(place), fourth);
+    if (most <= search.limit) return;
+    const Int4 rough = are_rough(*search.level, *search.footprint, steps, {x, y, place.offset});
+    for (std::size_t i = 0; i < 4; ++i) {
+        *search.next = {search.level, search.footprint, x[i], y[i], out + i * 4};
+        search.next -= rough[i];
+    }
+}
+
+/// The columns that have their texels in all four rows from `row` on.
+std::uint32_t covered_blocks(const TilePatch& patch, std::uint32_t row) {
+    return patch.coverage[row] & patch.coverage[row + 1] & patch.coverage[row + 2] & patch.coverage[row + 3];
 }
 
 }  // namespace
@@ -77,48 +225,29 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
                         const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
                         RoughTexel* rough) {
     const Ground ground{level.first_pixel(), level.stride(), view};
-    const std::uint8_t* const roughness = level.first_roughness(footprint.smooth_reach);
-    const std::uint8_t* const wide_roughness = level.first_roughness(kRoughnessReaches);
-    const std::int32_t limit = footprint.smooth_limit;
-    const auto leave = [&](std::int32_t steps, std::int32_t x, std::int32_t y, std::uint16_t* texel) {
-        *rough = {&level, &footprint, x, y, texel};
-        rough += steps > limit ? 1 : 0;
-    };
-    for (std::uint32_t row = 0; row < kTileSize; ++row) {
-        const std::uint32_t coverage = patch.coverage[row];
-        if (view.chords.five >= 0 && coverage == 0xffffu &&
-            paint_row(ground, wide_roughness, places, row * kTileSize, texels + row * kTileSize * 4))
-            continue;
-        for (std::uint32_t column = 0; column < kTileSize; column += 4) {
-            if ((coverage >> column & 15u) == 0) continue;
-            const std::uint32_t at = row * kTileSize + column;
-            Int4 x;
-            Int4 y;
-            ground.find(load_int4(places.xy + at), load_int4(places.z + at), x, y);
-            const SamplePlaces place = place_samples(x, y, ground.stride);
-            const std::int32_t steps[4] = {roughness[place.offset[0]], roughness[place.offset[1]],
-                                           roughness[place.offset[2]], roughness[place.offset[3]]};
-            const std::int32_t most = std::max(std::max(steps[0], steps[1]), std::max(steps[2], steps[3]));
-            std::uint16_t* const out = texels + at * 4;
-            const Int4 first = sample_lane<0>(ground.pixels, ground.stride, place);
-            const Int4 fourth = sample_lane<3>(ground.pixels, ground.stride, place);
-            if (most <= ground.view.chords.three) {
-                const Int4 pairs = pair_up(first, fourth);
-                store_two(out, first, between<1, 3>(pairs));
-                store_two(out + 8, between<2, 3>(pairs), fourth);
+    if (patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
+    RoughSearch search{&level,
+                       &footprint,
+                       level.first_roughness(footprint.smooth_reach),
+                       footprint.smooth_limit,
+                       view.chords.three,
+                       rough};
+    constexpr std::uint32_t kBlock = 4;
+    for (std::uint32_t row = 0; row < kTileSize; row += kBlock) {
+        const std::uint32_t covered = covered_blocks(patch, row);
+        for (std::uint32_t column = 0; column < kTileSize; column += kBlock) {
+            const std::size_t at = row * kTileSize + column;
+            if ((covered >> column & 15u) == 15u && view.chords.block.limit >= 0 &&
+                paint_block(ground, places, at, texels + at * 4))
                 continue;
-            }
-            store_two(out, first, sample_lane<1>(ground.pixels, ground.stride, place));
-            store_two(out + 8, sample_lane<2>(ground.pixels, ground.stride, place), fourth);
-            if (most > limit) {
-                leave(steps[0], x[0], y[0], out);
-                leave(steps[1], x[1], y[1], out + 4);
-                leave(steps[2], x[2], y[2], out + 8);
-                leave(steps[3], x[3], y[3], out + 12);
+            for (std::uint32_t i = 0; i < kBlock; ++i) {
+                if ((patch.coverage[row + i] >> column & 15u) == 0) continue;
+                const std::size_t four = at + i * kTileSize;
+                paint_four(ground, places, four, texels + four * 4, search);
             }
         }
     }
-    return rough;
+    return search.next;
 }
 
 void clear_uncovered(const TilePatch& patch, std::uint16_t* texels) {
@@ -126,8 +255,13 @@ void clear_uncovered(const TilePatch& patch, std::uint16_t* texels) {
     for (std::uint32_t row = 0; row < kTileSize; ++row) {
         const std::uint32_t coverage = patch.coverage[row];
         if (coverage == 0xffffu) continue;
+        std::uint16_t* const first = texels + row * kTileSize * 4;
+        if (coverage == 0) {
+            std::memset(first, 0, kTileSize * 4 * sizeof *first);
+            continue;
+        }
         for (std::uint32_t column = 0; column < kTileSize; ++column) {
-            if ((coverage >> column & 1u) == 0) std::memset(texels + (row * kTileSize + column) * 4, 0, 8);
+            if ((coverage >> column & 1u) == 0) std::memset(first + column * 4, 0, 8);
         }
     }
 }

@@ -18,7 +18,7 @@ struct PatchView {
     std::int32_t shift = 0;
     // Places are held within these: what lies beyond is as transparent as what lies there.
     std::int32_t least_x = 0, most_x = 0, least_y = 0, most_y = 0;
-    ChordLimits chords{-1, -1};
+    ChordLimits chords;
 };
 
 /// Paints the patch's texels into the tile's `texels`. Those for which one sample does not stand are left to `rough`; returns
@@ -27,7 +27,7 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
                         const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
                         RoughTexel* rough);
 
-/// Takes back what was painted where the patch has no texel.
+/// Clears what the tile holds where the patch has no texel: painted there, or from before.
 void clear_uncovered(const TilePatch& patch, std::uint16_t* texels);
 
 }  // namespace txc

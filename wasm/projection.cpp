@@ -65,9 +65,13 @@ public:
         if (occluders != nullptr) known_clear_.assign(map.frames.size(), 0);
     }
 
-    /// Paints one tile's texels into `texels` (zeroed before).
-    void paint_tile(const MapTile& tile, std::uint16_t* texels) {
-        if (!settings_.nearest && paint_as_one(tile, texels)) return;
+    /// Paints one tile's texels into `texels`. False where it has none to paint.
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels) {
+        if (!settings_.nearest) {
+            const Done done = paint_as_one(tile, texels);
+            if (done != Done::kNot) return done == Done::kPainted;
+        }
+        clear_tile(texels);
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
         tile_ = tile.index;
@@ -88,12 +92,15 @@ public:
             paint_run(gutter, decal_frame(gutter.frame, nullptr), tile_x, tile_y, texels);
         }
         finish_rough();
+        return true;
     }
 
 private:
-    /// Paints a tile whose texels are all alike to the decal, or one that it does not meet. False where it must be looked at
-    /// frame by frame.
-    bool paint_as_one(const MapTile& tile, std::uint16_t* texels) {
+    /// A tile as a whole: not done is one that must be looked at frame by frame.
+    enum class Done { kNot, kMissed, kPainted };
+
+    /// Paints a tile whose texels are all alike to the decal.
+    Done paint_as_one(const MapTile& tile, std::uint16_t* texels) {
         const std::uint32_t place = map_.tile_of[tile.index];
         const TilePatch& patch = map_.patches->find(map_, place);
         const Float4 from = patch.middle - centre_;
@@ -101,7 +108,7 @@ private:
         const Float4 reach = turn_extent(patch.step) * splat(32767.0f);
         const float facing = turn_normal(patch.normal);
         const float facing_spread = turn_normal_extent(patch.normal_spread);
-        if (!settings_.backfaces && facing + facing_spread <= 0.0f) return true;
+        if (!settings_.backfaces && facing + facing_spread <= 0.0f) return Done::kMissed;
         const Float4 across = turn(patch.across);
         const Float4 down = turn(patch.down);
         const Float4 margin =
@@ -112,18 +119,18 @@ private:
         const Float4 high = middle + reach;
         if (high[kX] < -margin[kX] || low[kX] > width_ + margin[kX] || high[kY] < -margin[kY] ||
             low[kY] > height_ + margin[kY] || high[kDepth] < -0.5f || low[kDepth] > 0.5f)
-            return true;
-        if (patch.state != TilePatch::State::kUniform) return false;
+            return Done::kMissed;
+        if (patch.state != TilePatch::State::kUniform) return Done::kNot;
         // Written so that what is no number is not as one.
-        if (!(low[kDepth] >= -0.5f && high[kDepth] <= 0.5f)) return false;
+        if (!(low[kDepth] >= -0.5f && high[kDepth] <= 0.5f)) return Done::kNot;
         const float least_facing = settings_.backfaces ? std::fabs(facing) - facing_spread : facing - facing_spread;
-        if (!(least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal)) return false;
+        if (!(least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal)) return Done::kNot;
         const Float4 spread = greater(turn_extent(patch.across_spread), turn_extent(patch.down_spread));
         const Float4 sides = greater(absolute(across), absolute(down));
         const float most_spread = kFootprintSpread * (1.0f + std::max(sides[kX], sides[kY]));
-        if (!(spread[kX] <= most_spread && spread[kY] <= most_spread)) return false;
-        if (!(reach[kX] <= kMostReach && reach[kY] <= kMostReach)) return false;
-        if (occluders_ != nullptr && !is_clear(tile)) return false;
+        if (!(spread[kX] <= most_spread && spread[kY] <= most_spread)) return Done::kNot;
+        if (!(reach[kX] <= kMostReach && reach[kY] <= kMostReach)) return Done::kNot;
+        if (occluders_ != nullptr && !is_clear(tile)) return Done::kNot;
         const Footprint footprint =
             make_footprint(image_, across[kX], across[kY], down[kX], down[kY], settings_.repeat);
         const bool is_inside = low[kX] >= footprint.inset_x && high[kX] <= width_ - footprint.inset_x &&
@@ -131,14 +138,14 @@ private:
         // Beyond the picture all is alike, if the padding holds a whole footprint and what the picture fades into.
         const bool is_padded =
             footprint.inset_x <= -footprint.reach_x - 1.0f && footprint.inset_y <= -footprint.reach_y - 1.0f;
-        if (!is_inside && !is_padded) return false;
+        if (!is_inside && !is_padded) return Done::kNot;
         const PyramidLevel& level = image_.levels[footprint.level];
         const PatchView view = view_of(patch, level, footprint, middle, reach);
         RoughTexel* const rough =
             paint_patch(patch, map_.patches->texels(map_, place, patch), view, level, footprint, texels, rough_);
         paint_rough(rough_, static_cast<std::uint32_t>(rough - rough_));
         clear_uncovered(patch, texels);
-        return true;
+        return Done::kPainted;
     }
 
     PatchView view_of(const TilePatch& patch, const PyramidLevel& level, const Footprint& footprint, Float4 middle,

@@ -77,6 +77,18 @@ FourTexels load_four(const std::uint16_t* from) {
     return four;
 }
 
+/// Full alpha in all of a tile's row.
+bool is_full(const std::uint16_t* texels, std::uint32_t row) {
+    const std::uint16_t* from = texels + std::size_t{row} * kTileSize * 4;
+    FourTexels all = load_four(from);
+    for (std::uint32_t x = 4; x < kTileSize; x += 4) {
+        const FourTexels four = load_four(from + x * 4);
+        all.left &= four.left;
+        all.right &= four.right;
+    }
+    return all.is_full();
+}
+
 void blend_four(const TilePaint& paint, std::size_t texel, Float4 (&backdrops)[4]) {
     for (std::size_t t = 0; t < 4; ++t) {
         const Float4 source =
@@ -117,16 +129,27 @@ Byte16 paint_four(Byte16 base, const TilePaint* paints, std::size_t count, std::
 }
 
 // Ways tried over one decal on 377,000 texels of 2048 x 2048, with the packing of rectangles (2.05 ms before): floats for
-// every texel 1.25 ms, with the clear and the solid fours taken out 0.95 ms, one paint apart from several 0.81 ms. Touching
+// every texel 1.25 ms, with the clear and the solid fours taken out 0.95 ms, one paint apart from several 0.81 ms, solid rows
+// as a whole two thirds of that. Touching
 // the tile's rows of the output ahead of the loop brought nothing; whole numbers for the rest would round otherwise than
 // the floats that a second layer needs.
-template <typename PaintFour>
-bool paint_rows(const TexelRows& base, std::uint8_t* out, std::size_t out_stride, PaintFour&& paint_four_at) {
+template <typename PaintFour, typename IsFullRow>
+bool paint_rows(const TexelRows& base, const TilePaint& top, std::uint8_t* out, std::size_t out_stride,
+                PaintFour&& paint_four_at, IsFullRow&& is_full_row) {
     const Byte16 opaque = {0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255};
     Byte16 difference{};
     for (std::uint32_t y = 0; y < kTileSize; ++y) {
         const std::uint8_t* from = base.first + y * base.stride;
         std::uint8_t* to = out + y * out_stride;
+        if (is_full_row(y)) {
+            const std::uint16_t* texels = top.texels + std::size_t{y} * kTileSize * 4;
+            for (std::uint32_t x = 0; x < kTileSize; x += 4) {
+                const Byte16 bytes = load_four(texels + x * 4).to_bytes();
+                difference |= bytes ^ load_byte16(to + x * 4);
+                store_byte16(to + x * 4, bytes);
+            }
+            continue;
+        }
         for (std::uint32_t x = 0; x < kTileSize; x += 4) {
             const Byte16 bytes = paint_four_at(load_byte16(from + x * 4), y * kTileSize + x) | opaque;
             difference |= bytes ^ load_byte16(to + x * 4);
@@ -234,14 +257,15 @@ void interpolate_tile(const TileMode& mode, bool isolated, const Float4* before,
 
 bool paint_opaque_tile(const TexelRows& base, const TilePaint* paints, std::size_t count, std::uint8_t* out,
                        std::size_t out_stride) {
-    if (count == 1 && paints[0].texels != nullptr) {
-        // A copy, which the bytes written cannot be part of: its fields stay in registers (a sixth of the time).
-        return paint_rows(base, out, out_stride, [paint = paints[0]](Byte16 below, std::size_t texel) {
-            return paint_four(below, paint, texel);
-        });
+    // Copies, which the bytes written cannot be part of: their fields stay in registers (a sixth of the time).
+    const TilePaint top = paints[count - 1];
+    const auto is_full_row = [top](std::uint32_t y) { return top.is_unfaded && is_full(top.texels, y); };
+    if (count == 1 && top.texels != nullptr) {
+        const auto paint = [top](Byte16 below, std::size_t texel) { return paint_four(below, top, texel); };
+        return paint_rows(base, top, out, out_stride, paint, is_full_row);
     }
-    return paint_rows(base, out, out_stride,
-                      [=](Byte16 below, std::size_t texel) { return paint_four(below, paints, count, texel); });
+    const auto paint = [=](Byte16 below, std::size_t texel) { return paint_four(below, paints, count, texel); };
+    return paint_rows(base, top, out, out_stride, paint, is_full_row);
 }
 
 }  // namespace txc

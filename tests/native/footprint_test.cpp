@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "bilinear.h"
 #include "support/picture.h"
 #include "support/shapes.h"
 
@@ -13,6 +14,7 @@ using namespace support;
 namespace {
 
 constexpr std::uint32_t kSize = 12;
+constexpr double kByteStep = txc::kByteStep;
 
 /// Opaque pictures that one sample may stand for here and there. `kind` 0: a roof with its ridges on pixel centres, the
 /// worst there is; 1: a curved and twisted surface; 2: faint noise; 3: a curved surface with specks.
@@ -58,7 +60,7 @@ double dense_mean(const txc::PyramidLevel& level, const txc::Footprint& f, float
             sum += static_cast<double>(txc::sample_bilinear(level, sample_x, sample_y, false)[0]);
         }
     }
-    return sum / (kSamples * kSamples) / 255.0;
+    return sum / (kSamples * kSamples) / kByteStep;
 }
 
 }  // namespace
@@ -90,7 +92,7 @@ TEST_CASE("One sample stands for a footprint only where it is within a step of t
             const txc::PyramidLevel& level = image.levels[0];
             if (f.level != 0) continue;
             if (roughness_at(level, x, y, f.smooth_reach) > f.smooth_limit) continue;
-            const double one = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / 255.0;
+            const double one = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep;
             worst = std::fmax(worst, std::fabs(one - dense_mean(level, f, x, y)));
             ++spared[kind];
         }
@@ -99,6 +101,116 @@ TEST_CASE("One sample stands for a footprint only where it is within a step of t
     // The claim is not empty, and the limit is not stricter than it need be.
     CHECK(worst >= 0.7);
     for (const std::uint32_t count : spared) CHECK(count > 200);
+}
+
+TEST_CASE("On hard edges one sample stands for a footprint only where its very place keeps it within a step of the mean") {
+    constexpr std::uint32_t kSide = 32;
+    Random random(49);
+    double worst = 0.0;
+    std::uint32_t spared = 0;
+    std::uint32_t asked = 0;
+    for (int round = 0; round < 60; ++round) {
+        const std::uint32_t cell = 3 + random.below(8);
+        Picture picture(kSide, kSide);
+        for (std::uint32_t y = 0; y < kSide; ++y) {
+            for (std::uint32_t x = 0; x < kSide; ++x) {
+                const auto byte = static_cast<std::uint8_t>((x / cell + y / cell) % 2 == 0 ? 40 : 170 + 3 * round % 80);
+                picture.set(x, y, {byte, byte, byte, 255});
+            }
+        }
+        txc::MemoryBudget budget(1u << 22);
+        txc::ImagePyramid image(budget);
+        REQUIRE(image.build(kSide, kSide, picture.rgba.data()) == TXC_STATUS_OK);
+        const txc::PyramidLevel& level = image.levels[0];
+        const double across = random.between(0.1, 1.2);
+        const double down = across * random.between(0.4, 1.0);
+        const double turned = random.between(0.0, 2 * kPi);
+        const double corner = kPi / 2 + random.between(-0.2, 0.2);
+        const txc::Footprint f = txc::make_footprint(image, static_cast<float>(across * std::cos(turned)),
+                                                     static_cast<float>(across * std::sin(turned)),
+                                                     static_cast<float>(down * std::cos(turned + corner)),
+                                                     static_cast<float>(down * std::sin(turned + corner)), false);
+        for (int i = 0; i < 300; ++i) {
+            const auto x = static_cast<float>(random.between(4.0, kSide - 4.0));
+            const auto y = static_cast<float>(random.between(4.0, kSide - 4.0));
+            const std::int32_t steps = roughness_at(level, x, y, f.smooth_reach);
+            if (steps <= f.smooth_limit) continue;
+            ++asked;
+            const auto column = static_cast<std::int32_t>(std::floor(x - 0.5f));
+            const auto row = static_cast<std::int32_t>(std::floor(y - 0.5f));
+            const auto fixed = [](float pixels) { return txc::splat(txc::to_fixed(pixels - 0.5f)); };
+            const txc::FourPlaces places{fixed(x), fixed(y), txc::splat(row * level.stride() + column)};
+            if (txc::are_rough(level, f, txc::splat(steps), places)[0] != 0) continue;
+            ++spared;
+            const double one = static_cast<double>(txc::sample_bilinear(level, x, y, false)[0]) / kByteStep;
+            worst = std::fmax(worst, std::fabs(one - dense_mean(level, f, x, y)));
+        }
+    }
+    CAPTURE(worst);
+    CHECK(worst <= 1.0);
+    CHECK(worst >= 0.6);
+    CAPTURE(asked);
+    CHECK(spared > asked / 4);
+}
+
+TEST_CASE("Between the corners of a square that passes the test for smoothness, the colours interpolated are within 3 steps") {
+    Random random(50);
+    double worst = 0.0;
+    std::uint32_t passed[2] = {0, 0};
+    for (int round = 0; round < 1600; ++round) {
+        const Picture picture = make_smooth(round % 4, random);
+        txc::MemoryBudget budget(1u << 20);
+        txc::ImagePyramid image(budget);
+        REQUIRE(image.build(kSize, kSize, picture.rgba.data()) == TXC_STATUS_OK);
+        const txc::PyramidLevel& level = image.levels[0];
+        const double side = random.between(0.05, 0.9);
+        const double turned = random.between(0.0, 2 * kPi);
+        const auto right_x = static_cast<float>(side * std::cos(turned));
+        const auto right_y = static_cast<float>(side * std::sin(turned));
+        const txc::Footprint f = txc::make_footprint(image, right_x, right_y, -right_y, right_x, false);
+        const txc::ChordLimits limits = txc::tile_chord_limits(image, f);
+        for (int k = 0; k < 2; ++k) {
+            const int texels = k == 0 ? 3 : 5;
+            const txc::SmoothTest& test = k == 0 ? limits.block : limits.tile;
+            if (test.limit < 0) continue;
+            const auto x = static_cast<float>(random.between(2.0, kSize - 2.0));
+            const auto y = static_cast<float>(random.between(2.0, kSize - 2.0));
+            double corners[4];
+            bool passes = true;
+            for (int c = 0; c < 4; ++c) {
+                const auto i = static_cast<float>(c % 2 * texels);
+                const auto j = static_cast<float>(c / 2 * texels);
+                const float at_x = x + right_x * i - right_y * j;
+                const float at_y = y + right_y * i + right_x * j;
+                if (!(at_x > 1.0f && at_x < kSize - 1.0f && at_y > 1.0f && at_y < kSize - 1.0f)) {
+                    passes = false;
+                    break;
+                }
+                const auto column = static_cast<std::int32_t>(std::floor(at_x - 0.5f));
+                const auto row = static_cast<std::int32_t>(std::floor(at_y - 0.5f));
+                passes = passes && test.list[std::ptrdiff_t{row} * level.stride() + column] <= test.limit;
+                corners[c] = static_cast<double>(txc::sample_bilinear(level, at_x, at_y, false)[0]) / kByteStep;
+            }
+            if (!passes) continue;
+            ++passed[k];
+            for (int j = 0; j <= texels; ++j) {
+                for (int i = 0; i <= texels; ++i) {
+                    const double u = static_cast<double>(i) / texels;
+                    const double v = static_cast<double>(j) / texels;
+                    const double between = (corners[0] * (1 - u) + corners[1] * u) * (1 - v) +
+                                           (corners[2] * (1 - u) + corners[3] * u) * v;
+                    const auto fi = static_cast<float>(i);
+                    const auto fj = static_cast<float>(j);
+                    const double mean = dense_mean(level, f, x + right_x * fi - right_y * fj, y + right_y * fi + right_x * fj);
+                    worst = std::fmax(worst, std::fabs(between - mean));
+                }
+            }
+        }
+    }
+    CHECK(worst <= 3.0);
+    CHECK(worst >= 0.7);
+    CHECK(passed[0] > 100);
+    CHECK(passed[1] > 100);
 }
 
 TEST_CASE("A footprint that a speck touches takes all its samples, and one well clear of it a single one") {
@@ -167,7 +279,7 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
         for (int i = 0; i < kPlaces; ++i) {
             const auto x = static_cast<float>(random.between(6.0, kSide - 6.0));
             const auto y = static_cast<float>(random.between(6.0, kSide - 6.0));
-            const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / 255.0 -
+            const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep -
                                  dense_mean(image.levels[0], f, x, y);
             squares += error * error;
         }
@@ -190,7 +302,8 @@ TEST_CASE("A footprint over a plain stretch gives its very colour, whatever its 
         f.smooth_limit = -1;  // so that the kernels answer
         const txc::Float4 color = txc::sample_inside(image, f, static_cast<float>(random.between(5.0, 11.0)),
                                                      static_cast<float>(random.between(5.0, 11.0)));
-        CHECK_UNARY(color[0] == 37.0f * 255.0f && color[1] == 201.0f * 255.0f && color[2] == 94.0f * 255.0f &&
+        constexpr auto kScale = static_cast<float>(txc::kByteStep);
+        CHECK_UNARY(color[0] == 37.0f * kScale && color[1] == 201.0f * kScale && color[2] == 94.0f * kScale &&
                     color[3] == txc::kFullScale);
     }
 }
