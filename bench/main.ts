@@ -67,7 +67,8 @@ async function measureAll(mesh: string, size: number): Promise<void> {
   if (works.includes("occluded")) await measureDrag("occluded", mesh, size, engines, local10, "self");
   if (works.includes("stacked") || works.includes("open")) for (const stack of stacks) await stack.bake(size);
   if (works.includes("stacked")) await measureDrag("stacked", mesh, size, [...engines, ...stacks], local10, "none");
-  if (works.includes("open")) await measure("open", mesh, size, stacks, (engine) => engine.open(size));
+  // Beside the one that the drags were about: two designs of a hundred such layers outgrow the session at 4096².
+  if (works.includes("open") && size <= 2048) await measure("open", mesh, size, stacks, (engine) => engine.open(size));
 }
 
 function measureDrag(

@@ -296,10 +296,9 @@ Int4 are_rough(const PyramidLevel& level, const Footprint& f, Int4 steps, const 
                               splat(1.0f / static_cast<float>(kWeightOne));
         return bend(before, base, top, scale) + bend(splat(1.0f) - before, base, top, scale);
     };
-    const Float4 error =
-        along(places.x, f.base_x, f.top_x, f.scale_x) * __builtin_convertvector(kinks_x, Float4) +
-        along(places.y, f.base_y, f.top_y, f.scale_y) * __builtin_convertvector(kinks_y, Float4) +
-        __builtin_convertvector(steps, Float4) * splat(f.lean);
+    const Float4 error = along(places.x, f.base_x, f.top_x, f.scale_x) * __builtin_convertvector(kinks_x, Float4) +
+                         along(places.y, f.base_y, f.top_y, f.scale_y) * __builtin_convertvector(kinks_y, Float4) +
+                         __builtin_convertvector(steps, Float4) * splat(f.lean);
     return exceeds & (error > splat(kKinkError));
 }
 

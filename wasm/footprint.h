@@ -26,7 +26,7 @@ struct Footprint {
     bool knows_kinks;
     float base_x, top_x, scale_x;
     float base_y, top_y, scale_y;
-    float lean;  // the covariance of x and y
+    float lean;              // the covariance of x and y
     float inset_x, inset_y;  // a centre this far from the picture's edges is well inside
     // Else, of small ones: up to kMostParts parts (0: there are none), each with its mean by the kernel, and where they
     // lie from the centre, in fixed point on the level.

@@ -48,8 +48,7 @@ private:
 void store_two(std::uint16_t* to, Int4 low, Int4 high) { store_ushort8(to, low + kBias, high + kBias); }
 
 std::int32_t most_of(const std::uint8_t* list, Int4 at) {
-    return std::max(std::max<std::int32_t>(list[at[0]], list[at[1]]),
-                    std::max<std::int32_t>(list[at[2]], list[at[3]]));
+    return std::max(std::max<std::int32_t>(list[at[0]], list[at[1]]), std::max<std::int32_t>(list[at[2]], list[at[3]]));
 }
 
 constexpr std::int16_t kFifth = (32768 + 2) / 5;
@@ -150,8 +149,8 @@ __attribute__((always_inline)) inline bool paint_block(const Ground& ground, con
     constexpr std::size_t kLast = 3 * kTileSize;
     Int4 x;
     Int4 y;
-    const SamplePlaces place = ground.find(Int4{xy[0], xy[3], xy[kLast], xy[kLast + 3]},
-                                           Int4{z[0], z[3], z[kLast], z[kLast + 3]}, x, y);
+    const SamplePlaces place =
+        ground.find(Int4{xy[0], xy[3], xy[kLast], xy[kLast + 3]}, Int4{z[0], z[3], z[kLast], z[kLast + 3]}, x, y);
     if (most_of(test.list, place.offset) > test.limit) return false;
     Short8 ends = narrow(ground.sample<0>(place), ground.sample<1>(place));
     const Short8 last_ends = narrow(ground.sample<2>(place), ground.sample<3>(place));
@@ -226,12 +225,9 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
                         RoughTexel* rough) {
     const Ground ground{level.first_pixel(), level.stride(), view};
     if (patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
-    RoughSearch search{&level,
-                       &footprint,
-                       level.first_roughness(footprint.smooth_reach),
-                       footprint.smooth_limit,
-                       view.chords.three,
-                       rough};
+    RoughSearch search{
+        &level, &footprint, level.first_roughness(footprint.smooth_reach), footprint.smooth_limit, view.chords.three,
+        rough};
     constexpr std::uint32_t kBlock = 4;
     for (std::uint32_t row = 0; row < kTileSize; row += kBlock) {
         const std::uint32_t covered = covered_blocks(patch, row);

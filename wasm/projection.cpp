@@ -124,7 +124,8 @@ private:
         // Written so that what is no number is not as one.
         if (!(low[kDepth] >= -0.5f && high[kDepth] <= 0.5f)) return Done::kNot;
         const float least_facing = settings_.backfaces ? std::fabs(facing) - facing_spread : facing - facing_spread;
-        if (!(least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal)) return Done::kNot;
+        if (!(least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal))
+            return Done::kNot;
         const Float4 spread = greater(turn_extent(patch.across_spread), turn_extent(patch.down_spread));
         const Float4 sides = greater(absolute(across), absolute(down));
         const float most_spread = kFootprintSpread * (1.0f + std::max(sides[kX], sides[kY]));
