@@ -92,8 +92,8 @@ async function measure<Contestant extends BenchEngine>(
   run: (engine: Contestant, round: number) => Promise<Run>,
 ): Promise<void> {
   const results = await takeTurns(contestants, rounds, run);
-  const medianOf = (engine: BenchEngine): number =>
-    results.find(({ contestant }) => contestant === engine)?.figures.median ?? Number.NaN;
+  const medianOf = (engine: BenchEngine) => results.find(({ contestant }) => contestant === engine)?.figures.median;
+  const ratio = (key: string, median: number, to: number | undefined) => (to === undefined ? {} : { [key]: median / to });
   for (const { contestant, figures } of results) {
     rows.push({
       work: name,
@@ -101,10 +101,9 @@ async function measure<Contestant extends BenchEngine>(
       size,
       engine: contestant.name,
       ...figures,
-      toPlainNative: figures.median / medianOf(native),
-      toPlainWasm: figures.median / medianOf(plainWasm),
-      ...(name === "stacked" &&
-        stacks.some((stack) => stack.name === contestant.name) && { toAlone: figures.median / medianOf(ours) }),
+      ...ratio("toPlainNative", figures.median, medianOf(native)),
+      ...ratio("toPlainWasm", figures.median, medianOf(plainWasm)),
+      ...(stacks.some((stack) => stack.name === contestant.name) && ratio("toAlone", figures.median, medianOf(ours))),
     });
   }
   process.stderr.write(`${name} ${mesh} ${size}²\n`);

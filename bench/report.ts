@@ -15,8 +15,8 @@ export interface EngineRow extends Figures {
 
 export interface Row extends EngineRow {
   /** Median over the plain method's: below 1 is faster. */
-  readonly toPlainNative: number;
-  readonly toPlainWasm: number;
+  readonly toPlainNative?: number;
+  readonly toPlainWasm?: number;
   /** Median over that of the same decal without others below it; only where there are others. */
   readonly toAlone?: number;
 }
@@ -59,8 +59,8 @@ export function formatRows(rows: readonly Row[]): string {
     ["median", ({ median }) => median.toFixed(2)],
     ["min", ({ min }) => min.toFixed(2)],
     ["max", ({ max }) => max.toFixed(2)],
-    ["÷ native", ({ toPlainNative }) => toPlainNative.toFixed(3)],
-    ["÷ WebAssembly", ({ toPlainWasm }) => toPlainWasm.toFixed(3)],
+    ["÷ native", ({ toPlainNative }) => toPlainNative?.toFixed(3) ?? ""],
+    ["÷ WebAssembly", ({ toPlainWasm }) => toPlainWasm?.toFixed(3) ?? ""],
     ...(stacked ? [["÷ alone", ({ toAlone }: Row) => toAlone?.toFixed(2) ?? ""] as const] : []),
   ]);
 }
