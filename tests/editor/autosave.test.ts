@@ -94,6 +94,19 @@ describe("autosave", () => {
     expect(saves.map(({ seen, packed }) => [seen, packed.name, packed.model.kind])).toEqual([[0, "Cup", "files"]]);
   });
 
+  it("makes the project's picture anew once a gesture is over, and not in its midst", async () => {
+    const { open, step, settle, store, told } = page();
+    open(modelRef("Cup", null));
+    await settle(100);
+    const design = step();
+    store.set({ design: { ...design } });
+    await settle(5000);
+    expect(told).toEqual([]);
+    store.set({ design });
+    await settle(2000);
+    expect(told).toEqual([expect.stringMatching(/^picture of /)]);
+  });
+
   it("keeps the first step at once, and many that follow each other with few saves, of which the last is the newest", async () => {
     const { open, step, settle, saves, autosave } = page();
     open(modelRef("Cup", null));

@@ -115,6 +115,15 @@ export class Autosave {
     }
   }
 
+  /** Not in the midst of a gesture: drawing and packing the picture takes the time of several frames. */
+  #refreshThumbnailLater(): void {
+    clearTimeout(this.#thumbnailTimer);
+    this.#thumbnailTimer = setTimeout(() => {
+      if (this.#parts.store.state.design === this.#parts.recorded().design) void this.refreshThumbnail();
+      else this.#refreshThumbnailLater();
+    }, THUMBNAIL_AFTER);
+  }
+
   #observe(): void {
     const content = this.#content();
     if (!content) return;
@@ -185,8 +194,7 @@ export class Autosave {
   #saved(project: OpenProject): void {
     if (this.#refused) this.#parts.notices.restored();
     this.#refused = false;
-    clearTimeout(this.#thumbnailTimer);
-    this.#thumbnailTimer = setTimeout(() => void this.refreshThumbnail(), THUMBNAIL_AFTER);
+    this.#refreshThumbnailLater();
     if (project.revision >= SAVES_BEFORE_PERSIST) void this.#persist();
   }
 
