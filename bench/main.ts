@@ -93,7 +93,8 @@ async function measure<Contestant extends BenchEngine>(
 ): Promise<void> {
   const results = await takeTurns(contestants, rounds, run);
   const medianOf = (engine: BenchEngine) => results.find(({ contestant }) => contestant === engine)?.figures.median;
-  const ratio = (key: string, median: number, to: number | undefined) => (to === undefined ? {} : { [key]: median / to });
+  const ratio = (key: string, median: number, to: number | undefined) =>
+    to === undefined ? {} : { [key]: median / to };
   for (const { contestant, figures } of results) {
     rows.push({
       work: name,

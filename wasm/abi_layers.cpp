@@ -138,4 +138,11 @@ TxcStatus txc_layer_prepare(TxcSession session, TxcLayer layer, uint32_t inside,
     });
 }
 
+// ---- For lists of layers ----------------------------------------------------------------------------------------------
+
+TxcStatus txc_layer_miniature(TxcSession session, TxcLayer layer, uint32_t of_mask, uint32_t side, uint8_t* out_rgba) {
+    return in_session(session, out_rgba, "out_rgba",
+                      [&](Session& s) { return s.draw_layer_miniature(layer, of_mask != 0, side, out_rgba); });
+}
+
 }  // extern "C"

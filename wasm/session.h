@@ -56,6 +56,7 @@ public:
     TxcStatus update_target(TxcTarget target, TxcUpdate& out_update);
     TxcStatus prepare_layer(TxcLayer layer, bool inside, std::uint32_t first_tile, std::uint32_t tile_count,
                             std::uint32_t& out_next_tile);
+    TxcStatus draw_layer_miniature(TxcLayer layer, bool of_mask, std::uint32_t side, std::uint8_t* out_rgba) const;
 
 private:
     TxcStatus begin_map(Target& target);

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "compositor.h"
+#include "layer_miniature.h"
 #include "session.h"
 
 namespace txc {
@@ -223,6 +224,22 @@ void Session::note_tiles(const Layer& layer, std::vector<std::uint8_t>& tiles) c
     if (layer.is_everywhere()) std::fill(tiles.begin(), tiles.end(), std::uint8_t{1});
     for (const std::uint32_t tile : layer.tiles.indices) tiles[tile] = 1;
     for (const TxcLayer held : layer.content) note_tiles(*layers_.find(held), tiles);
+}
+
+TxcStatus Session::draw_layer_miniature(TxcLayer id, bool of_mask, std::uint32_t side, std::uint8_t* out_rgba) const {
+    Layer* layer = nullptr;
+    if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
+    Target* target = nullptr;
+    if (const TxcStatus status = find_baked(layer->target, target); status != TXC_STATUS_OK) return status;
+    if (side == 0 || side > TXC_MAX_MINIATURE)
+        return fail(TXC_STATUS_BAD_ARGUMENT, "side is %u; it may be 1 to %u", side, TXC_MAX_MINIATURE);
+    std::vector<std::uint8_t> tiles(target->tile_count());
+    note_tiles(*layer, tiles);
+    const MiniatureArea area = miniature_area(tiles, target->tile_columns());
+    const std::vector<LayerNode> nodes = nodes_of({id}, 0);
+    const auto draw = of_mask ? draw_mask_miniature : draw_miniature;
+    draw(nodes.front(), area, target->tile_columns(), target->tile_rows(), side, out_rgba);
+    return TXC_STATUS_OK;
 }
 
 bool Session::is_settled(const Target& target) const {

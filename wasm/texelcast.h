@@ -34,7 +34,7 @@ extern "C" {
 #define TXC_API
 #endif
 
-#define TXC_ABI_VERSION 5u
+#define TXC_ABI_VERSION 6u
 #define TXC_MAX_SIZE 8192u    /* texels along one side of a target or an image */
 #define TXC_MAX_DABS 1000000u /* of one stroke */
 #define TXC_MAX_DEPTH 16u     /* of a layer in a layer in a layer: 1 is in none */
@@ -434,6 +434,13 @@ TXC_API TxcStatus txc_target_update(TxcSession session, TxcTarget target, TxcUpd
  * at once while something waits for an update, and for a layer that is not shown. */
 TXC_API TxcStatus txc_layer_prepare(TxcSession session, TxcLayer layer, uint32_t inside, uint32_t first_tile,
                                     uint32_t tile_count, uint32_t* out_next_tile);
+/* A small picture of what a layer paints, as of the newest update, for lists of layers: the square of the target around it,
+ * `side` x `side` pixels (up to TXC_MAX_MINIATURE), RGBA, straight alpha. Without the layer's own opacity, mode and mask; in a
+ * group all modes but erase are taken as normal. `of_mask` 1: of its mask instead, white where that shows the layer and black
+ * where it hides it. */
+#define TXC_MAX_MINIATURE 256u
+TXC_API TxcStatus txc_layer_miniature(TxcSession session, TxcLayer layer, uint32_t of_mask, uint32_t side,
+                                      uint8_t* out_rgba);
 /* Of the newest update; they live until the target's next update or end. Null where there are none. */
 TXC_API const TxcRect* txc_target_update_rects(TxcSession session, TxcTarget target);
 TXC_API const uint8_t* txc_target_update_bytes(TxcSession session, TxcTarget target);

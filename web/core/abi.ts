@@ -4,7 +4,7 @@
  */
 import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
 
-export const ABI_VERSION = 5;
+export const ABI_VERSION = 6;
 /** Texels along one side of a target or an image, at most. */
 export const MAX_SIZE = 8192;
 /** Dabs of one stroke, at most. */
@@ -232,6 +232,7 @@ export const CORE_FUNCTIONS = {
   txc_stroke_dabs: 5,
   txc_target_update: 3,
   txc_layer_prepare: 6,
+  txc_layer_miniature: 5,
   txc_target_update_rects: 2,
   txc_target_update_bytes: 2,
   txc_target_read: 8,

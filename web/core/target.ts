@@ -172,6 +172,13 @@ export class Target {
     return next === NONE ? null : next;
   }
 
+  /** A small picture of what a layer paints, or of its mask: `side` x `side` pixels, RGBA (texelcast.h). */
+  layerMiniature(layer: LayerHandle, ofMask: boolean, side: number): Uint8Array<ArrayBuffer> {
+    return this.#core.collect(side * side * 4, (out) => {
+      this.#core.run("txc_layer_miniature", this.#session, layer, Number(ofMask), side, out);
+    });
+  }
+
   /** What the layer was last given. */
   layerDef(layer: LayerHandle): LayerDef {
     return this.#core.collectStruct(LayerDefLayout, (out) =>

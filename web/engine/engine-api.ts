@@ -378,6 +378,12 @@ export interface Engine {
   uvTriangles(material: number): Promise<Float32Array>;
   /** Texels of the target, RGBA straight alpha. */
   readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array>;
+  /**
+   * A small picture of what a layer paints, or of its mask (white where that shows the layer): the square of the first target
+   * around it, `side` x `side` pixels (1 to 256), RGBA straight alpha. Null where nothing of it is to be seen. For lists of
+   * layers: opacity, mode and mask of the layer itself are left out.
+   */
+  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array | null>;
   /** 64-bit FNV-1a over a region's bytes, 16 hex digits; the whole target without a region. */
   hash(material: number, region?: { x: number; y: number; width: number; height: number }): Promise<string>;
 

@@ -192,6 +192,10 @@ class EngineClient implements Engine {
     return this.#call("readTexels", [material, x, y, width, height]);
   }
 
+  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array | null> {
+    return this.#call("layerMiniature", [id, of, side]);
+  }
+
   hash(material: number, region?: { x: number; y: number; width: number; height: number }): Promise<string> {
     return this.#call("hash", [material, region]);
   }

@@ -219,6 +219,17 @@ export class EngineHost implements Engine {
     });
   }
 
+  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array | null> {
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session);
+      for (const target of this.#targets.values()) {
+        const rgba = target.miniature(id, of, side);
+        if (rgba !== null) return rgba;
+      }
+      return null;
+    });
+  }
+
   hash(material: number, region?: { x: number; y: number; width: number; height: number }): Promise<string> {
     return this.#enqueue(async (session) => {
       await this.#drawAll(session);

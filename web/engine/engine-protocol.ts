@@ -16,6 +16,7 @@ export type CallName =
   | "viewMap"
   | "uvTriangles"
   | "readTexels"
+  | "layerMiniature"
   | "hash"
   | "exportPng"
   | "exportGlb"

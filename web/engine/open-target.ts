@@ -155,6 +155,14 @@ export class OpenTarget {
     return layer === undefined ? null : this.#target.prepareLayer(layer, inside, firstTile, tileCount);
   }
 
+  /** What a layer paints here, or its mask; null where it is not, and nothing of it is to be seen. */
+  miniature(id: string, of: "layer" | "mask", side: number): Uint8Array<ArrayBuffer> | null {
+    const layer = this.#layers.handleOf(id);
+    if (layer === undefined) return null;
+    const rgba = this.#target.layerMiniature(layer, of === "mask", side);
+    return rgba.some((value) => value > 0) ? rgba : null;
+  }
+
   read(x: number, y: number, width: number, height: number): Uint8Array<ArrayBuffer> {
     this.#checkRegion(x, y, width, height);
     return this.#target.read(0, x, y, width, height);

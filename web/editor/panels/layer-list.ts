@@ -65,7 +65,9 @@ export class LayerList extends EditorElement implements LayerDragHost {
   }
 
   #tree(): TemplateResult {
-    const { selectedId, selection, design, editingMask } = this.state;
+    const { selectedId, selection, design, editingMask, targets } = this.state;
+    const { library, engine } = this.editor;
+    const thumbnails = { library, design, engine, targets };
     const { drop, ids } = this.#drag;
     const twists = this.rows.some(({ layer }) => layer.type === "group");
     const reachable = this.rows.find(({ layer }) => layer.id === selectedId) ?? this.rows[0];
@@ -78,8 +80,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
             layerRow(
               row,
               {
-                library: this.editor.library,
-                design,
+                thumbnails,
                 chosen: selection.includes(row.layer.id),
                 primary: row.layer.id === selectedId,
                 reachable: row === reachable,

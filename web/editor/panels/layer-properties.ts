@@ -130,9 +130,11 @@ export class LayerProperties extends EditorElement {
       if (event.key === "Escape") input(event).value = layer.name;
       if (event.key === "Escape" || event.key === "Enter") input(event).blur();
     };
+    const { library, engine } = this.editor;
+    const { design, targets } = this.state;
     return html`
       <div class="header">
-        ${thumbnail(this.editor.library, this.state.design, layer)}
+        ${thumbnail({ library, engine, design, targets }, layer)}
         <input
           type="text"
           id="name"

@@ -1,12 +1,11 @@
 /** A row of the layer list. */
 import { html, nothing, type TemplateResult } from "lit";
 import { ChevronDown, ChevronRight, Eye, EyeOff, GripVertical, type IconNode, Lock, LockOpen } from "lucide";
-import type { Design, DesignLayer } from "../document/index.ts";
-import type { AssetLibrary } from "../state/asset-library.ts";
+import type { DesignLayer } from "../document/index.ts";
 import type { LayerRow } from "../state/layer-rows.ts";
 import { strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
-import { maskPicture, thumbnail } from "../ui/thumbnail.ts";
+import { maskPicture, type ThumbnailSource, thumbnail } from "../ui/thumbnail.ts";
 
 const words = strings.layers;
 
@@ -14,8 +13,7 @@ const words = strings.layers;
 export const INDENT = 14;
 
 export interface RowLook {
-  readonly library: AssetLibrary;
-  readonly design: Design;
+  readonly thumbnails: ThumbnailSource;
   readonly chosen: boolean;
   /** The one that the properties are about. */
   readonly primary: boolean;
@@ -101,7 +99,7 @@ function nameCell(row: LayerRow, look: RowLook, acts: RowActs): TemplateResult {
     class=${`target ${paintedOn(!look.editsMask)}`}
     @click=${() => look.editsMask && acts.editMask(id, false)}
     @dblclick=${() => acts.show(id)}
-    >${thumbnail(look.library, look.design, layer, expanded)}</span
+    >${thumbnail(look.thumbnails, layer, expanded)}</span
   >`;
   return html`<div class="name-cell" role="gridcell">
     ${twist}${target}
@@ -117,7 +115,7 @@ function nameCell(row: LayerRow, look: RowLook, acts: RowActs): TemplateResult {
             title=${words.editMask(name)}
             @click=${() => acts.editMask(id, true)}
           >
-            ${maskPicture(mask)}
+            ${maskPicture(look.thumbnails, layer, mask)}
           </button>`
     }
     ${look.renaming ? nameField(layer, acts) : html`<span class="name" @dblclick=${() => acts.startRename(id)}>${name}</span>`}

@@ -5,8 +5,15 @@ import { Brush, Folder, FolderOpen } from "lucide";
 import type { Design, DesignLayer, FillLayer, Gradient, Mask, PaintLayer, StrokeLayer } from "../document/index.ts";
 import type { AssetLibrary } from "../state/asset-library.ts";
 import { icon } from "./icon.ts";
+import { type MiniatureSource, miniature, miniatureStyles } from "./miniature.ts";
+
+export interface ThumbnailSource extends MiniatureSource {
+  readonly library: AssetLibrary;
+  readonly design: Design;
+}
 
 export const thumbnailStyles = css`
+  ${miniatureStyles}
   .thumbnail {
     position: relative;
     flex: none;
@@ -61,6 +68,14 @@ export const thumbnailStyles = css`
     object-fit: contain;
   }
   .mask-picture {
+    position: relative;
+    display: block;
+    width: 100%;
+    height: 100%;
+    overflow: hidden;
+    border-radius: 4px;
+  }
+  .mask-picture svg {
     display: block;
     width: 100%;
     height: 100%;
@@ -73,7 +88,8 @@ const COLOURS_SHOWN = 4;
 const LETTERS_SHOWN = 3;
 
 /** @param open Of a group: its layers are shown. */
-export function thumbnail(library: AssetLibrary, design: Design, layer: DesignLayer, open = false): TemplateResult {
+export function thumbnail(source: ThumbnailSource, layer: DesignLayer, open = false): TemplateResult {
+  const { library, design } = source;
   switch (layer.type) {
     case "group":
       return html`<span class="thumbnail plain">${icon(open ? FolderOpen : Folder)}</span>`;
@@ -86,22 +102,25 @@ export function thumbnail(library: AssetLibrary, design: Design, layer: DesignLa
       return html`<span class="thumbnail words" style=${styleMap({ color: layer.color })}>${letters}</span>`;
     }
     case "stroke":
-      return layer.brush.tip === "picture" ? pictured(library, design, layer.brush.asset) : inked(layer.brush.color);
+      return layer.brush.tip === "picture"
+        ? pictured(library, design, layer.brush.asset, miniature(source, layer, "layer"))
+        : inked(layer.brush.color, miniature(source, layer, "layer"));
     case "paint":
-      return paintPicture(layer);
+      return paintPicture(layer, miniature(source, layer, "layer"));
   }
 }
 
-/** What a mask begins with, white for all and black for nothing, and a spot for what was painted on it. */
-export function maskPicture({ layers, invert }: Mask): TemplateResult {
+/** A layer's mask; until it is drawn what it begins with, white for all and black for nothing, and a spot for what was painted. */
+export function maskPicture(source: MiniatureSource, layer: DesignLayer, { layers, invert }: Mask): TemplateResult {
   const [first] = layers;
   const hides = first?.type === "fill" && first.blend === "erase" && first.visible;
   const ground = hides === invert ? "#fff" : "#000";
   const painted = layers.length > (hides ? 1 : 0);
   const spot = painted ? svg`<circle cx="12" cy="12" r="5.5" fill=${ground === "#fff" ? "#000" : "#fff"} />` : nothing;
-  return html`<svg class="mask-picture" viewBox="0 0 24 24" aria-hidden="true">
-    <rect width="24" height="24" fill=${ground} />${spot}
-  </svg>`;
+  return html`<span class="mask-picture">
+    <svg viewBox="0 0 24 24" aria-hidden="true"><rect width="24" height="24" fill=${ground} />${spot}</svg>
+    ${miniature(source, layer, "mask")}
+  </span>`;
 }
 
 /** As CSS draws it; the place on the model is left out. */
@@ -114,10 +133,15 @@ function fillInk({ color, gradient }: FillLayer): string {
   return gradient === null ? color : gradientInk(gradient);
 }
 
-function pictured(library: AssetLibrary, design: Design, asset: string): TemplateResult {
+function pictured(
+  library: AssetLibrary,
+  design: Design,
+  asset: string,
+  over: TemplateResult | typeof nothing = nothing,
+): TemplateResult {
   const picture = library.get(design.assets[asset]);
   return html`<span class="thumbnail">
-    ${picture?.url ? html`<img src=${picture.url} alt="" draggable="false" />` : nothing}
+    ${picture?.url ? html`<img src=${picture.url} alt="" draggable="false" />` : nothing}${over}
   </span>`;
 }
 
@@ -126,13 +150,13 @@ function inked(background: string, inner: TemplateResult | typeof nothing = noth
   return html`<span class="thumbnail"><span class="ink" style=${styleMap({ background })}></span>${inner}</span>`;
 }
 
-function paintPicture({ strokes }: PaintLayer): TemplateResult {
+function paintPicture({ strokes }: PaintLayer, over: TemplateResult): TemplateResult {
   const colours = new Set<string>();
   for (let index = strokes.length - 1; index >= 0 && colours.size < COLOURS_SHOWN; index -= 1) {
     const colour = colourOf(strokes[index] as StrokeLayer);
     if (colour !== null) colours.add(colour);
   }
-  const mark = html`<span class="mark">${icon(Brush)}</span>`;
+  const mark = html`<span class="mark">${icon(Brush)}</span>${over}`;
   const share = 100 / colours.size;
   const stripes = [...colours].map((colour, index) => `${colour} ${index * share}% ${(index + 1) * share}%`);
   return inked(colours.size === 0 ? "none" : `linear-gradient(135deg, ${stripes.join(", ")})`, mark);
