@@ -34,7 +34,7 @@ async function folderOfProjects() {
       name: "plane",
       design: parseDesign(DESIGN),
       assetBytes: () => logo,
-      targets: [{ material: 0, size: 32, gutter: 3 }],
+      targets: [{ material: 0, size: 32, gutter: 2 }],
       model: { title: "plane.glb", demo: null, source },
     });
   put("whole.texelcast", project({ name: "plane.glb", bytes: model }));
