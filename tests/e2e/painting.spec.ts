@@ -117,6 +117,7 @@ test("a gradient's end is dragged over the model as one step, given up by Escape
   };
   const before = await ends();
   const handle = page.locator("[data-gradient-handle=second]");
+  await expect(handle).toBeVisible();
   const box = await handle.boundingBox();
   if (!box) throw new Error("The gradient has no handle.");
   const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
