@@ -109,7 +109,15 @@ test("the graphics context is lost in mid-drag: the design goes on, and the pict
   const before = await editor.decal(id);
   const look = (): Promise<Buffer> => editor.stage.screenshot();
   await page.mouse.move(5, 400);
-  const seen = await look();
+  // What comes in by itself, the light and the finest texels, has come.
+  let seen = await look();
+  await expect
+    .poll(async () => {
+      const before = seen;
+      seen = await look();
+      return seen.equals(before);
+    })
+    .toBe(true);
   const lose = await page.evaluateHandle(() => {
     const canvas = document.querySelector<HTMLCanvasElement>("tc-workbench .tcv-canvas");
     return canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null;
