@@ -45,8 +45,6 @@ private:
     }
 };
 
-void store_two(std::uint16_t* to, Int4 low, Int4 high) { store_ushort8(to, low + kBias, high + kBias); }
-
 std::int32_t most_of(const std::uint8_t* list, Int4 at) {
     return std::max(std::max<std::int32_t>(list[at[0]], list[at[1]]), std::max<std::int32_t>(list[at[2]], list[at[3]]));
 }
@@ -199,12 +197,12 @@ __attribute__((always_inline)) inline void paint_four(const Ground& ground, cons
     const Int4 fourth = ground.sample<3>(place);
     if (most <= search.three) {
         const Int4 pairs = pair_up(first, fourth);
-        store_two(out, first, between<1, 3>(pairs));
-        store_two(out + 8, between<2, 3>(pairs), fourth);
+        store_texels(out, narrow(first, between<1, 3>(pairs)));
+        store_texels(out + 8, narrow(between<2, 3>(pairs), fourth));
         return;
     }
-    store_two(out, first, ground.sample<1>(place));
-    store_two(out + 8, ground.sample<2>(place), fourth);
+    store_texels(out, narrow(first, ground.sample<1>(place)));
+    store_texels(out + 8, narrow(ground.sample<2>(place), fourth));
     if (most <= search.limit) return;
     const Int4 rough = are_rough(*search.level, *search.footprint, steps, {x, y, place.offset});
     for (std::size_t i = 0; i < 4; ++i) {

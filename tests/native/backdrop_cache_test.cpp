@@ -26,19 +26,31 @@ Picture painted_anew(TestSession& session, TxcTarget target, const Picture& base
     return session.paint(target);
 }
 
+/// Layers by lot over a noisy picture, painted.
+struct TreeByLot {
+    TestSession session{make_plane()};
+    TxcTarget target = session.target(kSize, kSize);
+    Picture base;
+    std::vector<TreeLayer> layers;
+
+    explicit TreeByLot(Random& random) : base(make_noise(kSize, kSize, random.next(), random.coin())) {
+        session.set_base(target, base);
+        for (int i = 0; i < 8; ++i) layers.push_back(draw_layer(kSize, 3, false, random));
+        make_layers(session, target, layers);
+        session.update(target);
+    }
+};
+
 }  // namespace
 
 TEST_CASE("Drags by lot through trees by lot give the bytes that painting anew gives") {
     Random random(23);
     for (int round = 0; round < 12; ++round) {
-        TestSession session(make_plane());
-        const TxcTarget target = session.target(kSize, kSize);
-        const Picture base = make_noise(kSize, kSize, random.next(), random.coin());
-        session.set_base(target, base);
-        std::vector<TreeLayer> layers;
-        for (int i = 0; i < 8; ++i) layers.push_back(draw_layer(kSize, 3, false, random));
-        make_layers(session, target, layers);
-        session.update(target);
+        TreeByLot by_lot(random);
+        TestSession& session = by_lot.session;
+        const TxcTarget target = by_lot.target;
+        const Picture& base = by_lot.base;
+        std::vector<TreeLayer>& layers = by_lot.layers;
         std::vector<TreeLayer*> leaves;
         list_leaves(layers, leaves);
         if (leaves.empty()) continue;
@@ -179,14 +191,11 @@ constexpr std::uint32_t kGroundKib = 256 * 4;  // of one ground on all tiles
 TEST_CASE("What is held for changes that are expected, and for others, never shows") {
     Random random(41);
     for (int round = 0; round < 10; ++round) {
-        TestSession session(make_plane());
-        const TxcTarget target = session.target(kSize, kSize);
-        const Picture base = make_noise(kSize, kSize, random.next(), random.coin());
-        session.set_base(target, base);
-        std::vector<TreeLayer> layers;
-        for (int i = 0; i < 8; ++i) layers.push_back(draw_layer(kSize, 3, false, random));
-        make_layers(session, target, layers);
-        session.update(target);
+        TreeByLot by_lot(random);
+        TestSession& session = by_lot.session;
+        const TxcTarget target = by_lot.target;
+        const Picture& base = by_lot.base;
+        std::vector<TreeLayer>& layers = by_lot.layers;
         std::vector<TreeLayer*> all;
         list_all(layers, all);
         std::vector<TxcLayer> added;
