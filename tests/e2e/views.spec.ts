@@ -1,5 +1,6 @@
 import { readFileSync } from "node:fs";
-import { expect, test } from "./support/editor-page.ts";
+import type { Locator, Page } from "@playwright/test";
+import { type EditorPage, expect, test } from "./support/editor-page.ts";
 import { file } from "./support/test-files.ts";
 
 const TEMPLATE = new URL("../../build/public/demo/block-wide.glb", import.meta.url);
@@ -8,7 +9,7 @@ const blockFigure = () => file("block-wide.glb", readFileSync(TEMPLATE));
 /** Pixels of the figure, metres: 1.8 m are 32 of them. */
 const px = (count: number): number => (count * 1.8) / 32;
 
-async function openTemplate(page: import("@playwright/test").Page, id: string): Promise<void> {
+async function openTemplate(page: Page, id: string): Promise<void> {
   await page.locator("tc-top-bar .models button").first().click();
   await page.getByRole("menuitem", { name: "New from template…" }).click();
   await page.locator(`[data-template=${id}]`).click();
@@ -90,7 +91,8 @@ test("a part that is hidden lets the pointer through to what is behind it", asyn
   await page.locator("#show-all-parts").click();
 });
 
-test("a decal that is placed on a posed model lies on the same place of the resting one", async ({ editor, page }) => {
+/** The block figure with its hand raised; returns the bar of its animations. */
+async function pauseInMidWave(editor: EditorPage, page: Page): Promise<Locator> {
   await editor.open();
   await editor.openModel([blockFigure()]);
   await page.locator("#play").click();
@@ -98,6 +100,11 @@ test("a decal that is placed on a posed model lies on the same place of the rest
   await bar.locator("#clip").selectOption({ label: "Wave" });
   await bar.locator("#play").click();
   await bar.locator("#scrub").fill("60");
+  return bar;
+}
+
+test("a decal that is placed on a posed model lies on the same place of the resting one", async ({ editor, page }) => {
+  const bar = await pauseInMidWave(editor, page);
   // The front of the raised right hand, where it is seen, and where the arm hangs at rest.
   const hand = [px(-6), px(14), px(2)] as const;
   const seen = await page.evaluate((at) => window.texelcast.project(...at), hand);
@@ -127,13 +134,7 @@ test("on a posed model a decal is moved as it is seen, by keys and by the mouse,
   editor,
   page,
 }) => {
-  await editor.open();
-  await editor.openModel([blockFigure()]);
-  await page.locator("#play").click();
-  const bar = page.locator("tc-animation-bar");
-  await bar.locator("#clip").selectOption({ label: "Wave" });
-  await bar.locator("#play").click();
-  await bar.locator("#scrub").fill("60");
+  const bar = await pauseInMidWave(editor, page);
   const seenAt = async (at: readonly [number, number, number]) => {
     const point = await page.evaluate((place) => window.texelcast.project(...place), at);
     if (!point) throw new Error("The place is not in view.");

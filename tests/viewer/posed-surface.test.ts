@@ -61,14 +61,20 @@ function bendingPole(): { scene: ModelScene; bone: Bone } {
   return { scene: sceneOf(root, [], mesh), bone };
 }
 
+/** At the end of its quarter turn. */
+function turnedBox(): PosedSurface {
+  const scene = turningBox();
+  const surface = gatherRestingSurface(scene);
+  const animation = new ModelAnimation(scene);
+  const posed = new PosedSurface(scene, surface, new SurfaceQuery(surface));
+  animation.set({ clip: 0, seconds: 1 - 1e-9 });
+  posed.refresh();
+  return posed;
+}
+
 describe("a posed surface", () => {
   it("tells what a ray meets as it lies at rest: on a box that has turned, its other side", () => {
-    const scene = turningBox();
-    const surface = gatherRestingSurface(scene);
-    const animation = new ModelAnimation(scene);
-    const posed = new PosedSurface(scene, surface, new SurfaceQuery(surface));
-    animation.set({ clip: 0, seconds: 1 - 1e-9 });
-    posed.refresh();
+    const posed = turnedBox();
     const hit = posed.pick(new Ray(new Vector3(0.25, 0.5, 5), new Vector3(0, 0, -1)));
     // A quarter about Y brings the side that looks to -X to the front, what lay at z in it to x.
     expectVector(hit?.position ?? new Vector3(), new Vector3(-1, 0.5, 0.25), 1e-4);
@@ -169,12 +175,7 @@ describe("a surface without some of its meshes", () => {
   });
 
   it("tells what the view's directions mean at rest: a step to the right there is a step to the right here", () => {
-    const scene = turningBox();
-    const surface = gatherRestingSurface(scene);
-    const animation = new ModelAnimation(scene);
-    const posed = new PosedSurface(scene, surface, new SurfaceQuery(surface));
-    animation.set({ clip: 0, seconds: 1 - 1e-9 });
-    posed.refresh();
+    const posed = turnedBox();
     const view = { eye: new Vector3(0.2, 0.3, 9), right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
     // The side that looks to -X at rest is the one in front.
     const place = new Vector3(-1, 0.5, 0.25);

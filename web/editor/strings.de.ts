@@ -1,4 +1,4 @@
-/** Every word that the page says, in German. tsc keeps it complete. */
+/** Every word that the page says, in German: as long as strings.ts, place for place. tsc keeps it complete. */
 import { hundredths, momentOf } from "./strings/formats.ts";
 import {
   germanGradient,

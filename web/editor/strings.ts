@@ -1,4 +1,7 @@
-/** Every word that the page says, in one place. Errors of the engine bring their own words. */
+/**
+ * Every word that the page says, in one place: longer than other files for that alone, so that a translator reads down one
+ * list. Errors of the engine bring their own words.
+ */
 
 import { hundredths, momentOf } from "./strings/formats.ts";
 import { language } from "./strings/language.ts";
