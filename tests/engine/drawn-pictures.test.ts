@@ -2,7 +2,7 @@ import { afterEach, describe, expect, it } from "vitest";
 import type { EngineText, TargetUpdate } from "../../web/engine/engine-api.ts";
 import { footprintTexels, MOST_RASTER_PIXELS, rasterSize } from "../../web/engine/raster-size.ts";
 import { readShippedFont } from "../../web/engine/shipped-fonts.ts";
-import { isSvg } from "../../web/engine/svg-file.ts";
+import { isSvg } from "../../web/engine/svg-start.ts";
 import { decal, FRONT } from "../support/layers.ts";
 import { buildGlb } from "../support/model-builder.ts";
 import { allTexels, at, endHosts, paintablePlane, SIZE, startHost, texturedPlane } from "../support/painted-plane.ts";

@@ -641,10 +641,6 @@ export const german: Strings = {
     unknownFile: (name) => `${name} ist kein Modell, Design oder Bild, das diese Seite kennt.`,
     unknownFileHint:
       "Modelle: .glb, .gltf. Bilder: .png, .jpg, .webp, .svg. Schriften: .ttf, .otf. Designs: .design.json. Projekte: .texelcast.",
-    badDataUri: (subject) => `${subject} ist keine wohlgeformte data:-Adresse.`,
-    missingAsset: (uri) => `Das Design nennt das Bild ${uri}, das nicht dabei ist.`,
-    missingAssetHint: "Öffne das Design zusammen mit seinen Bildern: Wähle oder zieh alle auf einmal.",
-    unreachable: (address) => `${address} ließ sich nicht laden.`,
     noDemosTitle: "Die Beispielmodelle fehlen",
     noDemos: "Die Liste der Beispielmodelle ließ sich nicht lesen.",
     noDemosHint: "Führe npm run demo aus oder öffne ein eigenes Modell.",

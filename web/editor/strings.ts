@@ -637,10 +637,6 @@ const english = {
     unknownFile: (name: string): string => `${name} is not a model, a design or a picture that this page knows.`,
     unknownFileHint:
       "Models: .glb, .gltf. Pictures: .png, .jpg, .webp, .svg. Fonts: .ttf, .otf. Designs: .design.json. Projects: .texelcast.",
-    badDataUri: (subject: string): string => `${subject} is not a well-formed data: address.`,
-    missingAsset: (uri: string): string => `The design names the picture ${uri}, which is not part of it.`,
-    missingAssetHint: "Open the design together with its pictures: choose or drop all of them at once.",
-    unreachable: (address: string): string => `${address} could not be fetched.`,
     noDemosTitle: "The demo models are missing",
     noDemos: "The list of demo models could not be read.",
     noDemosHint: "Run npm run demo, or open a model of your own.",

@@ -36,7 +36,7 @@ import { type MapChannel, OpenTarget, type TargetPictures } from "./open-target.
 import { decodePicture } from "./picture-decoder.ts";
 import { encodePng } from "./png-encoder.ts";
 import { Readying } from "./readying.ts";
-import { isSvg } from "./svg-file.ts";
+import { isSvg } from "./svg-start.ts";
 
 export type { MapChannel } from "./open-target.ts";
 

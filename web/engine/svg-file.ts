@@ -8,6 +8,7 @@ import { rasterSize } from "./raster-size.ts";
 import { type ShippedFontId, shippedFontAddress, standIn } from "./shipped-fonts.ts";
 import { canFilter, type FilterUse, filterUses } from "./svg-cost.ts";
 import { simplifiedSvg, startSvgRenderer, svgSize } from "./svg-renderer.ts";
+import { encodingOf } from "./svg-start.ts";
 import { isInvisible, scriptOf } from "./text-script.ts";
 
 export interface SvgFile {
@@ -29,12 +30,6 @@ const MAX_INNER_PIXELS = 64 * 2 ** 20;
 /** Longer side by shorter. */
 const MAX_ASPECT = 1000;
 const HINT = "Open it in a drawing program and save it again as plain SVG.";
-
-/** Whether the bytes begin like an SVG document. */
-export function isSvg(bytes: Uint8Array): boolean {
-  const start = new TextDecoder(encodingOf(bytes)).decode(bytes.subarray(0, 4096));
-  return /^\s*(?:<\?xml[^>]*>\s*|<!--[\s\S]*?-->\s*)*(?:<!DOCTYPE\s+svg\b|<(?:[\w-]+:)?svg[\s>/])/i.test(start);
-}
 
 /**
  * Reads an SVG file. Rejects with "bad-picture" naming the file: too large, not UTF-8 or UTF-16, not well-formed, without a
@@ -59,11 +54,6 @@ export async function readSvgFile(bytes: Uint8Array, name: string): Promise<SvgF
     throw badPicture(name, "its filters would take too long to draw", "Make them simpler, or save it as PNG.");
   }
   return { name, svg, width, height, fonts: fontsOf(svg), filters };
-}
-
-function encodingOf(bytes: Uint8Array): "utf-8" | "utf-16le" | "utf-16be" {
-  if (bytes[0] === 0xff && bytes[1] === 0xfe) return "utf-16le";
-  return bytes[0] === 0xfe && bytes[1] === 0xff ? "utf-16be" : "utf-8";
 }
 
 function decode(bytes: Uint8Array, name: string): string {

@@ -1,6 +1,6 @@
 /** `data:` URIs (RFC 2397) to bytes and back. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { strings } from "../strings.ts";
+import { assetWords } from "../strings/asset-words.ts";
 
 export function encodeDataUri(type: string, bytes: Uint8Array): string {
   let binary = "";
@@ -27,5 +27,5 @@ export function decodeDataUri(uri: string, subject: string): Uint8Array<ArrayBuf
 }
 
 function malformed(subject: string, cause?: unknown): TexelcastError {
-  return new TexelcastError("bad-design", strings.errors.badDataUri(subject), { subject, cause });
+  return new TexelcastError("bad-design", assetWords.badDataUri(subject), { subject, cause });
 }

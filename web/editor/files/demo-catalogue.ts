@@ -1,5 +1,6 @@
 /** The demo models and decals that come with the page, as `demo/demo.json` lists them. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { assetWords } from "../strings/asset-words.ts";
 import { strings } from "../strings.ts";
 
 export interface DemoModel {
@@ -57,7 +58,6 @@ export async function loadDemoCatalogue(page: string): Promise<DemoCatalogue> {
 /** Rejects with a TexelcastError of code "missing-file". */
 export async function fetchBytes(address: string, base: string): Promise<Uint8Array> {
   const response = await fetch(new URL(address, base)).catch(() => undefined);
-  if (!response?.ok)
-    throw new TexelcastError("missing-file", strings.errors.unreachable(address), { subject: address });
+  if (!response?.ok) throw new TexelcastError("missing-file", assetWords.unreachable(address), { subject: address });
   return new Uint8Array(await response.arrayBuffer());
 }

@@ -3,6 +3,7 @@ import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { listSideFiles } from "../../engine/gltf-container.ts";
 import { strings } from "../strings.ts";
+import { bytesOf, findCompanion } from "./companions.ts";
 import type { CollectedFile } from "./file-collection.ts";
 
 export interface Intake {
@@ -57,28 +58,6 @@ export async function sortFiles(files: readonly CollectedFile[]): Promise<Intake
   };
 }
 
-export async function bytesOf(file: Blob): Promise<Uint8Array> {
-  return new Uint8Array(await file.arrayBuffer());
-}
-
-/**
- * The file that a relative address means: by its path beside `base`, else (files dropped without their folders) the
- * only one of that name.
- */
-export function findCompanion(
-  address: string,
-  base: string,
-  files: readonly CollectedFile[],
-): CollectedFile | undefined {
-  const wanted = decodeAddress(address).replace(/^\.\//, "");
-  const folder = base.slice(0, base.lastIndexOf("/") + 1);
-  const exact = files.find(({ path }) => path === folder + wanted);
-  if (exact) return exact;
-  const name = wanted.slice(wanted.lastIndexOf("/") + 1);
-  const named = files.filter(({ path }) => path.slice(path.lastIndexOf("/") + 1) === name);
-  return named.length === 1 ? named[0] : undefined;
-}
-
 async function readModel(modelFile: CollectedFile, files: readonly CollectedFile[]): Promise<ModelSource> {
   const name = modelFile.file.name;
   const bytes = await bytesOf(modelFile.file);
@@ -97,13 +76,5 @@ function sideFilesOf(name: string, bytes: Uint8Array): string[] {
   } catch {
     // A broken container is refused by the engine too, with the whole story.
     return [];
-  }
-}
-
-function decodeAddress(address: string): string {
-  try {
-    return decodeURIComponent(address);
-  } catch {
-    return address;
   }
 }

@@ -6,15 +6,15 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import { readFontHeader } from "../../engine/font-file.ts";
-import { readPictureHeader } from "../../engine/picture-decoder.ts";
+import { readPictureHeader } from "../../engine/picture-header.ts";
 import { isShippedFontAddress } from "../../engine/shipped-fonts.ts";
-import { isSvg } from "../../engine/svg-file.ts";
+import { isSvg } from "../../engine/svg-start.ts";
 import type { Design, DesignAsset } from "../document/index.ts";
+import { bytesOf, findCompanion } from "../files/companions.ts";
 import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
 import { fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
-import { bytesOf, findCompanion } from "../files/file-intake.ts";
-import { strings } from "../strings.ts";
+import { assetWords } from "../strings/asset-words.ts";
 import { MEBIBYTE } from "./megabytes.ts";
 
 export interface LibraryPicture {
@@ -245,16 +245,16 @@ async function readAsset(uri: string, field: string, { path, files, baseUrl, rea
   const address = URL.canParse(uri, baseUrl) ? new URL(uri, baseUrl) : undefined;
   const allowed = address && (uri.startsWith("https:") || (baseUrl !== undefined && !uri.includes(":")));
   if (!allowed) {
-    throw new TexelcastError("missing-file", strings.errors.missingAsset(uri), {
+    throw new TexelcastError("missing-file", assetWords.missingAsset(uri), {
       subject: path,
       field,
       value: uri,
-      hint: strings.errors.missingAssetHint,
+      hint: assetWords.missingAssetHint,
     });
   }
   const response = await fetch(address).catch(() => undefined);
   if (!response?.ok) {
-    throw new TexelcastError("missing-file", strings.errors.unreachable(uri), { subject: path, field, value: uri });
+    throw new TexelcastError("missing-file", assetWords.unreachable(uri), { subject: path, field, value: uri });
   }
   return bytesOf(await response.blob());
 }

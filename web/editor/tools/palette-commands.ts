@@ -1,7 +1,7 @@
 /** The palette's own file work: from a .gpl, from a picture, and back into a .gpl. */
 import { decodePicture } from "../../engine/picture-decoder.ts";
+import { bytesOf } from "../files/companions.ts";
 import { download, fileStem } from "../files/download.ts";
-import { bytesOf } from "../files/file-intake.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import { strings } from "../strings.ts";
 import { DEFAULT_PALETTE } from "./default-palette.ts";
