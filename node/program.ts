@@ -4,6 +4,7 @@ import packageJson from "../package.json" with { type: "json" };
 import type { BakeOptions } from "./commands/bake.ts";
 import type { InspectOptions } from "./commands/inspect.ts";
 import type { RenderOptions } from "./commands/render.ts";
+import type { SchemaOptions } from "./commands/schema.ts";
 import { parseBase, parseFolder, parseGutter, parseMaterial, parseRenderOutput, parseSize } from "./options.ts";
 
 const EXIT_CODES = `
@@ -33,7 +34,8 @@ Examples:
 
 const SCHEMA_EXAMPLES = `
 Examples:
-  texelcast schema > design.schema.json`;
+  texelcast schema > design.schema.json
+  texelcast schema --zones > zones.schema.json`;
 
 /** A program that throws CommanderError instead of ending the process. */
 export function createProgram(): Command {
@@ -121,11 +123,14 @@ export function createProgram(): Command {
 
   program
     .command("schema")
-    .summary("print the JSON Schema of design documents")
-    .description("Prints the JSON Schema (draft 2020-12) of design documents, for editors and other programs.")
+    .summary("print the JSON Schema of design documents, or of zones files")
+    .description(
+      "Prints the JSON Schema (draft 2020-12) of design documents, or of zones files, for editors and other programs.",
+    )
+    .option("--zones", "that of zones files")
     .addHelpText("after", SCHEMA_EXAMPLES)
-    .action(async () => {
-      await (await import("./commands/schema.ts")).schema();
+    .action(async (options: SchemaOptions) => {
+      await (await import("./commands/schema.ts")).schema(options);
     });
 
   return program;

@@ -1,9 +1,12 @@
-/** `texelcast schema`: the design document's JSON Schema, as the package publishes it. */
+/** `texelcast schema`: the JSON Schemas of designs and zones files, as the package publishes them. */
 import { readFile } from "node:fs/promises";
 
-/** Beside the bundle's folder in the package and in a checkout's build/. */
-const FILE = new URL("../design.schema.json", import.meta.url);
+export interface SchemaOptions {
+  readonly zones?: true;
+}
 
-export async function schema(): Promise<void> {
-  process.stdout.write(await readFile(FILE));
+export async function schema({ zones }: SchemaOptions): Promise<void> {
+  // Beside the bundle's folder in the package and in a checkout's build/.
+  const file = new URL(zones ? "../zones.schema.json" : "../design.schema.json", import.meta.url);
+  process.stdout.write(await readFile(file));
 }

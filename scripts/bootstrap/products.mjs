@@ -28,9 +28,9 @@ export const demoAssets = stampedStep({
 
 export const designSchema = stampedStep({
   name: "design-schema",
-  title: "the design document's JSON Schema (build/design.schema.json)",
+  title: "the JSON Schemas of designs and zones (build/*.schema.json)",
   inputs: ["web/editor/document", "scripts/schema", "package-lock.json"],
-  outputs: ["build/design.schema.json"],
+  outputs: ["build/design.schema.json", "build/zones.schema.json"],
   work: () => runScript("scripts/schema/main.ts"),
 });
 

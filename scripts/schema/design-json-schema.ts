@@ -1,53 +1,15 @@
-/**
- * The design document's shape as JSON Schema, draft 2020-12, made from the valibot schema that reads designs: it has no
- * rules of its own, so the two cannot part. It describes what may stand in a file (fields with a default may be
- * left out), for editors and for programs in other languages.
- */
-import { type ConversionConfig, type JsonSchema, toJsonSchema } from "@valibot/to-json-schema";
+/** The design document's JSON Schema. */
+import type { JsonSchema } from "@valibot/to-json-schema";
 import { designParts, designSchema } from "../../web/editor/document/design-schema.ts";
+import { documentJsonSchema } from "./document-json-schema.ts";
 
-const TITLE = "Texelcast design, version 1";
-const DESCRIPTION =
-  "Which pictures lie where on a model, in which order, and how they mix. Beyond this schema the reader refuses ids " +
-  "that occur twice, assets that are not there or of the wrong kind, and what descriptions below say.";
-
-/** Kinds of valibot that JSON Schema has no word for, and what stands for them. All others must convert by themselves. */
-const STAND_INS: Readonly<Record<string, JsonSchema>> = { custom: { type: "object" } };
-
-const conversion: ConversionConfig = {
-  target: "draft-2020-12",
-  definitions: designParts,
-  // Lists are checked in two steps, the count before the items, which the converter warns of though it joins them right.
-  // What it truly cannot convert is thrown below.
-  errorMode: "ignore",
-  overrideSchema: ({ valibotSchema, jsonSchema, errors }) => {
-    if (valibotSchema.type === "tuple") return { ...jsonSchema, items: false };
-    if (errors === undefined) return jsonSchema;
-    const standIn = STAND_INS[valibotSchema.type];
-    if (standIn === undefined) throw new Error(errors.join(" "));
-    return { ...jsonSchema, ...standIn };
-  },
-  overrideAction: ({ valibotAction, jsonSchema, errors }) => {
-    if (errors === undefined) return jsonSchema;
-    if (valibotAction.type !== "check") throw new Error(errors.join(" "));
-    // JSON Schema runs no code: what only code can check is told in words.
-    const { description } = jsonSchema;
-    const rule = messageOf(valibotAction);
-    return {
-      ...jsonSchema,
-      description: description === undefined ? `Checked by the reader: ${rule}` : `${description}; ${rule}`,
-    };
-  },
-};
-
-function messageOf(action: object): string {
-  const message = "message" in action ? action.message : undefined;
-  if (typeof message !== "string") throw new Error("A check of the design's schema has no message.");
-  return message;
-}
-
-/** @throws Error where the valibot schema holds something that has no counterpart here: name it above. */
 export function designJsonSchema(): JsonSchema {
-  const { $schema, ...shape } = toJsonSchema(designSchema, conversion);
-  return { $schema, title: TITLE, description: DESCRIPTION, ...shape } as JsonSchema;
+  return documentJsonSchema({
+    title: "Texelcast design, version 1",
+    description:
+      "Which pictures lie where on a model, in which order, and how they mix. Beyond this schema the reader refuses ids " +
+      "that occur twice, assets that are not there or of the wrong kind, and what descriptions below say.",
+    schema: designSchema,
+    parts: designParts,
+  });
 }

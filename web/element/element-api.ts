@@ -5,10 +5,12 @@
 import type { TexelcastErrorJson } from "../core/texelcast-error.ts";
 import type { AssetType, Design, DesignLayer } from "../editor/document/design.ts";
 import type { ModelSource, Projector, Vec3 } from "../engine/engine-api.ts";
+import type { PrintReport } from "../engine/print-report.ts";
 
 export type { TexelcastErrorJson } from "../core/texelcast-error.ts";
 export type { AssetType, Design, DesignLayer } from "../editor/document/design.ts";
 export type { ModelSource, Projector } from "../engine/engine-api.ts";
+export type { PrintFinding, PrintMeasures, PrintReport } from "../engine/print-report.ts";
 
 /** The element's name in HTML. */
 export const EDITOR_TAG = "texelcast-editor";
@@ -194,9 +196,6 @@ export interface SubmitDetail extends ExportedDesign {
   /** Null without zones. */
   readonly report: PrintReport | null;
 }
-
-/** What `validate` finds. */
-export type PrintReport = Readonly<Record<string, unknown>>;
 
 /** Events of the element; all bubble and cross shadow borders. */
 export interface TexelcastEditorEventMap {

@@ -22,3 +22,4 @@ export {
   type StrokePathOptions,
   type StrokePiece,
 } from "./stroke-path.ts";
+export { parseZones, ZONES_VERSION } from "./zones.ts";

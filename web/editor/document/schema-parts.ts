@@ -169,7 +169,7 @@ export const hexColor = v.pipe(
 );
 
 const materialMessage = "must be a glTF material index: a whole number, 0 or above";
-const materialIndex = v.pipe(
+export const materialIndex = v.pipe(
   v.number(materialMessage),
   v.integer(materialMessage),
   v.minValue(0, materialMessage),
