@@ -545,6 +545,7 @@ export const german: Strings = {
     megabytes: (size) => `${size} MB`,
     copyOf: (name) => `${name} (Kopie)`,
     packerFailed: (reason) => `Die Projektdatei ließ sich nicht packen. ${reason}`,
+    unpackerFailed: (reason) => `Die Projektdatei ließ sich nicht entpacken. ${reason}`,
     namedInstead: (name) => `Ein anderes Projekt heißt schon so: dieses heißt jetzt ${name}`,
     restored: (name) => `${name} ist zurück`,
     back: (name) => `${name} ist zurück, wie du es verlassen hast`,

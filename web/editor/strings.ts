@@ -541,6 +541,7 @@ const english = {
     megabytes: (size: string): string => `${size} MB`,
     copyOf: (name: string): string => `${name} (copy)`,
     packerFailed: (reason: string): string => `The project’s file could not be packed. ${reason}`,
+    unpackerFailed: (reason: string): string => `The project’s file could not be unpacked. ${reason}`,
     namedInstead: (name: string): string => `Another project has that name: this one is now ${name}`,
     restored: (name: string): string => `${name} is back`,
     back: (name: string): string => `${name} is back as you left it`,

@@ -1,9 +1,9 @@
 /** Projects that the browser keeps: the one the page begins with, and what the list of them offers. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { PROJECT_EXTENSION, type ProjectFile, readProjectFile } from "../document/index.ts";
+import { PROJECT_EXTENSION, type ProjectFile } from "../document/index.ts";
 import { fetchBytes } from "../files/demo-catalogue.ts";
 import { download, fileNameOf } from "../files/download.ts";
-import { packInWorker } from "../files/project-packer.ts";
+import { packInWorker, unpackInWorker } from "../files/project-client.ts";
 import type { ProjectToPack } from "../files/project-packing.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { randomId } from "../storage/content-hash.ts";
@@ -17,7 +17,7 @@ import type { EditorState, ListedProject, ModelRef } from "./editor-state.ts";
 import type { FileCommands } from "./file-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
-import type { Tasks } from "./tasks.ts";
+import type { TaskHandle, Tasks } from "./tasks.ts";
 
 export interface ProjectCommandsParts {
   readonly store: Store<EditorState>;
@@ -73,15 +73,16 @@ export class ProjectCommands {
    */
   async openFile(fileName: string, bytes: Uint8Array, model?: ModelRef): Promise<void> {
     const { library, autosave, files, store, tasks } = this.#parts;
-    const open = async (): Promise<ProjectContent> => {
-      const file = readProjectFile(bytes, fileName);
+    const open = async ({ signal, checkCancelled }: TaskHandle): Promise<ProjectContent> => {
+      const file = await unpackInWorker(bytes, fileName, signal);
       const { name, targets } = file;
       const ref = await this.#modelOf(file, model ?? store.state.model?.ref, model !== undefined);
-      const design = await library.adopt(file.design, { path: fileName, read: file.assetBytes });
+      const design = await library.adopt(file.design, { path: fileName, read: (uri) => file.assets.get(uri) });
+      checkCancelled();
       const settings = targets.map(({ material, size, gutter }) => [material, { size, gutter }] as const);
       return { name, design, model: ref, targets: new Map(settings) };
     };
-    const content = await tasks.run(strings.tasks.opening(fileName), open, { cancellable: false });
+    const content = await tasks.run(strings.tasks.opening(fileName), open);
     await autosave.flush();
     autosave.begin(content.model);
     await files.openProject(content);
@@ -208,7 +209,11 @@ export class ProjectCommands {
     return { name, design, model, targets: loaded.targets };
   }
 
-  async #modelOf({ model }: ProjectFile, other: ModelRef | undefined, given: boolean): Promise<ModelRef> {
+  async #modelOf(
+    { model }: Pick<ProjectFile, "model">,
+    other: ModelRef | undefined,
+    given: boolean,
+  ): Promise<ModelRef> {
     const { source, title, demo } = model;
     if (source) return { source, title, demoId: null };
     const known = !given && demo !== null && this.#parts.store.state.demos?.models.some(({ id }) => id === demo);

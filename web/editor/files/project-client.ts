@@ -1,0 +1,55 @@
+/** Packs and unpacks projects beside the page's thread. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { strings } from "../strings.ts";
+import type { ProjectAnswer, ProjectToPack, ProjectWork, UnpackedProject } from "./project-packing.ts";
+
+/**
+ * The bytes of a project's file. Rejects with a TexelcastError: what is wrong with the project, "internal" where the worker
+ * cannot run, and "cancelled".
+ */
+export async function packInWorker(project: ProjectToPack, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer>> {
+  const answer = await askWorker({ pack: project }, project.name, strings.projects.packerFailed, signal);
+  if ("packed" in answer) return answer.packed;
+  throw new TexelcastError("internal", strings.projects.packerFailed(""), { subject: project.name });
+}
+
+/** A project's file, all of it inflated and checked. Rejects as `packInWorker`, with what is wrong with the file. */
+export async function unpackInWorker(
+  bytes: Uint8Array,
+  fileName: string,
+  signal: AbortSignal,
+): Promise<UnpackedProject> {
+  const work = { unpack: { bytes, fileName } };
+  const answer = await askWorker(work, fileName, strings.projects.unpackerFailed, signal);
+  if ("unpacked" in answer) return answer.unpacked;
+  throw new TexelcastError("internal", strings.projects.unpackerFailed(""), { subject: fileName });
+}
+
+async function askWorker(
+  work: ProjectWork,
+  subject: string,
+  failed: (reason: string) => string,
+  signal: AbortSignal,
+): Promise<Exclude<ProjectAnswer, { error: unknown }>> {
+  // A worker of the page's own, not of a blob: address, which a shop's content security policy refuses.
+  const worker = new Worker(new URL("./project-worker.ts", import.meta.url), {
+    type: "module",
+    name: "texelcast-project",
+  });
+  try {
+    const answer = await new Promise<ProjectAnswer>((resolve, reject) => {
+      const fail = (reason: string): void => reject(new TexelcastError("internal", failed(reason), { subject }));
+      worker.onmessage = ({ data }: MessageEvent<ProjectAnswer>) => resolve(data);
+      worker.onerror = (event) => fail(event.message);
+      worker.onmessageerror = () => fail("");
+      const cancel = (): void => reject(new TexelcastError("cancelled", strings.errors.cancelled));
+      if (signal.aborted) cancel();
+      signal.addEventListener("abort", cancel);
+      worker.postMessage(work);
+    });
+    if ("error" in answer) throw TexelcastError.from(answer.error);
+    return answer;
+  } finally {
+    worker.terminate();
+  }
+}
