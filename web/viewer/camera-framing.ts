@@ -1,11 +1,11 @@
 /** Where the camera goes: the whole model, one decal, and steps of the keyboard. */
-import { Box3, Vector3 } from "three";
+import { Box3, type PerspectiveCamera, Vector3 } from "three";
 import { axisOf, type DecalPose } from "./decal-pose.ts";
 import type { Stage } from "./stage.ts";
 
 /** From the front, a little from the side and above: shapes read better than straight on. */
-const MODEL_AZIMUTH = 0.42;
-const MODEL_POLAR = 1.25;
+export const MODEL_AZIMUTH = 0.42;
+export const MODEL_POLAR = 1.25;
 /** How much farther than a tight fit the camera stands. */
 const MODEL_ROOM = 1.24;
 const DECAL_ROOM = 2.2;
@@ -15,13 +15,25 @@ const MOST_FRAMED_VERTICES = 20_000;
 /** Shows all of a model of these vertices; `eased` false puts the camera there at once. */
 export function frameModel(stage: Stage, positions: Float32Array, eased: boolean): void {
   const { controls } = stage;
-  const towardsEye = new Vector3().setFromSphericalCoords(1, MODEL_POLAR, MODEL_AZIMUTH);
-  const target = boundsOf(positions).getCenter(new Vector3());
-  const distance = distanceForVertices(stage, positions, target, towardsEye);
-  const eye = target.clone().addScaledVector(towardsEye, distance * MODEL_ROOM);
+  const { eye, target } = framedEye(stage.camera, positions, MODEL_AZIMUTH, MODEL_POLAR);
   controls.normalizeRotations();
   controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, eased && stage.animates);
   stage.requestFrame();
+}
+
+/** Where a camera stands that sees all of a model from a direction (radians: about the vertical, down from it), and looks at. */
+export function framedEye(
+  camera: PerspectiveCamera,
+  positions: Float32Array,
+  azimuth: number,
+  polar: number,
+): { readonly eye: Vector3; readonly target: Vector3; readonly distance: number } {
+  const towardsEye = new Vector3().setFromSphericalCoords(1, polar, azimuth);
+  const bounds = boundsOf(positions);
+  const target = bounds.getCenter(new Vector3());
+  const least = bounds.getSize(new Vector3()).length() * 0.05;
+  const distance = MODEL_ROOM * Math.max(least, distanceForVertices(camera, positions, target, towardsEye));
+  return { eye: target.clone().addScaledVector(towardsEye, distance), target, distance };
 }
 
 /** Looks straight at a decal. */
@@ -58,14 +70,19 @@ export function boundsOf(positions: Float32Array): Box3 {
 }
 
 /** How far from `target` all vertices are in view. */
-function distanceForVertices(stage: Stage, positions: Float32Array, target: Vector3, towardsEye: Vector3): number {
-  const vertical = Math.tan((stage.camera.fov * Math.PI) / 360);
-  const horizontal = vertical * Math.max(stage.camera.aspect, 0.2);
+function distanceForVertices(
+  camera: PerspectiveCamera,
+  positions: Float32Array,
+  target: Vector3,
+  towardsEye: Vector3,
+): number {
+  const vertical = Math.tan((camera.fov * Math.PI) / 360);
+  const horizontal = vertical * Math.max(camera.aspect, 0.2);
   const right = new Vector3(0, 1, 0).cross(towardsEye).normalize();
   const up = towardsEye.clone().cross(right);
   const stride = 3 * Math.ceil(positions.length / 3 / MOST_FRAMED_VERTICES);
   const vertex = new Vector3();
-  let distance = stage.bounds.radius * 0.1;
+  let distance = 0;
   for (let at = 0; at < positions.length; at += stride) {
     vertex.fromArray(positions, at).sub(target);
     const away = Math.max(Math.abs(vertex.dot(right)) / horizontal, Math.abs(vertex.dot(up)) / vertical);

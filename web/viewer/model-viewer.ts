@@ -3,11 +3,13 @@ import { type Ray, Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
 import { frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
+import type { Orbit } from "./camera-orbit.ts";
 import { ClipClock } from "./clip-clock.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
 import { poseOf } from "./decal-pose.ts";
 import { EventHub } from "./event-hub.ts";
 import { GradientHandles, type GradientLabels, type GradientPlace } from "./gradient-handles.ts";
+import { type CameraLimits, ModelCamera } from "./model-camera.ts";
 import { ModelDisplay } from "./model-display.ts";
 import { guideOf } from "./model-parts.ts";
 import { ModelPlacement } from "./model-placement.ts";
@@ -57,6 +59,7 @@ class ThreeModelViewer implements ModelViewer {
   readonly #gradient: GradientHandles;
   readonly #input: ViewInput;
   readonly #display: ModelDisplay;
+  readonly #camera: ModelCamera;
   readonly #clock: ClipClock;
   readonly #events = new EventHub<ModelViewerEvents>();
   #model: ShownModel | null = null;
@@ -110,6 +113,7 @@ class ThreeModelViewer implements ModelViewer {
       },
     });
     this.#display = new ModelDisplay(root, this.#stage, this.#screen);
+    this.#camera = new ModelCamera(this.#stage);
     const pick = (ray: Ray) => this.#model?.pick(ray) ?? null;
     const toDrawn = (point: Vector3) => this.#model?.toPosed(point) ?? point;
     this.#gradient = new GradientHandles(root, this.#screen, {
@@ -155,6 +159,7 @@ class ThreeModelViewer implements ModelViewer {
     this.#display.setModel(model);
     this.setHiddenParts(new Set(model.parts.filter(({ hidden }) => hidden).map(({ id }) => id)));
     this.#gizmo.enabled = !this.#tools.active;
+    this.#camera.setModel(model.positions);
     frameModel(this.#stage, model.positions, false);
   }
 
@@ -319,6 +324,17 @@ class ThreeModelViewer implements ModelViewer {
     return this.#model === null ? null : this.#stage.picture(width, height);
   }
 
+  setCamera(orbit: Orbit | null, limits: CameraLimits): void {
+    this.#camera.setLimits(limits);
+    if (orbit !== null) {
+      this.#camera.moveTo(orbit);
+    }
+  }
+
+  capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null> {
+    return this.#camera.capture(orbit, width, height);
+  }
+
   clientPosition(position: Vec3): { x: number; y: number } | null {
     const point = this.#model && this.#screen.project(this.#model.toPosed(new Vector3(...position)));
     const box = this.element.getBoundingClientRect();
@@ -372,6 +388,7 @@ class ThreeModelViewer implements ModelViewer {
       this.#tools.setSurface(null);
       this.#updates.clear();
       this.#display.setModel(null);
+      this.#camera.setModel(null);
       model.dispose();
       this.#model = null;
     }

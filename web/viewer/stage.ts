@@ -20,6 +20,7 @@ import {
   WebGLRenderer,
 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { captureScene, lensFor } from "./capture.ts";
 import { ContactShadow } from "./contact-shadow.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { GroundLight } from "./ground-light.ts";
@@ -33,7 +34,6 @@ CameraControls.install({
 
 /** A frame costs four times at 3 what it costs at 1.5, and nobody sees it. */
 const MOST_PIXEL_RATIO = 2;
-const FIELD_OF_VIEW = 30;
 /** Measured on a matt ball: a colour that faces the camera is shown within 3 of 255 of what was picked. */
 const LIGHT = 0.95;
 /** Seconds that the turntable takes for one turn. */
@@ -55,7 +55,7 @@ export interface StageHooks {
 export class Stage {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
-  readonly camera = new PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
+  readonly camera = new PerspectiveCamera(lensFor(1), 1, 0.01, 100);
   readonly controls: CameraControls;
   /** Frames drawn so far. */
   frames = 0;
@@ -213,6 +213,21 @@ export class Stage {
     return small.toDataURL("image/webp", 0.85);
   }
 
+  /** The scene through another camera, PNG on a clear ground; null while the context is lost. */
+  async capture(camera: PerspectiveCamera, width: number, height: number): Promise<Blob | null> {
+    if (this.#lost) {
+      return null;
+    }
+    this.#fitClipping(camera);
+    const picture = captureScene(this.renderer, this.scene, camera, width, height);
+    // The view's own picture is drawn again before anybody sees this one.
+    this.#resized = true;
+    this.#applySize();
+    this.renderer.render(this.scene, this.camera);
+    this.requestFrame();
+    return await picture;
+  }
+
   dispose(): void {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = -1;
@@ -290,10 +305,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, MOST_PIXEL_RATIO) * this.#drawnScale);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    // The angle is that of the shorter side: a view that grows taller (a phone whose panel closes) shows more above and
-    // below, and cuts nothing off at the sides.
-    const half = Math.tan(MathUtils.degToRad(FIELD_OF_VIEW / 2)) / Math.min(1, this.camera.aspect);
-    this.camera.fov = MathUtils.radToDeg(2 * Math.atan(half));
+    this.camera.fov = lensFor(this.camera.aspect);
     this.camera.updateProjectionMatrix();
     // A view that was built outside the document has its style from here on.
     this.#readTheme();
@@ -301,12 +313,12 @@ export class Stage {
   }
 
   /** The clipping planes hug the model: depth stays precise for models of centimetres and of hundreds of metres. */
-  #fitClipping(): void {
-    const distance = this.camera.position.distanceTo(this.#bounds.center);
+  #fitClipping(camera = this.camera): void {
+    const distance = camera.position.distanceTo(this.#bounds.center);
     const { radius } = this.#bounds;
-    this.camera.near = Math.max(distance - radius * 2.5, radius * 0.01);
-    this.camera.far = distance + radius * 4;
-    this.camera.updateProjectionMatrix();
+    camera.near = Math.max(distance - radius * 2.5, radius * 0.01);
+    camera.far = distance + radius * 4;
+    camera.updateProjectionMatrix();
   }
 
   #configureControls(): void {

@@ -8,7 +8,9 @@ import type {
   TargetUpdate,
   Vec3,
 } from "../engine/engine-api.ts";
+import type { Orbit } from "./camera-orbit.ts";
 import type { GradientLabels, GradientPhase, GradientPlace } from "./gradient-handles.ts";
+import type { CameraLimits } from "./model-camera.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 
 export type { Vec3 } from "../engine/engine-api.ts";
@@ -187,6 +189,13 @@ export interface ModelViewer {
   frameDecal(id: string): void;
   /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
   picture(width: number, height: number): string | null;
+  /** How far the camera may go about the open model, and (not null) where it goes now. Another model is free of both. */
+  setCamera(orbit: Orbit | null, limits: CameraLimits): void;
+  /**
+   * The model from an orbit, or (null) from where the camera is: a PNG of this size in pixels on a clear ground, without
+   * gizmo; null without a model or while WebGL is lost.
+   */
+  capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null>;
   /** The model's animations; none on a model that has none. */
   readonly clips: readonly ClipInfo[];
   /**

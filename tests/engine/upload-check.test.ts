@@ -1,0 +1,148 @@
+import { describe, expect, it } from "vitest";
+import { decodePicture } from "../../web/engine/picture-decoder.ts";
+import { readPictureHeader } from "../../web/engine/picture-header.ts";
+import { encodePng } from "../../web/engine/png-encoder.ts";
+import { crc32 } from "../../web/engine/png-header.ts";
+import { checkUpload } from "../../web/engine/upload-check.ts";
+
+const text = (value: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(value);
+const svg = (inner: string, attributes = ""): Uint8Array<ArrayBuffer> =>
+  text(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 20" ${attributes}>${inner}</svg>`);
+const codeOf = (run: () => unknown): string => {
+  try {
+    run();
+  } catch (error) {
+    return (error as { code: string }).code;
+  }
+  return "taken";
+};
+
+describe("an upload", () => {
+  it("is what its content says, whatever it is called", async () => {
+    const png = await smallPng();
+    expect(checkUpload("photo.jpg", png).type).toBe("image/png");
+    expect(codeOf(() => checkUpload("logo.png", text("<html><script>alert(1)</script></html>")))).toBe("bad-picture");
+  });
+
+  it("is refused by its header's pixels before anything is decoded", async () => {
+    const png = await smallPng();
+    new DataView(png.buffer).setUint32(16, 8000);
+    new DataView(png.buffer).setUint32(20, 8100);
+    new DataView(png.buffer).setUint32(29, crc32(png.subarray(12, 29)));
+    expect(codeOf(() => checkUpload("huge.png", png))).toBe("too-large");
+    expect(codeOf(() => checkUpload("huge.png", png, { megapixels: 65 }))).toBe("taken");
+  });
+
+  it("is refused by its bytes before it is looked at", () => {
+    expect(codeOf(() => checkUpload("x.png", new Uint8Array(1001), { bytes: 1000 }))).toBe("too-large");
+  });
+
+  it("loses a PNG's texts and what was appended, and keeps its pixels and the way the camera was held", async () => {
+    const png = await smallPng();
+    const secret = chunk("tEXt", text("Author\0Jane Doe"));
+    const dirty = joined(png.slice(0, 33), secret, chunk("eXIf", tiff(6)), png.slice(33), text("appended"));
+    const { bytes, width, height } = checkUpload("p.png", dirty);
+    expect([width, height]).toEqual([2, 3]);
+    expect(new TextDecoder("latin1").decode(bytes)).not.toMatch(/Jane|appended/);
+    expect(readPictureHeader(bytes, "p").orientation).toBe(6);
+    expect(await decodePicture(bytes, "p", { orient: true })).toEqual(
+      await decodePicture(dirty, "p", { orient: true }),
+    );
+    expect(checkUpload("p.png", bytes).bytes).toEqual(bytes);
+  });
+
+  it("loses a JPEG's camera, thumbnail and comment, and keeps its scan", () => {
+    const scan = Uint8Array.of(0xff, 0xda, 0, 2, 1, 0xff, 0, 2, 0xff, 0xd0, 3, 0xff, 0xd9);
+    const frame = Uint8Array.of(0xff, 0xc0, 0, 11, 8, 0, 2, 0, 3, 1, 1, 0x11, 0);
+    const exif = segment(0xe1, joined(text("Exif\0\0"), tiff(3), text("GPS 52.5 N")));
+    const note = segment(0xfe, text("shot by Jane"));
+    const jfif = segment(0xe0, joined(text("JFIF\0"), Uint8Array.of(1, 1, 0, 0, 1, 0, 1, 1, 1, 9, 9, 9)));
+    const dirty = joined(Uint8Array.of(0xff, 0xd8), jfif, exif, note, frame, scan, text("trailer"));
+    const { bytes } = checkUpload("p.jpg", dirty);
+    const kept = new TextDecoder("latin1").decode(bytes);
+    expect(kept).not.toMatch(/GPS|Jane|trailer/);
+    expect(bytes.slice(-scan.length)).toEqual(scan);
+    expect(readPictureHeader(bytes, "p")).toMatchObject({ width: 3, height: 2, orientation: 3 });
+    expect(checkUpload("p.jpg", bytes).bytes).toEqual(bytes);
+  });
+
+  it("is no drawing that would run something", () => {
+    const hostile = [
+      svg("<script>alert(1)</script>"),
+      svg("<x:script xmlns:x='http://www.w3.org/2000/svg'>alert(1)</x:script>"),
+      svg("", 'onload="alert(1)"'),
+      svg("<g x='>' onclick='alert(1)'/>"),
+      svg('<a href="javascript:alert(1)"><rect/></a>'),
+      svg('<a href="java&#115;cript&colon;alert(1)"><rect/></a>'),
+      svg('<a href="java\n\tscript:alert(1)"><rect/></a>'),
+      svg('<set attributeName="onload" to="alert(1)"/>'),
+      svg('<foreignObject><iframe src="x"/></foreignObject>'),
+      text('<?xml-stylesheet href="x.css"?><svg xmlns="http://www.w3.org/2000/svg"/>'),
+      text('<!DOCTYPE svg [<!ENTITY x "<script>alert(1)</script>">]><svg>&x;</svg>'),
+    ];
+    for (const bytes of hostile) {
+      expect(
+        codeOf(() => checkUpload("x.svg", bytes)),
+        new TextDecoder().decode(bytes),
+      ).toBe("unsafe-file");
+    }
+  });
+
+  it("is a drawing without its comments and its author", () => {
+    const drawn = '<rect width="10" height="10"/>';
+    const { bytes, width, height } = checkUpload("x.svg", svg(`<!-- Jane --><metadata><a>Jane</a></metadata>${drawn}`));
+    expect(new TextDecoder().decode(bytes)).toBe(new TextDecoder().decode(svg(drawn)));
+    expect([width, height]).toEqual([30, 20]);
+  });
+});
+
+async function smallPng(): Promise<Uint8Array<ArrayBuffer>> {
+  const rgba = Uint8Array.from({ length: 24 }, (_, index) => (index % 4 === 3 ? 255 : index * 9));
+  return encodePng({ width: 3, height: 2, rgba });
+}
+
+function tiff(orientation: number): Uint8Array {
+  return Uint8Array.of(
+    0x4d,
+    0x4d,
+    0,
+    42,
+    0,
+    0,
+    0,
+    8,
+    0,
+    1,
+    1,
+    0x12,
+    0,
+    3,
+    0,
+    0,
+    0,
+    1,
+    0,
+    orientation,
+    0,
+    0,
+    0,
+    0,
+    0,
+    0,
+  );
+}
+
+function chunk(type: string, data: Uint8Array): Uint8Array {
+  const bytes = joined(new Uint8Array(4), text(type), data, new Uint8Array(4));
+  const view = new DataView(bytes.buffer);
+  view.setUint32(0, data.length);
+  view.setUint32(8 + data.length, crc32(bytes.subarray(4, 8 + data.length)));
+  return bytes;
+}
+
+const segment = (marker: number, data: Uint8Array): Uint8Array =>
+  joined(Uint8Array.of(0xff, marker, 0, data.length + 2), data);
+
+function joined(...parts: Uint8Array[]): Uint8Array<ArrayBuffer> {
+  return Uint8Array.from(parts.flatMap((part) => [...part]));
+}

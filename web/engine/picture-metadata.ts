@@ -1,0 +1,160 @@
+/**
+ * Pictures without what cameras and programs write beside the pixels: places, names, serial numbers, small copies of what was
+ * cut away, what was appended behind the end. Nothing is decoded or encoded, so the pixels stay to the bit, the same file
+ * always gives the same bytes, and a clean file gives itself. How the camera was held is kept, as the one thing that shows.
+ *
+ * Colour profiles go too: the decoders do not look at them (picture-decoder.ts).
+ */
+import type { PictureFormat } from "./picture-header.ts";
+import { crc32 } from "./png-header.ts";
+
+/**
+ * @param orientation As the header says it, 1 to 8.
+ * @param bytes A file whose header has been read (`readPictureHeader`), which proves its chunks or segments whole.
+ */
+export function withoutMetadata(
+  format: PictureFormat,
+  bytes: Uint8Array,
+  orientation: number,
+): Uint8Array<ArrayBuffer> {
+  if (format === "png") return cleanPng(bytes, orientation);
+  return format === "jpeg" ? cleanJpeg(bytes, orientation) : cleanWebp(bytes, orientation);
+}
+
+/** A TIFF block that says the orientation alone (EXIF 2.32, 4.6.2). */
+function orientationBlock(orientation: number): Uint8Array {
+  const block = new Uint8Array(26);
+  const view = new DataView(block.buffer);
+  block.set([0x49, 0x49, 0x2a, 0]);
+  view.setUint32(4, 8, true);
+  view.setUint16(8, 1, true);
+  view.setUint16(10, 0x0112, true);
+  view.setUint16(12, 3, true);
+  view.setUint32(14, 1, true);
+  view.setUint16(18, orientation, true);
+  return block;
+}
+
+/** What the pixels need; an animation (acTL, fcTL, fdAT) loses all but its first picture, which is what is painted. */
+const PNG_CHUNKS: ReadonlySet<string> = new Set(["IHDR", "PLTE", "tRNS", "IDAT", "IEND"]);
+
+function cleanPng(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuffer> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const parts: Uint8Array[] = [bytes.subarray(0, 8)];
+  for (let at = 8; ; ) {
+    const length = view.getUint32(at);
+    const type = asciiOf(bytes, at + 4, 4);
+    if (PNG_CHUNKS.has(type)) parts.push(bytes.subarray(at, at + 12 + length));
+    if (type === "IHDR" && orientation !== 1) parts.push(pngChunk("eXIf", orientationBlock(orientation)));
+    if (type === "IEND") return joined(parts);
+    at += 12 + length;
+  }
+}
+
+function pngChunk(type: string, data: Uint8Array): Uint8Array {
+  const chunk = new Uint8Array(12 + data.length);
+  const view = new DataView(chunk.buffer);
+  view.setUint32(0, data.length);
+  chunk.set(codesOf(type), 4);
+  chunk.set(data, 8);
+  view.setUint32(8 + data.length, crc32(chunk.subarray(4, 8 + data.length)));
+  return chunk;
+}
+
+const JPEG = { end: 0xd9, scan: 0xda, app0: 0xe0, app14: 0xee, app15: 0xef, comment: 0xfe } as const;
+
+function cleanJpeg(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuffer> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const parts: Uint8Array[] = [bytes.subarray(0, 2)];
+  if (orientation !== 1) {
+    const data = joined([codesOf("Exif\0\0"), orientationBlock(orientation)]);
+    parts.push(Uint8Array.of(0xff, 0xe1, 0, 2 + data.length), data);
+  }
+  for (let at = 2; at + 1 < bytes.length; ) {
+    const marker = view.getUint8(at + 1);
+    if (view.getUint8(at) !== 0xff || marker === 0xff) {
+      at += 1;
+      continue;
+    }
+    if (marker === JPEG.end) break;
+    // A file that ends inside a segment has shown its end marker to the header's reader somewhere before: nothing is lost.
+    if (at + 4 > bytes.length) break;
+    const after = at + 2 + view.getUint16(at + 2);
+    const segment = bytes.subarray(at, after);
+    if (isJpegNeeded(marker, segment)) parts.push(marker === JPEG.app0 ? withoutThumbnail(segment) : segment);
+    const end = marker === JPEG.scan ? scanEnd(bytes, after) : after;
+    parts.push(bytes.subarray(after, end));
+    at = end;
+  }
+  parts.push(Uint8Array.of(0xff, JPEG.end));
+  return joined(parts);
+}
+
+/** JFIF's and Adobe's own say how colours are coded. */
+function isJpegNeeded(marker: number, segment: Uint8Array): boolean {
+  if (marker === JPEG.app0) return asciiOf(segment, 4, 5) === "JFIF\0";
+  if (marker === JPEG.app14) return asciiOf(segment, 4, 5) === "Adobe";
+  return marker !== JPEG.comment && !(marker >= JPEG.app0 && marker <= JPEG.app15);
+}
+
+function withoutThumbnail(jfif: Uint8Array): Uint8Array {
+  if (jfif.length < 18) return jfif;
+  const short = jfif.slice(0, 18);
+  short.set([0, 16], 2);
+  short.set([0, 0], 16);
+  return short;
+}
+
+/** Where the next marker stands that is neither a stuffed 0xff nor a restart. */
+function scanEnd(bytes: Uint8Array, from: number): number {
+  for (let at = bytes.indexOf(0xff, from); at >= 0; at = bytes.indexOf(0xff, at + 1)) {
+    const next = bytes[at + 1];
+    if (next !== undefined && next !== 0 && next !== 0xff && !(next >= 0xd0 && next <= 0xd7)) return at;
+  }
+  return bytes.length;
+}
+
+const WEBP_CHUNKS: ReadonlySet<string> = new Set(["VP8X", "VP8 ", "VP8L", "ALPH"]);
+/** Flags of VP8X: a colour profile, EXIF, XMP. */
+const WEBP_EXTRAS = 0x20 | 0x08 | 0x04;
+const WEBP_EXIF = 0x08;
+
+function cleanWebp(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuffer> {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const end = 8 + view.getUint32(4, true);
+  const parts: Uint8Array[] = [bytes.slice(0, 12)];
+  for (let at = 12; at + 8 <= end; ) {
+    const length = view.getUint32(at + 4, true);
+    const type = asciiOf(bytes, at, 4);
+    if (WEBP_CHUNKS.has(type)) {
+      const chunk = bytes.slice(at, at + 8 + length + (length & 1));
+      if (type === "VP8X") {
+        chunk[8] = ((chunk[8] ?? 0) & ~WEBP_EXTRAS) | (orientation === 1 ? 0 : WEBP_EXIF);
+      }
+      parts.push(chunk);
+    }
+    at += 8 + length + (length & 1);
+  }
+  if (orientation !== 1) {
+    const block = orientationBlock(orientation);
+    parts.push(codesOf("EXIF"), Uint8Array.of(block.length, 0, 0, 0), block);
+  }
+  const whole = joined(parts);
+  new DataView(whole.buffer).setUint32(4, whole.length - 8, true);
+  return whole;
+}
+
+const asciiOf = (bytes: Uint8Array, at: number, length: number): string =>
+  String.fromCharCode(...bytes.subarray(at, at + length));
+
+const codesOf = (text: string): Uint8Array => Uint8Array.from(text, (character) => character.charCodeAt(0));
+
+function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
+  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
+}

@@ -1,0 +1,72 @@
+/**
+ * Drawings that are kept and handed on. Our own renderer runs nothing and fetches nothing, but a shop may show the file itself
+ * some day: one that would then run something is not taken in the first place.
+ */
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { badPicture } from "./picture-header.ts";
+import { encodingOf } from "./svg-start.ts";
+
+const HINT = "Open it in a drawing program and save it again as plain SVG, or save it as PNG.";
+
+type Rule = readonly [pattern: RegExp, what: string];
+
+/** What a document must not have, and how it is called. */
+const MARKUP: readonly Rule[] = [
+  [/<(?:[\w-]+:)?(?:script|handler|listener)\b/i, "a script"],
+  [/<(?:[\w-]+:)?(?:iframe|object|embed|frame|form|base|link|meta)\b/i, "a part of a web page"],
+  // Anywhere, since a quoted ">" would hide the tag's end.
+  [/[\s"'/]on[a-z]{3,}\s*=\s*["']/i, "an event handler"],
+  [/\battributeName\s*=\s*["']?\s*on/i, "an event handler"],
+  [/<\?xml-stylesheet\b/i, "a style sheet of its own"],
+  [/<!ENTITY\s[^>]*(?:SYSTEM|PUBLIC|["'][^"'>]*<)/i, "an entity that stands for markup or another file"],
+];
+/** Browsers pass over blanks in these. */
+const ADDRESSES: readonly Rule[] = [
+  [/(?:javascript|vbscript|livescript):/i, "an address that runs a script"],
+  [/data:(?:text\/html|text\/xml|application\/x?html)/i, "a web page"],
+];
+
+/**
+ * The drawing without comments and metadata, as UTF-8; a clean one gives itself. Throws "unsafe-file" naming the file where it
+ * has scripts or what may lead to some, "bad-picture" where it is no text.
+ */
+export function cleanSvg(bytes: Uint8Array, name: string): Uint8Array<ArrayBuffer> {
+  const svg = decode(bytes, name);
+  // A scanner is misled by what it leaves out: nothing is looked at before it is read as a browser would read it.
+  const read = withoutReferences(svg);
+  for (const [pattern, what] of MARKUP) if (pattern.test(svg) || pattern.test(read)) throw unsafe(name, what);
+  const addresses = read.replace(/[\s\0]+/g, "");
+  for (const [pattern, what] of ADDRESSES) if (pattern.test(addresses)) throw unsafe(name, what);
+  const clean = svg
+    .replace(/^\ufeff/, "")
+    .replace(/^(<\?xml[^>]*?)\sencoding\s*=\s*(["'])[^"']*\2/, "$1")
+    .replace(/<metadata\b[^>]*\/>|<metadata\b[^>]*>[\s\S]*?<\/metadata\s*>/g, "");
+  return new TextEncoder().encode(clean.includes("<![CDATA[") ? clean : clean.replace(/<!--[\s\S]*?-->/g, ""));
+}
+
+function decode(bytes: Uint8Array, name: string): string {
+  try {
+    return new TextDecoder(encodingOf(bytes), { fatal: true }).decode(bytes);
+  } catch (cause) {
+    throw badPicture(name, "its text is neither UTF-8 nor UTF-16", HINT, cause);
+  }
+}
+
+const NAMED: Readonly<Record<string, string>> = { colon: ":", Tab: "\t", NewLine: "\n", lpar: "(", rpar: ")" };
+
+function withoutReferences(svg: string): string {
+  return svg.replace(
+    /&(?:#x([0-9a-f]{1,6})|#(\d{1,7})|(\w+));?/gi,
+    (whole, hex?: string, decimal?: string, named = "") => {
+      const code = hex ? Number.parseInt(hex, 16) : Number(decimal ?? Number.NaN);
+      if (Number.isNaN(code)) return Object.hasOwn(NAMED, named) ? (NAMED[named] ?? whole) : whole;
+      return code <= 0x10ffff ? String.fromCodePoint(code) : whole;
+    },
+  );
+}
+
+const unsafe = (name: string, what: string): TexelcastError =>
+  new TexelcastError("unsafe-file", `The drawing “${name}” is not taken: it holds ${what}.`, {
+    subject: name,
+    hint: HINT,
+  });

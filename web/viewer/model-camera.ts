@@ -1,0 +1,85 @@
+/** What a page says about the camera: where it begins, how far it may go, and pictures from places of the page's choice. */
+import { MathUtils, PerspectiveCamera } from "three";
+import { framedEye, MODEL_AZIMUTH, MODEL_POLAR } from "./camera-framing.ts";
+import { ANY_ORBIT, type Orbit } from "./camera-orbit.ts";
+import { lensFor } from "./capture.ts";
+import type { Stage } from "./stage.ts";
+
+/** Straight from above has no upright. */
+const LEAST_POLAR = 0.01;
+
+export interface CameraLimits {
+  readonly min: Orbit;
+  readonly max: Orbit;
+}
+
+export class ModelCamera {
+  readonly #stage: Stage;
+  #positions: Float32Array | null = null;
+
+  constructor(stage: Stage) {
+    this.#stage = stage;
+  }
+
+  /** The resting surface's vertices, by which distances are measured. A new model has no limits yet. */
+  setModel(positions: Float32Array | null): void {
+    this.#positions = positions;
+    if (positions !== null) this.setLimits({ min: ANY_ORBIT, max: ANY_ORBIT });
+  }
+
+  setLimits({ min, max }: CameraLimits): void {
+    const { controls } = this.#stage;
+    const angle = (degrees: number | null, otherwise: number): number =>
+      degrees === null ? otherwise : MathUtils.degToRad(degrees);
+    controls.minAzimuthAngle = angle(min.theta, Number.NEGATIVE_INFINITY);
+    controls.maxAzimuthAngle = angle(max.theta, Number.POSITIVE_INFINITY);
+    controls.minPolarAngle = clampPolar(angle(min.phi, 0));
+    controls.maxPolarAngle = clampPolar(angle(max.phi, Math.PI));
+    const { radius } = this.#stage.bounds;
+    controls.minDistance = this.#metres(min) ?? radius * 0.05;
+    controls.maxDistance = this.#metres(max) ?? radius * 12;
+    this.#stage.requestFrame();
+  }
+
+  /** Goes there at once; what is not said is as in the usual first look. */
+  moveTo(orbit: Orbit): void {
+    if (this.#positions === null) return;
+    const { eye, target } = this.#eyeAt(this.#stage.camera, orbit, this.#positions);
+    this.#stage.controls.normalizeRotations();
+    this.#stage.controls.setLookAt(...eye, ...target, false);
+    this.#stage.requestFrame();
+  }
+
+  /** A picture from an orbit, or (null) as the view is now. PNG on a clear ground; null without a model. */
+  async capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null> {
+    if (this.#positions === null) return null;
+    const camera = new PerspectiveCamera();
+    if (orbit === null) camera.copy(this.#stage.camera);
+    camera.aspect = width / height;
+    camera.fov = lensFor(camera.aspect);
+    if (orbit !== null) {
+      const { eye, target } = this.#eyeAt(camera, orbit, this.#positions);
+      camera.position.set(...eye);
+      camera.lookAt(...target);
+      camera.layers.mask = this.#stage.camera.layers.mask;
+    }
+    return await this.#stage.capture(camera, width, height);
+  }
+
+  #eyeAt(camera: PerspectiveCamera, { theta, phi, distance }: Orbit, positions: Float32Array) {
+    const azimuth = theta === null ? MODEL_AZIMUTH : MathUtils.degToRad(theta);
+    const polar = phi === null ? MODEL_POLAR : clampPolar(MathUtils.degToRad(phi));
+    const framed = framedEye(camera, positions, azimuth, polar);
+    const asked = distance === null ? 1 : distance.unit === "m" ? distance.value / framed.distance : distance.value;
+    const eye = framed.target.clone().lerp(framed.eye, asked);
+    return { eye: eye.toArray(), target: framed.target.toArray() };
+  }
+
+  #metres({ distance }: Orbit): number | null {
+    if (distance === null || this.#positions === null) return null;
+    if (distance.unit === "m") return distance.value;
+    return distance.value * framedEye(this.#stage.camera, this.#positions, MODEL_AZIMUTH, MODEL_POLAR).distance;
+  }
+}
+
+const clampPolar = (angle: number): number => Math.min(Math.PI - LEAST_POLAR, Math.max(LEAST_POLAR, angle));
