@@ -12,8 +12,14 @@ import { join, posix, relative, sep } from "node:path";
  */
 const ROOMS = [
   { folder: "web/editor/document", uses: ["web/engine", "web/core"], runs: "anywhere" },
+  { folder: "web/storefront/api", uses: [], runs: "anywhere" },
+  {
+    folder: "node/storefront",
+    uses: ["node", "web/storefront/api", "web/editor/document", "web/engine", "web/core"],
+    runs: "node",
+  },
   { folder: "web/app", uses: ["web/element", ...below("web/element")], runs: "page" },
-  { folder: "web/storefront", uses: ["web/element"], runs: "page" },
+  { folder: "web/storefront", uses: ["web/storefront/api", "web/element"], runs: "page" },
   { folder: "web/element", uses: below("web/element"), runs: "page" },
   { folder: "web/editor", uses: below("web/editor"), runs: "page" },
   { folder: "web/viewer", uses: below("web/viewer"), runs: "page" },

@@ -1,0 +1,30 @@
+/** What a file that arrives is, told by its content and never by what its sender says, and whether the shop takes it. */
+import { readFontHeader, sniffFont } from "../../web/engine/font-file.ts";
+import { readPictureHeader, sniffPicture } from "../../web/engine/picture-header.ts";
+import { isSvg, readSvgFile } from "../../web/engine/svg-file.ts";
+import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
+import { shopError } from "./shop-error.ts";
+
+export type StoredType = "image/png" | "image/jpeg" | "image/webp" | "image/svg+xml" | "font/ttf" | "font/otf";
+
+/**
+ * The media type of a picture, drawing or font, after its header was read in full: a file that passes can be printed.
+ *
+ * @throws TexelcastError "bad-picture", "bad-font"; "too-large" above `SHOP_LIMITS`.
+ */
+export async function checkAsset(bytes: Uint8Array, name: string): Promise<StoredType> {
+  if (sniffFont(bytes) !== null) return `font/${readFontHeader(bytes, name).format}`;
+  if (sniffPicture(bytes) === null && isSvg(bytes)) {
+    await readSvgFile(bytes, name);
+    return "image/svg+xml";
+  }
+  const { format, width, height } = readPictureHeader(bytes, name);
+  if (width * height > SHOP_LIMITS.assetPixels) {
+    throw shopError("too-large", `the picture has ${width} × ${height} pixels`, {
+      subject: name,
+      value: String(width * height),
+      hint: `Make it smaller: ${SHOP_LIMITS.assetPixels} pixels are the most.`,
+    });
+  }
+  return `image/${format}`;
+}

@@ -1,0 +1,88 @@
+/**
+ * Files by their SHA-256: a file's name is what its bytes say, so equal files are stored once, none can be replaced by
+ * another, and no name from outside ever becomes a path.
+ */
+import { createHash, randomUUID } from "node:crypto";
+import { mkdir, readdir, readFile, rename, rm, stat, writeFile } from "node:fs/promises";
+import path from "node:path";
+import type { Sha256 } from "../../web/storefront/api/shop-api.ts";
+import { notFound, shopError } from "./shop-error.ts";
+
+const HASH = /^[0-9a-f]{64}$/;
+
+export const isSha256 = (value: string): boolean => HASH.test(value);
+export const sha256Of = (bytes: Uint8Array): Sha256 => createHash("sha256").update(bytes).digest("hex");
+
+export class AssetStore {
+  readonly #folder: string;
+  readonly #mostBytes: number;
+  #storedBytes: number;
+
+  private constructor(folder: string, mostBytes: number, storedBytes: number) {
+    this.#folder = folder;
+    this.#mostBytes = mostBytes;
+    this.#storedBytes = storedBytes;
+  }
+
+  /** @param mostBytes of all files together */
+  static async open(folder: string, mostBytes: number): Promise<AssetStore> {
+    await mkdir(folder, { recursive: true });
+    let bytes = 0;
+    for (const entry of await readdir(folder, { withFileTypes: true, recursive: true })) {
+      const file = path.join(entry.parentPath, entry.name);
+      if (!entry.isFile()) continue;
+      // Left by a server that ended while it wrote.
+      if (!isSha256(entry.name)) await rm(file, { force: true });
+      else bytes += (await stat(file)).size;
+    }
+    return new AssetStore(folder, mostBytes, bytes);
+  }
+
+  /**
+   * Keeps the bytes, once.
+   *
+   * @throws TexelcastError "storage-full".
+   */
+  async put(bytes: Uint8Array): Promise<Sha256> {
+    const hash = sha256Of(bytes);
+    if (await this.has(hash)) return hash;
+    if (this.#storedBytes + bytes.length > this.#mostBytes) {
+      throw shopError("storage-full", "the shop has no room for more files", { hint: "Try again later." });
+    }
+    const file = this.#fileOf(hash);
+    await mkdir(path.dirname(file), { recursive: true });
+    // Whole or not at all: a reader never meets half a file.
+    const draft = `${file}.${randomUUID()}`;
+    await writeFile(draft, bytes, { flag: "wx" });
+    await rename(draft, file);
+    this.#storedBytes += bytes.length;
+    return hash;
+  }
+
+  async has(hash: Sha256): Promise<boolean> {
+    if (!isSha256(hash)) return false;
+    return stat(this.#fileOf(hash)).then(
+      (found) => found.isFile(),
+      () => false,
+    );
+  }
+
+  /**
+   * The bytes, checked against their name: a damaged disk must not reach the printer.
+   *
+   * @throws TexelcastError "not-found", "hash-mismatch".
+   */
+  async read(hash: Sha256): Promise<Uint8Array> {
+    if (!isSha256(hash)) throw notFound("file", hash);
+    const bytes = await readFile(this.#fileOf(hash)).catch(() => null);
+    if (bytes === null) throw notFound("file", hash);
+    if (sha256Of(bytes) !== hash) {
+      throw shopError("hash-mismatch", "a stored file is damaged", { subject: hash, hint: "Send the file again." });
+    }
+    return bytes;
+  }
+
+  #fileOf(hash: Sha256): string {
+    return path.join(this.#folder, hash.slice(0, 2), hash);
+  }
+}

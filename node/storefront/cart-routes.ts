@@ -1,0 +1,67 @@
+/** Carts and their lines. A cart's id is the key to it: it is in nobody's cookie, so no other site can use it. */
+import type { FastifyInstance } from "fastify";
+import { unitPriceOf } from "../../web/storefront/api/price.ts";
+import { type Cart, type Product, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
+import { readLine, readQuantityRequest } from "./line-intake.ts";
+import type { Item, StoredLine } from "./shop-database.ts";
+import { notFound, shopError } from "./shop-error.ts";
+import type { Shop } from "./shop-server.ts";
+
+type OfCart = { Params: { cart: string } };
+type OfLine = { Params: { cart: string; line: string } };
+
+export function addCartRoutes(app: FastifyInstance, { catalogue, store, database }: Shop): void {
+  const cartOf = (id: string): Cart => {
+    if (!database.hasCart(id)) throw notFound("cart", id);
+    const lines = database.linesOf(id);
+    return { id, lines: lines.map(withoutName), currency: catalogue.currency, total: totalOf(lines) };
+  };
+  const itemOf = async (body: unknown): Promise<Item> => {
+    const line = await readLine(body, catalogue.products, store);
+    const product = catalogue.products.get(line.product) as Product;
+    const unitPrice = unitPriceOf(product.price, { decals: line.decals, area: 0 });
+    return { ...line, productName: product.name, unitPrice };
+  };
+
+  app.post("/api/carts", (_request, reply) => reply.code(201).send(cartOf(database.makeCart())));
+  app.get<OfCart>("/api/carts/:cart", (request) => cartOf(request.params.cart));
+
+  app.post<OfCart>("/api/carts/:cart/lines", async (request, reply) => {
+    const { cart } = request.params;
+    if (cartOf(cart).lines.length >= SHOP_LIMITS.linesPerCart) {
+      throw shopError("too-large", `a cart holds ${SHOP_LIMITS.linesPerCart} lines`, {
+        field: "cart",
+        hint: "Order what is in it first.",
+      });
+    }
+    const line = database.addLine(cart, await itemOf(request.body));
+    return reply.code(201).send({ line, cart: cartOf(cart) });
+  });
+
+  app.put<OfLine>("/api/carts/:cart/lines/:line", async (request) => {
+    const { cart, line } = request.params;
+    if (database.lineOf(cart, line) === null) throw notFound("line", line);
+    if (!database.replaceLine(cart, line, await itemOf(request.body))) throw notFound("line", line);
+    return { line, cart: cartOf(cart) };
+  });
+
+  app.patch<OfLine>("/api/carts/:cart/lines/:line", (request) => {
+    const { cart, line } = request.params;
+    const stored = database.lineOf(cart, line);
+    if (stored === null) throw notFound("line", line);
+    const { id: _, ...item } = stored;
+    database.replaceLine(cart, line, { ...item, ...readQuantityRequest(request.body) });
+    return { line, cart: cartOf(cart) };
+  });
+
+  app.delete<OfLine>("/api/carts/:cart/lines/:line", (request) => {
+    const { cart, line } = request.params;
+    if (!database.removeLine(cart, line)) throw notFound("line", line);
+    return { line, cart: cartOf(cart) };
+  });
+}
+
+export const totalOf = (lines: readonly Pick<StoredLine, "unitPrice" | "quantity">[]): number =>
+  lines.reduce((sum, { unitPrice, quantity }) => sum + unitPrice * quantity, 0);
+
+const withoutName = ({ productName: _, ...line }: StoredLine): Cart["lines"][number] => line;

@@ -1,0 +1,77 @@
+/** The products that the shop sells, from its file, and their models. */
+import { readFile } from "node:fs/promises";
+import path from "node:path";
+import * as v from "valibot";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { formatPath } from "../../web/editor/document/design-problem.ts";
+import { filledText, numberBetween, strict } from "../../web/editor/document/schema-parts.ts";
+import type { ModelSource } from "../../web/engine/engine-api.ts";
+import type { Product } from "../../web/storefront/api/shop-api.ts";
+
+const line = filledText(1000);
+const amount = v.pipe(numberBetween(0, 1e9), v.integer("must be a whole number"));
+/** Below the folder of the shop's files. */
+const address = v.pipe(
+  line,
+  v.regex(/^(?:[\w-]+\/)*[\w-]+(?:\.[\w-]+)+$/, "must be a plain relative address, as demo/mug.glb"),
+);
+
+const products = v.pipe(
+  v.array(
+    strict({
+      id: v.pipe(line, v.regex(/^[a-z0-9-]+$/, "must be small letters, digits and dashes")),
+      name: line,
+      tagline: line,
+      description: line,
+      facts: v.array(strict({ name: line, value: line })),
+      model: address,
+      zones: address,
+      picture: address,
+      material: v.pipe(numberBetween(0, 65_535), v.integer("must be a whole number")),
+      price: strict({
+        currency: v.pipe(line, v.regex(/^[A-Z]{3}$/, "must be a currency of three letters")),
+        base: amount,
+        perDecal: amount,
+        perSquareCentimetre: amount,
+      }),
+    }),
+    "must be a list of products",
+  ),
+  v.nonEmpty("must hold a product"),
+  v.check((list) => new Set(list.map(({ price }) => price.currency)).size === 1, "must all have one currency"),
+);
+
+export interface Catalogue {
+  readonly products: ReadonlyMap<string, Product>;
+  readonly currency: string;
+  /** Read when first asked for, and kept. */
+  modelOf(product: Product): Promise<ModelSource>;
+}
+
+/**
+ * @param folder with `shop/products.json` and what it names
+ * @throws TexelcastError "bad-argument" naming the field that is wrong.
+ */
+export async function readCatalogue(folder: string): Promise<Catalogue> {
+  const file = path.join(folder, "shop", "products.json");
+  const result = v.safeParse(products, JSON.parse(await readFile(file, "utf8")), { abortEarly: true });
+  if (!result.success) {
+    const [issue] = result.issues;
+    const field = formatPath((issue.path ?? []).map((item) => item.key as string | number));
+    throw new TexelcastError("bad-argument", `${field}: ${issue.message}`, { subject: file, field });
+  }
+  const models = new Map<string, Promise<ModelSource>>();
+  return {
+    products: new Map(result.output.map((product) => [product.id, product])),
+    currency: (result.output[0] as Product).price.currency,
+    modelOf({ model }) {
+      const known = models.get(model) ?? readModelFile(folder, model);
+      models.set(model, known);
+      return known;
+    },
+  };
+}
+
+async function readModelFile(folder: string, model: string): Promise<ModelSource> {
+  return { name: model, bytes: await readFile(path.join(folder, model)) };
+}

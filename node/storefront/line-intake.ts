@@ -1,0 +1,165 @@
+/** A cart line as it arrives: what it must be to be kept, and to be printed later without asking anybody. */
+import * as v from "valibot";
+import type { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { type DesignProblem, designError, formatPath } from "../../web/editor/document/design-problem.ts";
+import { type Design, materialsOf, parseDesign, walkLayers } from "../../web/editor/document/index.ts";
+import { filledText, numberBetween, strict, text } from "../../web/editor/document/schema-parts.ts";
+import { isShippedFontAddress } from "../../web/engine/shipped-fonts.ts";
+import { type LineRequest, type Product, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
+import { checkAsset, type StoredType } from "./asset-check.ts";
+import { type AssetStore, isSha256 } from "./asset-store.ts";
+import { notFound, shopError } from "./shop-error.ts";
+
+const hash = v.pipe(
+  v.string("must be a SHA-256"),
+  v.check(isSha256, "must be a SHA-256: 64 digits of 0 to 9 and a to f"),
+);
+const whole = (least: number, most: number) => v.pipe(numberBetween(least, most), v.integer("must be a whole number"));
+const KEY_LENGTH = 1000;
+
+const lineRequest = strict({
+  product: filledText(KEY_LENGTH),
+  design: v.unknown(),
+  assets: v.pipe(
+    v.array(strict({ key: text(KEY_LENGTH), sha256: hash }), "must be a list"),
+    v.maxLength(SHOP_LIMITS.assetsPerDesign, `must not name more than ${SHOP_LIMITS.assetsPerDesign} files`),
+  ),
+  approved: strict({ sha256: hash, width: whole(1, 16_384), height: whole(1, 16_384) }),
+  snapshot: hash,
+  quantity: whole(1, SHOP_LIMITS.quantity),
+});
+
+const orderRequest = strict({
+  name: v.pipe(v.string("must be a string"), v.trim(), filledText(SHOP_LIMITS.nameLength)),
+});
+const quantityRequest = strict({ quantity: whole(1, SHOP_LIMITS.quantity) });
+
+export const readOrderRequest = (body: unknown) => read(orderRequest, body);
+export const readQuantityRequest = (body: unknown) => read(quantityRequest, body);
+
+/** A line that can be kept. */
+export interface CheckedLine extends Omit<LineRequest, "design" | "assets"> {
+  /** Its assets' addresses are those of the stored files. */
+  readonly design: Design;
+  /** Pictures and texts. */
+  readonly decals: number;
+}
+
+/** Where the server serves a stored file. */
+export const addressOfFile = (sha256: string): string => `/api/files/${sha256}`;
+/** The stored file that an address names; null for any other address. */
+export function fileOfAddress(uri: string): string | null {
+  const name = uri.startsWith("/api/files/") ? uri.slice("/api/files/".length) : "";
+  return isSha256(name) ? name : null;
+}
+
+/**
+ * Reads a request for a cart line.
+ *
+ * @throws TexelcastError "bad-request", "not-found" for a product or file that is not there, "too-large", "bad-design" for
+ * a design that cannot be read, is for another material, or names files other than those it came with.
+ */
+export async function readLine(
+  body: unknown,
+  products: ReadonlyMap<string, Product>,
+  store: AssetStore,
+): Promise<CheckedLine> {
+  const { assets, design: sent, ...request } = read(lineRequest, body);
+  const product = products.get(request.product);
+  if (product === undefined) throw notFound("product", request.product);
+  const design = parseDesign(sent, "design");
+  const decals = countDecals(design, product);
+  const files = new Map(assets.map(({ key, sha256 }) => [key, sha256]));
+  const stored: Record<string, Design["assets"][string]> = {};
+  for (const [key, asset] of Object.entries(design.assets)) {
+    if (isShippedFontAddress(asset.uri)) {
+      stored[key] = asset;
+      continue;
+    }
+    const file = await fileOfAsset(asset.uri, files.get(key), key, store);
+    const bytes = await store.read(file);
+    await checkType(bytes, asset.type, key);
+    stored[key] = { ...asset, uri: addressOfFile(file) };
+  }
+  if (!(await store.has(request.snapshot))) throw notFound("snapshot", request.snapshot);
+  const snapshotType = await checkAsset(await store.read(request.snapshot), "snapshot");
+  if (snapshotType !== "image/png") {
+    throw shopError("bad-request", "snapshot: must be a PNG picture", { field: "snapshot", value: snapshotType });
+  }
+  return { ...request, design: { ...design, assets: stored }, decals };
+}
+
+/** Also refuses a design that paints what the product does not print. */
+function countDecals(design: Design, product: Product): number {
+  let layers = 0;
+  let decals = 0;
+  for (const { layer, path, shown, inMask } of walkLayers(design)) {
+    layers += 1;
+    if (layer.type === "group" || layer.type === "paint") continue;
+    if (materialsOf(layer).some((material) => material !== product.material)) {
+      const message = `must be ${product.material}, the material that is printed on this product`;
+      throw refusal([...path, "material"], message, layer.material);
+    }
+    if ((layer.type === "decal" || layer.type === "text") && shown && !inMask) decals += 1;
+  }
+  if (layers > SHOP_LIMITS.layersPerDesign) {
+    throw shopError("too-large", `the design has ${layers} layers, ${SHOP_LIMITS.layersPerDesign} are the most`, {
+      field: "design.layers",
+      value: String(layers),
+      hint: "Use fewer pictures and texts.",
+    });
+  }
+  return decals;
+}
+
+/**
+ * The stored file that an asset's bytes lie in: the one that came with the design, the one of an earlier visit, or what is
+ * inside a `data:` address. No other address is followed, whatever it says.
+ */
+async function fileOfAsset(uri: string, sent: string | undefined, key: string, store: AssetStore): Promise<string> {
+  const field = ["assets", key, "uri"];
+  if (/^data:/i.test(uri)) return store.put(await readDataAddress(uri, field));
+  const file = sent ?? fileOfAddress(uri);
+  if (file === null) throw refusal(field, "must name a file that came with the design", uri);
+  if (!(await store.has(file))) throw notFound("file", file);
+  return file;
+}
+
+/** Its bytes must be what the address says they are. */
+async function readDataAddress(uri: string, field: readonly (string | number)[]): Promise<Uint8Array> {
+  // Checked by its length before anything is decoded.
+  if (uri.length > SHOP_LIMITS.jsonBytes) throw refusal(field, "must not be as long as this", uri.slice(0, 60));
+  let said: string;
+  let bytes: Uint8Array;
+  try {
+    const response = await fetch(uri);
+    said = (response.headers.get("content-type") ?? "").split(";")[0]?.trim() ?? "";
+    bytes = new Uint8Array(await response.arrayBuffer());
+  } catch {
+    throw refusal(field, "is not a valid data: address", uri.slice(0, 60));
+  }
+  const found = await checkAsset(bytes, formatPath(field));
+  if (said !== found) throw refusal(field, `says it is ${said}, but its bytes are ${found}`, uri.slice(0, 60));
+  return bytes;
+}
+
+async function checkType(bytes: Uint8Array, said: string, key: string): Promise<void> {
+  const found: StoredType = await checkAsset(bytes, key);
+  if (found !== said) throw refusal(["assets", key, "type"], `must be ${found}, as that is what the file is`, said);
+}
+
+function refusal(path: readonly (string | number)[], message: string, value: unknown): TexelcastError {
+  const problem: DesignProblem = { path, message, value };
+  return designError("design", [problem]);
+}
+
+function read<const Schema extends v.GenericSchema>(schema: Schema, body: unknown): v.InferOutput<Schema> {
+  const result = v.safeParse(schema, body, { abortEarly: true });
+  if (result.success) return result.output;
+  const [issue] = result.issues;
+  const path = (issue.path ?? []).map((item) => item.key as string | number);
+  throw shopError("bad-request", `${formatPath(path)}: ${issue.message}`, {
+    field: formatPath(path),
+    hint: "docs/storefront.md says what the server takes.",
+  });
+}

@@ -1,0 +1,66 @@
+/** How the shop refuses: a TexelcastError, and the HTTP status that goes with its code. */
+import { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../../web/core/texelcast-error.ts";
+
+/** Codes that are the shop's own; those of designs and pictures are the editor's. */
+export type ShopErrorCode = "bad-request" | "not-found" | "too-large" | "hash-mismatch" | "storage-full";
+
+const STATUS_OF_CODE: Readonly<Record<string, number>> = {
+  "bad-request": 400,
+  "not-found": 404,
+  "too-large": 413,
+  "hash-mismatch": 422,
+  "bad-design": 422,
+  "bad-picture": 422,
+  "bad-font": 422,
+  "storage-full": 507,
+};
+
+export const shopError = (code: ShopErrorCode, message: string, details?: TexelcastErrorDetails): TexelcastError =>
+  new TexelcastError(code, message, details);
+
+export const notFound = (what: string, id: string): TexelcastError =>
+  shopError("not-found", `there is no such ${what}`, {
+    field: what,
+    value: id.slice(0, 80),
+    hint: "It may have been ordered or taken away: go back to the shop's first page.",
+  });
+
+export interface ErrorReply {
+  readonly status: number;
+  readonly body: { readonly error: TexelcastErrorJson };
+  /** Nothing that the sender did: belongs into the log. */
+  readonly unexpected: boolean;
+}
+
+/** The answer to anything thrown. What is not ours tells the sender nothing of the server's inside. */
+export function replyTo(thrown: unknown): ErrorReply {
+  if (thrown instanceof TexelcastError) {
+    const status = STATUS_OF_CODE[thrown.code];
+    if (status !== undefined) return { status, body: { error: thrown.toJSON() }, unexpected: false };
+  }
+  const known = replyToFramework(thrown);
+  if (known !== null) return { ...known, unexpected: false };
+  const error = {
+    code: "server-fault",
+    message: "the shop could not do that",
+    hint: "Try again in a moment; nothing of your cart is lost.",
+  };
+  return { status: 500, body: { error }, unexpected: true };
+}
+
+/** What Fastify itself refuses before a route is asked. */
+function replyToFramework(thrown: unknown): Omit<ErrorReply, "unexpected"> | null {
+  const { statusCode, code, message } = (thrown ?? {}) as { statusCode?: number; code?: string; message?: string };
+  if (statusCode === undefined || statusCode < 400 || statusCode >= 500) return null;
+  if (statusCode === 413) {
+    const error = shopError("too-large", "the request has more bytes than the shop takes", {
+      hint: "Use a smaller picture or a simpler design.",
+    });
+    return { status: 413, body: { error: error.toJSON() } };
+  }
+  const error = shopError("bad-request", message ?? "the request cannot be understood", {
+    ...(code !== undefined && { value: code }),
+    hint: "docs/storefront.md says what the server takes.",
+  });
+  return { status: statusCode, body: { error: error.toJSON() } };
+}

@@ -1,0 +1,141 @@
+/**
+ * What the shop's pages and its order server say to each other: JSON below `/api`, and files by their SHA-256. Types alone;
+ * the server checks what arrives (`node/storefront`). docs/storefront.md has it as a table.
+ */
+
+/** SHA-256 as 64 lower-case hex digits. */
+export type Sha256 = string;
+
+/** Amounts in the currency's smallest unit (cents). */
+export interface PriceRule {
+  /** ISO 4217. */
+  readonly currency: string;
+  /** One piece, not personalised. */
+  readonly base: number;
+  /** Each picture or text on it. */
+  readonly perDecal: number;
+  /** Printed surface. */
+  readonly perSquareCentimetre: number;
+}
+
+export interface Product {
+  readonly id: string;
+  readonly name: string;
+  /** A few words under the name. */
+  readonly tagline: string;
+  readonly description: string;
+  readonly facts: readonly { readonly name: string; readonly value: string }[];
+  /** Addresses relative to the shop's root. */
+  readonly model: string;
+  readonly zones: string;
+  readonly picture: string;
+  /** glTF index of the material that is printed. */
+  readonly material: number;
+  readonly price: PriceRule;
+}
+
+/** A file of a design: a key of the design's `assets`, and the stored file that holds its bytes. */
+export interface AssetReference {
+  readonly key: string;
+  readonly sha256: Sha256;
+}
+
+/** What the customer saw and agreed to: the print file's hash, as the page made it. */
+export interface Approval {
+  readonly sha256: Sha256;
+  /** Texels. */
+  readonly width: number;
+  readonly height: number;
+}
+
+/** What the page sends to put a personalised product into a cart, or in the place of one that is there. */
+export interface LineRequest {
+  readonly product: string;
+  /** A design document; the server reads it with the editor's own parser. */
+  readonly design: unknown;
+  /** One for each of the design's assets but the fonts that come with Texelcast. Their files are stored before. */
+  readonly assets: readonly AssetReference[];
+  readonly approved: Approval;
+  /** The stored picture of the product, for the cart. */
+  readonly snapshot: Sha256;
+  readonly quantity: number;
+}
+
+export interface CartLine {
+  readonly id: string;
+  readonly product: string;
+  /** The design as it was read, its assets' addresses those of the stored files: can be edited again. */
+  readonly design: unknown;
+  readonly approved: Approval;
+  readonly snapshot: Sha256;
+  readonly quantity: number;
+  /** Pictures and texts, counted by the server. */
+  readonly decals: number;
+  /** Of one piece, in the currency's smallest unit. */
+  readonly unitPrice: number;
+}
+
+export interface Cart {
+  readonly id: string;
+  readonly lines: readonly CartLine[];
+  readonly currency: string;
+  readonly total: number;
+}
+
+/** "held": the print file is not what was approved, or could not be made; nothing is printed. */
+export type PrintStatus = "waiting" | "rendering" | "ready" | "held";
+
+export interface OrderLine extends CartLine {
+  readonly productName: string;
+  readonly status: PrintStatus;
+  /** The print file's hash, as the server made it; null until then. */
+  readonly printed: (Approval & { readonly bytes: number }) | null;
+  /** Why it is held. */
+  readonly fault: ShopFault | null;
+}
+
+export interface OrderRequest {
+  /** Who ordered, as written on the parcel. */
+  readonly name: string;
+}
+
+export interface Order {
+  readonly id: string;
+  /** For people: rises by one an order. */
+  readonly number: number;
+  readonly name: string;
+  /** ISO 8601. */
+  readonly created: string;
+  readonly lines: readonly OrderLine[];
+  readonly currency: string;
+  readonly total: number;
+}
+
+/** A TexelcastError as it comes over the wire, in `{ "error": … }`. */
+export interface ShopFault {
+  readonly code: string;
+  readonly message: string;
+  readonly subject?: string;
+  readonly field?: string;
+  readonly value?: string;
+  readonly hint?: string;
+}
+
+/** What the server takes; more is refused with "too-large". */
+export const SHOP_LIMITS = {
+  /** Bytes of a picture or font. */
+  assetBytes: 32 * 2 ** 20,
+  /** Pixels of a picture. */
+  assetPixels: 64 * 2 ** 20,
+  /** Bytes of a request that is JSON, the design in it. */
+  jsonBytes: 2 * 2 ** 20,
+  /** Files that one design uses. */
+  assetsPerDesign: 64,
+  /** Layers of one design, those within others included. */
+  layersPerDesign: 200,
+  linesPerCart: 50,
+  quantity: 999,
+  nameLength: 120,
+  /** Bytes of all stored files. */
+  storedBytes: 4 * 2 ** 30,
+} as const;
