@@ -1,7 +1,8 @@
 /** What a file that arrives is, told by its content and never by what its sender says, and whether the shop takes it. */
 import { readFontHeader, sniffFont } from "../../web/engine/font-file.ts";
 import { readPictureHeader, sniffPicture } from "../../web/engine/picture-header.ts";
-import { isSvg, readSvgFile } from "../../web/engine/svg-file.ts";
+import { readSvgFile } from "../../web/engine/svg-file.ts";
+import { isSvg } from "../../web/engine/svg-start.ts";
 import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { shopError } from "./shop-error.ts";
 
