@@ -33,7 +33,10 @@ export const toolOptionsStyles = css`
     flex: none;
   }
   .often tc-number {
-    width: 6.75rem;
+    width: 6.5rem;
+  }
+  .often tc-number.long {
+    width: 7.5rem;
   }
   .often .check {
     padding-inline: var(--space-2);

@@ -22,6 +22,9 @@ import { toolOptionsStyles } from "./tool-options-styles.ts";
 
 const words = strings.tools;
 
+/** Characters from which a label needs a wider field. */
+const LONG_LABEL = 7;
+
 /** Options that stand behind the button "More": set once and left alone. */
 const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock", "aligned"];
 /** Where the bar has room for a colour and a size, besides those. */
@@ -298,6 +301,7 @@ export class ToolOptions extends EditorElement {
   ): TemplateResult {
     const change = (event: CustomEvent<NumberFieldEvent>): void => this.#set(more.set(event.detail.value));
     return html`<tc-number
+      class=${label.length > LONG_LABEL ? "long" : ""}
       data-field=${`tool-${field}`}
       .label=${label}
       .name=${label}

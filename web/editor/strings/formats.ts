@@ -10,6 +10,9 @@ const oneDecimal = new Intl.NumberFormat(locale, { minimumFractionDigits: 1, max
 const twoDecimals = new Intl.NumberFormat(locale, { minimumFractionDigits: 2, maximumFractionDigits: 2 });
 const dateAndTime = new Intl.DateTimeFormat(locale, { dateStyle: "medium", timeStyle: "short" });
 
+/** What stands before the decimals: "." or ",". */
+export const DECIMAL_MARK = oneDecimal.formatToParts(0.5).find(({ type }) => type === "decimal")?.value ?? ".";
+
 /** "3,428,621", "3.428.621". */
 export const wholeNumber = (value: number): string => whole.format(value);
 

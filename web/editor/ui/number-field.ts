@@ -3,6 +3,7 @@
  * on, `field-change` when a value is final, `field-cancel` when Escape ends a scrub; `detail` is a NumberFieldEvent.
  */
 import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { DECIMAL_MARK } from "../strings/formats.ts";
 import { controls } from "./theme.ts";
 
 export interface NumberFieldEvent {
@@ -153,7 +154,7 @@ export class NumberField extends LitElement {
         spellcheck="false"
         aria-label=${this.unit ? `${this.name}, ${this.unit}` : this.name}
         aria-valuenow=${formatNumber(this.value, this.step)}
-        aria-valuetext=${`${formatNumber(this.value, this.step)} ${this.unit}`.trim()}
+        aria-valuetext=${`${shownNumber(this.value, this.step)} ${this.unit}`.trim()}
         aria-valuemin=${Number.isFinite(this.min) ? formatNumber(this.min, this.step) : nothing}
         aria-valuemax=${Number.isFinite(this.max) ? formatNumber(this.max, this.step) : nothing}
         ?disabled=${this.disabled}
@@ -182,7 +183,7 @@ export class NumberField extends LitElement {
   #show(value = this.value): void {
     const input = this.#input;
     if (!input) return;
-    input.value = formatNumber(value, this.step);
+    input.value = shownNumber(value, this.step);
     if (input.getAttribute("aria-invalid") !== "false") input.setAttribute("aria-invalid", "false");
   }
 
@@ -296,8 +297,10 @@ function factorOf(event: { readonly shiftKey: boolean; readonly altKey: boolean 
   return event.altKey ? FINE : 1;
 }
 
+const shownNumber = (value: number, step: number): string => formatNumber(value, step).replace(".", DECIMAL_MARK);
+
 /** Two digits more than the step, without zeros at the end. */
-export function formatNumber(value: number, step: number): string {
+function formatNumber(value: number, step: number): string {
   const digits = Math.max(0, Math.min(10, 1 - Math.floor(Math.log10(step || 1))));
   const text = value.toFixed(digits);
   const short = text.includes(".") ? text.replace(/\.?0+$/, "") : text;
