@@ -14,7 +14,7 @@ export class HelpDialog extends LitElement {
     controls,
     css`
       dialog {
-        width: min(34rem, calc(100vw - 2rem));
+        width: min(56rem, calc(100vw - 2rem));
         max-height: calc(100dvh - 4rem);
         padding: 0;
         border: 1px solid var(--line);
@@ -40,24 +40,29 @@ export class HelpDialog extends LitElement {
         gap: var(--space-4);
         padding: 0 var(--space-4) var(--space-4);
       }
+      .groups {
+        columns: 22rem;
+        column-gap: var(--space-5);
+      }
+      section {
+        break-inside: avoid;
+        padding-block-end: var(--space-4);
+      }
+      h3 {
+        margin: 0 0 var(--space-2);
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+        font-weight: 550;
+      }
       dl {
         display: grid;
-        grid-template-columns: auto 1fr;
+        grid-template-columns: minmax(0, 9rem) minmax(0, 1fr);
         gap: var(--space-2) var(--space-4);
         margin: 0;
         line-height: 1.4;
       }
       dt {
         font-weight: 550;
-      }
-      @media (max-width: 560px) {
-        dl {
-          grid-template-columns: minmax(0, 1fr);
-          gap: 0;
-        }
-        dd {
-          padding-block-end: var(--space-3);
-        }
       }
       dd {
         margin: 0;
@@ -104,13 +109,21 @@ export class HelpDialog extends LitElement {
           <button class="icon" aria-label=${words.close} title=${words.close} @click=${close}>${icon(X)}</button>
         </header>
         <div class="body">
-          <dl>
-            ${keyList().map(
-              ([key, meaning]) =>
-                html`<dt>${key}</dt>
-                  <dd>${meaning}</dd>`,
+          <div class="groups">
+            ${keyGroups().map(
+              ({ name, keys }) =>
+                html`<section>
+                  <h3>${name}</h3>
+                  <dl>
+                    ${keys.map(
+                      ([key, meaning]) =>
+                        html`<dt>${key}</dt>
+                          <dd>${meaning}</dd>`,
+                    )}
+                  </dl>
+                </section>`,
             )}
-          </dl>
+          </div>
           <label class="language">
             ${words.language}
             <select id="language" @change=${(event: Event) => speak((event.target as HTMLSelectElement).value as Language)}>
@@ -135,12 +148,9 @@ ${lucideLicence}</pre
 }
 customElements.define("tc-help-dialog", HelpDialog);
 
-/** How many entries, the last ones, are about fingers. */
-const FINGERS = 3;
-
 /** Where a finger is the pointer, its gestures come first. */
-function keyList(): typeof words.keyList {
-  const { keyList } = words;
-  if (!matchMedia("(pointer: coarse)").matches) return keyList;
-  return [...keyList.slice(-FINGERS), ...keyList.slice(0, -FINGERS)];
+function keyGroups(): typeof words.keyGroups {
+  const { keyGroups } = words;
+  if (!matchMedia("(pointer: coarse)").matches) return keyGroups;
+  return [...keyGroups.slice(-1), ...keyGroups.slice(0, -1)];
 }

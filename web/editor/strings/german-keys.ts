@@ -1,0 +1,77 @@
+/** The keys in German, in the order of the English ones. */
+import type { KeyGroup } from "./key-words.ts";
+
+export const germanKeys: readonly KeyGroup[] = [
+  {
+    name: "Aufkleber",
+    keys: [
+      ["Pfeiltasten", "Den gewählten Aufkleber verschieben; mit Umschalt zehnmal so weit"],
+      ["[ und ]", "Ihn drehen; mit Umschalt zehnmal so weit"],
+      ["− und +", "Ihn kleiner oder größer machen"],
+      ["Alt S, Alt U, Alt V", "Ihn ausrichten: an der Oberfläche, aufrecht, an der Ansicht"],
+      ["Alt P", "Ihn aus der Ansicht projizieren"],
+      ["Alt W", "Ihn rundum legen"],
+    ],
+  },
+  {
+    name: "Ebenen",
+    keys: [
+      ["Entf", "Die gewählten Ebenen löschen"],
+      ["Strg oder ⌘ D", "Sie duplizieren"],
+      ["Strg oder ⌘ G", "Sie gruppieren; mit Umschalt die Gruppe auflösen"],
+      ["Strg oder ⌘ E", "Mit der Ebene darunter vereinen"],
+      ["Strg oder ⌘ [ und ]", "Sie nach unten oder oben schieben; mit Umschalt ganz"],
+      ["Alt ↑ und ↓ in der Liste", "Sie verschieben, auch in Gruppen und heraus"],
+      ["← und → in der Liste", "Eine Gruppe schließen und öffnen"],
+      ["Leertaste und F2 in der Liste", "Ein- oder ausblenden; umbenennen"],
+    ],
+  },
+  {
+    name: "Werkzeuge",
+    keys: [
+      ["V, B, E, I, S", "Verschieben, Pinsel, Radierer, Pipette, Klonen"],
+      ["Alt oder S, und Klick", "Mit dem Klonwerkzeug: sagen, woher es kopiert"],
+      ["N, G, U", "Stift, Farbeimer, Linie und Rechteck, im Pixelmodus"],
+      ["[ und ] mit einem Pinsel", "Ihn kleiner oder größer machen; mit Umschalt weicher oder härter"],
+      ["0 bis 9 mit einem Pinsel", "Deckkraft in Zehnteln; 0 ist alles"],
+      ["Umschalt und Klick", "Eine gerade Linie vom Ende des letzten Strichs"],
+      ["Alt und Klick", "Die Farbe aufnehmen, die dort liegt"],
+      ["X und D", "Die beiden Farben tauschen; Schwarz und Weiß"],
+      [
+        "Pfeiltasten, dann Leertaste oder Eingabe",
+        "Einen Pinsel über die Oberfläche der gewählten Ansicht bewegen und malen",
+      ],
+    ],
+  },
+  {
+    name: "Ansicht",
+    keys: [
+      ["Leertaste und ziehen", "Das Modell drehen oder die Textur schieben, während ein Werkzeug malt"],
+      ["F", "Das ganze Modell zeigen"],
+      ["Alt 1, 2, 3", "Nur das Modell, Modell und Textur, nur die Textur"],
+      ["Umschalt U", "Die eigenen Farben der Texel, ohne Licht, oder wieder beleuchtet"],
+      ["Umschalt W", "Drahtgitter"],
+      ["Umschalt T", "Drehteller"],
+      ["Umschalt G", "Beschriftung der Textur"],
+      ["Umschalt P", "Die Animation abspielen oder anhalten"],
+    ],
+  },
+  {
+    name: "Seite",
+    keys: [
+      ["Strg oder ⌘ Z", "Rückgängig; mit Umschalt, oder Strg Y, wiederholen"],
+      ["Strg oder ⌘ S", "Das Design speichern"],
+      ["Strg oder ⌘ O", "Ein Modell öffnen"],
+      ["Esc", "Ein Ziehen beenden und den Aufkleber zurücklegen, oder die Auswahl aufheben"],
+      ["?", "Diese Liste"],
+    ],
+  },
+  {
+    name: "Finger",
+    keys: [
+      ["Zwei Finger", "Die Ansicht drehen oder schieben und zoomen"],
+      ["Drei Finger", "Tippen: rückgängig; nach links oder rechts wischen: rückgängig, wiederholen"],
+      ["Vier Finger", "Tippen: wiederholen"],
+    ],
+  },
+];

@@ -1,0 +1,80 @@
+/** The keys, and what fingers do, as the help lists them: by what they are for. */
+
+export interface KeyGroup {
+  readonly name: string;
+  /** What is pressed, and what that does. */
+  readonly keys: readonly (readonly [string, string])[];
+}
+
+/** The last group is about fingers. */
+export const keyGroups: readonly KeyGroup[] = [
+  {
+    name: "Decal",
+    keys: [
+      ["Arrow keys", "Move the selected decal; with Shift ten times as far"],
+      ["[ and ]", "Turn it; with Shift ten times as far"],
+      ["− and +", "Make it smaller or larger"],
+      ["Alt S, Alt U, Alt V", "Align it to the surface, upright, to the view"],
+      ["Alt P", "Project it from the view"],
+      ["Alt W", "Wrap it around"],
+    ],
+  },
+  {
+    name: "Layers",
+    keys: [
+      ["Delete", "Delete the selected layers"],
+      ["Ctrl or ⌘ D", "Duplicate them"],
+      ["Ctrl or ⌘ G", "Group them; with Shift, ungroup"],
+      ["Ctrl or ⌘ E", "Merge with the layer below"],
+      ["Ctrl or ⌘ [ and ]", "Move them down or up; with Shift to the end"],
+      ["Alt ↑ and ↓ in the list", "Move them, also into and out of groups"],
+      ["← and → in the list", "Close and open a group"],
+      ["Space and F2 in the list", "Hide or show; rename"],
+    ],
+  },
+  {
+    name: "Tools",
+    keys: [
+      ["V, B, E, I, S", "Move, brush, eraser, colour picker, clone"],
+      ["Alt or S, and a press", "With the clone tool: say where it copies from"],
+      ["N, G, U", "Pencil, fill bucket, line and rectangle, in pixel mode"],
+      ["[ and ] with a brush", "Make it smaller or larger; with Shift softer or harder"],
+      ["0 to 9 with a brush", "Opacity in tenths; 0 is all"],
+      ["Shift and a press", "A straight line from where the stroke before ended"],
+      ["Alt and a press", "Take the colour that lies there"],
+      ["X and D", "Swap the two colours; black and white"],
+      ["Arrow keys, then Space or Enter", "Move a brush over the surface in the focused view, and paint"],
+    ],
+  },
+  {
+    name: "View",
+    keys: [
+      ["Space and a drag", "Turn the model, or move the texture, while a tool paints"],
+      ["F", "Show the whole model"],
+      ["Alt 1, 2, 3", "The model alone, model and texture, the texture alone"],
+      ["Shift U", "The texels’ own colours, without light, or lit again"],
+      ["Shift W", "Wireframe"],
+      ["Shift T", "Turntable"],
+      ["Shift G", "Names of the texture’s parts"],
+      ["Shift P", "Play or pause the animation"],
+    ],
+  },
+  {
+    name: "Page",
+    keys: [
+      ["Ctrl or ⌘ Z", "Undo; with Shift, or Ctrl Y, redo"],
+      ["Ctrl or ⌘ S", "Save the design"],
+      ["Ctrl or ⌘ O", "Open a model"],
+      ["Escape", "End a drag and put the decal back, or deselect"],
+      ["?", "This list"],
+    ],
+  },
+  {
+    name: "Touch",
+    keys: [
+      ["Two fingers", "Turn or move the view, and zoom"],
+      ["Three fingers", "Tap: undo; swipe left or right: undo, redo"],
+      ["Four fingers", "Tap: redo"],
+    ],
+  },
+];
