@@ -12,7 +12,8 @@ import {
 } from "three";
 import { OVERLAY_LAYER } from "./model-look.ts";
 
-const FILL_OPACITY = 0.2;
+/** Enough to tell the chart, and so little that its colours are still judged. */
+const FILL_OPACITY = 0.1;
 
 export class ChartGlow {
   readonly group = new Group();

@@ -73,8 +73,8 @@ interface LitChart {
   readonly borders: PaintedLines;
 }
 
-/** Opacity of a lit chart's face. */
-const GLOW = 0.2;
+/** Opacity of a lit chart's face: as on the model. */
+const GLOW = 0.1;
 
 class GlTextureView implements TextureView {
   readonly element: HTMLElement;

@@ -89,6 +89,9 @@ export class ViewInput {
       return;
     }
     this.#press = null;
+    // What is lit up under the pointer would tint what the press is about.
+    this.#hoverTask.cancel();
+    this.#hooks.hover(null);
     if (event.button !== 0 || this.#spaceHeld) {
       this.#hooks.setPanning(false);
       return;
@@ -174,7 +177,6 @@ export class ViewInput {
     this.#press = null;
     if (press.decal !== null && press.grab !== null) {
       this.#dragPointer = event;
-      this.#hooks.hover(null);
       this.#gizmo.startSlide(press.decal, press.grab);
     }
   }
