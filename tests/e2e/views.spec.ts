@@ -158,6 +158,11 @@ test("on a posed model a decal is moved as it is seen, by keys and by the mouse,
   await editor.drag(raised, { x: placed.x, y: placed.y }, 5);
   const dragged = await place();
   expect(Math.hypot(dragged.x - placed.x, dragged.y - placed.y)).toBeLessThan(4);
+  const [from, before] = [await editor.handle("ne"), await editor.design()];
+  await editor.drag(from, { x: from.x + (from.x - dragged.x) / 2, y: from.y + (from.y - dragged.y) / 2 }, 5);
+  const widthOf = ({ layers: [layer] }: typeof before): number =>
+    layer?.type === "decal" && layer.projector.kind === "planar" ? layer.projector.size[0] : 0;
+  expect(widthOf(await editor.design()) / widthOf(before), "a corner pulled out by half").toBeCloseTo(1.25, 1);
   await expect(bar.locator("#scrub"), "the model keeps its pose").toHaveValue("60");
 });
 

@@ -15,9 +15,13 @@ import {
   Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
+import { axisOf, poseOf } from "../../web/viewer/decal-pose.ts";
+import { rotateDrag, scaleDrag } from "../../web/viewer/gizmo-drag.ts";
 import { ModelAnimation } from "../../web/viewer/model-animation.ts";
 import type { ModelScene } from "../../web/viewer/model-scene.ts";
+import { carried, dragAtRest } from "../../web/viewer/posed-gizmo.ts";
 import { PosedSurface } from "../../web/viewer/posed-surface.ts";
+import { boxDrag } from "../../web/viewer/projector-drag.ts";
 import { gatherRestingSurface, triangleSubset } from "../../web/viewer/resting-surface.ts";
 import { SurfaceQuery } from "../../web/viewer/surface-query.ts";
 import { expectVector } from "./pose-helpers.ts";
@@ -197,5 +201,44 @@ describe("a surface without some of its meshes", () => {
     // The upper half now points to -X: along it, to the left, was up at rest.
     expectVector(posed.viewAtRest(new Vector3(0, 1.5, 0.3), view).right, new Vector3(0, -1, 0), 1e-3);
     expectVector(posed.viewAtRest(new Vector3(0, -1.5, 0.3), view).right, view.right, 1e-3);
+  });
+});
+
+describe("the gizmo on a posed surface", () => {
+  const projector = {
+    kind: "planar",
+    position: [-1, 0.25, 0.5],
+    rotation: [0, -Math.SQRT1_2, 0, Math.SQRT1_2],
+    size: [0.5, 0.25, 0.2],
+  } as const;
+  const start = poseOf(projector);
+  const limits = { least: 0.01, most: 10 };
+  const pointer = (x: number, y: number) => ({
+    ray: new Ray(new Vector3(x, y, 5), new Vector3(0, 0, -1)),
+    alt: false,
+    shift: false,
+  });
+
+  it("stands where the turn of the box has brought the decal's side", () => {
+    const motion = turnedBox().motionAt(start.position);
+    const shown = poseOf(carried(projector, motion));
+    expectVector(shown.position, new Vector3(0.5, 0.25, 1), 1e-4);
+    expectVector(axisOf(shown, 2), new Vector3(0, 0, 1), 1e-4);
+    expect(shown.size.toArray()).toEqual(start.size.toArray());
+  });
+
+  it("scales and turns the resting decal by as much as the pointer has moved over the posed one", () => {
+    const motion = turnedBox().motionAt(start.position);
+    // The decal's right, at rest along +Z, is the screen's +X in the pose.
+    const right = pointer(0.75, 0.25);
+    const atRest = { ...right, ray: right.ray.clone().applyMatrix4(motion.clone().invert()) };
+    const box = (drag: ReturnType<typeof scaleDrag>) => dragAtRest(boxDrag(drag), motion);
+    const wider = box(scaleDrag(start, "e", 0, atRest.ray, limits)).move(pointer(0.95, 0.25));
+    expect(wider?.kind === "planar" && wider.size[0]).toBeCloseTo(0.7, 4);
+    expect(wider?.kind === "planar" && wider.size[1]).toBeCloseTo(0.25, 6);
+    const turned = box(rotateDrag(start, 0, atRest.ray)).move(pointer(0.5, 0.5));
+    if (turned?.kind !== "planar") throw new Error("The decal did not turn.");
+    expectVector(axisOf(poseOf(turned), 0), new Vector3(0, 1, 0), 1e-4);
+    expectVector(axisOf(poseOf(turned), 2), new Vector3(-1, 0, 0), 1e-4);
   });
 });

@@ -1,5 +1,5 @@
 /** The decals under the pointer: selecting, dragging, hovering; and the drawing of the selected one. */
-import type { Vector3 } from "three";
+import { type Matrix4, Vector3 } from "three";
 import type { CylindricalProjector, PerspectiveProjector, PlanarProjector, Projector } from "../engine/engine-api.ts";
 import type { SizeLimits } from "./decal-handles.ts";
 import { drapeOutline, type OutlinePoint, POINTS_PER_EDGE, POINTS_PER_EDGE_SLIDING } from "./decal-outline.ts";
@@ -9,6 +9,7 @@ import { FrameTask } from "./frame-task.ts";
 import { type DragPointer, depthDrag, rotateDrag, scaleDrag, slideDrag } from "./gizmo-drag.ts";
 import { GizmoOverlay, type GizmoPicture, type HandleName } from "./gizmo-overlay.ts";
 import { drawGizmo, drawOutline, type GizmoView, handleHeight, hoverPath, outlineIndexOf } from "./gizmo-picture.ts";
+import { carried, dragAtRest, pointerAtRest } from "./posed-gizmo.ts";
 import { boxDrag, type PictureGrab, type ProjectorDrag, pictureDrag } from "./projector-drag.ts";
 import { thrownHandleDrag } from "./projector-handles.ts";
 import { throwOutline } from "./projector-outline.ts";
@@ -32,6 +33,8 @@ export interface GizmoHost {
 export interface PosedView {
   readonly drawn: SurfaceQuery;
   toPosed(point: Vector3): Vector3;
+  /** The rigid motion, from rest to the pose, of the surface near a resting point. */
+  motionAt(point: Vector3): Matrix4;
   /** A clip is running: a line on the surface would run after it. */
   readonly moving: boolean;
 }
@@ -144,14 +147,16 @@ export class DecalGizmo {
       return false;
     }
     const { projector } = selected;
+    const motion = this.#motionOf(this.#host.posed(), projector);
+    const from = motion === null ? pointer : pointerAtRest(pointer, motion);
     const drag =
       projector.kind === "planar"
-        ? this.#boxHandle(handle, projector, pointer)
-        : this.#thrownHandle(handle, projector, pointer);
+        ? this.#boxHandle(handle, projector, from)
+        : this.#thrownHandle(handle, projector, from);
     if (drag === null) {
       return false;
     }
-    this.#startDrag(selected, drag, handle);
+    this.#startDrag(selected, motion === null ? drag : dragAtRest(drag, motion), handle);
     return true;
   }
 
@@ -244,26 +249,42 @@ export class DecalGizmo {
     return twin && this.#drag === null ? hoverPath(view, this.#outlineOf(twin)) : "";
   }
 
-  #ownPictureOf(view: GizmoView, { projector, locked }: ViewerDecal, hover: string): GizmoPicture {
+  #ownPictureOf(view: GizmoView, decal: ViewerDecal, hover: string): GizmoPicture {
+    const { projector } = decal;
     // While it slides a decal is looked at, not its box; and what is not drawn casts no rays in each frame.
     if (this.#drag?.drag.kind === "slide") {
       return { ...NOTHING, ...drawOutline(view, outlineOn(view.query, projector, POINTS_PER_EDGE_SLIDING)) };
     }
-    const outline = this.#outlineOf(projector);
-    const options = { handles: locked !== true, hover };
-    return projector.kind === "planar"
-      ? drawGizmo(view, poseOf(projector), outline, options)
-      : drawThrown(view, projector, outline, options);
+    return drawWhole(view, decal, this.#outlineOf(projector), hover);
   }
 
-  /** Handles belong to the box, which stands at rest: on a posed model there is the outline alone. */
-  #posedPicture({ drawn, toPosed }: PosedView, selected: ViewerDecal | null): GizmoPicture {
+  /** The box stands at rest; its picture stands where the surface under the decal has been moved to. */
+  #posedPicture(posed: PosedView, selected: ViewerDecal | null): GizmoPicture {
+    const { drawn, toPosed } = posed;
     const view: GizmoView = { screen: this.#host.screen, query: drawn };
     const onPose = (decal: ViewerDecal): OutlinePoint[] =>
       this.#outlineOf(decal.projector).map((point) => ({ ...point, position: toPosed(point.position) }));
     const hovered = this.#drag === null && this.#hovered?.id !== selected?.id ? this.#hovered : null;
     const hover = hovered === null ? "" : hoverPath(view, onPose(hovered));
-    return { ...NOTHING, hover, ...(selected !== null && drawOutline(view, onPose(selected))) };
+    if (selected === null) {
+      return { ...NOTHING, hover };
+    }
+    const { projector } = selected;
+    const motion = this.#drag?.drag.kind === "slide" ? null : this.#motionOf(posed, projector);
+    if (motion === null || projector.kind === "uv") {
+      return { ...NOTHING, hover, ...drawOutline(view, onPose(selected)) };
+    }
+    return drawWhole(view, { ...selected, projector: carried(projector, motion) }, onPose(selected), hover);
+  }
+
+  /** How the pose has moved the surface that a projector's picture lies on; null at rest. */
+  #motionOf(posed: PosedView | null, projector: Projector): Matrix4 | null {
+    const outline = this.#outlineOf(projector);
+    if (posed === null || outline.length === 0) {
+      return null;
+    }
+    const middle = outline.reduce((sum, { position }) => sum.add(position), new Vector3());
+    return posed.motionAt(middle.divideScalar(outline.length));
   }
 
   dispose(): void {
@@ -333,6 +354,18 @@ export class DecalGizmo {
   #limits(query: SurfaceQuery): SizeLimits {
     return { least: query.bounds.radius * 1e-3, most: query.bounds.radius * 8 };
   }
+}
+
+function drawWhole(
+  view: GizmoView,
+  { projector, locked }: ViewerDecal,
+  outline: readonly OutlinePoint[],
+  hover: string,
+): GizmoPicture {
+  const options = { handles: locked !== true, hover };
+  return projector.kind === "planar"
+    ? drawGizmo(view, poseOf(projector), outline, options)
+    : drawThrown(view, projector, outline, options);
 }
 
 function outlineOn(query: SurfaceQuery, projector: Projector, pointsPerEdge: number): OutlinePoint[] {

@@ -108,6 +108,7 @@ class ThreeModelViewer implements ModelViewer {
         return {
           drawn: model.drawn,
           toPosed: (point) => model.toPosed(point),
+          motionAt: (point) => model.motionAt(point),
           moving: this.#clock.runs,
         };
       },

@@ -47,22 +47,31 @@ export class PosedSurface {
     return { ...this.#rest.at(hit.triangle, this.#query.sharesOf(hit)), distance: hit.distance };
   }
 
+  /** The rigid motion that has brought the surface near a resting point to where it stands in the pose. */
+  motionAt(point: Vector3): Matrix4 {
+    const near = this.#rest.closest(point);
+    if (near === null) {
+      return new Matrix4();
+    }
+    const posed = this.#query.at(near.triangle, this.#rest.sharesOf(near)).position;
+    const turn = frameOf(this.#query, near.triangle).multiply(frameOf(this.#rest, near.triangle).invert());
+    const { x, y, z } = near.position.clone().negate();
+    return new Matrix4()
+      .makeTranslation(posed)
+      .multiply(new Matrix4().makeRotationFromQuaternion(turn))
+      .multiply(new Matrix4().makeTranslation(x, y, z));
+  }
+
   /**
    * From where, and which way up, the resting surface near a point is seen as the posed one is seen from `view`: what steps
    * and directions of the view mean for something that lies there.
    */
   viewAtRest(point: Vector3, view: ViewPoint): ViewPoint {
-    const near = this.#rest.closest(point);
-    if (near === null) {
-      return view;
-    }
-    const shares = this.#rest.sharesOf(near);
-    const posed = this.#query.at(near.triangle, shares).position;
-    const toRest = frameOf(this.#rest, near.triangle).multiply(frameOf(this.#query, near.triangle).invert());
+    const toRest = this.motionAt(point).invert();
     return {
-      eye: view.eye.clone().sub(posed).applyQuaternion(toRest).add(near.position),
-      right: view.right.clone().applyQuaternion(toRest),
-      up: view.up.clone().applyQuaternion(toRest),
+      eye: view.eye.clone().applyMatrix4(toRest),
+      right: view.right.clone().transformDirection(toRest),
+      up: view.up.clone().transformDirection(toRest),
     };
   }
 

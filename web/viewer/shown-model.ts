@@ -1,5 +1,5 @@
 /** A model with everything that was made from it; replaced as a whole. */
-import type { Box3, Ray, Vector3, WebGLRenderer } from "three";
+import { type Box3, Matrix4, type Ray, type Vector3, type WebGLRenderer } from "three";
 import { boundsOf } from "./camera-framing.ts";
 import { ModelAnimation } from "./model-animation.ts";
 import { ModelLook } from "./model-look.ts";
@@ -91,6 +91,11 @@ export class ShownModel {
   /** Where a point of the resting surface stands now. */
   toPosed(point: Vector3): Vector3 {
     return this.animation.posed ? this.#pose().toPosed(point) : point;
+  }
+
+  /** `PosedSurface.motionAt`; no motion, while the model rests. */
+  motionAt(point: Vector3): Matrix4 {
+    return this.animation.posed ? this.#pose().motionAt(point) : new Matrix4();
   }
 
   /** `PosedSurface.viewAtRest`; the view as it is, while the model rests. */
