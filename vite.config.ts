@@ -3,6 +3,9 @@ import { type BuildEnvironmentOptions, defineConfig } from "vite";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
+/** The editor, and the element on a page of its own. */
+const PAGES = [here("./web/app/index.html"), here("./web/app/element.html")];
+
 type LogHandler = NonNullable<NonNullable<BuildEnvironmentOptions["rolldownOptions"]>["onLog"]>;
 
 /** glTF-Transform and Draco carry a branch for Node, which the page never takes: no news. */
@@ -27,7 +30,7 @@ export default defineConfig({
   worker: { format: "es", rolldownOptions: { onLog: withoutNodeBranches } },
   optimizeDeps: {
     // The worker's packages are found with the page's, not when it first runs, which would load the page again.
-    entries: [here("./web/app/index.html"), here("./web/engine/engine-worker.ts")],
+    entries: [...PAGES, here("./web/engine/engine-worker.ts")],
     // They find their .wasm beside themselves, which pre-bundling would move.
     exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp"],
   },
@@ -39,6 +42,6 @@ export default defineConfig({
     assetsInlineLimit: (file) => (file.endsWith(".wasm") ? false : undefined),
     // three.js is the most of it.
     chunkSizeWarningLimit: 1200,
-    rolldownOptions: { onLog: withoutNodeBranches },
+    rolldownOptions: { input: PAGES, onLog: withoutNodeBranches },
   },
 });

@@ -279,7 +279,7 @@ export interface TexelcastEditorMethods {
   /** Chooses a layer, or none. False where there is no such layer. */
   select(id: string | null): boolean;
   /** Takes a layer away. False where there is none of that id. */
-  remove(id: string): boolean;
+  removeLayer(id: string): boolean;
   /** False where there is nothing to undo. */
   undo(): boolean;
   redo(): boolean;

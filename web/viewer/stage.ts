@@ -242,6 +242,8 @@ export class Stage {
     this.#ground.dispose();
     this.#environment.dispose();
     this.renderer.dispose();
+    // A browser has few contexts to give, and would keep this one until it tidies up.
+    this.renderer.forceContextLoss();
     this.canvas.remove();
   }
 

@@ -1,5 +1,5 @@
 /**
- * Brings the engine's updates to the two views. A view can take an update only for a target that it was told of, so
+ * Brings the engine's updates to the two views, or to one where there is no flat view. A view can take an update only for a target that it was told of, so
  * updates that arrive early wait for `bind`.
  */
 import type { Engine, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
@@ -10,13 +10,13 @@ import type { Store } from "./store.ts";
 export class UpdateRouter {
   readonly #engine: Engine;
   readonly #viewer: ModelViewer;
-  readonly #textureView: TextureView;
+  readonly #textureView: TextureView | null;
   readonly #figures: Store<Figures>;
   readonly #bound = new Map<number, TargetInfo>();
   readonly #early = new Map<number, TargetUpdate[]>();
   #textureMaterial: number | null = null;
 
-  constructor(engine: Engine, viewer: ModelViewer, textureView: TextureView, figures: Store<Figures>) {
+  constructor(engine: Engine, viewer: ModelViewer, textureView: TextureView | null, figures: Store<Figures>) {
     this.#engine = engine;
     this.#viewer = viewer;
     this.#textureView = textureView;
@@ -40,7 +40,7 @@ export class UpdateRouter {
     this.#viewer.bindTarget(info);
     if (uvTriangles) {
       this.#textureMaterial = info.material;
-      this.#textureView.bindTarget(info, uvTriangles);
+      this.#textureView?.bindTarget(info, uvTriangles);
     }
     const early = this.#early.get(info.material) ?? [];
     this.#early.delete(info.material);
@@ -50,8 +50,8 @@ export class UpdateRouter {
   /** Shows a target that was bound before in the texture view. */
   async showInTextureView(info: TargetInfo, uvTriangles: Float32Array): Promise<void> {
     this.#textureMaterial = info.material;
-    this.#textureView.bindTarget(info, uvTriangles);
-    this.#textureView.applyUpdate(await this.#fullUpdate(info));
+    this.#textureView?.bindTarget(info, uvTriangles);
+    this.#textureView?.applyUpdate(await this.#fullUpdate(info));
   }
 
   async #fullUpdate(info: TargetInfo): Promise<TargetUpdate> {
@@ -81,7 +81,7 @@ export class UpdateRouter {
 
   #apply(update: TargetUpdate): void {
     this.#viewer.applyUpdate(update);
-    if (update.material === this.#textureMaterial) this.#textureView.applyUpdate(update);
+    if (update.material === this.#textureMaterial) this.#textureView?.applyUpdate(update);
     const { material, revision, projectedTexels, compositedTexels, milliseconds } = update;
     this.#figures.set({
       update: { material, revision, projectedTexels, compositedTexels, milliseconds },

@@ -1,0 +1,15 @@
+/** Registers `<texelcast-editor>`, once, where there are custom elements; elsewhere (a server) it does nothing. */
+import { EDITOR_TAG } from "./element-api.ts";
+import { TexelcastEditor } from "./texelcast-editor.ts";
+
+export { TexelcastEditor } from "./texelcast-editor.ts";
+
+if (typeof customElements !== "undefined" && !customElements.get(EDITOR_TAG)) {
+  customElements.define(EDITOR_TAG, TexelcastEditor);
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "texelcast-editor": TexelcastEditor;
+  }
+}

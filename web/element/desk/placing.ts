@@ -1,0 +1,110 @@
+/** Putting pictures and words on the product. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import type { DesignAsset, LayerMaterials } from "../../editor/document/design.ts";
+import { freeIdIn } from "../../editor/document/layer-tree.ts";
+import { makeDecalLayer } from "../../editor/document/make-layer.ts";
+import { fileStem } from "../../editor/files/download.ts";
+import { addOnTop, withAsset } from "../../editor/state/design-edits.ts";
+import { diagonalOf } from "../../editor/state/editor-state.ts";
+import { contentHash } from "../../editor/storage/content-hash.ts";
+import type { Projector } from "../../engine/engine-api.ts";
+import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions } from "../element-api.ts";
+import type { Desk } from "./desk.ts";
+import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
+
+/** Of the model's diagonal: a new decal's longer side. */
+const NEW_SHARE = 0.22;
+
+export interface Place {
+  readonly projector: Projector;
+  readonly material: LayerMaterials;
+}
+
+/** Where something of that aspect (width by height) goes. Throws "bad-argument" where there is no surface for it. */
+export function placeFor(desk: Desk, aspect: number, options: PlaceOptions, at: SurfaceHit | null): Place {
+  const { viewer, store } = desk;
+  const { words } = desk.settings;
+  const { position, width = NEW_SHARE * diagonalOf(store.state.model) * Math.min(1, aspect) } = options;
+  if (!(width > 0 && Number.isFinite(width))) {
+    throw new TexelcastError("bad-argument", words.errors.badOption("width"), { field: "width", value: String(width) });
+  }
+  const hit = at ?? (position === undefined ? viewer.surfaceAtCentre() : viewer.surface.near(position));
+  if (options.projector === undefined && hit === null) {
+    throw new TexelcastError("bad-argument", words.errors.nowhere, { hint: words.errors.nowhereHint });
+  }
+  const projector = options.projector ?? viewer.projectorAt(hit as SurfaceHit, width, aspect);
+  const material = options.material ?? desk.reach.at(projector, false, hit?.material ?? desk.material);
+  return { projector, material };
+}
+
+/** Puts a picture on the product: checked, cleaned, accepted by the shop. Gives the layer's id. */
+export async function addPicture(
+  desk: Desk,
+  source: DecalSource,
+  options: PlaceOptions = {},
+  at: SurfaceHit | null = null,
+): Promise<string> {
+  desk.checkRoom();
+  const { name, bytes } = await fileOf(desk, source);
+  const picture = await takeIn(desk, name, bytes);
+  // Somebody may have added another one meanwhile.
+  desk.checkRoom();
+  const label = options.name ?? fileStem(name);
+  const { projector, material } = placeFor(desk, picture.width / picture.height, options, at);
+  const { design, key } = withAsset(desk.design, label, picture.asset);
+  const layer = makeDecalLayer({ id: freeIdIn(design), name: label, material, asset: key, projector });
+  const { words } = desk.settings;
+  desk.record(addOnTop(design, layer), words.steps.add);
+  desk.select(layer.id);
+  desk.hooks.announce(words.announce.added(label));
+  return layer.id;
+}
+
+async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; bytes: Uint8Array }> {
+  const { words, limits } = desk.settings;
+  if (source instanceof Uint8Array) return { name: "picture", bytes: source };
+  if (source instanceof ArrayBuffer) return { name: "picture", bytes: new Uint8Array(source) };
+  if (source instanceof Blob) {
+    const name = source instanceof File ? source.name : "picture";
+    // Of a file that is too large nothing is read beyond what tells so.
+    const most = (limits.bytes ?? Number.POSITIVE_INFINITY) + 1;
+    return { name, bytes: new Uint8Array(await source.slice(0, most).arrayBuffer()) };
+  }
+  const url = addressOf(String(source), document.baseURI, words);
+  return { name: nameOf(url), bytes: await fetchBytes(url, { words, signal: new AbortController().signal }) };
+}
+
+interface TakenPicture {
+  readonly asset: DesignAsset;
+  readonly width: number;
+  readonly height: number;
+}
+
+async function takeIn(desk: Desk, name: string, bytes: Uint8Array): Promise<TakenPicture> {
+  const { checkUpload } = await import("../../engine/upload-check.ts");
+  const checked = checkUpload(name, bytes, desk.settings.limits);
+  await askShop(desk, { name, ...checked, sha256: await contentHash(checked.bytes) });
+  return await desk.library.add(name, checked.bytes);
+}
+
+/** Rejects with "refused" where the shop does not take an asset, or its hook fails. */
+export async function askShop({ settings }: Desk, asset: CandidateAsset): Promise<void> {
+  const { beforeAccept, words } = settings;
+  if (beforeAccept === null) return;
+  const refused = (reason: string | undefined, cause?: unknown): TexelcastError =>
+    new TexelcastError("refused", reason || words.errors.refused(asset.name), {
+      subject: asset.name,
+      hint: words.errors.refusedHint,
+      cause,
+    });
+  let answer: Acceptance;
+  try {
+    answer = await beforeAccept({ ...asset, bytes: asset.bytes.slice() });
+  } catch (cause) {
+    throw refused(undefined, cause);
+  }
+  if (answer === true) return;
+  if (typeof answer !== "object" || answer === null) throw refused(undefined);
+  if (answer.accept !== true) throw refused(answer.reason);
+}

@@ -1,0 +1,49 @@
+/** Pictures of the product for a cart: from named sides, or from wherever the page says. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { type Orbit, parseOrbit } from "../../viewer/camera-orbit.ts";
+import type { SnapshotOptions, SnapshotView } from "../element-api.ts";
+import type { Mode } from "../mode.ts";
+import type { Words } from "../words/words.ts";
+
+const SIDE = 512;
+const MOST = 4096;
+
+const NAMED: Readonly<Record<string, string | null>> = {
+  current: null,
+  front: "0deg 90deg",
+  right: "90deg 90deg",
+  back: "180deg 90deg",
+  left: "-90deg 90deg",
+  top: "0deg 0deg",
+  bottom: "0deg 180deg",
+};
+
+/** PNGs, one for each view. Throws "bad-argument" for a view or a size that is none, "unsupported" without graphics. */
+export async function takeSnapshots(
+  mode: Pick<Mode, "viewer" | "idle">,
+  views: readonly SnapshotView[],
+  { width = SIDE, height = SIDE }: SnapshotOptions,
+  words: Words,
+): Promise<Blob[]> {
+  for (const [field, value] of Object.entries({ width, height })) {
+    if (Number.isInteger(value) && value >= 1 && value <= MOST) continue;
+    const hint = `1 – ${MOST}`;
+    throw new TexelcastError("bad-argument", words.errors.badOption(field), { field, value: String(value), hint });
+  }
+  const orbits = views.map((view): Orbit | null => {
+    const named = Object.hasOwn(NAMED, view) ? NAMED[view] : view;
+    return named === null || named === undefined ? null : parseOrbit(named, "view");
+  });
+  await mode.idle();
+  // The view takes up what the engine reported with its next frame.
+  await new Promise((resolve) => requestAnimationFrame(resolve));
+  const pictures: Blob[] = [];
+  for (const orbit of orbits) {
+    const picture = await mode.viewer.capture(orbit, width, height);
+    if (picture === null) {
+      throw new TexelcastError("unsupported", words.errors.graphics, { hint: words.errors.graphicsHint });
+    }
+    pictures.push(picture);
+  }
+  return pictures;
+}

@@ -1,0 +1,126 @@
+/** Words on the product: put on, typed, dressed; their box follows them. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import type { DesignAsset, Projector, TextLayer } from "../../editor/document/design.ts";
+import { freeIdIn } from "../../editor/document/layer-tree.ts";
+import { makeTextLayer } from "../../editor/document/make-layer.ts";
+import { resolveWords } from "../../editor/document/resolve-layers.ts";
+import { addOnTop, layerById, patchLayer, withAsset, withoutUnusedAssets } from "../../editor/state/design-edits.ts";
+import { fitsClosely, refitted } from "../../editor/state/text-box.ts";
+import { contentHash } from "../../editor/storage/content-hash.ts";
+import type { EngineText, TextMeasure } from "../../engine/engine-api.ts";
+import { SHIPPED_FONTS, type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
+import type { TextOptions } from "../element-api.ts";
+import type { Desk } from "./desk.ts";
+import { askShop, placeFor } from "./placing.ts";
+
+export type TextPatch = Partial<Pick<TextLayer, "text" | "color" | "curve">> & { readonly font?: NamedFont };
+
+export interface NamedFont {
+  readonly name: string;
+  readonly asset: DesignAsset;
+}
+
+const FIRST_FONT = "inter-700";
+const FIRST_COLOR = "#1a1a1a";
+const MOST_CHARACTERS = 10_000;
+/** A place to measure at. */
+const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] };
+
+export class Texts {
+  readonly #desk: Desk;
+  /** Counts the changes asked for: of several that wait for their measure only the newest is shown. */
+  #asked = 0;
+
+  constructor(desk: Desk) {
+    this.#desk = desk;
+  }
+
+  /** Gives the layer's id. */
+  async add(text: string, options: TextOptions = {}): Promise<string> {
+    const desk = this.#desk;
+    const { words } = desk.settings;
+    desk.checkRoom();
+    if (typeof text !== "string" || text.trim() === "" || text.length > MOST_CHARACTERS) {
+      throw new TexelcastError("bad-argument", words.errors.emptyText, { field: "text" });
+    }
+    const font = await this.#font(options.font ?? FIRST_FONT);
+    const { design, key } = withAsset(desk.design, font.name, font.asset);
+    const name = options.name ?? shortened(text);
+    const { color = FIRST_COLOR, curve = 0 } = options;
+    const look = { text, font: key, color: hexColor(color, words.errors.badOption("color")), curve };
+    const plain = makeTextLayer({ id: "", name, projector: NOWHERE, ...look });
+    const room = await this.#measure(plain, design.assets);
+    desk.checkRoom();
+    const place = placeFor(desk, room.width / room.height, options, null);
+    // The design may be another one since the words were measured.
+    const now = withAsset(desk.design, font.name, font.asset);
+    const id = freeIdIn(now.design);
+    const layer = { ...plain, ...place, id, font: now.key, fontSize: 1 / room.height };
+    desk.record(addOnTop(now.design, layer), words.steps.addText);
+    desk.select(id);
+    desk.hooks.announce(words.announce.added(name));
+    return id;
+  }
+
+  /** Shows a change, or (`final`) records it; the box goes on lying close about the words. */
+  async change(id: string, { font, ...fields }: TextPatch, final: boolean): Promise<void> {
+    const desk = this.#desk;
+    const before = desk.design;
+    const layer = layerById(before, id);
+    if (layer?.type !== "text" || desk.settings.readonly) return;
+    this.#asked += 1;
+    const request = this.#asked;
+    const { design, key } = font ? withAsset(before, font.name, font.asset) : { design: before, key: layer.font };
+    const named =
+      fields.text === undefined || layer.name !== shortened(layer.text) ? {} : { name: shortened(fields.text) };
+    const changed: TextLayer = { ...layer, ...fields, ...named, font: key };
+    const [old, now] = await Promise.all([this.#measure(layer, design.assets), this.#measure(changed, design.assets)]);
+    if (request !== this.#asked || desk.design !== before) return;
+    const target = desk.store.state.targets.get(desk.material);
+    const close = fitsClosely(layer, old, target ? target.width / target.height : 1);
+    const box = close ? refitted(changed, old, now) : {};
+    const edited = patchLayer<TextLayer>(design, id, { ...fields, ...named, font: key, ...box });
+    if (final) desk.session.record(font ? withoutUnusedAssets(edited) : edited, desk.settings.words.steps.change);
+    else desk.session.preview(edited);
+  }
+
+  async #font(font: string | Blob | Uint8Array): Promise<NamedFont> {
+    if (typeof font === "string") {
+      if (!Object.hasOwn(SHIPPED_FONTS, font)) {
+        throw new TexelcastError("bad-argument", this.#desk.settings.words.errors.badOption("font"), {
+          field: "font",
+          value: font,
+          hint: Object.keys(SHIPPED_FONTS).join(", "),
+        });
+      }
+      return shippedFont(font as ShippedFontId);
+    }
+    const bytes = font instanceof Uint8Array ? font : new Uint8Array(await font.arrayBuffer());
+    const name = font instanceof File ? font.name : "font";
+    const { readFontHeader } = await import("../../engine/font-file.ts");
+    const type = `font/${readFontHeader(bytes, name).format}` as const;
+    await askShop(this.#desk, { name, type, bytes, width: 0, height: 0, sha256: await contentHash(bytes) });
+    return await this.#desk.library.addFont(name, bytes);
+  }
+
+  async #measure(layer: TextLayer, assets: Readonly<Record<string, DesignAsset>>): Promise<TextMeasure> {
+    const words: EngineText = resolveWords(layer, assets);
+    const key = this.#desk.library.engineKey(assets[layer.font]);
+    return await this.#desk.engine.measureText({ ...words, font: key ?? words.font, fontSize: 1 });
+  }
+}
+
+/** A font that comes with Texelcast, as a text takes it. */
+export function shippedFont(id: ShippedFontId): NamedFont {
+  return { name: id, asset: { type: "font/ttf", uri: shippedFontAddress(id) } };
+}
+
+function hexColor(color: string, message: string): string {
+  if (/^#(?:[0-9a-f]{6}|[0-9a-f]{8})$/i.test(color)) return color;
+  throw new TexelcastError("bad-argument", message, { field: "color", value: color, hint: '"#rrggbb" or "#rrggbbaa"' });
+}
+
+const shortened = (text: string): string => {
+  const line = text.trim().replace(/\s+/g, " ");
+  return line.length > 40 ? `${line.slice(0, 39)}…` : line;
+};

@@ -1,0 +1,21 @@
+/** Whatever was thrown, as the element tells it. */
+import { TexelcastError } from "../core/texelcast-error.ts";
+import type { ErrorDetail } from "./element-api.ts";
+import type { Words } from "./words/words.ts";
+
+/** What the user sees of an error. */
+export interface ShownError {
+  readonly message: string;
+  readonly hint: string;
+}
+
+export function typedError(thrown: unknown, { errors }: Words): TexelcastError {
+  return TexelcastError.wrap(thrown, "internal", thrown instanceof Error ? thrown.message : errors.unexpected);
+}
+
+export function errorDetail(error: TexelcastError): ErrorDetail {
+  return { error: error.toJSON(), code: error.code, message: error.message, hint: error.hint ?? "" };
+}
+
+/** Nobody needs to hear of what was called off. */
+export const isCancelled = (thrown: unknown): boolean => thrown instanceof Error && thrown.name === "AbortError";

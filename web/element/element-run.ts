@@ -1,0 +1,110 @@
+/** One time that the element is open: its mode is loaded, its model and design are opened, and in the end all of it is closed. */
+import { TexelcastError } from "../core/texelcast-error.ts";
+import type { Design } from "../editor/document/design.ts";
+import type { UploadLimits } from "../engine/upload-check.ts";
+import type { DesignInput, TexelcastEditorProperties } from "./element-api.ts";
+import type { Mode, ModeHost } from "./mode.ts";
+import type { Words } from "./words/words.ts";
+
+export interface RunParts {
+  readonly kind: TexelcastEditorProperties["mode"];
+  readonly src: TexelcastEditorProperties["src"];
+  /** What the page gives, or the design that was worked on before. */
+  readonly design: { readonly given: DesignInput | null } | { readonly kept: Design };
+  readonly base: string;
+  readonly words: Words;
+  readonly limits: UploadLimits;
+  readonly host: ModeHost;
+  /** Of the whole of opening. */
+  readonly progress: (share: number) => void;
+}
+
+/** Of the whole way, where the mode and the model's bytes are there. */
+export const FETCHED = 0.4;
+
+export class Run {
+  readonly #parts: RunParts;
+  readonly #abort = new AbortController();
+  /** Made, and perhaps not open yet. */
+  #made: Mode | null = null;
+  #open = false;
+
+  constructor(parts: RunParts) {
+    this.#parts = parts;
+  }
+
+  /** Null until `open` is done. */
+  get mode(): Mode | null {
+    return this.#open ? this.#made : null;
+  }
+
+  /** Before it is open, too. */
+  get made(): Mode | null {
+    return this.#made;
+  }
+
+  /** Rejects with a TexelcastError, closed; "cancelled" where `close` was faster. */
+  async open(): Promise<Mode> {
+    const { kind, src, words, base, host, progress } = this.#parts;
+    try {
+      if (src === null || src === "") {
+        throw new TexelcastError("missing-file", words.errors.noModel, {
+          field: "src",
+          hint: words.errors.noModelHint,
+        });
+      }
+      const { signal } = this.#abort;
+      const fetching = { words, signal, progress: (share: number) => progress(share * FETCHED) };
+      // At once: what shows the model is fetched while the model is.
+      const [make, { fetchModel }] = await Promise.all([loadMode(kind), import("./desk/read-model.ts")]);
+      const source = typeof src === "string" ? await fetchModel(src, base, fetching) : src;
+      this.#check();
+      progress(FETCHED);
+      const mode = make(host);
+      this.#made = mode;
+      await host.made(mode);
+      await mode.open(source, () => this.readDesign(mode.library));
+      this.#check();
+      this.#open = true;
+      return mode;
+    } catch (thrown) {
+      this.#end();
+      this.#check();
+      throw thrown;
+    }
+  }
+
+  /** Reads a design with the engine's help: its files are taken in. */
+  async readDesign(library: Mode["library"], given?: DesignInput): Promise<Design> {
+    const { design, words, base, limits } = this.#parts;
+    if (given === undefined && "kept" in design) return design.kept;
+    const input = given ?? ("given" in design ? design.given : null);
+    if (input === null) {
+      const { emptyDesign } = await import("../editor/document/design.ts");
+      return emptyDesign();
+    }
+    const { readDesign } = await import("./desk/read-design.ts");
+    return await readDesign(input, { words, base, limits, library, signal: this.#abort.signal });
+  }
+
+  close(): void {
+    this.#abort.abort();
+    this.#end();
+  }
+
+  #end(): void {
+    this.#open = false;
+    this.#made?.close();
+    this.#made = null;
+  }
+
+  #check(): void {
+    if (!this.#abort.signal.aborted) return;
+    throw new TexelcastError("cancelled", this.#parts.words.errors.notReady);
+  }
+}
+
+async function loadMode(kind: RunParts["kind"]): Promise<(host: ModeHost) => Mode> {
+  if (kind === "full") return (await import("./full/full-mode.ts")).openFull;
+  return (await import("./shop/shop-mode.ts")).openShop;
+}

@@ -1,0 +1,144 @@
+/** The fields of what is chosen: its words, its size, its turn. */
+import { html, nothing, type TemplateResult } from "lit";
+import type { DesignLayer, TextLayer } from "../../editor/document/design.ts";
+import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
+import { orientationOf } from "../../editor/state/rotation.ts";
+import "../../editor/ui/number-field.ts";
+import type { NumberFieldEvent } from "../../editor/ui/number-field.ts";
+import type { Projector } from "../../engine/engine-api.ts";
+import { SHIPPED_FONTS, type ShippedFontId, shippedFontOf } from "../../engine/shipped-fonts.ts";
+import { shippedFont } from "../desk/texts.ts";
+import type { ShopView } from "./shop-view.ts";
+
+export function layerFields(view: ShopView, layer: DesignLayer): TemplateResult | typeof nothing {
+  if (layer.type !== "decal" && layer.type !== "text") return nothing;
+  return html`
+    <div class="fields" part="fields" role="group" aria-label=${layer.name}>
+      ${layer.type === "text" ? textFields(view, layer) : nothing} ${sizeFields(view, layer.id, layer.projector)}
+    </div>
+  `;
+}
+
+function textFields({ host: { words, tell }, texts, desk }: ShopView, layer: TextLayer): TemplateResult {
+  const uri = desk.design.assets[layer.font]?.uri ?? "";
+  const font = shippedFontOf(uri);
+  const change = (patch: Parameters<typeof texts.change>[1], final: boolean): void => {
+    void texts.change(layer.id, patch, final).catch(tell);
+  };
+  const typed = (event: Event): string => (event.target as HTMLTextAreaElement).value;
+  return html`
+    <label class="field wide">
+      ${words.words}
+      <textarea
+        rows="1"
+        maxlength="1000"
+        dir="auto"
+        .value=${layer.text}
+        @input=${(event: Event) => typed(event).trim() !== "" && change({ text: typed(event) }, false)}
+        @change=${(event: Event) => typed(event).trim() !== "" && change({ text: typed(event) }, true)}
+      ></textarea>
+    </label>
+    <label class="field">
+      ${words.font}
+      <select
+        @change=${(event: Event) => {
+          change({ font: shippedFont((event.target as HTMLSelectElement).value as ShippedFontId) }, true);
+        }}
+      >
+        ${font === undefined ? html`<option selected disabled>${layer.font}</option>` : nothing}
+        ${Object.entries(SHIPPED_FONTS).map(
+          ([id, { name }]) => html`<option value=${id} ?selected=${id === font}>${name}</option>`,
+        )}
+      </select>
+    </label>
+    <label class="field">
+      ${words.color}
+      <input
+        type="color"
+        .value=${layer.color.slice(0, 7)}
+        @input=${(event: Event) => change({ color: typed(event) }, false)}
+        @change=${(event: Event) => change({ color: typed(event) }, true)}
+      />
+    </label>
+  `;
+}
+
+function sizeFields(view: ShopView, id: string, projector: Projector): TemplateResult {
+  const { words } = view.host;
+  const size = sizeOf(projector);
+  const scale = view.printScale * 100;
+  return html`
+    ${
+      size === null
+        ? nothing
+        : (["width", "height"] as const).map((side) =>
+            number(view, id, {
+              name: words[side],
+              unit: words.centimetres,
+              value: size[side] * scale,
+              step: 0.1,
+              min: 0.01,
+              set: (value) => scaledProjector(projector, value / (size[side] * scale)),
+            }),
+          )
+    }
+    ${number(view, id, {
+      name: words.turn,
+      unit: words.degrees,
+      value: turnOf(projector),
+      step: 1,
+      min: -360,
+      max: 360,
+      set: (value) => spunProjector(projector, value - turnOf(projector)),
+    })}
+  `;
+}
+
+interface NumberSettings {
+  readonly name: string;
+  readonly unit: string;
+  readonly value: number;
+  readonly step: number;
+  readonly min: number;
+  readonly max?: number;
+  readonly set: (value: number) => Projector;
+}
+
+function number(
+  view: ShopView,
+  id: string,
+  { name, unit, set, value, step, min, max }: NumberSettings,
+): TemplateResult {
+  const place = (event: CustomEvent<NumberFieldEvent>, final: boolean): void => {
+    view.desk.place(id, set(event.detail.value), final, event.detail.repeated ? `field-${name}` : undefined);
+  };
+  return html`<tc-number
+    .label=${name}
+    .name=${name}
+    .unit=${unit}
+    .value=${value}
+    .step=${step}
+    .min=${min}
+    .max=${max ?? Number.POSITIVE_INFINITY}
+    @field-preview=${(event: CustomEvent<NumberFieldEvent>) => place(event, false)}
+    @field-change=${(event: CustomEvent<NumberFieldEvent>) => place(event, true)}
+    @field-cancel=${() => view.desk.session.cancelPreview()}
+  ></tc-number>`;
+}
+
+/** Metres; null where a size is not one of lengths. */
+function sizeOf(projector: Projector): { readonly width: number; readonly height: number } | null {
+  switch (projector.kind) {
+    case "planar":
+      return { width: projector.size[0], height: projector.size[1] };
+    case "cylindrical":
+      return { width: (projector.arc / 180) * Math.PI * projector.radius, height: projector.height };
+    default:
+      return null;
+  }
+}
+
+/** Degrees counter-clockwise, as the picture's viewer sees it. */
+function turnOf(projector: Projector): number {
+  return projector.kind === "uv" ? -projector.angle : orientationOf(projector.rotation).spin;
+}

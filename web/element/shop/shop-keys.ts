@@ -1,0 +1,61 @@
+/** Keys inside the element. What has the focus comes first: a text field keeps every key, a choice its arrows. */
+
+import { diagonalOf } from "../../editor/state/editor-state.ts";
+import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
+import type { Desk } from "../desk/desk.ts";
+
+/** Of the model's diagonal. */
+const NUDGE_SHARE = 0.002;
+const COARSE = 10;
+
+/** True when the key was ours, and its default must not happen. */
+export function handleKey(event: KeyboardEvent, desk: Desk): boolean {
+  if (event.defaultPrevented || event.isComposing || event.altKey) return false;
+  const [target] = event.composedPath();
+  const typing =
+    target instanceof HTMLTextAreaElement ||
+    (target instanceof HTMLInputElement && target.type !== "color") ||
+    target instanceof HTMLSelectElement;
+  if (event.ctrlKey || event.metaKey) {
+    if (typing) return false;
+    const key = event.key.toLowerCase();
+    if (key === "z") return desk.travel(event.shiftKey ? 1 : -1);
+    return key === "y" && desk.travel(1);
+  }
+  if (typing) return false;
+  const { selected } = desk;
+  if (selected === undefined) return false;
+  if (event.key === "Escape") return desk.select(null);
+  if (event.key === "Delete" || event.key === "Backspace") return desk.remove(selected.id);
+  if (selected.type !== "decal" && selected.type !== "text") return false;
+  // Arrows on a button belong to whoever walks over buttons with them.
+  if (target instanceof HTMLButtonElement && event.key.startsWith("Arrow")) return false;
+  const steps = event.shiftKey ? COARSE : 1;
+  const { projector } = selected;
+  const place = (kind: string, changed: typeof projector): true => {
+    desk.place(selected.id, changed, true, kind);
+    return true;
+  };
+  const step = NUDGE_SHARE * diagonalOf(desk.store.state.model) * steps;
+  const nudge = (right: number, up: number): true =>
+    place("nudge", desk.viewer.nudge(projector, right * step, up * step));
+  if (event.code === "BracketLeft") return place("spin", spunProjector(projector, steps));
+  if (event.code === "BracketRight") return place("spin", spunProjector(projector, -steps));
+  switch (event.key) {
+    case "ArrowLeft":
+      return nudge(-1, 0);
+    case "ArrowRight":
+      return nudge(1, 0);
+    case "ArrowUp":
+      return nudge(0, 1);
+    case "ArrowDown":
+      return nudge(0, -1);
+    case "+":
+    case "=":
+      return place("scale", scaledProjector(projector, 1.02));
+    case "-":
+      return place("scale", scaledProjector(projector, 1 / 1.02));
+    default:
+      return false;
+  }
+}

@@ -1,0 +1,76 @@
+/**
+ * The element's looks. A shop sets `--texelcast-*`; the house's own tokens stand only on what is the element's (`.own`), so that
+ * what a page puts into the slots keeps the page's properties of the same names. Light and dark follow the page's `color-scheme`.
+ */
+import { css } from "lit";
+
+export const tokens = css`
+  :host {
+    --_accent: var(--texelcast-accent, light-dark(#4650d0, #99a1ff));
+    --_accent-text: var(--texelcast-accent-text, light-dark(#ffffff, #15172b));
+    --_surface: var(--texelcast-surface, light-dark(#ffffff, #242629));
+    --_surface-low: var(--texelcast-surface-low, light-dark(#f5f6f7, #1e2023));
+    --_stage: var(--texelcast-stage, light-dark(#eceef0, #1b1d20));
+    --_text: var(--texelcast-text, light-dark(#1a1d22, #eceef1));
+    --_text-quiet: var(--texelcast-text-quiet, light-dark(#5a616c, #a4abb6));
+    --_line: var(--texelcast-line, light-dark(#e1e3e7, #35383d));
+    --_radius: var(--texelcast-radius, 8px);
+    --_font: var(
+      --texelcast-font,
+      system-ui,
+      -apple-system,
+      "Segoe UI",
+      Roboto,
+      "Helvetica Neue",
+      "Noto Sans",
+      sans-serif
+    );
+  }
+  .own {
+    --font: var(--_font);
+    --text-small: 0.75rem;
+    --text-normal: 0.875rem;
+    --text-large: 1rem;
+    --space-1: 0.25rem;
+    --space-2: 0.5rem;
+    --space-3: 0.75rem;
+    --space-4: 1rem;
+    --space-5: 1.5rem;
+    --radius: var(--_radius);
+    --radius-large: calc(var(--_radius) * 1.5);
+    --target: 36px;
+    --surface: var(--_surface);
+    --surface-low: var(--_surface-low);
+    --surface-high: var(--_surface);
+    --hover: light-dark(rgb(20 24 32 / 6%), rgb(255 255 255 / 7%));
+    --pressed: light-dark(rgb(20 24 32 / 11%), rgb(255 255 255 / 12%));
+    --line: var(--_line);
+    --line-strong: light-dark(#8a909b, #868c96);
+    --text: var(--_text);
+    --text-quiet: var(--_text-quiet);
+    --accent: var(--_accent);
+    --accent-text: var(--_accent-text);
+    --accent-soft: color-mix(in oklab, var(--_accent), var(--_surface) 86%);
+    --danger: light-dark(#b3261e, #ff9d92);
+    --danger-soft: light-dark(#fdf0ee, #43292a);
+    --caution: light-dark(#8a5300, #f0c26a);
+    --caution-soft: light-dark(#fdf4e3, #42371f);
+    --good: light-dark(#1b6b3a, #8fd6a8);
+    --good-soft: light-dark(#e9f6ee, #223a2b);
+    --shadow: 0 1px 2px light-dark(rgb(20 24 32 / 8%), rgb(0 0 0 / 40%)),
+      0 8px 28px light-dark(rgb(20 24 32 / 14%), rgb(0 0 0 / 50%));
+    --tile: light-dark(#f0f1f3, #c9ccd1);
+    --tile-checker: light-dark(#dfe1e5, #b3b7be);
+    --viewer-accent: var(--_accent);
+    --viewer-on-accent: var(--_accent-text);
+    color: var(--_text);
+    font: var(--text-normal) / 1.35 var(--_font);
+    -webkit-font-smoothing: antialiased;
+  }
+  @media (pointer: coarse) {
+    .own {
+      --target: 44px;
+      --text-normal: 0.9375rem;
+    }
+  }
+`;
