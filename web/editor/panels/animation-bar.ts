@@ -18,6 +18,7 @@ export class AnimationBar extends EditorElement {
     css`
       :host {
         display: block;
+        container-type: inline-size;
         pointer-events: none;
       }
       .bar {
@@ -35,12 +36,14 @@ export class AnimationBar extends EditorElement {
         box-shadow: 0 1px 3px rgb(20 24 32 / 8%);
       }
       select {
+        flex: none;
         width: auto;
-        max-width: 8rem;
+        max-width: 7rem;
         background: none;
       }
       input {
         flex: 1 1 9rem;
+        min-width: 3rem;
       }
       output {
         min-width: 5.5rem;
@@ -50,7 +53,7 @@ export class AnimationBar extends EditorElement {
         text-align: center;
         white-space: nowrap;
       }
-      @media (max-width: 720px) {
+      @container (max-width: 27rem) {
         output {
           display: none;
         }

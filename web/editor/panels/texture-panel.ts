@@ -60,6 +60,7 @@ export class TexturePanel extends EditorElement {
         color: var(--text-quiet);
       }
       footer {
+        container-type: inline-size;
         display: flex;
         align-items: center;
         gap: var(--space-2);
@@ -75,6 +76,12 @@ export class TexturePanel extends EditorElement {
         font-size: var(--text-small);
         text-overflow: ellipsis;
         white-space: nowrap;
+      }
+      /* A word cut in two says nothing; the tab's own hint says it, too. */
+      @container (max-width: 25rem) {
+        footer p:not(#texel) {
+          visibility: hidden;
+        }
       }
       label {
         display: inline-flex;
@@ -111,6 +118,7 @@ export class TexturePanel extends EditorElement {
           (mode) => html`<button
             role="tab"
             id=${`tab-${mode}`}
+            title=${words.modeHints[mode]}
             aria-selected=${mode === textureMode}
             aria-controls="panel"
             tabindex=${mode === textureMode ? 0 : -1}
