@@ -1,9 +1,9 @@
 /** The 2D view: a material's unfolded texture, live, with UV outlines over it. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { MapView, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
-import { type CssColor, readCssColor } from "./css-color.ts";
+import { BoundTexture, type OverlayColors } from "./bound-texture.ts";
+import { readCssColor } from "./css-color.ts";
 import { EventHub } from "./event-hub.ts";
-import { FinestLevel } from "./finest-level.ts";
 import { FrameTask } from "./frame-task.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
@@ -11,13 +11,11 @@ import type { ScreenPoint } from "./screen-space.ts";
 import { StampGizmo } from "./stamp-gizmo.ts";
 import { TextureCamera } from "./texture-camera.ts";
 import { TextureGuide } from "./texture-guide.ts";
-import { type PaintedLines, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
+import { type PaintColors, type PaintedTexture, TexturePainter } from "./texture-painter.ts";
 import { TexturePointer } from "./texture-pointer.ts";
 import { TextureTools } from "./texture-tools.ts";
 import type { ToolInput } from "./tool-input.ts";
 import { UpdateQueue } from "./update-queue.ts";
-import { UvCharts } from "./uv-charts.ts";
-import { meanLength, uvEdges } from "./uv-edges.ts";
 import type {
   GuideEntry,
   MapPicture,
@@ -47,35 +45,6 @@ export function createTextureView(host: HTMLElement, options: TextureViewOptions
 }
 
 const MOST_PIXEL_RATIO = 2;
-/** Opacity of inner lines against borders, where they are this many pixels long on average, or longer. */
-const MOST_INNER_STRENGTH = 0.4;
-const LINES_APART = 40;
-
-/** What is kept beside the GPU, to make it anew when its context was lost. */
-interface BoundTarget {
-  readonly info: TargetInfo;
-  readonly edges: { readonly borders: Float32Array; readonly inner: Float32Array };
-  texture: PaintedTexture;
-  finest: FinestLevel;
-  borders: PaintedLines;
-  inner: PaintedLines;
-  /** Of the inner lines, in texture widths. */
-  readonly meanLength: number;
-  readonly uvTriangles: Float32Array;
-  /** Made when a chart is first asked for. */
-  charts: UvCharts | null;
-}
-
-/** The chart that is lit up. */
-interface LitChart {
-  readonly chart: number;
-  readonly corners: PaintedLines;
-  readonly borders: PaintedLines;
-}
-
-/** Opacity of a lit chart's face: as on the model. */
-const GLOW = 0.1;
-
 class GlTextureView implements TextureView {
   readonly element: HTMLElement;
   readonly #canvas = document.createElement("canvas");
@@ -100,13 +69,12 @@ class GlTextureView implements TextureView {
     (task) => this.#whenFree(task),
   );
   #painter: TexturePainter;
-  #target: BoundTarget | null = null;
+  #target: BoundTexture | null = null;
   #map: { readonly picture: MapPicture; texture: PaintedTexture } | null = null;
   #outlines = true;
-  #lit: LitChart | null = null;
   #markedUv: readonly [number, number] | null = null;
   #pixelRatio = 1;
-  #colors: { checkerA: CssColor; checkerB: CssColor; border: CssColor; glow: CssColor } | null = null;
+  #colors: (PaintColors & OverlayColors) | null = null;
 
   constructor(host: HTMLElement, options: TextureViewOptions) {
     this.#options = options;
@@ -148,32 +116,7 @@ class GlTextureView implements TextureView {
   }
 
   bindTarget(info: TargetInfo, uvTriangles: Float32Array): void {
-    const before = this.#target;
-    const edges = uvEdges(uvTriangles);
-    const same =
-      before !== null &&
-      before.info.material === info.material &&
-      before.info.width === info.width &&
-      before.info.height === info.height &&
-      before.info.mipLevels === info.mipLevels;
-    this.#dim();
-    if (before !== null) {
-      this.#freeLines(before);
-      if (!same) {
-        this.#painter.freeTexture(before.texture);
-      }
-    }
-    this.#target = {
-      info,
-      edges,
-      texture: same ? before.texture : this.#makeTexture(info),
-      finest: same ? before.finest : new FinestLevel(),
-      borders: this.#painter.makeLines(edges.borders),
-      inner: this.#painter.makeLines(edges.inner),
-      meanLength: meanLength(edges.inner),
-      uvTriangles,
-      charts: null,
-    };
+    this.#target = new BoundTexture(this.#painter, info, uvTriangles, this.#target);
     this.#camera.setTexture(info);
     this.#drawTask.request();
   }
@@ -199,24 +142,7 @@ class GlTextureView implements TextureView {
   }
 
   highlightChart(uv: readonly [number, number] | null): void {
-    const target = this.#target;
-    if (target === null || uv === null) {
-      this.#dim();
-      return;
-    }
-    target.charts ??= new UvCharts(target.uvTriangles);
-    const chart = target.charts.chartAt(uv);
-    if (chart === this.#lit?.chart) {
-      return;
-    }
-    this.#dim();
-    if (chart !== null) {
-      const corners = target.charts.cornersOfChart(chart);
-      this.#lit = {
-        chart,
-        corners: this.#painter.makeLines(corners),
-        borders: this.#painter.makeLines(uvEdges(corners).borders),
-      };
+    if (this.#target?.light(uv)) {
       this.#drawTask.request();
     }
   }
@@ -270,30 +196,9 @@ class GlTextureView implements TextureView {
   }
 
   #applyNow(update: TargetUpdate): void {
-    const target = this.#target;
-    if (target === null || target.info.material !== update.material || this.#gl.isContextLost()) {
-      return;
-    }
-    const { width, height } = target.info;
-    const fits = update.rects.every(
-      (rect) =>
-        rect.x + rect.width <= Math.max(1, width >> rect.level) &&
-        rect.y + rect.height <= Math.max(1, height >> rect.level),
-    );
-    if (fits) {
-      this.#upload(target, update);
+    if (this.#target?.takes(update) && !this.#gl.isContextLost()) {
+      this.#target.upload(update, this.#options.readTexels !== undefined && !this.#showsFinest());
       this.#drawTask.request();
-    }
-  }
-
-  #upload({ texture, finest }: BoundTarget, update: TargetUpdate): void {
-    const hasLevels = update.rects.some(({ level }) => level > 0);
-    const isSpared = hasLevels && this.#options.readTexels !== undefined && !this.#showsFinest();
-    this.#painter.upload(texture, update, isSpared ? 1 : 0);
-    if (isSpared) {
-      finest.leftOut(update.rects);
-    } else if (!hasLevels) {
-      this.#painter.makeLevels(texture);
     }
   }
 
@@ -303,23 +208,22 @@ class GlTextureView implements TextureView {
   }
 
   /** Has what was left out brought where it is seen now. */
-  async #completeFinest({ info: { material }, texture, finest }: BoundTarget): Promise<void> {
-    const region = this.#showsFinest() ? finest.toAskFor() : null;
+  async #completeFinest(target: BoundTexture): Promise<void> {
+    const region = this.#showsFinest() ? target.missing() : null;
     if (region === null) {
       return;
     }
+    const { texture } = target;
     const { x, y, width, height } = region;
     try {
-      const bytes = (await this.#options.readTexels?.(material, x, y, width, height)) ?? new Uint8Array();
-      const isShown = this.#target?.texture === texture && !this.#gl.isContextLost();
-      if (isShown) {
-        this.#painter.upload(texture, { rects: [{ ...region, level: 0, byteOffset: 0 }], bytes }, 0);
+      const bytes = (await this.#options.readTexels?.(target.info.material, x, y, width, height)) ?? new Uint8Array();
+      if (this.#target?.texture === texture && !this.#gl.isContextLost()) {
+        this.#target.complete(region, bytes);
         this.#drawTask.request();
       }
-      finest.answered(region);
     } catch {
       // The engine was ended or started anew; what it tells again comes as an update.
-      finest.answered(null);
+      target.complete(region, null);
     }
   }
 
@@ -337,8 +241,7 @@ class GlTextureView implements TextureView {
     const target = this.#target;
     if (target !== null && this.#pixelRatio > 0) {
       this.#colors ??= this.#computeColors();
-      const { border } = this.#colors;
-      this.#painter.drawFrom(target.texture, target.finest.isStale ? 1 : 0);
+      target.drawFromNewest();
       void this.#completeFinest(target);
       this.#painter.drawPicture(
         this.#map?.texture ?? target.texture,
@@ -347,16 +250,9 @@ class GlTextureView implements TextureView {
         this.#pixelRatio,
       );
       if (this.#outlines) {
-        const inner = [border[0], border[1], border[2], border[3] * this.#innerStrength(target)] as const;
-        this.#painter.drawLines(target.inner, inner, target.texture, this.#camera, this.#pixelRatio);
-        this.#painter.drawLines(target.borders, border, target.texture, this.#camera, this.#pixelRatio);
+        target.drawOutlines(this.#colors, this.#camera, this.#pixelRatio);
       }
-      if (this.#lit !== null) {
-        const { glow } = this.#colors;
-        const face = [glow[0], glow[1], glow[2], GLOW] as const;
-        this.#painter.drawTriangles(this.#lit.corners, face, target.texture, this.#camera, this.#pixelRatio);
-        this.#painter.drawLines(this.#lit.borders, glow, target.texture, this.#camera, this.#pixelRatio);
-      }
+      target.drawLit(this.#colors, this.#camera, this.#pixelRatio);
     }
     this.#placeMarker();
     this.#tools.place(this.#target !== null);
@@ -370,21 +266,6 @@ class GlTextureView implements TextureView {
     const [column, row] = [Math.floor(uv[0] * width), Math.floor(uv[1] * height)];
     const inside = column >= 0 && row >= 0 && column < width && row < height;
     return { uv, texel: inside ? [column, row] : null };
-  }
-
-  #dim(): void {
-    if (this.#lit !== null) {
-      this.#painter.freeLines(this.#lit.corners);
-      this.#painter.freeLines(this.#lit.borders);
-      this.#lit = null;
-      this.#drawTask.request();
-    }
-  }
-
-  /** Lines that lie close together on the screen would add up to a sheet over the picture. */
-  #innerStrength(target: BoundTarget): number {
-    const pixels = target.meanLength * target.info.width * this.#camera.scale;
-    return MOST_INNER_STRENGTH * Math.min(1, Math.max(0.15, pixels / LINES_APART));
   }
 
   /** A map view of another size than the target covers the same ground. */
@@ -431,15 +312,6 @@ class GlTextureView implements TextureView {
     this.#draw();
   }
 
-  #makeTexture(info: TargetInfo): PaintedTexture {
-    return this.#painter.makeTexture(info.width, info.height, Math.max(1, info.mipLevels));
-  }
-
-  #freeLines(target: BoundTarget): void {
-    this.#painter.freeLines(target.borders);
-    this.#painter.freeLines(target.inner);
-  }
-
   #watch(): void {
     const { signal } = this.#abort;
     this.#canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
@@ -453,14 +325,9 @@ class GlTextureView implements TextureView {
 
   #restore(): void {
     this.#painter = new TexturePainter(this.#gl);
-    this.#lit = null;
-    const target = this.#target;
-    if (target !== null) {
-      target.texture = this.#makeTexture(target.info);
-      target.finest = new FinestLevel();
-      target.borders = this.#painter.makeLines(target.edges.borders);
-      target.inner = this.#painter.makeLines(target.edges.inner);
-      this.#options.onNeedsFullUpdate?.(target.info.material);
+    if (this.#target !== null) {
+      this.#target.restore(this.#painter);
+      this.#options.onNeedsFullUpdate?.(this.#target.info.material);
     }
     if (this.#map !== null) {
       this.#map.texture = this.#painter.makePicture(this.#map.picture);
