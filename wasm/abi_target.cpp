@@ -53,7 +53,7 @@ extern "C" {
 // ---- Target and bake --------------------------------------------------------------------------------------------------
 
 void txc_target_def_default(TxcTargetDef* def) {
-    if (def != nullptr) *def = TxcTargetDef{0, 1024, 1024, TXC_NONE, 1};
+    if (def != nullptr) *def = TxcTargetDef{0, 1024, 1024, TXC_NONE, 1, 0, 0, 0, 0};
 }
 
 TxcStatus txc_target_create(TxcSession session, const TxcTargetDef* def, TxcTarget* out_target) {

@@ -37,17 +37,22 @@ Taps find_taps(std::uint32_t index, std::uint32_t size, std::uint32_t out_size, 
 }  // namespace
 
 void resample_rgba(const std::uint8_t* rgba, std::uint32_t width, std::uint32_t height, bool nearest,
-                   std::uint32_t out_width, std::uint32_t out_height, std::uint8_t* out) {
-    if (width == out_width && height == out_height) {
-        std::memcpy(out, rgba, static_cast<std::size_t>(width) * height * 4);
+                   const ResampledWindow& window, std::uint8_t* out) {
+    if (width == window.whole_width && height == window.whole_height) {
+        for (std::uint32_t y = 0; y < window.height; ++y) {
+            std::memcpy(out + static_cast<std::size_t>(y) * window.width * 4,
+                        rgba + (static_cast<std::size_t>(window.y + y) * width + window.x) * 4,
+                        static_cast<std::size_t>(window.width) * 4);
+        }
         return;
     }
     std::vector<Taps> columns;
-    columns.reserve(out_width);
-    for (std::uint32_t x = 0; x < out_width; ++x) columns.push_back(find_taps(x, width, out_width, nearest));
-    for (std::uint32_t y = 0; y < out_height; ++y) {
-        const Taps rows = find_taps(y, height, out_height, nearest);
-        for (std::uint32_t x = 0; x < out_width; ++x) {
+    columns.reserve(window.width);
+    for (std::uint32_t x = 0; x < window.width; ++x)
+        columns.push_back(find_taps(window.x + x, width, window.whole_width, nearest));
+    for (std::uint32_t y = 0; y < window.height; ++y) {
+        const Taps rows = find_taps(window.y + y, height, window.whole_height, nearest);
+        for (std::uint32_t x = 0; x < window.width; ++x) {
             double weighted[3] = {0, 0, 0};
             double plain[3] = {0, 0, 0};
             double alpha = 0;
@@ -63,7 +68,7 @@ void resample_rgba(const std::uint8_t* rgba, std::uint32_t width, std::uint32_t 
                     alpha += weight * pixel[3];
                 }
             }
-            std::uint8_t* to = out + (static_cast<std::size_t>(y) * out_width + x) * 4;
+            std::uint8_t* to = out + (static_cast<std::size_t>(y) * window.width + x) * 4;
             for (int c = 0; c < 3; ++c)
                 to[c] = static_cast<std::uint8_t>((alpha > 0.0 ? weighted[c] / alpha : plain[c]) + 0.5);
             to[3] = static_cast<std::uint8_t>(alpha + 0.5);

@@ -164,7 +164,7 @@ TxcStatus find_bleed(Target& target, MemoryBudget& budget) {
         status != TXC_STATUS_OK)
         return status;
     Bleeder bleeder(target);
-    const TxcStatus status = bleeder.bleed(bleed_reach(target.def.width, target.def.height));
+    const TxcStatus status = bleeder.bleed(bleed_reach(target.def.texture_width, target.def.texture_height));
     bleeder.swap_colors();
     if (status != TXC_STATUS_OK) {
         target.bleed.forget();

@@ -126,7 +126,9 @@ public:
         const std::uint32_t tile_y = tile.index / map_.tile_columns() * kTileSize;
         map_.for_each_run_of(tile, [&](const TexelRun& run) {
             for (std::uint32_t x = run.x; x < std::uint32_t{run.x} + run.length; ++x) {
-                if (!sampler_.aim(projector_.look(tile_x + x, tile_y + run.y, map_.key.width, map_.key.height)))
+                const MapKey& key = map_.key;
+                if (!sampler_.aim(projector_.look(key.origin_x + tile_x + x, key.origin_y + tile_y + run.y,
+                                                  key.texture_width(), key.texture_height())))
                     continue;
                 store_rounded_ushort4(texels + (run.y * kTileSize + x) * 4, sampler_.sample());
             }
@@ -152,10 +154,11 @@ PictureSettings picture_settings(const DecalSettings& settings, const CurvedProj
 void find_stamp_candidates(const LocalSpaceMap& map, const UvProjector& projector, const PictureMargin& margin,
                            std::vector<std::uint32_t>& out) {
     out.clear();
+    const MapKey& key = map.key;
     for (std::uint32_t place = 0; place < map.tiles.size(); ++place) {
-        const std::uint32_t x = map.tiles[place].index % map.tile_columns() * kTileSize;
-        const std::uint32_t y = map.tiles[place].index / map.tile_columns() * kTileSize;
-        if (projector.may_touch(x, y, x + kTileSize, y + kTileSize, map.key.width, map.key.height, margin))
+        const std::uint32_t x = map.tiles[place].index % map.tile_columns() * kTileSize + key.origin_x;
+        const std::uint32_t y = map.tiles[place].index / map.tile_columns() * kTileSize + key.origin_y;
+        if (projector.may_touch(x, y, x + kTileSize, y + kTileSize, key.texture_width(), key.texture_height(), margin))
             out.push_back(place);
     }
 }

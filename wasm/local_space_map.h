@@ -55,8 +55,16 @@ struct MapKey {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     std::uint32_t gutter = 0;
+    // Of a window: the whole texture, and where in it the map begins. 0, and the map is the whole.
+    std::uint32_t whole_width = 0;
+    std::uint32_t whole_height = 0;
+    std::uint32_t origin_x = 0;
+    std::uint32_t origin_y = 0;
     bool operator==(const MapKey& other) const = default;
 
+    bool is_window() const { return whole_width != 0; }
+    std::uint32_t texture_width() const { return is_window() ? whole_width : width; }
+    std::uint32_t texture_height() const { return is_window() ? whole_height : height; }
     std::uint32_t tile_columns() const { return (width + kTileSize - 1) / kTileSize; }
     std::uint32_t tile_rows() const { return (height + kTileSize - 1) / kTileSize; }
     std::size_t tile_count() const { return static_cast<std::size_t>(tile_columns()) * tile_rows(); }

@@ -14,7 +14,40 @@ namespace {
 constexpr std::size_t kSpareMaps = 2;
 constexpr std::uint32_t kMaxRawMaterials = 1024;
 
-MapKey key_of(const TxcTargetDef& def) { return {def.material, def.width, def.height, def.gutter}; }
+MapKey key_of(const TxcTargetDef& def) {
+    MapKey key{def.material, def.width, def.height, def.gutter};
+    if (def.texture_width == def.width && def.texture_height == def.height) return key;
+    key.whole_width = def.texture_width;
+    key.whole_height = def.texture_height;
+    key.origin_x = def.window_x;
+    key.origin_y = def.window_y;
+    return key;
+}
+
+/// Sets the texture's size where it is the target's own. Errors: BAD_SIZE, BAD_ARGUMENT.
+TxcStatus complete_window(TxcTargetDef& def) {
+    if (def.texture_width == 0 && def.texture_height == 0) {
+        def.texture_width = def.width;
+        def.texture_height = def.height;
+    }
+    if (def.texture_width > TXC_MAX_TEXTURE_SIZE || def.texture_height > TXC_MAX_TEXTURE_SIZE) {
+        return fail(TXC_STATUS_BAD_SIZE, "the texture is %u x %u; each side must be at most %u", def.texture_width,
+                    def.texture_height, TXC_MAX_TEXTURE_SIZE);
+    }
+    if (def.window_x % kTileSize != 0 || def.window_y % kTileSize != 0) {
+        return fail(TXC_STATUS_BAD_ARGUMENT, "the window begins at %u, %u; both must be multiples of %u", def.window_x,
+                    def.window_y, kTileSize);
+    }
+    if (def.window_x > def.texture_width || def.width > def.texture_width - def.window_x ||
+        def.window_y > def.texture_height || def.height > def.texture_height - def.window_y) {
+        return fail(TXC_STATUS_BAD_ARGUMENT, "the window of %u x %u at %u, %u reaches beyond the texture's %u x %u",
+                    def.width, def.height, def.window_x, def.window_y, def.texture_width, def.texture_height);
+    }
+    const bool is_whole = def.width == def.texture_width && def.height == def.texture_height;
+    if (!is_whole && def.mip_levels != 1)
+        return fail(TXC_STATUS_BAD_ARGUMENT, "mip_levels is %u; a window of a texture has 1", def.mip_levels);
+    return TXC_STATUS_OK;
+}
 
 TxcStatus check_size(std::uint32_t width, std::uint32_t height) {
     if (width >= 1 && width <= TXC_MAX_SIZE && height >= 1 && height <= TXC_MAX_SIZE) return TXC_STATUS_OK;
@@ -120,7 +153,8 @@ TxcStatus Session::create_target(const TxcTargetDef& asked, TxcTarget& out_targe
     const Material* material = nullptr;
     if (const TxcStatus status = find_material(def.material, material); status != TXC_STATUS_OK) return status;
     if (const TxcStatus status = check_size(def.width, def.height); status != TXC_STATUS_OK) return status;
-    if (def.gutter == TXC_NONE) def.gutter = default_gutter(def.width, def.height);
+    if (const TxcStatus status = complete_window(def); status != TXC_STATUS_OK) return status;
+    if (def.gutter == TXC_NONE) def.gutter = default_gutter(def.texture_width, def.texture_height);
     if (def.gutter > kMaxGutter)
         return fail(TXC_STATUS_BAD_ARGUMENT, "gutter is %u; it must be at most %u texels", def.gutter, kMaxGutter);
     const std::uint32_t full_chain = MipChain::full_count(def.width, def.height);
@@ -238,7 +272,10 @@ TxcStatus Session::set_base(TxcTarget id, std::uint32_t width, std::uint32_t hei
     if (const TxcStatus status = target->base_share.resize(bytes, "the base picture"); status != TXC_STATUS_OK)
         return status;
     target->base.rgba.resize(static_cast<std::size_t>(bytes));
-    resample_rgba(rgba, width, height, nearest, target->def.width, target->def.height, target->base.rgba.data());
+    const TxcTargetDef& def = target->def;
+    const ResampledWindow window{def.texture_width, def.texture_height, def.window_x,
+                                 def.window_y,      def.width,          def.height};
+    resample_rgba(rgba, width, height, nearest, window, target->base.rgba.data());
     target->change_base();
     return TXC_STATUS_OK;
 }

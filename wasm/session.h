@@ -8,6 +8,7 @@
 #include "image_pyramid.h"
 #include "mesh.h"
 #include "occlusion.h"
+#include "print_zone.h"
 #include "tile_compositor.h"
 
 namespace txc {
@@ -52,6 +53,15 @@ public:
     TxcStatus clear_dabs(TxcLayer layer);
     /// Like find_layer, and BAD_ARGUMENT for a layer of another kind.
     TxcStatus find_stroke(TxcLayer id, Layer*& out_layer) const;
+
+    TxcStatus set_zones(const TxcZone* zones, std::uint32_t zone_count, const float* corners,
+                        std::uint32_t corner_count);
+    const std::vector<PrintZone>& zones() const { return zones_; }
+    /// Null for TXC_NONE.
+    TxcStatus find_zone(std::uint32_t index, const PrintZone*& out_zone) const;
+    /// A layer on its target, ready to be measured. BAD_ARGUMENT for a group, and for one that waits for an update.
+    TxcStatus find_measured(TxcLayer id, const LocalSpaceMap*& out_map, const Layer*& out_layer,
+                            const ImagePyramid*& out_image) const;
 
     TxcStatus update_target(TxcTarget target, TxcUpdate& out_update);
     TxcStatus prepare_layer(TxcLayer layer, bool inside, std::uint32_t first_tile, std::uint32_t tile_count,
@@ -104,6 +114,7 @@ private:
     std::unique_ptr<OcclusionTree> occlusion_;
     std::vector<std::shared_ptr<LocalSpaceMap>> maps_;  // oldest first; those that no target uses may be dropped
     IdTable<ImagePyramid> images_;
+    std::vector<PrintZone> zones_;
     std::vector<std::weak_ptr<RoundTips>> round_tips_;  // those that strokes use
     IdTable<Layer> layers_;
     IdTable<Target> targets_;

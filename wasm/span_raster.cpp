@@ -34,7 +34,8 @@ SpanRaster::SpanRaster(const Mesh& mesh, LocalSpaceMap& map, BudgetShare& scratc
     : mesh_(mesh),
       material_(mesh.materials[map.key.material]),
       map_(map),
-      covered_(map.key.width, map.key.height),
+      covered_(map.key.texture_width(), map.key.texture_height()),
+      window_covered_(map.key.is_window() ? map.key.width : 0, map.key.is_window() ? map.key.height : 0),
       spans_(scratch),
       tile_run_counts_(map.key.tile_count(), 0) {}
 
@@ -62,7 +63,8 @@ TxcStatus SpanRaster::check(const Mesh& mesh, const MapKey& key) {
 
 std::uint64_t SpanRaster::byte_count(const MapKey& key) {
     const std::uint64_t tiles = key.tile_count();
-    return CoverageBits::byte_count(key.width, key.height) + tiles * sizeof(std::uint32_t);
+    const std::uint64_t window = key.is_window() ? CoverageBits::byte_count(key.width, key.height) : 0;
+    return CoverageBits::byte_count(key.texture_width(), key.texture_height()) + window + tiles * sizeof(std::uint32_t);
 }
 
 float SpanRaster::progress() const {
@@ -84,13 +86,15 @@ TxcStatus SpanRaster::step(std::int64_t& work) {
 void SpanRaster::open_triangle(std::uint32_t triangle) {
     triangle_ = triangle;
     rows_ = {0, 0};
+    const double width = map_.key.texture_width();
+    const double height = map_.key.texture_height();
     const Triangle& corners = mesh_.triangles[triangle];
     for (int corner = 0; corner < 3; ++corner) {
         const std::uint32_t vertex = corners.vertex[corner];
         if (mesh_.vertex_has_uv[vertex] == 0) return;
         const glm::vec2 uv = mesh_.uvs[vertex];
-        texels_.x[corner] = static_cast<double>(uv.x) * map_.key.width;
-        texels_.y[corner] = static_cast<double>(uv.y) * map_.key.height;
+        texels_.x[corner] = static_cast<double>(uv.x) * width;
+        texels_.y[corner] = static_cast<double>(uv.y) * height;
     }
     if (texels_.doubled_area() == 0.0) return;
     raster_ = TriangleRaster(texels_);
@@ -100,18 +104,36 @@ void SpanRaster::open_triangle(std::uint32_t triangle) {
     const double right = greatest(texels_.x);
     const double top = least(texels_.y);
     const double bottom = greatest(texels_.y);
-    wraps_ = left < 0.0 || top < 0.0 || right > map_.key.width || bottom > map_.key.height;
-    overlaps_itself_ = wraps_ && (right - left > map_.key.width || bottom - top > map_.key.height);
-    if (overlaps_itself_) claimed_ = CoverageBits(map_.key.width, map_.key.height);
+    wraps_ = left < 0.0 || top < 0.0 || right > width || bottom > height;
+    overlaps_itself_ = wraps_ && (right - left > width || bottom - top > height);
+    if (overlaps_itself_) claimed_ = CoverageBits(map_.key.texture_width(), map_.key.texture_height());
 }
 
 inline TxcStatus SpanRaster::add_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first,
                                       std::uint32_t count) {
+    if (map_.key.is_window()) return add_window_span(frame, row, first, count);
     map_.covered_texels += count;
     std::uint32_t* run_counts = tile_run_counts_.data() + row / kTileSize * map_.tile_columns();
     for (std::uint32_t column = first / kTileSize; column <= (first + count - 1) / kTileSize; ++column)
         ++run_counts[column];
     return spans_.add(frame, first, row, count);
+}
+
+TxcStatus SpanRaster::add_window_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first,
+                                      std::uint32_t count) {
+    const MapKey& key = map_.key;
+    if (row < key.origin_y || row >= key.origin_y + key.height) return TXC_STATUS_OK;
+    const std::uint32_t from = std::max(first, key.origin_x);
+    const std::uint32_t to = std::min(first + count, key.origin_x + key.width);
+    if (from >= to) return TXC_STATUS_OK;
+    const std::uint32_t x = from - key.origin_x;
+    const std::uint32_t y = row - key.origin_y;
+    window_covered_.claim_span(x, y, to - from);
+    map_.covered_texels += to - from;
+    std::uint32_t* run_counts = tile_run_counts_.data() + y / kTileSize * map_.tile_columns();
+    for (std::uint32_t column = x / kTileSize; column <= (x + to - from - 1) / kTileSize; ++column)
+        ++run_counts[column];
+    return spans_.add(frame, x, y, to - from);
 }
 
 /// A triangle inside the texture has one frame and meets no texel twice: nearly all do, so their rows take no call.
@@ -144,8 +166,8 @@ TxcStatus SpanRaster::draw_rows(std::int64_t& work) {
 }
 
 TxcStatus SpanRaster::draw_wrapped_rows(std::int64_t& work) {
-    const auto width = static_cast<std::int64_t>(map_.key.width);
-    const auto height = static_cast<std::int64_t>(map_.key.height);
+    const auto width = static_cast<std::int64_t>(map_.key.texture_width());
+    const auto height = static_cast<std::int64_t>(map_.key.texture_height());
     while (rows_.first < rows_.last && work > 0) {
         const std::int32_t row = rows_.first++;
         const TexelRange span = raster_.span(row);
@@ -212,7 +234,7 @@ TxcStatus SpanRaster::frame_for(const RepeatedTexel& at, std::uint32_t& out_fram
     std::vector<TexelFrame>& frames = map_.frames;
     if (frames.size() == frames.capacity()) {
         // One a triangle as a rule, and never more than texels.
-        const std::uint64_t texels = std::uint64_t{map_.key.width} * map_.key.height;
+        const std::uint64_t texels = std::uint64_t{map_.key.texture_width()} * map_.key.texture_height();
         const std::uint64_t larger = frames.empty() ? std::min<std::uint64_t>(material_.triangles.size(), texels)
                                                     : frames.size() + frames.size() / 2 + 16;
         const TxcStatus status =
@@ -220,12 +242,19 @@ TxcStatus SpanRaster::frame_for(const RepeatedTexel& at, std::uint32_t& out_fram
         if (status != TXC_STATUS_OK) return status;
     }
     out_frame = static_cast<std::uint32_t>(frames.size());
-    make_texel_frame(mesh_, triangle_, texels_, at, frames.emplace_back());
+    TexelFrame& frame = frames.emplace_back();
+    make_texel_frame(mesh_, triangle_, texels_, at, frame);
+    frame.x0 -= static_cast<std::int32_t>(map_.key.origin_x);
+    frame.y0 -= static_cast<std::int32_t>(map_.key.origin_y);
     open_frames_.push_back({at.repeat_x, at.repeat_y, out_frame});
     return TXC_STATUS_OK;
 }
 
-TxcStatus SpanRaster::count_overlap(std::uint32_t x, std::uint32_t y) {
+TxcStatus SpanRaster::count_overlap(std::uint32_t texture_x, std::uint32_t texture_y) {
+    // Left of a window and above it the differences wrap around, to beyond its other side.
+    const std::uint32_t x = texture_x - map_.key.origin_x;
+    const std::uint32_t y = texture_y - map_.key.origin_y;
+    if (x >= map_.key.width || y >= map_.key.height) return TXC_STATUS_OK;
     if (map_.overlap_tiles.empty()) {
         const std::size_t tiles = map_.tile_of.size();
         const std::uint64_t bytes = tiles * sizeof(map_.overlap_tiles[0]);

@@ -30,7 +30,7 @@ public:
     /// 0 to 1.
     float progress() const;
 
-    const CoverageBits& covered() const { return covered_; }
+    const CoverageBits& covered() const { return map_.key.is_window() ? window_covered_ : covered_; }
     const SpanList& spans() const { return spans_; }
     /// Per tile of the grid: runs into which the spans fall there.
     const std::vector<std::uint32_t>& tile_run_counts() const { return tile_run_counts_; }
@@ -54,13 +54,17 @@ private:
     TxcStatus keep_span(std::uint32_t row, std::uint32_t first, std::uint32_t count, std::int64_t repeat_x,
                         std::int64_t repeat_y);
     TxcStatus add_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first, std::uint32_t count);
+    TxcStatus add_window_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first, std::uint32_t count);
     TxcStatus frame_for(const RepeatedTexel& at, std::uint32_t& out_frame);
     TxcStatus count_overlap(std::uint32_t x, std::uint32_t y);
 
     const Mesh& mesh_;
     const Material& material_;
     LocalSpaceMap& map_;
-    CoverageBits covered_;
+    // Of a window, too, the whole texture is drawn, and what lies outside dropped: each frame then begins at the texel at which it
+    // begins in the whole, and comes out the same to the last bit.
+    CoverageBits covered_;  // of the whole texture
+    CoverageBits window_covered_;
     SpanList spans_;
     std::vector<std::uint32_t> tile_run_counts_;
     std::size_t next_triangle_ = 0;  // in the material's list

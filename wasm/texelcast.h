@@ -4,6 +4,7 @@
  * written in the order in which a program calls it:
  *
  *   session -> model -> target (bake) -> base picture -> images -> layers -> fills, strokes' dabs -> update -> read
+ *   -> print truth
  *
  * Rules that hold for every call:
  *   - Structs hold 4-byte fields only, so their layout is the same in wasm32 and natively. Fill one with its
@@ -34,10 +35,12 @@ extern "C" {
 #define TXC_API
 #endif
 
-#define TXC_ABI_VERSION 6u
-#define TXC_MAX_SIZE 8192u    /* texels along one side of a target or an image */
+#define TXC_ABI_VERSION 7u
+#define TXC_MAX_SIZE 8192u          /* texels along one side of a target or an image */
+#define TXC_MAX_TEXTURE_SIZE 16384u /* texels along one side of a texture that is painted by windows */
+#define TXC_MAX_ZONES 100u
 #define TXC_MAX_DABS 1000000u /* of one stroke */
-#define TXC_MAX_DEPTH 16u     /* of a layer in a layer in a layer: 1 is in none */
+#define TXC_MAX_DEPTH 17u     /* of a layer in a layer in a layer: 1 is in none */
 #define TXC_MAX_STOPS 16u     /* of a gradient */
 
 /* ---- Statuses ---------------------------------------------------------------------------------------------------
@@ -167,6 +170,12 @@ typedef struct TxcTargetDef {
     uint32_t height;
     uint32_t gutter;     /* texels, 0 to 64; default TXC_NONE: 2 at 1024, in proportion, never less than 2 */
     uint32_t mip_levels; /* levels that updates report: 1 (default) is the texture alone, 0 the whole chain */
+    /* A target may be a window of a larger texture, of which it has the very texels: but for those less than gutter and bleed
+     * (txc_target_read_bled) away from a border that it cuts, as what lies beyond is not known there. It has one level. */
+    uint32_t texture_width; /* texels, up to TXC_MAX_TEXTURE_SIZE; 0 (default): as width, and the window is the whole */
+    uint32_t texture_height;
+    uint32_t window_x; /* where in the texture the target begins; multiples of 16 */
+    uint32_t window_y;
 } TxcTargetDef;
 
 typedef struct TxcMapInfo {
@@ -455,6 +464,86 @@ TXC_API TxcStatus txc_target_read_bled(TxcSession session, TxcTarget target, uin
 /* FNV-1a, 64 bits, over the bytes that txc_target_read would give for level 0: out_hash[0] low, out_hash[1] high. */
 TXC_API TxcStatus txc_target_hash(TxcSession session, TxcTarget target, uint32_t x, uint32_t y, uint32_t width,
                                   uint32_t height, uint32_t* out_hash);
+
+/* ---- Print truth ------------------------------------------------------------------------------------------------
+ * What becomes of layers on the surface, measured on the baked map. All is in metres of the model; what a print makes of them
+ * is the host's to say. Formulas: docs/print-truth.md. */
+typedef enum TxcZoneKind {
+    TXC_ZONE_UV,  /* a polygon in the texture: first_corner, corner_count */
+    TXC_ZONE_BOX, /* all of the surface in a box: position, rotation, size */
+    TXC_ZONE_KIND_COUNT
+} TxcZoneKind;
+/* Where a material may be printed. */
+typedef struct TxcZone {
+    uint32_t kind;         /* TxcZoneKind */
+    uint32_t material;     /* glTF material index */
+    uint32_t first_corner; /* uv: among the corners of all zones */
+    uint32_t corner_count; /* uv: 3 or more */
+    float position_model[3];
+    float rotation[4]; /* quaternion x, y, z, w */
+    float size[3];     /* full extents, metres, above 0; 1 each */
+    float safe;        /* metres inside its edge that should stay free; 0 */
+    float bleed;       /* metres beyond its edge that may be printed; 0 */
+} TxcZone;
+
+TXC_API void txc_zone_default(TxcZone* zone);
+/* Takes these for the session's zones, in place of those before: up to TXC_MAX_ZONES. `corners_uv`: u and v a corner. They
+ * change no texel. */
+TXC_API TxcStatus txc_session_set_zones(TxcSession session, const TxcZone* zones, uint32_t zone_count,
+                                        const float* corners_uv, uint32_t corner_count);
+/* How much of each texel lies in a zone with its bleed (TXC_NONE: in any of the material's), 0 to 255, rows as
+ * txc_map_read_coverage. */
+TXC_API TxcStatus txc_zone_mask(TxcSession session, TxcTarget target, uint32_t zone, uint32_t row, uint32_t row_count,
+                                uint8_t* out);
+
+/* Means are weighted by area. */
+typedef struct TxcZoneSurface {
+    uint32_t texels;  /* covered ones whose centres lie in the zone or its bleed */
+    uint32_t first_x; /* the rectangle of them, texels of the target */
+    uint32_t first_y;
+    uint32_t end_x;
+    uint32_t end_y;
+    float area;      /* square metres */
+    float metric[3]; /* squared length of a texel to the right, its product with a texel down, squared length of that */
+    float up[2];     /* where model space's +Y points, in texels */
+    float mirrored;  /* the share that lies mirrored */
+} TxcZoneSurface;
+/* TXC_NONE: of all the material's surface. */
+TXC_API TxcStatus txc_zone_surface(TxcSession session, TxcTarget target, uint32_t zone, TxcZoneSurface* out_surface);
+
+/* Covered texels alone count; each with the layer's own alpha there. Least and greatest leave out what the angle fade takes
+ * half or more of. Pixels, stretch, clipped and hidden are those of a decal's picture, else 0. */
+typedef struct TxcLayerMetrics {
+    float least_pixels_per_metre; /* along the way on which the picture is stretched most */
+    float mean_pixels_per_metre;
+    float least_texels_per_metre;
+    float mean_texels_per_metre;
+    float greatest_stretch; /* of a pixel, its longer side by its shorter, less 1 */
+    float mean_stretch;
+    float clipped;       /* share of the picture, by its alpha, that lands on no texel */
+    float hidden;        /* share of it whose surface faces away or is occluded */
+    float outside_zones; /* shares of the area */
+    float in_safe_margin;
+    uint32_t painted_texels;
+    uint32_t overlapping_texels; /* that two places of the surface share */
+    uint32_t mirrored_texels;
+    float area; /* square metres */
+} TxcLayerMetrics;
+/* Measures one layer, or several that are one on several targets (the same picture, cast alike), as of the newest updates.
+ * `out_zone_shares` (may be null): a float for each of the session's zones, the share of the area that lies in it.
+ * BAD_ARGUMENT for a group, and for a layer that waits for an update. */
+TXC_API TxcStatus txc_layer_metrics(TxcSession session, const TxcLayer* layers, uint32_t layer_count,
+                                    TxcLayerMetrics* out_metrics, float* out_zone_shares);
+
+/* What txc_layer_print_map gives for each texel that the layer paints; 0 elsewhere. */
+typedef enum TxcPrintMap {
+    TXC_PRINT_MAP_PIXELS,  /* of a decal's picture, a metre, where it is stretched most */
+    TXC_PRINT_MAP_TEXELS,  /* the same of the texture */
+    TXC_PRINT_MAP_STRETCH, /* of a decal's pixel: its longer side by its shorter */
+    TXC_PRINT_MAP_COUNT
+} TxcPrintMap;
+TXC_API TxcStatus txc_layer_print_map(TxcSession session, TxcLayer layer, uint32_t kind, uint32_t row,
+                                      uint32_t row_count, float* out);
 
 #ifdef __cplusplus
 }

@@ -43,6 +43,9 @@ describe("the tables of the C ABI", () => {
     ["TxcDab", abi.DabLayout],
     ["TxcRect", abi.RectLayout],
     ["TxcUpdate", abi.UpdateLayout],
+    ["TxcZone", abi.ZoneLayout],
+    ["TxcZoneSurface", abi.ZoneSurfaceLayout],
+    ["TxcLayerMetrics", abi.LayerMetricsLayout],
   ] as [string, StructLayout<StructFields>][])("have the fields of %s in the header's order", (name, layout) => {
     expect(Object.entries(layout.fields)).toEqual(structOfHeader(name));
   });
@@ -63,6 +66,8 @@ describe("the tables of the C ABI", () => {
     ["TxcWrap", "TXC_WRAP_", abi.Wraps],
     ["TxcOcclusion", "TXC_OCCLUSION_", abi.Occlusions],
     ["TxcTip", "TXC_TIP_", abi.Tips],
+    ["TxcZoneKind", "TXC_ZONE_", abi.ZoneKinds],
+    ["TxcPrintMap", "TXC_PRINT_MAP_", abi.PrintMaps],
   ] as [string, string, Record<string, number>][])("number %s as the header does", (name, prefix, numbers) => {
     expect(Object.entries(numbers)).toEqual(enumOfHeader(name, prefix));
   });
@@ -77,6 +82,8 @@ describe("the tables of the C ABI", () => {
   it("have the header's constants", () => {
     expect(code).toContain(`#define TXC_ABI_VERSION ${abi.ABI_VERSION}u`);
     expect(code).toContain(`#define TXC_MAX_SIZE ${abi.MAX_SIZE}u`);
+    expect(code).toContain(`#define TXC_MAX_TEXTURE_SIZE ${abi.MAX_TEXTURE_SIZE}u`);
+    expect(code).toContain(`#define TXC_MAX_ZONES ${abi.MAX_ZONES}u`);
     expect(code).toContain(`#define TXC_MAX_DABS ${abi.MAX_DABS}u`);
     expect(code).toContain(`#define TXC_NONE 0x${abi.NONE.toString(16)}u`);
   });

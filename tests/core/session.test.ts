@@ -149,7 +149,8 @@ describe("a target", () => {
   it("has the ABI's defaults for what is left out", () => {
     session.loadGlb(buildGlb({ meshes: [plane()] }));
     expect(bake(session.createTarget()).info()).toMatchObject({ width: 1024, height: 1024, gutter: 2, mipLevels: 1 });
-    const given = { material: 0, width: 48, height: 20, gutter: 5, mipLevels: 0 };
+    const window = { textureWidth: 0, textureHeight: 0, windowX: 0, windowY: 0 };
+    const given = { material: 0, width: 48, height: 20, gutter: 5, mipLevels: 0, ...window };
     expect(Object.keys(given)).toEqual(Object.keys(TargetDefLayout.fields));
     expect(bake(session.createTarget(given)).info()).toMatchObject({ width: 48, height: 20, gutter: 5, mipLevels: 6 });
   });

@@ -102,6 +102,12 @@ std::vector<Call> calls_on_target(TxcTarget target) {
              std::uint32_t hash[2];
              return txc_target_hash(s, target, 0, 0, 1, 1, hash);
          }},
+        {"txc_zone_mask", [=](TxcSession s) { return txc_zone_mask(s, target, TXC_NONE, 0, 1, bytes.data()); }},
+        {"txc_zone_surface",
+         [=](TxcSession s) {
+             TxcZoneSurface surface;
+             return txc_zone_surface(s, target, TXC_NONE, &surface);
+         }},
         {"txc_target_destroy", [=](TxcSession s) { return txc_target_destroy(s, target); }},
     };
 }
@@ -137,6 +143,16 @@ std::vector<Call> calls_on_layer(TxcLayer layer) {
          [=](TxcSession s) {
              TxcDab dab;
              return txc_stroke_dabs(s, layer, 0, 0, &dab);
+         }},
+        {"txc_layer_metrics",
+         [=](TxcSession s) {
+             TxcLayerMetrics metrics;
+             return txc_layer_metrics(s, &layer, 1, &metrics, nullptr);
+         }},
+        {"txc_layer_print_map",
+         [=](TxcSession s) {
+             float row[64];
+             return txc_layer_print_map(s, layer, TXC_PRINT_MAP_TEXELS, 0, 1, row);
          }},
         {"txc_layer_destroy", [=](TxcSession s) { return txc_layer_destroy(s, layer); }},
     };
@@ -266,6 +282,12 @@ TEST_CASE("Null pointers are refused, not followed") {
         txc_target_read(s, handles.target, 0, 0, 0, 1, 1, nullptr),
         txc_target_read_bled(s, handles.target, 0, 1, nullptr),
         txc_target_hash(s, handles.target, 0, 0, 1, 1, nullptr),
+        txc_session_set_zones(s, nullptr, 1, floats, 3),
+        txc_zone_mask(s, handles.target, TXC_NONE, 0, 1, nullptr),
+        txc_zone_surface(s, handles.target, TXC_NONE, nullptr),
+        txc_layer_metrics(s, nullptr, 1, nullptr, nullptr),
+        txc_layer_metrics(s, &handles.layer, 1, nullptr, nullptr),
+        txc_layer_print_map(s, handles.layer, TXC_PRINT_MAP_TEXELS, 0, 1, nullptr),
     };
     for (std::size_t place_in_list = 0; place_in_list < std::size(statuses); ++place_in_list) {
         CAPTURE(place_in_list);

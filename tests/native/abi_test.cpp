@@ -56,6 +56,20 @@ TEST_CASE("The defaults are those that the header and spec section 8 name") {
     CHECK(target.height == 1024);
     CHECK(target.gutter == TXC_NONE);
     CHECK(target.mip_levels == 1);
+    CHECK(target.texture_width == 0);
+    CHECK(target.texture_height == 0);
+    CHECK(target.window_x == 0);
+    CHECK(target.window_y == 0);
+
+    TxcZone zone;
+    std::memset(&zone, 0xcd, sizeof zone);
+    txc_zone_default(&zone);
+    CHECK(zone.kind == TXC_ZONE_UV);
+    CHECK(zone.material == 0);
+    CHECK(zone.rotation[3] == 1.0f);
+    CHECK(zone.size[2] == 1.0f);
+    CHECK(zone.safe == 0.0f);
+    CHECK(zone.bleed == 0.0f);
 
     TxcMeshDef mesh;
     std::memset(&mesh, 0xcd, sizeof mesh);

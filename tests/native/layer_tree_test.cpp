@@ -270,7 +270,7 @@ TEST_CASE("What a tree cannot be is refused by name, and nothing changes") {
     TxcLayer parent = inner;
     for (std::uint32_t depth = 3; depth <= TXC_MAX_DEPTH; ++depth)
         parent = session.layer(target, in_group(group_def(), parent));
-    refuses(target, in_group(fill_def(1, 0, 0), parent), TXC_STATUS_BAD_ARGUMENT, "17 deep");
+    refuses(target, in_group(fill_def(1, 0, 0), parent), TXC_STATUS_BAD_ARGUMENT, "18 deep");
     const TxcLayer deep = session.layer(target, group_def());
     session.layer(target, in_group(fill_def(1, 0, 0), deep));
     const TxcLayerDef too_deep = in_group(group_def(), session.layer_def(parent).parent);

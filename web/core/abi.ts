@@ -4,13 +4,17 @@
  */
 import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
 
-export const ABI_VERSION = 6;
+export const ABI_VERSION = 7;
 /** Texels along one side of a target or an image, at most. */
 export const MAX_SIZE = 8192;
+/** Texels along one side of a texture that is painted by windows, at most. */
+export const MAX_TEXTURE_SIZE = 16384;
+/** Zones of a session, at most. */
+export const MAX_ZONES = 100;
 /** Dabs of one stroke, at most. */
 export const MAX_DABS = 1_000_000;
 /** How deep layers may lie in each other; 1 is in none. */
-export const MAX_DEPTH = 16;
+export const MAX_DEPTH = 17;
 /** Stops of a gradient, at most. */
 export const MAX_STOPS = 16;
 /** TXC_NONE: "no such index", and "the default" for a gutter. */
@@ -45,6 +49,8 @@ export const Wraps = { none: 0, repeat: 1 } as const;
 export const Occlusions = { self: 0, none: 1 } as const;
 export const Tips = { round: 0, picture: 1, mask: 2 } as const;
 export const GradientKinds = { linear: 0, radial: 1 } as const;
+export const ZoneKinds = { uv: 0, box: 1 } as const;
+export const PrintMaps = { pixels: 0, texels: 1, stretch: 2 } as const;
 
 export const SessionDefLayout = defineStruct({ memoryBudgetMib: u32 });
 
@@ -84,7 +90,17 @@ export const MaterialInfoLayout = defineStruct({
 
 export const MeshDefLayout = defineStruct({ vertexCount: u32, indexCount: u32, material: u32 });
 
-export const TargetDefLayout = defineStruct({ material: u32, width: u32, height: u32, gutter: u32, mipLevels: u32 });
+export const TargetDefLayout = defineStruct({
+  material: u32,
+  width: u32,
+  height: u32,
+  gutter: u32,
+  mipLevels: u32,
+  textureWidth: u32,
+  textureHeight: u32,
+  windowX: u32,
+  windowY: u32,
+});
 
 export const MapInfoLayout = defineStruct({
   width: u32,
@@ -167,6 +183,47 @@ export const UpdateLayout = defineStruct({
   compositedTexels: u32,
 });
 
+export const ZoneLayout = defineStruct({
+  kind: u32,
+  material: u32,
+  firstCorner: u32,
+  cornerCount: u32,
+  positionModel: f32Array(3),
+  rotation: f32Array(4),
+  size: f32Array(3),
+  safe: f32,
+  bleed: f32,
+});
+
+export const ZoneSurfaceLayout = defineStruct({
+  texels: u32,
+  firstX: u32,
+  firstY: u32,
+  endX: u32,
+  endY: u32,
+  area: f32,
+  metric: f32Array(3),
+  up: f32Array(2),
+  mirrored: f32,
+});
+
+export const LayerMetricsLayout = defineStruct({
+  leastPixelsPerMetre: f32,
+  meanPixelsPerMetre: f32,
+  leastTexelsPerMetre: f32,
+  meanTexelsPerMetre: f32,
+  greatestStretch: f32,
+  meanStretch: f32,
+  clipped: f32,
+  hidden: f32,
+  outsideZones: f32,
+  inSafeMargin: f32,
+  paintedTexels: u32,
+  overlappingTexels: u32,
+  mirroredTexels: u32,
+  area: f32,
+});
+
 type ValueOf<Layout> = Layout extends { readonly fields: infer Fields extends StructFields }
   ? StructValue<Fields>
   : never;
@@ -182,6 +239,9 @@ export type CoreGradient = ValueOf<typeof GradientLayout>;
 export type Dab = ValueOf<typeof DabLayout>;
 export type Rect = ValueOf<typeof RectLayout>;
 export type Update = ValueOf<typeof UpdateLayout>;
+export type CoreZone = ValueOf<typeof ZoneLayout>;
+export type ZoneSurface = ValueOf<typeof ZoneSurfaceLayout>;
+export type LayerMetrics = ValueOf<typeof LayerMetricsLayout>;
 
 /** Functions of the module by name, each with how many arguments it takes: all are 32-bit numbers. */
 export const CORE_FUNCTIONS = {
@@ -238,6 +298,12 @@ export const CORE_FUNCTIONS = {
   txc_target_read: 8,
   txc_target_read_bled: 5,
   txc_target_hash: 7,
+  txc_zone_default: 1,
+  txc_session_set_zones: 5,
+  txc_zone_mask: 6,
+  txc_zone_surface: 4,
+  txc_layer_metrics: 5,
+  txc_layer_print_map: 6,
 } as const;
 
 export type CoreFunction = keyof typeof CORE_FUNCTIONS;

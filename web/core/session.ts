@@ -2,6 +2,9 @@
 import {
   type CoreMaterialInfo,
   type CoreModelInfo,
+  type CoreZone,
+  type LayerMetrics,
+  LayerMetricsLayout,
   MaterialInfoLayout,
   MeshDefLayout,
   ModelInfoLayout,
@@ -11,8 +14,10 @@ import {
   SessionStatsLayout,
   type TargetDef,
   TargetDefLayout,
+  ZoneLayout,
 } from "./abi.ts";
-import { Target } from "./target.ts";
+import { writeStruct } from "./struct-layout.ts";
+import { type LayerHandle, Target } from "./target.ts";
 import { TexelcastError } from "./texelcast-error.ts";
 import type { CoreModule } from "./wasm-module.ts";
 
@@ -113,6 +118,40 @@ export class Session {
       core.collectU32((out) => core.run("txc_target_create", this.#handle, defPointer, out)),
     );
     return new Target(core, this.#handle, handle);
+  }
+
+  /** Takes these for the session's zones; `corners`: u and v for each corner of their polygons. */
+  setZones(zones: readonly Partial<CoreZone>[], corners: Float32Array): void {
+    const { core } = this;
+    const plain = core.collect(ZoneLayout.byteSize, (out) => core.call("txc_zone_default", out));
+    const bytes = new Uint8Array(Math.max(1, zones.length) * ZoneLayout.byteSize);
+    const view = new DataView(bytes.buffer);
+    zones.forEach((zone, index) => {
+      bytes.set(plain, index * ZoneLayout.byteSize);
+      writeStruct(ZoneLayout, view, index * ZoneLayout.byteSize, zone);
+    });
+    core.withBytes(bytes, (pointer) =>
+      core.withBytes(corners, (cornerPointer) => {
+        const { length } = zones;
+        core.run("txc_session_set_zones", this.#handle, pointer, length, cornerPointer, corners.length / 2);
+      }),
+    );
+  }
+
+  /** Measures a layer: its handles on all targets that it paints. `zoneShares`: one for each of `zoneCount` zones. */
+  measureLayer(
+    layers: readonly LayerHandle[],
+    zoneCount: number,
+  ): { readonly metrics: LayerMetrics; readonly zoneShares: Float32Array<ArrayBuffer> } {
+    const { core } = this;
+    return core.withBytes(Uint32Array.from(layers), (handles) =>
+      core.withMemory(zoneCount * 4, (shares) => {
+        const metrics = core.collectStruct(LayerMetricsLayout, (out) => {
+          core.run("txc_layer_metrics", this.#handle, handles, layers.length, out, shares);
+        });
+        return { metrics, zoneShares: new Float32Array(core.copyOut(shares, zoneCount * 4).buffer) };
+      }),
+    );
   }
 
   /** Copies a picture (RGBA, straight alpha, row 0 at the top) into the session, for layers to use. */

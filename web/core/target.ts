@@ -12,6 +12,8 @@ import {
   type Rect,
   RectLayout,
   UpdateLayout,
+  type ZoneSurface,
+  ZoneSurfaceLayout,
 } from "./abi.ts";
 import { readStruct, writeStruct } from "./struct-layout.ts";
 import { TexelcastError } from "./texelcast-error.ts";
@@ -258,6 +260,30 @@ export class Target {
       projectedTexels: update.projectedTexels,
       compositedTexels: update.compositedTexels,
     };
+  }
+
+  /** Rows of a zone's cover (its place in the session's list; null: of any), bleed included: 0 to 255 a texel. */
+  zoneMask(zone: number | null, row: number, rowCount: number): Uint8Array<ArrayBuffer> {
+    this.#checkRows(row, rowCount);
+    return this.#core.collect(this.info().width * rowCount, (out) => {
+      this.#core.run("txc_zone_mask", this.#session, this.#handle, zone ?? NONE, row, rowCount, out);
+    });
+  }
+
+  /** What a zone's surface is like; null: all of the material's. */
+  zoneSurface(zone: number | null): ZoneSurface {
+    return this.#core.collectStruct(ZoneSurfaceLayout, (out) => {
+      this.#core.run("txc_zone_surface", this.#session, this.#handle, zone ?? NONE, out);
+    });
+  }
+
+  /** Rows of what a layer is like on the surface (abi.ts, `PrintMaps`): one float a texel, 0 where it paints nothing. */
+  printMap(layer: LayerHandle, kind: number, row: number, rowCount: number): Float32Array<ArrayBuffer> {
+    this.#checkRows(row, rowCount);
+    const bytes = this.#core.collect(this.info().width * rowCount * 4, (out) => {
+      this.#core.run("txc_layer_print_map", this.#session, layer, kind, row, rowCount, out);
+    });
+    return new Float32Array(bytes.buffer);
   }
 
   /** A copy of a rectangle of a level as of the newest update, RGBA. */

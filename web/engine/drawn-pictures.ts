@@ -48,6 +48,11 @@ export class DrawnPictures {
     return { width: file.width, height: file.height };
   }
 
+  /** Whether a picture has no pixels of its own: words, and drawings. */
+  isDrawn(picture: EnginePicture): boolean {
+    return typeof picture !== "string" || this.#svgs.has(picture);
+  }
+
   removeSvg(key: string): void {
     this.#svgs.delete(key);
   }
@@ -112,10 +117,9 @@ export class DrawnPictures {
     target: () => RasterTarget,
     report: (error: TexelcastError) => void,
   ): readonly EngineLayer[] {
-    const isDrawn = (picture: EnginePicture): boolean => typeof picture !== "string" || this.#svgs.has(picture);
-    if (![...allPicturesOf(layers)].some(isDrawn)) return layers;
+    if (![...allPicturesOf(layers)].some((picture) => this.isDrawn(picture))) return layers;
     const change = (picture: EnginePicture, projector: Projector | undefined): EnginePicture => {
-      if (!isDrawn(picture) || projector === undefined) return picture;
+      if (!this.isDrawn(picture) || projector === undefined) return picture;
       return this.#keyFor(picture, footprintTexels(projector, target()), session, report) ?? picture;
     };
     return layers.map((layer) => withPictures(layer, change));

@@ -5,6 +5,8 @@
 
 import type { EnginePicture, EngineText, TextMeasure } from "./engine-text.ts";
 import type { LayerMaterials } from "./layer-materials.ts";
+import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
+import type { PrintZones } from "./print-zones.ts";
 
 export type { EnginePicture, EngineText, TextMeasure } from "./engine-text.ts";
 
@@ -391,6 +393,25 @@ export interface Engine {
   exportPng(material: number): Promise<Uint8Array>;
   /** The model with every open target's texture inside; all else of the file stays as it was. */
   exportGlb(): Promise<Uint8Array>;
+
+  /**
+   * Where the product may be printed; null: everywhere. Layers are cut off at zones of the policy "clip" from now on, in
+   * updates and in all that is exported. Rejects with "bad-argument".
+   */
+  setZones(zones: PrintZones | null): Promise<void>;
+  /** What becomes of each layer on the surface. Materials that are not open are measured at their own size. */
+  printReport(): Promise<PrintReport>;
+  /** The decals' density or stretch on a material, as a picture in its texture's form: red is bad, green good, clear no decal. */
+  printMap(material: number, kind: PrintMapKind): Promise<Picture>;
+  /**
+   * A print file: the newest layers drawn by themselves at the size that is asked for, whatever is open. The same bytes in
+   * the page and in Node. Rejects with "bad-argument", "bad-size", "bad-zones", "out-of-budget", "cancelled".
+   */
+  exportPrint(
+    options?: PrintFileOptions,
+    onProgress?: (share: number) => void,
+    signal?: AbortSignal,
+  ): Promise<PrintFile>;
 
   stats(): Promise<EngineStats>;
   /** Ends the engine; every later call rejects with code "disposed". */

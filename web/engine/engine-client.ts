@@ -22,6 +22,8 @@ import type {
 import { cancelled, crashError, disposed, haltError } from "./engine-faults.ts";
 import type { Call, CallArguments, CallName, CallResult, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
 import type { CallOptions, PendingCall } from "./pending-call.ts";
+import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
+import type { PrintZones } from "./print-zones.ts";
 import { LayerSender } from "./sent-layers.ts";
 import { absoluteAddress } from "./worker-address.ts";
 import { WorkerWatch } from "./worker-watch.ts";
@@ -62,6 +64,7 @@ class EngineClient implements Engine {
   readonly #assets = new Map<string, { readonly name: string; readonly bytes: Uint8Array }>();
   readonly #fonts = new Map<string, { readonly name: string; readonly bytes: Uint8Array }>();
   readonly #targets = new Map<number, TargetOptions>();
+  #zones: PrintZones | null = null;
   #layers: { readonly layers: readonly EngineLayer[]; readonly revision: number } | null = null;
 
   #expected: ExpectedChange | null = null;
@@ -206,6 +209,27 @@ class EngineClient implements Engine {
 
   exportGlb(): Promise<Uint8Array> {
     return this.#call("exportGlb", []);
+  }
+
+  async setZones(zones: PrintZones | null): Promise<void> {
+    await this.#call("setZones", [zones]);
+    this.#zones = zones;
+  }
+
+  printReport(): Promise<PrintReport> {
+    return this.#call("printReport", []);
+  }
+
+  printMap(material: number, kind: PrintMapKind): Promise<Picture> {
+    return this.#call("printMap", [material, kind]);
+  }
+
+  exportPrint(
+    options: PrintFileOptions = {},
+    onProgress?: (share: number) => void,
+    signal?: AbortSignal,
+  ): Promise<PrintFile> {
+    return this.#call("exportPrint", [options], { onProgress, signal });
   }
 
   stats(): Promise<EngineStats> {
@@ -386,6 +410,7 @@ class EngineClient implements Engine {
     const replay = { replay: true };
     const steps: Promise<unknown>[] = [];
     if (this.#model !== null) steps.push(this.#call("loadModel", [this.#model], replay));
+    if (this.#zones !== null) steps.push(this.#call("setZones", [this.#zones], replay));
     for (const [key, asset] of this.#assets) steps.push(this.#call("setAsset", [key, asset], replay));
     for (const [key, font] of this.#fonts) steps.push(this.#call("setFont", [key, font], replay));
     for (const target of this.#targets.values()) steps.push(this.#call("openTarget", [target], replay));

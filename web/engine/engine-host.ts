@@ -10,6 +10,7 @@ import { Session } from "../core/session.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { type CoreSource, loadCore } from "../core/wasm-module.ts";
 import { aboutFile } from "./about-file.ts";
+import { coreZones } from "./core-zones.ts";
 import { DrawnPictures } from "./drawn-pictures.ts";
 import type {
   Engine,
@@ -26,7 +27,7 @@ import type {
   TargetUpdate,
   TextMeasure,
 } from "./engine-api.ts";
-import { disposed, noModel, notOpen } from "./engine-faults.ts";
+import { cancelled, disposed, noModel, notOpen } from "./engine-faults.ts";
 import { engineStats } from "./engine-stats.ts";
 import { callLater } from "./event-loop.ts";
 import { modelInfo } from "./model-info.ts";
@@ -35,6 +36,12 @@ import { type TextureEdit, writeModel } from "./model-writer.ts";
 import { type MapChannel, OpenTarget, type TargetPictures } from "./open-target.ts";
 import { decodePicture } from "./picture-decoder.ts";
 import { encodePng } from "./png-encoder.ts";
+import { makePrintFile } from "./print-file.ts";
+import { drawPrintMap } from "./print-map.ts";
+import { measurePrint } from "./print-measure.ts";
+import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
+import type { PrintContext } from "./print-target.ts";
+import { NO_ZONES, type PrintZones } from "./print-zones.ts";
 import { Readying } from "./readying.ts";
 import { isSvg } from "./svg-start.ts";
 
@@ -61,6 +68,7 @@ export class EngineHost implements Engine {
   readonly #drawn = new DrawnPictures();
   #fontsComing = false;
 
+  #zones: PrintZones | null = null;
   #layers: readonly EngineLayer[] = [];
   #revision = 0;
   /** The newest layers (or what they refer to) were not drawn yet. */
@@ -94,6 +102,7 @@ export class EngineHost implements Engine {
         throw aboutFile(error, source.name);
       }
       this.#model = model;
+      for (const target of this.#targets.values()) target.forgetImages();
       this.#targets.clear();
       return modelInfo(session, model);
     });
@@ -260,6 +269,64 @@ export class EngineHost implements Engine {
     });
   }
 
+  setZones(zones: PrintZones | null): Promise<void> {
+    return this.#enqueue((session) => {
+      const { zones: core, corners } = coreZones(zones ?? NO_ZONES);
+      session.setZones(core, corners);
+      this.#zones = zones;
+      this.#markStale();
+    });
+  }
+
+  printReport(): Promise<PrintReport> {
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session, true);
+      return measurePrint(this.#printContext(session));
+    });
+  }
+
+  printMap(material: number, kind: PrintMapKind): Promise<Picture> {
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session);
+      return drawPrintMap(this.#printContext(session), material, kind);
+    });
+  }
+
+  exportPrint(
+    options: PrintFileOptions = {},
+    onProgress?: (share: number) => void,
+    signal?: AbortSignal,
+  ): Promise<PrintFile> {
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session, true);
+      return makePrintFile({ ...this.#printContext(session, signal), onProgress }, options);
+    });
+  }
+
+  /** The same in windows of that side, for tests: which they are changes no byte. */
+  exportPrintByWindows(options: PrintFileOptions, windowSide: number): Promise<PrintFile> {
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session, true);
+      return makePrintFile(this.#printContext(session), options, windowSide);
+    });
+  }
+
+  #printContext(session: Session, signal?: AbortSignal): PrintContext {
+    return {
+      session,
+      model: this.#requireModel(),
+      layers: this.#layers,
+      zones: this.#zones ?? NO_ZONES,
+      targets: this.#targets,
+      pictures: (report) => this.#pictures(session, report),
+      isDrawn: (picture) => this.#drawn.isDrawn(picture),
+      checkpoint: () => {
+        this.#checkAlive();
+        if (signal?.aborted) throw cancelled();
+      },
+    };
+  }
+
   stats(): Promise<EngineStats> {
     return this.#enqueue(engineStats);
   }
@@ -374,10 +441,7 @@ export class EngineHost implements Engine {
     this.#stale = false;
     if (!this.#drawn.isReady(this.#layers)) this.#loadSoon();
     const report = (error: Error): void => this.#report(error);
-    const pictures: TargetPictures = {
-      imageOf: (asset) => this.#drawn.imageOf(asset) ?? this.#images.get(asset),
-      resolve: (layers, target) => this.#drawn.resolve(layers, session, target, report),
-    };
+    const pictures = this.#pictures(session, report);
     for (const target of this.#targets.values()) {
       const update = target.draw(this.#layers, this.#revision, pictures, report);
       if (update === null) continue;
@@ -387,6 +451,14 @@ export class EngineHost implements Engine {
     }
     this.#drawn.sweep(session);
     this.#readying.restart();
+  }
+
+  #pictures(session: Session, report: (error: Error) => void): TargetPictures {
+    return {
+      imageOf: (asset) => this.#drawn.imageOf(asset) ?? this.#images.get(asset),
+      resolve: (layers, target) => this.#drawn.resolve(layers, session, target, report),
+      zones: this.#zones,
+    };
   }
 
   #report(error: Error): void {

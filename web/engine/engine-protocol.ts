@@ -1,6 +1,7 @@
 /** What the engine's client and its worker say to each other. */
 import type { TexelcastErrorJson } from "../core/texelcast-error.ts";
 import type { Engine, ExpectedChange, TargetOptions, TargetUpdate } from "./engine-api.ts";
+import type { PrintFileOptions } from "./print-report.ts";
 import type { SentLayer } from "./sent-layers.ts";
 
 /** Calls that are answered, by name; arguments and results are the interface's own. */
@@ -20,12 +21,18 @@ export type CallName =
   | "hash"
   | "exportPng"
   | "exportGlb"
+  | "setZones"
+  | "printReport"
+  | "printMap"
+  | "exportPrint"
   | "stats";
 
-/** openTarget's callback and signal cannot cross: they become "progress" and "cancel" messages. */
+/** Callbacks and signals cannot cross: they become "progress" and "cancel" messages. */
 export type CallArguments<Name extends CallName> = Name extends "openTarget"
   ? [TargetOptions]
-  : Parameters<Engine[Name]>;
+  : Name extends "exportPrint"
+    ? [PrintFileOptions]
+    : Parameters<Engine[Name]>;
 export type CallResult<Name extends CallName> = Awaited<ReturnType<Engine[Name]>>;
 
 /** One call as data, its name and arguments matching. */

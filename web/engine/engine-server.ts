@@ -75,6 +75,7 @@ function runCall(
   signal: AbortSignal,
 ): Promise<unknown> {
   if (call.name === "openTarget") return engine.openTarget(call.args[0], onProgress, signal);
+  if (call.name === "exportPrint") return engine.exportPrint(call.args[0], onProgress, signal);
   // Name and arguments belong together by the type of Call; TypeScript cannot see it across the union.
   const method = engine[call.name] as (...args: readonly unknown[]) => Promise<unknown>;
   return method.apply(engine, call.args);

@@ -1,9 +1,9 @@
 /** One material's texture while it is open: the core's target, its layers, and what the engine says about it. */
 import { type MapInfo, MapViews, NONE } from "../core/abi.ts";
 import type { ImageHandle, Session } from "../core/session.ts";
-import type { Target } from "../core/target.ts";
+import type { LayerHandle, Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import { applyBase, loadBasePicture, targetSize } from "./base-picture.ts";
+import { applyBase, type BasePicture, loadBasePicture, targetSize } from "./base-picture.ts";
 import { coreGradient } from "./core-layer.ts";
 import type {
   EngineLayer,
@@ -21,8 +21,10 @@ import { NO_DETAILS } from "./layer-details.ts";
 import { LayerSync } from "./layer-sync.ts";
 import { layersOnMaterial } from "./layer-tree.ts";
 import type { LoadedModel } from "./model-loader.ts";
+import type { PrintZones } from "./print-zones.ts";
 import type { RasterTarget } from "./raster-size.ts";
 import { texelsPerMetre } from "./texel-density.ts";
+import { ZoneClip } from "./zone-clip-picture.ts";
 
 /** Texels of the bake's first step; later ones aim at the times below. */
 const FIRST_STEP = 1 << 17;
@@ -42,12 +44,28 @@ export interface OpenTargetContext {
   readonly checkpoint: () => void;
 }
 
+/** A target that is a window of a larger texture, as prints are made. */
+export interface TextureWindow {
+  /** Texels of the whole texture. */
+  readonly textureWidth: number;
+  readonly textureHeight: number;
+  /** Where in it the target begins; multiples of 16. */
+  readonly windowX: number;
+  readonly windowY: number;
+  /** Decoded once for all windows. */
+  readonly base: BasePicture;
+  /** Of the whole texture: a drawing must get the same pixels in all windows. */
+  readonly raster: RasterTarget;
+}
+
 /** The pictures of layers. */
 export interface TargetPictures {
   /** Undefined while it is unknown: its layers wait. */
   readonly imageOf: (asset: string) => ImageHandle | undefined;
   /** Gives drawings and words the keys of images that were drawn for this target. */
   readonly resolve: (layers: readonly EngineLayer[], target: () => RasterTarget) => readonly EngineLayer[];
+  /** The session's zones; null: none. */
+  readonly zones: PrintZones | null;
 }
 
 export class OpenTarget {
@@ -56,13 +74,22 @@ export class OpenTarget {
   readonly factorBaked: boolean;
   readonly #target: Target;
   readonly #layers: LayerSync;
-  #raster: RasterTarget | null = null;
+  readonly #clip: ZoneClip;
+  #raster: RasterTarget | null;
 
-  private constructor(target: Target, info: TargetInfo, factorBaked: boolean, readUvs: () => Float32Array) {
+  private constructor(
+    session: Session,
+    target: Target,
+    info: TargetInfo,
+    factorBaked: boolean,
+    window: TextureWindow | null,
+  ) {
     this.#target = target;
     this.info = info;
     this.factorBaked = factorBaked;
-    const triangles = new FillTriangles(readUvs);
+    this.#raster = window?.raster ?? null;
+    this.#clip = new ZoneClip(session, target, info, window);
+    const triangles = new FillTriangles(() => session.materialUvs(info.material));
     this.#layers = new LayerSync(target, (layer) => {
       if (layer.type === "stroke") return { ...NO_DETAILS, dabs: layer.dabs };
       if (layer.type !== "fill") return NO_DETAILS;
@@ -76,7 +103,11 @@ export class OpenTarget {
   }
 
   /** Makes a target, sets its base and bakes it in steps. When it throws, nothing is left of it. */
-  static async open(options: TargetOptions, context: OpenTargetContext): Promise<OpenTarget> {
+  static async open(
+    options: TargetOptions,
+    context: OpenTargetContext,
+    window: TextureWindow | null = null,
+  ): Promise<OpenTarget> {
     const { session, model, checkpoint } = context;
     checkpoint();
     // Refuses materials that cannot be painted, before their picture is decoded for nothing.
@@ -89,7 +120,7 @@ export class OpenTarget {
     checkInteger("width", width);
     checkInteger("height", height);
     if (options.gutter !== undefined) checkInteger("gutter", options.gutter);
-    const base = await loadBasePicture(model, options);
+    const base = window?.base ?? (await loadBasePicture(model, options));
     checkpoint();
     const target = session.createTarget({
       material: options.material,
@@ -97,12 +128,18 @@ export class OpenTarget {
       height,
       gutter: options.gutter ?? NONE,
       mipLevels: options.mipmaps ? 0 : 1,
+      ...(window !== null && {
+        textureWidth: window.textureWidth,
+        textureHeight: window.textureHeight,
+        windowX: window.windowX,
+        windowY: window.windowY,
+      }),
     });
     try {
       applyBase(target, base);
       await bake(target, context);
       const info = targetInfo(options.material, target.info());
-      return new OpenTarget(target, info, base.factorBaked, () => session.materialUvs(options.material));
+      return new OpenTarget(session, target, info, base.factorBaked, window);
     } catch (error) {
       if (!session.core.crashed) target.destroy();
       throw error;
@@ -111,6 +148,12 @@ export class OpenTarget {
 
   destroy(): void {
     this.#target.destroy();
+    this.forgetImages();
+  }
+
+  /** Gives back what the target keeps in the session beside itself: for one that ended with its model. */
+  forgetImages(): void {
+    this.#clip.forget();
   }
 
   /** What decides how many pixels a drawing gets here. */
@@ -140,7 +183,8 @@ export class OpenTarget {
     const { material } = this.info;
     const own = layersOnMaterial(layers, material);
     const drawn = pictures.resolve(own, () => this.raster);
-    this.#layers.apply(drawn, { imageOf: pictures.imageOf, report });
+    const { layers: clipped, imageOf } = this.#clip.apply(drawn, pictures.zones, pictures.imageOf);
+    this.#layers.apply(clipped, { imageOf, report });
     const update = this.#target.update();
     if (update.rects.length === 0) return null;
     return { material, revision, ...update, milliseconds: performance.now() - start };
@@ -161,6 +205,16 @@ export class OpenTarget {
     if (layer === undefined) return null;
     const rgba = this.#target.layerMiniature(layer, of === "mask", side);
     return rgba.some((value) => value > 0) ? rgba : null;
+  }
+
+  /** The core's layer of that id, once it was drawn; undefined where it is not on this material. */
+  handleOf(id: string): LayerHandle | undefined {
+    return this.#layers.handleOf(id);
+  }
+
+  /** For measurements of the surface and the print. */
+  get core(): Target {
+    return this.#target;
   }
 
   read(x: number, y: number, width: number, height: number): Uint8Array<ArrayBuffer> {

@@ -16,6 +16,9 @@ const LONG: ReadonlySet<string> = new Set<CallName>([
   "exportPng",
   "exportGlb",
   "viewMap",
+  "printReport",
+  "printMap",
+  "exportPrint",
 ]);
 const LOOK_EVERY_MS = 2_000;
 

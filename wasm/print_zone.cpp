@@ -1,0 +1,107 @@
+#include "print_zone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace txc {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+/// Faces of a box that the surface runs along within this sine are no edge of the zone there.
+constexpr double kAlong = 1e-6;
+
+double polygon_inset(const std::vector<glm::dvec2>& corners, const ZoneTexel& texel) {
+    bool inside = false;
+    double nearest = kFar;
+    glm::dvec2 from = corners.back() * texel.size;
+    for (const glm::dvec2& corner : corners) {
+        const glm::dvec2 to = corner * texel.size;
+        const glm::dvec2 edge = to - from;
+        const glm::dvec2 way = texel.place - from;
+        if ((from.y > texel.place.y) != (to.y > texel.place.y) && way.x < edge.x * way.y / edge.y) inside = !inside;
+        const double squared = texel.metric.dot(edge, edge);
+        const double share = squared > 0.0 ? std::clamp(texel.metric.dot(way, edge) / squared, 0.0, 1.0) : 0.0;
+        const glm::dvec2 left = way - edge * share;
+        nearest = std::min(nearest, texel.metric.dot(left, left));
+        from = to;
+    }
+    const double distance = std::sqrt(std::max(nearest, 0.0));
+    return inside ? distance : -distance;
+}
+
+}  // namespace
+
+TxcStatus PrintZone::from_def(const TxcZone& def, std::uint32_t index, const float* corners, std::uint32_t corner_count,
+                              PrintZone& out) {
+    out.material = def.material;
+    out.is_box = def.kind == TXC_ZONE_BOX;
+    if (def.kind >= TXC_ZONE_KIND_COUNT)
+        return fail(TXC_STATUS_BAD_ARGUMENT, "zone %u: kind is %u; there are %d", index, def.kind, TXC_ZONE_KIND_COUNT);
+    for (const float margin : {def.safe, def.bleed}) {
+        if (!(margin >= 0.0f && margin <= kMaxCoordinate)) {
+            return fail(TXC_STATUS_BAD_ARGUMENT, "zone %u: a margin is %g; it must be 0 or above", index,
+                        static_cast<double>(margin));
+        }
+    }
+    out.safe = static_cast<double>(def.safe);
+    out.bleed = static_cast<double>(def.bleed);
+    if (out.is_box) {
+        TxcLayerDef pose{};
+        std::copy(std::begin(def.position_model), std::end(def.position_model), std::begin(pose.position_model));
+        std::copy(std::begin(def.rotation), std::end(def.rotation), std::begin(pose.rotation));
+        if (const TxcStatus status = ProjectorPose::from_def(pose, out.pose); status != TXC_STATUS_OK) return status;
+        for (int c = 0; c < 3; ++c) {
+            if (const TxcStatus status = check_length(def.size[c], "a zone's size"); status != TXC_STATUS_OK)
+                return status;
+            out.half[c] = 0.5 * static_cast<double>(def.size[c]);
+        }
+        return TXC_STATUS_OK;
+    }
+    if (def.corner_count < 3 || def.first_corner > corner_count || def.corner_count > corner_count - def.first_corner) {
+        return fail(TXC_STATUS_BAD_ARGUMENT, "zone %u: corners %u to %u; there are %u, and a polygon has 3 or more",
+                    index, def.first_corner, def.first_corner + def.corner_count, corner_count);
+    }
+    for (std::uint32_t c = def.first_corner; c < def.first_corner + def.corner_count; ++c) {
+        const glm::dvec2 corner(static_cast<double>(corners[c * 2]), static_cast<double>(corners[c * 2 + 1]));
+        if (!(std::fabs(corner.x) <= 1e6 && std::fabs(corner.y) <= 1e6))
+            return fail(TXC_STATUS_BAD_ARGUMENT, "zone %u: corner %u is not finite", index, c);
+        out.corners.push_back(corner);
+    }
+    return TXC_STATUS_OK;
+}
+
+double PrintZone::inset(const ZoneTexel& texel) const {
+    if (!is_box) return polygon_inset(corners, texel);
+    const glm::dvec3 at = pose.to_view(texel.position);
+    const glm::dvec3 normal = pose.turn_to_view(texel.normal);
+    double nearest = kFar;
+    for (int c = 0; c < 3; ++c) {
+        const double depth = half[c] - std::fabs(at[c]);
+        // How fast one comes nearer to the face on the surface; a face that it runs along is never met.
+        const double slope = std::sqrt(std::max(1.0 - normal[c] * normal[c], 0.0));
+        nearest = std::min(nearest, slope > kAlong ? depth / slope : depth < 0.0 ? -kFar : kFar);
+    }
+    return nearest;
+}
+
+double zone_cover(const PrintZone& zone, const ZoneTexel& texel, double gutter) {
+    const double beyond = zone.inset(texel) + zone.bleed;
+    const double side = std::sqrt(texel.metric.area());
+    if (!(side > 0.0)) return beyond >= 0.0 ? 1.0 : 0.0;
+    return std::clamp(0.5 + beyond / side + gutter, 0.0, 1.0);
+}
+
+ZoneTexel zone_texel(const LocalSpaceMap& map, const TexelRun& run, std::uint32_t x, std::uint32_t y,
+                     const TexelMetric& metric) {
+    const auto column = static_cast<std::int32_t>(x);
+    const auto row = static_cast<std::int32_t>(y);
+    const MapKey& key = map.key;
+    return {{x + key.origin_x + 0.5, y + key.origin_y + 0.5},
+            {static_cast<double>(key.texture_width()), static_cast<double>(key.texture_height())},
+            metric,
+            glm::dvec3(map.frames[run.frame].position_at(column, row)),
+            glm::dvec3(map.unit_normal(run, column, row))};
+}
+
+}  // namespace txc
