@@ -84,6 +84,12 @@ export const toolOptionsStyles = css`
     background: var(--second);
     box-shadow: 0 0 0 1px var(--line);
   }
+  /* On a phone there is no room for both; the palette's recent colours bring the other one back. */
+  @media (max-width: 430px) {
+    .second {
+      display: none;
+    }
+  }
   .drop {
     position: absolute;
     z-index: 5;
