@@ -8,6 +8,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <sstream>
 
+#include "tinygltf_words.h"
+
 #define JSON_NOEXCEPTION
 #define TINYGLTF_NOEXCEPTION
 #define TINYGLTF_NO_FS
