@@ -1,0 +1,120 @@
+/** What the shop's page has of the editor in its iframe, and what it may ask of it. */
+import type {
+  BeforeAccept,
+  DesignInput,
+  EditorLoading,
+  EditorMode,
+  ModelSource,
+  TexelcastEditorEventMap,
+  TexelcastEditorMethods,
+} from "../element/element-api.ts";
+
+/** The element's properties that can be told to another page; addresses are relative to the editor's page. */
+export interface FrameProperties {
+  readonly src?: string | ModelSource | null;
+  readonly design?: DesignInput | null;
+  readonly zones?: string | object | null;
+  readonly mode?: EditorMode;
+  readonly material?: number | null;
+  readonly size?: number | null;
+  readonly locale?: string;
+  readonly readonly?: boolean;
+  readonly poster?: string;
+  readonly loading?: EditorLoading;
+  readonly maxDecals?: number | null;
+  readonly maxMegapixels?: number;
+  readonly maxFileSize?: number;
+  readonly cameraOrbit?: string;
+  readonly minCameraOrbit?: string;
+  readonly maxCameraOrbit?: string;
+}
+
+export interface MountOptions extends FrameProperties {
+  /** Address of the editor's page, absolute, http(s). It should have an origin of its own. */
+  readonly page: string | URL;
+  /** The iframe's name for screen readers; default "Product designer". */
+  readonly title?: string;
+  /** Asked for each picture before it is taken; runs in the shop's page. */
+  readonly beforeAccept?: BeforeAccept;
+  /** How long an answer may take, milliseconds; default 30 000, for the first word of the page and for exports 120 000. */
+  readonly timeoutMs?: number;
+}
+
+/** The element's methods that answer by data; each rejects with a TexelcastError. */
+export const FRAME_METHODS = [
+  "addDecal",
+  "addText",
+  "exportDesign",
+  "exportModel",
+  "exportTexture",
+  "redo",
+  "remove",
+  "restart",
+  "select",
+  "snapshot",
+  "start",
+  "submit",
+  "undo",
+  "validate",
+] as const satisfies readonly (keyof TexelcastEditorMethods)[];
+
+export type FrameMethod = (typeof FRAME_METHODS)[number];
+
+export const FRAME_PROPERTIES = [
+  "cameraOrbit",
+  "design",
+  "loading",
+  "locale",
+  "material",
+  "maxCameraOrbit",
+  "maxDecals",
+  "maxFileSize",
+  "maxMegapixels",
+  "minCameraOrbit",
+  "mode",
+  "poster",
+  "readonly",
+  "size",
+  "src",
+  "zones",
+] as const satisfies readonly (keyof FrameProperties)[];
+
+export const FRAME_EVENTS = ["change", "error", "load", "progress", "select", "submit"] as const;
+
+type Answer<Method> = Method extends (...args: infer Args) => infer Result
+  ? (...args: Args) => Promise<Awaited<Result>>
+  : never;
+
+/** The editor in its iframe. Events are the element's own, as CustomEvents of this object. */
+export interface TexelcastFrame {
+  readonly iframe: HTMLIFrameElement;
+  /** Messages from a wrong origin or window, repeated or malformed; none of them did anything. */
+  readonly ignoredMessages: number;
+  /** Sets properties of the element. */
+  set(properties: FrameProperties): Promise<void>;
+  addDecal: Answer<TexelcastEditorMethods["addDecal"]>;
+  addText: Answer<TexelcastEditorMethods["addText"]>;
+  select: Answer<TexelcastEditorMethods["select"]>;
+  remove: Answer<TexelcastEditorMethods["remove"]>;
+  undo: Answer<TexelcastEditorMethods["undo"]>;
+  redo: Answer<TexelcastEditorMethods["redo"]>;
+  start: Answer<TexelcastEditorMethods["start"]>;
+  restart: Answer<TexelcastEditorMethods["restart"]>;
+  exportTexture: Answer<TexelcastEditorMethods["exportTexture"]>;
+  exportModel: Answer<TexelcastEditorMethods["exportModel"]>;
+  exportDesign: Answer<TexelcastEditorMethods["exportDesign"]>;
+  snapshot: TexelcastEditorMethods["snapshot"];
+  validate: Answer<TexelcastEditorMethods["validate"]>;
+  submit: Answer<TexelcastEditorMethods["submit"]>;
+  addEventListener<Name extends keyof TexelcastEditorEventMap>(
+    name: Name,
+    listener: (event: TexelcastEditorEventMap[Name]) => void,
+    options?: AddEventListenerOptions,
+  ): void;
+  removeEventListener<Name extends keyof TexelcastEditorEventMap>(
+    name: Name,
+    listener: (event: TexelcastEditorEventMap[Name]) => void,
+  ): void;
+  /** Takes the iframe away and ends the channel: what waits rejects with "disposed". */
+  unmount(): void;
+}

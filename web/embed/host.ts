@@ -1,0 +1,95 @@
+/** The editor's side of the iframe: lets one shop, of one exact origin, drive one element. */
+import { TexelcastError } from "../core/texelcast-error.ts";
+import type { BeforeAccept, TexelcastEditorApi } from "../element/element-api.ts";
+import { FRAME_EVENTS, FRAME_METHODS, FRAME_PROPERTIES } from "./frame-api.ts";
+import { EMBED_VERSION, makeNonce, readGreeting, SHOP_PARAMETER } from "./messages.ts";
+import { PortCalls } from "./port-calls.ts";
+
+/** A shop's moderation may ask a service, or a person. */
+const ACCEPTANCE_PATIENCE_MS = 120_000;
+
+export interface HostOptions {
+  /** Exact origins that may frame the page; null: any that names itself. */
+  readonly shops: readonly string[] | null;
+}
+
+export interface EditorHost {
+  /** Messages from a wrong origin or window, repeated or malformed; none of them did anything. */
+  readonly ignoredMessages: number;
+  stop(): void;
+}
+
+/**
+ * Says hello to the shop that framed this page and does what it asks of the element. Throws a TexelcastError of code
+ * "bad-origin" where the page is not framed, or by a shop that is not among `shops`.
+ */
+export function hostEditor(editor: HTMLElement & TexelcastEditorApi, { shops }: HostOptions): EditorHost {
+  const shop = shopOrigin(new URL(location.href).searchParams.get(SHOP_PARAMETER), shops);
+  const nonce = makeNonce();
+  const end = new AbortController();
+  let ignored = 0;
+  let calls: PortCalls | null = null;
+  const onIgnored = (): void => {
+    ignored += 1;
+  };
+
+  const beforeAccept: BeforeAccept = async (asset) =>
+    (await calls?.call("beforeAccept", [asset], ACCEPTANCE_PATIENCE_MS)) === true;
+  const answer = (method: string, args: readonly unknown[]): unknown => {
+    if (method === "set") return setProperties(editor, args[0], args[1] === true ? beforeAccept : null);
+    const known = FRAME_METHODS.find((name) => name === method);
+    if (known === undefined) throw new TexelcastError("bad-argument", `The editor has no “${method}” for a shop.`);
+    return (editor[known] as (...args: readonly unknown[]) => unknown)(...args);
+  };
+
+  addEventListener(
+    "message",
+    (event) => {
+      const connect = readGreeting(event.data, "connect");
+      if (event.source !== parent && connect === null) return;
+      const [port] = event.ports;
+      const isOurs = event.source === parent && event.origin === shop && connect?.nonce === nonce;
+      if (!isOurs || connect.version !== EMBED_VERSION || port === undefined || calls !== null) {
+        onIgnored();
+        return;
+      }
+      calls = new PortCalls(port, { answer, onEvent: onIgnored, onIgnored });
+    },
+    { signal: end.signal },
+  );
+  for (const name of FRAME_EVENTS) {
+    const tell = (event: Event): void => calls?.tell(name, (event as CustomEvent).detail);
+    editor.addEventListener(name, tell, { signal: end.signal });
+  }
+  parent.postMessage({ texelcast: "hello", version: EMBED_VERSION, nonce }, shop);
+  return {
+    get ignoredMessages() {
+      return ignored;
+    },
+    stop() {
+      end.abort();
+      calls?.end(new TexelcastError("disposed", "The editor's page was closed."));
+    },
+  };
+}
+
+function shopOrigin(named: string | null, shops: readonly string[] | null): string {
+  const isExact = named !== null && URL.canParse(named) && new URL(named).origin === named;
+  if (parent !== window && isExact && (shops === null || shops.includes(named))) return named;
+  throw new TexelcastError("bad-origin", "This page works inside the page of a shop that it knows.", {
+    field: SHOP_PARAMETER,
+    ...(named !== null && { value: named }),
+    hint: "Mount it by texelcast/embed, and list the shop's exact origin in the page's “texelcast-shops”.",
+  });
+}
+
+function setProperties(editor: TexelcastEditorApi, properties: unknown, beforeAccept: BeforeAccept | null): void {
+  editor.beforeAccept = beforeAccept;
+  for (const [name, value] of Object.entries(properties ?? {})) {
+    const known = FRAME_PROPERTIES.find((property) => property === name);
+    if (known === undefined) {
+      throw new TexelcastError("bad-argument", `The editor has no property “${name}” for a shop.`, { field: name });
+    }
+    Object.assign(editor, { [known]: value });
+  }
+}
