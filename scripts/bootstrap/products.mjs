@@ -1,4 +1,7 @@
-/** What the checkout builds for itself: the WebAssembly module, the demo's assets, the design's schema, the command line. */
+/**
+ * What the checkout builds for itself: the WebAssembly module, the demo's assets, the design's schema, the command
+ * line, the npm package.
+ */
 import { chmodSync } from "node:fs";
 import { wasmEnvironment, wasmNeeds } from "./build-tools.mjs";
 import { buildPreset } from "./cmake.mjs";
@@ -40,6 +43,23 @@ export const commandLine = stampedStep({
   inputs: ["node", "web/core", "web/engine", "web/editor/document", "package.json", "scripts/bootstrap/products.mjs"],
   outputs: ["build/node/texelcast.mjs"],
   work: bundleCommandLine,
+});
+
+export const npmPackage = stampedStep({
+  name: "package",
+  title: "the npm package (build/package)",
+  inputs: [
+    "build/wasm/texelcast.wasm",
+    "node",
+    "package-lock.json",
+    "package.json",
+    "scripts/package",
+    "web",
+    "README.md",
+    "CHANGELOG.md",
+  ],
+  outputs: ["build/package/package.json"],
+  work: async () => (await import("../package/build.mjs")).buildPackage(),
 });
 
 /**

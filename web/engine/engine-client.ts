@@ -4,6 +4,7 @@
  * hangs is replaced and told again, and asked again what it had not answered yet.
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
+import type { CoreSource } from "../core/wasm-module.ts";
 import type {
   Engine,
   EngineLayer,
@@ -25,12 +26,15 @@ import type { CallOptions, PendingCall } from "./pending-call.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
 import type { PrintZones } from "./print-zones.ts";
 import { LayerSender } from "./sent-layers.ts";
-import { absoluteAddress } from "./worker-address.ts";
+import { sendable } from "./worker-address.ts";
 import { WorkerWatch } from "./worker-watch.ts";
 
 export interface EngineClientOptions {
-  /** Address of the core's WebAssembly, relative to the page; default: the bundler's asset of build/wasm/texelcast.wasm. */
-  readonly wasm?: URL | string;
+  /**
+   * The core's WebAssembly: an address relative to the page, its bytes, or compiled. Default: texelcast.wasm beside the
+   * worker's script.
+   */
+  readonly wasm?: CoreSource;
   /** What the engine may hold at once, MiB; default 1024. */
   readonly memoryBudgetMib?: number;
   /** Makes the worker; default: engine-worker.ts as a module worker, in a form that bundlers recognise. */
@@ -295,7 +299,7 @@ class EngineClient implements Engine {
     this.#sender = new LayerSender();
     this.#send({
       type: "start",
-      ...(wasm !== undefined && { wasm: absoluteAddress(wasm) }),
+      ...(wasm !== undefined && { wasm: sendable(wasm) }),
       ...(memoryBudgetMib !== undefined && { memoryBudgetMib }),
     });
   }

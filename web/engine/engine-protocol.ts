@@ -1,5 +1,6 @@
 /** What the engine's client and its worker say to each other. */
 import type { TexelcastErrorJson } from "../core/texelcast-error.ts";
+import type { CoreSource } from "../core/wasm-module.ts";
 import type { Engine, ExpectedChange, TargetOptions, TargetUpdate } from "./engine-api.ts";
 import type { PrintFileOptions } from "./print-report.ts";
 import type { SentLayer } from "./sent-layers.ts";
@@ -41,7 +42,7 @@ export type Call = {
 }[CallName];
 
 export type ClientMessage =
-  | { readonly type: "start"; readonly wasm?: string; readonly memoryBudgetMib?: number }
+  | { readonly type: "start"; readonly wasm?: Exclude<CoreSource, URL>; readonly memoryBudgetMib?: number }
   | { readonly type: "call"; readonly id: number; readonly call: Call }
   | { readonly type: "cancel"; readonly id: number }
   /** Answered by "pong" as soon as the worker's thread is free. */

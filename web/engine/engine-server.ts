@@ -1,6 +1,6 @@
 /** The worker's half of the protocol: an EngineHost behind a message port. */
 import { TexelcastError } from "../core/texelcast-error.ts";
-import { EngineHost } from "./engine-host.ts";
+import { EngineHost, type EngineHostOptions } from "./engine-host.ts";
 import type { Call, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
 import { callLater } from "./event-loop.ts";
 import { LayerReceiver } from "./sent-layers.ts";
@@ -18,7 +18,7 @@ export function serveEngine(port: ServerPort): void {
   const cancels = new Map<number, AbortController>();
   const send = (message: WorkerMessage, transfer: Transferable[] = []): void => port.postMessage(message, transfer);
 
-  const start = (options: { wasm?: string; memoryBudgetMib?: number }): EngineHost => {
+  const start = (options: EngineHostOptions): EngineHost => {
     const started = new EngineHost(options);
     started.onUpdate((update) => send({ type: "update", update }, [update.bytes.buffer as ArrayBuffer]));
     started.onError((error) => {

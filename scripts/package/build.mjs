@@ -1,0 +1,95 @@
+/**
+ * The npm package, whole, in build/package. Its scripts hold all that they need but three.js, which a page has once for all:
+ * the same scripts serve an import map, a bundler and Node, and `npm install texelcast` brings nothing else.
+ */
+import { chmodSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { build } from "esbuild";
+import { inRoot } from "../bootstrap/paths.mjs";
+import { declarations } from "./declarations.mjs";
+import { licenceText } from "./licences.mjs";
+import { ENTRIES, manifestOf } from "./manifest.mjs";
+import { NamedFiles, urlFiles } from "./url-files.mjs";
+
+const PACKAGE = inRoot("build/package");
+const DIST = join(PACKAGE, "dist");
+
+/** A branch for Node in packages for both; no page takes it. */
+const NODE_MODULES = ["fs", "path", "url", "module", "node:*"];
+
+/** @type {import("esbuild").BuildOptions} */
+const SHARED = {
+  absWorkingDir: inRoot(),
+  outdir: DIST,
+  bundle: true,
+  format: "esm",
+  target: "es2022",
+  sourcemap: true,
+  metafile: true,
+  legalComments: "none",
+  logLevel: "warning",
+};
+
+export async function buildPackage() {
+  rmSync(PACKAGE, { recursive: true, force: true });
+  mkdirSync(join(DIST, "assets"), { recursive: true });
+  const files = new NamedFiles();
+  const entries = Object.values(ENTRIES);
+  /** @type {Set<string>} */
+  const inputs = new Set();
+  /** @param {import("esbuild").BuildOptions} options */
+  const bundle = async (options) => {
+    const { metafile } = await build({ ...SHARED, plugins: [urlFiles(files)], ...options });
+    for (const input of Object.keys(metafile?.inputs ?? {})) inputs.add(inRoot(input));
+  };
+
+  await bundle({
+    entryPoints: entriesOf(entries.filter(({ runs }) => runs === "page")),
+    platform: "browser",
+    splitting: true,
+    minify: true,
+    chunkNames: "page-[hash]",
+    external: ["three", "three/*", ...NODE_MODULES],
+  });
+  // Bundles of their own: a worker sees no import map, and must not load the page's half.
+  for (const [name, source] of files.workers) {
+    await bundle({
+      entryPoints: [{ in: source, out: name.replace(/\.js$/, "") }],
+      platform: "browser",
+      splitting: true,
+      minify: true,
+      chunkNames: "worker-[hash]",
+      external: NODE_MODULES,
+    });
+  }
+  await bundle({
+    entryPoints: [...entriesOf(entries.filter(({ runs }) => runs === "node")), { in: "node/cli.ts", out: "cli" }],
+    platform: "node",
+    target: "node20",
+    splitting: true,
+    chunkNames: "node-[hash]",
+    // Draco's glue is CommonJS.
+    banner: {
+      js: 'import { createRequire as __createRequire } from "node:module"; const require = __createRequire(import.meta.url);',
+    },
+  });
+  const cli = join(DIST, "cli.js");
+  writeFileSync(cli, `#!/usr/bin/env node\n${readFileSync(cli, "utf8")}`);
+  chmodSync(cli, 0o755);
+
+  for (const [name, file] of files.assets) cpSync(file, join(DIST, "assets", name));
+  for (const file of ["LICENSE", "README.md", "CHANGELOG.md"]) cpSync(inRoot(file), join(PACKAGE, file));
+  for (const schema of ["design", "zones"]) {
+    cpSync(inRoot(`build/${schema}.schema.json`), join(PACKAGE, `${schema}.schema.json`));
+  }
+  writeFileSync(join(PACKAGE, "THIRD-PARTY-LICENCES.txt"), licenceText([...inputs, ...files.assets.values()]));
+  const checkout = JSON.parse(readFileSync(inRoot("package.json"), "utf8"));
+  writeFileSync(join(PACKAGE, "package.json"), `${JSON.stringify(manifestOf(checkout), null, 2)}\n`);
+  await declarations(
+    entries.map(({ source }) => source),
+    join(PACKAGE, "types"),
+  );
+}
+
+/** @param {readonly {source: string, name: string}[]} entries */
+const entriesOf = (entries) => entries.map(({ source, name }) => ({ in: source, out: name }));

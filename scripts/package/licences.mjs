@@ -1,0 +1,32 @@
+/** The licences of the packages whose code or files lie in ours, as one text. */
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
+
+/**
+ * @param {Iterable<string>} files that went into the bundles or beside them, absolute
+ * @returns {string}
+ */
+export function licenceText(files) {
+  const folders = new Set([...files].map(packageFolder).filter((folder) => folder !== null));
+  const parts = [...folders].sort().map((folder) => {
+    const { name, version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+    const texts = readdirSync(folder)
+      .filter((file) => /^(licen[cs]e|copying|ofl|notice)/i.test(file))
+      .sort()
+      .map((file) => readFileSync(join(folder, file), "utf8").trim());
+    return [`${name} ${version} (${license})`, ...texts].join("\n\n");
+  });
+  const head = "Texelcast holds code and files of these packages, under their own licences.";
+  return `${[head, ...parts].join(`\n\n${"-".repeat(80)}\n\n`)}\n`;
+}
+
+/** @param {string} file @returns {string | null} */
+function packageFolder(file) {
+  if (!file.includes("node_modules")) return null;
+  for (let folder = dirname(file); folder !== dirname(folder); folder = dirname(folder)) {
+    const manifest = join(folder, "package.json");
+    // Some packages have nameless ones in their folders, to say what kind of module lies there.
+    if (existsSync(manifest) && JSON.parse(readFileSync(manifest, "utf8")).version) return folder;
+  }
+  return null;
+}

@@ -1,0 +1,45 @@
+/** What the package offers, and its own package.json: name, version and the like from the checkout's, the rest from its entries. */
+
+/** @type {Readonly<Record<string, {source: string, name: string, runs: "page" | "node"}>>} */
+export const ENTRIES = {
+  ".": { source: "web/package/index.ts", name: "index", runs: "page" },
+  "./core": { source: "web/package/core.ts", name: "core", runs: "page" },
+  "./three": { source: "web/package/three.ts", name: "three", runs: "page" },
+  "./embed": { source: "web/package/embed.ts", name: "embed", runs: "page" },
+};
+
+/** Read from nothing, needed by nothing: the peer range is what tests/package runs at both ends. */
+export const THREE_RANGE = ">=0.170.0 <0.188.0";
+
+/** @param {Record<string, any>} checkout the checkout's package.json */
+export function manifestOf(checkout) {
+  const { name, version, description, keywords, license, author, engines } = checkout;
+  const exports = Object.fromEntries(
+    Object.entries(ENTRIES).map(([path, { source, name: entry }]) => [
+      path,
+      { types: `./types/${source.replace(/\.ts$/, ".d.ts")}`, default: `./dist/${entry}.js` },
+    ]),
+  );
+  return {
+    name,
+    version,
+    description,
+    keywords,
+    license,
+    author,
+    type: "module",
+    engines,
+    bin: { texelcast: "dist/cli.js" },
+    exports: {
+      ...exports,
+      "./texelcast.wasm": "./dist/assets/texelcast.wasm",
+      "./design.schema.json": "./design.schema.json",
+      "./zones.schema.json": "./zones.schema.json",
+      "./package.json": "./package.json",
+    },
+    sideEffects: ["./dist/define.js", "./dist/standalone.js", "./dist/cli.js", "./dist/*-worker.js"],
+    files: ["dist", "types", "*.schema.json", "THIRD-PARTY-LICENCES.txt", "CHANGELOG.md"],
+    peerDependencies: { three: THREE_RANGE },
+    peerDependenciesMeta: { three: { optional: true } },
+  };
+}

@@ -1,0 +1,23 @@
+/**
+ * `texelcast/core`: the engine alone, in a worker of its own. Give it a model, pictures and layers; it gives back changed
+ * texels, PNG and GLB. Importing it has no side effects; the worker starts with `createEngine`.
+ */
+import type { Engine } from "../engine/engine-api.ts";
+import { createEngineClient, type EngineClientOptions } from "../engine/engine-client.ts";
+
+export { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../core/texelcast-error.ts";
+export type { CoreSource } from "../core/wasm-module.ts";
+export type { Design, DesignAsset, DesignLayer } from "../editor/document/design.ts";
+export { parseDesign } from "../editor/document/parse-design.ts";
+export { resolveLayers } from "../editor/document/resolve-layers.ts";
+export type * from "../engine/engine-api.ts";
+
+export type EngineOptions = EngineClientOptions;
+
+/**
+ * Starts an engine. What is wrong with its WebAssembly or its worker shows at the first call, which rejects with a
+ * TexelcastError ("missing-file", "unsupported", "engine-crashed").
+ */
+export function createEngine(options: EngineOptions = {}): Engine {
+  return createEngineClient(options);
+}

@@ -1,0 +1,158 @@
+/**
+ * `texelcast/three`: decals on a mesh of one's own three.js scene, in a texture that follows them live. `three` is the page's
+ * own, as a peer.
+ */
+import { type Color, type Material, type Mesh, SRGBColorSpace, type Texture, type WebGLRenderer } from "three";
+import { TexelcastError } from "../core/texelcast-error.ts";
+import type { DesignLayer } from "../editor/document/design.ts";
+import { makeDecalLayer } from "../editor/document/make-layer.ts";
+import { resolveLayers } from "../editor/document/resolve-layers.ts";
+import type { Engine, PlanarProjector, Projector, TargetOptions, Vec3 } from "../engine/engine-api.ts";
+import { createEngineClient, type EngineClientOptions } from "../engine/engine-client.ts";
+import { LiveTexture } from "../viewer/live-texture.ts";
+import { meshGlb } from "../viewer/mesh-glb.ts";
+
+export { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../core/texelcast-error.ts";
+export type { Projector } from "../engine/engine-api.ts";
+
+export interface PaintMeshOptions extends EngineClientOptions {
+  /** Texels of the texture's side, 1 to 8192; default 1024. */
+  readonly size?: number;
+  /**
+   * What lies below the decals: a colour (sRGB with alpha, each 0 to 1) or a picture's bytes (PNG, JPEG, WebP). Default: the
+   * material's colour. A material with a map needs it: three.js does not give the map's pixels away.
+   */
+  readonly base?: Exclude<TargetOptions["base"], "model" | undefined>;
+}
+
+/** A decal on the mesh; the fields of a design's decal layer that are not given are at their defaults. */
+export type MeshDecal = Partial<
+  Omit<ReturnType<typeof makeDecalLayer>, "type" | "asset" | "material" | "projector">
+> & {
+  /** Unique among the decals. */
+  readonly id: string;
+  /** The key that `setPicture` got. */
+  readonly picture: string;
+} & (
+    | { readonly projector: Projector }
+    /** A flat box in the mesh's own space; the picture faces its +Z. `size`: full extents. */
+    | { readonly position: Vec3; readonly rotation: PlanarProjector["rotation"]; readonly size: Vec3 }
+  );
+
+/** A mesh whose texture is painted by an engine of its own. */
+export class PaintedMesh {
+  readonly mesh: Mesh;
+  /** As `map` of the mesh's material, a copy of the one that it had. */
+  readonly texture: Texture;
+  /** All that the engine can do: fonts, exports, hashes. */
+  readonly engine: Engine;
+  readonly #live: LiveTexture;
+  readonly #before: Material;
+  readonly #painted: Material;
+  #revision = 0;
+
+  private constructor(mesh: Mesh, engine: Engine, live: LiveTexture) {
+    this.mesh = mesh;
+    this.engine = engine;
+    this.texture = live.texture;
+    this.#live = live;
+    this.#before = materialOf(mesh);
+    this.#painted = this.#before.clone();
+    // The colour lies in the texture now.
+    (this.#painted as Partial<{ color: Color }>).color?.set(0xffffff);
+    Object.assign(this.#painted, { map: live.texture, needsUpdate: true });
+    mesh.material = this.#painted;
+  }
+
+  /**
+   * Bakes the mesh and gives it its texture. Rejects with a TexelcastError: "bad-argument" for a mesh without `uv`, with several
+   * materials, or with a map and no `base`; and with what the engine says.
+   */
+  static async create(renderer: WebGLRenderer, mesh: Mesh, options: PaintMeshOptions = {}): Promise<PaintedMesh> {
+    const { size = 1024, base, ...engineOptions } = options;
+    const target = { material: 0, width: size, height: size, base: base ?? colorOf(mesh), mipmaps: true };
+    const bytes = meshGlb(mesh);
+    const engine = createEngineClient(engineOptions);
+    try {
+      await engine.loadModel({ name: mesh.name || "mesh", bytes });
+      let live: LiveTexture | null = null;
+      // The target's first texels come before its promise does.
+      const early: Parameters<LiveTexture["upload"]>[0][] = [];
+      engine.onUpdate((update) => {
+        if (live === null) early.push(update);
+        else live.upload(update);
+      });
+      live = new LiveTexture(renderer, await engine.openTarget(target), null);
+      for (const update of early) live.upload(update);
+      return new PaintedMesh(mesh, engine, live);
+    } catch (error) {
+      engine.dispose();
+      throw error;
+    }
+  }
+
+  /** Takes in a picture (PNG, JPEG, WebP, SVG) under a key. Rejects with "bad-picture". */
+  async setPicture(
+    key: string,
+    bytes: Uint8Array | ArrayBuffer,
+    name = key,
+  ): Promise<{ width: number; height: number }> {
+    return await this.engine.setAsset(key, { name, bytes: new Uint8Array(bytes) });
+  }
+
+  /** All decals, bottom to top, in place of those before. Returns at once; the texture follows. */
+  setDecals(decals: readonly MeshDecal[]): void {
+    const layers = decals.map(layerOf);
+    this.engine.setLayers(resolveLayers({ layers, assets: {} }), ++this.#revision);
+  }
+
+  /** Resolves when the texture shows all that was set. */
+  async idle(): Promise<void> {
+    await this.engine.idle();
+  }
+
+  /** The texture as PNG. */
+  async exportPng(): Promise<Uint8Array> {
+    return await this.engine.exportPng(0);
+  }
+
+  /** Ends the engine, and gives the mesh the material that it had. */
+  dispose(): void {
+    this.engine.dispose();
+    if (this.mesh.material === this.#painted) this.mesh.material = this.#before;
+    this.#painted.dispose();
+    this.#live.dispose();
+  }
+}
+
+function layerOf(decal: MeshDecal): DesignLayer {
+  const { picture, ...rest } = decal;
+  const projector: Projector =
+    "projector" in decal
+      ? decal.projector
+      : { kind: "planar", position: decal.position, rotation: decal.rotation, size: decal.size };
+  return makeDecalLayer({ ...rest, asset: picture, material: 0, projector });
+}
+
+function materialOf(mesh: Mesh): Material {
+  if (!Array.isArray(mesh.material)) return mesh.material;
+  throw new TexelcastError("bad-argument", "The mesh has several materials; a texture of ours is of one.", {
+    subject: mesh.name || "mesh",
+    field: "material",
+    hint: "Split it into one mesh a material.",
+  });
+}
+
+function colorOf(mesh: Mesh): readonly [number, number, number, number] {
+  const { map, color } = materialOf(mesh) as Partial<{ map: Texture | null; color: Color }>;
+  if (map) {
+    throw new TexelcastError("bad-argument", "The material has a map, whose pixels three.js does not give away.", {
+      subject: mesh.name || "mesh",
+      field: "base",
+      hint: "Give the map's file as `base`, or a colour.",
+    });
+  }
+  if (color === undefined) return [1, 1, 1, 1];
+  const { r, g, b } = color.getRGB({ r: 0, g: 0, b: 0 } as Color, SRGBColorSpace);
+  return [r, g, b, 1];
+}
