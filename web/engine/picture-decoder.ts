@@ -3,9 +3,7 @@
  * gives the same bytes everywhere (spec section 7). Never by a canvas, which premultiplies and differs between machines.
  * Colour profiles and gamma chunks are ignored, as glTF asks of base colour textures.
  */
-import decodeJpeg, { init as startJpeg } from "@jsquash/jpeg/decode.js";
 import { decode as decodePng } from "@jsquash/png/codec/pkg/squoosh_png.js";
-import decodeWebp, { init as startWebp } from "@jsquash/webp/decode.js";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { compileCodec } from "./codec-wasm.ts";
 import type { Picture } from "./engine-api.ts";
@@ -38,26 +36,26 @@ export async function decodePicture(bytes: Uint8Array, name: string, options: De
   return options.orient ? orientPixels(rgba, width, height, header.orientation) : { width, height, rgba };
 }
 
-/** One of @jsquash's Emscripten codecs. */
+interface CodecGlue {
+  readonly init: (module: WebAssembly.Module, options: object) => Promise<unknown>;
+  readonly default: (bytes: ArrayBuffer) => Promise<ImageData>;
+}
+
+/** One of @jsquash's Emscripten codecs. Its glue, like its module, is loaded by the first picture of its kind. */
 class EmscriptenCodec {
   readonly #name: "jpeg" | "webp";
-  readonly #start: (module: WebAssembly.Module, options: object) => Promise<unknown>;
-  readonly #decode: (bytes: ArrayBuffer) => Promise<ImageData>;
+  readonly #load: () => Promise<CodecGlue>;
   #module: WebAssembly.Module | null = null;
   #started = false;
   #complaint = "";
 
-  constructor(
-    name: "jpeg" | "webp",
-    start: (module: WebAssembly.Module, options: object) => Promise<unknown>,
-    decode: (bytes: ArrayBuffer) => Promise<ImageData>,
-  ) {
+  constructor(name: "jpeg" | "webp", load: () => Promise<CodecGlue>) {
     this.#name = name;
-    this.#start = start;
-    this.#decode = decode;
+    this.#load = load;
   }
 
   async decode(bytes: Uint8Array): Promise<Uint8Array<ArrayBuffer>> {
+    const glue = await this.#load();
     this.#module ??= await compileCodec(this.#name);
     this.#complaint = "";
     try {
@@ -66,10 +64,10 @@ class EmscriptenCodec {
         const printErr = (line: string): void => {
           this.#complaint = line;
         };
-        await this.#start(this.#module, { print: printErr, printErr });
+        await glue.init(this.#module, { print: printErr, printErr });
         this.#started = true;
       }
-      return pixelsOf(await this.#decode(bytes as unknown as ArrayBuffer));
+      return pixelsOf(await glue.default(bytes as unknown as ArrayBuffer));
     } catch (cause) {
       // libjpeg ends by exit(), after which its instance holds the half-read picture: the next one gets a fresh one.
       this.#started = false;
@@ -78,8 +76,8 @@ class EmscriptenCodec {
   }
 }
 
-const jpegCodec = new EmscriptenCodec("jpeg", startJpeg, decodeJpeg);
-const webpCodec = new EmscriptenCodec("webp", startWebp, decodeWebp);
+const jpegCodec = new EmscriptenCodec("jpeg", () => import("@jsquash/jpeg/decode.js"));
+const webpCodec = new EmscriptenCodec("webp", () => import("@jsquash/webp/decode.js"));
 
 const DECODERS: Readonly<Record<PictureFormat, (bytes: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>>> = {
   png: async (bytes) => {
