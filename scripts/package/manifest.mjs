@@ -3,6 +3,7 @@
 /** @type {Readonly<Record<string, {source: string, name: string, runs: "page" | "node"}>>} */
 export const ENTRIES = {
   ".": { source: "web/package/index.ts", name: "index", runs: "page" },
+  "./define": { source: "web/element/define.ts", name: "define", runs: "page" },
   "./core": { source: "web/package/core.ts", name: "core", runs: "page" },
   "./three": { source: "web/package/three.ts", name: "three", runs: "page" },
   "./embed": { source: "web/package/embed.ts", name: "embed", runs: "page" },

@@ -48,7 +48,7 @@ export const FRAME_METHODS = [
   "exportModel",
   "exportTexture",
   "redo",
-  "remove",
+  "removeLayer",
   "restart",
   "select",
   "snapshot",
@@ -95,7 +95,7 @@ export interface TexelcastFrame {
   addDecal: Answer<TexelcastEditorMethods["addDecal"]>;
   addText: Answer<TexelcastEditorMethods["addText"]>;
   select: Answer<TexelcastEditorMethods["select"]>;
-  remove: Answer<TexelcastEditorMethods["remove"]>;
+  removeLayer: Answer<TexelcastEditorMethods["removeLayer"]>;
   undo: Answer<TexelcastEditorMethods["undo"]>;
   redo: Answer<TexelcastEditorMethods["redo"]>;
   start: Answer<TexelcastEditorMethods["start"]>;
