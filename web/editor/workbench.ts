@@ -31,9 +31,11 @@ import "./ui/number-field.ts";
 import "./ui/splitter.ts";
 import { controls, theme } from "./ui/theme.ts";
 
-const PHONE = "(max-width: 720px)";
+const PHONE_WIDTH = 720;
+const TABLET_WIDTH = 1000;
+const PHONE = `(max-width: ${PHONE_WIDTH}px)`;
 /** A tablet held upright: beside each other the two views would be slits. */
-const UPRIGHT = "(max-width: 1000px) and (orientation: portrait)";
+const UPRIGHT = `(max-width: ${TABLET_WIDTH}px) and (orientation: portrait)`;
 
 export class Workbench extends EditorElement {
   static override properties = {
@@ -41,15 +43,20 @@ export class Workbench extends EditorElement {
     upright: { state: true },
     dropping: { state: true },
     textureShare: { state: true },
+    embedded: { type: Boolean, reflect: true },
   };
   declare compact: boolean;
   declare upright: boolean;
   declare dropping: boolean;
   /** Of the views' width. */
   declare textureShare: number;
+  /** It is part of a page: fills its box, and leaves keys and drops elsewhere on the page alone. */
+  declare embedded: boolean;
   readonly #phone = matchMedia(PHONE);
   readonly #tablet = matchMedia(UPRIGHT);
   #endFingers: () => void = () => {};
+  /** Ends what is listened to while it is in the page. */
+  #connected = new AbortController();
 
   static override styles = [
     theme,
@@ -75,6 +82,11 @@ export class Workbench extends EditorElement {
         :host {
           grid-template-columns: minmax(0, 1fr) 23rem;
         }
+      }
+      :host([embedded]) {
+        position: absolute;
+        inset: 0;
+        height: auto;
       }
       :host([compact]) {
         grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
@@ -160,17 +172,25 @@ export class Workbench extends EditorElement {
     this.upright = this.#tablet.matches;
     this.dropping = false;
     this.textureShare = 0.38;
+    this.embedded = false;
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
     this.#phone.addEventListener("change", this.#resize);
     this.#tablet.addEventListener("change", this.#resize);
-    addEventListener("keydown", this.#key);
-    addEventListener("dragover", this.#dragOver);
-    addEventListener("dragleave", this.#dragLeave);
-    addEventListener("drop", this.#drop);
-    addEventListener("beforeunload", this.#leave);
+    const { signal } = this.#connected;
+    const whole: EventTarget = this.embedded ? this : window;
+    whole.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
+    whole.addEventListener("dragover", (event) => this.#dragOver(event as DragEvent), { signal });
+    whole.addEventListener("dragleave", (event) => this.#dragLeave(event as DragEvent), { signal });
+    whole.addEventListener("drop", (event) => this.#drop(event as DragEvent), { signal });
+    if (!this.embedded) addEventListener("beforeunload", this.#leave, { signal });
+    else {
+      const box = new ResizeObserver(this.#resize);
+      box.observe(this);
+      signal.addEventListener("abort", () => box.disconnect());
+    }
     this.#endFingers = watchFingers(this, (gesture) => void this.editor.files.travel(gesture));
   }
 
@@ -178,11 +198,8 @@ export class Workbench extends EditorElement {
     super.disconnectedCallback();
     this.#phone.removeEventListener("change", this.#resize);
     this.#tablet.removeEventListener("change", this.#resize);
-    removeEventListener("keydown", this.#key);
-    removeEventListener("dragover", this.#dragOver);
-    removeEventListener("dragleave", this.#dragLeave);
-    removeEventListener("drop", this.#drop);
-    removeEventListener("beforeunload", this.#leave);
+    this.#connected.abort();
+    this.#connected = new AbortController();
     this.#endFingers();
   }
 
@@ -263,7 +280,7 @@ export class Workbench extends EditorElement {
   }
 
   #hint(): TemplateResult | typeof nothing {
-    return this.state.model ? html`<tc-first-hint ?compact=${this.compact}></tc-first-hint>` : nothing;
+    return this.state.model && !this.embedded ? html`<tc-first-hint ?compact=${this.compact}></tc-first-hint>` : nothing;
   }
 
   #help(): void {
@@ -273,8 +290,9 @@ export class Workbench extends EditorElement {
   readonly #templates = (): void => this.renderRoot.querySelector("tc-template-dialog")?.show();
 
   readonly #resize = (): void => {
-    this.compact = this.#phone.matches;
-    this.upright = this.#tablet.matches;
+    const [width, height] = [this.clientWidth, this.clientHeight];
+    this.compact = this.embedded ? width <= PHONE_WIDTH : this.#phone.matches;
+    this.upright = this.embedded ? width <= TABLET_WIDTH && height > width : this.#tablet.matches;
   };
 
   readonly #key = (event: KeyboardEvent): void => {

@@ -31,7 +31,7 @@ export interface Mode {
   /** Takes a design in place of the one on the product, as a step of the history. */
   takeDesign(design: Design): void;
   select(id: string | null): boolean;
-  remove(id: string): boolean;
+  removeLayer(id: string): boolean;
   travel(by: 1 | -1): boolean;
   /** Takes up the element's settings. */
   configure(): void;

@@ -165,7 +165,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   removeLayer(id: string): boolean {
-    return this.#tried(() => this.#mode?.remove(id));
+    return this.#tried(() => this.#mode?.removeLayer(id));
   }
 
   undo(): boolean {

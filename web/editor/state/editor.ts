@@ -5,8 +5,9 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
-import { type DesignLayer, materialsIn } from "../document/index.ts";
+import { type Design, type DesignLayer, materialsIn } from "../document/index.ts";
 import { type DemoCatalogue, loadDemoCatalogue } from "../files/demo-catalogue.ts";
+import { fileStem } from "../files/download.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { strings } from "../strings.ts";
 import { TipCommands } from "../tools/brush-tips.ts";
@@ -20,7 +21,14 @@ import { DecalCommands } from "./decal-commands.ts";
 import { DecalReach } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
 import { DesignSession } from "./design-session.ts";
-import { type EditorState, type Figures, INITIAL_FIGURES, INITIAL_STATE, type TargetSettings } from "./editor-state.ts";
+import {
+  type EditorState,
+  type Figures,
+  INITIAL_FIGURES,
+  INITIAL_STATE,
+  type ModelRef,
+  type TargetSettings,
+} from "./editor-state.ts";
 import { FileCommands } from "./file-commands.ts";
 import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
 import { LayerCommands } from "./layer-commands.ts";
@@ -46,6 +54,8 @@ export interface EditorParts {
   readonly engine: Engine;
   readonly viewer: ModelViewer;
   readonly textureView: TextureView;
+  /** Whether the browser keeps what is worked on; default true. */
+  readonly keeps?: boolean;
 }
 
 export class Editor {
@@ -72,7 +82,7 @@ export class Editor {
   readonly #router: UpdateRouter;
   #modeRequest = 0;
 
-  constructor({ engine, viewer, textureView }: EditorParts) {
+  constructor({ engine, viewer, textureView, keeps = true }: EditorParts) {
     this.engine = engine;
     this.viewer = viewer;
     this.textureView = textureView;
@@ -104,7 +114,7 @@ export class Editor {
       texts: () => this.texts,
     });
     const keeping = keepProjects({
-      ...{ store, library, files: this.files, board, tasks },
+      ...{ store, library, files: this.files, board, tasks, keeps },
       session,
       thumbnail: () => viewer.picture(THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT),
     });
@@ -166,6 +176,15 @@ export class Editor {
       this.board.error(strings.errors.noDemosTitle, thrown);
       return null;
     }
+  }
+
+  /**
+   * Opens a model with a design that is whole, as the first step of the history. Rejects with a TexelcastError.
+   *
+   * @param settings of its targets, by material
+   */
+  async open(ref: ModelRef, design: Design, settings: ReadonlyMap<number, TargetSettings> = new Map()): Promise<void> {
+    await this.files.openProject({ name: fileStem(ref.title), model: ref, design, targets: settings });
   }
 
   configureTarget(settings: TargetSettings): void {

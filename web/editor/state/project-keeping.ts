@@ -6,11 +6,11 @@ import { ProjectStore } from "../storage/project-store.ts";
 import { strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DesignSession } from "./design-session.ts";
-import type { EditorState } from "./editor-state.ts";
+import { type EditorState, INITIAL_STATE } from "./editor-state.ts";
 import type { FileCommands } from "./file-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { ProjectCommands } from "./project-commands.ts";
-import type { Store } from "./store.ts";
+import { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
 
 export interface ProjectKeepingParts {
@@ -22,6 +22,8 @@ export interface ProjectKeepingParts {
   readonly files: FileCommands;
   readonly board: NoticeBoard;
   readonly tasks: Tasks;
+  /** Whether the browser keeps what is worked on; else the projects' commands are there, and nothing is kept by itself. */
+  readonly keeps: boolean;
 }
 
 export interface ProjectKeeping {
@@ -29,13 +31,14 @@ export interface ProjectKeeping {
   readonly autosave: Autosave;
 }
 
-export function keepProjects({ thumbnail, ...parts }: ProjectKeepingParts): ProjectKeeping {
+export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts): ProjectKeeping {
   const { store, board, session } = parts;
   const projects = new ProjectStore();
   const lock = new ProjectLock();
   let refusal: number | null = null;
   const autosave = new Autosave({
-    store,
+    // One in which nothing ever happens.
+    store: keeps ? store : new Store(INITIAL_STATE),
     recorded: () => session.recorded,
     projects,
     lock,
@@ -56,6 +59,7 @@ export function keepProjects({ thumbnail, ...parts }: ProjectKeepingParts): Proj
     },
   });
   const commands = new ProjectCommands({ ...parts, projects, lock, autosave });
+  if (!keeps) return { autosave, commands };
   const flush = (): void => void autosave.flush();
   document.addEventListener("visibilitychange", () => {
     if (document.visibilityState === "hidden") flush();

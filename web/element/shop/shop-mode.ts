@@ -2,11 +2,11 @@
 import type { TemplateResult } from "lit";
 import type { Design } from "../../editor/document/design.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
-import { Desk } from "../desk/desk.ts";
 import { addPicture } from "../desk/placing.ts";
 import { Texts } from "../desk/texts.ts";
 import type { DecalSource, PlaceOptions, TextOptions } from "../element-api.ts";
 import type { Mode, ModeHost } from "../mode.ts";
+import { ShopDesk } from "./shop-desk.ts";
 import { ShopView } from "./shop-view.ts";
 
 /** Throws a TexelcastError without WebGL 2. */
@@ -16,13 +16,13 @@ export function openShop(host: ModeHost): Mode {
 
 class ShopMode implements Mode {
   readonly styles = ShopView.styles;
-  readonly #desk: Desk;
+  readonly #desk: ShopDesk;
   readonly #texts: Texts;
   readonly #view: ShopView;
 
   constructor(host: ModeHost) {
     const { view, wasm, hooks } = host;
-    this.#desk = new Desk({ view, wasm, hooks });
+    this.#desk = new ShopDesk({ view, wasm, hooks });
     this.#texts = new Texts(this.#desk);
     this.#view = new ShopView(host, this.#desk, this.#texts);
   }
@@ -62,7 +62,7 @@ class ShopMode implements Mode {
   select(id: string | null): boolean {
     return this.#desk.select(id);
   }
-  remove(id: string): boolean {
+  removeLayer(id: string): boolean {
     return this.#desk.remove(id);
   }
   travel(by: 1 | -1): boolean {

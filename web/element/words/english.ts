@@ -85,6 +85,7 @@ export const english = {
     graphics: "The picture could not be drawn: the graphics are not there.",
     graphicsHint: "Wait a moment and try again.",
     badOption: (name: string): string => `${name} is not what it must be.`,
+    fullReadonly: 'The full editor cannot be shown without being used: mode="shop" can.',
     unexpected: "Something went wrong.",
   },
 };

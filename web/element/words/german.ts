@@ -10,8 +10,8 @@ export const german: Words = {
   close: "Schließen",
 
   panel: "Dein Design",
-  addPicture: "Bild hinzufügen",
-  addText: "Text hinzufügen",
+  addPicture: "Bild einfügen",
+  addText: "Text einfügen",
   sampleText: "Dein Text",
   drop: "Lass das Bild dort los, wo es hin soll",
   emptyTitle: "Mach es zu deinem",
@@ -56,8 +56,8 @@ export const german: Words = {
     selected: (name) => `${name} gewählt`,
   },
   steps: {
-    add: "Bild hinzufügen",
-    addText: "Text hinzufügen",
+    add: "Bild einfügen",
+    addText: "Text einfügen",
     remove: "löschen",
     change: "ändern",
     design: "Design öffnen",
@@ -86,6 +86,7 @@ export const german: Words = {
     graphics: "Das Bild ließ sich nicht zeichnen: Die Grafik ist nicht da.",
     graphicsHint: "Warte einen Moment und versuche es noch einmal.",
     badOption: (name) => `${name} ist nicht, was es sein muss.`,
+    fullReadonly: 'Den ganzen Editor gibt es nicht zum bloßen Ansehen: mode="shop" kann das.',
     unexpected: "Etwas ist schiefgegangen.",
   },
 };
