@@ -5,7 +5,10 @@ import { isHexColor, parseHexColor } from "../web/editor/document/hex-color.ts";
 
 /** The core's TXC_MAX_SIZE. */
 const MAX_SIZE = 8192;
+/** The core's TXC_MAX_TEXTURE_SIZE. */
+const MAX_PRINT_SIZE = 16_384;
 const MAX_GUTTER = 64;
+const MAX_DPI = 10_000;
 
 export interface Size {
   readonly width: number;
@@ -23,14 +26,25 @@ function wholeNumber(text: string, min: number, max: number): number {
   return value;
 }
 
-export function parseSize(text: string): Size {
+export const parseSize = (text: string): Size => sizeWithin(text, MAX_SIZE);
+/** Of a texture that is only printed. */
+export const parsePrintSize = (text: string): Size => sizeWithin(text, MAX_PRINT_SIZE);
+
+function sizeWithin(text: string, max: number): Size {
   const [width = "", height = width, ...rest] = text.toLowerCase().split("x");
   if (rest.length > 0) throw new InvalidArgumentError('It must be one number, or two as in "2048x1024".');
-  return { width: wholeNumber(width, 1, MAX_SIZE), height: wholeNumber(height, 1, MAX_SIZE) };
+  return { width: wholeNumber(width, 1, max), height: wholeNumber(height, 1, max) };
 }
 
 export const parseMaterial = (text: string): number => wholeNumber(text, 0, 65_535);
 export const parseGutter = (text: string): number => wholeNumber(text, 0, MAX_GUTTER);
+
+export const parseDpi = (text: string): number => wholeNumber(text, 1, MAX_DPI);
+
+export function parsePrintOutput(text: string): string {
+  if (/\.png$/i.test(text)) return text;
+  throw new InvalidArgumentError("It must end in .png.");
+}
 
 export function parseBase(text: string): BaseOption {
   if (text === "white") return [1, 1, 1, 1];

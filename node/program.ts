@@ -2,13 +2,26 @@
 import { Command, Option } from "commander";
 import packageJson from "../package.json" with { type: "json" };
 import type { BakeOptions } from "./commands/bake.ts";
+import type { CheckOptions } from "./commands/check.ts";
 import type { InspectOptions } from "./commands/inspect.ts";
+import type { PrintOptions } from "./commands/print.ts";
 import type { RenderOptions } from "./commands/render.ts";
 import type { SchemaOptions } from "./commands/schema.ts";
-import { parseBase, parseFolder, parseGutter, parseMaterial, parseRenderOutput, parseSize } from "./options.ts";
+import { EXIT_BAD_INPUT } from "./exit-codes.ts";
+import {
+  parseBase,
+  parseDpi,
+  parseFolder,
+  parseGutter,
+  parseMaterial,
+  parsePrintOutput,
+  parsePrintSize,
+  parseRenderOutput,
+  parseSize,
+} from "./options.ts";
 
 const EXIT_CODES = `
-Exit codes: 0 done, 1 a fault of Texelcast's own, 2 wrong usage, 3 an input that cannot be used or a result that cannot be written.`;
+Exit codes: 0 done, 1 a fault of Texelcast's own, 2 wrong usage, 3 an input that cannot be used, a result that cannot be written, or a design that check finds unfit for print.`;
 
 const INSPECT_EXAMPLES = `
 Examples:
@@ -32,6 +45,16 @@ Examples:
   texelcast render shirt.glb design.json --out shirt.png --base cloth.jpg
   texelcast render shirt.texelcast --out shirt.glb`;
 
+const CHECK_EXAMPLES = `
+Examples:
+  texelcast check mug.glb design.json --zones mug.zones.json
+  texelcast check mug.glb design.json --zones mug.zones.json --json > report.json`;
+
+const PRINT_EXAMPLES = `
+Examples:
+  texelcast print mug.glb design.json --out mug.png --size 16384
+  texelcast print mug.glb design.json --zones mug.zones.json --zone wrap --flattened --dpi 300 --out wrap.png`;
+
 const SCHEMA_EXAMPLES = `
 Examples:
   texelcast schema > design.schema.json
@@ -46,7 +69,7 @@ export function createProgram(): Command {
     .helpCommand("help [command]", "print the help of a command")
     .addHelpText(
       "after",
-      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
+      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(CHECK_EXAMPLES, 1)}${withoutHeading(PRINT_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
     )
     .exitOverride()
     .configureOutput({
@@ -119,6 +142,54 @@ export function createProgram(): Command {
       const alone = second === undefined;
       if (alone && !/\.texelcast$/i.test(first)) command.error("error: missing required argument 'design'");
       await (await import("./commands/render.ts")).render(alone ? null : first, second ?? first, options);
+    });
+
+  program
+    .command("check")
+    .summary("tell what the print makes of a design, and whether it may be printed")
+    .description(
+      "Measures each layer on the model's surface: DPI, stretch, what is clipped, hidden, outside of its print area. " +
+        "Exits with 3 where something must not be printed as it is.",
+    )
+    .argument("<model>", "a .glb, or a .gltf with its side files")
+    .argument("<design>", "a design document, JSON, or a project, .texelcast")
+    .option("--zones <file>", "the product's print areas, JSON (default: printed everywhere, at the model's own size)")
+    .option("--json", "print the report as JSON")
+    .addHelpText("after", CHECK_EXAMPLES)
+    .action(async (model: string, design: string, options: CheckOptions) => {
+      const mayBePrinted = await (await import("./commands/check.ts")).check(model, design, options);
+      if (!mayBePrinted) process.exitCode = EXIT_BAD_INPUT;
+    });
+
+  program
+    .command("print")
+    .summary("write a design as a file for the printer, with its DPI")
+    .description(
+      "Writes the finished texture, or one zone of it, as PNG with sRGB and pHYs, up to 16384 x 16384, and prints its SHA-256. " +
+        "Designs are cut off at zones that clip.",
+    )
+    .argument("<model>", "a .glb, or a .gltf with its side files")
+    .argument("<design>", "a design document, JSON, or a project, .texelcast")
+    .addOption(new Option("--out <file>", "FILE.png").argParser(parsePrintOutput).makeOptionMandatory())
+    .option("--zones <file>", "the product's print areas, JSON")
+    .option("--zone <id>", "one zone alone, with its bleed; all around it is transparent")
+    .option("--flattened", "the zone laid out flat, at its true size and upright")
+    .addOption(
+      new Option("--material <index>", "glTF material index (default: the zone's, else 0)").argParser(parseMaterial),
+    )
+    .addOption(
+      new Option(
+        "--size <texels>",
+        "of the texture: N or WIDTHxHEIGHT, 1 to 16384 (default: as --dpi asks, else the material's own)",
+      ).argParser(parsePrintSize),
+    )
+    .addOption(
+      new Option("--dpi <dots>", "pixels an inch of print, at least (of flat art: exactly)").argParser(parseDpi),
+    )
+    .option("--no-base", "the layers alone, without the model's own picture or colour")
+    .addHelpText("after", PRINT_EXAMPLES)
+    .action(async (model: string, design: string, options: PrintOptions) => {
+      await (await import("./commands/print.ts")).print(model, design, options);
     });
 
   program

@@ -11,6 +11,8 @@ describe("the command line's usage", () => {
     ["inspect --help", ["inspect", "--help"]],
     ["bake --help", ["bake", "--help"]],
     ["render --help", ["render", "--help"]],
+    ["check --help", ["check", "--help"]],
+    ["print --help", ["print", "--help"]],
     ["schema --help", ["schema", "--help"]],
   ])("is told on stdout with examples by %s", async (_what, args) => {
     const { code, stdout, stderr } = await texelcast(args);

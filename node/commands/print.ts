@@ -1,0 +1,47 @@
+/** `texelcast print`: a design on a model as a file for the printer. */
+import type { PrintFileOptions } from "../../web/engine/print-report.ts";
+import { withPrintJob } from "../print-job.ts";
+import { Progress } from "../progress.ts";
+import { readAsset, readDesign } from "../read-design.ts";
+import { readModel } from "../read-model.ts";
+import { formatCount, printable } from "../terminal-text.ts";
+import { checkOutputFile, PendingFiles } from "../write-files.ts";
+import { readZones } from "./check.ts";
+
+export interface PrintOptions extends Omit<PrintFileOptions, "size" | "base"> {
+  readonly out: string;
+  readonly zones?: string;
+  readonly size?: { readonly width: number; readonly height: number };
+  /** False: the layers alone. */
+  readonly base: boolean;
+}
+
+export async function print(modelFile: string, designFile: string, options: PrintOptions): Promise<void> {
+  const { out, zones: zonesFile, size, base, ...rest } = options;
+  await checkOutputFile(out);
+  const zones = zonesFile === undefined ? null : await readZones(zonesFile);
+  const design = await readDesign(designFile);
+  const model = await readModel(modelFile);
+  const job = { model, layers: design.layers, readAsset: (key: string) => readAsset(design, key), zones };
+  const wanted: PrintFileOptions = {
+    ...rest,
+    ...(size && { size: [size.width, size.height] }),
+    base: base ? "model" : "none",
+  };
+  const progress = new Progress();
+  const files = new PendingFiles();
+  try {
+    const file = await withPrintJob(job, (engine) =>
+      engine.exportPrint(wanted, (share) => progress.report("Printing", share)),
+    );
+    await files.write(out, file.bytes);
+    await files.commit();
+    progress.end();
+    const dpi = file.dpi.map((dots) => dots.toFixed(0)).join(" x ");
+    const what = `${file.width} x ${file.height} pixels, ${dpi} DPI, ${formatCount(file.bytes.length)} bytes`;
+    process.stdout.write(`${printable(out)}: ${what}\nsha256 ${file.sha256}\n`);
+  } finally {
+    progress.end();
+    await files.discard();
+  }
+}

@@ -1,0 +1,37 @@
+/** A design on a model, ready in an engine to be printed or measured: what the command line and the package share. */
+import type { EngineLayer, ModelSource } from "../web/engine/engine-api.ts";
+import type { EngineHost } from "../web/engine/engine-host.ts";
+import { fontsOf, picturesOf } from "../web/engine/layer-picture.ts";
+import type { PrintZones } from "../web/engine/print-zones.ts";
+import { openEngine } from "./open-engine.ts";
+
+export interface PrintJob {
+  readonly model: ModelSource;
+  readonly layers: readonly EngineLayer[];
+  /** Bytes of one of the design's pictures or fonts. */
+  readonly readAsset: (key: string) => Promise<{ readonly name: string; readonly bytes: Uint8Array }>;
+  readonly zones: PrintZones | null;
+}
+
+/** Runs `use` on an engine that has the model, the pictures, the layers and the zones; what it reports is thrown. */
+export async function withPrintJob<Result>(
+  job: PrintJob,
+  use: (engine: EngineHost) => Promise<Result>,
+): Promise<Result> {
+  const engine = openEngine();
+  try {
+    const errors: Error[] = [];
+    engine.onError((error) => errors.push(error));
+    await engine.loadModel(job.model);
+    const layers: readonly EngineLayer[] = job.layers.filter((layer) => layer.visible);
+    for (const key of picturesOf(layers)) await engine.setAsset(key, await job.readAsset(key));
+    for (const key of fontsOf(layers)) await engine.setFont(key, await job.readAsset(key));
+    await engine.setZones(job.zones);
+    engine.setLayers(layers, 1);
+    const result = await use(engine);
+    if (errors[0] !== undefined) throw errors[0];
+    return result;
+  } finally {
+    engine.dispose();
+  }
+}

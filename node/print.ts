@@ -1,0 +1,101 @@
+/**
+ * Printing and checking designs on a server: `renderPrint` gives the bytes that the page's `exportPrint` gives for the same
+ * design, files, model and options, so that what a customer approved is what is printed.
+ */
+import { TexelcastError } from "../web/core/texelcast-error.ts";
+import { type Design, parseDesign, parseZones, resolveLayers } from "../web/editor/document/index.ts";
+import type { ModelSource } from "../web/engine/engine-api.ts";
+import { materialsIn } from "../web/engine/layer-tree.ts";
+import type { PrintFile, PrintFileOptions, PrintReport } from "../web/engine/print-report.ts";
+import { type PrintJob, withPrintJob } from "./print-job.ts";
+import { readModel } from "./read-model.ts";
+
+export type { PrintFile, PrintFileOptions, PrintReport } from "../web/engine/print-report.ts";
+
+/** A file that a design names. */
+export interface PrintAsset {
+  /** As in the design's `uri`. */
+  readonly name: string;
+  readonly bytes: Uint8Array;
+}
+
+/** Bytes of a file by the `uri` that the design names it with, and by the asset's key; null: there is no such file. */
+export type AssetReader = (uri: string, key: string) => Uint8Array | null | Promise<Uint8Array | null>;
+
+export interface PrintSubject {
+  /** A path, the bytes of a .glb, or a model with its side files. */
+  readonly model: string | Uint8Array | ModelSource;
+  /** A design document: JSON text, or what it holds. */
+  readonly design: unknown;
+  /** The design's files, or who has them. Those in `data:` addresses and fonts that come with Texelcast need none. */
+  readonly assets?: readonly PrintAsset[] | AssetReader;
+  /** A zones file: JSON text, or what it holds. */
+  readonly zones?: unknown;
+}
+
+export interface RenderPrintOptions extends PrintSubject, PrintFileOptions {
+  readonly signal?: AbortSignal;
+  /** 0 to 1. */
+  readonly onProgress?: (share: number) => void;
+}
+
+export interface CheckPrintOptions extends PrintSubject {
+  /** Texels of the square textures on which is measured; default: the materials' own. */
+  readonly size?: number;
+}
+
+/**
+ * Makes a print file.
+ *
+ * @throws TexelcastError "bad-design", "bad-zones", "bad-model", "missing-file" (an asset), "bad-picture", "bad-argument",
+ * "bad-size", "out-of-budget", "cancelled".
+ */
+export async function renderPrint(options: RenderPrintOptions): Promise<PrintFile> {
+  const { model, design, assets, zones, signal, onProgress, ...print } = options;
+  const job = await printJob({ model, design, ...(assets && { assets }), zones });
+  return withPrintJob(job, (engine) => engine.exportPrint(print, onProgress, signal));
+}
+
+/** Measures what becomes of each layer on the surface (docs/print-truth.md). Throws as `renderPrint` does. */
+export async function checkPrint({ size, ...subject }: CheckPrintOptions): Promise<PrintReport> {
+  const job = await printJob(subject);
+  return withPrintJob(job, async (engine) => {
+    if (size === undefined) return engine.printReport();
+    const materials = new Set(job.layers.filter((layer) => layer.visible).flatMap(materialsIn));
+    for (const material of materials) await engine.openTarget({ material, width: size, height: size });
+    return engine.printReport();
+  });
+}
+
+async function printJob({ model, design, assets = [], zones }: PrintSubject): Promise<PrintJob> {
+  const document = parseDesign(design);
+  return {
+    model: await modelSource(model),
+    layers: resolveLayers(document),
+    readAsset: (key) => readAsset(document, key, assets),
+    zones: zones === undefined || zones === null ? null : parseZones(zones),
+  };
+}
+
+async function modelSource(model: PrintSubject["model"]): Promise<ModelSource> {
+  if (typeof model === "string") return readModel(model);
+  return model instanceof Uint8Array ? { name: "model.glb", bytes: model } : model;
+}
+
+async function readAsset(
+  design: Design,
+  key: string,
+  assets: NonNullable<PrintSubject["assets"]>,
+): Promise<{ name: string; bytes: Uint8Array }> {
+  const uri = design.assets[key]?.uri ?? "";
+  // Node's own fetch knows the format of data: addresses to the letter, and asks no network for them.
+  if (/^data:/i.test(uri)) return { name: key, bytes: new Uint8Array(await (await fetch(uri)).arrayBuffer()) };
+  const bytes =
+    typeof assets === "function" ? await assets(uri, key) : assets.find((asset) => asset.name === uri)?.bytes;
+  if (bytes) return { name: uri, bytes };
+  throw new TexelcastError("missing-file", `The file “${uri}” of the asset “${key}” was not given.`, {
+    subject: uri,
+    field: `assets.${key}`,
+    hint: "Give it among `assets`, under the name that the design has for it.",
+  });
+}

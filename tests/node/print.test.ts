@@ -1,0 +1,149 @@
+import { createHash } from "node:crypto";
+import { readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { describe, expect, it } from "vitest";
+import { checkPrint, renderPrint } from "../../node/print.ts";
+import { parseDesign, resolveLayers } from "../../web/editor/document/index.ts";
+import { createEngineHost } from "../../web/engine/engine-host.ts";
+import { decodePicture } from "../../web/engine/picture-decoder.ts";
+import { FACING_DOWN, plainPng, planeGlb } from "./plane-model.ts";
+import { temporaryFolder, texelcast } from "./run-cli.ts";
+
+/** The plane is 4 m wide and 2 m deep, in the middle half of its texture. */
+const decal = (fields: object = {}) => ({
+  type: "decal",
+  id: "logo",
+  asset: "logo",
+  projector: { kind: "planar", position: [0, 0.5, 0], rotation: FACING_DOWN, size: [1, 1, 0.2] },
+  ...fields,
+});
+const design = (layers: readonly object[]) => ({
+  format: "texelcast-design",
+  version: 1,
+  assets: { logo: { type: "image/png", uri: "logo.png" } },
+  layers,
+});
+const zone = (fields: object = {}) => ({
+  id: "left",
+  shape: {
+    kind: "uv",
+    polygon: [
+      [0.25, 0.25],
+      [0.5, 0.25],
+      [0.5, 0.75],
+      [0.25, 0.75],
+    ],
+  },
+  ...fields,
+});
+/** One to a hundred: the logo of 100 pixels is a square centimetre of print. */
+const zones = (list: readonly object[]) => ({ texelcastZones: 1, printScale: 0.01, zones: list });
+const LOGO = await plainPng(100, 100, [255, 0, 0, 255]);
+
+async function workbench(layers: readonly object[], zonesFile: unknown = zones([zone()])) {
+  const folder = temporaryFolder();
+  writeFileSync(path.join(folder, "plane.glb"), planeGlb());
+  writeFileSync(path.join(folder, "logo.png"), LOGO);
+  writeFileSync(path.join(folder, "design.json"), JSON.stringify(design(layers)));
+  writeFileSync(path.join(folder, "zones.json"), JSON.stringify(zonesFile));
+  const run = (command: string, ...args: string[]) =>
+    texelcast([command, "plane.glb", "design.json", ...args], { cwd: folder });
+  return { folder, run };
+}
+
+const inLeft = { ...decal().projector, position: [-1, 0.5, 0] };
+
+describe("texelcast check", () => {
+  it("exits with 0 where all may be printed, and tells the numbers", async () => {
+    const { run } = await workbench([decal({ projector: inLeft })]);
+    const { code, stdout, stderr } = await run("check", "--zones", "zones.json");
+    expect(stderr).toBe("");
+    expect(stdout).toContain("may be printed");
+    expect(stdout).toMatch(/logo\s+254\s+254\s+0 %\s+0\.0 %/);
+    expect(code).toBe(0);
+  });
+
+  it("exits with 3 where something must not be printed, and names layer and zone", async () => {
+    const { run } = await workbench([decal()], zones([zone({ policy: "warn" })]));
+    const { code, stdout } = await run("check", "--zones", "zones.json", "--json");
+    expect(code).toBe(3);
+    const report = JSON.parse(stdout);
+    expect(report.layers[0].outsideZones).toBeCloseTo(0.5, 2);
+    expect(report.violations).toEqual([
+      expect.objectContaining({ code: "outside-zones", layer: "logo", zone: "left", value: 50 }),
+    ]);
+  });
+
+  it("exits with 3 for a zones file that it cannot read, and with 2 where it is used wrongly", async () => {
+    const { run } = await workbench([decal()], zones([zone({ bleed: "3mm" })]));
+    const refused = await run("check", "--zones", "zones.json");
+    expect(refused.code).toBe(3);
+    expect(refused.stderr).toContain("zones[0].bleed: must be a number from 0 to 10000 millimetres");
+    expect((await run("check", "--zone", "left")).code).toBe(2);
+  });
+});
+
+describe("texelcast print", () => {
+  it("writes the zone flat, at its size in print, and prints the hash of the file", async () => {
+    const { folder, run } = await workbench([decal()]);
+    const args = ["--zones", "zones.json", "--zone", "left", "--flattened", "--dpi", "254", "--out", "left.png"];
+    const { code, stdout, stderr } = await run("print", ...args);
+    expect(stderr).toBe("");
+    expect(code).toBe(0);
+    const bytes = readFileSync(path.join(folder, "left.png"));
+    const { width, height } = await decodePicture(bytes, "left.png");
+    expect([width, height]).toEqual([200, 200]);
+    expect(stdout).toContain(`sha256 ${createHash("sha256").update(bytes).digest("hex")}`);
+  });
+
+  it("refuses a zone that is not there as wrong usage", async () => {
+    const { run } = await workbench([decal()]);
+    const { code, stderr } = await run("print", "--zones", "zones.json", "--zone", "right", "--out", "x.png");
+    expect(code).toBe(2);
+    expect(stderr).toContain("There is no zone “right”: there are “left”.");
+  });
+});
+
+describe("renderPrint and checkPrint", () => {
+  const subject = { model: planeGlb(), design: design([decal()]), zones: zones([zone()]) };
+  const assets = [{ name: "logo.png", bytes: LOGO }];
+
+  it("gives the bytes that the engine of the page exports", async () => {
+    const print = await renderPrint({ ...subject, assets, size: 128, zone: "left" });
+    const { parseZones } = await import("../../web/editor/document/zones.ts");
+    const engine = createEngineHost();
+    await engine.loadModel({ name: "another-name.glb", bytes: subject.model });
+    await engine.setAsset("logo", { name: "logo.png", bytes: LOGO });
+    await engine.setZones(parseZones(subject.zones));
+    await engine.openTarget({ material: 0, width: 32, height: 32, mipmaps: true });
+    engine.setLayers(resolveLayers(parseDesign(subject.design)), 7);
+    const page = await engine.exportPrint({ size: 128, zone: "left" });
+    engine.dispose();
+    expect(page.sha256).toBe(print.sha256);
+    expect(page.bytes).toEqual(print.bytes);
+  });
+
+  it("asks for the design's files by their addresses", async () => {
+    const asked: string[] = [];
+    const read = (uri: string): Uint8Array => {
+      asked.push(uri);
+      return LOGO;
+    };
+    const print = await renderPrint({ ...subject, assets: read, size: 64 });
+    expect(asked).toEqual(["logo.png"]);
+    expect(print.sha256).toBe((await renderPrint({ ...subject, assets, size: 64 })).sha256);
+    await expect(renderPrint({ ...subject, size: 64 })).rejects.toMatchObject({
+      code: "missing-file",
+      field: "assets.logo",
+    });
+  });
+
+  it("measures what the command line measures", async () => {
+    const report = await checkPrint({ ...subject, assets, size: 256 });
+    expect(report.layers[0]?.dpi?.mean).toBeCloseTo(254, 1);
+    expect(report.warnings).toEqual([
+      expect.objectContaining({ code: "low-dpi" }),
+      expect.objectContaining({ code: "outside-zones", zone: "left" }),
+    ]);
+  });
+});
