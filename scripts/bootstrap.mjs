@@ -2,7 +2,7 @@
  * Brings a checkout to where a command can run: packages, WebAssembly module, demo assets, command line, test tools.
  * Uses Node's built-ins alone, since it runs before `npm ci`. A run with nothing to do takes well under 300 ms.
  *
- *   node scripts/bootstrap.mjs start|build|cli|package|test|lint|bench|figures|bench:browser [--quiet]
+ *   node scripts/bootstrap.mjs start|build|storefront|cli|package|test|lint|bench|figures|bench:browser [--quiet]
  */
 import { pathToFileURL } from "node:url";
 import { testTools } from "./bootstrap/build-tools.mjs";
@@ -10,7 +10,15 @@ import { chromium } from "./bootstrap/chromium.mjs";
 import { firefox } from "./bootstrap/firefox.mjs";
 import { withLock } from "./bootstrap/lock.mjs";
 import { nodePackages } from "./bootstrap/node-packages.mjs";
-import { commandLine, demoAssets, designSchema, npmPackage, wasmModule } from "./bootstrap/products.mjs";
+import {
+  commandLine,
+  demoAssets,
+  designSchema,
+  npmPackage,
+  storefrontPages,
+  storefrontServer,
+  wasmModule,
+} from "./bootstrap/products.mjs";
 import { Progress } from "./bootstrap/progress.mjs";
 import { SetUpError } from "./bootstrap/set-up-error.mjs";
 import { provide } from "./bootstrap/system.mjs";
@@ -21,9 +29,13 @@ const OLDEST_NODE = [20, 19];
 const GOALS = {
   start: [nodePackages, wasmModule, demoAssets],
   build: [nodePackages, wasmModule, demoAssets, designSchema],
+  storefront: [nodePackages, wasmModule, demoAssets, storefrontPages, storefrontServer],
   cli: [nodePackages, wasmModule, designSchema, commandLine],
   package: [nodePackages, wasmModule, designSchema, npmPackage],
-  test: [nodePackages, testTools, chromium, firefox, wasmModule, demoAssets, designSchema, commandLine, npmPackage],
+  test: [
+    ...[nodePackages, testTools, chromium, firefox, wasmModule, demoAssets, designSchema],
+    ...[commandLine, npmPackage, storefrontPages],
+  ],
   lint: [nodePackages, testTools],
   bench: [nodePackages, testTools, wasmModule],
   figures: [nodePackages, chromium, wasmModule, demoAssets],

@@ -28,6 +28,7 @@ const products = v.pipe(
       zones: address,
       picture: address,
       material: v.pipe(numberBetween(0, 65_535), v.integer("must be a whole number")),
+      camera: v.pipe(line, v.regex(/^[-\w.%]+ [-\w.%]+ [-\w.%]+$/, "must be two angles and a distance")),
       price: strict({
         currency: v.pipe(line, v.regex(/^[A-Z]{3}$/, "must be a currency of three letters")),
         base: amount,

@@ -1,26 +1,28 @@
 /**
  * Starts the example shop; `npm run storefront` builds its pages first.
- *   node build/node/storefront.mjs --site FOLDER --data FOLDER [--port 8787] [--host localhost]
+ *   node build/node/storefront.mjs [--port 8787] [--host localhost] [--site FOLDER] [--data FOLDER]
  */
 import { mkdir } from "node:fs/promises";
 import path from "node:path";
+import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { createShopServer } from "./shop-server.ts";
 
 const DEFAULT_PORT = 8787;
 const MOST_PORT = 65_535;
 
+/** Seen from the bundle, in build/node. */
+const beside = (folder: string): string => fileURLToPath(new URL(`../${folder}`, import.meta.url));
+
 const { values } = parseArgs({
   options: {
-    site: { type: "string" },
-    data: { type: "string" },
-    port: { type: "string" },
+    port: { type: "string", default: process.env.PORT ?? String(DEFAULT_PORT) },
     host: { type: "string", default: "localhost" },
+    site: { type: "string", default: beside("storefront") },
+    data: { type: "string", default: beside("storefront-data") },
   },
 });
-const { site, data, host } = values;
-if (site === undefined || data === undefined) refuse("Name the built pages and where data is kept: --site, --data.");
-const given = values.port ?? process.env.PORT ?? String(DEFAULT_PORT);
+const { port: given, host, site, data } = values;
 const port = Number(given);
 if (!/^\d+$/.test(given) || port > MOST_PORT)
   refuse(`The port must be a number from 0 to ${MOST_PORT}, is "${given}".`);

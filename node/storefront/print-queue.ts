@@ -57,7 +57,7 @@ export class PrintQueue {
       const sha256 = await this.#store.put(bytes);
       const printed = { sha256, width, height, bytes: bytes.length };
       if (sha256 === line.approved.sha256) this.#database.setPrint(line.id, "ready", { printed });
-      else this.#database.setPrint(line.id, "held", { printed, fault: notApproved(line.approved.sha256, sha256) });
+      else this.#database.setPrint(line.id, "held", { printed, fault: notApproved(line.approved.sha256) });
     } catch (thrown) {
       const error = TexelcastError.wrap(thrown, "server-fault", "the print file could not be made", {
         hint: "Nothing was printed. Ask the shop, with the order's number.",
@@ -67,10 +67,10 @@ export class PrintQueue {
   }
 }
 
-const notApproved = (approved: string, printed: string): ShopFault => ({
+const notApproved = (approved: string): ShopFault => ({
   code: "hash-mismatch",
   message: "the print file is not what was approved, so nothing is printed",
   field: "approved.sha256",
   value: approved,
-  hint: `The print file's own is ${printed}. Open the product again and approve it as it looks now.`,
+  hint: "Personalise the product again, and approve it as it looks now.",
 });

@@ -25,7 +25,7 @@ export const demoAssets = stampedStep({
   name: "demo",
   title: "the demo's models and decals (build/public/demo)",
   inputs: ["scripts/demo", "package-lock.json"],
-  outputs: ["build/public/demo/demo.json"],
+  outputs: ["build/public/demo/demo.json", "build/public/shop/products.json"],
   work: () => runScript("scripts/demo/main.ts"),
 });
 
@@ -42,7 +42,32 @@ export const commandLine = stampedStep({
   title: "the command line (build/node)",
   inputs: ["node", "web/core", "web/engine", "web/editor/document", "package.json", "scripts/bootstrap/products.mjs"],
   outputs: ["build/node/texelcast.mjs"],
-  work: bundleCommandLine,
+  work: async () => {
+    await bundleForNode("node/cli.ts", "build/node/texelcast.mjs", "#!/usr/bin/env node");
+    chmodSync(inRoot("build/node/texelcast.mjs"), 0o755);
+  },
+});
+
+export const storefrontServer = stampedStep({
+  name: "storefront-server",
+  title: "the example shop's order server (build/node)",
+  inputs: [
+    ...["node", "web/core", "web/engine", "web/editor/document", "web/storefront/api"],
+    ...["package.json", "scripts/bootstrap/products.mjs"],
+  ],
+  outputs: ["build/node/storefront.mjs"],
+  work: () => bundleForNode("node/storefront/main.ts", "build/node/storefront.mjs"),
+});
+
+export const storefrontPages = stampedStep({
+  name: "storefront-pages",
+  title: "the example shop's pages (build/storefront)",
+  inputs: ["web", "scripts/demo", "wasm", "vite.config.ts", "vite.storefront.config.ts", "package-lock.json"],
+  outputs: ["build/storefront/index.html", "build/storefront/shop/products.json"],
+  work: async () => {
+    const { build } = await import("vite");
+    await build({ configFile: inRoot("vite.storefront.config.ts"), logLevel: "warn" });
+  },
 });
 
 export const npmPackage = stampedStep({
@@ -65,22 +90,22 @@ export const npmPackage = stampedStep({
 /**
  * One file of our own sources. Packages stay where npm put them: several look for their .wasm beside themselves. Our own
  * module is found at ../wasm/texelcast.wasm, as deep below build/ as the sources are below the checkout.
+ * @param {string} entry @param {string} outfile @param {string} [banner] its first line
  */
-async function bundleCommandLine() {
+async function bundleForNode(entry, outfile, banner) {
   const { build } = await import("esbuild");
   await build({
     absWorkingDir: inRoot(),
-    entryPoints: ["node/cli.ts"],
-    outfile: "build/node/texelcast.mjs",
+    entryPoints: [entry],
+    outfile,
     bundle: true,
     packages: "external",
     platform: "node",
     format: "esm",
     target: "node20",
     sourcemap: true,
-    banner: { js: "#!/usr/bin/env node" },
+    ...(banner && { banner: { js: banner } }),
     logLevel: "silent",
     legalComments: "none",
   });
-  chmodSync(inRoot("build/node/texelcast.mjs"), 0o755);
 }

@@ -19,6 +19,7 @@ export const PLANE: Product = {
   zones: "shop/plane.zones.json",
   picture: "shop/plane.png",
   material: 0,
+  camera: "0deg 0deg 100%",
   price: { currency: "EUR", base: 1000, perDecal: 150, perSquareCentimetre: 0 },
 };
 

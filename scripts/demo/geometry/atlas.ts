@@ -78,15 +78,17 @@ function flatToTexel(placed: PlacedChart, flat: Vec2): Vec2 {
   ];
 }
 
+/** The same in [0, 1]. */
+export function flatToUv(atlas: Atlas, placed: PlacedChart, flat: Vec2): Vec2 {
+  const [x, y] = flatToTexel(placed, flat);
+  return [x / atlas.width, y / atlas.height];
+}
+
 /** All charts of an atlas as one triangle list. */
 export function joinAtlas(atlas: Atlas): Geometry {
   return joinGeometry(
     atlas.charts.map((placed) => placed.chart),
-    (chart, vertex) => {
-      const placed = placedChart(atlas, chart.name);
-      const [x, y] = flatToTexel(placed, chart.flat[vertex] as Vec2);
-      return [x / atlas.width, y / atlas.height];
-    },
+    (chart, vertex) => flatToUv(atlas, placedChart(atlas, chart.name), chart.flat[vertex] as Vec2),
   );
 }
 

@@ -1,11 +1,11 @@
 /** A ceramic mug, 95 mm tall and 82 mm wide without its handle, which points to +X. */
 
-import { type Atlas, joinAtlas, layOutCharts, type PlacedChart } from "../geometry/atlas.ts";
+import { type Atlas, flatToUv, joinAtlas, layOutCharts, type PlacedChart, placedChart } from "../geometry/atlas.ts";
 import { type Chart, turnPattern } from "../geometry/chart.ts";
 import { latheBand, latheDisc } from "../geometry/lathe.ts";
 import { type ProfileCorner, profileRun, roundedProfile } from "../geometry/profile.ts";
 import { PlaneCurve, superellipse, sweepChart } from "../geometry/sweep.ts";
-import { mix, type Vec2 } from "../geometry/vector.ts";
+import { mix, type Vec2, type Vec3 } from "../geometry/vector.ts";
 import { addMaterial, addPrimitive, createDocument, writeGlb } from "../output/glb.ts";
 import { atlasGuide, partData } from "../output/part-data.ts";
 import { fillChart, paintAtlas } from "../picture/paint-atlas.ts";
@@ -113,6 +113,40 @@ function footSpread(distance: number): number {
 
 function mugAtlas(): Atlas {
   return layOutCharts(mugCharts(), { width: 2048, height: 2048, spacing: 12 });
+}
+
+/** Millimetres above the table between which the wall is upright, and how near to the handle's middle a press comes. */
+const PRINT_LOWEST = 14;
+const PRINT_HIGHEST = 88;
+const PRINT_FROM_HANDLE = 24;
+
+/** What a mug press reaches: a rectangle round the wall, as corners in u and v. */
+export function mugPrintArea(): Vec2[] {
+  const atlas = mugAtlas();
+  const placed = placedChart(atlas, "outside");
+  const left = placed.flatMin[0] + PRINT_FROM_HANDLE * MM;
+  const right = placed.flatMax[0] - PRINT_FROM_HANDLE * MM;
+  const [top, bottom] = [PRINT_HIGHEST, PRINT_LOWEST].map((height) => flatHeight(placed.chart, height * MM)) as [
+    number,
+    number,
+  ];
+  const corners: Vec2[] = [
+    [left, top],
+    [right, top],
+    [right, bottom],
+    [left, bottom],
+  ];
+  return corners.map((corner) => flatToUv(atlas, placed, corner));
+}
+
+/** Where on the pattern a height of the upright wall lies. */
+function flatHeight(chart: Chart, height: number): number {
+  const wall = chart.positions.flatMap(([x, y, z]: Vec3, vertex) =>
+    Math.abs(Math.hypot(x, z) - BODY_RADIUS) < 1e-6 ? [{ y, flat: (chart.flat[vertex] as Vec2)[1] }] : [],
+  );
+  const lowest = wall.reduce((a, b) => (b.y < a.y ? b : a));
+  const highest = wall.reduce((a, b) => (b.y > a.y ? b : a));
+  return mix(lowest.flat, highest.flat, (height - lowest.y) / (highest.y - lowest.y));
 }
 
 const GLAZE = "#f4f0e7";

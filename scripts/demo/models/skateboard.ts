@@ -1,8 +1,17 @@
 /** A complete skateboard, standing on its tail with the graphic side to the viewer. */
 
-import { type Atlas, joinAtlas, joinGeometry, layOutCharts, type PlacedChart, placedChart } from "../geometry/atlas.ts";
+import {
+  type Atlas,
+  flatToUv,
+  joinAtlas,
+  joinGeometry,
+  layOutCharts,
+  type PlacedChart,
+  placedChart,
+} from "../geometry/atlas.ts";
 import { type Chart, placeChart } from "../geometry/chart.ts";
-import { mix, smoothstep, type Vec3 } from "../geometry/vector.ts";
+import { chartOutline } from "../geometry/chart-outline.ts";
+import { mix, smoothstep, type Vec2, type Vec3 } from "../geometry/vector.ts";
 import { addMaterial, addPrimitive, createDocument, writeGlb } from "../output/glb.ts";
 import { atlasGuide, partData } from "../output/part-data.ts";
 import { fractalNoise, valueNoise } from "../picture/noise.ts";
@@ -43,6 +52,13 @@ function skateboardCharts(): SkateboardCharts {
 
 function deckAtlas(charts: SkateboardCharts): Atlas {
   return layOutCharts(charts.deck, { width: 1024, height: 2048, spacing: 10 });
+}
+
+/** The graphic's side up to where its edge is rounded, as corners in u and v. */
+export function deckPrintArea(): Vec2[] {
+  const atlas = deckAtlas(skateboardCharts());
+  const placed = placedChart(atlas, "graphic");
+  return chartOutline(placed.chart).map((vertex) => flatToUv(atlas, placed, placed.chart.flat[vertex] as Vec2));
 }
 
 function wheelAtlas(charts: SkateboardCharts): Atlas {

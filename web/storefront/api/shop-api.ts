@@ -31,6 +31,8 @@ export interface Product {
   readonly picture: string;
   /** glTF index of the material that is printed. */
   readonly material: number;
+  /** Where the first look comes from, as the editor's `camera-orbit` has it. */
+  readonly camera: string;
   readonly price: PriceRule;
 }
 

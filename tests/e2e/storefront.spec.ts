@@ -1,0 +1,96 @@
+/** The example shop as its customers use it: what they approve is what arrives at the press, to the byte. */
+import { readFileSync } from "node:fs";
+import type { Page } from "@playwright/test";
+import { paintPng } from "../support/png-file.ts";
+import { expect, type ShopPage, sha256, test } from "./support/shop.ts";
+
+/** Names that would run if anybody took them for markup. */
+const LOGO_NAME = "<img src=x onerror=alert(1)>.png";
+const CUSTOMER = '<b onclick="alert(1)">Ada</b>';
+/** So few pixels that they are seen on a mug. */
+const LOGO = Buffer.from(paintPng(48, 48, (x, y) => [200, 5 * x, 5 * y, 255]));
+
+async function order(page: Page, press: () => Promise<void>): Promise<void> {
+  await page.getByLabel("Your name").fill(CUSTOMER);
+  await press();
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText(`Thank you, ${CUSTOMER}.`);
+}
+
+/** The order is ready, both hashes are one, and so is that of the file that is downloaded. */
+async function expectPrinted(page: Page, press: () => Promise<void>): Promise<void> {
+  await expect(page.locator("[data-status=ready]")).toBeVisible({ timeout: 60_000 });
+  const approved = await page.locator("[data-hash=approved]").textContent();
+  expect(approved).toMatch(/^[0-9a-f]{64}$/);
+  await expect(page.locator("[data-hash=printed]")).toHaveText(String(approved));
+  await expect(page.getByText("The same file, to the byte")).toBeVisible();
+  const [download] = await Promise.all([page.waitForEvent("download"), press()]);
+  expect(sha256(readFileSync(await download.path()))).toBe(approved);
+}
+
+async function upload({ page, editor }: ShopPage, press: () => Promise<void>): Promise<void> {
+  const [chooser] = await Promise.all([page.waitForEvent("filechooser"), press()]);
+  await chooser.setFiles({ name: LOGO_NAME, mimeType: "image/png", buffer: LOGO });
+  await expect(editor.locator("[data-layer]")).toHaveCount(1);
+}
+
+test("a mug with a logo and a name goes through the cart, is edited there, ordered, and printed as approved", async ({
+  shop,
+}) => {
+  const { page, editor } = shop;
+  expect(await shop.obstacles()).toEqual([]);
+  await page.getByRole("link", { name: "Stoneware mug" }).click();
+  await shop.productShown();
+  await upload(shop, () => editor.getByRole("button", { name: "Add picture" }).click());
+  await editor.getByRole("button", { name: "Add text" }).click();
+  await page.keyboard.type("Ada");
+  await expect(page.getByText("€17.90").first()).toBeVisible();
+  await expect(page.getByText(/pixels an inch/)).toBeVisible();
+  expect(await shop.obstacles()).toEqual([]);
+
+  await page.getByRole("button", { name: "Add to cart" }).click();
+  await expect(page.getByText("Tick “Print it as it is” first")).toBeVisible();
+  await page.keyboard.press("Space");
+  await page.getByRole("button", { name: "Add to cart" }).click();
+  await expect(page.getByText("2 prints")).toBeVisible({ timeout: 60_000 });
+  await page.reload();
+  const snapshot = page.getByRole("img", { name: "Stoneware mug with your design" });
+  await expect(snapshot).toHaveJSProperty("naturalWidth", 480);
+  const before = await snapshot.getAttribute("src");
+  expect(await shop.obstacles()).toEqual([]);
+
+  await page.getByRole("link", { name: "Edit Stoneware mug" }).click();
+  await shop.productShown();
+  await expect(editor.locator("[data-layer]")).toHaveCount(2);
+  await editor.getByRole("button", { name: /Ada/ }).first().click();
+  await editor.getByLabel("Words").fill("Ada L.");
+  await editor.getByLabel("Words").press("Tab");
+  await page.getByLabel("Print it as it is").check();
+  await page.getByRole("button", { name: "Save to cart" }).click();
+  await expect(snapshot).not.toHaveAttribute("src", String(before), { timeout: 60_000 });
+
+  await order(page, () => page.getByRole("button", { name: "Place order" }).click());
+  await expectPrinted(page, () => page.getByRole("link", { name: "Download the print file" }).click());
+  expect(await shop.obstacles()).toEqual([]);
+});
+
+test("a figure is personalised, ordered and its print file downloaded by keyboard alone", async ({ shop }) => {
+  const { page, editor } = shop;
+  const { keyboard } = page;
+  const press = async (role: "button" | "link", name: string | RegExp, inside = false): Promise<void> => {
+    await shop.tabTo((inside ? editor : page).getByRole(role, { name }).first());
+    await keyboard.press("Enter");
+  };
+  await press("link", "Desk figure");
+  await shop.productShown();
+  await upload(shop, () => press("button", "Add picture", true));
+  await press("button", "Add text", true);
+  await keyboard.type("Number seven");
+  await press("button", /Number seven/, true);
+  for (let times = 0; times < 3; times++) await keyboard.press("ArrowUp");
+  await expect(page.getByText("€28.90").first()).toBeVisible();
+  await press("button", "Add to cart");
+  await expect(page.getByText("2 prints")).toBeVisible({ timeout: 60_000 });
+  await shop.tabTo(page.getByLabel("Your name"));
+  await order(page, () => keyboard.press("Enter"));
+  await expectPrinted(page, () => press("link", /Download the print file/));
+});

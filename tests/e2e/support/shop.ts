@@ -1,0 +1,89 @@
+/** The example shop for a browser: its built pages, its real order server, and what must never happen on them. */
+import { createHash } from "node:crypto";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { test as base, expect, type Locator, type Page } from "@playwright/test";
+import { createShopServer } from "../../../node/storefront/shop-server.ts";
+import { seriousFaults, smallTargets } from "./page-faults.ts";
+
+export { expect } from "@playwright/test";
+
+const SITE = fileURLToPath(new URL("../../../build/storefront", import.meta.url));
+const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
+/** Pixels that a finger needs. */
+const TARGET = 24;
+
+export const sha256 = (bytes: Uint8Array): string => createHash("sha256").update(bytes).digest("hex");
+
+export class ShopPage {
+  readonly page: Page;
+  readonly editor: Locator;
+  /** Dialogs, requests to elsewhere, refusals of the content security policy, errors of the page. */
+  readonly alarms: string[] = [];
+
+  constructor(page: Page, address: string) {
+    this.page = page;
+    this.editor = page.locator("texelcast-editor");
+    page.on("dialog", (dialog) => {
+      if (dialog.type() !== "beforeunload") this.alarms.push(`dialog: ${dialog.message()}`);
+      void dialog.accept();
+    });
+    page.on("request", (request) => {
+      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address)) this.alarms.push(request.url());
+    });
+    page.on("pageerror", (error) => this.alarms.push(String(error)));
+    page.on("console", (message) => {
+      if (message.type() === "error") this.alarms.push(message.text());
+    });
+  }
+
+  /** Waits until the product can be worked on. */
+  async productShown(): Promise<void> {
+    await expect
+      .poll(() => this.editor.evaluate((element) => "loaded" in element && element.loaded), { timeout: 60_000 })
+      .toBe(true);
+  }
+
+  /** What would keep someone from using the page as it stands: axe's serious faults, and what is too small to press. */
+  async obstacles(): Promise<string[]> {
+    // As a developer's tool and not as a script of the page, which its policy would refuse.
+    await this.page.evaluate(readFileSync(AXE, "utf8"));
+    return [...(await seriousFaults(this.page)), ...(await smallTargets(this.page, TARGET))];
+  }
+
+  /** Presses Tab until that has the focus. */
+  async tabTo(target: Locator): Promise<void> {
+    for (let presses = 0; presses < 80; presses++) {
+      if (await target.evaluate((element) => element.matches(":focus")).catch(() => false)) return;
+      await this.page.keyboard.press("Tab");
+    }
+    throw new Error(`Tab did not come to ${target}`);
+  }
+}
+
+export const test = base.extend<{ shop: ShopPage }, { address: string }>({
+  address: [
+    // biome-ignore lint/correctness/noEmptyPattern: Playwright asks for a pattern.
+    async ({}, use) => {
+      const folder = mkdtempSync(path.join(tmpdir(), "texelcast-shop-"));
+      const { app } = await createShopServer({
+        site: SITE,
+        store: path.join(folder, "files"),
+        database: path.join(folder, "shop.sqlite"),
+      });
+      await use(`${await app.listen({ port: 0, host: "localhost" })}/`);
+      await app.close();
+      rmSync(folder, { recursive: true, force: true });
+    },
+    { scope: "worker" },
+  ],
+  shop: async ({ page, address }, use) => {
+    const shop = new ShopPage(page, address);
+    await page.goto(address);
+    await use(shop);
+    expect(shop.alarms).toEqual([]);
+  },
+});

@@ -1,0 +1,218 @@
+/** A product with the editor on it: personalised here, priced as it changes, and put into the cart with all that prints it. */
+import "../../element/define.ts";
+import { html, nothing } from "lit";
+import { createRef, ref } from "lit/directives/ref.js";
+import type { ChangeDetail, SubmitDetail, TexelcastEditorApi } from "../../element/element-api.ts";
+import { unitPriceOf } from "../api/price.ts";
+import { type CartLine, type Product, SHOP_LIMITS } from "../api/shop-api.ts";
+import { formatArea, formatPrice } from "../formats.ts";
+import { findCart } from "../my-cart.ts";
+import { openFrame, startPage } from "../page-frame.ts";
+import { type PrintFinding, printFindings } from "../print-findings.ts";
+import { designOf, putInCart } from "../put-in-cart.ts";
+import { ShopError, shopClient } from "../shop-client.ts";
+import { words } from "../words.ts";
+
+/** Milliseconds without a change before the design is looked at with the printer's eyes: it takes some of its own. */
+const VALIDATE_AFTER = 500;
+/** Pixels of the cart's picture. */
+const SNAPSHOT = { width: 480, height: 480 } as const;
+
+const parameters = new URLSearchParams(location.search);
+const frame = openFrame(words.shop);
+const editor = createRef<HTMLElement & TexelcastEditorApi>();
+
+let product: Product;
+/** The cart's line that is edited; null for a new one. */
+let line: CartLine | null = null;
+/** What the line's design was when it was put into the cart. */
+let design: object | null = null;
+let amount: Pick<ChangeDetail, "counts" | "totalArea"> = {
+  counts: { decals: 0, texts: 0, layers: 0 },
+  totalArea: 0,
+};
+let findings: readonly PrintFinding[] = [];
+let seen = false;
+let step: "" | "preparing" | "sending" = "";
+/** There is work on the product that is in no cart yet. */
+let unsaved = false;
+let waiting = 0;
+
+startPage(frame, async () => {
+  const products = await shopClient.products();
+  const found = products.find(({ id }) => id === parameters.get("product"));
+  if (found === undefined) throw new ShopError({ code: "not-found", message: words.noProduct });
+  product = found;
+  document.title = words.title(product.name);
+  const asked = parameters.get("line");
+  if (asked !== null) line = (await findCart())?.lines.find(({ id }) => id === asked) ?? null;
+  if (line !== null) design = await designOf(line);
+  draw();
+});
+
+addEventListener("beforeunload", (event) => {
+  if (unsaved) event.preventDefault();
+});
+
+function draw(): void {
+  frame.show(html`
+    <div class="product">
+      <texelcast-editor
+        ${ref(editor)}
+        class="editor"
+        mode="shop"
+        loading="eager"
+        src=${product.model}
+        material=${product.material}
+        camera-orbit=${product.camera}
+        poster=${product.picture}
+        aria-label=${words.editorOf(product.name)}
+        .design=${design}
+        @change=${changed}
+        @submit=${submitted}
+      ></texelcast-editor>
+      <section class="panel buy" aria-labelledby="product-name">
+        <p class="crumb">
+          <a href=${line === null ? "./index.html" : "./cart.html"}>${line === null ? words.back : words.backToCart}</a>
+        </p>
+        <h1 id="product-name">${product.name}</h1>
+        <p class="quiet">${product.description}</p>
+        <dl class="facts">
+          ${product.facts.map(({ name, value }) => html`<div><dt>${name}</dt><dd>${value}</dd></div>`)}
+        </dl>
+        ${findings.length === 0 ? nothing : checks()}
+        <div class="price-place">${price()}</div>
+        <form class="buy-bar" @submit=${buy}>
+          <label class="pieces">
+            <span>${words.quantity}</span>
+            <input
+              name="quantity"
+              type="number"
+              inputmode="numeric"
+              required
+              min="1"
+              max=${SHOP_LIMITS.quantity}
+              value=${line?.quantity ?? 1}
+            />
+          </label>
+          <button class="button" aria-disabled=${step === "" ? "false" : "true"}>
+            ${line === null ? words.addToCart : words.saveToCart}
+            <span class="bar-price" aria-hidden="true">${formatPrice(unitPrice(), product.price.currency)}</span>
+          </button>
+        </form>
+        <p class="step quiet" role="status">${step === "" ? nothing : words[step]}</p>
+      </section>
+    </div>
+  `);
+}
+
+const decalsNow = (): number => amount.counts.decals + amount.counts.texts;
+const areaNow = (): number => (product.price.perSquareCentimetre > 0 ? amount.totalArea : 0);
+const unitPrice = (): number => unitPriceOf(product.price, { decals: decalsNow(), area: areaNow() });
+
+function price() {
+  const { currency, base, perDecal } = product.price;
+  const [decals, area, unit] = [decalsNow(), areaNow(), unitPrice()];
+  return html`
+    <dl class="price" aria-live="polite">
+      <div><dt>${words.priceBase}</dt><dd>${formatPrice(base, currency)}</dd></div>
+      ${
+        decals === 0
+          ? nothing
+          : html`<div><dt>${words.priceDecals(decals)}</dt><dd>${formatPrice(perDecal * decals, currency)}</dd></div>`
+      }
+      ${
+        area === 0
+          ? nothing
+          : html`<div>
+              <dt>${words.priceArea(formatArea(area))}</dt>
+              <dd>${formatPrice(unit - base - perDecal * decals, currency)}</dd>
+            </div>`
+      }
+      <div class="sum"><dt>${words.price}</dt><dd>${formatPrice(unit, currency)}</dd></div>
+    </dl>
+  `;
+}
+
+/** What the printer would say; what must not be printed so asks for a word of the customer's. */
+const checks = () => html`
+  <section class="checks" aria-labelledby="checks-title">
+    <h2 id="checks-title">${words.checkTitle}</h2>
+    <ul>
+      ${findings.map(({ message, hint, grave }) => html`<li class=${grave ? "grave" : ""}>${message} ${hint}</li>`)}
+    </ul>
+    ${
+      mustBeSeen()
+        ? html`<label class="seen">
+            <input type="checkbox" .checked=${seen} @change=${setSeen} />
+            <span>${words.printAnyway}</span>
+          </label>`
+        : nothing
+    }
+  </section>
+`;
+
+const mustBeSeen = (): boolean => findings.some(({ grave }) => grave);
+
+function setSeen(event: Event): void {
+  seen = (event.target as HTMLInputElement).checked;
+  draw();
+}
+
+function changed({ detail }: CustomEvent<ChangeDetail>): void {
+  amount = detail;
+  unsaved = detail.canUndo;
+  seen = false;
+  draw();
+  clearTimeout(waiting);
+  waiting = window.setTimeout(() => void check(), VALIDATE_AFTER);
+}
+
+async function check(): Promise<void> {
+  // A design that cannot be looked at says so by the element's own `error` event.
+  const report = await editor.value?.validate().catch(() => null);
+  findings = report ? printFindings(report) : [];
+  draw();
+}
+
+/** The button only asks; the editor's own button comes by the same way, to `submitted`. */
+async function buy(event: SubmitEvent): Promise<void> {
+  event.preventDefault();
+  if (step !== "" || !editor.value) return;
+  if (mustBeSeen() && !seen) {
+    frame.setFault({ code: "not-seen", message: words.confirmFirst });
+    document.querySelector<HTMLElement>(".seen input")?.focus();
+    return;
+  }
+  frame.setFault(null);
+  step = "preparing";
+  draw();
+  try {
+    await editor.value.submit();
+  } catch (thrown) {
+    step = "";
+    frame.setFault(thrown);
+    draw();
+  }
+}
+
+async function submitted(event: CustomEvent<SubmitDetail>): Promise<void> {
+  event.preventDefault();
+  const element = editor.value;
+  if (step === "sending" || !element) return;
+  step = "sending";
+  draw();
+  try {
+    const { design, assets, texture } = event.detail;
+    const snapshot = await element.snapshot("current", SNAPSHOT);
+    const field = document.querySelector<HTMLInputElement>('[name="quantity"]');
+    const quantity = Math.max(1, field?.valueAsNumber || 1);
+    await putInCart({ product: product.id, design, assets, texture, snapshot, quantity }, line?.id ?? null);
+    unsaved = false;
+    location.assign("./cart.html");
+  } catch (thrown) {
+    step = "";
+    frame.setFault(thrown);
+    draw();
+  }
+}
