@@ -5,12 +5,14 @@
 import type { TexelcastErrorJson } from "../core/texelcast-error.ts";
 import type { AssetType, Design, DesignLayer } from "../editor/document/design.ts";
 import type { ModelSource, Projector, Vec3 } from "../engine/engine-api.ts";
-import type { PrintReport } from "../engine/print-report.ts";
+import type { PrintFile, PrintFileOptions, PrintReport } from "../engine/print-report.ts";
+import type { PrintZones } from "../engine/print-zones.ts";
 
 export type { TexelcastErrorJson } from "../core/texelcast-error.ts";
 export type { AssetType, Design, DesignLayer } from "../editor/document/design.ts";
 export type { ModelSource, Projector } from "../engine/engine-api.ts";
-export type { PrintFinding, PrintMeasures, PrintReport } from "../engine/print-report.ts";
+export type { PrintFile, PrintFileOptions, PrintFinding, PrintMeasures, PrintReport } from "../engine/print-report.ts";
+export type { PrintZones } from "../engine/print-zones.ts";
 
 /** The element's name in HTML. */
 export const EDITOR_TAG = "texelcast-editor";
@@ -95,27 +97,14 @@ export type Acceptance = boolean | { readonly accept: boolean; readonly reason?:
 /** The shop's say over each asset (moderation). One that throws or rejects refuses the asset. */
 export type BeforeAccept = (asset: CandidateAsset) => Acceptance | Promise<Acceptance>;
 
-export interface ExportTextureOptions {
-  /** glTF material index; default: the element's material. */
-  readonly material?: number;
-  /** Texels of the square; default: the element's `size`, else the model's own. */
-  readonly size?: number;
-  /** Of the print; for `zone` with `flattened` it sets the size. */
-  readonly dpi?: number;
-  /** Id of a zone: that alone. */
-  readonly zone?: string;
-  /** The zone's surface sampled back to flat art. */
-  readonly flattened?: boolean;
-}
+/**
+ * What of the print file is wanted. Without a `material` or a `zone` it is the element's material; without `size` and `dpi` the
+ * element's `size`, else the model's own.
+ */
+export type ExportTextureOptions = PrintFileOptions;
 
-export interface ExportedTexture {
-  /** PNG. */
-  readonly bytes: Uint8Array;
-  /** Of `bytes`, 64 hex digits: the hash that a customer approves, and that the print file has. */
-  readonly sha256: string;
-  readonly width: number;
-  readonly height: number;
-}
+/** PNG with its SHA-256: the hash that a customer approves, and that the print file has. */
+export type ExportedTexture = PrintFile;
 
 /** As a name, as the view is now, or as an orbit "30deg 75deg 105%" (about, down from the top, distance). */
 export type SnapshotView = "current" | "front" | "back" | "left" | "right" | "top" | "bottom" | CameraOrbit;
@@ -190,14 +179,19 @@ export interface ErrorDetail {
   readonly hint: string;
 }
 
-/** `submit`: the user is done. `preventDefault()` keeps the element as it is: by default it tells the user that it is done. */
+/** `submit`: the user is done. By default the element then says that the design is ready; `preventDefault()` leaves that to the page. */
 export interface SubmitDetail extends ExportedDesign {
+  /** With these a shop's server makes the same bytes: `renderPrint({ …, ...print })`. */
+  readonly print: ExportTextureOptions;
   readonly texture: ExportedTexture;
   /** Null without zones. */
   readonly report: PrintReport | null;
 }
 
-/** Events of the element; all bubble and cross shadow borders. */
+/**
+ * Events of the element. `change` and `select` bubble and cross shadow borders. The others do not, as the browser's own of those
+ * names do not or would be taken for them: a page's `onload`, a form's `submit`.
+ */
 export interface TexelcastEditorEventMap {
   load: CustomEvent<LoadDetail>;
   progress: CustomEvent<ProgressDetail>;
@@ -231,10 +225,10 @@ export interface TexelcastEditorAttributes {
 export interface TexelcastEditorProperties {
   /** Model: the address of a .glb, or of a .gltf with its files beside it; or the model's bytes. */
   src: string | ModelSource | null;
-  /** Address of a design's JSON, or the design itself. Setting it replaces what is on the model and its history. */
+  /** Address of a design's JSON, or the design itself. Set while the model is shown, it is a step of the history. */
   design: DesignInput | null;
   /** Address of a zones file, or what is in it. */
-  zones: string | object | null;
+  zones: string | PrintZones | object | null;
   mode: EditorMode;
   /** glTF material index that new things go on where nothing else says, and that `exportTexture` means; null: the model's largest. */
   material: number | null;

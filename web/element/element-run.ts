@@ -1,6 +1,7 @@
 /** One time that the element is open: its mode is loaded, its model and design are opened, and in the end all of it is closed. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Design } from "../editor/document/design.ts";
+import type { PrintZones } from "../engine/print-zones.ts";
 import type { UploadLimits } from "../engine/upload-check.ts";
 import type { DesignInput, TexelcastEditorProperties } from "./element-api.ts";
 import type { Mode, ModeHost } from "./mode.ts";
@@ -11,6 +12,7 @@ export interface RunParts {
   readonly src: TexelcastEditorProperties["src"];
   /** What the page gives, or the design that was worked on before. */
   readonly design: { readonly given: DesignInput | null } | { readonly kept: Design };
+  readonly zones: TexelcastEditorProperties["zones"];
   readonly base: string;
   readonly words: Words;
   readonly limits: UploadLimits;
@@ -45,7 +47,7 @@ export class Run {
 
   /** Rejects with a TexelcastError, closed; "cancelled" where `close` was faster. */
   async open(): Promise<Mode> {
-    const { kind, src, words, base, host, progress } = this.#parts;
+    const { kind, src, zones, words, base, host, progress } = this.#parts;
     try {
       if (src === null || src === "") {
         throw new TexelcastError("missing-file", words.errors.noModel, {
@@ -63,7 +65,8 @@ export class Run {
       const mode = make(host);
       this.#made = mode;
       await host.made(mode);
-      await mode.open(source, () => this.readDesign(mode.library));
+      await mode.open(source, () => this.readDesign(mode.desk.library));
+      if (zones !== null) await mode.desk.useZones(await this.readZones(zones));
       this.#check();
       this.#open = true;
       return mode;
@@ -75,7 +78,7 @@ export class Run {
   }
 
   /** Reads a design with the engine's help: its files are taken in. */
-  async readDesign(library: Mode["library"], given?: DesignInput): Promise<Design> {
+  async readDesign(library: Mode["desk"]["library"], given?: DesignInput): Promise<Design> {
     const { design, words, base, limits } = this.#parts;
     if (given === undefined && "kept" in design) return design.kept;
     const input = given ?? ("given" in design ? design.given : null);
@@ -85,6 +88,12 @@ export class Run {
     }
     const { readDesign } = await import("./desk/read-design.ts");
     return await readDesign(input, { words, base, limits, library, signal: this.#abort.signal });
+  }
+
+  async readZones(zones: string | object): Promise<PrintZones> {
+    const { words, base } = this.#parts;
+    const { readZones } = await import("./desk/prints.ts");
+    return await readZones(zones, base, { words, signal: this.#abort.signal });
   }
 
   close(): void {

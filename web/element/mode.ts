@@ -1,23 +1,15 @@
 /** What the element asks of either mode, shop or full. */
 import type { CSSResult, TemplateResult } from "lit";
 import type { Design } from "../editor/document/design.ts";
-import type { AssetLibrary } from "../editor/state/asset-library.ts";
-import type { DesignSession } from "../editor/state/design-session.ts";
-import type { EditorState } from "../editor/state/editor-state.ts";
-import type { Store } from "../editor/state/store.ts";
-import type { Engine, ModelSource } from "../engine/engine-api.ts";
-import type { ModelViewer } from "../viewer/viewer-api.ts";
+import type { ModelSource } from "../engine/engine-api.ts";
+import type { Desk } from "./desk/desk.ts";
 import type { DeskHooks } from "./desk/desk-settings.ts";
 import type { DecalSource, PlaceOptions, TextOptions } from "./element-api.ts";
 import type { ShownError } from "./element-errors.ts";
 import type { Words } from "./words/words.ts";
 
 export interface Mode {
-  readonly engine: Engine;
-  readonly viewer: ModelViewer;
-  readonly store: Store<EditorState>;
-  readonly session: DesignSession;
-  readonly library: AssetLibrary;
+  readonly desk: Desk;
   /** For the element's shadow root. */
   readonly styles: readonly CSSResult[];
   /**
@@ -28,11 +20,6 @@ export interface Mode {
   render(): TemplateResult;
   addDecal(source: DecalSource, options?: PlaceOptions): Promise<string>;
   addText(text: string, options?: TextOptions): Promise<string>;
-  /** Takes a design in place of the one on the product, as a step of the history. */
-  takeDesign(design: Design): void;
-  select(id: string | null): boolean;
-  removeLayer(id: string): boolean;
-  travel(by: 1 | -1): boolean;
   /** Takes up the element's settings. */
   configure(): void;
   resize(): Promise<void>;

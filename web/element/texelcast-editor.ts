@@ -115,13 +115,13 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     return this.#phase === "ready";
   }
   get selected(): string | null {
-    return this.#mode?.store.state.selectedId ?? null;
+    return this.#mode?.desk.store.state.selectedId ?? null;
   }
   get canUndo(): boolean {
-    return (this.#mode?.store.state.undoLabel ?? null) !== null;
+    return (this.#mode?.desk.store.state.undoLabel ?? null) !== null;
   }
   get canRedo(): boolean {
-    return (this.#mode?.store.state.redoLabel ?? null) !== null;
+    return (this.#mode?.desk.store.state.redoLabel ?? null) !== null;
   }
 
   override connectedCallback(): void {
@@ -161,26 +161,26 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   select(id: string | null): boolean {
-    return this.#mode?.select(id) ?? false;
+    return this.#mode?.desk.select(id) ?? false;
   }
 
   removeLayer(id: string): boolean {
-    return this.#tried(() => this.#mode?.removeLayer(id));
+    return this.#tried(() => this.#mode?.desk.remove(id));
   }
 
   undo(): boolean {
-    return this.#tried(() => this.#mode?.travel(-1));
+    return this.#tried(() => this.#mode?.desk.travel(-1));
   }
 
   redo(): boolean {
-    return this.#tried(() => this.#mode?.travel(1));
+    return this.#tried(() => this.#mode?.desk.travel(1));
   }
 
   exportTexture(options: ExportTextureOptions = {}): Promise<ExportedTexture> {
     return this.#told(
       this.#ready().then(async (mode) => {
-        const { exportTexture } = await import("./desk/prints.ts");
-        return await exportTexture(mode, options, this.#settings);
+        const { exportTexture, printOptions } = await import("./desk/prints.ts");
+        return await exportTexture(mode, printOptions(mode, options, this.#settings));
       }),
     );
   }
@@ -189,7 +189,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     return this.#told(
       this.#ready().then(async (mode) => {
         await mode.idle();
-        return await mode.engine.exportGlb();
+        return await mode.desk.engine.exportGlb();
       }),
     );
   }
@@ -267,6 +267,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     }
     const mode = this.#mode;
     if (!mode) return;
+    if (changed.has("zones")) void this.#told(this.#useZones(mode));
     if (changed.has("design")) void this.#told(this.#takeDesign(mode));
     if (changed.has("size") || changed.has("material")) void this.#told(mode.resize());
     this.#tried(() => {
@@ -291,6 +292,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     const run = new Run({
       kind: this.mode,
       src: this.src,
+      zones: this.zones === "" ? null : this.zones,
       design,
       base: document.baseURI,
       words: this.#words,
@@ -303,10 +305,12 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
       const mode = await run.open();
       if (this.#run !== run) throw new TexelcastError("cancelled", this.#words.errors.notReady);
       const { cameraOrbit } = this;
-      if (cameraOrbit !== "") mode.viewer.setCamera(parseOrbit(cameraOrbit, "camera-orbit"), this.#settings.camera);
+      if (cameraOrbit !== "")
+        mode.desk.viewer.setCamera(parseOrbit(cameraOrbit, "camera-orbit"), this.#settings.camera);
       this.#phase = "ready";
       this.#progress(1);
-      const materials = (mode.store.state.model?.info.materials ?? []).map(({ index, name, refusal }) => ({
+      if (mode.desk.design.layers.length > 0) void this.#told(this.#measure(mode));
+      const materials = (mode.desk.store.state.model?.info.materials ?? []).map(({ index, name, refusal }) => ({
         index,
         name,
         paintable: refusal === null,
@@ -329,7 +333,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   #close(): void {
     clearTimeout(this.#changeTimer);
     const mode = this.#mode;
-    if (mode) this.#kept = mode.session.recordedDesign;
+    if (mode) this.#kept = mode.desk.design;
     this.#run?.close();
     this.#run = null;
     this.#starting = null;
@@ -357,22 +361,31 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
 
   async #takeDesign(mode: Mode): Promise<void> {
     const run = this.#run;
-    const design = await run?.readDesign(mode.library, this.design ?? undefined);
-    if (design && this.#run === run) mode.takeDesign(design);
+    const design = await run?.readDesign(mode.desk.library, this.design ?? undefined);
+    if (design && this.#run === run) mode.desk.takeDesign(design);
+  }
+
+  async #useZones({ desk }: Mode): Promise<void> {
+    const { zones } = this;
+    const read = zones === null || zones === "" ? null : await this.#run?.readZones(zones);
+    if (this.zones !== zones || read === undefined || desk.closed) return;
+    await desk.useZones(read);
+    this.#changed();
   }
 
   async #exported(mode: Mode): Promise<ExportedDesign> {
     const { DesignExport } = await import("./desk/export-design.ts");
-    return await new DesignExport().whole(mode.session.recordedDesign);
+    return await new DesignExport().whole(mode.desk.design);
   }
 
   async #submit(): Promise<SubmitDetail> {
     const mode = await this.#ready();
-    const { exportTexture, printReport } = await import("./desk/prints.ts");
+    const { exportTexture, printOptions, printReport } = await import("./desk/prints.ts");
     const exported = await this.#exported(mode);
-    const texture = await exportTexture(mode, {}, this.#settings);
-    const report = this.zones === null ? null : await printReport(mode);
-    const detail = { ...exported, texture, report };
+    const print = printOptions(mode, {}, this.#settings);
+    const texture = await exportTexture(mode, print);
+    const report = mode.desk.zones === null ? null : await printReport(mode);
+    const detail = { ...exported, print, texture, report };
     if (this.#send("submit", detail)) this.#announce(this.#words.submitted);
     return detail;
   }
@@ -446,18 +459,31 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     this.#changeTimer = setTimeout(() => void this.#told(this.#sendChange()), CHANGE_REST);
   }
 
+  /** A design that was brought along has its badges from the start, and is no change. */
+  async #measure(mode: Mode): Promise<void> {
+    if (mode.desk.zones === null) return;
+    const { printReport } = await import("./desk/prints.ts");
+    const { design } = mode.desk;
+    const report = await printReport(mode);
+    if (mode.desk.design === design) mode.desk.report = report;
+    this.requestUpdate();
+  }
+
   async #sendChange(): Promise<void> {
     const run = this.#run;
     const mode = run?.mode;
     if (!mode) return;
     const { countsOf, DesignExport } = await import("./desk/export-design.ts");
-    const { layerAreas } = await import("./desk/prints.ts");
-    const design = mode.session.recordedDesign;
+    const { layerAreas, printReport } = await import("./desk/prints.ts");
+    const { design } = mode.desk;
     this.#exports ??= new DesignExport();
     const named = await this.#exports.named(design);
-    const areas = await layerAreas(mode);
+    const report = await printReport(mode);
     // A newer change tells itself.
-    if (this.#run !== run || mode.session.recordedDesign !== design) return;
+    if (this.#run !== run || mode.desk.design !== design) return;
+    mode.desk.report = report;
+    this.requestUpdate();
+    const areas = layerAreas(mode, report);
     const { canUndo, canRedo } = this;
     const totalArea = areas.reduce((sum, { area }) => sum + area, 0);
     this.#send("change", { design: named, counts: countsOf(design), areas, totalArea, canUndo, canRedo });

@@ -12,6 +12,8 @@ import type { DesignSession } from "../../editor/state/design-session.ts";
 import type { EditorState } from "../../editor/state/editor-state.ts";
 import type { Store } from "../../editor/state/store.ts";
 import type { Engine } from "../../engine/engine-api.ts";
+import type { PrintReport } from "../../engine/print-report.ts";
+import type { PrintZones } from "../../engine/print-zones.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
 import type { DeskHooks, DeskSettings } from "./desk-settings.ts";
 
@@ -36,6 +38,10 @@ export class Desk {
   /** What the page knows of; null until the desk is open. */
   #recorded: Design | null = null;
   #closed = false;
+  /** Where the product may be printed; null: everywhere, and nobody asked how well. */
+  zones: PrintZones | null = null;
+  /** Of the design as it was last measured. */
+  report: PrintReport | null = null;
 
   constructor({ engine, viewer, store, session, library, hooks }: DeskParts) {
     this.engine = engine;
@@ -51,6 +57,12 @@ export class Desk {
 
   get settings(): DeskSettings {
     return this.hooks.settings();
+  }
+
+  /** Cuts what is printed off at the zones, if they say so. Rejects with "bad-zones". */
+  async useZones(zones: PrintZones | null): Promise<void> {
+    await this.engine.setZones(zones);
+    this.zones = zones;
   }
 
   /** The design without what a gesture only shows so far. */
@@ -99,6 +111,12 @@ export class Desk {
     if (layer?.type !== "decal" && layer?.type !== "text") return;
     const material = this.reach.movedTo(layer, projector, null);
     this.change<PlacedLayer>(id, { projector, material }, final, key);
+  }
+
+  /** Takes a design in place of the one on the product, as a step of the history. */
+  takeDesign(design: Design): void {
+    this.session.record(design, this.settings.words.steps.design);
+    this.session.select(null);
   }
 
   remove(id: string): boolean {

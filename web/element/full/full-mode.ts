@@ -47,7 +47,7 @@ class FullMode implements Mode {
   readonly styles = [styles];
   readonly #host: ModeHost;
   readonly #editor: Editor;
-  readonly #desk: Desk;
+  readonly desk: Desk;
   readonly #texts: Texts;
   readonly #textureView: TextureView;
 
@@ -83,35 +83,19 @@ class FullMode implements Mode {
     workbench.hidden = false;
     holder.replaceWith(workbench);
     const { store, session, library } = editor;
-    this.#desk = new Desk({ engine, viewer, store, session, library, hooks: host.hooks });
-    this.#texts = new Texts(this.#desk);
-  }
-
-  get engine() {
-    return this.#editor.engine;
-  }
-  get viewer() {
-    return this.#editor.viewer;
-  }
-  get store() {
-    return this.#editor.store;
-  }
-  get session() {
-    return this.#editor.session;
-  }
-  get library() {
-    return this.#editor.library;
+    this.desk = new Desk({ engine, viewer, store, session, library, hooks: host.hooks });
+    this.#texts = new Texts(this.desk);
   }
 
   async open(source: ModelSource, readDesign: () => Promise<Design>): Promise<void> {
     const ref = { source, title: source.name, demoId: null };
-    const { size, material } = this.#desk.settings;
+    const { size, material } = this.desk.settings;
     const settings = new Map(size === null ? [] : [[material ?? 0, { size, gutter: null }] as const]);
     await this.#editor.open(ref, await readDesign(), settings);
-    this.store.set({ starting: false });
-    this.#desk.opened();
+    this.desk.store.set({ starting: false });
+    this.desk.opened();
     this.configure();
-    await this.engine.idle();
+    await this.desk.engine.idle();
   }
   render(): TemplateResult {
     const { words, view, submit, tell } = this.#host;
@@ -129,31 +113,18 @@ class FullMode implements Mode {
     `;
   }
   addDecal(source: DecalSource, options?: PlaceOptions): Promise<string> {
-    return addPicture(this.#desk, source, options);
+    return addPicture(this.desk, source, options);
   }
   addText(text: string, options?: TextOptions): Promise<string> {
     return this.#texts.add(text, options);
   }
-  takeDesign(design: Design): void {
-    this.session.record(design, this.#desk.settings.words.steps.design);
-    this.session.select(null);
-  }
-  select(id: string | null): boolean {
-    return this.#desk.select(id);
-  }
-  removeLayer(id: string): boolean {
-    return this.#desk.remove(id);
-  }
-  travel(by: 1 | -1): boolean {
-    return this.#desk.travel(by);
-  }
   configure(): void {
-    const { camera, readonly, words } = this.#desk.settings;
-    this.viewer.setCamera(null, camera);
+    const { camera, readonly, words } = this.desk.settings;
+    this.desk.viewer.setCamera(null, camera);
     if (readonly) throw new TexelcastError("unsupported", words.errors.fullReadonly, { field: "readonly" });
   }
   async resize(): Promise<void> {
-    const { size } = this.#desk.settings;
+    const { size } = this.desk.settings;
     this.#editor.configureTarget({ size, gutter: null });
     await this.idle();
   }
@@ -161,8 +132,8 @@ class FullMode implements Mode {
     return this.#editor.idle();
   }
   close(): void {
-    if (this.#desk.closed) return;
-    this.#desk.close();
+    if (this.desk.closed) return;
+    this.desk.close();
     this.#textureView.dispose();
   }
 }

@@ -1,10 +1,11 @@
 /** What is on the product, the topmost first. */
-import { html, nothing, type TemplateResult } from "lit";
+import { html, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
 import { Shapes, Trash2, Type } from "lucide";
 import type { Design, DesignLayer } from "../../editor/document/design.ts";
 import { walkLayers } from "../../editor/document/layer-tree.ts";
 import { icon } from "../../editor/ui/icon.ts";
+import { layerBadge } from "./print-badges.ts";
 import type { ShopView } from "./shop-view.ts";
 
 export function layerRows(view: ShopView, design: Design, selectedId: string | null): TemplateResult {
@@ -27,14 +28,13 @@ export function layerRows(view: ShopView, design: Design, selectedId: string | n
 function row(view: ShopView, design: Design, layer: DesignLayer, chosen: boolean): TemplateResult {
   const { words } = view.host;
   const kind = layer.type === "decal" || layer.type === "text" ? words.kinds[layer.type] : words.kinds.other;
-  const badge = view.badgeOf(layer.id);
   return html`
     <li class="row" part="row" data-layer=${layer.id} ?data-chosen=${chosen}>
       <button class="choose" aria-pressed=${chosen} @click=${() => view.select(layer)}>
         ${tile(view, design, layer)}
         <span class="name"><span>${layer.name}</span><span class="quiet">${kind}</span></span>
       </button>
-      ${badge === null ? nothing : html`<span class="badge ${badge.tone}" part="badge">${badge.text}</span>`}
+      ${layerBadge(view.desk, layer.id, words)}
       <button
         class="icon"
         data-act="remove"

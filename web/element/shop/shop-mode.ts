@@ -16,68 +16,39 @@ export function openShop(host: ModeHost): Mode {
 
 class ShopMode implements Mode {
   readonly styles = ShopView.styles;
-  readonly #desk: ShopDesk;
+  readonly desk: ShopDesk;
   readonly #texts: Texts;
   readonly #view: ShopView;
 
   constructor(host: ModeHost) {
     const { view, wasm, hooks } = host;
-    this.#desk = new ShopDesk({ view, wasm, hooks });
-    this.#texts = new Texts(this.#desk);
-    this.#view = new ShopView(host, this.#desk, this.#texts);
-  }
-
-  get engine() {
-    return this.#desk.engine;
-  }
-  get viewer() {
-    return this.#desk.viewer;
-  }
-  get store() {
-    return this.#desk.store;
-  }
-  get session() {
-    return this.#desk.session;
-  }
-  get library() {
-    return this.#desk.library;
+    this.desk = new ShopDesk({ view, wasm, hooks });
+    this.#texts = new Texts(this.desk);
+    this.#view = new ShopView(host, this.desk, this.#texts);
   }
 
   open(source: ModelSource, readDesign: () => Promise<Design>): Promise<void> {
-    return this.#desk.open(source, readDesign);
+    return this.desk.open(source, readDesign);
   }
   render(): TemplateResult {
     return this.#view.render();
   }
   addDecal(source: DecalSource, options?: PlaceOptions): Promise<string> {
-    return addPicture(this.#desk, source, options);
+    return addPicture(this.desk, source, options);
   }
   addText(text: string, options?: TextOptions): Promise<string> {
     return this.#texts.add(text, options);
   }
-  takeDesign(design: Design): void {
-    this.session.record(design, this.#desk.settings.words.steps.design);
-    this.session.select(null);
-  }
-  select(id: string | null): boolean {
-    return this.#desk.select(id);
-  }
-  removeLayer(id: string): boolean {
-    return this.#desk.remove(id);
-  }
-  travel(by: 1 | -1): boolean {
-    return this.#desk.travel(by);
-  }
   configure(): void {
-    this.#desk.configure();
+    this.desk.configure();
   }
   resize(): Promise<void> {
-    return this.#desk.resize();
+    return this.desk.resize();
   }
   idle(): Promise<void> {
-    return this.#desk.idle();
+    return this.desk.idle();
   }
   close(): void {
-    this.#desk.close();
+    this.desk.close();
   }
 }

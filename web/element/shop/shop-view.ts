@@ -1,6 +1,6 @@
 /** The shop mode's face: the view with its few tools, what is on the product, the fields of what is chosen, and the way out. */
 import { html, nothing, type TemplateResult } from "lit";
-import { ImagePlus, Maximize, Redo2, Type, Undo2 } from "lucide";
+import { ImagePlus, Maximize, Redo2, ScanEye, Type, Undo2 } from "lucide";
 import type { DesignLayer } from "../../editor/document/design.ts";
 import { carriesFiles } from "../../editor/files/file-collection.ts";
 import { ACCEPT, pickFiles } from "../../editor/ui/file-picker.ts";
@@ -9,8 +9,10 @@ import type { Desk } from "../desk/desk.ts";
 import { addPicture } from "../desk/placing.ts";
 import type { Texts } from "../desk/texts.ts";
 import type { ModeHost } from "../mode.ts";
+import { HeatMap } from "./heat-map.ts";
 import { layerFields } from "./layer-fields.ts";
 import { layerRows } from "./layer-rows.ts";
+import { layerFindings, verdict } from "./print-badges.ts";
 import { handleKey } from "./shop-keys.ts";
 import { shopStyles } from "./shop-styles.ts";
 
@@ -20,6 +22,7 @@ export class ShopView {
   readonly texts: Texts;
   readonly host: ModeHost;
   readonly #view: HTMLElement;
+  readonly #heat: HeatMap;
   #busy = false;
   #dropping = false;
 
@@ -28,6 +31,7 @@ export class ShopView {
     this.desk = desk;
     this.texts = texts;
     this.#view = host.view;
+    this.#heat = new HeatMap(desk, () => host.requestUpdate());
     desk.store.subscribe(() => host.requestUpdate());
   }
 
@@ -48,6 +52,7 @@ export class ShopView {
             ${this.#tools(readonly)}
             <slot name="toolbar"></slot>
           </div>
+          ${this.#heat.shown ? this.#legend() : nothing}
           ${this.#dropping ? html`<div class="own drop">${host.words.drop}</div>` : nothing}
         </div>
         ${readonly ? nothing : this.#panel()}
@@ -56,8 +61,9 @@ export class ShopView {
   }
 
   #tools(readonly: boolean): TemplateResult {
+    const { desk } = this;
     const { words } = this.host;
-    const { undoLabel, redoLabel } = this.desk.store.state;
+    const { undoLabel, redoLabel } = desk.store.state;
     const step = (by: 1 | -1): void => void this.desk.travel(by);
     return html`
       <div class="own tools" role="toolbar" aria-label=${words.panel}>
@@ -69,9 +75,26 @@ export class ShopView {
                 ${this.#tool("redo", words.redo, icon(Redo2), redoLabel === null, () => step(1))}
               `
         }
+        ${desk.zones === null ? nothing : this.#heatSwitch()}
         ${this.#tool("fit", words.fit, icon(Maximize), false, () => this.desk.viewer.frameModel())}
       </div>
     `;
+  }
+
+  #heatSwitch(): TemplateResult {
+    const { words } = this.host;
+    const label = this.#heat.shown ? words.heatMapOff : words.heatMap;
+    return html`<button
+      class="icon"
+      part="button heat-button"
+      data-act="heat"
+      aria-pressed=${this.#heat.shown}
+      aria-label=${label}
+      title=${label}
+      @click=${() => this.#attempt(this.#heat.toggle())}
+    >
+      ${icon(ScanEye)}
+    </button>`;
   }
 
   #tool(name: string, label: string, face: TemplateResult, disabled: boolean, act: () => void): TemplateResult {
@@ -86,6 +109,11 @@ export class ShopView {
     >
       ${face}
     </button>`;
+  }
+
+  #legend(): TemplateResult {
+    const { good, least } = this.host.words.heatLegend;
+    return html`<div class="own legend"><span class="good">${good}</span><span class="bad">${least}</span></div>`;
   }
 
   #panel(): TemplateResult {
@@ -128,9 +156,10 @@ export class ShopView {
                 </slot>`
               : layerRows(this, design, selectedId)
           }
-          ${selected ? layerFields(this, selected) : nothing}
+          ${selected ? layerFields(this, selected) : nothing} ${selected ? layerFindings(desk, selected.id) : nothing}
         </div>
         <div class="own foot" part="foot">
+          ${verdict(desk, words)}
           <button
             class="filled"
             part="button submit-button"
@@ -147,12 +176,7 @@ export class ShopView {
 
   /** Printed metres a metre of the model. */
   get printScale(): number {
-    return 1;
-  }
-
-  /** What the print's report says of a layer in a word; null without one. */
-  badgeOf(_id: string): { readonly tone: "good" | "caution" | "bad"; readonly text: string } | null {
-    return null;
+    return this.desk.zones?.printScale ?? 1;
   }
 
   select(layer: DesignLayer): void {
