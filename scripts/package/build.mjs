@@ -51,6 +51,15 @@ export async function buildPackage() {
     chunkNames: "page-[hash]",
     external: ["three", "three/*", ...NODE_MODULES],
   });
+  // For pages without a bundler and without import maps, which a strict policy refuses: three.js is inside.
+  await bundle({
+    entryPoints: [{ in: "web/element/define.ts", out: "standalone" }],
+    platform: "browser",
+    splitting: true,
+    minify: true,
+    chunkNames: "standalone-[hash]",
+    external: NODE_MODULES,
+  });
   // Bundles of their own: a worker sees no import map, and must not load the page's half.
   for (const [name, source] of files.workers) {
     await bundle({
@@ -62,8 +71,12 @@ export async function buildPackage() {
       external: NODE_MODULES,
     });
   }
+  const servers = entries.flatMap(({ name, server }) => (server ? [{ source: server, name: `${name}-server` }] : []));
   await bundle({
-    entryPoints: [...entriesOf(entries.filter(({ runs }) => runs === "node")), { in: "node/cli.ts", out: "cli" }],
+    entryPoints: [
+      ...entriesOf([...entries.filter(({ runs }) => runs === "node"), ...servers]),
+      { in: "node/cli.ts", out: "cli" },
+    ],
     platform: "node",
     target: "node20",
     splitting: true,

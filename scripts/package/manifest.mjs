@@ -1,9 +1,17 @@
 /** What the package offers, and its own package.json: name, version and the like from the checkout's, the rest from its entries. */
 
-/** @type {Readonly<Record<string, {source: string, name: string, runs: "page" | "node"}>>} */
+/**
+ * `server`: another source in Node.
+ * @type {Readonly<Record<string, {source: string, name: string, runs: "page" | "node", server?: string}>>}
+ */
 export const ENTRIES = {
   ".": { source: "web/package/index.ts", name: "index", runs: "page" },
-  "./define": { source: "web/element/define.ts", name: "define", runs: "page" },
+  "./define": {
+    source: "web/element/define.ts",
+    name: "define",
+    runs: "page",
+    server: "web/package/define-server.ts",
+  },
   "./core": { source: "web/package/core.ts", name: "core", runs: "page" },
   "./three": { source: "web/package/three.ts", name: "three", runs: "page" },
   "./embed": { source: "web/package/embed.ts", name: "embed", runs: "page" },
@@ -16,9 +24,13 @@ export const THREE_RANGE = ">=0.170.0 <0.188.0";
 export function manifestOf(checkout) {
   const { name, version, description, keywords, license, author, engines } = checkout;
   const exports = Object.fromEntries(
-    Object.entries(ENTRIES).map(([path, { source, name: entry }]) => [
+    Object.entries(ENTRIES).map(([path, { source, name: entry, server }]) => [
       path,
-      { types: `./types/${source.replace(/\.ts$/, ".d.ts")}`, default: `./dist/${entry}.js` },
+      {
+        types: `./types/${source.replace(/\.ts$/, ".d.ts")}`,
+        ...(server && { node: `./dist/${entry}-server.js` }),
+        default: `./dist/${entry}.js`,
+      },
     ]),
   );
   return {

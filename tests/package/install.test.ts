@@ -1,0 +1,56 @@
+/** The npm package, packed and installed into an empty folder; `npm run package` makes it. */
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
+import { publint } from "publint";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { ENTRIES } from "../../scripts/package/manifest.mjs";
+import { CHECKOUT, type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
+
+let installed: InstalledPackage;
+beforeAll(async () => {
+  installed = await installPackage();
+  installed.provide("three");
+});
+afterAll(() => installed.remove());
+
+test("publint finds nothing to say of it", async () => {
+  const { messages } = await publint({ pkgDir: join(CHECKOUT, "build/package"), strict: true, level: "suggestion" });
+  expect(messages).toEqual([]);
+});
+
+test("its types are right for every import of an ES module", async () => {
+  const types = createPackageFromTarballData(readFileSync(installed.tarball));
+  const result = await checkPackage(types, { entrypoints: Object.keys(ENTRIES) });
+  if (!result.types) throw new Error("the package has no types");
+  // There is no CommonJS in it, and Node 10 knew no exports.
+  const problems = result.problems.filter(
+    (problem) => !("resolutionKind" in problem && ["node10", "node16-cjs"].includes(problem.resolutionKind)),
+  );
+  expect(problems).toEqual([]);
+});
+
+test("it brings no other package along", () => {
+  const lock = JSON.parse(readFileSync(join(installed.folder, "package-lock.json"), "utf8")) as {
+    packages: Record<string, unknown>;
+  };
+  expect(Object.keys(lock.packages)).toEqual(["", "node_modules/texelcast"]);
+});
+
+test.each(Object.keys(ENTRIES))("the import %s works in bare Node and does nothing there", async (path) => {
+  const specifier = `texelcast${path.slice(1)}`;
+  const script = `
+    const before = Object.getOwnPropertyNames(globalThis).join();
+    const names = Object.keys(await import(${JSON.stringify(specifier)}));
+    const after = Object.getOwnPropertyNames(globalThis).join();
+    console.log(JSON.stringify({ names: names.length > 0, same: before === after }));`;
+  // That Node ends by itself says that nothing was started.
+  expect(JSON.parse(await runInNode(installed.folder, script))).toEqual({ names: true, same: true });
+});
+
+test("the installed command line tells its version", async () => {
+  const { version } = JSON.parse(readFileSync(join(CHECKOUT, "package.json"), "utf8")) as { version: string };
+  const cli = join(installed.folder, "node_modules/texelcast/dist/cli.js");
+  const script = `process.argv[2] = "--version"; await import(${JSON.stringify(cli)});`;
+  expect(await runInNode(installed.folder, `process.argv.push("cli"); ${script}`)).toBe(version);
+});

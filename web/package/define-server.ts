@@ -1,0 +1,13 @@
+/**
+ * `texelcast/define` in Node, for rendering on a server: there are no elements to register, so the tag is left as it is in the
+ * markup and comes to life in the browser.
+ */
+import { TexelcastError } from "../core/texelcast-error.ts";
+
+/** Stands for the element's class where code names it. */
+export class TexelcastEditor {
+  /** Throws: an element is made by a page. */
+  constructor() {
+    throw new TexelcastError("unsupported", "The editor's element can only be made in a browser.");
+  }
+}
