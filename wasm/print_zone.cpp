@@ -75,6 +75,7 @@ double PrintZone::inset(const ZoneTexel& texel) const {
     if (!is_box) return polygon_inset(corners, texel);
     const glm::dvec3 at = pose.to_view(texel.position);
     const glm::dvec3 normal = pose.turn_to_view(texel.normal);
+    if (!(normal.z > 0.0)) return -kFar;
     double nearest = kFar;
     for (int c = 0; c < 3; ++c) {
         const double depth = half[c] - std::fabs(at[c]);

@@ -1,4 +1,4 @@
-// Where a product may be printed: a part of its texture, or all of its surface inside a box.
+// Where a product may be printed: a part of its texture, or the surface inside a box that faces the box's +Z.
 #pragma once
 
 #include <cstdint>

@@ -470,7 +470,7 @@ TXC_API TxcStatus txc_target_hash(TxcSession session, TxcTarget target, uint32_t
  * is the host's to say. Formulas: docs/print-truth.md. */
 typedef enum TxcZoneKind {
     TXC_ZONE_UV,  /* a polygon in the texture: first_corner, corner_count */
-    TXC_ZONE_BOX, /* all of the surface in a box: position, rotation, size */
+    TXC_ZONE_BOX, /* the surface in a box that faces its +Z: position, rotation, size */
     TXC_ZONE_KIND_COUNT
 } TxcZoneKind;
 /* Where a material may be printed. */

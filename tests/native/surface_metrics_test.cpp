@@ -271,6 +271,12 @@ TEST_CASE("A box of model space is a zone all the same, and its front and back a
     const TxcLayerMetrics metrics = measure(session, layer);
     CHECK(metrics.outside_zones == doctest::Approx(0.5).epsilon(0.001));
     CHECK(metrics.in_safe_margin == doctest::Approx(0.25).epsilon(0.01));
+    box.rotation[1] = 1.0f;
+    box.rotation[3] = 0.0f;
+    set_zones(session, {box}, {});
+    CHECK(measure(session, layer).outside_zones == 1.0f);  // a box that looks the other way takes none of this side
+    box.rotation[1] = 0.0f;
+    box.rotation[3] = 1.0f;
     box.material = 1;
     set_zones(session, {box}, {});
     CHECK(measure(session, layer).outside_zones == 1.0f);

@@ -7,7 +7,10 @@ export interface UvZoneShape {
   readonly polygon: readonly (readonly [number, number])[];
 }
 
-/** All of the surface inside a box of model space, metres; `rotation` is x, y, z, w, `size` full extents. */
+/**
+ * The surface inside a box of model space that faces the box's +Z, as a decal's box does: a wall's outside, and not its
+ * inside. Metres; `rotation` is x, y, z, w, `size` full extents.
+ */
 export interface BoxZoneShape {
   readonly kind: "box";
   readonly position: Vec3;
