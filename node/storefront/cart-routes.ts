@@ -10,7 +10,7 @@ import type { Shop } from "./shop-server.ts";
 type OfCart = { Params: { cart: string } };
 type OfLine = { Params: { cart: string; line: string } };
 
-export function addCartRoutes(app: FastifyInstance, { catalogue, store, database }: Shop): void {
+export function addCartRoutes(app: FastifyInstance, { catalogue, store, database, press }: Shop): void {
   const cartOf = (id: string): Cart => {
     if (!database.hasCart(id)) throw notFound("cart", id);
     const lines = database.linesOf(id);
@@ -19,8 +19,9 @@ export function addCartRoutes(app: FastifyInstance, { catalogue, store, database
   const itemOf = async (body: unknown): Promise<Item> => {
     const line = await readLine(body, catalogue.products, store);
     const product = catalogue.products.get(line.product) as Product;
-    const unitPrice = unitPriceOf(product.price, { decals: line.decals, area: 0 });
-    return { ...line, productName: product.name, unitPrice };
+    const { areaCm2: area } = (await press.measure(product, line.design)).whole;
+    const unitPrice = unitPriceOf(product.price, { decals: line.decals, area });
+    return { ...line, productName: product.name, area, unitPrice };
   };
 
   app.post("/api/carts", (_request, reply) => reply.code(201).send(cartOf(database.makeCart())));

@@ -45,8 +45,10 @@ const products = v.pipe(
 export interface Catalogue {
   readonly products: ReadonlyMap<string, Product>;
   readonly currency: string;
-  /** Read when first asked for, and kept. */
+  /** Files are read when first asked for, and kept. */
   modelOf(product: Product): Promise<ModelSource>;
+  /** What is in the product's zones file. */
+  zonesOf(product: Product): Promise<unknown>;
 }
 
 /**
@@ -61,18 +63,16 @@ export async function readCatalogue(folder: string): Promise<Catalogue> {
     const field = formatPath((issue.path ?? []).map((item) => item.key as string | number));
     throw new TexelcastError("bad-argument", `${field}: ${issue.message}`, { subject: file, field });
   }
-  const models = new Map<string, Promise<ModelSource>>();
+  const files = new Map<string, Promise<Uint8Array>>();
+  const bytesOf = (name: string): Promise<Uint8Array> => {
+    const bytes = files.get(name) ?? readFile(path.join(folder, name));
+    files.set(name, bytes);
+    return bytes;
+  };
   return {
     products: new Map(result.output.map((product) => [product.id, product])),
     currency: (result.output[0] as Product).price.currency,
-    modelOf({ model }) {
-      const known = models.get(model) ?? readModelFile(folder, model);
-      models.set(model, known);
-      return known;
-    },
+    modelOf: async ({ model }) => ({ name: model, bytes: await bytesOf(model) }),
+    zonesOf: async ({ zones }) => JSON.parse(new TextDecoder().decode(await bytesOf(zones))),
   };
-}
-
-async function readModelFile(folder: string, model: string): Promise<ModelSource> {
-  return { name: model, bytes: await readFile(path.join(folder, model)) };
 }

@@ -1,11 +1,11 @@
 /**
- * Makes the print files of ordered lines, one after the other: a render takes a core and some hundred megabytes. What
- * waits is in the database, so that a server that ends goes on where it was.
+ * Makes the print files of ordered lines, one after the other. What waits is in the database, so that a server that ends
+ * goes on where it was.
  */
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import type { PrintFile } from "../../web/engine/print-report.ts";
 import type { ShopFault } from "../../web/storefront/api/shop-api.ts";
 import type { AssetStore } from "./asset-store.ts";
-import type { PrintFile } from "./print-file.ts";
 import type { ShopDatabase, StoredOrderLine } from "./shop-database.ts";
 
 export type RenderLine = (line: StoredOrderLine) => Promise<PrintFile>;

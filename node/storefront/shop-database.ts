@@ -42,6 +42,7 @@ export interface Item {
   readonly snapshot: Sha256;
   readonly quantity: number;
   readonly decals: number;
+  readonly area: number;
   readonly unitPrice: number;
 }
 

@@ -13,6 +13,11 @@ const STATUS_OF_CODE: Readonly<Record<string, number>> = {
   "bad-picture": 422,
   "bad-font": 422,
   "storage-full": 507,
+  // The engine's own, about what it was given.
+  "missing-file": 422,
+  "bad-size": 422,
+  "bad-argument": 422,
+  "out-of-budget": 413,
 };
 
 export const shopError = (code: ShopErrorCode, message: string, details?: TexelcastErrorDetails): TexelcastError =>

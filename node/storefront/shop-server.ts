@@ -8,9 +8,9 @@ import { addCartRoutes } from "./cart-routes.ts";
 import { type Catalogue, readCatalogue } from "./catalogue.ts";
 import { addFileRoutes } from "./file-routes.ts";
 import { addOrderRoutes } from "./order-routes.ts";
-import { type PrintFile, renderPrintFile } from "./print-file.ts";
+import { Press } from "./press.ts";
 import { PrintQueue } from "./print-queue.ts";
-import { ShopDatabase, type StoredOrderLine } from "./shop-database.ts";
+import { ShopDatabase } from "./shop-database.ts";
 import { notFound, replyTo } from "./shop-error.ts";
 
 export interface ShopServerOptions {
@@ -31,6 +31,7 @@ export interface Shop {
   readonly catalogue: Catalogue;
   readonly store: AssetStore;
   readonly database: ShopDatabase;
+  readonly press: Press;
   readonly queue: PrintQueue;
 }
 
@@ -62,12 +63,13 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
   const catalogue = await readCatalogue(options.site);
   const store = await AssetStore.open(options.store, options.storedBytes ?? SHOP_LIMITS.storedBytes);
   const database = new ShopDatabase(options.database);
-  const render = async (line: StoredOrderLine): Promise<PrintFile> => {
+  const press = new Press(catalogue, store);
+  const queue = new PrintQueue(database, store, async (line) => {
     const product = catalogue.products.get(line.product);
     if (product === undefined) throw notFound("product", line.product);
-    return renderPrintFile(await catalogue.modelOf(product), product.material, line.design, store);
-  };
-  const shop: Shop = { catalogue, store, database, queue: new PrintQueue(database, store, render) };
+    return press.print(product, line.design);
+  });
+  const shop: Shop = { catalogue, store, database, press, queue };
   const report = options.report ?? ((error) => console.error(error));
 
   const app = Fastify({ bodyLimit: SHOP_LIMITS.jsonBytes, forceCloseConnections: true });

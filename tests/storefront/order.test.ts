@@ -1,11 +1,11 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, it } from "vitest";
-import { parseDesign, resolveLayers } from "../../web/editor/document/index.ts";
+import { parseDesign, parseZones, resolveLayers } from "../../web/editor/document/index.ts";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
 import type { Order } from "../../web/storefront/api/shop-api.ts";
 import { plainPng } from "../node/plane-model.ts";
-import { designWith, LOGO, openShop, SNAPSHOT, sha256, type TestShop } from "./shop-fixture.ts";
+import { designWith, LOGO, openShop, SNAPSHOT, sha256, type TestShop, ZONES } from "./shop-fixture.ts";
 
 const WASM = new URL("../../build/wasm/texelcast.wasm", import.meta.url);
 
@@ -13,13 +13,13 @@ const WASM = new URL("../../build/wasm/texelcast.wasm", import.meta.url);
 async function approve(shop: TestShop, design: object): Promise<{ sha256: string; width: number; height: number }> {
   const engine = createEngineHost({ wasm: WASM });
   try {
-    const bytes = readFileSync(path.join(shop.folder, "site/demo/plane.glb"));
-    await engine.loadModel({ name: "plane.glb", bytes });
+    const model = readFileSync(path.join(shop.folder, "site/demo/plane.glb"));
+    await engine.loadModel({ name: "plane.glb", bytes: model });
     await engine.setAsset("logo", { name: "logo.png", bytes: LOGO });
-    const { width, height } = await engine.openTarget({ material: 0 });
+    await engine.setZones(parseZones(ZONES));
     engine.setLayers(resolveLayers(parseDesign(design)), 1);
-    await engine.idle();
-    return { sha256: sha256(await engine.exportPng(0)), width, height };
+    const { bytes, width, height } = await engine.exportPrint({ material: 0 });
+    return { sha256: sha256(bytes), width, height };
   } finally {
     engine.dispose();
   }
@@ -151,6 +151,14 @@ describe("a cart", () => {
     expect((await shop.app.inject({ method: "DELETE", url: `/api/carts/${other}/lines/${line}` })).statusCode).toBe(
       404,
     );
+  });
+
+  it("measures the surface under the decals itself, whatever the page says", async () => {
+    const shop = await openShop();
+    const cart = await shop.cart();
+    const [line] = (await shop.addLine(cart, await shop.line())).json().cart.lines;
+    // The decal is two metres by one.
+    expect(line.area / 10_000).toBeCloseTo(2, 3);
   });
 
   it("tells the customer's price by the server's own count, hidden layers left out", async () => {

@@ -23,6 +23,25 @@ export const PLANE: Product = {
   price: { currency: "EUR", base: 1000, perDecal: 150, perSquareCentimetre: 0 },
 };
 
+/** The left half of the plane is printed: what lies on the right is cut off. */
+export const ZONES = {
+  texelcastZones: 1,
+  zones: [
+    {
+      id: "left",
+      shape: {
+        kind: "uv",
+        polygon: [
+          [0.25, 0.25],
+          [0.5, 0.25],
+          [0.5, 0.75],
+          [0.25, 0.75],
+        ],
+      },
+    },
+  ],
+};
+
 export const sha256 = (bytes: Uint8Array): string => createHash("sha256").update(bytes).digest("hex");
 
 export const LOGO = await plainPng(8, 8, [200, 30, 40, 255]);
@@ -63,6 +82,7 @@ export async function openShop({
   for (const name of ["shop", "demo"]) mkdirSync(path.join(site, name), { recursive: true });
   writeFileSync(path.join(site, "index.html"), "<!doctype html><title>Shop</title>");
   writeFileSync(path.join(site, "shop/products.json"), JSON.stringify([PLANE]));
+  writeFileSync(path.join(site, "shop/plane.zones.json"), JSON.stringify(ZONES));
   writeFileSync(path.join(site, "demo/plane.glb"), planeGlb({ texture: TEXTURE }));
   const reported: unknown[] = [];
   const server = await createShopServer({

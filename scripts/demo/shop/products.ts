@@ -18,7 +18,7 @@ export const SHOP_PRODUCTS: readonly Product[] = [
     picture: "shop/mug.webp",
     material: 0,
     camera: "-28deg 76deg 105%",
-    price: { currency: "EUR", base: 1490, perDecal: 150, perSquareCentimetre: 0 },
+    price: { currency: "EUR", base: 1490, perDecal: 150, perSquareCentimetre: 3 },
   },
   {
     id: "figure",
@@ -36,7 +36,7 @@ export const SHOP_PRODUCTS: readonly Product[] = [
     picture: "shop/figure.webp",
     material: 0,
     camera: "22deg 82deg 105%",
-    price: { currency: "EUR", base: 2490, perDecal: 200, perSquareCentimetre: 0 },
+    price: { currency: "EUR", base: 2490, perDecal: 200, perSquareCentimetre: 12 },
   },
   {
     id: "skateboard",
@@ -54,6 +54,6 @@ export const SHOP_PRODUCTS: readonly Product[] = [
     picture: "shop/skateboard.webp",
     material: 0,
     camera: "28deg 84deg 105%",
-    price: { currency: "EUR", base: 7900, perDecal: 500, perSquareCentimetre: 0 },
+    price: { currency: "EUR", base: 7900, perDecal: 500, perSquareCentimetre: 2 },
   },
 ];

@@ -73,6 +73,8 @@ export interface CartLine {
   readonly quantity: number;
   /** Pictures and texts, counted by the server. */
   readonly decals: number;
+  /** Printed surface of one piece, square centimetres, measured by the server. */
+  readonly area: number;
   /** Of one piece, in the currency's smallest unit. */
   readonly unitPrice: number;
 }

@@ -63,6 +63,7 @@ function draw(): void {
         mode="shop"
         loading="eager"
         src=${product.model}
+        zones=${product.zones}
         material=${product.material}
         camera-orbit=${product.camera}
         poster=${product.picture}
