@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { build } from "esbuild";
 import { inRoot } from "../bootstrap/paths.mjs";
 import { declarations } from "./declarations.mjs";
+import { elementManifest } from "./element-manifest.mjs";
 import { licenceText } from "./licences.mjs";
 import { ENTRIES, manifestOf } from "./manifest.mjs";
 import { NamedFiles, urlFiles } from "./url-files.mjs";
@@ -95,6 +96,10 @@ export async function buildPackage() {
   for (const schema of ["design", "zones"]) {
     cpSync(inRoot(`build/${schema}.schema.json`), join(PACKAGE, `${schema}.schema.json`));
   }
+  writeFileSync(
+    join(PACKAGE, "custom-elements.json"),
+    `${JSON.stringify(elementManifest("dist/define.js"), null, 2)}\n`,
+  );
   writeFileSync(join(PACKAGE, "THIRD-PARTY-LICENCES.txt"), licenceText([...inputs, ...files.assets.values()]));
   const checkout = JSON.parse(readFileSync(inRoot("package.json"), "utf8"));
   writeFileSync(join(PACKAGE, "package.json"), `${JSON.stringify(manifestOf(checkout), null, 2)}\n`);

@@ -12,6 +12,9 @@ export const ENTRIES = {
     runs: "page",
     server: "web/package/define-server.ts",
   },
+  // Types alone: the tag in React's JSX and in Vue's templates.
+  "./react": { source: "web/element/react.ts", name: "react", runs: "page" },
+  "./vue": { source: "web/element/vue.ts", name: "vue", runs: "page" },
   "./core": { source: "web/package/core.ts", name: "core", runs: "page" },
   "./three": { source: "web/package/three.ts", name: "three", runs: "page" },
   "./embed": { source: "web/package/embed.ts", name: "embed", runs: "page" },
@@ -51,7 +54,8 @@ export function manifestOf(checkout) {
       "./package.json": "./package.json",
     },
     sideEffects: ["./dist/define.js", "./dist/standalone.js", "./dist/cli.js", "./dist/*-worker.js"],
-    files: ["dist", "types", "*.schema.json", "THIRD-PARTY-LICENCES.txt", "CHANGELOG.md"],
+    customElements: "custom-elements.json",
+    files: ["dist", "types", "custom-elements.json", "*.schema.json", "THIRD-PARTY-LICENCES.txt", "CHANGELOG.md"],
     peerDependencies: { three: THREE_RANGE },
     peerDependenciesMeta: { three: { optional: true } },
   };

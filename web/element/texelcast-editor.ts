@@ -68,6 +68,79 @@ export interface TexelcastEditor {
   ): void;
 }
 
+/**
+ * A product that customers put pictures and words on, in a shop's page.
+ *
+ * @tagname texelcast-editor
+ * @attr {string} src - Address of the model: a .glb, or a .gltf with its files beside it.
+ * @attr {string} design - Address of a design's JSON.
+ * @attr {string} zones - Address of the product's zones file.
+ * @attr {"shop" | "full"} mode - Pictures and words on a product, or the whole editor. Default "shop".
+ * @attr {number} material - glTF material index that new things go on, and that is printed. Default: the model's largest.
+ * @attr {number} size - Texels of the texture's side. Default: the model's own.
+ * @attr {string} locale - Language of the element: "en", "de". Default: the page's.
+ * @attr {boolean} readonly - Shows the design and lets nobody change it.
+ * @attr {string} poster - Address of a picture that is shown until the model is.
+ * @attr {"auto" | "lazy" | "eager"} loading - When it begins: about to be seen, touched, or at once. Default "auto".
+ * @attr {number} max-decals - Pictures and texts that may be put on the product.
+ * @attr {number} max-megapixels - Millions of pixels of a picture. Default 64.
+ * @attr {number} max-file-size - Bytes of an uploaded file. Default 20971520.
+ * @attr {string} camera-orbit - Where the camera begins: "30deg 75deg 105%".
+ * @attr {string} min-camera-orbit - The least of each part; "auto" is no limit.
+ * @attr {string} max-camera-orbit - The most of each part; "auto" is no limit.
+ * @attr {string} wasm-url - Address of the engine's WebAssembly. Default: beside the script.
+ *
+ * @fires {CustomEvent<LoadDetail>} load - The model is shown and can be worked on.
+ * @fires {CustomEvent<ProgressDetail>} progress - How far loading has come, 0 to 1.
+ * @fires {CustomEvent<ChangeDetail>} change - The design is another one: with counts and printed areas.
+ * @fires {CustomEvent<SelectDetail>} select - Another layer is chosen, or none.
+ * @fires {CustomEvent<ErrorDetail>} error - Something did not work; nothing of the design is lost.
+ * @fires {CustomEvent<SubmitDetail>} submit - The user is done: the design, its files, the print file and its hash.
+ *
+ * @slot poster - Shown until the model is.
+ * @slot progress - In place of the bar while it loads.
+ * @slot toolbar - Beside the view's own tools.
+ * @slot empty - In place of what is said while nothing is on the product.
+ * @slot submit - The words of the button that hands the design in.
+ *
+ * @csspart cover - All of the element before the model is shown.
+ * @csspart poster - The poster's picture.
+ * @csspart progress - The bar.
+ * @csspart stage - The view's ground.
+ * @csspart toolbar - Over the view.
+ * @csspart panel - Beside the view, or under it.
+ * @csspart add - The buttons that add something.
+ * @csspart list - What is on the product, and its fields.
+ * @csspart row - One thing on the product.
+ * @csspart fields - Fields of what is chosen.
+ * @csspart findings - What the printer would say of what is chosen.
+ * @csspart badge - The same in a word.
+ * @csspart empty - What is said while nothing is on the product.
+ * @csspart foot - Around the button that hands the design in.
+ * @csspart button - Every button with words, and the tools.
+ * @csspart start-button - Begins to load.
+ * @csspart upload-button - Adds a picture.
+ * @csspart text-button - Adds a text.
+ * @csspart undo-button - One step back.
+ * @csspart redo-button - One step forth.
+ * @csspart heat-button - Shows the print's quality.
+ * @csspart fit-button - Shows the whole product.
+ * @csspart submit-button - Hands the design in.
+ * @csspart notice - An error.
+ * @csspart full - The whole editor.
+ *
+ * @cssprop --texelcast-height - Height of the element. Default min(44rem, 85svh).
+ * @cssprop --texelcast-accent - Buttons, marks, the decal's handles.
+ * @cssprop --texelcast-accent-text - On the accent.
+ * @cssprop --texelcast-surface - The panel.
+ * @cssprop --texelcast-surface-low - Fields on the panel.
+ * @cssprop --texelcast-stage - Behind the product.
+ * @cssprop --texelcast-text - Words.
+ * @cssprop --texelcast-text-quiet - Words of lesser weight.
+ * @cssprop --texelcast-line - Borders.
+ * @cssprop --texelcast-radius - Corners. Default 8px.
+ * @cssprop --texelcast-font - Families of the type.
+ */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: only overloads of what every element has.
 export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   static override properties = PROPERTIES;
