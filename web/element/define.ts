@@ -1,17 +1,12 @@
-/**
- * Registers `<texelcast-editor>`, once, where there are custom elements; in bare Node, where a server renders, it does nothing.
- * The element itself comes only where it can be: the classes that it stands on want a browser when they are read.
- */
+/** Registers `<texelcast-editor>`, once, where there are custom elements; elsewhere (a server) it does nothing. */
 import { EDITOR_TAG } from "./element-api.ts";
-import type { TexelcastEditor } from "./texelcast-editor.ts";
+import { TexelcastEditor } from "./texelcast-editor.ts";
 
 export * from "./element-api.ts";
-export type { TexelcastEditor } from "./texelcast-editor.ts";
+export { TexelcastEditor } from "./texelcast-editor.ts";
 
 if (typeof customElements !== "undefined" && !customElements.get(EDITOR_TAG)) {
-  const element = await import("./texelcast-editor.ts");
-  // Another copy of the package on the page may have been faster.
-  if (!customElements.get(EDITOR_TAG)) customElements.define(EDITOR_TAG, element.TexelcastEditor);
+  customElements.define(EDITOR_TAG, TexelcastEditor);
 }
 
 declare global {
