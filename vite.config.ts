@@ -3,8 +3,8 @@ import { type BuildEnvironmentOptions, defineConfig } from "vite";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
-/** The editor, and the element on a page of its own. */
-const PAGES = [here("./web/app/index.html"), here("./web/app/element.html")];
+/** The editor, the element on a page of its own, and the page for iframes. */
+const PAGES = [here("./web/app/index.html"), here("./web/app/element.html"), here("./web/app/embed.html")];
 
 type LogHandler = NonNullable<NonNullable<BuildEnvironmentOptions["rolldownOptions"]>["onLog"]>;
 

@@ -50,6 +50,15 @@ export function urlFiles(files) {
         });
         return { contents, loader: path.endsWith(".ts") ? "ts" : "js", resolveDir: dirname(path) };
       });
+      // Vite's way to say "as text".
+      build.onResolve({ filter: /\?raw$/ }, ({ path, importer }) => ({
+        path: createRequire(importer).resolve(path.replace(/\?raw$/, "")),
+        namespace: "raw",
+      }));
+      build.onLoad({ filter: /./, namespace: "raw" }, async ({ path }) => ({
+        contents: await readFile(path, "utf8"),
+        loader: "text",
+      }));
       // In the package every file lies where its literal says, in Node too.
       build.onResolve({ filter: /^\.\/package-file\.ts$/ }, ({ resolveDir }) =>
         resolveDir === inRoot("web/engine") ? { path: inRoot("web/package/package-file.ts") } : undefined,
