@@ -37,15 +37,16 @@ test("it brings no other package along", () => {
   expect(Object.keys(lock.packages)).toEqual(["", "node_modules/texelcast"]);
 });
 
-test.each(Object.keys(ENTRIES))("the import %s works in bare Node and does nothing there", async (path) => {
+test.each(Object.keys(ENTRIES))("the import %s works in bare Node and starts nothing there", async (path) => {
   const specifier = `texelcast${path.slice(1)}`;
   const script = `
-    const before = Object.getOwnPropertyNames(globalThis).join();
+    const before = new Set(Object.getOwnPropertyNames(globalThis));
     const names = Object.keys(await import(${JSON.stringify(specifier)}));
-    const after = Object.getOwnPropertyNames(globalThis).join();
-    console.log(JSON.stringify({ names: names.length > 0, same: before === after }));`;
-  // That Node ends by itself says that nothing was started.
-  expect(JSON.parse(await runInNode(installed.folder, script))).toEqual({ names: true, same: true });
+    const added = Object.getOwnPropertyNames(globalThis).filter((name) => !before.has(name));
+    console.log(JSON.stringify({ names: names.length > 0, added }));`;
+  // The picture codecs hand their pixels over as ImageData, which Node lacks. That Node ends by itself says that nothing runs.
+  const added = path === "./node" ? ["ImageData"] : [];
+  expect(JSON.parse(await runInNode(installed.folder, script))).toEqual({ names: true, added });
 });
 
 test("the installed command line tells its version", async () => {
