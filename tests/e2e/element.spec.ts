@@ -1,0 +1,268 @@
+/** `<texelcast-editor>` on a shop's page: a customer's story, elements that come and go, and what must not get in. */
+import { createHash } from "node:crypto";
+import { expect, type Page, test } from "@playwright/test";
+import type { ChangeDetail, ErrorDetail } from "../../web/element/element-api.ts";
+import { seriousFaults, smallTargets } from "./support/page-faults.ts";
+import { demoFile, file } from "./support/test-files.ts";
+
+const ZONES = {
+  texelcastZones: 1,
+  zones: [
+    {
+      id: "wrap",
+      name: "Wrap",
+      shape: { kind: "box", position: [0, 0.05, 0.05], size: [0.1, 0.08, 0.1] },
+      safe: 2,
+      bleed: 1,
+    },
+  ],
+};
+
+interface Watched {
+  readonly changes: ChangeDetail[];
+  readonly errors: ErrorDetail[];
+}
+
+/** Opens the element's page; what the element tells is kept in `window.told`. */
+async function openShop(page: Page, query = ""): Promise<void> {
+  await page.goto(`element.html${query}`);
+  await page.evaluate(() => {
+    const told: Watched = { changes: [], errors: [] };
+    Object.assign(window, { told });
+    const editor = document.querySelector("texelcast-editor");
+    editor?.addEventListener("change", ({ detail }) => told.changes.push(detail));
+    editor?.addEventListener("error", ({ detail }) => told.errors.push(detail));
+  });
+}
+
+const told = (page: Page): Promise<Watched> => page.evaluate(() => (window as unknown as { told: Watched }).told);
+const lastChange = async (page: Page): Promise<ChangeDetail | undefined> => (await told(page)).changes.at(-1);
+const codes = async (page: Page): Promise<string[]> => (await told(page)).errors.map(({ code }) => code);
+
+test("a customer personalises a product, and the hash that is approved is that of the print file", async ({ page }) => {
+  const requests: string[] = [];
+  page.on("request", (request) => requests.push(request.url()));
+  await openShop(page, "?loading=lazy");
+  const editor = page.locator("texelcast-editor");
+  await expect(editor.getByRole("button", { name: "Personalise" })).toBeVisible();
+  // Until it is touched, nothing heavy has come.
+  expect(requests.filter((url) => /\.(wasm|glb)$|worker/.test(url))).toEqual([]);
+  expect(page.workers()).toHaveLength(0);
+
+  await editor.evaluate((element: HTMLElementTagNameMap["texelcast-editor"], zones) => {
+    element.zones = zones;
+    element.beforeAccept = ({ name }) => (name.startsWith("banned") ? { accept: false, reason: "Not here." } : true);
+  }, ZONES);
+  await editor.getByRole("button", { name: "Personalise" }).click();
+  const upload = async (...files: ReturnType<typeof file>[]): Promise<void> => {
+    const chooser = page.waitForEvent("filechooser");
+    await editor.getByRole("button", { name: "Add picture" }).click();
+    await (await chooser).setFiles(files);
+  };
+  await upload({ ...demoFile("decals/flower.png"), name: "flower.png" });
+  await expect(editor.getByRole("button", { name: "flower Picture" })).toHaveAttribute("aria-pressed", "true");
+
+  // By number and by keyboard.
+  await editor.getByRole("spinbutton", { name: "Width, cm" }).fill("3");
+  await page.keyboard.press("Enter");
+  await editor.getByRole("application").focus();
+  await page.keyboard.press("Shift+ArrowLeft");
+  await page.keyboard.press("]");
+  await editor.getByRole("button", { name: "Add text" }).click();
+  await expect(editor.getByRole("textbox", { name: "Words" })).toBeFocused();
+  await page.keyboard.type("Moin");
+  await page.keyboard.press("Tab");
+  await expect.poll(async () => (await lastChange(page))?.counts).toEqual({ decals: 1, texts: 1, layers: 2 });
+  await expect.poll(async () => (await lastChange(page))?.design.layers.at(-1)?.name).toBe("Moin");
+  const change = await lastChange(page);
+  const width = expect.closeTo(0.03, 6);
+  expect(change?.design.layers[0]).toMatchObject({ projector: { size: [width, width, expect.any(Number)] } });
+  expect(change?.areas.map(({ id }) => id)).toEqual(change?.design.layers.map(({ id }) => id));
+  expect(change?.totalArea).toBeGreaterThan(1);
+
+  // The shop's own rule, told by its own words; and the way back.
+  await upload(file("banned.png", demoFile("decals/smiley.png").buffer));
+  await expect(editor.getByRole("alert")).toContainText("Not here.");
+  expect(await codes(page)).toEqual(["refused"]);
+  await editor.getByRole("button", { name: "Close" }).click();
+  await editor.getByRole("button", { name: "Delete flower" }).click();
+  await expect(editor.locator("[data-layer]")).toHaveCount(1);
+  await page.keyboard.press("Control+z");
+  await expect(editor.locator("[data-layer]")).toHaveCount(2);
+  await editor.getByRole("button", { name: "Show print quality" }).click();
+  await expect(editor.getByText("Too coarse")).toBeVisible();
+
+  const handedIn = editor.evaluate(
+    (element) =>
+      new Promise<{ sha256: string; bytes: number[]; names: string[]; again: string }>((resolve) => {
+        const shop = element as HTMLElementTagNameMap["texelcast-editor"];
+        shop.addEventListener("submit", async ({ detail }) => {
+          const { sha256, bytes } = detail.texture;
+          const { sha256: again } = await shop.exportTexture(detail.print);
+          resolve({ sha256, bytes: [...bytes], names: detail.assets.map(({ name }) => name), again });
+        });
+      }),
+  );
+  await editor.getByRole("button", { name: "Done" }).click();
+  const { sha256, bytes, names, again } = await handedIn;
+  expect(createHash("sha256").update(Uint8Array.from(bytes)).digest("hex")).toBe(sha256);
+  expect(again).toBe(sha256);
+  expect(names).toEqual([expect.stringMatching(/^assets\/[0-9a-f]{64}\.png$/)]);
+  expect(await seriousFaults(page)).toEqual([]);
+  expect(await smallTargets(page, 24)).toEqual([]);
+});
+
+test("elements come, move and go, and leave no worker, graphics or picture behind", async ({ page }) => {
+  await page.addInitScript(() => {
+    const contexts: WebGL2RenderingContext[] = [];
+    const addresses = new Set<string>();
+    Object.assign(window, { contexts, addresses });
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...args: never[]) {
+      const context = (getContext as (...all: never[]) => unknown).apply(this, args);
+      if (context instanceof WebGL2RenderingContext && !contexts.includes(context)) contexts.push(context);
+      return context;
+    } as typeof getContext;
+    const { createObjectURL, revokeObjectURL } = URL;
+    URL.createObjectURL = (blob) => {
+      const url = createObjectURL(blob);
+      addresses.add(url);
+      return url;
+    };
+    URL.revokeObjectURL = (url) => {
+      addresses.delete(url);
+      revokeObjectURL(url);
+    };
+  });
+  const held = async (): Promise<{ workers: number; contexts: number; addresses: number }> => ({
+    workers: page.workers().length,
+    ...(await page.evaluate(() => {
+      const { contexts, addresses } = window as unknown as {
+        contexts: WebGL2RenderingContext[];
+        addresses: Set<string>;
+      };
+      return { contexts: contexts.filter((each) => !each.isContextLost()).length, addresses: addresses.size };
+    })),
+  });
+  await openShop(page, "?loading=eager");
+  const layers = await page.evaluate(async () => {
+    const first = document.querySelector("texelcast-editor") as HTMLElementTagNameMap["texelcast-editor"];
+    const second = document.createElement("texelcast-editor");
+    second.src = "demo/skateboard.glb";
+    document.querySelector("main")?.append(second);
+    await Promise.all([first.addDecal("demo/decals/smiley.png"), second.start()]);
+    // Moved to another place of the page: the same work goes on.
+    document.body.append(first);
+    await new Promise((done) => setTimeout(done, 50));
+    const { design } = await first.exportDesign();
+    return design.layers.length;
+  });
+  expect(layers).toBe(1);
+  expect(await held()).toEqual({ workers: 2, contexts: 2, addresses: 1 });
+
+  // Away and back again, and the design is there.
+  const again = await page.evaluate(async () => {
+    const [second, first] = [...document.querySelectorAll("texelcast-editor")];
+    second?.remove();
+    first?.remove();
+    await new Promise((done) => setTimeout(done, 50));
+    if (first) document.body.append(first);
+    const exported = await first?.exportDesign();
+    return exported?.design.layers.length;
+  });
+  expect(again).toBe(1);
+  expect(await held()).toEqual({ workers: 1, contexts: 1, addresses: 1 });
+  await page.evaluate(() => document.querySelector("texelcast-editor")?.remove());
+  await expect.poll(held).toEqual({ workers: 0, contexts: 0, addresses: 0 });
+  expect(await codes(page)).toEqual([]);
+});
+
+test("hostile designs and files are refused by name, run nothing and fetch nothing", async ({ page, baseURL }) => {
+  const alarms: string[] = [];
+  page.on("dialog", (dialog) => {
+    alarms.push(dialog.message());
+    void dialog.dismiss();
+  });
+  page.on("pageerror", (error) => alarms.push(error.message));
+  page.on("request", (request) => {
+    const url = request.url();
+    if (!/^(data|blob):/.test(url) && new URL(url).origin !== new URL(baseURL ?? "").origin) alarms.push(url);
+  });
+  await openShop(page, "?loading=eager");
+  const outcome = await page.evaluate(async () => {
+    const editor = document.querySelector("texelcast-editor") as HTMLElementTagNameMap["texelcast-editor"];
+    await editor.start();
+    const refusal = async (work: Promise<unknown>): Promise<string> =>
+      await work.then(
+        () => "taken",
+        (error: { code: string }) => error.code,
+      );
+    const svg = (inner: string, attributes = ""): Blob =>
+      new Blob([`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9" ${attributes}>${inner}</svg>`]);
+    const files: Record<string, Blob> = {
+      script: svg("<script>alert(1)</script>"),
+      handler: svg("", 'onload="alert(2)"'),
+      page: new Blob(["<html><script>alert(3)</script></html>"], { type: "image/png" }),
+      heavy: new Blob([new Uint8Array(21 * 2 ** 20)]),
+    };
+    const refusals: Record<string, string> = {};
+    for (const [name, blob] of Object.entries(files)) refusals[name] = await refusal(editor.addDecal(blob));
+
+    const base = { format: "texelcast-design", version: 1 };
+    const projector = { kind: "planar", position: [0, 0.05, 0], rotation: [0, 0, 0, 1], size: [0.05, 0.05, 0.1] };
+    const decal = (uri: string, type = "image/png") => ({
+      ...base,
+      assets: { a: { type, uri } },
+      layers: [{ type: "decal", asset: "a", projector }],
+    });
+    const designs: Record<string, unknown> = {
+      proto:
+        '{"format":"texelcast-design","version":1,"assets":{"__proto__":{"type":"image/png","uri":"x"}},"layers":[]}',
+      field: '{"format":"texelcast-design","version":1,"__proto__":{"readonly":false},"assets":{},"layers":[]}',
+      climbing: decal("../../../etc/passwd"),
+      spelt: decal("%2e%2e%2fsecret.png"),
+      elsewhere: decal("https://evil.example/spy.png"),
+      liar: decal(`data:image/png;base64,${btoa("<svg xmlns='http://www.w3.org/2000/svg' onload='alert(4)'/>")}`),
+      twice: decal("data:text/html,<script>alert(5)</script>"),
+      many: { ...base, assets: {}, layers: Array.from({ length: 10_001 }, () => ({ type: "fill", color: "#ff0000" })) },
+    };
+    for (const [name, design] of Object.entries(designs)) {
+      const error = new Promise<string>((resolve) => {
+        editor.addEventListener("error", ({ detail }) => resolve(detail.code), { once: true });
+      });
+      editor.design = design as object;
+      refusals[name] = await error;
+    }
+    const { design } = await editor.exportDesign();
+    // A name is words, whatever stands in it.
+    await editor.addDecal("demo/decals/smiley.png", { name: "<img src=x onerror=alert(6)>" });
+    return { refusals, layers: design.layers.length, polluted: "readonly" in {} };
+  });
+  expect(outcome).toEqual({
+    refusals: {
+      ...{ script: "unsafe-file", handler: "unsafe-file", page: "bad-picture", heavy: "too-large" },
+      ...{ proto: "bad-design", field: "bad-design", climbing: "outside-folder", spelt: "outside-folder" },
+      ...{ elsewhere: "outside-folder", liar: "unsafe-file", twice: "bad-design", many: "bad-design" },
+    },
+    layers: 0,
+    polluted: false,
+  });
+  const row = page.locator("texelcast-editor").getByRole("listitem");
+  await expect(row).toContainText("<img src=x onerror=alert(6)>");
+  expect(alarms).toEqual([]);
+});
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, locale: "de-DE" });
+
+  test("everything that is pressed is large enough for a finger, and the words are the page's language", async ({
+    page,
+  }) => {
+    await openShop(page, "?loading=eager&locale=de");
+    const editor = page.locator("texelcast-editor");
+    await editor.getByRole("button", { name: "Text einfügen" }).tap();
+    await expect(editor.getByRole("textbox", { name: "Text" })).toBeVisible();
+    expect(await smallTargets(page, 44)).toEqual([]);
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
+  });
+});
