@@ -8,8 +8,7 @@ export function formatPrice(amount: number, currency: string): string {
   return format.format(amount / 10 ** (format.resolvedOptions().maximumFractionDigits ?? 2));
 }
 
-export const formatArea = (area: number): string =>
-  new Intl.NumberFormat(LOCALE, { maximumFractionDigits: area < 10 ? 1 : 0 }).format(area);
+export const formatCount = (count: number): string => new Intl.NumberFormat(LOCALE).format(count);
 
 /** "1.4 MB" */
 export function formatBytes(bytes: number): string {

@@ -5,7 +5,7 @@ import { createRef, ref } from "lit/directives/ref.js";
 import type { ChangeDetail, SubmitDetail, TexelcastEditorApi } from "../../element/element-api.ts";
 import { unitPriceOf } from "../api/price.ts";
 import { type CartLine, type Product, SHOP_LIMITS } from "../api/shop-api.ts";
-import { formatArea, formatPrice } from "../formats.ts";
+import { formatCount, formatPrice } from "../formats.ts";
 import { findCart } from "../my-cart.ts";
 import { openFrame, startPage } from "../page-frame.ts";
 import { type PrintFinding, printFindings } from "../print-findings.ts";
@@ -31,6 +31,7 @@ let amount: Pick<ChangeDetail, "counts" | "totalArea"> = {
   counts: { decals: 0, texts: 0, layers: 0 },
   totalArea: 0,
 };
+let names: ReadonlyMap<string, string> = new Map();
 let findings: readonly PrintFinding[] = [];
 let seen = false;
 let step: "" | "preparing" | "sending" = "";
@@ -126,7 +127,7 @@ function price() {
         area === 0
           ? nothing
           : html`<div>
-              <dt>${words.priceArea(formatArea(area))}</dt>
+              <dt>${words.priceArea(formatCount(Math.ceil(area)))}</dt>
               <dd>${formatPrice(unit - base - perDecal * decals, currency)}</dd>
             </div>`
       }
@@ -140,7 +141,10 @@ const checks = () => html`
   <section class="checks" aria-labelledby="checks-title">
     <h2 id="checks-title">${words.checkTitle}</h2>
     <ul>
-      ${findings.map(({ message, hint, grave }) => html`<li class=${grave ? "grave" : ""}>${message} ${hint}</li>`)}
+      ${findings.map(
+        ({ layer, message, hint, grave }) =>
+          html`<li class=${grave ? "grave" : ""}><strong>${layer}</strong> ${message} ${hint}</li>`,
+      )}
     </ul>
     ${
       mustBeSeen()
@@ -162,6 +166,7 @@ function setSeen(event: Event): void {
 
 function changed({ detail }: CustomEvent<ChangeDetail>): void {
   amount = detail;
+  names = new Map(detail.areas.map(({ id, name }) => [id, name]));
   unsaved = detail.canUndo;
   seen = false;
   draw();
@@ -172,7 +177,7 @@ function changed({ detail }: CustomEvent<ChangeDetail>): void {
 async function check(): Promise<void> {
   // A design that cannot be looked at says so by the element's own `error` event.
   const report = await editor.value?.validate().catch(() => null);
-  findings = report ? printFindings(report) : [];
+  findings = report ? printFindings(report, names) : [];
   draw();
 }
 
