@@ -99,7 +99,7 @@ describe("a print file", () => {
       decal("q", "quarters", { projector: { ...FRONT, position: [0.3, -0.3, 0] } }),
     ]);
     const whole = await engine.exportPrint({ size: [320, 304] });
-    const windows = await engine.exportPrintByWindows({ size: [320, 304] }, 96);
+    const windows = await engine.prints.file({ size: [320, 304] }, undefined, undefined, 96);
     expect(windows.sha256).toBe(whole.sha256);
   });
 
@@ -111,7 +111,7 @@ describe("a print file", () => {
     const { rgba, width } = await pixels(print.bytes);
     const alphaAt = (x: number): number => rgba[(50 * width + x) * 4 + 3] ?? -1;
     expect([alphaAt(0), alphaAt(59), alphaAt(60)]).toEqual([255, 255, 0]);
-    const windows = await engine.exportPrintByWindows({ size: 100, zone: "left" }, 48);
+    const windows = await engine.prints.file({ size: 100, zone: "left" }, undefined, undefined, 48);
     expect(windows.sha256).toBe(print.sha256);
   });
 

@@ -28,6 +28,7 @@ import type {
   TextMeasure,
 } from "./engine-api.ts";
 import { cancelled, disposed, noModel, notOpen } from "./engine-faults.ts";
+import { EnginePrints } from "./engine-prints.ts";
 import { engineStats } from "./engine-stats.ts";
 import { callLater } from "./event-loop.ts";
 import { modelInfo } from "./model-info.ts";
@@ -36,11 +37,7 @@ import { type TextureEdit, writeModel } from "./model-writer.ts";
 import { type MapChannel, OpenTarget, type TargetPictures } from "./open-target.ts";
 import { decodePicture } from "./picture-decoder.ts";
 import { encodePng } from "./png-encoder.ts";
-import { makePrintFile } from "./print-file.ts";
-import { drawPrintMap } from "./print-map.ts";
-import { measurePrint } from "./print-measure.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
-import type { PrintContext } from "./print-target.ts";
 import { NO_ZONES, type PrintZones } from "./print-zones.ts";
 import { Readying } from "./readying.ts";
 import { isSvg } from "./svg-start.ts";
@@ -87,6 +84,25 @@ export class EngineHost implements Engine {
   /** The end of the line of calls. */
   #line: Promise<unknown> = Promise.resolve();
   #disposed = false;
+
+  readonly prints = new EnginePrints((work, signal) =>
+    this.#enqueue(async (session) => {
+      await this.#drawAll(session, true);
+      return work({
+        session,
+        model: this.#requireModel(),
+        layers: this.#layers,
+        zones: this.#zones ?? NO_ZONES,
+        targets: this.#targets,
+        pictures: (report) => this.#pictures(session, report),
+        isDrawn: (picture) => this.#drawn.isDrawn(picture),
+        checkpoint: () => {
+          this.#checkAlive();
+          if (signal?.aborted) throw cancelled();
+        },
+      });
+    }),
+  );
 
   constructor(options: EngineHostOptions = {}) {
     this.#options = options;
@@ -279,17 +295,11 @@ export class EngineHost implements Engine {
   }
 
   printReport(): Promise<PrintReport> {
-    return this.#enqueue(async (session) => {
-      await this.#drawAll(session, true);
-      return measurePrint(this.#printContext(session));
-    });
+    return this.prints.report();
   }
 
   printMap(material: number, kind: PrintMapKind): Promise<Picture> {
-    return this.#enqueue(async (session) => {
-      await this.#drawAll(session);
-      return drawPrintMap(this.#printContext(session), material, kind);
-    });
+    return this.prints.map(material, kind);
   }
 
   exportPrint(
@@ -297,34 +307,7 @@ export class EngineHost implements Engine {
     onProgress?: (share: number) => void,
     signal?: AbortSignal,
   ): Promise<PrintFile> {
-    return this.#enqueue(async (session) => {
-      await this.#drawAll(session, true);
-      return makePrintFile({ ...this.#printContext(session, signal), onProgress }, options);
-    });
-  }
-
-  /** The same in windows of that side, for tests: which they are changes no byte. */
-  exportPrintByWindows(options: PrintFileOptions, windowSide: number): Promise<PrintFile> {
-    return this.#enqueue(async (session) => {
-      await this.#drawAll(session, true);
-      return makePrintFile(this.#printContext(session), options, windowSide);
-    });
-  }
-
-  #printContext(session: Session, signal?: AbortSignal): PrintContext {
-    return {
-      session,
-      model: this.#requireModel(),
-      layers: this.#layers,
-      zones: this.#zones ?? NO_ZONES,
-      targets: this.#targets,
-      pictures: (report) => this.#pictures(session, report),
-      isDrawn: (picture) => this.#drawn.isDrawn(picture),
-      checkpoint: () => {
-        this.#checkAlive();
-        if (signal?.aborted) throw cancelled();
-      },
-    };
+    return this.prints.file(options, onProgress, signal);
   }
 
   stats(): Promise<EngineStats> {
