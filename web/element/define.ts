@@ -1,4 +1,4 @@
-/** Registers `<texelcast-editor>`, once, where there are custom elements; elsewhere (a server) it does nothing. */
+/** Registers `<texelcast-editor>`, once, where there are custom elements: in a browser, or in what stands for one on a server. */
 import { EDITOR_TAG } from "./element-api.ts";
 import { TexelcastEditor } from "./texelcast-editor.ts";
 

@@ -49,10 +49,3 @@ export const PROPERTIES = {
   wasmUrl: { attribute: "wasm-url" },
   beforeAccept: { attribute: false },
 } satisfies Record<keyof TexelcastEditorProperties, PropertyDeclarations[string]>;
-
-/** A whole number from `least` to `most`; `otherwise` where nothing was said, null where it is none. */
-export function wholeNumber<T>(value: unknown, otherwise: T, least: number, most: number): number | T | null {
-  if (value === null || value === undefined || value === "") return otherwise;
-  const number = Number(value);
-  return Number.isInteger(number) && number >= least && number <= most ? number : null;
-}

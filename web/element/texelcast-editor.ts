@@ -6,7 +6,6 @@ import { html, LitElement, nothing, type PropertyValues, type TemplateResult } f
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Design } from "../editor/document/design.ts";
 import { controls } from "../editor/ui/theme.ts";
-import { ANY_ORBIT, type Orbit, parseOrbit } from "../viewer/camera-orbit.ts";
 import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
 import type { DesignExport } from "./desk/export-design.ts";
 import type {
@@ -20,14 +19,15 @@ import type {
   SnapshotView,
   SubmitDetail,
   TexelcastEditorApi,
-  TexelcastEditorEventMap,
   TexelcastEditorProperties,
   TextOptions,
 } from "./element-api.ts";
 import { cover, notice } from "./element-cover.ts";
 import { errorDetail, isCancelled, type ShownError, typedError } from "./element-errors.ts";
-import { DEFAULTS, PROPERTIES, wholeNumber } from "./element-properties.ts";
+import { type EditorEvents, sendEvent } from "./element-events.ts";
+import { DEFAULTS, PROPERTIES } from "./element-properties.ts";
 import { FETCHED, Run } from "./element-run.ts";
+import { readSettings } from "./element-settings.ts";
 import { elementStyles } from "./element-styles.ts";
 import type { Mode, ModeHost } from "./mode.ts";
 import { tokens } from "./shop/tokens.ts";
@@ -38,34 +38,15 @@ const CHANGE_REST = 120;
 /** How far beyond the window the element counts as about to be seen. */
 const NEAR = "200px";
 
-type EventName = keyof TexelcastEditorEventMap;
-type Detail<Name extends EventName> = TexelcastEditorEventMap[Name]["detail"];
+type Listener<Type extends keyof EditorEvents> = (this: TexelcastEditor, event: EditorEvents[Type]) => unknown;
+type AnyListener = EventListenerOrEventListenerObject;
+type Options = boolean | AddEventListenerOptions;
 
-type Events = Omit<HTMLElementEventMap, EventName> & TexelcastEditorEventMap;
-type Listener<Type extends keyof Events> = (this: TexelcastEditor, event: Events[Type]) => unknown;
-
-/** Some of its events have the names of the browser's own, and carry more. */
 export interface TexelcastEditor {
-  addEventListener<Type extends keyof Events>(
-    type: Type,
-    listener: Listener<Type>,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  addEventListener(
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | AddEventListenerOptions,
-  ): void;
-  removeEventListener<Type extends keyof Events>(
-    type: Type,
-    listener: Listener<Type>,
-    options?: boolean | EventListenerOptions,
-  ): void;
-  removeEventListener(
-    type: string,
-    listener: EventListenerOrEventListenerObject,
-    options?: boolean | EventListenerOptions,
-  ): void;
+  addEventListener<Type extends keyof EditorEvents>(type: Type, listener: Listener<Type>, options?: Options): void;
+  addEventListener(type: string, listener: AnyListener, options?: Options): void;
+  removeEventListener<Type extends keyof EditorEvents>(type: Type, listener: Listener<Type>, options?: Options): void;
+  removeEventListener(type: string, listener: AnyListener, options?: Options): void;
 }
 
 /**
@@ -268,7 +249,12 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   exportDesign(): Promise<ExportedDesign> {
-    return this.#told(this.#ready().then((mode) => this.#exported(mode)));
+    return this.#told(
+      this.#ready().then(async (mode) => {
+        const { DesignExport } = await import("./desk/export-design.ts");
+        return await new DesignExport().whole(mode.desk.design);
+      }),
+    );
   }
 
   snapshot(view?: SnapshotView, options?: SnapshotOptions): Promise<Blob>;
@@ -330,23 +316,33 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   protected override updated(changed: PropertyValues<this>): void {
-    if (changed.has("loading") || changed.has("src")) this.#watchSight();
-    if (changed.has("locale")) void this.#speak();
-    if (this.#phase === "idle") return;
-    // What they were when it began is known from then on: the first values are no change.
-    if (this.#run && (changed.has("src") || changed.has("mode") || changed.has("wasmUrl"))) {
-      void this.restart().catch(() => undefined);
+    const has = (...names: (keyof TexelcastEditorProperties)[]): boolean => names.some((name) => changed.has(name));
+    for (const [name, fault] of readSettings(this, this.#words).faults) if (has(name)) this.#report(fault);
+    if (has("loading", "src")) this.#watchSight();
+    if (has("locale")) void this.#speak();
+    const mode = this.#mode;
+    // Another design takes the place of the one that was worked on before.
+    if (has("design") && !mode) this.#kept = null;
+    if (this.#phase === "idle" || changed.size === 0) return;
+    const anew = has("src", "mode", "wasmUrl");
+    if (anew || (has("design") && !mode)) {
+      // What they were when it began is known from then on: the first values are no change.
+      if (this.#run === null && this.#phase === "loading") return;
+      this.#close();
+      if (has("design")) this.#kept = null;
+      void this.start();
       return;
     }
-    const mode = this.#mode;
     if (!mode) return;
-    if (changed.has("zones")) void this.#told(this.#useZones(mode));
-    if (changed.has("design")) void this.#told(this.#takeDesign(mode));
-    if (changed.has("size") || changed.has("material")) void this.#told(mode.resize());
-    this.#tried(() => {
-      mode.configure();
-      return true;
-    });
+    if (has("zones")) void this.#told(this.#useZones(mode));
+    if (has("design")) void this.#told(this.#takeDesign(mode));
+    if (has("size", "material")) void this.#told(mode.resize());
+    if (has("readonly", "minCameraOrbit", "maxCameraOrbit")) {
+      this.#tried(() => {
+        mode.configure();
+        return true;
+      });
+    }
   }
 
   get #mode(): Mode | null {
@@ -361,12 +357,11 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     this.#viewHost ??= makeViewHost();
     await this.#speak();
     await this.updateComplete;
-    const design = this.#kept === null ? { given: this.design } : { kept: this.#kept };
     const run = new Run({
       kind: this.mode,
       src: this.src,
       zones: this.zones === "" ? null : this.zones,
-      design,
+      design: this.#kept === null ? { given: this.design } : { kept: this.#kept },
       base: document.baseURI,
       words: this.#words,
       limits: this.#settings.limits,
@@ -376,19 +371,13 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     this.#run = run;
     try {
       const mode = await run.open();
-      if (this.#run !== run) throw new TexelcastError("cancelled", this.#words.errors.notReady);
-      const { cameraOrbit } = this;
-      if (cameraOrbit !== "")
-        mode.desk.viewer.setCamera(parseOrbit(cameraOrbit, "camera-orbit"), this.#settings.camera);
+      const { orbit, settings } = readSettings(this, this.#words);
+      if (orbit !== null) mode.desk.viewer.setCamera(orbit, settings.camera);
       this.#phase = "ready";
       this.#progress(1);
-      if (mode.desk.design.layers.length > 0) void this.#told(this.#measure(mode));
-      const materials = (mode.desk.store.state.model?.info.materials ?? []).map(({ index, name, refusal }) => ({
-        index,
-        name,
-        paintable: refusal === null,
-      }));
-      this.#send("load", { materials, milliseconds: Math.round(performance.now() - began) });
+      if (mode.desk.design.layers.length > 0 && mode.desk.zones !== null) void this.#told(this.#sendChange(false));
+      const { loadDetail } = await import("./desk/hand-over.ts");
+      sendEvent(this, "load", loadDetail(mode, began));
     } catch (thrown) {
       if (this.#run === run) {
         this.#run = null;
@@ -446,51 +435,16 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     this.#changed();
   }
 
-  async #exported(mode: Mode): Promise<ExportedDesign> {
-    const { DesignExport } = await import("./desk/export-design.ts");
-    return await new DesignExport().whole(mode.desk.design);
-  }
-
   async #submit(): Promise<SubmitDetail> {
     const mode = await this.#ready();
-    const { exportTexture, printOptions, printReport } = await import("./desk/prints.ts");
-    const exported = await this.#exported(mode);
-    const print = printOptions(mode, {}, this.#settings);
-    const texture = await exportTexture(mode, print);
-    const report = mode.desk.zones === null ? null : await printReport(mode);
-    const detail = { ...exported, print, texture, report };
-    if (this.#send("submit", detail)) this.#announce(this.#words.submitted);
+    const { submitDetail } = await import("./desk/hand-over.ts");
+    const detail = await submitDetail(mode);
+    if (sendEvent(this, "submit", detail)) this.#announce(this.#words.submitted);
     return detail;
   }
 
   get #settings(): DeskSettings {
-    const number = (name: string, value: number | null, least: number, most: number): number | null => {
-      const whole = wholeNumber(value, null, least, most);
-      if (value === null || whole !== null) return whole;
-      const hint = `${least} – ${most}`;
-      throw new TexelcastError("bad-argument", this.#words.errors.badOption(name), {
-        field: name,
-        value: String(value),
-        hint,
-      });
-    };
-    const orbit = (name: string, value: string): Orbit => (value ? parseOrbit(value, name) : ANY_ORBIT);
-    return {
-      words: this.#words,
-      material: number("material", this.material, 0, 65_535),
-      size: number("size", this.size, 1, 8192),
-      readonly: this.readonly,
-      maxDecals: number("max-decals", this.maxDecals, 0, 10_000),
-      limits: {
-        megapixels: positive(this.maxMegapixels, DEFAULTS.maxMegapixels),
-        bytes: positive(this.maxFileSize, DEFAULTS.maxFileSize),
-      },
-      camera: {
-        min: orbit("min-camera-orbit", this.minCameraOrbit),
-        max: orbit("max-camera-orbit", this.maxCameraOrbit),
-      },
-      beforeAccept: this.beforeAccept,
-    };
+    return readSettings(this, this.#words).settings;
   }
 
   #modeHost(view: HTMLElement): ModeHost {
@@ -500,7 +454,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     const hooks: DeskHooks = {
       settings,
       changed: () => this.#changed(),
-      selected: (id) => this.#send("select", { id }),
+      selected: (id) => sendEvent(this, "select", { id }),
       failed: (thrown) => this.#tell(thrown),
       progress: (share) => this.#progress(FETCHED + (1 - FETCHED) * share),
       announce: (text) => this.#announce(text),
@@ -532,34 +486,18 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     this.#changeTimer = setTimeout(() => void this.#told(this.#sendChange()), CHANGE_REST);
   }
 
-  /** A design that was brought along has its badges from the start, and is no change. */
-  async #measure(mode: Mode): Promise<void> {
-    if (mode.desk.zones === null) return;
-    const { printReport } = await import("./desk/prints.ts");
-    const { design } = mode.desk;
-    const report = await printReport(mode);
-    if (mode.desk.design === design) mode.desk.report = report;
-    this.requestUpdate();
-  }
-
-  async #sendChange(): Promise<void> {
+  /** A design that was brought along is measured for its badges, and is no change. */
+  async #sendChange(tell = true): Promise<void> {
     const run = this.#run;
     const mode = run?.mode;
     if (!mode) return;
-    const { countsOf, DesignExport } = await import("./desk/export-design.ts");
-    const { layerAreas, printReport } = await import("./desk/prints.ts");
-    const { design } = mode.desk;
+    const { changeDetail, DesignExport } = await import("./desk/hand-over.ts");
     this.#exports ??= new DesignExport();
-    const named = await this.#exports.named(design);
-    const report = await printReport(mode);
+    const detail = await changeDetail(mode, this.#exports);
     // A newer change tells itself.
-    if (this.#run !== run || mode.desk.design !== design) return;
-    mode.desk.report = report;
+    if (this.#run !== run || detail === null) return;
     this.requestUpdate();
-    const areas = layerAreas(mode, report);
-    const { canUndo, canRedo } = this;
-    const totalArea = areas.reduce((sum, { area }) => sum + area, 0);
-    this.#send("change", { design: named, counts: countsOf(design), areas, totalArea, canUndo, canRedo });
+    if (tell) sendEvent(this, "change", detail);
   }
 
   async #speak(): Promise<void> {
@@ -588,7 +526,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   #report(thrown: unknown): void {
-    if (!isCancelled(thrown)) this.#send("error", errorDetail(typedError(thrown, this.#words)));
+    if (!isCancelled(thrown)) sendEvent(this, "error", errorDetail(typedError(thrown, this.#words)));
   }
 
   /** Tells the user, too. */
@@ -613,16 +551,8 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
 
   #progress(share: number): void {
     this.#share = share;
-    this.#send("progress", { share });
+    sendEvent(this, "progress", { share });
     this.requestUpdate();
-  }
-
-  /** False where a listener has prevented what follows. */
-  #send<Name extends EventName>(type: Name, detail: Detail<Name>): boolean {
-    const bubbles = type === "change" || type === "select";
-    return this.dispatchEvent(
-      new CustomEvent(type, { detail, bubbles, composed: bubbles, cancelable: type === "submit" }),
-    );
   }
 
   readonly #touched = (): void => {
@@ -645,9 +575,6 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     }
   }
 }
-
-const positive = (value: number | null, otherwise: number): number =>
-  value !== null && value > 0 && Number.isFinite(value) ? value : otherwise;
 
 function makeViewHost(): HTMLElement {
   const view = document.createElement("div");

@@ -1,0 +1,48 @@
+import { describe, expect, it } from "vitest";
+import { DEFAULTS } from "../../web/element/element-properties.ts";
+import { readSettings } from "../../web/element/element-settings.ts";
+import { english, languageOf } from "../../web/element/words/words.ts";
+
+describe("the element in bare Node", () => {
+  it("is imported without a browser", async () => {
+    expect(typeof HTMLElement).toBe("undefined");
+    const { EDITOR_TAG, TexelcastEditor } = await import("../../web/element/define.ts");
+    expect([EDITOR_TAG, typeof TexelcastEditor]).toEqual(["texelcast-editor", "function"]);
+    expect(typeof document).toBe("undefined");
+  });
+});
+
+describe("the element's settings", () => {
+  it("are the defaults where nothing was said", () => {
+    const { settings, orbit, faults } = readSettings(DEFAULTS, english);
+    expect(settings).toMatchObject({ material: null, size: null, maxDecals: null, readonly: false });
+    expect(settings.limits).toEqual({ megapixels: 64, bytes: 20 * 2 ** 20 });
+    expect([orbit, faults.size]).toEqual([null, 0]);
+  });
+
+  it("hold the default where something wrong was said, and say what", () => {
+    const wrong = { ...DEFAULTS, size: Number.NaN, maxDecals: 2.5, maxMegapixels: -1, minCameraOrbit: "30 degrees" };
+    const { settings, faults } = readSettings(wrong, english);
+    expect(settings).toMatchObject({ size: null, maxDecals: null });
+    expect(settings.limits.megapixels).toBe(64);
+    expect([...faults.keys()]).toEqual(["size", "maxDecals", "maxMegapixels", "minCameraOrbit"]);
+    expect([...faults.values()].map(({ code }) => code)).toEqual(Array(4).fill("bad-argument"));
+  });
+
+  it("read orbits as angles and a distance", () => {
+    const { orbit, settings } = readSettings(
+      { ...DEFAULTS, cameraOrbit: "30deg 1.5rad 40cm", maxCameraOrbit: "auto 90deg 150%" },
+      english,
+    );
+    expect(orbit?.theta).toBe(30);
+    expect(orbit?.phi).toBeCloseTo(85.94, 2);
+    expect(orbit?.distance).toEqual({ value: 0.4, unit: "m" });
+    expect(settings.camera.max).toEqual({ theta: null, phi: 90, distance: { value: 1.5, unit: "share" } });
+  });
+
+  it("speak the first language that is spoken here", () => {
+    expect(languageOf(["", null, "de-AT", "en"])).toBe("de");
+    expect(languageOf(["fr", "EN_us"])).toBe("en");
+    expect(languageOf(["fr"])).toBe("en");
+  });
+});
