@@ -17,5 +17,8 @@ export function errorDetail(error: TexelcastError): ErrorDetail {
   return { error: error.toJSON(), code: error.code, message: error.message, hint: error.hint ?? "" };
 }
 
-/** Nobody needs to hear of what was called off. */
-export const isCancelled = (thrown: unknown): boolean => thrown instanceof Error && thrown.name === "AbortError";
+/** Nobody needs to hear of what was called off, or of what an element had under way that was taken out of the page. */
+export function isCancelled(thrown: unknown): boolean {
+  if (thrown instanceof TexelcastError && thrown.code === "disposed") return true;
+  return thrown instanceof Error && thrown.name === "AbortError";
+}
