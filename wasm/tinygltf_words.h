@@ -13,7 +13,7 @@ namespace tinygltf::std {
 using namespace ::std;
 
 class stringstream {
-  public:
+public:
     stringstream& operator<<(const char* words) {
         text_ += words;
         return *this;
@@ -30,7 +30,7 @@ class stringstream {
     }
     ::std::string str() const { return text_; }
 
-  private:
+private:
     ::std::string text_;
 };
 

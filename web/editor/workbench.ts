@@ -280,7 +280,9 @@ export class Workbench extends EditorElement {
   }
 
   #hint(): TemplateResult | typeof nothing {
-    return this.state.model && !this.embedded ? html`<tc-first-hint ?compact=${this.compact}></tc-first-hint>` : nothing;
+    return this.state.model && !this.embedded
+      ? html`<tc-first-hint ?compact=${this.compact}></tc-first-hint>`
+      : nothing;
   }
 
   #help(): void {
