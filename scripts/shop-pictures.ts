@@ -1,6 +1,6 @@
 /**
- * `npm run shop-pictures`: takes the pictures of the example shop's products from its real product page, each with the
- * demo's design on it, and keeps them in scripts/demo/shop/pictures.
+ * `npm run shop-pictures`: takes the pictures of the example shop's products from its real product page, plain and with
+ * the demo's design on it, and keeps them in scripts/demo/shop/pictures.
  */
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -35,15 +35,15 @@ try {
     const page = await browser.newPage();
     await page.goto(`${address}/product.html?product=${id}`);
     await page.waitForFunction(() => document.querySelector<Editor>("texelcast-editor")?.loaded);
-    const picture = await page.evaluate(takePicture, {
-      design: designFor(model),
-      camera,
-      side: SIDE,
-      quality: QUALITY,
-    });
-    const file = inRoot(`scripts/demo/shop/pictures/${id}.webp`);
-    writeFileSync(file, Buffer.from(picture, "base64"));
-    console.log(file);
+    const take = async (name: string): Promise<void> => {
+      const picture = await page.evaluate(takePicture, { camera, side: SIDE, quality: QUALITY });
+      const file = inRoot(`scripts/demo/shop/pictures/${name}.webp`);
+      writeFileSync(file, Buffer.from(picture, "base64"));
+      console.log(file);
+    };
+    await take(`${id}-plain`);
+    await page.evaluate(openDesign, designFor(model));
+    await take(id);
     await page.close();
   }
 } finally {
@@ -62,18 +62,8 @@ function designFor(model: string): object {
   return found.design;
 }
 
-/** Runs in the page. Base64 of a WebP. */
-async function takePicture({
-  design,
-  camera,
-  side,
-  quality,
-}: {
-  design: object;
-  camera: string;
-  side: number;
-  quality: number;
-}): Promise<string> {
+/** Runs in the page. */
+async function openDesign(design: object): Promise<void> {
   const editor = document.querySelector<Editor>("texelcast-editor");
   if (!editor) throw new Error("The page has no editor.");
   const { assets } = design as { assets: Record<string, { uri: string }> };
@@ -84,6 +74,18 @@ async function takePicture({
   const opened = new Promise((resolve) => editor.addEventListener("change", resolve, { once: true }));
   editor.design = { design, assets: await Promise.all(files) };
   await opened;
+}
+
+interface PictureOptions {
+  readonly camera: string;
+  readonly side: number;
+  readonly quality: number;
+}
+
+/** Runs in the page. Base64 of a WebP. */
+async function takePicture({ camera, side, quality }: PictureOptions): Promise<string> {
+  const editor = document.querySelector<Editor>("texelcast-editor");
+  if (!editor) throw new Error("The page has no editor.");
   const png = await editor.snapshot(camera as `${string} ${string} ${string}`, { width: side, height: side });
   const canvas = new OffscreenCanvas(side, side);
   canvas.getContext("2d")?.drawImage(await createImageBitmap(png), 0, 0);

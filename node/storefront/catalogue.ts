@@ -27,6 +27,7 @@ const products = v.pipe(
       model: address,
       zones: address,
       picture: address,
+      poster: address,
       material: v.pipe(numberBetween(0, 65_535), v.integer("must be a whole number")),
       camera: v.pipe(line, v.regex(/^[-\w.%]+ [-\w.%]+ [-\w.%]+$/, "must be two angles and a distance")),
       price: strict({

@@ -18,6 +18,7 @@ export const PLANE: Product = {
   model: "demo/plane.glb",
   zones: "shop/plane.zones.json",
   picture: "shop/plane.png",
+  poster: "shop/plane.png",
   material: 0,
   camera: "0deg 0deg 100%",
   price: { currency: "EUR", base: 1000, perDecal: 150, perSquareCentimetre: 0 },

@@ -17,8 +17,6 @@ export const words = {
 
   noProduct: "Choose a product first.",
   editorOf: (product: string) => `${product}: personalise it`,
-  poster: (product: string) => `The ${product}, not personalised`,
-  details: "Details",
   price: "Price",
   priceBase: "Piece",
   priceDecals: (count: number) => (count === 0 ? "Not personalised" : count === 1 ? "1 print" : `${count} prints`),
@@ -29,6 +27,8 @@ export const words = {
   preparing: "Making your print file …",
   sending: "Putting it into the cart …",
   checkTitle: "Before it is printed",
+  hints: (count: number) =>
+    count === 1 ? "One hint stands with your design." : `${count} hints stand with your design.`,
   printAnyway: "I have seen this. Print it as it is.",
   confirmFirst: "Tick “Print it as it is” first, or change the design.",
   back: "All products",

@@ -10,8 +10,8 @@ const json = (data: unknown): Uint8Array<ArrayBuffer> => new TextEncoder().encod
 export async function* generateShop(): AsyncGenerator<DemoFile> {
   yield { path: "products.json", bytes: json(SHOP_PRODUCTS) };
   for (const [id, zones] of Object.entries(shopZones())) yield { path: `${id}.zones.json`, bytes: json(zones) };
-  for (const { id } of SHOP_PRODUCTS) {
-    const picture = await readFile(new URL(`pictures/${id}.webp`, import.meta.url));
-    yield { path: `${id}.webp`, bytes: new Uint8Array(picture) };
+  for (const name of SHOP_PRODUCTS.flatMap(({ id }) => [`${id}.webp`, `${id}-plain.webp`])) {
+    const picture = await readFile(new URL(`pictures/${name}`, import.meta.url));
+    yield { path: name, bytes: new Uint8Array(picture) };
   }
 }

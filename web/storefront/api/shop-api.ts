@@ -28,7 +28,10 @@ export interface Product {
   /** Addresses relative to the shop's root. */
   readonly model: string;
   readonly zones: string;
+  /** With a design on it. */
   readonly picture: string;
+  /** As it is before anybody puts something on it. */
+  readonly poster: string;
   /** glTF index of the material that is printed. */
   readonly material: number;
   /** Where the first look comes from, as the editor's `camera-orbit` has it. */

@@ -67,7 +67,7 @@ function draw(): void {
         zones=${product.zones}
         material=${product.material}
         camera-orbit=${product.camera}
-        poster=${product.picture}
+        poster=${product.poster}
         aria-label=${words.editorOf(product.name)}
         .design=${design}
         @change=${changed}
@@ -137,15 +137,15 @@ function price() {
 }
 
 /** What the printer would say; what must not be printed so asks for a word of the customer's. */
-const checks = () => html`
+function checks() {
+  const hints = findings.length - graveOnes().length;
+  return html`
   <section class="checks" aria-labelledby="checks-title">
     <h2 id="checks-title">${words.checkTitle}</h2>
     <ul>
-      ${findings.map(
-        ({ layer, message, hint, grave }) =>
-          html`<li class=${grave ? "grave" : ""}><strong>${layer}</strong> ${message} ${hint}</li>`,
-      )}
+      ${graveOnes().map(({ layer, message, hint }) => html`<li class="grave"><strong>${layer}</strong> ${message} ${hint}</li>`)}
     </ul>
+    ${hints === 0 ? nothing : html`<p>${words.hints(hints)}</p>`}
     ${
       mustBeSeen()
         ? html`<label class="seen">
@@ -156,8 +156,10 @@ const checks = () => html`
     }
   </section>
 `;
+}
 
-const mustBeSeen = (): boolean => findings.some(({ grave }) => grave);
+const graveOnes = (): PrintFinding[] => findings.filter(({ grave }) => grave);
+const mustBeSeen = (): boolean => graveOnes().length > 0;
 
 function setSeen(event: Event): void {
   seen = (event.target as HTMLInputElement).checked;
