@@ -57,7 +57,7 @@ void PictureLanding::mark_at(double x, double y, const PictureSight& sight, Mark
     const double across_y = (flip_y_ ? sight.across_y : -sight.across_y) * height;
     const double down_y = (flip_y_ ? sight.down_y : -sight.down_y) * height;
     const double det = across_x * down_y - across_y * down_x;
-    if (det == 0.0) return;
+    if (!(std::fabs(det) > 0.0)) return;
     const CellRange columns(centre_x, kReach * (std::fabs(across_x) + std::fabs(down_x)), level_->width);
     const CellRange rows(centre_y, kReach * (std::fabs(across_y) + std::fabs(down_y)), level_->height);
     for (std::int32_t row = rows.first; row < rows.last; ++row) {
