@@ -4,7 +4,7 @@ import type { Browser } from "@playwright/test";
 import { build, createServer } from "vite";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { STORY_FILES, storyHash, storyScript } from "./support/engine-story.ts";
-import { addShopFiles, type InstalledPackage, installPackage } from "./support/installed.ts";
+import { addShopFiles, type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
 import { openBrowser, openPage, STRICT_POLICY, serveFolder } from "./support/serve.ts";
 
 const DIST = "/node_modules/texelcast/dist";
@@ -49,8 +49,9 @@ async function story() {
   document.body.append(editor);
   await editor.start();
   await editor.addDecal("/logo.png");
-  const { bytes, width } = await editor.exportTexture();
-  return [width, ...bytes.slice(1, 4)].join();
+  const { sha256 } = await editor.exportTexture();
+  const { design } = await editor.exportDesign();
+  return { sha256, design: JSON.stringify(design) };
 }
 story().then((told) => { globalThis.story = told; }, (error) => { globalThis.story = String(error?.stack ?? error); });
 `;
@@ -76,10 +77,18 @@ test("the engine takes a WebAssembly module that the page has compiled", async (
   await server.stop();
 });
 
-test("a plain page under a strict policy opens the element, paints and exports", async () => {
+test("a plain page under a strict policy opens the element; Node prints the very bytes that it exported", async () => {
   const server = await serveFolder(installed.folder, { "content-security-policy": STRICT_POLICY });
-  // "PNG" in ASCII.
-  expect(await tell(`${server.origin}/element.html`)).toEqual({ story: "256,80,78,71", complaints: [] });
+  const { story, complaints } = await tell(`${server.origin}/element.html`);
+  expect(complaints).toEqual([]);
+  const { sha256, design } = story as { sha256: string; design: string };
+  const script = `
+    import { readFileSync } from "node:fs";
+    import { renderPrint } from "texelcast/node";
+    const assets = () => readFileSync("logo.png");
+    const print = await renderPrint({ model: "mug.glb", design: ${JSON.stringify(design)}, assets, size: 256 });
+    console.log(print.sha256);`;
+  expect(await runInNode(installed.folder, script)).toBe(sha256);
   await server.stop();
 });
 

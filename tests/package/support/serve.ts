@@ -27,6 +27,8 @@ export const STRICT_POLICY =
 export interface StaticServer {
   /** With its port, without a slash at the end. */
   readonly origin: string;
+  /** Paths of the files that were asked for, in order. */
+  readonly served: readonly string[];
   readonly stop: () => Promise<void>;
 }
 
@@ -36,6 +38,7 @@ export async function serveFolder(
   headers: Readonly<Record<string, string>> = {},
   host: "localhost" | "127.0.0.1" = "localhost",
 ): Promise<StaticServer> {
+  const served: string[] = [];
   const server = createServer((request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://x").pathname));
     const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
@@ -43,6 +46,7 @@ export async function serveFolder(
       response.writeHead(404).end();
       return;
     }
+    served.push(path);
     response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", ...headers });
     response.end(readFileSync(file));
   });
@@ -50,6 +54,7 @@ export async function serveFolder(
   const { port } = server.address() as AddressInfo;
   return {
     origin: `http://${host}:${port}`,
+    served,
     stop: () =>
       new Promise((resolve) => {
         server.close(() => resolve());
