@@ -1,15 +1,22 @@
 /** The installed package in a real Chromium: by a static server under a strict policy, and through Vite. */
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser } from "@playwright/test";
 import { build, createServer } from "vite";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { THREE_RANGE } from "../../scripts/package/manifest.mjs";
+import { readPictureHeader } from "../../web/engine/picture-header.ts";
 import { STORY_FILES, storyHash, storyScript } from "./support/engine-story.ts";
-import { addShopFiles, type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
+import { guideLines } from "./support/guide.ts";
+import { addShopFiles, CHECKOUT, type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
 import { openBrowser, openPage, STRICT_POLICY, serveFolder } from "./support/serve.ts";
 
 const DIST = "/node_modules/texelcast/dist";
 const page = (script: string): string =>
   `<!doctype html><html lang="en"><title>Shop</title><link rel="icon" href="data:," /><body></body><script type="module" src="${script}"></script></html>`;
+
+const viteOptions = () =>
+  ({ root: installed.folder, configFile: join(installed.folder, "vite.config.js"), logLevel: "error" }) as const;
 
 let installed: InstalledPackage;
 let browser: Browser;
@@ -18,6 +25,7 @@ let expected: string;
 beforeAll(async () => {
   installed = await installPackage();
   installed.provide("three");
+  installed.provide("three-oldest");
   addShopFiles(installed.folder, {
     ...STORY_FILES,
     "plain.html": page("/plain.js"),
@@ -30,6 +38,7 @@ beforeAll(async () => {
     "element.html": page("/element.js"),
     "element.js": ELEMENT_SCRIPT,
     "index.html": page("/main.js"),
+    "vite.config.js": guideLines("js", "optimizeDeps"),
     "main.js": `import { TexelcastError } from "texelcast";\n${storyScript("texelcast/core")}globalThis.root = TexelcastError.name;`,
   });
   browser = await openBrowser();
@@ -53,6 +62,32 @@ async function story() {
   const { design } = await editor.exportDesign();
   return { sha256, design: JSON.stringify(design) };
 }
+story().then((told) => { globalThis.story = told; }, (error) => { globalThis.story = String(error?.stack ?? error); });
+`;
+
+/** The guide's lines between a scene of one box and a look at its middle. */
+const SCENE_SCRIPT = `
+import * as THREE from "three";
+const renderer = new THREE.WebGLRenderer();
+renderer.setSize(64, 64);
+const mesh = new THREE.Mesh(new THREE.BoxGeometry(1, 1, 1), new THREE.MeshBasicMaterial({ color: "#ffffff" }));
+async function story() {
+  const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 10);
+  camera.position.z = 1.5;
+  const world = new THREE.Scene();
+  world.add(mesh);
+  renderer.render(world, camera);
+  const gl = renderer.getContext();
+  const rgba = new Uint8Array(64 * 64 * 4);
+  gl.readPixels(0, 0, 64, 64, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
+  let colored = 0;
+  for (let at = 0; at < rgba.length; at += 4) {
+    if (Math.max(...rgba.subarray(at, at + 3)) - Math.min(...rgba.subarray(at, at + 3)) > 32) colored += 1;
+  }
+  painted.dispose();
+  return { isPainted: colored > 200, colored, mapAfter: mesh.material.map };
+}
+${guideLines("js", "texelcast/three")}
 story().then((told) => { globalThis.story = told; }, (error) => { globalThis.story = String(error?.stack ?? error); });
 `;
 
@@ -92,24 +127,67 @@ test("a plain page under a strict policy opens the element; Node prints the very
   await server.stop();
 });
 
-// Its worker and its .wasm lie beside the scripts, which pre-bundling would move.
-const OPTIMIZE = { exclude: ["texelcast"] };
-// The worker loads its decoders when it needs them, which Vite's default, "iife", cannot express.
-const VITE = { configFile: false, logLevel: "error", worker: { format: "es" } } as const;
-
-test("Vite builds a shop", async () => {
-  const root = installed.folder;
-  const outDir = join(root, "built");
-  await build({ ...VITE, root, build: { outDir, target: "es2022" } });
+test("Vite builds a shop with the guide's two settings", async () => {
+  const outDir = join(installed.folder, "built");
+  await build({ ...viteOptions(), build: { outDir, target: "es2022" } });
   addShopFiles(outDir, STORY_FILES);
   const server = await serveFolder(outDir);
   expect(await tell(`${server.origin}/`)).toEqual({ story: expected, complaints: [] });
   await server.stop();
 });
 
-test("Vite serves a shop for development", async () => {
-  const server = await createServer({ ...VITE, root: installed.folder, server: { port: 0 }, optimizeDeps: OPTIMIZE });
+test("Vite serves a shop for development with the guide's two settings", async () => {
+  const server = await createServer({ ...viteOptions(), server: { port: 0 } });
   await server.listen();
   expect(await tell(server.resolvedUrls?.local[0] ?? "")).toEqual({ story: expected, complaints: [] });
   await server.close();
+});
+
+test("the guide's lines for plain HTML show the mug under a strict policy", async () => {
+  const body = guideLines("html");
+  addShopFiles(installed.folder, {
+    "guide.html": `<!doctype html><html lang="en"><title>Shop</title><link rel="icon" href="data:," />${body}
+<script type="module" src="/guide.js"></script></html>`,
+    "guide.js": `const editor = document.querySelector("texelcast-editor");
+customElements.whenDefined("texelcast-editor").then(() => editor.start()).then(
+  () => { globalThis.story = editor.loaded; }, (error) => { globalThis.story = String(error?.stack ?? error); });`,
+  });
+  const server = await serveFolder(installed.folder, { "content-security-policy": STRICT_POLICY });
+  expect(await tell(`${server.origin}/guide.html`)).toEqual({ story: true, complaints: [] });
+  await server.stop();
+});
+
+test("the guide's lines for Node write the print file", async () => {
+  await runInNode(installed.folder, guideLines("js", "texelcast/node"));
+  const { width, height } = readPictureHeader(readFileSync(join(installed.folder, "print.png")), "print.png");
+  expect([width, height]).toEqual([512, 512]);
+});
+
+// Both ends of the peer's range.
+test.each(["three", "three-oldest"])(
+  "the guide's lines for three.js paint a mesh of one's own, with %s",
+  async (three) => {
+    addShopFiles(installed.folder, {
+      "scene.html": `<!doctype html><html lang="en"><title>Scene</title><link rel="icon" href="data:," />
+<script type="importmap">{ "imports": {
+  "three": "/node_modules/${three}/build/three.module.js",
+  "texelcast/three": "${DIST}/three.js"
+} }</script>
+<script type="module" src="/scene.js"></script></html>`,
+      "scene.js": SCENE_SCRIPT,
+    });
+    const server = await serveFolder(installed.folder);
+    const { story, complaints } = await tell(`${server.origin}/scene.html`);
+    expect({ story, complaints }).toEqual({ story: { isPainted: true, mapAfter: null }, complaints: [] });
+    await server.stop();
+  },
+);
+
+test("the peer range of three.js begins and ends where it is tested", () => {
+  const versionOf = (name: string): string => {
+    const { version } = JSON.parse(readFileSync(join(CHECKOUT, "node_modules", name, "package.json"), "utf8"));
+    return version as string;
+  };
+  const [, newest = ""] = /^0\.(\d+)\./.exec(versionOf("three")) ?? [];
+  expect(THREE_RANGE).toBe(`>=${versionOf("three-oldest")} <0.${Number(newest) + 1}.0`);
 });
