@@ -65,12 +65,12 @@ async function story() {
 story().then((told) => { globalThis.story = told; }, (error) => { globalThis.story = String(error?.stack ?? error); });
 `;
 
-/** The guide's lines between a scene of one box and a look at its middle. */
+/** The guide's lines between a scene of one ball and a look at it. */
 const SCENE_SCRIPT = `
 import * as THREE from "three";
 const renderer = new THREE.WebGLRenderer();
 renderer.setSize(64, 64);
-const mesh = new THREE.Mesh(new THREE.BoxGeometry(1, 1, 1), new THREE.MeshBasicMaterial({ color: "#ffffff" }));
+const mesh = new THREE.Mesh(new THREE.SphereGeometry(0.5, 32, 16), new THREE.MeshBasicMaterial({ color: "#ffffff" }));
 async function story() {
   const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 10);
   camera.position.z = 1.5;
@@ -85,7 +85,7 @@ async function story() {
     if (Math.max(...rgba.subarray(at, at + 3)) - Math.min(...rgba.subarray(at, at + 3)) > 32) colored += 1;
   }
   painted.dispose();
-  return { isPainted: colored > 200, colored, mapAfter: mesh.material.map };
+  return { isPainted: colored > 100, mapAfter: mesh.material.map };
 }
 ${guideLines("js", "texelcast/three")}
 story().then((told) => { globalThis.story = told; }, (error) => { globalThis.story = String(error?.stack ?? error); });
