@@ -26,7 +26,7 @@ test("the README's library example runs as it stands and writes the painted text
 }, 60_000);
 
 test("every file that the README and the documents name exists", async () => {
-  for (const page of ["README.md", "CONTRIBUTING.md", "docs/algorithm.md", "docs/command-line.md"]) {
+  for (const page of ["README.md", "CONTRIBUTING.md", "docs/algorithm.md", "docs/command-line.md", "docs/package.md"]) {
     const text = await readFile(`${root}${page}`, "utf8");
     const folder = page.includes("/") ? `${root}docs/` : root;
     const links = [...text.matchAll(/\]\(([^)#:]+)(?:#[^)]*)?\)/g)].map((match) => `${folder}${match[1]}`);
