@@ -8,6 +8,10 @@ export const shopStyles = css`
     position: absolute;
     inset: 0;
   }
+  /* Only looked at: there is no panel. */
+  .shop[data-alone] {
+    grid-template: minmax(0, 1fr) / minmax(0, 1fr);
+  }
   .stage {
     position: relative;
     min-width: 0;
@@ -275,7 +279,7 @@ export const shopStyles = css`
     pointer-events: none;
   }
   @container texelcast (max-width: 44rem) {
-    .shop {
+    .shop:not([data-alone]) {
       grid-template: minmax(0, 1fr) minmax(0, auto) / minmax(0, 1fr);
     }
     .panel {

@@ -41,6 +41,7 @@ export class ShopView {
     return html`
       <div
         class="shop"
+        ?data-alone=${readonly}
         @keydown=${this.#key}
         @dragover=${this.#dragOver}
         @dragleave=${this.#dragLeave}
