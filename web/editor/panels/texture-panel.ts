@@ -118,7 +118,6 @@ export class TexturePanel extends EditorElement {
           (mode) => html`<button
             role="tab"
             id=${`tab-${mode}`}
-            title=${words.modeHints[mode]}
             aria-selected=${mode === textureMode}
             aria-controls="panel"
             tabindex=${mode === textureMode ? 0 : -1}
