@@ -52,6 +52,11 @@ export const elementStyles = css`
     padding: 1.5rem;
     text-align: center;
   }
+  /* Below a poster, and in the middle of nothing. */
+  .cover[data-bare] .center,
+  .cover[data-phase="failed"] .center {
+    align-self: center;
+  }
   .cover .start {
     min-height: 2.75rem;
     padding-inline: 1.25rem;
