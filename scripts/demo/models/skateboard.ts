@@ -10,7 +10,6 @@ import {
   placedChart,
 } from "../geometry/atlas.ts";
 import { type Chart, placeChart } from "../geometry/chart.ts";
-import { chartOutline } from "../geometry/chart-outline.ts";
 import { mix, smoothstep, type Vec2, type Vec3 } from "../geometry/vector.ts";
 import { addMaterial, addPrimitive, createDocument, writeGlb } from "../output/glb.ts";
 import { atlasGuide, partData } from "../output/part-data.ts";
@@ -54,11 +53,13 @@ function deckAtlas(charts: SkateboardCharts): Atlas {
   return layOutCharts(charts.deck, { width: 1024, height: 2048, spacing: 10 });
 }
 
-/** The graphic's side up to where its edge is rounded, as corners in u and v. */
+/** The rectangle round the graphic's side, as corners in u and v: nothing else of the board lies in it. */
 export function deckPrintArea(): Vec2[] {
   const atlas = deckAtlas(skateboardCharts());
   const placed = placedChart(atlas, "graphic");
-  return chartOutline(placed.chart).map((vertex) => flatToUv(atlas, placed, placed.chart.flat[vertex] as Vec2));
+  const { flatMin, flatMax } = placed;
+  const corners: Vec2[] = [flatMin, [flatMax[0], flatMin[1]], flatMax, [flatMin[0], flatMax[1]]];
+  return corners.map((corner) => flatToUv(atlas, placed, corner));
 }
 
 function wheelAtlas(charts: SkateboardCharts): Atlas {
