@@ -8,6 +8,7 @@ import { findChromium } from "../../../scripts/bootstrap/chromium.mjs";
 
 const TYPES: Readonly<Record<string, string>> = {
   ".html": "text/html; charset=utf-8",
+  ".css": "text/css",
   ".js": "text/javascript",
   ".mjs": "text/javascript",
   ".wasm": "application/wasm",
