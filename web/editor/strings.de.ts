@@ -171,7 +171,6 @@ export const german: Strings = {
 
   palette: {
     show: "Palette",
-    defaultName: "Grundfarben",
     fromPicture: "Farben eines Bildes…",
     import: "Eine .gpl-Palette öffnen…",
     export: "Die Palette als .gpl speichern",

@@ -169,7 +169,6 @@ const english = {
 
   palette: {
     show: "Palette",
-    defaultName: "Basic colours",
     fromPicture: "Colours of a picture…",
     import: "Import a .gpl palette…",
     export: "Export the palette as .gpl",
