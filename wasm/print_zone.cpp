@@ -11,24 +11,13 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// Faces of a box that the surface runs along within this sine are no edge of the zone there.
 constexpr double kAlong = 1e-6;
 
-double polygon_inset(const std::vector<glm::dvec2>& corners, const ZoneTexel& texel) {
-    bool inside = false;
-    double nearest = kFar;
-    glm::dvec2 from = corners.back() * texel.size;
-    for (const glm::dvec2& corner : corners) {
-        const glm::dvec2 to = corner * texel.size;
-        const glm::dvec2 edge = to - from;
-        const glm::dvec2 way = texel.place - from;
-        if ((from.y > texel.place.y) != (to.y > texel.place.y) && way.x < edge.x * way.y / edge.y) inside = !inside;
-        const double squared = texel.metric.dot(edge, edge);
-        const double share = squared > 0.0 ? std::clamp(texel.metric.dot(way, edge) / squared, 0.0, 1.0) : 0.0;
-        const glm::dvec2 left = way - edge * share;
-        nearest = std::min(nearest, texel.metric.dot(left, left));
-        from = to;
-    }
-    const double distance = std::sqrt(std::max(nearest, 0.0));
-    return inside ? distance : -distance;
-}
+/// Texels of a block's side, and from its centre to its furthest texel's, with room for rounding.
+constexpr double kBlock = 16.0;
+constexpr double kBlockRadius = 12.0;
+/// A bound that is compared leaves room for rounding: an edge too many is looked at, never one too few.
+constexpr double kBound = 1.0 - 1e-9;
+
+double share_of(double part, double whole) { return whole > 0.0 ? std::clamp(part / whole, 0.0, 1.0) : 0.0; }
 
 }  // namespace
 
@@ -71,14 +60,22 @@ TxcStatus PrintZone::from_def(const TxcZone& def, std::uint32_t index, const flo
     return TXC_STATUS_OK;
 }
 
-double PrintZone::inset(const ZoneTexel& texel) const {
-    if (!is_box) return polygon_inset(corners, texel);
-    const glm::dvec3 at = pose.to_view(texel.position);
-    const glm::dvec3 normal = pose.turn_to_view(texel.normal);
+double ZoneLook::inset(const ZoneTexel& texel) { return zone_->is_box ? box_inset(texel) : polygon_inset(texel); }
+
+double ZoneLook::cover(const ZoneTexel& texel, double gutter) {
+    const double beyond = inset(texel) + zone_->bleed;
+    const double side = std::sqrt(texel.metric.area());
+    if (!(side > 0.0)) return beyond >= 0.0 ? 1.0 : 0.0;
+    return std::clamp(0.5 + beyond / side + gutter, 0.0, 1.0);
+}
+
+double ZoneLook::box_inset(const ZoneTexel& texel) const {
+    const glm::dvec3 at = zone_->pose.to_view(texel.position);
+    const glm::dvec3 normal = zone_->pose.turn_to_view(texel.normal);
     if (!(normal.z > 0.0)) return -kFar;
     double nearest = kFar;
     for (int c = 0; c < 3; ++c) {
-        const double depth = half[c] - std::fabs(at[c]);
+        const double depth = zone_->half[c] - std::fabs(at[c]);
         // How fast one comes nearer to the face on the surface; a face that it runs along is never met.
         const double slope = std::sqrt(std::max(1.0 - normal[c] * normal[c], 0.0));
         nearest = std::min(nearest, slope > kAlong ? depth / slope : depth < 0.0 ? -kFar : kFar);
@@ -86,11 +83,58 @@ double PrintZone::inset(const ZoneTexel& texel) const {
     return nearest;
 }
 
-double zone_cover(const PrintZone& zone, const ZoneTexel& texel, double gutter) {
-    const double beyond = zone.inset(texel) + zone.bleed;
-    const double side = std::sqrt(texel.metric.area());
-    if (!(side > 0.0)) return beyond >= 0.0 ? 1.0 : 0.0;
-    return std::clamp(0.5 + beyond / side + gutter, 0.0, 1.0);
+void ZoneLook::come_to_block_of(const ZoneTexel& texel) {
+    const glm::dvec2 block = glm::floor(texel.place / kBlock);
+    if (block == block_ && texel.size == size_) return;
+    block_ = block;
+    size_ = texel.size;
+    edges_.clear();
+    crossing_.clear();
+    const glm::dvec2 centre = (block + 0.5) * kBlock;
+    const std::vector<glm::dvec2>& corners = zone_->corners;
+    glm::dvec2 from = corners.back() * size_;
+    for (std::uint32_t c = 0; c < corners.size(); ++c) {
+        const glm::dvec2 to = corners[c] * size_;
+        Edge edge{from, to - from, to.y, 0.0, c};
+        const glm::dvec2 left =
+            centre - from - edge.way * share_of(glm::dot(centre - from, edge.way), glm::dot(edge.way, edge.way));
+        edge.distance = std::max(glm::length(left) * kBound - kBlockRadius, 0.0);
+        edges_.push_back(edge);
+        if (std::max(from.y, to.y) >= centre.y - kBlock && std::min(from.y, to.y) <= centre.y + kBlock)
+            crossing_.push_back(edge);
+        from = to;
+    }
+    // The corner tells edges of one distance apart, so that every library sorts alike.
+    std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.corner < b.corner;
+    });
+}
+
+double ZoneLook::polygon_inset(const ZoneTexel& texel) {
+    come_to_block_of(texel);
+    bool inside = false;
+    for (const Edge& edge : crossing_) {
+        const glm::dvec2 way = texel.place - edge.from;
+        if ((edge.from.y > texel.place.y) != (edge.to_y > texel.place.y) && way.x < edge.way.x * way.y / edge.way.y)
+            inside = !inside;
+    }
+    // A texel's way is at least this long on the surface.
+    const double shortest = texel.metric.shortest() * kBound;
+    double nearest = kFar;
+    for (const Edge& edge : edges_) {
+        const double least = edge.distance * shortest;
+        if (least * least > nearest) break;
+        const glm::dvec2 way = texel.place - edge.from;
+        const double share = share_of(texel.metric.dot(way, edge.way), texel.metric.dot(edge.way, edge.way));
+        const glm::dvec2 left = way - edge.way * share;
+        nearest = std::min(nearest, texel.metric.dot(left, left));
+    }
+    const double distance = std::sqrt(std::max(nearest, 0.0));
+    return inside ? distance : -distance;
+}
+
+std::vector<ZoneLook> looks_at(const std::vector<PrintZone>& zones) {
+    return std::vector<ZoneLook>(zones.begin(), zones.end());
 }
 
 ZoneTexel zone_texel(const LocalSpaceMap& map, const TexelRun& run, std::uint32_t x, std::uint32_t y,

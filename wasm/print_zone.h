@@ -33,15 +33,46 @@ struct PrintZone {
     /// `corners`: u and v, all zones'. BAD_ARGUMENT names zone and field.
     static TxcStatus from_def(const TxcZone& def, std::uint32_t index, const float* corners, std::uint32_t corner_count,
                               PrintZone& out);
+};
+
+/// A zone as texels ask about it that lie near each other: of a polygon's edges, the nearest first and seldom all.
+/// (All of them for each texel: a zone of 220 corners took as long as everything else of opening its target.)
+class ZoneLook {
+public:
+    /// The zone must outlive it.
+    explicit ZoneLook(const PrintZone& zone) : zone_(&zone) {}
+
+    const PrintZone& zone() const { return *zone_; }
 
     /// Metres along the surface from the texel's centre to the zone's edge, above 0 inside. The surface counts as flat from
     /// here to there, and as this texel stretches it.
-    double inset(const ZoneTexel& texel) const;
+    double inset(const ZoneTexel& texel);
+
+    /// How much of a texel lies in the zone, its bleed included, 0 to 1: a ramp as wide as a texel. Gutter texels go with
+    /// their chart, which ends where they begin.
+    double cover(const ZoneTexel& texel, double gutter);
+
+private:
+    struct Edge {
+        glm::dvec2 from, way;   // texels
+        double to_y;            // of its end: the next edge begins at the very same
+        double distance = 0.0;  // texels from any texel of the block, or fewer
+        std::uint32_t corner = 0;
+    };
+
+    void come_to_block_of(const ZoneTexel& texel);
+    double polygon_inset(const ZoneTexel& texel);
+    double box_inset(const ZoneTexel& texel) const;
+
+    const PrintZone* zone_;
+    glm::dvec2 block_{-1.0};      // of kBlock x kBlock texels, counted from the texture's corner
+    glm::dvec2 size_{0.0};        // the texture's, that the edges are in
+    std::vector<Edge> edges_;     // by distance
+    std::vector<Edge> crossing_;  // those that reach into the block's rows
 };
 
-/// How much of a texel lies in the zone, its bleed included, 0 to 1: a ramp as wide as a texel. Gutter texels go with
-/// their chart, which ends where they begin.
-double zone_cover(const PrintZone& zone, const ZoneTexel& texel, double gutter);
+/// Looks at several zones, in their order.
+std::vector<ZoneLook> looks_at(const std::vector<PrintZone>& zones);
 
 /// A texel of a map, for zones.
 ZoneTexel zone_texel(const LocalSpaceMap& map, const TexelRun& run, std::uint32_t x, std::uint32_t y,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <variant>
 
 namespace txc {
@@ -235,9 +236,9 @@ void LayerMeter::add_zones(const MeasuredLayer& measured, const TexelRun& run, s
     bool is_inside = false;
     bool is_safe = false;
     for (std::size_t z = 0; z < zones_.size(); ++z) {
-        const PrintZone& zone = zones_[z];
+        const PrintZone& zone = zones_[z].zone();
         if (zone.material != measured.map.key.material) continue;
-        const double inset = zone.inset(texel);
+        const double inset = zones_[z].inset(texel);
         if (inset + zone.bleed < 0.0) continue;
         zone_areas_[z] += area;
         is_inside = true;
@@ -295,32 +296,22 @@ void draw_print_map(const MeasuredLayer& measured, std::uint32_t kind, std::uint
     }
 }
 
-namespace {
-
-/// 0 to 1, of a zone or of the best of the material's.
-double cover_of(const std::vector<PrintZone>& zones, const PrintZone* zone, const LocalSpaceMap& map,
-                const ZoneTexel& texel, double gutter) {
-    if (zone != nullptr) return zone_cover(*zone, texel, gutter);
-    double most = 0.0;
-    for (const PrintZone& one : zones) {
-        if (one.material == map.key.material) most = std::max(most, zone_cover(one, texel, gutter));
-    }
-    return most;
-}
-
-}  // namespace
-
 void draw_zone_mask(const LocalSpaceMap& map, const std::vector<PrintZone>& zones, const PrintZone* zone,
                     std::uint32_t row, std::uint32_t row_count, std::uint8_t* out) {
     std::memset(out, 0, static_cast<std::size_t>(row_count) * map.key.width);
+    std::vector<ZoneLook> looks;
+    for (const PrintZone& one : zones) {
+        if (zone != nullptr ? &one == zone : one.material == map.key.material) looks.emplace_back(one);
+    }
     MetricFrame frame;
     map.for_each_run(row, row_count, [&](const TexelRun& run, std::uint32_t tile_x, std::uint32_t y) {
         const double gutter = (run.flags & kRunGutter) != 0 ? map.key.gutter : 0.0;
         for (std::uint32_t x = tile_x + run.x; x < tile_x + run.x + run.length; ++x) {
             frame.look_at(map, run, x, y);
             const ZoneTexel texel = zone_texel(map, run, x, y, frame.metric);
-            const double cover = cover_of(zones, zone, map, texel, gutter);
-            out[static_cast<std::size_t>(y - row) * map.key.width + x] = static_cast<std::uint8_t>(cover * 255.0 + 0.5);
+            double most = 0.0;
+            for (ZoneLook& look : looks) most = std::max(most, look.cover(texel, gutter));
+            out[static_cast<std::size_t>(y - row) * map.key.width + x] = static_cast<std::uint8_t>(most * 255.0 + 0.5);
         }
     });
 }
@@ -331,13 +322,15 @@ TxcZoneSurface measure_zone(const LocalSpaceMap& map, const PrintZone* zone) {
     double metric[3] = {0.0, 0.0, 0.0};
     double up[2] = {0.0, 0.0};
     double mirrored = 0.0;
+    std::optional<ZoneLook> look;
+    if (zone != nullptr) look.emplace(*zone);
     MetricFrame frame;
     map.for_each_run(0, map.key.height, [&](const TexelRun& run, std::uint32_t tile_x, std::uint32_t y) {
         if ((run.flags & kRunGutter) != 0) return;
         for (std::uint32_t x = tile_x + run.x; x < tile_x + run.x + run.length; ++x) {
             frame.look_at(map, run, x, y);
             const TexelMetric& m = frame.metric;
-            if (zone != nullptr && zone->inset(zone_texel(map, run, x, y, m)) + zone->bleed < 0.0) continue;
+            if (look.has_value() && look->inset(zone_texel(map, run, x, y, m)) + zone->bleed < 0.0) continue;
             const double texel_area = m.area();
             if (!(texel_area > 0.0)) continue;
             if (out.texels == 0) {

@@ -20,7 +20,8 @@ struct MeasuredLayer {
 /// Adds up what a layer prints, over all targets that it paints.
 class LayerMeter {
 public:
-    explicit LayerMeter(const std::vector<PrintZone>& zones) : zones_(zones), zone_areas_(zones.size(), 0.0) {}
+    explicit LayerMeter(const std::vector<PrintZone>& zones)
+        : zones_(looks_at(zones)), zone_areas_(zones.size(), 0.0) {}
 
     void add(const MeasuredLayer& measured);
 
@@ -32,7 +33,7 @@ private:
     void add_zones(const MeasuredLayer& measured, const TexelRun& run, std::uint32_t x, std::uint32_t y,
                    const TexelMetric& metric, double area);
 
-    const std::vector<PrintZone>& zones_;
+    std::vector<ZoneLook> zones_;
     std::vector<double> zone_areas_;
     std::unique_ptr<PictureLanding> landing_;
     double area_ = 0.0;           // printed, by alpha

@@ -86,10 +86,11 @@ describe("the print report", () => {
     expect(clipped.layers[0]?.zones).toEqual([{ id: "left", share: expect.closeTo(0.5, 2) }]);
     expect(clipped.violations).toEqual([]);
     expect(clipped.warnings).toEqual([expect.objectContaining({ code: "outside-zones", layer: "logo", zone: "left" })]);
+    expect(clipped.layers[0]?.areaCm2, "what is cut off is not printed").toBeCloseTo(1250, -2);
     await engine.setZones(zones({ policy: "warn" }, { dpi: { least: 1, good: 1 } }));
-    expect((await engine.printReport()).violations).toEqual([
-      expect.objectContaining({ code: "outside-zones", value: 50, limit: 1 }),
-    ]);
+    const warned = await engine.printReport();
+    expect(warned.layers[0]?.areaCm2).toBeCloseTo(2500, -2);
+    expect(warned.violations).toEqual([expect.objectContaining({ code: "outside-zones", value: 50, limit: 1 })]);
   });
 
   it("takes margins as millimetres of the print", async () => {

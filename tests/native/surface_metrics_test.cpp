@@ -1,7 +1,9 @@
 // Print truth on surfaces whose numbers are known in closed form.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -299,6 +301,38 @@ TEST_CASE("A zone's mask is full inside, clear outside, and goes with its bleed"
     CHECK(row_of(0)[36] == 0);
     set_zones(session, {});
     CHECK(row_of(TXC_NONE)[0] == 0);
+}
+
+TEST_CASE("However many corners a zone's edge has, its mask is that of the edge") {
+    // Texels four times as long as wide, so that the nearest edge on the surface is not the nearest in the texture.
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(256, 64);
+    const double inward = 0.05;
+    const std::vector<float> plain = {0.125f, 0.25f, 0.875f, 0.25f, 0.875f, 0.75f, 0.125f, 0.75f};
+    std::vector<float> dense;
+    constexpr int kSteps = 96;
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+        const float* from = &plain[corner * 2];
+        const float* to = &plain[(corner + 1) % 4 * 2];
+        for (int step = 0; step < kSteps; ++step) {
+            const float share = static_cast<float>(step) / kSteps;
+            dense.push_back(from[0] + (to[0] - from[0]) * share);
+            dense.push_back(from[1] + (to[1] - from[1]) * share);
+        }
+    }
+    const auto mask_of = [&](const std::vector<float>& corners) {
+        set_zones(session, {uv_zone(0, static_cast<std::uint32_t>(corners.size() / 2), 0.0, inward)}, corners);
+        std::vector<std::uint8_t> mask(256 * 64);
+        must(txc_zone_mask(session.id(), target, 0, 0, 64, mask.data()));
+        return mask;
+    };
+    const std::vector<std::uint8_t> few = mask_of(plain);
+    const std::vector<std::uint8_t> many = mask_of(dense);
+    int worst = 0;
+    for (std::size_t i = 0; i < few.size(); ++i) worst = std::max(worst, std::abs(few[i] - many[i]));
+    CHECK(worst <= 1);
+    CHECK(few[32 * 256 + 128] == 255);
+    CHECK(few[0] == 0);
 }
 
 TEST_CASE("A zone tells its area, its rectangle, its scale, and which way is up") {

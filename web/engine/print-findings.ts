@@ -54,8 +54,9 @@ function* layerFindings(zones: PrintZones, layer: LayerPrint): Generator<LayerFi
   );
   const zone = main?.id ?? null;
   const isClipped = layer.materials.every((material) => clipsMaterial(zones, material));
-  if (layer.areaCm2 === 0 || (layer.outsideZones === 1 && isClipped)) {
-    const hint = layer.areaCm2 === 0 ? "Move it onto the surface." : "Move it into a zone.";
+  const isAllOutside = layer.outsideZones === 1 && isClipped;
+  if (layer.areaCm2 === 0 || isAllOutside) {
+    const hint = isAllOutside ? "Move it into a zone." : "Move it onto the surface.";
     yield violation("nothing-printed", null, "No part of it is printed.", hint, 0, 0);
     return;
   }

@@ -10,6 +10,7 @@ import { findingsOf } from "./print-findings.ts";
 import { printedLayers } from "./print-layers.ts";
 import type { LayerPrint, PrintMeasures, PrintReport } from "./print-report.ts";
 import { drawWhole, type PrintContext } from "./print-target.ts";
+import { clipsMaterial } from "./zone-clip.ts";
 
 const SQUARE_CENTIMETRES = 10_000;
 
@@ -60,6 +61,9 @@ function measureLayer(
   });
   const handles: LayerHandle[] = found.map(({ handle }) => handle);
   const { metrics, zoneShares } = session.measureLayer(handles, zones.zones.length);
+  // What is cut off at the zones is not printed, and nobody pays for it.
+  const cut = found.filter(({ material }) => clipsMaterial(zones, material)).map(({ handle }) => handle);
+  const cutArea = cut.length === 0 ? 0 : areaOutside(session.measureLayer(cut, zones.zones.length).metrics);
   const picture = layer.type === "decal" ? pictureOf(layer) : null;
   const shares = zones.zones.map(({ id }, index) => ({ id, share: zoneShares[index] ?? 0 }));
   return {
@@ -67,13 +71,15 @@ function measureLayer(
     type: layer.type,
     materials: found.map(({ material }) => material),
     zones: shares.filter(({ share }) => share > 0),
-    ...measuresOf(metrics, (perMetre) => perInch(perMetre, zones), {
+    ...measuresOf({ ...metrics, area: metrics.area - cutArea }, (perMetre) => perInch(perMetre, zones), {
       hasPicture: picture !== null && metrics.paintedTexels > 0,
       isDrawn: picture !== null && isDrawn(picture),
       scale: zones.printScale,
     }),
   };
 }
+
+const areaOutside = ({ area, outsideZones }: LayerMetrics): number => area * outsideZones;
 
 function measuresOf(
   metrics: LayerMetrics,

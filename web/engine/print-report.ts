@@ -26,7 +26,7 @@ export interface PrintMeasures {
   readonly overlapTexels: number;
   /** Printed texels whose part of the texture lies mirrored on the surface. */
   readonly mirroredTexels: number;
-  /** Printed area, square centimetres: each texel's by the layer's own alpha there. */
+  /** Printed area, square centimetres: each texel's by the layer's own alpha there. What zones cut off is not printed. */
   readonly areaCm2: number;
 }
 
