@@ -137,16 +137,22 @@ std::vector<ZoneLook> looks_at(const std::vector<PrintZone>& zones) {
     return std::vector<ZoneLook>(zones.begin(), zones.end());
 }
 
+bool any_is_box(const std::vector<ZoneLook>& looks) {
+    return std::any_of(looks.begin(), looks.end(), [](const ZoneLook& look) { return look.zone().is_box; });
+}
+
 ZoneTexel zone_texel(const LocalSpaceMap& map, const TexelRun& run, std::uint32_t x, std::uint32_t y,
-                     const TexelMetric& metric) {
+                     const TexelMetric& metric, bool in_space) {
+    const MapKey& key = map.key;
+    ZoneTexel texel{{x + key.origin_x + 0.5, y + key.origin_y + 0.5},
+                    {static_cast<double>(key.texture_width()), static_cast<double>(key.texture_height())},
+                    metric};
+    if (!in_space) return texel;
     const auto column = static_cast<std::int32_t>(x);
     const auto row = static_cast<std::int32_t>(y);
-    const MapKey& key = map.key;
-    return {{x + key.origin_x + 0.5, y + key.origin_y + 0.5},
-            {static_cast<double>(key.texture_width()), static_cast<double>(key.texture_height())},
-            metric,
-            glm::dvec3(map.frames[run.frame].position_at(column, row)),
-            glm::dvec3(map.unit_normal(run, column, row))};
+    texel.position = glm::dvec3(map.frames[run.frame].position_at(column, row));
+    texel.normal = glm::dvec3(map.unit_normal(run, column, row));
+    return texel;
 }
 
 }  // namespace txc

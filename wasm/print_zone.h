@@ -17,8 +17,8 @@ struct ZoneTexel {
     glm::dvec2 place{0.0};  // its centre, texels of the whole texture
     glm::dvec2 size{0.0};   // of the whole texture, texels
     TexelMetric metric;
-    glm::dvec3 position{0.0};  // model space
-    glm::dvec3 normal{0.0};    // unit
+    glm::dvec3 position{0.0};  // model space; for boxes alone
+    glm::dvec3 normal{0.0};    // unit; for boxes alone
 };
 
 struct PrintZone {
@@ -73,9 +73,11 @@ private:
 
 /// Looks at several zones, in their order.
 std::vector<ZoneLook> looks_at(const std::vector<PrintZone>& zones);
+/// Whether one of them asks for a texel's place in space.
+bool any_is_box(const std::vector<ZoneLook>& looks);
 
-/// A texel of a map, for zones.
+/// A texel of a map, for zones. `in_space`: boxes are among them.
 ZoneTexel zone_texel(const LocalSpaceMap& map, const TexelRun& run, std::uint32_t x, std::uint32_t y,
-                     const TexelMetric& metric);
+                     const TexelMetric& metric, bool in_space);
 
 }  // namespace txc

@@ -232,7 +232,7 @@ void LayerMeter::add(const MeasuredLayer& measured) {
 
 void LayerMeter::add_zones(const MeasuredLayer& measured, const TexelRun& run, std::uint32_t x, std::uint32_t y,
                            const TexelMetric& metric, double area) {
-    const ZoneTexel texel = zone_texel(measured.map, run, x, y, metric);
+    const ZoneTexel texel = zone_texel(measured.map, run, x, y, metric, has_box_);
     bool is_inside = false;
     bool is_safe = false;
     for (std::size_t z = 0; z < zones_.size(); ++z) {
@@ -303,12 +303,13 @@ void draw_zone_mask(const LocalSpaceMap& map, const std::vector<PrintZone>& zone
     for (const PrintZone& one : zones) {
         if (zone != nullptr ? &one == zone : one.material == map.key.material) looks.emplace_back(one);
     }
+    const bool has_box = any_is_box(looks);
     MetricFrame frame;
     map.for_each_run(row, row_count, [&](const TexelRun& run, std::uint32_t tile_x, std::uint32_t y) {
         const double gutter = (run.flags & kRunGutter) != 0 ? map.key.gutter : 0.0;
         for (std::uint32_t x = tile_x + run.x; x < tile_x + run.x + run.length; ++x) {
             frame.look_at(map, run, x, y);
-            const ZoneTexel texel = zone_texel(map, run, x, y, frame.metric);
+            const ZoneTexel texel = zone_texel(map, run, x, y, frame.metric, has_box);
             double most = 0.0;
             for (ZoneLook& look : looks) most = std::max(most, look.cover(texel, gutter));
             out[static_cast<std::size_t>(y - row) * map.key.width + x] = static_cast<std::uint8_t>(most * 255.0 + 0.5);
@@ -330,7 +331,8 @@ TxcZoneSurface measure_zone(const LocalSpaceMap& map, const PrintZone* zone) {
         for (std::uint32_t x = tile_x + run.x; x < tile_x + run.x + run.length; ++x) {
             frame.look_at(map, run, x, y);
             const TexelMetric& m = frame.metric;
-            if (look.has_value() && look->inset(zone_texel(map, run, x, y, m)) + zone->bleed < 0.0) continue;
+            if (look.has_value() && look->inset(zone_texel(map, run, x, y, m, zone->is_box)) + zone->bleed < 0.0)
+                continue;
             const double texel_area = m.area();
             if (!(texel_area > 0.0)) continue;
             if (out.texels == 0) {

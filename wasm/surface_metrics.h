@@ -21,7 +21,7 @@ struct MeasuredLayer {
 class LayerMeter {
 public:
     explicit LayerMeter(const std::vector<PrintZone>& zones)
-        : zones_(looks_at(zones)), zone_areas_(zones.size(), 0.0) {}
+        : zones_(looks_at(zones)), has_box_(any_is_box(zones_)), zone_areas_(zones.size(), 0.0) {}
 
     void add(const MeasuredLayer& measured);
 
@@ -34,6 +34,7 @@ private:
                    const TexelMetric& metric, double area);
 
     std::vector<ZoneLook> zones_;
+    bool has_box_;
     std::vector<double> zone_areas_;
     std::unique_ptr<PictureLanding> landing_;
     double area_ = 0.0;           // printed, by alpha
