@@ -12,6 +12,7 @@ import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions } from "../element-api.ts";
 import type { Desk } from "./desk.ts";
 import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
+import { startingPlace } from "./zone-place.ts";
 
 /** Of the model's diagonal: a new decal's longer side. */
 const NEW_SHARE = 0.22;
@@ -25,11 +26,14 @@ export interface Place {
 export function placeFor(desk: Desk, aspect: number, options: PlaceOptions, at: SurfaceHit | null): Place {
   const { viewer, store } = desk;
   const { words } = desk.settings;
-  const { position, width = NEW_SHARE * diagonalOf(store.state.model) * Math.min(1, aspect) } = options;
+  const { position } = options;
+  const start = at === null && position === undefined ? startingPlace(viewer, desk.zones?.zones ?? []) : null;
+  const usual = NEW_SHARE * diagonalOf(store.state.model) * Math.min(1, aspect);
+  const { width = Math.min(usual, start?.mostWidth(aspect) ?? usual) } = options;
   if (!(width > 0 && Number.isFinite(width))) {
     throw new TexelcastError("bad-argument", words.errors.badOption("width"), { field: "width", value: String(width) });
   }
-  const hit = at ?? (position === undefined ? viewer.surfaceAtCentre() : viewer.surface.near(position));
+  const hit = at ?? start?.hit ?? (position === undefined ? null : viewer.surface.near(position));
   if (options.projector === undefined && hit === null) {
     throw new TexelcastError("bad-argument", words.errors.nowhere, { hint: words.errors.nowhereHint });
   }
