@@ -56,7 +56,7 @@ export type DesignInput =
 /** A picture to be put on the model; a string is an address. */
 export type DecalSource = Blob | URL | string | Uint8Array | ArrayBuffer;
 
-/** Where something new goes. Without a place: the middle of the view. */
+/** Where something new goes. Without a place: the middle of the view, or of a zone where that is not printed. */
 export interface PlaceOptions {
   /** As the list of layers calls it; default: the file's name, or the words. */
   readonly name?: string;
