@@ -1,7 +1,7 @@
 /** Carts and orders in SQLite: what is kept, and the few questions that are asked of it. */
 import { randomBytes } from "node:crypto";
 import sqlite from "node-sqlite3-wasm";
-import type { Approval, OrderLine, PrintStatus, Sha256, ShopFault } from "../../web/storefront/api/shop-api.ts";
+import type { CartLine, OrderLine, PrintStatus, ShopFault } from "../../web/storefront/api/shop-api.ts";
 
 const SCHEMA = `
 CREATE TABLE IF NOT EXISTS carts (
@@ -34,17 +34,7 @@ CREATE INDEX IF NOT EXISTS order_lines_of_order ON order_lines(order_id);
 `;
 
 /** What a line is about, as it was when it was put into the cart; its price does not change after. */
-export interface Item {
-  readonly product: string;
-  readonly productName: string;
-  readonly design: unknown;
-  readonly approved: Approval;
-  readonly snapshot: Sha256;
-  readonly quantity: number;
-  readonly decals: number;
-  readonly area: number;
-  readonly unitPrice: number;
-}
+export type Item = Omit<CartLine, "id"> & Pick<OrderLine, "productName">;
 
 export interface StoredLine extends Item {
   readonly id: string;

@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
+import { crc32 } from "../../web/engine/crc32.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { readPictureHeader } from "../../web/engine/picture-header.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
-import { crc32 } from "../../web/engine/png-header.ts";
 import { checkUpload } from "../../web/engine/upload-check.ts";
 
 const text = (value: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(value);

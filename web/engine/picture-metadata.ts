@@ -5,8 +5,9 @@
  *
  * Colour profiles go too: the decoders do not look at them (picture-decoder.ts).
  */
+import { joinBytes } from "./join-bytes.ts";
 import type { PictureFormat } from "./picture-header.ts";
-import { crc32 } from "./png-header.ts";
+import { pngChunk } from "./png-chunk.ts";
 
 /**
  * @param orientation As the header says it, 1 to 8.
@@ -46,19 +47,9 @@ function cleanPng(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuffe
     const type = asciiOf(bytes, at + 4, 4);
     if (PNG_CHUNKS.has(type)) parts.push(bytes.subarray(at, at + 12 + length));
     if (type === "IHDR" && orientation !== 1) parts.push(pngChunk("eXIf", orientationBlock(orientation)));
-    if (type === "IEND") return joined(parts);
+    if (type === "IEND") return joinBytes(parts);
     at += 12 + length;
   }
-}
-
-function pngChunk(type: string, data: Uint8Array): Uint8Array {
-  const chunk = new Uint8Array(12 + data.length);
-  const view = new DataView(chunk.buffer);
-  view.setUint32(0, data.length);
-  chunk.set(codesOf(type), 4);
-  chunk.set(data, 8);
-  view.setUint32(8 + data.length, crc32(chunk.subarray(4, 8 + data.length)));
-  return chunk;
 }
 
 const JPEG = { end: 0xd9, scan: 0xda, app0: 0xe0, app14: 0xee, app15: 0xef, comment: 0xfe } as const;
@@ -67,7 +58,7 @@ function cleanJpeg(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuff
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const parts: Uint8Array[] = [bytes.subarray(0, 2)];
   if (orientation !== 1) {
-    const data = joined([codesOf("Exif\0\0"), orientationBlock(orientation)]);
+    const data = joinBytes([codesOf("Exif\0\0"), orientationBlock(orientation)]);
     parts.push(Uint8Array.of(0xff, 0xe1, 0, 2 + data.length), data);
   }
   for (let at = 2; at + 1 < bytes.length; ) {
@@ -87,7 +78,7 @@ function cleanJpeg(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuff
     at = end;
   }
   parts.push(Uint8Array.of(0xff, JPEG.end));
-  return joined(parts);
+  return joinBytes(parts);
 }
 
 /** JFIF's and Adobe's own say how colours are coded. */
@@ -139,7 +130,7 @@ function cleanWebp(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuff
     const block = orientationBlock(orientation);
     parts.push(codesOf("EXIF"), Uint8Array.of(block.length, 0, 0, 0), block);
   }
-  const whole = joined(parts);
+  const whole = joinBytes(parts);
   new DataView(whole.buffer).setUint32(4, whole.length - 8, true);
   return whole;
 }
@@ -148,13 +139,3 @@ const asciiOf = (bytes: Uint8Array, at: number, length: number): string =>
   String.fromCharCode(...bytes.subarray(at, at + length));
 
 const codesOf = (text: string): Uint8Array => Uint8Array.from(text, (character) => character.charCodeAt(0));
-
-function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const whole = new Uint8Array(parts.reduce((sum, { length }) => sum + length, 0));
-  let at = 0;
-  for (const part of parts) {
-    whole.set(part, at);
-    at += part.length;
-  }
-  return whole;
-}

@@ -1,19 +1,7 @@
 /** PNG's header and its chunks (PNG 3rd edition, 5): size, wholeness, checksums. */
+import { crc32 } from "./crc32.ts";
 import { readExifOrientation } from "./exif-orientation.ts";
 import { PictureFault, type RawHeader } from "./picture-fault.ts";
-
-const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
-  let crc = byte;
-  for (let bit = 0; bit < 8; bit++) crc = crc & 1 ? 0xedb88320 ^ (crc >>> 1) : crc >>> 1;
-  return crc;
-});
-
-/** As PNG has it (annex D). */
-export function crc32(bytes: Uint8Array): number {
-  let crc = 0xffffffff;
-  for (let i = 0; i < bytes.length; i++) crc = (CRC_TABLE[(crc ^ (bytes[i] ?? 0)) & 0xff] ?? 0) ^ (crc >>> 8);
-  return ~crc >>> 0;
-}
 
 /**
  * Walks all chunks to the end. The checksums are compared here because the decoder does not: it would give a damaged

@@ -3,6 +3,8 @@
  * everywhere, and the same however many rows come at once: filters and compression are JavaScript's own whole numbers.
  */
 import { Zlib } from "fflate";
+import { joinBytes } from "./join-bytes.ts";
+import { pngChunk } from "./png-chunk.ts";
 
 const SIGNATURE = Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a);
 const BYTES_PER_PIXEL = 4;
@@ -13,28 +15,6 @@ const PERCEPTUAL = 0;
 const CHUNK_BYTES = 2 ** 20;
 const FILTERS = [0, 1, 2, 3, 4] as const;
 const METRES_PER_INCH = 0.0254;
-
-const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, index) => {
-  let value = index;
-  for (let bit = 0; bit < 8; bit++) value = value & 1 ? (value >>> 1) ^ 0xedb88320 : value >>> 1;
-  return value;
-});
-
-function crcOf(bytes: Uint8Array): number {
-  let crc = 0xffffffff;
-  for (const byte of bytes) crc = (CRC_TABLE[(crc ^ byte) & 255] as number) ^ (crc >>> 8);
-  return (crc ^ 0xffffffff) >>> 0;
-}
-
-function chunk(type: string, data: Uint8Array): Uint8Array {
-  const out = new Uint8Array(data.length + 12);
-  const view = new DataView(out.buffer);
-  view.setUint32(0, data.length);
-  for (let i = 0; i < 4; i++) out[4 + i] = type.charCodeAt(i);
-  out.set(data, 8);
-  view.setUint32(8 + data.length, crcOf(out.subarray(4, 8 + data.length)));
-  return out;
-}
 
 export class PngStream {
   readonly #rowBytes: number;
@@ -57,8 +37,8 @@ export class PngStream {
     view.setUint32(4, height);
     // Eight bits, RGBA, deflate, adaptive filters, not interlaced.
     header.set([8, 6, 0, 0, 0], 8);
-    this.#parts.push(chunk("IHDR", header), chunk("sRGB", Uint8Array.of(PERCEPTUAL)));
-    if (dpi !== null) this.#parts.push(chunk("pHYs", pixelSize(dpi)));
+    this.#parts.push(pngChunk("IHDR", header), pngChunk("sRGB", Uint8Array.of(PERCEPTUAL)));
+    if (dpi !== null) this.#parts.push(pngChunk("pHYs", pixelSize(dpi)));
     this.#deflate = new Zlib({ level: COMPRESSION_LEVEL });
     this.#deflate.ondata = (data) => {
       this.#compressed.push(data);
@@ -80,12 +60,12 @@ export class PngStream {
   finish(): Uint8Array<ArrayBuffer> {
     this.#deflate.push(new Uint8Array(0), true);
     this.#endChunk();
-    this.#parts.push(chunk("IEND", new Uint8Array(0)));
-    return joined(this.#parts);
+    this.#parts.push(pngChunk("IEND", new Uint8Array(0)));
+    return joinBytes(this.#parts);
   }
 
   #endChunk(): void {
-    if (this.#compressedBytes > 0) this.#parts.push(chunk("IDAT", joined(this.#compressed)));
+    if (this.#compressedBytes > 0) this.#parts.push(pngChunk("IDAT", joinBytes(this.#compressed)));
     this.#compressed = [];
     this.#compressedBytes = 0;
   }
@@ -129,16 +109,6 @@ export class PngStream {
     }
     return this.#tries[sums.indexOf(Math.min(...sums))] as Uint8Array;
   }
-}
-
-function joined(parts: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
-  const whole = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
-  let at = 0;
-  for (const part of parts) {
-    whole.set(part, at);
-    at += part.length;
-  }
-  return whole;
 }
 
 /** Whole pixels a metre, which is all that PNG can say. */

@@ -63,7 +63,9 @@ function measureLayer(
   const { metrics, zoneShares } = session.measureLayer(handles, zones.zones.length);
   // What is cut off at the zones is not printed, and nobody pays for it.
   const cut = found.filter(({ material }) => clipsMaterial(zones, material)).map(({ handle }) => handle);
-  const cutArea = cut.length === 0 ? 0 : areaOutside(session.measureLayer(cut, zones.zones.length).metrics);
+  const isAllCut = cut.length === handles.length;
+  const ofCut = isAllCut || cut.length === 0 ? metrics : session.measureLayer(cut, zones.zones.length).metrics;
+  const cutArea = cut.length === 0 ? 0 : ofCut.area * ofCut.outsideZones;
   const picture = layer.type === "decal" ? pictureOf(layer) : null;
   const shares = zones.zones.map(({ id }, index) => ({ id, share: zoneShares[index] ?? 0 }));
   return {
@@ -78,8 +80,6 @@ function measureLayer(
     }),
   };
 }
-
-const areaOutside = ({ area, outsideZones }: LayerMetrics): number => area * outsideZones;
 
 function measuresOf(
   metrics: LayerMetrics,

@@ -249,6 +249,16 @@ export interface PaintLayer extends LayerBase {
 export type MaskLayer = DecalLayer | TextLayer | StrokeLayer | FillLayer;
 export type DesignLayer = MaskLayer | GroupLayer | PaintLayer;
 
+/** File endings of what a design names. */
+export const ASSET_ENDINGS: Readonly<Record<AssetType, string>> = {
+  "image/png": "png",
+  "image/jpeg": "jpg",
+  "image/webp": "webp",
+  "image/svg+xml": "svg",
+  "font/ttf": "ttf",
+  "font/otf": "otf",
+};
+
 export interface DesignAsset {
   readonly type: AssetType;
   /**

@@ -6,7 +6,7 @@ import { type Zippable, zipSync } from "fflate";
 import * as v from "valibot";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
-import type { Design, DesignAsset } from "./design.ts";
+import { ASSET_ENDINGS, type Design, type DesignAsset } from "./design.ts";
 import { describeValue, formatPath } from "./design-problem.ts";
 import { parseDesign } from "./parse-design.ts";
 import { printJson } from "./print-json.ts";
@@ -57,14 +57,6 @@ const MAX_DESIGN = 256 * 2 ** 20;
 const MAX_ASSET = 256 * 2 ** 20;
 const MAX_MODEL = 2 ** 31 - 1;
 
-const EXTENSIONS: Readonly<Record<string, string>> = {
-  "image/png": "png",
-  "image/jpeg": "jpg",
-  "image/webp": "webp",
-  "image/svg+xml": "svg",
-  "font/ttf": "ttf",
-  "font/otf": "otf",
-};
 /** What is compressed already, or as good as. */
 const STORED = /\.(png|jpe?g|webp|glb|ktx2)$/i;
 
@@ -82,7 +74,7 @@ export function writeProjectFile({ name, design, assetBytes, targets, model }: P
       assets[key] = asset;
       continue;
     }
-    assets[key] = { ...asset, uri: add(`assets/${plainName(key)}`, EXTENSIONS[asset.type] ?? "bin", bytes) };
+    assets[key] = { ...asset, uri: add(`assets/${plainName(key)}`, ASSET_ENDINGS[asset.type], bytes) };
   }
   const { source } = model;
   const sideFiles: { uri: string; file: string }[] = [];

@@ -5,6 +5,7 @@
  */
 import { Inflate } from "fflate";
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { crc32 } from "../../engine/crc32.ts";
 
 export interface ZipEntry {
   /** Relative, with "/"; never "..", never twice in an archive. */
@@ -195,20 +196,6 @@ function inflate(packed: Uint8Array, size: number, refuse: Refuse): Uint8Array {
     });
   }
   return bytes.subarray(0, length);
-}
-
-const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, index) => {
-  let value = index;
-  for (let bit = 0; bit < 8; bit++) value = value & 1 ? (value >>> 1) ^ 0xedb88320 : value >>> 1;
-  return value;
-});
-
-function crc32(bytes: Uint8Array): number {
-  let crc = 0xffffffff;
-  for (let i = 0; i < bytes.length; i++) {
-    crc = (CRC_TABLE[(crc ^ (bytes[i] as number)) & 0xff] as number) ^ (crc >>> 8);
-  }
-  return (crc ^ 0xffffffff) >>> 0;
 }
 
 const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

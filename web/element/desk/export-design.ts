@@ -1,19 +1,10 @@
 /** A design on its way to a shop: files beside it, each under the hash of what is in it. */
-import type { Design, DesignAsset } from "../../editor/document/design.ts";
+import { ASSET_ENDINGS, type Design, type DesignAsset } from "../../editor/document/design.ts";
 import { walkLayers } from "../../editor/document/layer-tree.ts";
 import { decodeDataUri } from "../../editor/files/data-uri.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
 import { isShippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { DesignCounts, ExportedAsset, ExportedDesign } from "../element-api.ts";
-
-const ENDINGS: Readonly<Record<DesignAsset["type"], string>> = {
-  "image/png": "png",
-  "image/jpeg": "jpg",
-  "image/webp": "webp",
-  "image/svg+xml": "svg",
-  "font/ttf": "ttf",
-  "font/otf": "otf",
-};
 
 /** Hashes of files that were met before, by their addresses: they are asked for at each change. */
 export class DesignExport {
@@ -48,7 +39,7 @@ export class DesignExport {
 
 async function nameFile(key: string, { type, uri }: DesignAsset): Promise<{ name: string; sha256: string }> {
   const sha256 = await contentHash(decodeDataUri(uri, key));
-  return { name: `assets/${sha256}.${ENDINGS[type]}`, sha256 };
+  return { name: `assets/${sha256}.${ASSET_ENDINGS[type]}`, sha256 };
 }
 
 /** What a price may go by. */

@@ -1,6 +1,7 @@
 /** Where something new goes on a product that is printed in some places only. */
-import { Quaternion, Vector3 } from "three";
-import type { BoxZoneShape, PrintZone } from "../../engine/print-zones.ts";
+import { Vector3 } from "three";
+import type { PrintZone } from "../../engine/print-zones.ts";
+import { reachesPoint } from "../../viewer/projector-sight.ts";
 import type { ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 
 /** Of a box's sides: what something new takes at the most, so that it has room to be moved. */
@@ -59,15 +60,10 @@ function middleOf({ material, shape }: PrintZone, surface: ModelViewer["surface"
 
 function holds({ material, shape }: PrintZone, hit: SurfaceHit): boolean {
   if (hit.material !== material) return false;
-  return shape.kind === "box" ? boxHolds(shape, hit) : polygonHolds(shape.polygon, hit.uv);
-}
-
-/** A box takes the surface that faces its +Z. */
-function boxHolds({ position, rotation, size }: BoxZoneShape, hit: SurfaceHit): boolean {
-  const turnBack = new Quaternion(...rotation).normalize().invert();
-  const at = new Vector3(...hit.position).sub(new Vector3(...position)).applyQuaternion(turnBack);
-  const faces = new Vector3(...hit.normal).applyQuaternion(turnBack).z > 0;
-  return faces && at.toArray().every((value, axis) => Math.abs(value) <= (size[axis] ?? 0) / 2);
+  if (shape.kind === "uv") return polygonHolds(shape.polygon, hit.uv);
+  // A box takes what a decal of that box would reach: the surface in it that faces its +Z.
+  const [position, normal] = [new Vector3(...hit.position), new Vector3(...hit.normal)];
+  return reachesPoint({ ...shape, kind: "planar" }, { position, normal, uv: hit.uv });
 }
 
 function polygonHolds(polygon: readonly (readonly [number, number])[], [u, v]: readonly [number, number]): boolean {

@@ -118,7 +118,7 @@ export interface Order {
   readonly total: number;
 }
 
-/** A TexelcastError as it comes over the wire, in `{ "error": … }`. */
+/** A TexelcastError as it comes over the wire, in `{ "error": … }`; written out, as this contract imports nothing. */
 export interface ShopFault {
   readonly code: string;
   readonly message: string;
