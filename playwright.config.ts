@@ -1,10 +1,9 @@
 import { defineConfig } from "@playwright/test";
-import { findChromium } from "./scripts/bootstrap/chromium.mjs";
+import { chromiumLaunch } from "./scripts/bootstrap/chromium.mjs";
 
 /** `npm test` names a free one. */
 const PORT = Number(process.env.TEXELCAST_TEST_PORT ?? 4173);
-// Chromium refuses its sandbox to root, as in a container.
-const AS_ROOT = process.getuid?.() === 0;
+const LAUNCH = chromiumLaunch();
 
 /** The built site in Chromium with software WebGL. `npm run build` first; `npm test` does. */
 export default defineConfig({
@@ -23,12 +22,9 @@ export default defineConfig({
     trace: "retain-on-failure",
     screenshot: "only-on-failure",
     launchOptions: {
-      executablePath: findChromium() ?? undefined,
+      ...LAUNCH,
       args: [
-        ...(AS_ROOT ? ["--no-sandbox"] : []),
-        "--use-angle=swiftshader",
-        "--enable-unsafe-swiftshader",
-        "--ignore-gpu-blocklist",
+        ...LAUNCH.args,
         // In software a smoothed picture costs a quarter more time, and no test looks at its edges.
         "--webgl-antialiasing-mode=none",
         "--disable-background-networking",

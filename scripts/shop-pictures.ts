@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { chromium } from "@playwright/test";
 import { createShopServer } from "../node/storefront/shop-server.ts";
 import type { TexelcastEditorApi } from "../web/element/element-api.ts";
-import { findChromium } from "./bootstrap/chromium.mjs";
+import { chromiumLaunch } from "./bootstrap/chromium.mjs";
 import { inRoot } from "./bootstrap/paths.mjs";
 import { bootstrapOrExit } from "./bootstrap.mjs";
 import { DEMO_MODELS, demoIndex } from "./demo/catalogue.ts";
@@ -25,10 +25,7 @@ const { app } = await createShopServer({
   store: join(data, "files"),
   database: ":memory:",
 });
-const browser = await chromium.launch({
-  executablePath: findChromium() ?? undefined,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-});
+const browser = await chromium.launch(chromiumLaunch());
 try {
   const address = await app.listen({ port: 0, host: "localhost" });
   for (const { id, model, camera } of SHOP_PRODUCTS) {

@@ -1,5 +1,5 @@
 /** The built site in a real Chromium, for the scripts that take its pictures. */
-import { findChromium } from "./bootstrap/chromium.mjs";
+import { chromiumLaunch } from "./bootstrap/chromium.mjs";
 import { inRoot } from "./bootstrap/paths.mjs";
 import { bootstrapOrExit } from "./bootstrap.mjs";
 
@@ -16,10 +16,7 @@ export async function withSiteInChromium(port, use) {
   const configFile = inRoot("vite.config.ts");
   await build({ configFile, logLevel: "warn" });
   const server = await preview({ configFile, preview: { port } });
-  const browser = await chromium.launch({
-    executablePath: findChromium() ?? undefined,
-    args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"],
-  });
+  const browser = await chromium.launch(chromiumLaunch());
   try {
     await use(browser, server.resolvedUrls?.local[0] ?? "");
   } finally {

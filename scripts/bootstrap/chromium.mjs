@@ -24,6 +24,19 @@ export function findChromium() {
   return onPath("chromium", "chromium-browser", "google-chrome", "google-chrome-stable") ?? playwrightsOwn();
 }
 
+/** How Chromium is launched here: it draws WebGL in software, and refuses its sandbox to root, as in a container. */
+export function chromiumLaunch() {
+  return {
+    executablePath: findChromium() ?? undefined,
+    args: [
+      ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
+      "--use-angle=swiftshader",
+      "--enable-unsafe-swiftshader",
+      "--ignore-gpu-blocklist",
+    ],
+  };
+}
+
 function playwrightsOwn() {
   try {
     const file = createRequire(import.meta.url)("playwright-core").chromium.executablePath();

@@ -6,7 +6,7 @@ import { mkdir, writeFile } from "node:fs/promises";
 import { chromium } from "@playwright/test";
 import { build, preview } from "vite";
 import { EditorPage } from "../../tests/e2e/support/editor-page.ts";
-import { findChromium } from "../bootstrap/chromium.mjs";
+import { chromiumLaunch } from "../bootstrap/chromium.mjs";
 import { inRoot } from "../bootstrap/paths.mjs";
 import { composeSheet, drawUnfolded, type Panel, resized } from "./compose.ts";
 import { blankModel, flatStamp, handPainted, mapPanels, targetPanel } from "./core-panels.ts";
@@ -19,15 +19,7 @@ const TEXTURE_SIDE = 512;
 const configFile = inRoot("vite.config.ts");
 await build({ configFile, logLevel: "warn" });
 const server = await preview({ configFile, preview: { port: 4181 } });
-const browser = await chromium.launch({
-  executablePath: findChromium() ?? undefined,
-  args: [
-    ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
-    "--ignore-gpu-blocklist",
-  ],
-});
+const browser = await chromium.launch(chromiumLaunch());
 try {
   const context = await browser.newContext({
     baseURL: server.resolvedUrls?.local[0],

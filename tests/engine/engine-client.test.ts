@@ -3,38 +3,15 @@ import type { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { Engine, TargetUpdate } from "../../web/engine/engine-api.ts";
 import { createEngineClient } from "../../web/engine/engine-client.ts";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
-import { NO_ZONES, type PrintZones } from "../../web/engine/print-zones.ts";
 import { decal, FRONT, fill } from "../support/layers.ts";
 import { buildGlb, plane, sphere } from "../support/model-builder.ts";
 import { paintPng, solidPng } from "../support/png-file.ts";
 import { ThreadWorker } from "../support/thread-worker.ts";
+import { zones } from "../support/zones.ts";
 
 const SIZE = 64;
 const LOGO = paintPng(16, 16, (x, y) => [255 - x, y * 9, 40, 200]);
 const MODEL = buildGlb({ meshes: [plane(1, 0)], materials: [{}] });
-
-const LEFT_HALF: PrintZones = {
-  ...NO_ZONES,
-  zones: [
-    {
-      id: "left",
-      name: "Left",
-      material: 0,
-      shape: {
-        kind: "uv",
-        polygon: [
-          [0, 0],
-          [0.5, 0],
-          [0.5, 1],
-          [0, 1],
-        ],
-      },
-      safe: 0,
-      bleed: 0,
-      policy: "clip",
-    },
-  ],
-};
 
 let client: Engine | null = null;
 afterEach(() => client?.dispose());
@@ -77,7 +54,7 @@ describe("the engine's client", () => {
     expect(await engine.exportPng(0)).toEqual(await host.exportPng(0));
     expect(await engine.exportGlb()).toEqual(await host.exportGlb());
     expect((await engine.stats()).bakeCount).toBe(1);
-    for (const each of [engine, host]) await each.setZones(LEFT_HALF);
+    for (const each of [engine, host]) await each.setZones(zones());
     expect(await engine.hash(0)).toBe(await host.hash(0));
     expect(await engine.printReport()).toEqual(await host.printReport());
     expect(await engine.printMap(0, "dpi")).toEqual(await host.printMap(0, "dpi"));
@@ -201,7 +178,7 @@ describe("a worker that crashes", () => {
     await openPlane(engine);
     await engine.setAsset("gone", { name: "gone.png", bytes: LOGO });
     await engine.removeAsset("gone");
-    await engine.setZones(LEFT_HALF);
+    await engine.setZones(zones());
     engine.setLayers([decal("d", "logo"), decal("e", "gone")], 4);
     const before = await engine.hash(0);
     const picture = await engine.exportPng(0);

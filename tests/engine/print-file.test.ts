@@ -8,27 +8,11 @@ import { decal, FRONT } from "../support/layers.ts";
 import { buildGlb, plane } from "../support/model-builder.ts";
 import { CHART, endHosts, LOGO, startHost, texturedPlane } from "../support/painted-plane.ts";
 import { paintPng } from "../support/png-file.ts";
+import { LEFT_HALF, zones } from "../support/zones.ts";
 
 afterEach(endHosts);
 
-const LEFT: PrintZone = {
-  id: "left",
-  name: "Left",
-  material: 0,
-  shape: {
-    kind: "uv",
-    polygon: [
-      [0, 0],
-      [0.5, 0],
-      [0.5, 1],
-      [0, 1],
-    ],
-  },
-  safe: 0,
-  bleed: 0,
-  policy: "clip",
-};
-const ZONES = { ...NO_ZONES, printScale: 0.1, zones: [LEFT] };
+const ZONES = zones({}, { printScale: 0.1 });
 
 const QUARTERS = paintPng(64, 64, (x, y) => [x < 32 ? 255 : 0, y < 32 ? 255 : 0, 0, 255]);
 const LOGO_LAYER = decal("logo", "logo", { projector: { ...FRONT, size: [0.6, 0.6, 0.5] }, occlusion: "none" });
@@ -105,7 +89,7 @@ describe("a print file", () => {
 
   it("shows a zone alone, clear outside of it and its bleed", async () => {
     const engine = await printable();
-    await engine.setZones({ ...ZONES, zones: [{ ...LEFT, policy: "warn", bleed: 10 }] });
+    await engine.setZones({ ...ZONES, zones: [{ ...LEFT_HALF, policy: "warn", bleed: 10 }] });
     const print = await engine.exportPrint({ size: 100, zone: "left" });
     expect(print.height).toBe(100);
     const { rgba, width } = await pixels(print.bytes);
@@ -146,7 +130,7 @@ describe("a print file", () => {
 
 describe("flat art", () => {
   const whole: PrintZone = {
-    ...LEFT,
+    ...LEFT_HALF,
     id: "all",
     shape: {
       kind: "uv",

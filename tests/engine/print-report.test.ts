@@ -1,39 +1,17 @@
 import { afterEach, describe, expect, it } from "vitest";
 import type { EngineLayer } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
-import { NO_ZONES, type PrintZone, type PrintZones } from "../../web/engine/print-zones.ts";
+import { NO_ZONES } from "../../web/engine/print-zones.ts";
 import { decal, FRONT, fill, group } from "../support/layers.ts";
 import { buildGlb, plane } from "../support/model-builder.ts";
 import { endHosts, startHost } from "../support/painted-plane.ts";
 import { paintPng } from "../support/png-file.ts";
+import { zones } from "../support/zones.ts";
 
 afterEach(endHosts);
 
 const INK = paintPng(100, 100, () => [10, 20, 200, 255]);
 const SIZE = 128;
-
-const LEFT: PrintZone = {
-  id: "left",
-  name: "Left",
-  material: 0,
-  shape: {
-    kind: "uv",
-    polygon: [
-      [0, 0],
-      [0.5, 0],
-      [0.5, 1],
-      [0, 1],
-    ],
-  },
-  safe: 0,
-  bleed: 0,
-  policy: "clip",
-};
-const zones = (changes: Partial<PrintZone> = {}, more: Partial<PrintZones> = {}): PrintZones => ({
-  ...NO_ZONES,
-  ...more,
-  zones: [{ ...LEFT, ...changes }],
-});
 
 /** A white plane of 1 m, its texture open at 128 texels. */
 async function whitePlane(layers: readonly EngineLayer[], open = true): Promise<EngineHost> {

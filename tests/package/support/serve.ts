@@ -4,7 +4,7 @@ import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
 import { extname, join, normalize } from "node:path";
 import { type Browser, chromium, type Page } from "@playwright/test";
-import { findChromium } from "../../../scripts/bootstrap/chromium.mjs";
+import { chromiumLaunch } from "../../../scripts/bootstrap/chromium.mjs";
 
 const TYPES: Readonly<Record<string, string>> = {
   ".html": "text/html; charset=utf-8",
@@ -65,15 +65,7 @@ export async function serveFolder(
 }
 
 export async function openBrowser(): Promise<Browser> {
-  return await chromium.launch({
-    executablePath: findChromium() ?? undefined,
-    args: [
-      ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
-      "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader",
-      "--ignore-gpu-blocklist",
-    ],
-  });
+  return await chromium.launch(chromiumLaunch());
 }
 
 /** Opens a page; what it and its workers report as errors comes in `complaints`. */
