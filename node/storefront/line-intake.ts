@@ -4,7 +4,7 @@ import type { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { type DesignProblem, designError, formatPath } from "../../web/editor/document/design-problem.ts";
 import { type Design, materialsOf, parseDesign, walkLayers } from "../../web/editor/document/index.ts";
 import { filledText, numberBetween, strict, text } from "../../web/editor/document/schema-parts.ts";
-import { isShippedFontAddress } from "../../web/engine/shipped-fonts.ts";
+import { isShippedFontAddress } from "../../web/engine/font-address.ts";
 import { type LineRequest, type Product, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { checkAsset, type StoredType } from "./asset-check.ts";
 import { type AssetStore, isSha256 } from "./asset-store.ts";

@@ -6,10 +6,11 @@
 import type { ImageHandle, Session } from "../core/session.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { EngineLayer, EnginePicture, EngineText, Picture, Projector, TextMeasure } from "./engine-api.ts";
+import { isShippedFontAddress } from "./font-address.ts";
 import { allPicturesOf, withPictures } from "./layer-picture.ts";
 import { badPicture } from "./picture-header.ts";
 import { footprintTexels, LEAST_RASTER_PIXELS, type RasterTarget, rasterSize } from "./raster-size.ts";
-import { isShippedFontAddress, readShippedFont, SHIPPED_FONTS, type ShippedFontId } from "./shipped-fonts.ts";
+import { readShippedFont, SHIPPED_FONTS, type ShippedFontId } from "./shipped-fonts.ts";
 import { canFilter } from "./svg-cost.ts";
 import { describeFault, readSvgFile, type SvgFile } from "./svg-file.ts";
 import { renderSvg, startSvgRenderer, svgRendererReady } from "./svg-renderer.ts";

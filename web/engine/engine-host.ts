@@ -11,7 +11,7 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import { type CoreSource, loadCore } from "../core/wasm-module.ts";
 import { aboutFile } from "./about-file.ts";
 import { coreZones } from "./core-zones.ts";
-import { DrawnPictures } from "./drawn-pictures.ts";
+import { DrawnOnDemand } from "./drawn-on-demand.ts";
 import type {
   Engine,
   EngineLayer,
@@ -33,10 +33,9 @@ import { engineStats } from "./engine-stats.ts";
 import { callLater } from "./event-loop.ts";
 import { modelInfo } from "./model-info.ts";
 import { type LoadedModel, loadModelFile } from "./model-loader.ts";
-import { type TextureEdit, writeModel } from "./model-writer.ts";
+import type { TextureEdit } from "./model-writer.ts";
 import { type MapChannel, OpenTarget, type TargetPictures } from "./open-target.ts";
 import { decodePicture } from "./picture-decoder.ts";
-import { encodePng } from "./png-encoder.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
 import { NO_ZONES, type PrintZones } from "./print-zones.ts";
 import { Readying } from "./readying.ts";
@@ -62,7 +61,7 @@ export class EngineHost implements Engine {
   #model: LoadedModel | null = null;
   readonly #targets = new Map<number, OpenTarget>();
   readonly #images = new Map<string, ImageHandle>();
-  readonly #drawn = new DrawnPictures();
+  readonly #drawn = new DrawnOnDemand();
   #fontsComing = false;
 
   #zones: PrintZones | null = null;
@@ -85,8 +84,10 @@ export class EngineHost implements Engine {
   #line: Promise<unknown> = Promise.resolve();
   #disposed = false;
 
-  readonly prints = new EnginePrints((work, signal) =>
+  readonly prints = new EnginePrints((load, signal) =>
     this.#enqueue(async (session) => {
+      const work = await load();
+      this.#checkAlive();
       await this.#drawAll(session, true);
       return work({
         session,
@@ -266,6 +267,7 @@ export class EngineHost implements Engine {
 
   exportPng(material: number): Promise<Uint8Array> {
     return this.#enqueue(async (session) => {
+      const { encodePng } = await import("./png-encoder.ts");
       await this.#drawAll(session, true);
       return encodePng(this.#requireTarget(material).exportedPicture());
     });
@@ -274,6 +276,10 @@ export class EngineHost implements Engine {
   exportGlb(): Promise<Uint8Array> {
     return this.#enqueue(async (session) => {
       const model = this.#requireModel();
+      const [{ encodePng }, { writeModel }] = await Promise.all([
+        import("./png-encoder.ts"),
+        import("./model-writer.ts"),
+      ]);
       await this.#drawAll(session, true);
       const edits: TextureEdit[] = [];
       for (const [material, target] of this.#targets) {

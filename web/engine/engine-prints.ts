@@ -1,14 +1,14 @@
-/** The engine's part in printing: reports, heat maps and print files, each in its turn among the engine's calls. */
+/**
+ * The engine's part in printing: reports, heat maps and print files, each in its turn among the engine's calls. What makes
+ * them is loaded by the first that is asked for.
+ */
 import type { Picture } from "./engine-api.ts";
-import { makePrintFile } from "./print-file.ts";
-import { drawPrintMap } from "./print-map.ts";
-import { measurePrint } from "./print-measure.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
 import type { PrintContext } from "./print-target.ts";
 
-/** Runs work after all calls made before, once the newest layers are drawn, their fonts and all. */
+/** Runs work after all calls made before, once it is loaded and the newest layers are drawn, their fonts and all. */
 export type PrintTurn = <Result>(
-  work: (context: PrintContext) => Result | Promise<Result>,
+  load: () => Promise<(context: PrintContext) => Result | Promise<Result>>,
   signal?: AbortSignal,
 ) => Promise<Result>;
 
@@ -20,11 +20,14 @@ export class EnginePrints {
   }
 
   report(): Promise<PrintReport> {
-    return this.#turn(measurePrint);
+    return this.#turn(async () => (await import("./print-measure.ts")).measurePrint);
   }
 
   map(material: number, kind: PrintMapKind): Promise<Picture> {
-    return this.#turn((context) => drawPrintMap(context, material, kind));
+    return this.#turn(async () => {
+      const { drawPrintMap } = await import("./print-map.ts");
+      return (context) => drawPrintMap(context, material, kind);
+    });
   }
 
   /** @param windowSide Side of the windows in which the texture is painted; for tests, as it changes no byte. */
@@ -34,6 +37,9 @@ export class EnginePrints {
     signal?: AbortSignal,
     windowSide?: number,
   ): Promise<PrintFile> {
-    return this.#turn((context) => makePrintFile({ ...context, onProgress }, options, windowSide), signal);
+    return this.#turn(async () => {
+      const { makePrintFile } = await import("./print-file.ts");
+      return (context) => makePrintFile({ ...context, onProgress }, options, windowSide);
+    }, signal);
   }
 }

@@ -1,7 +1,7 @@
 /** Which pictures layers show: those given to `Engine.setAsset`, and words. */
 import type { EngineDab, EngineLayer, EnginePicture, Projector } from "./engine-api.ts";
+import { isShippedFontAddress } from "./font-address.ts";
 import { paintingLayers } from "./layer-tree.ts";
-import { isShippedFontAddress } from "./shipped-fonts.ts";
 
 /** The picture that the layer itself throws; null for layers that throw none. */
 export function pictureOf(layer: EngineLayer): EnginePicture | null {

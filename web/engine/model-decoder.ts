@@ -6,20 +6,14 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { readCodec } from "./codec-wasm.ts";
 import { stringifyExact } from "./exact-numbers.ts";
-import { badContainer, extensionsUsed, indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
+import { badContainer, indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
+import { compressionOf, DRACO } from "./model-compression.ts";
 
-const DRACO = "KHR_draco_mesh_compression";
 const [EXT_MESHOPT, KHR_MESHOPT] = MESHOPT_EXTENSIONS;
 
 /** Meshopt's counts are not bounded by the compressed size, so they are bounded here, before anything is allocated. */
 const MAX_DECODED_BYTES = 2 ** 30;
-
-/** The compression extensions that a model uses. */
-export function compressionOf(json: JsonObject): readonly string[] {
-  const used = extensionsUsed(json);
-  return [DRACO, ...MESHOPT_EXTENSIONS].filter((extension) => used.includes(extension));
-}
 
 /**
  * The model without compression, as a GLB; materials keep their indices. `packed` is left as it was. Throws "bad-model"

@@ -2,7 +2,7 @@
 import type { ModelSource } from "./engine-api.ts";
 import { type GltfContainer, readContainer, writeGlb } from "./gltf-container.ts";
 import { type PackedGltf, packGltf } from "./gltf-packer.ts";
-import { compressionOf, decodeModel } from "./model-decoder.ts";
+import { compressionOf } from "./model-compression.ts";
 import { findBaseTexture, imageBytes } from "./model-textures.ts";
 import { readPictureHeader } from "./picture-header.ts";
 
@@ -27,8 +27,13 @@ export async function loadModelFile(source: ModelSource): Promise<LoadedModel> {
   const original = readContainer({ name: source.name, bytes, resources });
   const packed = packGltf(original);
   const compressed = compressionOf(packed.json).length > 0;
-  const glb = compressed ? await decodeModel(packed, source.name) : writeGlb(packed.json, packed.binary);
+  const glb = compressed ? await decompressed(packed, source.name) : writeGlb(packed.json, packed.binary);
   return { name: source.name, original, packed, glb };
+}
+
+async function decompressed(packed: PackedGltf, name: string): Promise<Uint8Array> {
+  const { decodeModel } = await import("./model-decoder.ts");
+  return await decodeModel(packed, name);
 }
 
 /** Pixels of a material's base colour picture as its header says; null without a picture, or when it cannot be read. */

@@ -3,13 +3,11 @@
  * gives the same bytes everywhere (spec section 7). Never by a canvas, which premultiplies and differs between machines.
  * Colour profiles and gamma chunks are ignored, as glTF asks of base colour textures.
  */
-import { decode as decodePng } from "@jsquash/png/codec/pkg/squoosh_png.js";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { compileCodec } from "./codec-wasm.ts";
 import type { Picture } from "./engine-api.ts";
 import { orientPixels } from "./exif-orientation.ts";
 import { badPicture, type PictureFormat, readPictureHeader } from "./picture-header.ts";
-import { keepStack, pngCodec } from "./png-codec.ts";
 
 export { type PictureHeader, readPictureHeader } from "./picture-header.ts";
 
@@ -81,8 +79,8 @@ const webpCodec = new EmscriptenCodec("webp", () => import("@jsquash/webp/decode
 
 const DECODERS: Readonly<Record<PictureFormat, (bytes: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>>> = {
   png: async (bytes) => {
-    const codec = await pngCodec();
-    return pixelsOf(keepStack(codec, () => decodePng(bytes)));
+    const { decodePng } = await import("./png-codec.ts");
+    return pixelsOf(await decodePng(bytes));
   },
   jpeg: (bytes) => jpegCodec.decode(bytes),
   webp: (bytes) => webpCodec.decode(bytes),

@@ -1,4 +1,5 @@
 /** The PNG codec of @jsquash (Rust's `png`), started once, by the decoder and the encoder alike. */
+import { decode } from "@jsquash/png/codec/pkg/squoosh_png.js";
 import { init as startPng } from "@jsquash/png/decode.js";
 import { compileCodec } from "./codec-wasm.ts";
 
@@ -34,6 +35,12 @@ class PixelRecord {
     this.width = width;
     this.height = height;
   }
+}
+
+/** Rejects with "missing-file", and with what the codec says of bytes that it cannot read. */
+export async function decodePng(bytes: Uint8Array): Promise<ImageData> {
+  const codec = await pngCodec();
+  return keepStack(codec, () => decode(bytes));
 }
 
 /**

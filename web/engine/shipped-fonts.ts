@@ -2,6 +2,7 @@
  * The fonts that come with Texelcast, all under the SIL Open Font License. A design names one by its address,
  * "texelcast:fonts/inter-700", which leads to the same bytes in the browser and in Node, without a network.
  */
+import { fontAddress, fontIdIn } from "./font-address.ts";
 import { type PackageFile, readPackageFile } from "./package-file.ts";
 
 export interface ShippedFont {
@@ -13,8 +14,6 @@ export interface ShippedFont {
   /** Scripts (ISO 15924) in which this font stands in for one that lacks them. */
   readonly standsInFor?: readonly string[];
 }
-
-const ADDRESS = "texelcast:fonts/";
 
 const INTER = "The Inter Project Authors, 2020";
 const SOURCE_SERIF = "The Source Serif 4 Project Authors, 2014";
@@ -167,15 +166,12 @@ export type ShippedFontId = keyof typeof FONTS;
 
 export const SHIPPED_FONTS: Readonly<Record<ShippedFontId, ShippedFont>> = FONTS;
 
-/** "inter-700" gives "texelcast:fonts/inter-700": what stands in a design. */
-export const shippedFontAddress = (id: ShippedFontId): string => ADDRESS + id;
-
-/** Whether the address is one of ours, be there such a font or not. */
-export const isShippedFontAddress = (uri: string): boolean => uri.startsWith(ADDRESS);
+/** As `fontAddress`, of fonts that there are. */
+export const shippedFontAddress = (id: ShippedFontId): string => fontAddress(id);
 
 /** The font that an address names; undefined for other addresses, and for fonts that do not come with this version. */
 export function shippedFontOf(uri: string): ShippedFontId | undefined {
-  const id = isShippedFontAddress(uri) ? uri.slice(ADDRESS.length) : "";
+  const id = fontIdIn(uri);
   return Object.hasOwn(FONTS, id) ? (id as ShippedFontId) : undefined;
 }
 

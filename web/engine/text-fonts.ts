@@ -1,8 +1,8 @@
 /** Fonts ready to be shaped with, by the key under which layers name them. Loaded when the first text needs them. */
 import type { Font } from "harfbuzzjs";
+import { isShippedFontAddress } from "./font-address.ts";
 import { badFont, readFontHeader } from "./font-file.ts";
 import {
-  isShippedFontAddress,
   readShippedFont,
   SHIPPED_FONTS,
   type ShippedFontId,

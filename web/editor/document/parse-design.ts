@@ -1,7 +1,8 @@
 /** Reads a design document: text or plain data in, a `Design` with every field set out, or an error that says all. */
 import * as v from "valibot";
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { isShippedFontAddress, SHIPPED_FONTS, shippedFontOf } from "../../engine/shipped-fonts.ts";
+import { isShippedFontAddress } from "../../engine/font-address.ts";
+import { SHIPPED_FONTS, shippedFontOf } from "../../engine/shipped-fonts.ts";
 import { DESIGN_FORMAT, DESIGN_VERSION, type Design, type DesignLayer, freeLayerNumber, layerIdOf } from "./design.ts";
 import { type DesignPath, type DesignProblem, describeValue, designError, formatPath } from "./design-problem.ts";
 import { DESIGN_LIMITS, designSchema, type ParsedDesign, type ParsedLayer } from "./design-schema.ts";

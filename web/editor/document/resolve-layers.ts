@@ -8,7 +8,7 @@ import type {
   EngineMask,
   EngineText,
 } from "../../engine/engine-api.ts";
-import { isShippedFontAddress } from "../../engine/shipped-fonts.ts";
+import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type {
   Brush,
   DecalLayer,

@@ -5,9 +5,9 @@
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
+import { isShippedFontAddress } from "../../engine/font-address.ts";
 import { readFontHeader } from "../../engine/font-file.ts";
 import { readPictureHeader } from "../../engine/picture-header.ts";
-import { isShippedFontAddress } from "../../engine/shipped-fonts.ts";
 import { isSvg } from "../../engine/svg-start.ts";
 import type { Design, DesignAsset } from "../document/index.ts";
 import { bytesOf, findCompanion } from "../files/companions.ts";

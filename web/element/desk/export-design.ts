@@ -3,7 +3,7 @@ import { ASSET_ENDINGS, type Design, type DesignAsset } from "../../editor/docum
 import { walkLayers } from "../../editor/document/layer-tree.ts";
 import { decodeDataUri } from "../../editor/files/data-uri.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
-import { isShippedFontAddress } from "../../engine/shipped-fonts.ts";
+import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type { DesignCounts, ExportedAsset, ExportedDesign } from "../element-api.ts";
 
 /** Hashes of files that were met before, by their addresses: they are asked for at each change. */

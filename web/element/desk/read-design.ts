@@ -3,7 +3,7 @@ import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Design, DesignAsset } from "../../editor/document/design.ts";
 import { decodeDataUri } from "../../editor/files/data-uri.ts";
 import type { AssetLibrary } from "../../editor/state/asset-library.ts";
-import { isShippedFontAddress } from "../../engine/shipped-fonts.ts";
+import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type { UploadLimits } from "../../engine/upload-check.ts";
 import type { DesignInput, ExportedAsset } from "../element-api.ts";
 import { addressOf, type Fetching, fetchBytes, nameOf } from "./read-model.ts";
