@@ -61,7 +61,17 @@ Session::Session(const TxcSessionDef& def)
     : budget_(static_cast<std::uint64_t>(def.memory_budget_mib) << 20), mesh_share_(budget_) {
     nothing_.def.visible = 1;
     nothing_.def.opacity = 1.0f;
-    budget_.on_shortage([this] { targets_.for_each([](TxcTarget, Target& target) { target.backdrops.forget(); }); });
+    budget_.on_shortage([this] { give_back(); });
+}
+
+void Session::give_back() {
+    targets_.for_each([](TxcTarget, Target& target) { target.backdrops.forget(); });
+    layers_.for_each([](TxcLayer, Layer& layer) {
+        // One whose texels are to be made anew has none, or the very ones for which there is no room.
+        if (layer.def.visible != 0 || layer.needs_projection || layer.tiles.indices.empty()) return;
+        release_tiles(layer.tiles);
+        layer.needs_projection = true;
+    });
 }
 
 TxcSessionStats Session::stats() const {

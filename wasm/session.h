@@ -69,6 +69,9 @@ public:
     TxcStatus draw_layer_miniature(TxcLayer layer, bool of_mask, std::uint32_t side, std::uint8_t* out_rgba) const;
 
 private:
+    /// Where room is short: what can be made again. What hidden layers paint is kept until then, so that one who shows
+    /// them again, or steps back and forth through a history, need not wait.
+    void give_back();
     TxcStatus begin_map(Target& target);
     std::shared_ptr<LocalSpaceMap> cached_map(const MapKey& key) const;
     /// Drops the oldest of the maps that no target uses, but for `keep`; false where there was none to drop.

@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, it } from "vitest";
 import type { EngineLayer, TargetUpdate } from "../../web/engine/engine-api.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
-import { decal, FRONT, fill } from "../support/layers.ts";
+import { dab, decal, FRONT, fill, group, stroke } from "../support/layers.ts";
 import { buildGlb, cylinder, plane, sphere } from "../support/model-builder.ts";
 import {
   allTexels,
@@ -224,6 +224,53 @@ describe("layers", () => {
       await engine.idle();
     }
     expect(await engine.hash(0)).toBe(await straight.engine.hash(0));
+  });
+});
+
+describe("a step back and forth in a history", () => {
+  const projections = async (engine: Awaited<ReturnType<typeof paintablePlane>>["engine"]) =>
+    (await engine.stats()).projectionCount;
+
+  it("projects nothing that was there before", async () => {
+    const { engine } = await paintablePlane();
+    const masked = decal("a", "logo", {
+      ...at(0.1, 0.2, 0.6),
+      mask: { layers: [stroke("m", [dab(0.1, 0.1)])], invert: false },
+    });
+    const full = [masked, group("g", [stroke("s", [dab(0, 0), dab(0.2, 0)]), decal("b", "logo", at(-0.2, 0))])];
+    engine.setLayers(full, 1);
+    const hash = await engine.hash(0);
+    const before = await projections(engine);
+    for (const less of [[masked], [full[1]], [], [group("g", [decal("b", "logo", at(-0.2, 0))])]]) {
+      engine.setLayers(less as EngineLayer[], 2);
+      expect(await engine.hash(0)).not.toBe(hash);
+      engine.setLayers(full, 3);
+      expect(await engine.hash(0)).toBe(hash);
+    }
+    expect(await projections(engine)).toBe(before);
+  });
+
+  it("finds the newest 256 layers that went, and makes the others anew", async () => {
+    const { engine } = await paintablePlane();
+    const all = Array.from({ length: 300 }, (_, i) => stroke(`s${i}`, [dab((i % 20) / 20 - 0.5, 0, 0.05)]));
+    engine.setLayers(all, 1);
+    const hash = await engine.hash(0);
+    for (let left = all.length - 1; left >= 0; left--) {
+      engine.setLayers(all.slice(0, left), 2);
+      await engine.idle();
+    }
+    const before = await projections(engine);
+    engine.setLayers(all, 3);
+    expect(await engine.hash(0)).toBe(hash);
+    expect((await projections(engine)) - before).toBe(300 - 256);
+  });
+
+  it("has no picture of a layer that went", async () => {
+    const { engine } = await paintablePlane();
+    engine.setLayers([stroke("s", [dab(0, 0)])], 1);
+    expect(await engine.layerMiniature("s", "layer", 16)).not.toBeNull();
+    engine.setLayers([], 2);
+    expect(await engine.layerMiniature("s", "layer", 16)).toBeNull();
   });
 });
 

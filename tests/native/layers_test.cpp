@@ -361,6 +361,47 @@ TEST_CASE("Layers made before the bake has finished are painted after it") {
     CHECK(session.paint(target).at(3, 3) == kBlue);
 }
 
+TEST_CASE("A layer that is hidden and shown again is not projected again") {
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(128, 128);
+    TxcLayerDef def = decal_def(session.image(Picture(4, 4, kRed)));
+    const TxcLayer layer = session.layer(target, def);
+    const Picture shown = session.paint(target);
+    def.visible = 0;
+    must(txc_layer_update(session.id(), layer, &def));
+    CHECK(session.paint(target) != shown);
+    def.visible = 1;
+    must(txc_layer_update(session.id(), layer, &def));
+    CHECK(session.paint(target) == shown);
+    CHECK(session.stats().projection_count == 1);
+}
+
+TEST_CASE("What hidden layers paint makes room for others, and comes back when they are shown") {
+    TestSession session(24);
+    session.add(make_plane());
+    const TxcTarget target = session.target(512, 512);
+    TxcLayerDef def = decal_def(session.image(Picture(4, 4, kRed)));
+    resize(def, 2, 2, 2);
+    const TxcLayer layer = session.layer(target, def);
+    const Picture shown = session.paint(target);
+    def.visible = 0;
+    must(txc_layer_update(session.id(), layer, &def));
+    session.paint(target);
+    const std::uint32_t held = session.stats().memory_used_kib;
+    std::vector<TxcImage> ballast;
+    const Picture picture(256, 256);
+    TxcImage image = 0;
+    while (txc_image_create(session.id(), 256, 256, picture.rgba.data(), &image) == TXC_STATUS_OK)
+        ballast.push_back(image);
+    // The pictures took the place of the layer's tiles, 8 bytes a texel.
+    for (const TxcImage one : ballast) must(txc_image_destroy(session.id(), one));
+    CHECK(session.stats().memory_used_kib + 512 * 512 * 8 / 1024 <= held);
+    def.visible = 1;
+    must(txc_layer_update(session.id(), layer, &def));
+    CHECK(session.paint(target) == shown);
+    CHECK(session.stats().projection_count == 2);
+}
+
 TEST_CASE("An update that runs out of budget changes nothing, and works once there is room") {
     TestSession session(24);
     session.add(make_plane());
