@@ -1,10 +1,26 @@
 import { fileURLToPath } from "node:url";
-import { type BuildEnvironmentOptions, defineConfig } from "vite";
+import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /** The editor, the element on a page of its own, and the page for iframes. */
 const PAGES = [here("./web/app/index.html"), here("./web/app/element.html"), here("./web/app/embed.html")];
+
+/**
+ * The shops that may frame embed.html: those of TEXELCAST_SHOPS, exact origins with spaces between, and without it none. The
+ * development server lets any, as it is one's own.
+ */
+const texelcastShops = (): Plugin => ({
+  name: "texelcast-shops",
+  transformIndexHtml(html, { server }) {
+    const listed = server === undefined ? (process.env.TEXELCAST_SHOPS ?? "").split(/\s+/).filter(Boolean) : ["*"];
+    const wrong = listed.find((shop) => shop !== "*" && !(URL.canParse(shop) && new URL(shop).origin === shop));
+    if (wrong !== undefined) {
+      throw new Error(`TEXELCAST_SHOPS: "${wrong}" is no exact origin. Write it as "https://shop.example".`);
+    }
+    return html.replace('name="texelcast-shops" content=""', `name="texelcast-shops" content="${listed.join(" ")}"`);
+  },
+});
 
 type LogHandler = NonNullable<NonNullable<BuildEnvironmentOptions["rolldownOptions"]>["onLog"]>;
 
@@ -17,6 +33,7 @@ export default defineConfig({
   root: here("./web/app"),
   // Relative, so that the built site works in any folder of any host.
   base: "./",
+  plugins: [texelcastShops()],
   publicDir: here("./build/public"),
   cacheDir: here("./build/.vite"),
   server: {

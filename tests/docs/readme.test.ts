@@ -1,5 +1,5 @@
 import { execFile } from "node:child_process";
-import { existsSync } from "node:fs";
+import { existsSync, readdirSync } from "node:fs";
 import { readFile, rm, writeFile } from "node:fs/promises";
 import { fileURLToPath } from "node:url";
 import { promisify } from "node:util";
@@ -26,9 +26,14 @@ test("the README's library example runs as it stands and writes the painted text
 }, 60_000);
 
 test("every file that the README and the documents name exists", async () => {
-  for (const page of ["README.md", "CONTRIBUTING.md", "docs/algorithm.md", "docs/command-line.md", "docs/package.md"]) {
+  const pages = ["", "docs/", "docs/guides/"].flatMap((folder) =>
+    readdirSync(`${root}${folder}`)
+      .filter((name) => name.endsWith(".md"))
+      .map((name) => `${folder}${name}`),
+  );
+  for (const page of pages) {
     const text = await readFile(`${root}${page}`, "utf8");
-    const folder = page.includes("/") ? `${root}docs/` : root;
+    const folder = `${root}${page.slice(0, page.lastIndexOf("/") + 1)}`;
     const links = [...text.matchAll(/\]\(([^)#:]+)(?:#[^)]*)?\)/g)].map((match) => `${folder}${match[1]}`);
     const paths = [...text.matchAll(/`((?:wasm|web|node|tests|scripts|docs|bench)\/[\w./-]+)`/g)].map(
       (match) => `${root}${match[1]}`,

@@ -7,7 +7,7 @@ import { afterAll, beforeAll, expect, test } from "vitest";
 import { THREE_RANGE } from "../../scripts/package/manifest.mjs";
 import { readPictureHeader } from "../../web/engine/picture-header.ts";
 import { STORY_FILES, storyHash, storyScript } from "./support/engine-story.ts";
-import { guideLines } from "./support/guide.ts";
+import { guideFile } from "./support/guide.ts";
 import { addShopFiles, CHECKOUT, type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
 import { openBrowser, openPage, STRICT_POLICY, serveFolder } from "./support/serve.ts";
 
@@ -38,7 +38,7 @@ beforeAll(async () => {
     "element.html": page("/element.js"),
     "element.js": ELEMENT_SCRIPT,
     "index.html": page("/main.js"),
-    "vite.config.js": guideLines("js", "optimizeDeps"),
+    "vite.config.js": guideFile("vite.config.js"),
     "main.js": `import { TexelcastError } from "texelcast";\n${storyScript("texelcast/core")}globalThis.root = TexelcastError.name;`,
   });
   browser = await openBrowser();
@@ -87,7 +87,7 @@ async function story() {
   painted.dispose();
   return { isPainted: colored > 100, mapAfter: mesh.material.map };
 }
-${guideLines("js", "texelcast/three")}
+${guideFile("painted.js")}
 story().then((told) => { globalThis.story = told; }, (error) => { globalThis.story = String(error?.stack ?? error); });
 `;
 
@@ -143,22 +143,8 @@ test("Vite serves a shop for development with the guide's two settings", async (
   await server.close();
 });
 
-test("the guide's lines for plain HTML show the mug under a strict policy", async () => {
-  const body = guideLines("html");
-  addShopFiles(installed.folder, {
-    "guide.html": `<!doctype html><html lang="en"><title>Shop</title><link rel="icon" href="data:," />${body}
-<script type="module" src="/guide.js"></script></html>`,
-    "guide.js": `const editor = document.querySelector("texelcast-editor");
-customElements.whenDefined("texelcast-editor").then(() => editor.start()).then(
-  () => { globalThis.story = editor.loaded; }, (error) => { globalThis.story = String(error?.stack ?? error); });`,
-  });
-  const server = await serveFolder(installed.folder, { "content-security-policy": STRICT_POLICY });
-  expect(await tell(`${server.origin}/guide.html`)).toEqual({ story: true, complaints: [] });
-  await server.stop();
-});
-
 test("the guide's lines for Node write the print file", async () => {
-  await runInNode(installed.folder, guideLines("js", "texelcast/node"));
+  await runInNode(installed.folder, guideFile("print.mjs"));
   const { width, height } = readPictureHeader(readFileSync(join(installed.folder, "print.png")), "print.png");
   expect([width, height]).toEqual([512, 512]);
 });

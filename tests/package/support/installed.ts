@@ -2,7 +2,7 @@
 import { execFile } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { promisify } from "node:util";
 
 export const CHECKOUT = new URL("../../../", import.meta.url).pathname;
@@ -33,7 +33,9 @@ export async function installPackage(): Promise<InstalledPackage> {
     tarball,
     folder,
     provide: (name, from = name) => {
-      symlinkSync(join(CHECKOUT, "node_modules", from), join(folder, "node_modules", name), "dir");
+      const place = join(folder, "node_modules", name);
+      mkdirSync(dirname(place), { recursive: true });
+      symlinkSync(join(CHECKOUT, "node_modules", from), place, "dir");
     },
     remove: () => rmSync(place, { recursive: true, force: true }),
   };

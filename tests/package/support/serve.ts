@@ -1,6 +1,6 @@
 /** Static servers, and pages in a real Chromium with all that they complain of. */
 import { existsSync, readFileSync, statSync } from "node:fs";
-import { createServer } from "node:http";
+import { createServer, request as httpRequest, type IncomingMessage, type ServerResponse } from "node:http";
 import type { AddressInfo } from "node:net";
 import { extname, join, normalize } from "node:path";
 import { type Browser, chromium, type Page } from "@playwright/test";
@@ -33,14 +33,22 @@ export interface StaticServer {
   readonly stop: () => Promise<void>;
 }
 
-/** Serves a folder as any web server would, with these headers. @param host another name makes another origin */
+/** Answers some requests itself: true where it did, or will. */
+export type Route = (request: IncomingMessage, response: ServerResponse, path: string) => boolean;
+
+/**
+ * Serves a folder as any web server would, with these headers.
+ * @param host another name makes another origin @param route asked before the folder
+ */
 export async function serveFolder(
   folder: string,
   headers: Readonly<Record<string, string>> = {},
   host: "localhost" | "127.0.0.1" = "localhost",
+  route: Route = () => false,
 ): Promise<StaticServer> {
   const served: string[] = [];
   const server = createServer((request, response) => {
+    if (route(request, response, new URL(request.url ?? "/", "http://x").pathname)) return;
     const path = normalize(decodeURIComponent(new URL(request.url ?? "/", "http://x").pathname));
     const file = join(folder, path.endsWith("/") ? `${path}index.html` : path);
     if (!existsSync(file) || !statSync(file).isFile()) {
@@ -61,6 +69,21 @@ export async function serveFolder(
         server.close(() => resolve());
         server.closeAllConnections();
       }),
+  };
+}
+
+/** Passes requests below a path on to another server, as a shop's web server does. */
+export function passOn(below: string, port: number, to = below): Route {
+  return (request, response, path) => {
+    if (!path.startsWith(below)) return false;
+    const { method, headers } = request;
+    const passed = httpRequest({ port, path: to + path.slice(below.length), method, headers }, (answer) => {
+      response.writeHead(answer.statusCode ?? 502, answer.headers);
+      answer.pipe(response);
+    });
+    passed.on("error", () => response.writeHead(502).end());
+    request.pipe(passed);
+    return true;
   };
 }
 
