@@ -6,6 +6,7 @@ import { type EditorState, INITIAL_STATE, type ModelRef } from "../../web/editor
 import { Store } from "../../web/editor/state/store.ts";
 import { Autosave } from "../../web/editor/storage/autosave.ts";
 import type { PackedProject } from "../../web/editor/storage/packed-project.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
 
 const modelRef = (title: string, demoId: string | null): ModelRef => ({
   source: { name: `${title}.glb`, bytes: Uint8Array.of(title.length) },
@@ -23,6 +24,7 @@ function page() {
   let refusal: TexelcastError | null = null;
   const autosave = new Autosave({
     store,
+    strings: stringsIn("en"),
     recorded: () => recorded,
     projects: {
       save: async (id, packed, seen) => {

@@ -10,6 +10,7 @@ import {
   parseDesign,
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
 import { type ClonePatch, cloneTargetOf, isCloneGroup, withClone } from "../../web/editor/tools/clone-layer.ts";
 import { areaOf, eyeOf, type Look, steppedLook } from "../../web/editor/tools/clone-look.ts";
 import { pictureOfSight, pieceOf } from "../../web/editor/tools/clone-picture.ts";
@@ -101,7 +102,7 @@ describe("what a clone stroke becomes", () => {
   };
   const top = cloneTargetOf(emptyDesign(), null);
   if (top.kind === "refused") throw new Error("An empty design refuses nothing.");
-  const once = withClone(emptyDesign(), top, stroke, patch);
+  const once = withClone(emptyDesign(), top, stroke, patch, stringsIn("en").clone);
 
   it("a decal in a group of its own, shown where the stroke went, that is read back as it was written", () => {
     const [group] = once.design.layers as [GroupLayer];
@@ -120,7 +121,9 @@ describe("what a clone stroke becomes", () => {
       const target = cloneTargetOf(once.design, id);
       expect(target).toEqual({ kind: "group", groupId: group.id });
       if (target.kind === "refused") continue;
-      const [grown] = withClone(once.design, target, stroke, patch).design.layers as [GroupLayer];
+      const [grown] = withClone(once.design, target, stroke, patch, stringsIn("en").clone).design.layers as [
+        GroupLayer,
+      ];
       expect(grown.layers).toHaveLength(2);
     }
     const below = makeFillLayer({ id: "below", color: "#ffffff" });
@@ -130,7 +133,8 @@ describe("what a clone stroke becomes", () => {
 
   it("with a mirror its twin is a layer of its own, with the picture and the dabs mirrored", () => {
     const mirror = { axis: "x", offset: 0, readable: false } as const;
-    const [group] = withClone(emptyDesign(), top, stroke, { ...patch, mirror }).design.layers as [GroupLayer];
+    const [group] = withClone(emptyDesign(), top, stroke, { ...patch, mirror }, stringsIn("en").clone).design
+      .layers as [GroupLayer];
     const [, twin] = group.layers as [DecalLayer, DecalLayer];
     expect(twin.flipX).toBe(true);
     expect(twin.mask?.layers[0]).toMatchObject({ dabs: [{ position: [-1, 0, 0] }] });

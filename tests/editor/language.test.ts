@@ -1,7 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { languageFor } from "../../web/editor/strings/language.ts";
 import { german } from "../../web/editor/strings.de.ts";
-import { strings } from "../../web/editor/strings.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
+
+const strings = stringsIn("en");
 
 describe("the page's language", () => {
   const wishes = { search: "", kept: null, preferred: [] };

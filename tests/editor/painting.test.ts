@@ -8,6 +8,7 @@ import {
   makePaintLayer,
   makeStrokeLayer,
 } from "../../web/editor/document/index.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
 import { DabChain } from "../../web/editor/tools/dab-chain.ts";
 import { stepFor, unitFor } from "../../web/editor/tools/length-unit.ts";
 import { mirrorOf } from "../../web/editor/tools/mirror-setting.ts";
@@ -210,7 +211,7 @@ describe("where a stroke goes", () => {
       const target = paintTargetOf(design, id, false);
       expect(target).toEqual({ kind: "strokes", layerId: "paint" });
       if (target.kind === "refused") continue;
-      const painted = withStroke(design, target, stroke);
+      const painted = withStroke(design, target, stroke, stringsIn("en"));
       expect(painted.layerId).toBe("paint");
       expect(painted.design.layers[1]).toMatchObject({ type: "paint", strokes: [{ id: "inside" }, { id: "new" }] });
     }
@@ -220,7 +221,7 @@ describe("where a stroke goes", () => {
     const design = designOf(makeGroupLayer({ id: "group", layers: [decal] }), paint);
     const target = paintTargetOf(design, "decal", false);
     if (target.kind === "refused") throw new Error("It was refused.");
-    const { design: painted, layerId } = withStroke(design, target, stroke);
+    const { design: painted, layerId } = withStroke(design, target, stroke, stringsIn("en"));
     expect(painted.layers[0]).toMatchObject({
       layers: [{ id: "decal" }, { id: layerId, type: "paint", strokes: [{ id: "new" }] }],
     });
@@ -232,7 +233,7 @@ describe("where a stroke goes", () => {
     const target = paintTargetOf(design, "decal", true);
     expect(target).toEqual({ kind: "mask", layerId: "decal" });
     if (target.kind === "refused") return;
-    expect(withStroke(design, target, { ...stroke, blend: "erase" }).design.layers[0]).toMatchObject({
+    expect(withStroke(design, target, { ...stroke, blend: "erase" }, stringsIn("en")).design.layers[0]).toMatchObject({
       type: "decal",
       mask: { layers: [{ id: "new", blend: "erase" }], invert: false },
     });

@@ -2,6 +2,7 @@ import { BoxGeometry, type BufferGeometry } from "three";
 import { describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { type Design, emptyDesign } from "../../web/editor/document/index.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
 import { floodFill } from "../../web/editor/tools/flood-fill.ts";
 import { MOST_COLORS, parseGimpPalette, printGimpPalette } from "../../web/editor/tools/gimp-palette.ts";
 import { colorsOf } from "../../web/editor/tools/picture-palette.ts";
@@ -145,6 +146,7 @@ describe("a change of the layers of two materials", () => {
       },
       library: { add: picture, setLive: (bytes: Uint8Array) => picture(null, bytes) },
       store: { state: { selectedId: null } },
+      board: { strings: stringsIn("en") },
     } as unknown as ToolContext;
   };
 
@@ -243,7 +245,7 @@ describe("a pixel layer's canvas", () => {
 });
 
 describe("palettes", () => {
-  const parse = (text: string) => parseGimpPalette(text, "skin.gpl");
+  const parse = (text: string) => parseGimpPalette(text, "skin.gpl", stringsIn("en").palette.errors);
   const faultOf = (text: string): TexelcastError => {
     try {
       parse(text);

@@ -8,6 +8,7 @@ import type { ModelRef } from "../../web/editor/state/editor-state.ts";
 import { ProjectPacker } from "../../web/editor/storage/packed-project.ts";
 import type { ProjectContent } from "../../web/editor/storage/project.ts";
 import { ProjectStore } from "../../web/editor/storage/project-store.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
 
 const LOGO = encodeDataUri("image/png", Uint8Array.of(1, 2, 3, 4));
 const SECOND = encodeDataUri("image/png", Uint8Array.of(9, 9, 9));
@@ -41,8 +42,8 @@ let time = 1000;
 beforeEach(() => {
   globalThis.indexedDB = new IDBFactory();
   time = 1000;
-  store = new ProjectStore(() => time++);
-  packer = new ProjectPacker();
+  store = new ProjectStore(stringsIn("en"), () => time++);
+  packer = new ProjectPacker(stringsIn("en"));
 });
 afterEach(() => {
   vi.restoreAllMocks();

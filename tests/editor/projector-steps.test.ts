@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { projectorFields } from "../../web/editor/panels/projector-fields.ts";
 import { scaledProjector, spunProjector } from "../../web/editor/state/projector-steps.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
 import type { CylindricalProjector, PerspectiveProjector, UvProjector } from "../../web/engine/engine-api.ts";
 
 const slide: PerspectiveProjector = {
@@ -55,7 +56,7 @@ describe("turning by the keyboard", () => {
 
 describe("the fields of a projector", () => {
   const fieldsOf = (projector: PerspectiveProjector | CylindricalProjector | UvProjector) =>
-    projectorFields(projector, 0.01).flatMap(({ fields }) => fields);
+    projectorFields(projector, 0.01, stringsIn("en").properties).flatMap(({ fields }) => fields);
 
   it.each([slide, label, stamp])("show every number of a $kind projector once, and change that one", (projector) => {
     const numbers = Object.entries(projector).filter(([key]) => !["kind", "position", "rotation"].includes(key));

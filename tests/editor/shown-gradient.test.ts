@@ -50,13 +50,14 @@ describe("a gradient's handles", () => {
       cancelPreview: () => calls.push(["cancel"]),
     } as unknown as LayerCommands;
     const place = { kind: "linear", from: [0, 0, 0], to: [5, 0, 0] } as const;
-    for (const phase of ["move", "end", "cancel"] as const) followGradient(stateOf([fill]), layers, place, phase);
+    for (const phase of ["move", "end", "cancel"] as const)
+      followGradient(stateOf([fill]), layers, place, phase, "move");
     const patch = { gradient: { ...place, stops: STOPS } };
     expect(calls).toEqual([["preview", "fill", patch], ["change", "fill", patch], ["cancel"]]);
   });
 
   it("of another kind than the fill is by now change nothing", () => {
     const layers = { change: () => expect.unreachable() } as unknown as LayerCommands;
-    followGradient(stateOf([fill]), layers, { kind: "radial", center: [0, 0, 0], radius: 1 }, "end");
+    followGradient(stateOf([fill]), layers, { kind: "radial", center: [0, 0, 0], radius: 1 }, "end", "move");
   });
 });

@@ -1,8 +1,8 @@
 /** The editor page: engine, views and editor put together, and the handle for tests. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { Editor } from "../editor/state/editor.ts";
-import { applyLanguage } from "../editor/strings/language.ts";
-import { strings } from "../editor/strings.ts";
+import { applyLanguage, pageLanguage } from "../editor/strings/language.ts";
+import { stringsIn } from "../editor/strings.ts";
 import "../editor/workbench.ts";
 import { createEngineClient } from "../engine/engine-client.ts";
 import { createModelViewer } from "../viewer/model-viewer.ts";
@@ -11,6 +11,7 @@ import { showStartFailure } from "./start-failure.ts";
 import { makeTestHandle } from "./test-handle.ts";
 
 applyLanguage(document.documentElement);
+const strings = stringsIn(pageLanguage);
 const workbench = document.createElement("tc-workbench");
 try {
   const engine = createEngineClient();
@@ -20,7 +21,7 @@ try {
     onNeedsFullUpdate: (material) => editor.refresh(material),
     readTexels: (material, x, y, width, height) => engine.readTexels(material, x, y, width, height),
   });
-  const editor = new Editor({ engine, viewer, textureView });
+  const editor = new Editor({ engine, viewer, textureView, language: pageLanguage });
   workbench.editor = editor;
   document.body.append(workbench);
   window.texelcast = makeTestHandle(editor, editor.start(document.baseURI));

@@ -1,6 +1,7 @@
 /** What is left to say when the page cannot start at all. */
 import type { TexelcastError } from "../core/texelcast-error.ts";
-import { strings } from "../editor/strings.ts";
+import { pageLanguage } from "../editor/strings/language.ts";
+import { stringsIn } from "../editor/strings.ts";
 
 export function showStartFailure({ message, hint }: TexelcastError): void {
   const box = document.createElement("main");
@@ -9,7 +10,7 @@ export function showStartFailure({ message, hint }: TexelcastError): void {
     "max-width:32rem;margin:20vh auto;padding:0 1.5rem;font:1rem/1.5 system-ui,sans-serif;color-scheme:light dark";
   const title = document.createElement("h1");
   title.style.fontSize = "1.25rem";
-  title.textContent = strings.errors.couldNotStart;
+  title.textContent = stringsIn(pageLanguage).errors.couldNotStart;
   const text = document.createElement("p");
   text.textContent = hint ? `${message} ${hint}` : message;
   box.append(title, text);

@@ -1,5 +1,5 @@
 /** Every word that the page says, in German: as long as strings.ts, place for place. tsc keeps it complete. */
-import { hundredths, momentOf } from "./strings/formats.ts";
+import { numbersIn } from "./strings/formats.ts";
 import { germanKeys } from "./strings/german-keys.ts";
 import {
   germanGradient,
@@ -12,7 +12,11 @@ import {
 import { plural } from "./strings/plural.ts";
 import type { Strings } from "./strings.ts";
 
+const numbers = numbersIn("de");
+
 export const german: Strings = {
+  numbers,
+
   productName: "Texelcast",
   materialName: (index, name) => name || `Material ${index}`,
 
@@ -171,6 +175,7 @@ export const german: Strings = {
 
   palette: {
     show: "Palette",
+    basic: "Grundfarben",
     fromPicture: "Farben eines Bildes…",
     import: "Eine .gpl-Palette öffnen…",
     export: "Die Palette als .gpl speichern",
@@ -221,7 +226,7 @@ export const german: Strings = {
     time: "Zeit",
     speed: "Tempo",
     rest: "Zurück zur Ruhepose",
-    at: (seconds, of) => `${hundredths(seconds)} / ${hundredths(of)} s`,
+    at: (seconds, of) => `${numbers.hundredths(seconds)} / ${numbers.hundredths(of)} s`,
     times: (speed) => `${speed}×`,
   },
 
@@ -549,7 +554,7 @@ export const german: Strings = {
     namedInstead: (name) => `Ein anderes Projekt heißt schon so: dieses heißt jetzt ${name}`,
     restored: (name) => `${name} ist zurück`,
     back: (name) => `${name} ist zurück, wie du es verlassen hast`,
-    backMessage: (time) => `Zuletzt geändert ${momentOf(time)}. Andere und neue Projekte stehen im Projektmenü.`,
+    backMessage: (time) => `Zuletzt geändert ${numbers.moment(time)}. Andere und neue Projekte stehen im Projektmenü.`,
     backupTitle: (name) => `${name} ist auf dem vorletzten Stand offen`,
     backup: "Der neueste Stand ließ sich nicht lesen.",
     elsewhereTitle: (name) => `${name} ist in einem anderen Tab offen`,

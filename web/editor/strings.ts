@@ -1,17 +1,21 @@
 /**
- * Every word that the page says, in one place: longer than other files for that alone, so that a translator reads down one
+ * Every word that the editor says, in one place: longer than other files for that alone, so that a translator reads down one
  * list. Errors of the engine bring their own words.
  */
 
-import { hundredths, momentOf } from "./strings/formats.ts";
+import { numbersIn } from "./strings/formats.ts";
 import { keyGroups } from "./strings/key-words.ts";
-import { language } from "./strings/language.ts";
+import type { Language } from "./strings/language.ts";
 import { layerAnnouncements, layerNotices, layerSteps, layerWords } from "./strings/layer-words.ts";
 import { plural } from "./strings/plural.ts";
 import { gradientWords, partsWords } from "./strings/property-words.ts";
 import { german } from "./strings.de.ts";
 
+const numbers = numbersIn("en");
+
 const english = {
+  numbers,
+
   productName: "Texelcast",
   materialName: (index: number, name: string): string => name || `Material ${index}`,
 
@@ -169,6 +173,7 @@ const english = {
 
   palette: {
     show: "Palette",
+    basic: "Basic colours",
     fromPicture: "Colours of a picture…",
     import: "Import a .gpl palette…",
     export: "Export the palette as .gpl",
@@ -219,7 +224,7 @@ const english = {
     time: "Time",
     speed: "Speed",
     rest: "Back to rest",
-    at: (seconds: number, of: number): string => `${hundredths(seconds)} / ${hundredths(of)} s`,
+    at: (seconds: number, of: number): string => `${numbers.hundredths(seconds)} / ${numbers.hundredths(of)} s`,
     times: (speed: number): string => `${speed}×`,
   },
 
@@ -546,7 +551,7 @@ const english = {
     restored: (name: string): string => `${name} is back`,
     back: (name: string): string => `${name} is back as you left it`,
     backMessage: (time: number): string =>
-      `Last changed ${momentOf(time)}. Other projects and new ones are in the project menu.`,
+      `Last changed ${numbers.moment(time)}. Other projects and new ones are in the project menu.`,
     backupTitle: (name: string): string => `${name} is open as it was one save earlier`,
     backup: "The newest save could not be read.",
     elsewhereTitle: (name: string): string => `${name} is open in another tab`,
@@ -701,4 +706,7 @@ type Words<T> = T extends string
 /** What a language must say; tsc refuses one that leaves something out. */
 export type Strings = Words<typeof english>;
 
-export const strings: Strings = { en: english, de: german }[language];
+const ALL: Readonly<Record<Language, Strings>> = { en: english, de: german };
+
+/** What an editor says in a language. Each editor of a page has its own. */
+export const stringsIn = (language: Language): Strings => ALL[language];

@@ -23,7 +23,6 @@ import "./panels/top-bar.ts";
 import type { EditorState } from "./state/editor-state.ts";
 import { watchFingers } from "./state/finger-gestures.ts";
 import { handleShortcut } from "./state/shortcuts.ts";
-import { strings } from "./strings.ts";
 import { EditorElement } from "./ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "./ui/file-picker.ts";
 import "./ui/menu.ts";
@@ -210,10 +209,12 @@ export class Workbench extends EditorElement {
   override render(): TemplateResult {
     const { editor, compact } = this;
     this.toggleAttribute("compact", compact);
+    // What inherits it writes its numbers so, and screen readers speak so.
+    this.lang = this.state.language;
     return html`
       <tc-top-bar
         role="banner"
-        aria-label=${strings.topBar.label}
+        aria-label=${this.strings.topBar.label}
         .editor=${editor}
         .compact=${compact}
         @help=${() => this.#help()}
@@ -228,18 +229,18 @@ export class Workbench extends EditorElement {
               ${this.state.view.layout === "texture" ? nothing : html`<slot name="texture" slot="texture"></slot>`}
             </tc-bottom-sheet>`
           : html`
-              <tc-status-line .editor=${editor} aria-label=${strings.status.label}></tc-status-line>
-              <tc-side-panel .editor=${editor} role="complementary" aria-label=${strings.sidePanel}></tc-side-panel>
+              <tc-status-line .editor=${editor} aria-label=${this.strings.status.label}></tc-status-line>
+              <tc-side-panel .editor=${editor} role="complementary" aria-label=${this.strings.sidePanel}></tc-side-panel>
             `
       }
-      <tc-help-dialog></tc-help-dialog>
+      <tc-help-dialog .words=${this.strings.help} ?embedded=${this.embedded}></tc-help-dialog>
       <tc-template-dialog .editor=${editor}></tc-template-dialog>
       <tc-projects-dialog .editor=${editor} @create=${this.#templates}></tc-projects-dialog>
       ${
         this.dropping
           ? html`<div class="drop">
-              <h2>${strings.stage.dropModel}</h2>
-              <p>${strings.stage.dropHint}</p>
+              <h2>${this.strings.stage.dropModel}</h2>
+              <p>${this.strings.stage.dropHint}</p>
             </div>`
           : nothing
       }
@@ -270,7 +271,7 @@ export class Workbench extends EditorElement {
         ${
           split
             ? html`
-                <tc-splitter ?hidden=${upright} .name=${strings.splitter} .share=${textureShare} @split=${resize}></tc-splitter>
+                <tc-splitter ?hidden=${upright} .name=${this.strings.splitter} .share=${textureShare} @split=${resize}></tc-splitter>
                 <tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>
               `
             : nothing
@@ -281,7 +282,7 @@ export class Workbench extends EditorElement {
 
   #hint(): TemplateResult | typeof nothing {
     return this.state.model && !this.embedded
-      ? html`<tc-first-hint ?compact=${this.compact}></tc-first-hint>`
+      ? html`<tc-first-hint .words=${this.strings.hint} ?compact=${this.compact}></tc-first-hint>`
       : nothing;
   }
 

@@ -503,6 +503,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   async #speak(): Promise<void> {
     const wishes = [this.locale, this.closest("[lang]")?.getAttribute("lang"), ...navigator.languages];
     this.#words = await wordsIn(languageOf(wishes));
+    this.#mode?.configure();
     this.requestUpdate();
   }
 

@@ -1,6 +1,5 @@
 /** `data:` URIs (RFC 2397) to bytes and back. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { assetWords } from "../strings/asset-words.ts";
 
 export function encodeDataUri(type: string, bytes: Uint8Array): string {
   let binary = "";
@@ -27,5 +26,5 @@ export function decodeDataUri(uri: string, subject: string): Uint8Array<ArrayBuf
 }
 
 function malformed(subject: string, cause?: unknown): TexelcastError {
-  return new TexelcastError("bad-design", assetWords.badDataUri(subject), { subject, cause });
+  return new TexelcastError("bad-design", `${subject} is not a well-formed data: address.`, { subject, cause });
 }

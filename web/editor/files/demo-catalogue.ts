@@ -1,7 +1,6 @@
 /** The demo models and decals that come with the page, as `demo/demo.json` lists them. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { assetWords } from "../strings/asset-words.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 
 export interface DemoModel {
   readonly id: string;
@@ -41,7 +40,7 @@ export interface DemoCatalogue {
 }
 
 /** Rejects with a TexelcastError of code "missing-file" when the demos were not built or cannot be reached. */
-export async function loadDemoCatalogue(page: string): Promise<DemoCatalogue> {
+export async function loadDemoCatalogue(page: string, strings: Strings): Promise<DemoCatalogue> {
   const url = new URL("demo/demo.json", page).href;
   const response = await fetch(url).catch(() => undefined);
   const list: unknown = response?.ok ? await response.json().catch(() => undefined) : undefined;
@@ -58,6 +57,6 @@ export async function loadDemoCatalogue(page: string): Promise<DemoCatalogue> {
 /** Rejects with a TexelcastError of code "missing-file". */
 export async function fetchBytes(address: string, base: string): Promise<Uint8Array> {
   const response = await fetch(new URL(address, base)).catch(() => undefined);
-  if (!response?.ok) throw new TexelcastError("missing-file", assetWords.unreachable(address), { subject: address });
+  if (!response?.ok) throw new TexelcastError("missing-file", `${address} could not be fetched.`, { subject: address });
   return new Uint8Array(await response.arrayBuffer());
 }

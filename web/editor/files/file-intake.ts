@@ -2,7 +2,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { listSideFiles } from "../../engine/gltf-container.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { bytesOf, findCompanion } from "./companions.ts";
 import type { CollectedFile } from "./file-collection.ts";
 
@@ -25,7 +25,7 @@ const DESIGN = /\.json$/i;
 const PROJECT = /\.texelcast$/i;
 
 /** Throws a TexelcastError of code "unsupported" when nothing of it can be used or when it holds two models. */
-export async function sortFiles(files: readonly CollectedFile[]): Promise<Intake> {
+export async function sortFiles(files: readonly CollectedFile[], strings: Strings): Promise<Intake> {
   const [modelFile, secondModel] = files.filter(({ path }) => MODEL.test(path));
   if (modelFile && secondModel) {
     throw new TexelcastError("unsupported", strings.errors.twoModels(modelFile.path, secondModel.path), {

@@ -1,14 +1,23 @@
 /** Packs and unpacks projects beside the page's thread. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import type { ProjectAnswer, ProjectToPack, ProjectWork, UnpackedProject } from "./project-packing.ts";
 
 /**
  * The bytes of a project's file. Rejects with a TexelcastError: what is wrong with the project, "internal" where the worker
  * cannot run, and "cancelled".
  */
-export async function packInWorker(project: ProjectToPack, signal: AbortSignal): Promise<Uint8Array<ArrayBuffer>> {
-  const answer = await askWorker({ pack: project }, project.name, strings.projects.packerFailed, signal);
+export async function packInWorker(
+  project: ProjectToPack,
+  signal: AbortSignal,
+  strings: Strings,
+): Promise<Uint8Array<ArrayBuffer>> {
+  const answer = await askWorker(
+    { pack: project },
+    project.name,
+    { failed: strings.projects.packerFailed, cancelled: strings.errors.cancelled },
+    signal,
+  );
   if ("packed" in answer) return answer.packed;
   throw new TexelcastError("internal", strings.projects.packerFailed(""), { subject: project.name });
 }
@@ -18,9 +27,15 @@ export async function unpackInWorker(
   bytes: Uint8Array,
   fileName: string,
   signal: AbortSignal,
+  strings: Strings,
 ): Promise<UnpackedProject> {
   const work = { unpack: { bytes, fileName } };
-  const answer = await askWorker(work, fileName, strings.projects.unpackerFailed, signal);
+  const answer = await askWorker(
+    work,
+    fileName,
+    { failed: strings.projects.unpackerFailed, cancelled: strings.errors.cancelled },
+    signal,
+  );
   if ("unpacked" in answer) return answer.unpacked;
   throw new TexelcastError("internal", strings.projects.unpackerFailed(""), { subject: fileName });
 }
@@ -28,7 +43,7 @@ export async function unpackInWorker(
 async function askWorker(
   work: ProjectWork,
   subject: string,
-  failed: (reason: string) => string,
+  words: { readonly failed: (reason: string) => string; readonly cancelled: string },
   signal: AbortSignal,
 ): Promise<Exclude<ProjectAnswer, { error: unknown }>> {
   // A worker of the page's own, not of a blob: address, which a shop's content security policy refuses.
@@ -38,11 +53,11 @@ async function askWorker(
   });
   try {
     const answer = await new Promise<ProjectAnswer>((resolve, reject) => {
-      const fail = (reason: string): void => reject(new TexelcastError("internal", failed(reason), { subject }));
+      const fail = (reason: string): void => reject(new TexelcastError("internal", words.failed(reason), { subject }));
       worker.onmessage = ({ data }: MessageEvent<ProjectAnswer>) => resolve(data);
       worker.onerror = (event) => fail(event.message);
       worker.onmessageerror = () => fail("");
-      const cancel = (): void => reject(new TexelcastError("cancelled", strings.errors.cancelled));
+      const cancel = (): void => reject(new TexelcastError("cancelled", words.cancelled));
       if (signal.aborted) cancel();
       signal.addEventListener("abort", cancel);
       worker.postMessage(work);

@@ -2,12 +2,11 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { Pause, Play, Square } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 
-const words = strings.animation;
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 /** Steps that a scrubbed clip is divided into. */
 const SCRUB_STEPS = 240;
@@ -61,6 +60,10 @@ export class AnimationBar extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["animation"] {
+    return this.strings.animation;
+  }
+
   protected watched({ animation }: EditorState): readonly unknown[] {
     return [animation];
   }
@@ -70,16 +73,16 @@ export class AnimationBar extends EditorElement {
     const { views } = this.editor;
     const shown = clip === null ? undefined : clips[clip];
     if (!shown) return nothing;
-    const play = playing ? words.pause : words.play;
+    const play = playing ? this.#words.pause : this.#words.play;
     const chosen = (event: Event): number => Number((event.target as HTMLSelectElement | HTMLInputElement).value);
     return html`
-      <div class="bar" role="group" aria-label=${words.label}>
+      <div class="bar" role="group" aria-label=${this.#words.label}>
         <button class="icon" id="play" aria-label=${play} title=${play} @click=${() => views.animate({ playing: !playing })}>
           ${icon(playing ? Pause : Play)}
         </button>
         ${
           clips.length > 1
-            ? html`<select id="clip" aria-label=${words.clip} @change=${(event: Event) => views.animate({ clip: chosen(event) })}>
+            ? html`<select id="clip" aria-label=${this.#words.clip} @change=${(event: Event) => views.animate({ clip: chosen(event) })}>
                 ${clips.map(({ name }, index) => html`<option value=${index} ?selected=${index === clip}>${name}</option>`)}
               </select>`
             : nothing
@@ -87,19 +90,19 @@ export class AnimationBar extends EditorElement {
         <input
           type="range"
           id="scrub"
-          aria-label=${words.time}
-          aria-valuetext=${words.at(seconds, shown.seconds)}
+          aria-label=${this.#words.time}
+          aria-valuetext=${this.#words.at(seconds, shown.seconds)}
           min="0"
           max=${SCRUB_STEPS}
           step="1"
           .value=${String(Math.round((seconds / shown.seconds) * SCRUB_STEPS))}
           @input=${(event: Event) => views.animate({ playing: false, seconds: (chosen(event) / SCRUB_STEPS) * shown.seconds })}
         />
-        <output for="scrub">${words.at(seconds, shown.seconds)}</output>
-        <select id="speed" aria-label=${words.speed} title=${words.speed} @change=${(event: Event) => views.animate({ speed: chosen(event) })}>
-          ${SPEEDS.map((value) => html`<option value=${value} ?selected=${value === speed}>${words.times(value)}</option>`)}
+        <output for="scrub">${this.#words.at(seconds, shown.seconds)}</output>
+        <select id="speed" aria-label=${this.#words.speed} title=${this.#words.speed} @change=${(event: Event) => views.animate({ speed: chosen(event) })}>
+          ${SPEEDS.map((value) => html`<option value=${value} ?selected=${value === speed}>${this.#words.times(value)}</option>`)}
         </select>
-        <button class="icon" id="rest" aria-label=${words.rest} title=${words.rest} @click=${() => views.animate({ clip: null })}>
+        <button class="icon" id="rest" aria-label=${this.#words.rest} title=${this.#words.rest} @click=${() => views.animate({ clip: null })}>
           ${icon(Square)}
         </button>
       </div>

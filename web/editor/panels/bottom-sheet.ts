@@ -5,7 +5,6 @@
 import { css, html, type TemplateResult } from "lit";
 import { Grid2x2, History, Layers, Settings2, SlidersHorizontal } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
@@ -111,7 +110,7 @@ export class BottomSheet extends EditorElement {
       <div class="panel" id="panel" ?hidden=${!this.open}>
         ${this.open ? html`<slot name="hint"></slot>${laidOpen ? toolPanel(this.editor, laidOpen) : this.#panel()}` : ""}
       </div>
-      <nav aria-label=${strings.sheet.label}>
+      <nav aria-label=${this.strings.sheet.label}>
         ${TABS.filter(({ id }) => id !== "texture" || this.state.view.layout !== "texture").map(
           ({ id, drawing }) => html`<button
             id=${`sheet-${id}`}
@@ -119,7 +118,7 @@ export class BottomSheet extends EditorElement {
             aria-controls="panel"
             @click=${() => this.#choose(id)}
           >
-            ${icon(drawing)}${strings.sheet[id]}
+            ${icon(drawing)}${this.strings.sheet[id]}
           </button>`,
         )}
       </nav>

@@ -1,12 +1,10 @@
 /** What a stroke was painted with. */
 import { html, type TemplateResult } from "lit";
 import type { Brush, StrokeLayer } from "../document/index.ts";
-import { strings } from "../strings.ts";
 import { colorField, numberField, type PropertyContext } from "./property-controls.ts";
 
-const words = strings.properties;
-
 export function brushFields(context: PropertyContext, { brush }: StrokeLayer): TemplateResult {
+  const words = context.editor.strings.properties;
   const percent = (name: string, hint: string, share: number, patch: (share: number) => Brush): TemplateResult =>
     numberField(context, name, {
       label: name,

@@ -2,13 +2,11 @@
 import { css, html, type TemplateResult } from "lit";
 import { Download, ImagePlus, RotateCcw, Upload } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
-
-const words = strings.palette;
 
 export class ColorPalette extends EditorElement {
   static override styles = [
@@ -59,6 +57,10 @@ export class ColorPalette extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["palette"] {
+    return this.strings.palette;
+  }
+
   protected watched({ toolSettings }: EditorState): readonly unknown[] {
     const { palette, color, recent } = toolSettings;
     return [palette, color, recent];
@@ -67,25 +69,26 @@ export class ColorPalette extends EditorElement {
   override render(): TemplateResult {
     const { palette, recent } = this.state.toolSettings;
     const { palettes } = this.editor;
+    const name = palette.name || this.#words.basic;
     const buttons = [
-      { label: words.fromPicture, drawing: ImagePlus, run: () => this.#open(ACCEPT.picture) },
-      { label: words.import, drawing: Upload, run: () => this.#open(".gpl") },
-      { label: words.export, drawing: Download, run: () => palettes.save() },
-      { label: words.reset, drawing: RotateCcw, run: () => palettes.reset() },
+      { label: this.#words.fromPicture, drawing: ImagePlus, run: () => this.#open(ACCEPT.picture) },
+      { label: this.#words.import, drawing: Upload, run: () => this.#open(".gpl") },
+      { label: this.#words.export, drawing: Download, run: () => palettes.save() },
+      { label: this.#words.reset, drawing: RotateCcw, run: () => palettes.reset() },
     ];
     return html`
       <header>
-        <h3>${palette.name}</h3>
+        <h3>${name}</h3>
         ${buttons.map(
           ({ label, drawing, run }) =>
             html`<button class="icon" aria-label=${label} title=${label} @click=${run}>${icon(drawing)}</button>`,
         )}
       </header>
-      <div class="colors" id="palette-colors" role="group" aria-label=${palette.name}>${this.#swatches(palette.colors)}</div>
+      <div class="colors" id="palette-colors" role="group" aria-label=${name}>${this.#swatches(palette.colors)}</div>
       ${
         recent.length > 0
-          ? html`<h3>${strings.tools.recent}</h3>
-              <div class="colors" role="group" aria-label=${strings.tools.recent}>${this.#swatches(recent)}</div>`
+          ? html`<h3>${this.strings.tools.recent}</h3>
+              <div class="colors" role="group" aria-label=${this.strings.tools.recent}>${this.#swatches(recent)}</div>`
           : ""
       }
     `;
@@ -97,7 +100,7 @@ export class ColorPalette extends EditorElement {
       (value) => html`<button
         style=${`--color:${value}`}
         data-color=${value}
-        aria-label=${strings.tools.recentColor(value)}
+        aria-label=${this.strings.tools.recentColor(value)}
         aria-pressed=${value === color}
         title=${value}
         @click=${() => this.editor.tools.configure({ color: value })}

@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { ImagePlus, Type } from "lucide";
 import type { DemoDecal } from "../files/demo-catalogue.ts";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
@@ -11,8 +11,6 @@ import { controls } from "../ui/theme.ts";
 
 /** Type of a drag from the palette to the model; its data is the demo decal's id. */
 export const PALETTE_DRAG = "application/x-texelcast-demo-decal";
-
-const words = strings.decals;
 
 export class DecalPalette extends EditorElement {
   static override styles = [
@@ -83,6 +81,10 @@ export class DecalPalette extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["decals"] {
+    return this.strings.decals;
+  }
+
   protected watched({ demos, model }: EditorState): readonly unknown[] {
     return [demos, model === null];
   }
@@ -92,22 +94,22 @@ export class DecalPalette extends EditorElement {
     const add = (): void => pickFiles({ accept: ACCEPT.picture }, (files) => void this.editor.files.openFiles(files));
     return html`
       <div class="adds">
-        <button class="outlined add" id="add-picture" aria-label=${words.add} ?disabled=${model === null} @click=${add}>
-          ${icon(ImagePlus)}<span>${words.add}</span>
+        <button class="outlined add" id="add-picture" aria-label=${this.#words.add} ?disabled=${model === null} @click=${add}>
+          ${icon(ImagePlus)}<span>${this.#words.add}</span>
         </button>
         <button
           class="outlined add"
           id="add-text"
-          aria-label=${strings.text.add}
+          aria-label=${this.strings.text.add}
           ?disabled=${model === null}
           @click=${() => void this.editor.texts.add()}
         >
-          ${icon(Type)}<span>${strings.text.add}</span>
+          ${icon(Type)}<span>${this.strings.text.add}</span>
         </button>
       </div>
       ${
         demos && model
-          ? html`<div class="palette" role="group" aria-label=${words.palette}>
+          ? html`<div class="palette" role="group" aria-label=${this.#words.palette}>
               ${demos.decals.map((decal) => this.#item(decal, new URL(decal.picture, demos.page).href))}
             </div>`
           : nothing
@@ -116,7 +118,7 @@ export class DecalPalette extends EditorElement {
   }
 
   #item(decal: DemoDecal, url: string): TemplateResult {
-    const label = words.paletteItem(decal.name);
+    const label = this.#words.paletteItem(decal.name);
     const lift = (event: DragEvent): void => event.dataTransfer?.setData(PALETTE_DRAG, decal.id);
     return html`
       <button

@@ -4,20 +4,19 @@ import { ArrowRightLeft, MousePointerClick } from "lucide";
 import type { Vec3 } from "../../engine/engine-api.ts";
 import { type FillLayer, type Gradient, type GradientStop, materialsOf } from "../document/index.ts";
 import { alignedGradient, type ModelAxis, roundGradient } from "../state/aligned-gradient.ts";
-import { strings } from "../strings.ts";
 import "../ui/gradient-stops.ts";
 import { icon } from "../ui/icon.ts";
 import { withAxis } from "./projector-fields.ts";
 import { colorField, lengthStep, numberField, type PropertyContext, record } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
 
-const words = strings.gradient;
-const parts = strings.fillParts;
 const MODEL_AXES = ["x", "y", "z"] as const satisfies readonly ModelAxis[];
 
 type FillKind = "color" | Gradient["kind"];
 
 export function fillFields(context: PropertyContext, layer: FillLayer): TemplateResult {
+  const words = context.editor.strings.gradient;
+  const { strings } = context.editor;
   const { gradient } = layer;
   const kind: FillKind = gradient?.kind ?? "color";
   const choose = (chosen: FillKind): void =>
@@ -40,6 +39,7 @@ function gradientOfKind({ state }: PropertyContext, kind: FillKind, before: Grad
 }
 
 function gradientFields(context: PropertyContext, gradient: Gradient): TemplateResult {
+  const words = context.editor.strings.gradient;
   const { layers } = context.editor;
   const stopsOf = (event: Event): readonly GradientStop[] => (event as CustomEvent<readonly GradientStop[]>).detail;
   const turn = (): void => {
@@ -48,6 +48,7 @@ function gradientFields(context: PropertyContext, gradient: Gradient): TemplateR
   };
   return html`
     <tc-gradient-stops
+      .words=${words}
       .stops=${gradient.stops}
       .recent=${context.state.toolSettings.recent}
       @stops-preview=${(event: Event) => layers.preview(context.ids, { gradient: { ...gradient, stops: stopsOf(event) } })}
@@ -72,6 +73,7 @@ function gradientFields(context: PropertyContext, gradient: Gradient): TemplateR
 }
 
 function alignButton(context: PropertyContext, { stops }: Gradient, axis: ModelAxis): TemplateResult {
+  const words = context.editor.strings.gradient;
   const align = (): void =>
     record(context, words.align, { gradient: alignedGradient(context.state.model, axis, stops) });
   return html`<button aria-label=${words.alignTo[axis]} title=${words.alignTo[axis]} data-action=${`align-${axis}`} @click=${align}>
@@ -83,6 +85,7 @@ type Linear = Extract<Gradient, { kind: "linear" }>;
 type Radial = Extract<Gradient, { kind: "radial" }>;
 
 function linearFields(context: PropertyContext, gradient: Linear): TemplateResult {
+  const words = context.editor.strings.gradient;
   return html`
     ${pointFields(context, words.from, gradient.from, (from) => ({ ...gradient, from }))}
     ${pointFields(context, words.to, gradient.to, (to) => ({ ...gradient, to }))}
@@ -90,6 +93,8 @@ function linearFields(context: PropertyContext, gradient: Linear): TemplateResul
 }
 
 function radialFields(context: PropertyContext, gradient: Radial): TemplateResult {
+  const words = context.editor.strings.gradient;
+  const { strings } = context.editor;
   const step = lengthStep(context.state);
   return html`
     ${pointFields(context, words.center, gradient.center, (center) => ({ ...gradient, center }))}
@@ -111,6 +116,7 @@ function pointFields(
   point: Vec3,
   made: (point: Vec3) => Gradient,
 ): TemplateResult {
+  const { strings } = context.editor;
   const step = lengthStep(context.state);
   return html`
     <h3>${title}</h3>
@@ -132,6 +138,7 @@ type PartsKind = "all" | "charts" | "faces";
 
 /** Charts and faces are those of one material. */
 export function partsFields(context: PropertyContext, layer: FillLayer): TemplateResult {
+  const parts = context.editor.strings.fillParts;
   const { editor, state } = context;
   const single = materialsOf(layer).length === 1;
   const kind: PartsKind = layer.parts?.kind ?? "all";

@@ -1,15 +1,15 @@
 /** Three steps for the first visit, in a corner of the views: what one could do, in nobody's way, gone for good when closed. */
 import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import { X } from "lucide";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 
-const words = strings.hint;
 const SEEN = "texelcast-hint-seen";
 
 export class FirstHint extends LitElement {
-  static override properties = { step: { state: true }, seen: { state: true } };
+  static override properties = { words: { attribute: false }, step: { state: true }, seen: { state: true } };
+  declare words: Strings["hint"];
   declare step: number;
   declare seen: boolean;
 
@@ -90,22 +90,22 @@ export class FirstHint extends LitElement {
   }
 
   override render(): TemplateResult | typeof nothing {
-    const current = words.steps[this.step];
+    const current = this.words.steps[this.step];
     if (this.seen || !current) return nothing;
     const [title, body] = current;
-    const isLast = this.step === words.steps.length - 1;
+    const isLast = this.step === this.words.steps.length - 1;
     return html`
-      <section aria-label=${words.label}>
+      <section aria-label=${this.words.label}>
         <header>
           <h3>${title}</h3>
-          <button class="icon small" id="dismiss" aria-label=${words.dismiss} title=${words.dismiss} @click=${this.#close}>
+          <button class="icon small" id="dismiss" aria-label=${this.words.dismiss} title=${this.words.dismiss} @click=${this.#close}>
             ${icon(X)}
           </button>
         </header>
         <p aria-live="polite">${body}</p>
         <footer>
-          <span>${words.place(this.step + 1, words.steps.length)}</span>
-          <button id="next" @click=${isLast ? this.#close : this.#next}>${isLast ? words.done : words.next}</button>
+          <span>${this.words.place(this.step + 1, this.words.steps.length)}</span>
+          <button id="next" @click=${isLast ? this.#close : this.#next}>${isLast ? this.words.done : this.words.next}</button>
         </footer>
       </section>
     `;

@@ -1,15 +1,18 @@
 /** Keys, and the licences of what the page shows. */
-import { css, html, LitElement, type TemplateResult } from "lit";
+import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import { X } from "lucide";
 import lucideLicence from "../../../node_modules/lucide/LICENSE?raw";
-import { LANGUAGES, type Language, language, speak } from "../strings/language.ts";
-import { strings } from "../strings.ts";
+import { LANGUAGES, type Language, pageLanguage, speak } from "../strings/language.ts";
+import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 
-const words = strings.help;
-
 export class HelpDialog extends LitElement {
+  static override properties = { words: { attribute: false }, embedded: { type: Boolean } };
+  declare words: Strings["help"];
+  /** In a page of somebody else's, who chooses the language. */
+  declare embedded: boolean;
+
   static override styles = [
     controls,
     css`
@@ -97,6 +100,20 @@ export class HelpDialog extends LitElement {
     return this.renderRoot.querySelector("dialog");
   }
 
+  #languages(): TemplateResult {
+    return html`
+      <label class="language">
+        ${this.words.language}
+        <select id="language" @change=${(event: Event) => speak((event.target as HTMLSelectElement).value as Language)}>
+          ${Object.entries(LANGUAGES).map(
+            ([code, name]) =>
+              html`<option value=${code} lang=${code} ?selected=${code === pageLanguage}>${name}</option>`,
+          )}
+        </select>
+      </label>
+    `;
+  }
+
   override render(): TemplateResult {
     const close = (): void => this.#dialog?.close();
     const outside = (event: Event): void => {
@@ -105,12 +122,12 @@ export class HelpDialog extends LitElement {
     return html`
       <dialog aria-labelledby="title" @click=${outside}>
         <header>
-          <h2 id="title">${words.title}</h2>
-          <button class="icon" aria-label=${words.close} title=${words.close} @click=${close}>${icon(X)}</button>
+          <h2 id="title">${this.words.title}</h2>
+          <button class="icon" aria-label=${this.words.close} title=${this.words.close} @click=${close}>${icon(X)}</button>
         </header>
         <div class="body">
           <div class="groups">
-            ${keyGroups().map(
+            ${ordered(this.words.keyGroups).map(
               ({ name, keys }) =>
                 html`<section>
                   <h3>${name}</h3>
@@ -124,19 +141,11 @@ export class HelpDialog extends LitElement {
                 </section>`,
             )}
           </div>
-          <label class="language">
-            ${words.language}
-            <select id="language" @change=${(event: Event) => speak((event.target as HTMLSelectElement).value as Language)}>
-              ${Object.entries(LANGUAGES).map(
-                ([code, name]) =>
-                  html`<option value=${code} lang=${code} ?selected=${code === language}>${name}</option>`,
-              )}
-            </select>
-          </label>
+          ${this.embedded ? nothing : this.#languages()}
           <details>
-            <summary>${words.licences}</summary>
+            <summary>${this.words.licences}</summary>
             <pre>
-${words.icons}
+${this.words.icons}
 
 ${lucideLicence}</pre
             >
@@ -149,8 +158,7 @@ ${lucideLicence}</pre
 customElements.define("tc-help-dialog", HelpDialog);
 
 /** Where a finger is the pointer, its gestures come first. */
-function keyGroups(): typeof words.keyGroups {
-  const { keyGroups } = words;
+function ordered(keyGroups: Strings["help"]["keyGroups"]): Strings["help"]["keyGroups"] {
   if (!matchMedia("(pointer: coarse)").matches) return keyGroups;
   return [...keyGroups.slice(-1), ...keyGroups.slice(0, -1)];
 }

@@ -6,11 +6,10 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import type { EditorState } from "../state/editor-state.ts";
 import { HISTORY_BUDGETS } from "../state/history-budget.ts";
 import { megabytes } from "../state/megabytes.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
 
-const words = strings.history;
 /** Rows above and below what is in sight, so that a scroll does not show bare ground. */
 const SPARE_ROWS = 8;
 const PAGE = 10;
@@ -109,6 +108,10 @@ export class HistoryPanel extends EditorElement {
     this.top = 0;
   }
 
+  get #words(): Strings["history"] {
+    return this.strings.history;
+  }
+
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#resize.disconnect();
@@ -129,7 +132,7 @@ export class HistoryPanel extends EditorElement {
         class="list"
         role="listbox"
         tabindex="0"
-        aria-label=${words.list}
+        aria-label=${this.#words.list}
         aria-activedescendant=${`step-${position}`}
         @scroll=${(event: Event) => {
           this.top = (event.target as HTMLElement).scrollTop;
@@ -155,7 +158,7 @@ export class HistoryPanel extends EditorElement {
       style=${`top: ${place * this.#rowHeight}px`}
       @click=${() => void this.editor.files.travelTo(place)}
     >
-      <span>${words.step(label)}</span>
+      <span>${this.#words.step(label)}</span>
     </div>`;
   }
 
@@ -164,13 +167,13 @@ export class HistoryPanel extends EditorElement {
     const choose = (event: Event): void =>
       this.editor.setHistoryBudget(Number((event.target as HTMLSelectElement).value));
     return html`
-      <footer title=${words.heldHint}>
-        ${dropped > 0 ? html`<span class="dropped">${words.droppedNote(dropped)}</span>` : nothing}
-        <p id="held">${words.held(words.megabytes(megabytes(heldBytes)))}</p>
-        <select id="budget" aria-label=${words.budget} @change=${choose}>
+      <footer title=${this.#words.heldHint}>
+        ${dropped > 0 ? html`<span class="dropped">${this.#words.droppedNote(dropped)}</span>` : nothing}
+        <p id="held">${this.#words.held(this.#words.megabytes(megabytes(heldBytes)))}</p>
+        <select id="budget" aria-label=${this.#words.budget} @change=${choose}>
           ${HISTORY_BUDGETS.map(
             (bytes) =>
-              html`<option value=${bytes} .selected=${bytes === budget}>${words.megabytes(megabytes(bytes))}</option>`,
+              html`<option value=${bytes} .selected=${bytes === budget}>${this.#words.megabytes(megabytes(bytes))}</option>`,
           )}
         </select>
       </footer>

@@ -23,11 +23,8 @@ import { findLayer, makeFillLayer, makeGroupLayer, makePaintLayer } from "../doc
 import { alignedGradient } from "../state/aligned-gradient.ts";
 import type { Editor } from "../state/editor.ts";
 import { layerBelow } from "../state/layer-merge.ts";
-import { strings } from "../strings.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import type { MenuItem } from "../ui/menu.ts";
-
-const words = strings.layers;
 
 /** A quiet middle grey-blue: seen on light and on dark models, and clearly a beginning. */
 const FIRST_COLOR = "#7c86c4";
@@ -41,7 +38,8 @@ export interface LayerAct {
 }
 
 /** Acts that have a button of their own. */
-export function barActs({ layers, store }: Editor): LayerAct[] {
+export function barActs({ layers, store, strings }: Editor): LayerAct[] {
+  const words = strings.layers;
   const { selection, selectedId, design } = store.state;
   const none = selection.length === 0;
   const masked = findLayer(design, selectedId)?.mask !== null;
@@ -56,7 +54,8 @@ export function barActs({ layers, store }: Editor): LayerAct[] {
 }
 
 /** What can be done with the chosen layers, as the bar's menu and the rows' context menu have it. */
-export function moreItems({ layers, store }: Editor, rename: (id: string) => void): MenuItem[] {
+export function moreItems({ layers, store, strings }: Editor, rename: (id: string) => void): MenuItem[] {
+  const words = strings.layers;
   const { selection, selectedId, design } = store.state;
   const layer = findLayer(design, selectedId);
   const none = selection.length === 0;
@@ -89,9 +88,9 @@ export function moreItems({ layers, store }: Editor, rename: (id: string) => voi
   ];
 }
 
-export function addItems({ layers, files, store, texts }: Editor): MenuItem[] {
+export function addItems({ layers, files, store, texts, strings }: Editor): MenuItem[] {
   const material = store.state.material ?? 0;
-  const { steps } = strings;
+  const { steps, layers: words } = strings;
   return [
     {
       label: words.addPaint,

@@ -11,7 +11,7 @@ import { layerById } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { isLocked } from "../state/layer-edits.ts";
 import { type LayerDrop, type LayerRow, layerRows } from "../state/layer-rows.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { Menu } from "../ui/menu.ts";
@@ -23,8 +23,6 @@ import { LayerDrag, type LayerDragHost } from "./layer-drag.ts";
 import { handleLayerKey } from "./layer-keys.ts";
 import { layerListStyles } from "./layer-list-styles.ts";
 import { INDENT, layerRow, type RowActs } from "./layer-row.ts";
-
-const words = strings.layers;
 
 export class LayerList extends EditorElement implements LayerDragHost {
   static override properties = { renaming: { state: true } };
@@ -43,6 +41,10 @@ export class LayerList extends EditorElement implements LayerDragHost {
     this.renaming = null;
   }
 
+  get #words(): Strings["layers"] {
+    return this.strings.layers;
+  }
+
   protected watched(state: EditorState): readonly unknown[] {
     const { design, selectedId, selection, collapsed, editingMask, model, material, starting } = state;
     const shown = layerRows(design, collapsed).flatMap(shownOf);
@@ -55,11 +57,11 @@ export class LayerList extends EditorElement implements LayerDragHost {
 
   override render(): TemplateResult {
     const { design, collapsed, model, starting } = this.state;
-    const without = starting ? "" : words.emptyWithoutModel;
+    const without = starting ? "" : this.#words.emptyWithoutModel;
     this.rows = layerRows(design, collapsed);
     return html`
       ${this.#looks()}
-      ${this.rows.length === 0 ? html`<p class="quiet empty">${model ? words.emptyBody : without}</p>` : this.#tree()}
+      ${this.rows.length === 0 ? html`<p class="quiet empty">${model ? this.#words.emptyBody : without}</p>` : this.#tree()}
       ${model ? this.#bar() : nothing}
     `;
   }
@@ -72,7 +74,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     const twists = this.rows.some(({ layer }) => layer.type === "group");
     const reachable = this.rows.find(({ layer }) => layer.id === selectedId) ?? this.rows[0];
     return html`
-      <div class="rows" role="treegrid" aria-label=${words.list} aria-multiselectable="true" @keydown=${this.#key} @contextmenu=${this.#contextMenu}>
+      <div class="rows" role="treegrid" aria-label=${this.#words.list} aria-multiselectable="true" @keydown=${this.#key} @contextmenu=${this.#contextMenu}>
         ${repeat(
           this.rows,
           ({ layer }) => layer.id,
@@ -89,6 +91,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
                 into: drop?.gap === null && drop.parentId === row.layer.id,
                 editsMask: editingMask === row.layer.id,
                 twists,
+                words: this.#words,
               },
               this.#acts,
             ),
@@ -120,10 +123,10 @@ export class LayerList extends EditorElement implements LayerDragHost {
         class="icon"
         data-action="lockAlpha"
         aria-pressed=${layer.lockAlpha}
-        aria-label=${words.lockAlpha}
-        title=${`${words.lockAlpha}. ${words.lockAlphaHint}`}
+        aria-label=${this.#words.lockAlpha}
+        title=${`${this.#words.lockAlpha}. ${this.#words.lockAlphaHint}`}
         ?disabled=${disabled}
-        @click=${() => this.#change({ lockAlpha: !layer.lockAlpha }, words.lockAlpha)}
+        @click=${() => this.#change({ lockAlpha: !layer.lockAlpha }, this.#words.lockAlpha)}
       >
         ${icon(Grid2x2Check)}
       </button>
@@ -133,19 +136,20 @@ export class LayerList extends EditorElement implements LayerDragHost {
   #blend({ blend }: DesignLayer, chosen: readonly DesignLayer[], disabled: boolean): TemplateResult {
     const same = chosen.every((layer) => layer.blend === blend);
     const choose = (event: Event): void =>
-      this.#change({ blend: (event.target as HTMLSelectElement).value as BlendMode }, words.blend);
+      this.#change({ blend: (event.target as HTMLSelectElement).value as BlendMode }, this.#words.blend);
     return html`
       <select
         data-action="blend"
-        aria-label=${words.blend}
-        title=${words.blend}
+        aria-label=${this.#words.blend}
+        title=${this.#words.blend}
         ?disabled=${disabled}
         .value=${live(same ? blend : "")}
         @change=${choose}
       >
-        ${same ? nothing : html`<option value="" disabled selected>${words.mixed}</option>`}
+        ${same ? nothing : html`<option value="" disabled selected>${this.#words.mixed}</option>`}
         ${BLEND_MODES.map(
-          (mode) => html`<option value=${mode} ?selected=${same && mode === blend}>${words.blendModes[mode]}</option>`,
+          (mode) =>
+            html`<option value=${mode} ?selected=${same && mode === blend}>${this.#words.blendModes[mode]}</option>`,
         )}
       </select>
     `;
@@ -156,13 +160,13 @@ export class LayerList extends EditorElement implements LayerDragHost {
     const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
     const change = (event: Event): void => {
       const { value, repeated } = detail(event);
-      this.#change({ opacity: value / 100 }, words.opacity, repeated ? "layer-opacity" : undefined);
+      this.#change({ opacity: value / 100 }, this.#words.opacity, repeated ? "layer-opacity" : undefined);
     };
     return html`<tc-number
       data-field="layer-opacity"
-      .label=${words.opacity}
-      .name=${words.opacity}
-      .unit=${strings.properties.percent}
+      .label=${this.#words.opacity}
+      .name=${this.#words.opacity}
+      .unit=${this.strings.properties.percent}
       .value=${Math.round(opacity * 1000) / 10}
       .step=${1}
       .min=${0}
@@ -179,13 +183,13 @@ export class LayerList extends EditorElement implements LayerDragHost {
     field: string,
     mergeKey?: string,
   ): void {
-    this.editor.layers.change(this.state.selection, patch, strings.steps.change(field), mergeKey);
+    this.editor.layers.change(this.state.selection, patch, this.strings.steps.change(field), mergeKey);
   }
 
   #bar(): TemplateResult {
     const { editor } = this;
-    return html`<div class="bar" role="toolbar" aria-label=${words.title} @keydown=${this.#barKey}>
-      <tc-menu class="add" .name=${words.add} .icon=${Plus} .items=${addItems(editor)}></tc-menu>
+    return html`<div class="bar" role="toolbar" aria-label=${this.#words.title} @keydown=${this.#barKey}>
+      <tc-menu class="add" .name=${this.#words.add} .icon=${Plus} .items=${addItems(editor)}></tc-menu>
       <span class="gap"></span>
       ${barActs(editor).map(
         ({ action, label, drawing, disabled, run }) => html`<button
@@ -199,7 +203,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
           ${icon(drawing)}
         </button>`,
       )}
-      <tc-menu class="more" .name=${words.more} .icon=${Ellipsis} .items=${moreItems(editor, (id) => this.#acts.startRename(id))} alignEnd></tc-menu>
+      <tc-menu class="more" .name=${this.#words.more} .icon=${Ellipsis} .items=${moreItems(editor, (id) => this.#acts.startRename(id))} alignEnd></tc-menu>
     </div>`;
   }
 

@@ -5,7 +5,7 @@ import type { DecalLayer, DesignLayer } from "../document/index.ts";
 import { layerById } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { isLocked } from "../state/layer-edits.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
@@ -20,7 +20,6 @@ import { propertyStyles } from "./property-styles.ts";
 import { materialField, reachFields, samplingFields } from "./reach-fields.ts";
 import "./text-fields.ts";
 
-const words = strings.properties;
 /** Milliseconds between two changes of the numbers: a score of fields, which nobody reads faster while a decal is dragged. */
 const PACE = 100;
 
@@ -33,6 +32,10 @@ export class LayerProperties extends EditorElement {
     super(PACE);
   }
 
+  get #words(): Strings["properties"] {
+    return this.strings.properties;
+  }
+
   protected watched({ design, selectedId, selection, model, tool, toolSettings }: EditorState): readonly unknown[] {
     const locked = selectedId !== null && isLocked(design, selectedId);
     return [layerById(design, selectedId), selection, locked, model, tool, toolSettings.recent];
@@ -43,15 +46,15 @@ export class LayerProperties extends EditorElement {
     const layer = layerById(design, selectedId);
     if (!layer) {
       return html`<div class="none">
-        <h2>${words.none}</h2>
-        <p class="quiet">${words.noneBody}</p>
+        <h2>${this.#words.none}</h2>
+        <p class="quiet">${this.#words.noneBody}</p>
       </div>`;
     }
     const context: PropertyContext = { editor: this.editor, state: this.state, ids: selection };
     const locked = isLocked(design, layer.id);
     const several = selection.length > 1;
     return html`
-      ${several ? html`<h2>${strings.layers.several(selection.length)}</h2>` : this.#header(layer)}
+      ${several ? html`<h2>${this.strings.layers.several(selection.length)}</h2>` : this.#header(layer)}
       ${locked ? this.#lock(layer) : nothing}
       <div class="fields" ?inert=${locked}>
         ${several ? this.#look(context, layer) : this.#fields(context, layer)}
@@ -80,26 +83,28 @@ export class LayerProperties extends EditorElement {
         `;
       case "fill":
         return html`
-          <section aria-label=${strings.gradient.kind}>${fillFields(context, layer)}</section>
+          <section aria-label=${this.strings.gradient.kind}>${fillFields(context, layer)}</section>
           ${partsFields(context, layer)}${this.#look(context, layer, materialField(context, layer))}
         `;
       case "paint":
         return html`
-          <p class="quiet">${words.strokes(layer.strokes.length)}</p>
+          <p class="quiet">${this.#words.strokes(layer.strokes.length)}</p>
           ${this.#look(context, layer)}${mirrorFields(context, layer)}
         `;
       case "group": {
-        const isolated = toggleField(context, "isolated", words.isolated, layer.isolated, (on) => ({ isolated: on }));
+        const isolated = toggleField(context, "isolated", this.#words.isolated, layer.isolated, (on) => ({
+          isolated: on,
+        }));
         return html`
-          <p class="quiet">${words.members(layer.layers.length)}</p>
-          ${this.#look(context, layer, html`<div title=${words.isolatedHint}>${isolated}</div>`)}
+          <p class="quiet">${this.#words.members(layer.layers.length)}</p>
+          ${this.#look(context, layer, html`<div title=${this.#words.isolatedHint}>${isolated}</div>`)}
         `;
       }
     }
   }
 
   #look(context: PropertyContext, layer: DesignLayer, rest: TemplateResult | typeof nothing = nothing): TemplateResult {
-    return html`<section aria-label=${words.look}>
+    return html`<section aria-label=${this.#words.look}>
       ${opacityField(context, layer)}${mixingFields(context, layer)}${rest}
     </section>`;
   }
@@ -115,10 +120,10 @@ export class LayerProperties extends EditorElement {
     const { layers } = this.editor;
     return html`<div class="locked">
       ${icon(Lock)}
-      <p>${locked ? strings.layers.lockedBody : strings.layers.lockedByGroup}</p>
+      <p>${locked ? this.strings.layers.lockedBody : this.strings.layers.lockedByGroup}</p>
       ${
         locked
-          ? html`<button class="outlined" id="unlock" @click=${() => layers.toggleLocked([id])}>${strings.layers.unlockAct}</button>`
+          ? html`<button class="outlined" id="unlock" @click=${() => layers.toggleLocked([id])}>${this.strings.layers.unlockAct}</button>`
           : nothing
       }
     </div>`;
@@ -138,7 +143,7 @@ export class LayerProperties extends EditorElement {
         <input
           type="text"
           id="name"
-          aria-label=${words.name}
+          aria-label=${this.#words.name}
           .value=${layer.name}
           maxlength="200"
           @keydown=${keys}

@@ -3,11 +3,9 @@ import { html, nothing, type TemplateResult } from "lit";
 import { ChevronDown, ChevronRight, Eye, EyeOff, GripVertical, type IconNode, Lock, LockOpen } from "lucide";
 import type { DesignLayer } from "../document/index.ts";
 import type { LayerRow } from "../state/layer-rows.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import { maskPicture, type ThumbnailSource, thumbnail } from "../ui/thumbnail.ts";
-
-const words = strings.layers;
 
 /** Pixels a level of depth. */
 export const INDENT = 14;
@@ -24,6 +22,7 @@ export interface RowLook {
   /** Dragged layers would go into it. */
   readonly into: boolean;
   readonly editsMask: boolean;
+  readonly words: Strings["layers"];
   /** Some row holds layers: those that do not leave room for what opens them. */
   readonly twists: boolean;
 }
@@ -42,6 +41,7 @@ export interface RowActs {
 }
 
 export function layerRow(row: LayerRow, look: RowLook, acts: RowActs): TemplateResult {
+  const { words } = look;
   const { layer, depth, place, count, hiddenAbove } = row;
   const { id, name, visible } = layer;
   const classes = [
@@ -64,12 +64,12 @@ export function layerRow(row: LayerRow, look: RowLook, acts: RowActs): TemplateR
       aria-selected=${look.chosen}
       aria-current=${look.primary ? "true" : nothing}
       aria-expanded=${layer.type === "group" ? row.expanded : nothing}
-      aria-label=${spokenName(row)}
+      aria-label=${spokenName(row, words)}
       style=${`padding-inline-start: ${(depth - 1) * INDENT + 2}px`}
       @pointerdown=${(event: PointerEvent) => acts.press(event, id, false)}
       @click=${(event: MouseEvent) => acts.choose(event, id)}
     >
-      ${nameCell(row, look, acts)}${switches(row, acts)}
+      ${nameCell(row, look, acts)}${switches(row, words, acts)}
       <span
         class="grip"
         title=${words.drag(name)}
@@ -81,6 +81,7 @@ export function layerRow(row: LayerRow, look: RowLook, acts: RowActs): TemplateR
 }
 
 function nameCell(row: LayerRow, look: RowLook, acts: RowActs): TemplateResult {
+  const { words } = look;
   const { layer, expanded } = row;
   const { id, name, mask } = layer;
   const twist =
@@ -118,11 +119,11 @@ function nameCell(row: LayerRow, look: RowLook, acts: RowActs): TemplateResult {
             ${maskPicture(look.thumbnails, layer, mask)}
           </button>`
     }
-    ${look.renaming ? nameField(layer, acts) : html`<span class="name" @dblclick=${() => acts.startRename(id)}>${name}</span>`}
+    ${look.renaming ? nameField(layer, words, acts) : html`<span class="name" @dblclick=${() => acts.startRename(id)}>${name}</span>`}
   </div>`;
 }
 
-function nameField({ id, name }: DesignLayer, acts: RowActs): TemplateResult {
+function nameField({ id, name }: DesignLayer, words: Strings["layers"], acts: RowActs): TemplateResult {
   const typed = (event: Event): string => (event.target as HTMLInputElement).value;
   const key = (event: KeyboardEvent): void => {
     if (event.key !== "Enter" && event.key !== "Escape") return;
@@ -142,7 +143,7 @@ function nameField({ id, name }: DesignLayer, acts: RowActs): TemplateResult {
   />`;
 }
 
-function switches({ layer, lockedAbove }: LayerRow, acts: RowActs): TemplateResult {
+function switches({ layer, lockedAbove }: LayerRow, words: Strings["layers"], acts: RowActs): TemplateResult {
   const { id, name, visible, locked } = layer;
   const lockLabel = locked ? words.unlock(name) : words.lock(name);
   const eyeLabel = visible ? words.hide(name) : words.show(name);
@@ -181,7 +182,7 @@ function iconButton(
   </button>`;
 }
 
-function spokenName({ layer, hiddenAbove, lockedAbove }: LayerRow): string {
+function spokenName({ layer, hiddenAbove, lockedAbove }: LayerRow, words: Strings["layers"]): string {
   const kind = layer.type === "fill" && layer.gradient !== null ? "gradient" : layer.type;
   const notes = [
     layer.name,

@@ -3,12 +3,11 @@ import { css, html, type TemplateResult } from "lit";
 import { Box, Columns2, Grid2x2, type IconNode } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { VIEW_LAYOUTS, type ViewLayout } from "../state/view-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 
-const words = strings.views;
 const DRAWINGS: Readonly<Record<ViewLayout, IconNode>> = { model: Box, both: Columns2, texture: Grid2x2 };
 const STEPS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };
 
@@ -47,6 +46,10 @@ export class LayoutSwitch extends EditorElement {
     this.compact = false;
   }
 
+  get #words(): Strings["views"] {
+    return this.strings.views;
+  }
+
   protected watched({ view }: EditorState): readonly unknown[] {
     return [view.layout];
   }
@@ -59,25 +62,25 @@ export class LayoutSwitch extends EditorElement {
       return html`<button
         class="icon"
         id="swap-views"
-        aria-label=${words.showInstead[other]}
-        title=${words.showInstead[other]}
+        aria-label=${this.#words.showInstead[other]}
+        title=${this.#words.showInstead[other]}
         @click=${() => views.setLayout(other)}
       >
         ${icon(DRAWINGS[other])}
       </button>`;
     }
     return html`
-      <div role="radiogroup" aria-label=${words.layout} @keydown=${this.#key}>
+      <div role="radiogroup" aria-label=${this.#words.layout} @keydown=${this.#key}>
         ${VIEW_LAYOUTS.map(
           (value, index) => html`<button
             class="icon"
             role="radio"
             id=${`layout-${value}`}
             aria-checked=${value === layout}
-            aria-label=${words.layouts[value]}
+            aria-label=${this.#words.layouts[value]}
             aria-keyshortcuts=${`Alt+${index + 1}`}
             tabindex=${value === layout ? 0 : -1}
-            title=${words.withKey(words.layouts[value], `Alt ${index + 1}`)}
+            title=${this.#words.withKey(this.#words.layouts[value], `Alt ${index + 1}`)}
             @click=${() => views.setLayout(value)}
           >
             ${icon(DRAWINGS[value])}

@@ -9,18 +9,16 @@ import {
   type StrokeLayer,
   type TextLayer,
 } from "../document/index.ts";
-import { strings } from "../strings.ts";
 import { mirrorOf } from "../tools/mirror-setting.ts";
 import { lengthStep, numberField, type PropertyContext, record, toggleField } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
-
-const words = strings.projection;
 
 /** Nothing for what lies on the texture: that has no side of the model. */
 export function mirrorFields(
   context: PropertyContext,
   layer: DecalLayer | TextLayer | StrokeLayer | PaintLayer,
 ): TemplateResult | typeof nothing {
+  const words = context.editor.strings.projection;
   if (liesOnTexture(layer)) return nothing;
   const { mirror } = layer;
   const info = context.state.model?.info ?? null;
@@ -43,6 +41,7 @@ export function mirrorFields(
 }
 
 function planeFields(context: PropertyContext, mirror: Mirror, hasPicture: boolean): TemplateResult {
+  const words = context.editor.strings.projection;
   return html`
     <div class="field">
       <span>${words.mirrorOffset}</span>

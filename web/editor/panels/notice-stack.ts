@@ -4,7 +4,6 @@ import { repeat } from "lit/directives/repeat.js";
 import { Info, TriangleAlert, X } from "lucide";
 import type { EditorState, Task } from "../state/editor-state.ts";
 import type { Notice } from "../state/notices.ts";
-import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
@@ -128,7 +127,7 @@ export class NoticeStack extends EditorElement {
         ({ id }) => id,
         (task) => this.#task(task),
       )}
-      <div class="alerts" role="region" aria-label=${strings.notices.label}>
+      <div class="alerts" role="region" aria-label=${this.strings.notices.label}>
         ${repeat(
           notices,
           ({ id }) => id,
@@ -142,7 +141,7 @@ export class NoticeStack extends EditorElement {
     return html`
       <div class="card task" role="status">
         <span>${label}</span>
-        ${cancel ? html`<button class="outlined" @click=${cancel}>${strings.tasks.cancel}</button>` : html`<span></span>`}
+        ${cancel ? html`<button class="outlined" @click=${cancel}>${this.strings.tasks.cancel}</button>` : html`<span></span>`}
         <progress aria-label=${label} max="1" value=${share ?? nothing}></progress>
       </div>
     `;
@@ -164,7 +163,7 @@ export class NoticeStack extends EditorElement {
           ${where ? html`<p class="where">${where}</p>` : nothing}
           ${action ? html`<button class="outlined action" @click=${act}>${action.label}</button>` : nothing}
         </div>
-        <button class="icon dismiss" aria-label=${strings.notices.dismiss} title=${strings.notices.dismiss} @click=${dismiss}>
+        <button class="icon dismiss" aria-label=${this.strings.notices.dismiss} title=${this.strings.notices.dismiss} @click=${dismiss}>
           ${icon(X)}
         </button>
       </section>

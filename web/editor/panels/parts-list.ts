@@ -3,12 +3,10 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { Eye, EyeOff, Focus } from "lucide";
 import type { ModelPart } from "../../viewer/viewer-api.ts";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
-
-const words = strings.modelParts;
 
 export class PartsList extends EditorElement {
   static override styles = [
@@ -91,6 +89,10 @@ export class PartsList extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["modelParts"] {
+    return this.strings.modelParts;
+  }
+
   protected watched({ shown, model }: EditorState): readonly unknown[] {
     return [shown, model];
   }
@@ -102,12 +104,12 @@ export class PartsList extends EditorElement {
     );
     return html`
       <div class="head">
-        <p>${hidden.size > 0 ? words.hiddenCount(hidden.size, parts.length) : words.note}</p>
+        <p>${hidden.size > 0 ? this.#words.hiddenCount(hidden.size, parts.length) : this.#words.note}</p>
         <button class="outlined" id="show-all-parts" ?disabled=${hidden.size === 0} @click=${() => this.editor.views.showAllParts()}>
-          ${words.showAll}
+          ${this.#words.showAll}
         </button>
       </div>
-      <ul aria-label=${words.list} @keydown=${this.#key}>
+      <ul aria-label=${this.#words.list} @keydown=${this.#key}>
         ${groups.map((group) => {
           const members = parts.filter((part) => part.group === group);
           return html`
@@ -122,7 +124,7 @@ export class PartsList extends EditorElement {
   #group(name: string, members: readonly ModelPart[]): TemplateResult {
     const { hidden } = this.state.shown;
     const shown = members.every(({ id }) => !hidden.has(id));
-    const label = shown ? words.hide(name) : words.show(name);
+    const label = shown ? this.#words.hide(name) : this.#words.show(name);
     return html`
       <li class="group">
         <button class="icon" data-group=${name} aria-pressed=${nothing} aria-label=${label} title=${label} @click=${() => this.editor.views.toggleGroup(name)}>
@@ -138,9 +140,9 @@ export class PartsList extends EditorElement {
     const { views } = this.editor;
     const off = shown.hidden.has(id);
     const chosen = shown.chosen === id;
-    const title = name || words.unnamed(id + 1);
+    const title = name || this.#words.unnamed(id + 1);
     const own = model?.info.materials.find(({ index }) => index === material);
-    const eye = off ? words.show(title) : words.hide(title);
+    const eye = off ? this.#words.show(title) : this.#words.hide(title);
     return html`
       <li class=${`${off ? "off" : ""} ${chosen ? "chosen" : ""} ${inside ? "inside" : ""}`} data-part=${id}>
         <button class="icon eye" aria-label=${eye} title=${eye} @click=${() => views.togglePart(id)}>${icon(off ? EyeOff : Eye)}</button>
@@ -148,12 +150,12 @@ export class PartsList extends EditorElement {
           class="name"
           aria-pressed=${nothing}
           aria-current=${chosen ? "true" : nothing}
-          title=${words.choose(title, own ? strings.materialName(own.index, own.name) : "")}
+          title=${this.#words.choose(title, own ? this.strings.materialName(own.index, own.name) : "")}
           @click=${() => views.choosePart(chosen ? null : id)}
         >
-          <span>${title}</span>${off ? html`<span class="visually-hidden">${words.hiddenNote}</span>` : nothing}
+          <span>${title}</span>${off ? html`<span class="visually-hidden">${this.#words.hiddenNote}</span>` : nothing}
         </button>
-        <button class="icon isolate" aria-label=${words.isolate(title)} title=${words.isolate(title)} @click=${() => views.isolatePart(id)}>
+        <button class="icon isolate" aria-label=${this.#words.isolate(title)} title=${this.#words.isolate(title)} @click=${() => views.isolatePart(id)}>
           ${icon(Focus)}
         </button>
       </li>

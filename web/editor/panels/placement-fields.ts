@@ -5,7 +5,6 @@ import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.t
 import type { DecalLayer, TextLayer } from "../document/index.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
 import { type Orientation, orientationOf } from "../state/rotation.ts";
-import { strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import {
   type PosedProjector,
@@ -15,8 +14,6 @@ import {
   withAxis,
 } from "./projector-fields.ts";
 import { lengthStep, numberField, type PropertyContext, record } from "./property-controls.ts";
-
-const words = strings.properties;
 
 /** What the fields remember from one render to the next. */
 export interface PlacementMemory {
@@ -37,6 +34,7 @@ export function placementFields(
   memory: PlacementMemory,
   changed: () => void,
 ): TemplateResult {
+  const words = context.editor.strings.properties;
   const step = lengthStep(context.state);
   return html`
     <section aria-label=${words.placement}>
@@ -44,7 +42,7 @@ export function placementFields(
       ${
         projector.kind === "planar"
           ? size(context, projector, step, aspect, memory, changed)
-          : projectorFields(projector, step).map((group) => fieldGroup(context, group))
+          : projectorFields(projector, step, words).map((group) => fieldGroup(context, group))
       }
     </section>
   `;
@@ -57,9 +55,10 @@ function pose(
   memory: PlacementMemory,
 ): TemplateResult[] {
   memory.orientation = orientationOf(projector.rotation, memory.orientation);
-  const groups = poseFields(projector, step, memory.orientation, (orientation) => {
+  const keep = (orientation: PlacementMemory["orientation"]): void => {
     memory.orientation = orientation;
-  });
+  };
+  const groups = poseFields(projector, step, memory.orientation, keep, context.editor.strings.properties);
   return groups.map((group) => fieldGroup(context, group));
 }
 
@@ -82,6 +81,7 @@ function size(
   memory: PlacementMemory,
   changed: () => void,
 ): TemplateResult {
+  const words = context.editor.strings.properties;
   const resized = (axis: 0 | 1 | 2, value: number): LayerPatch => {
     const resizedAxis = withAxis(projector.size, axis, value);
     const other = axis === 0 ? 1 : 0;

@@ -7,9 +7,7 @@ import type {
   Vec3,
 } from "../../engine/engine-api.ts";
 import { type Orientation, quaternionOf, wrapDegrees } from "../state/rotation.ts";
-import { strings } from "../strings.ts";
-
-const words = strings.properties;
+import type { Strings } from "../strings.ts";
 
 export interface ProjectorField {
   readonly label: string;
@@ -43,6 +41,7 @@ export function poseFields(
   lengthStep: number,
   orientation: Orientation,
   keep: (orientation: Orientation) => void,
+  words: Strings["properties"],
 ): ProjectorFieldGroup[] {
   const position = (axis: 0 | 1 | 2, label: string): ProjectorField => ({
     label,
@@ -91,12 +90,19 @@ const WIDEST_FOV = 179;
 export function projectorFields(
   projector: PerspectiveProjector | CylindricalProjector | UvProjector,
   lengthStep: number,
+  words: Strings["properties"],
 ): ProjectorFieldGroup[] {
-  if (projector.kind === "perspective") return perspectiveFields(projector, lengthStep);
-  return projector.kind === "cylindrical" ? cylindricalFields(projector, lengthStep) : uvFields(projector);
+  if (projector.kind === "perspective") return perspectiveFields(projector, lengthStep, words);
+  return projector.kind === "cylindrical"
+    ? cylindricalFields(projector, lengthStep, words)
+    : uvFields(projector, words);
 }
 
-function perspectiveFields(projector: PerspectiveProjector, step: number): ProjectorFieldGroup[] {
+function perspectiveFields(
+  projector: PerspectiveProjector,
+  step: number,
+  words: Strings["properties"],
+): ProjectorFieldGroup[] {
   const { fov, aspect, near, far } = projector;
   const least = step / 100;
   return [
@@ -152,7 +158,11 @@ function perspectiveFields(projector: PerspectiveProjector, step: number): Proje
   ];
 }
 
-function cylindricalFields(projector: CylindricalProjector, step: number): ProjectorFieldGroup[] {
+function cylindricalFields(
+  projector: CylindricalProjector,
+  step: number,
+  words: Strings["properties"],
+): ProjectorFieldGroup[] {
   const length = (key: "radius" | "height" | "depth", label: string, hint = ""): ProjectorField => ({
     label,
     name: label,
@@ -187,7 +197,7 @@ function cylindricalFields(projector: CylindricalProjector, step: number): Proje
   ];
 }
 
-function uvFields(projector: UvProjector): ProjectorFieldGroup[] {
+function uvFields(projector: UvProjector, words: Strings["properties"]): ProjectorFieldGroup[] {
   const pair = (key: "center" | "size", title: string, axis: 0 | 1, label: string): ProjectorField => ({
     label,
     name: words.axis(title, label),

@@ -3,10 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { ArrowUpFromDot, Box, Cylinder, Eye, type IconNode, Layers2, ScanEye, Square } from "lucide";
 import type { DecalLayer, Projector, TextLayer } from "../document/index.ts";
 import type { Editor } from "../state/editor.ts";
-import { strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
-
-const words = strings.projection;
 
 type Kind = Projector["kind"];
 type Thrown = DecalLayer | TextLayer;
@@ -24,6 +21,7 @@ const ALIGNMENTS = [
 ] as const;
 
 export function projectionTools(editor: Editor, { projector }: Thrown): TemplateResult {
+  const words = editor.strings.projection;
   const kinds = Object.keys(KIND_ICONS) as Kind[];
   const choose = (kind: Kind) => (event: Event) => {
     if (editor.decals.selected?.projector.kind === kind) return;

@@ -4,13 +4,10 @@ import { repeat } from "lit/directives/repeat.js";
 import { Copy, Image, Pencil, Plus, Trash2, Undo2, X } from "lucide";
 import type { EditorState, ListedProject } from "../state/editor-state.ts";
 import { megabytes } from "../state/megabytes.ts";
-import { momentOf } from "../strings/formats.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
-
-const words = strings.projects;
 
 export class ProjectsDialog extends EditorElement {
   static override properties = { shown: { state: true }, renaming: { state: true } };
@@ -147,6 +144,10 @@ export class ProjectsDialog extends EditorElement {
     this.renaming = null;
   }
 
+  get #words(): Strings["projects"] {
+    return this.strings.projects;
+  }
+
   show(): void {
     this.shown = true;
     this.#dialog?.showModal();
@@ -168,9 +169,9 @@ export class ProjectsDialog extends EditorElement {
     return html`
       <dialog aria-labelledby="title" @click=${outside} @close=${this.#closed}>
         <header>
-          <h2 id="title">${words.title}</h2>
-          <button class="outlined" id="new-project" @click=${this.#create}>${icon(Plus)}${words.create}</button>
-          <button class="icon" aria-label=${words.close} title=${words.close} @click=${this.#close}>${icon(X)}</button>
+          <h2 id="title">${this.#words.title}</h2>
+          <button class="outlined" id="new-project" @click=${this.#create}>${icon(Plus)}${this.#words.create}</button>
+          <button class="icon" aria-label=${this.#words.close} title=${this.#words.close} @click=${this.#close}>${icon(X)}</button>
         </header>
         ${this.shown ? this.#list(this.state.projects) : nothing}
       </dialog>
@@ -178,10 +179,10 @@ export class ProjectsDialog extends EditorElement {
   }
 
   #list(projects: EditorState["projects"]): TemplateResult {
-    if (projects === null) return html`<p class="empty quiet">${words.loading}</p>`;
-    if (projects.length === 0) return html`<p class="empty quiet">${words.empty}</p>`;
+    if (projects === null) return html`<p class="empty quiet">${this.#words.loading}</p>`;
+    if (projects.length === 0) return html`<p class="empty quiet">${this.#words.empty}</p>`;
     return html`
-      <ul aria-label=${words.list}>
+      <ul aria-label=${this.#words.list}>
         ${repeat(
           projects,
           ({ id }) => id,
@@ -201,21 +202,21 @@ export class ProjectsDialog extends EditorElement {
           renaming
             ? html`<div class="still">${picture(project)}${this.#nameField(project)}</div>`
             : html`
-                <button class="open" aria-label=${words.open(name)} aria-describedby=${`about-${id}`} @click=${() => this.#open(project)}>
+                <button class="open" aria-label=${this.#words.open(name)} aria-describedby=${`about-${id}`} @click=${() => this.#open(project)}>
                   ${picture(project)}
                   <span class="words">
                     <span class="name">${name}</span>
                     <span class="about" id=${`about-${id}`}>
-                      ${open ? html`<span class="here">${open === "here" ? words.openHere : words.openElsewhere}</span> · ` : nothing}${aboutOf(project)}
+                      ${open ? html`<span class="here">${open === "here" ? this.#words.openHere : this.#words.openElsewhere}</span> · ` : nothing}${aboutOf(project, this.strings)}
                     </span>
                   </span>
                 </button>
               `
         }
         <div class="acts">
-          ${action("rename", words.rename(name), Pencil, () => this.#rename(id))}
-          ${action("duplicate", words.duplicate(name), Copy, () => void commands.duplicate(project))}
-          ${action("delete", words.remove(name), Trash2, () => this.#remove(project))}
+          ${action("rename", this.#words.rename(name), Pencil, () => this.#rename(id))}
+          ${action("duplicate", this.#words.duplicate(name), Copy, () => void commands.duplicate(project))}
+          ${action("delete", this.#words.remove(name), Trash2, () => this.#remove(project))}
         </div>
       </li>
     `;
@@ -229,11 +230,11 @@ export class ProjectsDialog extends EditorElement {
           ${picture(project)}
           <span class="words">
             <span class="name">${project.name}</span>
-            <span class="about">${words.deleted}</span>
+            <span class="about">${this.#words.deleted}</span>
           </span>
         </div>
-        <button class="outlined" data-action="restore" aria-label=${words.undoRemoveOf(project.name)} @click=${restore}>
-          ${icon(Undo2)}${words.undoRemove}
+        <button class="outlined" data-action="restore" aria-label=${this.#words.undoRemoveOf(project.name)} @click=${restore}>
+          ${icon(Undo2)}${this.#words.undoRemove}
         </button>
       </li>
     `;
@@ -255,7 +256,7 @@ export class ProjectsDialog extends EditorElement {
     };
     const leave = (event: FocusEvent): void => end(true, event.target as HTMLInputElement);
     return html`
-      <input type="text" aria-label=${words.nameOf(name)} .value=${name} maxlength="120" @keydown=${key} @blur=${leave} />
+      <input type="text" aria-label=${this.#words.nameOf(name)} .value=${name} maxlength="120" @keydown=${key} @blur=${leave} />
     `;
   }
 
@@ -306,8 +307,9 @@ function picture({ thumbnail }: ListedProject): TemplateResult {
   return html`<span class="picture">${thumbnail ? html`<img src=${thumbnail} alt="" draggable="false" />` : icon(Image)}</span>`;
 }
 
-function aboutOf({ layers, modelTitle, size, modified }: ListedProject): string {
-  return [words.layers(layers), modelTitle, words.megabytes(megabytes(size)), momentOf(modified)].join(" · ");
+function aboutOf({ layers, modelTitle, size, modified }: ListedProject, strings: Strings): string {
+  const { projects: words, numbers } = strings;
+  return [words.layers(layers), modelTitle, words.megabytes(megabytes(size)), numbers.moment(modified)].join(" · ");
 }
 
 declare global {

@@ -4,13 +4,10 @@ import type { DesignLayer } from "../document/index.ts";
 import type { Editor } from "../state/editor.ts";
 import { diagonalOf, type EditorState } from "../state/editor-state.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
-import { strings } from "../strings.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { recentColors } from "../ui/recent-colors.ts";
 import type { ProjectorField } from "./projector-fields.ts";
 import { checkField, choiceField } from "./property-fields.ts";
-
-const words = strings.properties;
 
 /** What fields are about. */
 export interface PropertyContext {
@@ -53,7 +50,7 @@ export function numberField(context: PropertyContext, group: string, options: Nu
 /** One step of the history, named after a field; with a `mergeKey` those that follow each other fast are one. */
 export function record({ editor, ids }: PropertyContext, field: string, patch: LayerPatch, mergeKey?: string): void {
   const key = mergeKey === undefined ? undefined : `${mergeKey}:${ids.join(" ")}`;
-  editor.layers.change(ids, patch, strings.steps.change(field), key);
+  editor.layers.change(ids, patch, editor.strings.steps.change(field), key);
 }
 
 export function toggleField(
@@ -118,6 +115,7 @@ export function alphaField(
   color: string,
   patch: (color: string) => LayerPatch,
 ): TemplateResult {
+  const words = context.editor.strings.properties;
   return numberField(context, label, {
     label: words.alpha,
     name: words.axis(label, words.alpha),
@@ -141,6 +139,7 @@ function withAlpha(color: string, alpha: number): string {
 }
 
 export function opacityField(context: PropertyContext, { opacity }: DesignLayer): TemplateResult {
+  const words = context.editor.strings.properties;
   const { editor, ids } = context;
   const percent = Math.round(opacity * 1000) / 10;
   const share = (event: Event): number => Number((event.target as HTMLInputElement).value) / 100;
@@ -174,6 +173,7 @@ export function opacityField(context: PropertyContext, { opacity }: DesignLayer)
 
 /** In which colours a layer is mixed with what is below, and whether it keeps to what is there. */
 export function mixingFields(context: PropertyContext, { blendSpace, lockAlpha }: DesignLayer): TemplateResult {
+  const words = context.editor.strings.properties;
   const spaces = { srgb: words.blendSpaceSrgb, linear: words.blendSpaceLinear };
   return html`
     ${optionField(context, "blendSpace", words.blendSpace, spaces, blendSpace, (value) => ({ blendSpace: value }))}

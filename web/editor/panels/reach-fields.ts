@@ -3,17 +3,16 @@ import { html, nothing, type TemplateResult } from "lit";
 import { type IconNode, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical } from "lucide";
 import { type DecalLayer, type DesignLayer, materialsOf, type StrokeLayer, type TextLayer } from "../document/index.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
-import { strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import { numberField, optionField, type PropertyContext, record, toggleField } from "./property-controls.ts";
 
-const words = strings.properties;
 /** A choice of the list of materials, beside their indices. */
 const ALL_MET = "all-met";
 
 type ThrownLayer = DecalLayer | TextLayer | StrokeLayer;
 
 export function samplingFields(context: PropertyContext, layer: ThrownLayer): TemplateResult {
+  const words = context.editor.strings.properties;
   const flip = (key: "flipX" | "flipY", label: string, drawing: IconNode) => html`
     <button
       class="icon"
@@ -41,6 +40,7 @@ export function samplingFields(context: PropertyContext, layer: ThrownLayer): Te
 }
 
 export function reachFields(context: PropertyContext, layer: ThrownLayer): TemplateResult | typeof nothing {
+  const words = context.editor.strings.properties;
   const [start, end] = layer.angleFade;
   const fade = (label: string, value: number, patch: (value: number) => LayerPatch) =>
     numberField(context, label, {
@@ -72,6 +72,8 @@ export function reachFields(context: PropertyContext, layer: ThrownLayer): Templ
 
 /** Nothing where the model has one material, which the layer paints. */
 export function materialField(context: PropertyContext, layer: DesignLayer): TemplateResult | typeof nothing {
+  const words = context.editor.strings.properties;
+  const { strings } = context.editor;
   const { editor, state } = context;
   const materials = state.model?.info.materials ?? [];
   const own = materialsOf(layer);

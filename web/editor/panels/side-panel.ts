@@ -4,7 +4,6 @@
  */
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
 import "./parts-list.ts";
@@ -182,7 +181,7 @@ export class SidePanel extends EditorElement {
   }
 
   #tabs(): TemplateResult {
-    return html`<div role="tablist" aria-label=${strings.layers.tabs} @keydown=${this.#key}>
+    return html`<div role="tablist" aria-label=${this.strings.layers.tabs} @keydown=${this.#key}>
       ${UPPER_TABS.map(
         (tab) => html`<button
           role="tab"
@@ -194,7 +193,7 @@ export class SidePanel extends EditorElement {
             this.tab = tab;
           }}
         >
-          ${strings[tab].title}
+          ${this.strings[tab].title}
         </button>`,
       )}
     </div>`;
@@ -234,7 +233,7 @@ export class SidePanel extends EditorElement {
 
   #properties(headed: boolean): TemplateResult {
     return html`<div class="section">
-      ${headed ? html`<h2>${strings.properties.title}</h2>` : nothing}
+      ${headed ? html`<h2>${this.strings.properties.title}</h2>` : nothing}
       <tc-layer-properties .editor=${this.editor}></tc-layer-properties>
     </div>`;
   }
@@ -242,11 +241,11 @@ export class SidePanel extends EditorElement {
   #target(headed: boolean): TemplateResult | typeof nothing {
     if (!this.state.model) return nothing;
     return html`<div class="section">
-      ${headed ? html`<h2>${strings.target.title}</h2>` : nothing}
+      ${headed ? html`<h2>${this.strings.target.title}</h2>` : nothing}
         <tc-target-settings .editor=${this.editor}></tc-target-settings>
       </div>
       <details class="section" id="parts" ?open=${!headed || this.state.shown.parts.length < FEW_PARTS}>
-        <summary><h2>${strings.modelParts.title}</h2></summary>
+        <summary><h2>${this.strings.modelParts.title}</h2></summary>
         <tc-parts-list .editor=${this.editor}></tc-parts-list>
       </details>`;
   }

@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { Maximize, Play } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
@@ -11,8 +11,6 @@ import "./animation-bar.ts";
 import "./tool-options.ts";
 import "./tool-rail.ts";
 import "./view-menu.ts";
-
-const words = strings.stage;
 
 export class Stage extends EditorElement {
   static override styles = [
@@ -123,6 +121,10 @@ export class Stage extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["stage"] {
+    return this.strings.stage;
+  }
+
   protected watched({ model, animation, tasks, view, starting, demos }: EditorState): readonly unknown[] {
     return [model, animation.clips, animation.clip === null, tasks.length === 0, view.background, starting, demos];
   }
@@ -145,11 +147,11 @@ export class Stage extends EditorElement {
       <tc-tool-options .editor=${this.editor}></tc-tool-options>
       <tc-tool-rail .editor=${this.editor}></tc-tool-rail>
       <div class="tools">
-        <button class="icon" aria-label=${words.frame} title=${words.frame} @click=${() => viewer.frameModel()}>${icon(Maximize)}</button>
+        <button class="icon" aria-label=${this.#words.frame} title=${this.#words.frame} @click=${() => viewer.frameModel()}>${icon(Maximize)}</button>
         <tc-view-menu .editor=${this.editor}></tc-view-menu>
         ${
           offersPlay
-            ? html`<button class="icon" id="play" aria-label=${words.play} title=${words.play} @click=${() => views.animate({ playing: true })}>
+            ? html`<button class="icon" id="play" aria-label=${this.#words.play} title=${this.#words.play} @click=${() => views.animate({ playing: true })}>
                 ${icon(Play)}
               </button>`
             : nothing
@@ -165,11 +167,11 @@ export class Stage extends EditorElement {
     const templates = (): boolean => this.dispatchEvent(new CustomEvent("templates"));
     return html`
       <div class="empty">
-        <h2>${words.emptyTitle}</h2>
-        <p>${words.emptyBody}</p>
+        <h2>${this.#words.emptyTitle}</h2>
+        <p>${this.#words.emptyBody}</p>
         <div class="ways">
-          <button class="filled" @click=${open}>${strings.topBar.openModel}</button>
-          <button class="outlined" ?hidden=${!demos?.templates.length} @click=${templates}>${strings.topBar.newFromTemplate}</button>
+          <button class="filled" @click=${open}>${this.strings.topBar.openModel}</button>
+          <button class="outlined" ?hidden=${!demos?.templates.length} @click=${templates}>${this.strings.topBar.newFromTemplate}</button>
         </div>
       </div>
     `;

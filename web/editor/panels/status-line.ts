@@ -3,10 +3,8 @@ import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../state/editor.ts";
 import type { EditorState, Figures } from "../state/editor-state.ts";
 import { StoreController } from "../state/store.ts";
-import { tenths, wholeNumber } from "../strings/formats.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 
-const words = strings.status;
 /** Milliseconds between two changes of the figures: faster ones nobody reads. */
 const PACE = 150;
 
@@ -59,22 +57,30 @@ export class StatusLine extends LitElement {
     );
   }
 
+  get strings(): Strings {
+    return this.editor.strings;
+  }
+
+  get #words(): Strings["status"] {
+    return this.strings.status;
+  }
+
   override render(): TemplateResult {
     const { targets, material, model, keeping } = this.editor.store.state;
-    const kept = strings.projects.keeping[keeping];
+    const kept = this.strings.projects.keeping[keeping];
     const target = material === null ? undefined : targets.get(material);
     const { update, uploadMilliseconds } = this.editor.figures.state;
-    if (!target) return html`<div class="line"><span>${model ? words.ready : words.noModel}</span></div>`;
+    if (!target) return html`<div class="line"><span>${model ? this.#words.ready : this.#words.noModel}</span></div>`;
     return html`<div class="line">
-      <span>${words.size(target.width, target.height)}</span>
+      <span>${this.#words.size(target.width, target.height)}</span>
       ${kept ? html`<span id="keeping">${kept}</span>` : nothing}
       ${
         update
           ? html`
-              <span>${words.painted(wholeNumber(update.projectedTexels))}</span>
+              <span>${this.#words.painted(this.strings.numbers.whole(update.projectedTexels))}</span>
               <span class="gap"></span>
-              <span>${words.engine(tenths(update.milliseconds))}</span>
-              <span>${words.upload(tenths(uploadMilliseconds))}</span>
+              <span>${this.#words.engine(this.strings.numbers.tenths(update.milliseconds))}</span>
+              <span>${this.#words.upload(this.strings.numbers.tenths(uploadMilliseconds))}</span>
             `
           : nothing
       }

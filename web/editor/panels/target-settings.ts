@@ -1,13 +1,11 @@
 /** The paint target of a material: its size, its gutter, and how well the model is unwrapped. */
 import { css, html, nothing, type TemplateResult } from "lit";
 import { DEFAULT_TARGET, type EditorState } from "../state/editor-state.ts";
-import { tenths, wholeNumber } from "../strings/formats.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
 
-const words = strings.target;
 const SIZES = [256, 512, 1024, 2048, 4096, 8192];
 const GUTTERS = [0, 1, 2, 4, 8, 16, 32, 64];
 /** Without a picture of its own a material gets a target of this size. */
@@ -61,13 +59,17 @@ export class TargetSettings extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["target"] {
+    return this.strings.target;
+  }
+
   protected watched({ model, material, targets, targetSettings, toolSettings }: EditorState): readonly unknown[] {
     return [model, material, targets, targetSettings, toolSettings.pixelMode];
   }
 
   override render(): TemplateResult {
     const { model, material, targets, targetSettings } = this.state;
-    if (!model || material === null) return html`<p class="quiet">${strings.stage.emptyTitle}</p>`;
+    if (!model || material === null) return html`<p class="quiet">${this.strings.stage.emptyTitle}</p>`;
     const settings = targetSettings.get(material) ?? DEFAULT_TARGET;
     const { textureSize } = model.info.materials.find(({ index }) => index === material) ?? { textureSize: null };
     const [ownWidth, ownHeight] = textureSize ?? [SIZE_WITHOUT_PICTURE, SIZE_WITHOUT_PICTURE];
@@ -77,39 +79,39 @@ export class TargetSettings extends EditorElement {
     const numberOrNull = (text: string): number | null => (text === "" ? null : Number(text));
     return html`
       <div class="field">
-        <label for="material">${words.material}</label>
+        <label for="material">${this.#words.material}</label>
         <select id="material" @change=${(event: Event) => editor.showMaterial(Number(chosen(event)))}>
           ${model.info.materials.map(({ index, name, refusal }) => {
-            const label = strings.materialName(index, name);
+            const label = this.strings.materialName(index, name);
             return html`<option value=${index} ?disabled=${refusal !== null} ?selected=${index === material}>
-              ${refusal ? words.notPaintable(label, refusal.code) : label}
+              ${refusal ? this.#words.notPaintable(label, refusal.code) : label}
             </option>`;
           })}
         </select>
       </div>
       <div class="field">
-        <label for="size">${words.size}</label>
+        <label for="size">${this.#words.size}</label>
         <select
           id="size"
           .value=${String(settings.size ?? "")}
           @change=${(event: Event) => editor.configureTarget({ ...settings, size: numberOrNull(chosen(event)) })}
         >
-          <option value="" ?selected=${settings.size === null}>${words.ownSize(ownWidth, ownHeight)}</option>
-          ${SIZES.map((size) => html`<option value=${size} ?selected=${settings.size === size}>${words.squareSize(size)}</option>`)}
+          <option value="" ?selected=${settings.size === null}>${this.#words.ownSize(ownWidth, ownHeight)}</option>
+          ${SIZES.map((size) => html`<option value=${size} ?selected=${settings.size === size}>${this.#words.squareSize(size)}</option>`)}
         </select>
       </div>
-      <div class="field" title=${words.gutterHint}>
-        <label for="gutter">${words.gutter}</label>
+      <div class="field" title=${this.#words.gutterHint}>
+        <label for="gutter">${this.#words.gutter}</label>
         <select
           id="gutter"
           .value=${String(settings.gutter ?? "")}
           @change=${(event: Event) => editor.configureTarget({ ...settings, gutter: numberOrNull(chosen(event)) })}
         >
-          <option value="" ?selected=${settings.gutter === null}>${words.gutterAuto}</option>
-          ${GUTTERS.map((size) => html`<option value=${size} ?selected=${settings.gutter === size}>${words.texels(String(size))}</option>`)}
+          <option value="" ?selected=${settings.gutter === null}>${this.#words.gutterAuto}</option>
+          ${GUTTERS.map((size) => html`<option value=${size} ?selected=${settings.gutter === size}>${this.#words.texels(String(size))}</option>`)}
         </select>
       </div>
-      ${checkField("pixel-mode", strings.tools.pixelMode, editor.tools.pixelMode, (pixelMode) =>
+      ${checkField("pixel-mode", this.strings.tools.pixelMode, editor.tools.pixelMode, (pixelMode) =>
         editor.tools.configure({ pixelMode }),
       )}
       ${target ? this.#figures(target) : nothing}
@@ -127,15 +129,16 @@ export class TargetSettings extends EditorElement {
     coveredTexels: number;
     overlappingTexels: number;
   }): TemplateResult {
-    const share = (part: number, of: number): string => words.share(of > 0 ? tenths((100 * part) / of) : "0");
+    const share = (part: number, of: number): string =>
+      this.#words.share(of > 0 ? this.strings.numbers.tenths((100 * part) / of) : "0");
     return html`
       <dl>
-        <dt>${words.coverage}</dt>
-        <dd>${share(coveredTexels, width * height)} · ${words.texels(wholeNumber(coveredTexels))}</dd>
-        <dt>${words.overlap}</dt>
+        <dt>${this.#words.coverage}</dt>
+        <dd>${share(coveredTexels, width * height)} · ${this.#words.texels(this.strings.numbers.whole(coveredTexels))}</dd>
+        <dt>${this.#words.overlap}</dt>
         <dd>${share(overlappingTexels, coveredTexels)}</dd>
       </dl>
-      ${overlappingTexels > 0.01 * coveredTexels ? html`<p class="warning">${words.overlapWarning}</p>` : nothing}
+      ${overlappingTexels > 0.01 * coveredTexels ? html`<p class="warning">${this.#words.overlapWarning}</p>` : nothing}
     `;
   }
 }

@@ -3,12 +3,10 @@ import { css, html, type TemplateResult } from "lit";
 import { X } from "lucide";
 import type { DemoTemplate } from "../files/demo-catalogue.ts";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
-
-const words = strings.templates;
 
 export class TemplateDialog extends EditorElement {
   static override styles = [
@@ -83,6 +81,10 @@ export class TemplateDialog extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["templates"] {
+    return this.strings.templates;
+  }
+
   show(): void {
     this.#dialog?.showModal();
   }
@@ -104,11 +106,11 @@ export class TemplateDialog extends EditorElement {
     return html`
       <dialog aria-labelledby="title" aria-describedby="about" @click=${outside}>
         <header>
-          <h2 id="title">${words.title}</h2>
-          <button class="icon" aria-label=${words.close} title=${words.close} @click=${close}>${icon(X)}</button>
+          <h2 id="title">${this.#words.title}</h2>
+          <button class="icon" aria-label=${this.#words.close} title=${this.#words.close} @click=${close}>${icon(X)}</button>
         </header>
         <div class="body">
-          <p class="quiet" id="about">${demos?.templates.length ? words.hint : words.none}</p>
+          <p class="quiet" id="about">${demos?.templates.length ? this.#words.hint : this.#words.none}</p>
           <ul>
             ${(demos?.templates ?? []).map((template) => this.#entry(template, demos?.page ?? ""))}
           </ul>
@@ -129,7 +131,7 @@ export class TemplateDialog extends EditorElement {
           <img src=${new URL(picture, page).href} alt="" loading="lazy" />
           <span class="name">${name}</span>
           <span class="hint">${hint}</span>
-          <span class="hint">${words.size(size[0], size[1])}</span>
+          <span class="hint">${this.#words.size(size[0], size[1])}</span>
         </button>
       </li>
     `;

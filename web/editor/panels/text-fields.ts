@@ -8,7 +8,7 @@ import { layerById } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { emOf, withEm } from "../state/text-box.ts";
 import { shippedFont, type TextPatch } from "../state/text-commands.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { loadOwnPreview, loadShippedPreviews, shippedFamily } from "../ui/font-previews.ts";
@@ -21,7 +21,6 @@ import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
-const words = strings.text;
 const ALIGN_ICONS = { left: AlignLeft, center: AlignCenter, right: AlignRight } as const;
 const FIRST_OUTLINE = { color: "#ffffff", width: 0.06 } as const;
 
@@ -98,6 +97,10 @@ export class TextFields extends EditorElement {
     this.step = 0.001;
   }
 
+  get #words(): Strings["text"] {
+    return this.strings.text;
+  }
+
   protected watched({ design, selectedId, textToType, toolSettings }: EditorState): readonly unknown[] {
     return [layerById(design, selectedId), textToType, design.assets, toolSettings.recent];
   }
@@ -121,10 +124,10 @@ export class TextFields extends EditorElement {
     const layer = layerById(design, selectedId);
     if (layer?.type !== "text") return html``;
     return html`
-      <section aria-label=${words.name}>
-        ${this.#words(layer)}${this.#missing(layer)}
+      <section aria-label=${this.#words.name}>
+        ${this.#wordsField(layer)}${this.#missing(layer)}
         <div class="field">
-          <span id="font-label">${words.font}</span>
+          <span id="font-label">${this.#words.font}</span>
           ${this.#fonts(layer)}
         </div>
         ${this.#align(layer)}
@@ -132,9 +135,9 @@ export class TextFields extends EditorElement {
           ${this.#size(layer)}
           ${this.#number(layer, {
             id: "spacing",
-            label: words.spacing,
-            hint: words.spacingHint,
-            unit: strings.properties.percent,
+            label: this.#words.spacing,
+            hint: this.#words.spacingHint,
+            unit: this.strings.properties.percent,
             value: round(layer.letterSpacing * 100),
             step: 1,
             min: -100,
@@ -144,9 +147,9 @@ export class TextFields extends EditorElement {
         </div>
         ${this.#number(layer, {
           id: "curve",
-          label: words.curve,
-          hint: words.curveHint,
-          unit: strings.properties.degrees,
+          label: this.#words.curve,
+          hint: this.#words.curveHint,
+          unit: this.strings.properties.degrees,
           value: round(layer.curve),
           step: 1,
           min: -360,
@@ -158,14 +161,14 @@ export class TextFields extends EditorElement {
           this.editor.texts.isClose(layer)
             ? nothing
             : html`<button class="outlined" id="fit-box" @click=${() => void this.editor.texts.fitBox(layer)}>
-                ${icon(Ratio)}${words.fitBox}
+                ${icon(Ratio)}${this.#words.fitBox}
               </button>`
         }
       </section>
     `;
   }
 
-  #words(layer: TextLayer): TemplateResult {
+  #wordsField(layer: TextLayer): TemplateResult {
     const { texts } = this.editor;
     const value = (event: Event): string => (event.target as HTMLTextAreaElement).value;
     const keys = (event: KeyboardEvent): void => {
@@ -179,10 +182,10 @@ export class TextFields extends EditorElement {
       rows="2"
       maxlength="10000"
       spellcheck="false"
-      aria-label=${words.words}
+      aria-label=${this.#words.words}
       @keydown=${keys}
       @input=${(event: Event) => void texts.preview(layer.id, { text: value(event) })}
-      @change=${(event: Event) => void texts.change(layer.id, { text: value(event) }, strings.steps.change(words.name))}
+      @change=${(event: Event) => void texts.change(layer.id, { text: value(event) }, this.strings.steps.change(this.#words.name))}
     ></textarea>`;
   }
 
@@ -197,7 +200,7 @@ export class TextFields extends EditorElement {
       return nothing;
     }
     if (room.missing.length === 0) return nothing;
-    return html`<p class="note" role="status">${words.missing} <b>${room.missing.slice(0, 20).join(" ")}</b></p>`;
+    return html`<p class="note" role="status">${this.#words.missing} <b>${room.missing.slice(0, 20).join(" ")}</b></p>`;
   }
 
   #fonts(layer: TextLayer): TemplateResult {
@@ -205,7 +208,7 @@ export class TextFields extends EditorElement {
     const asset = this.state.design.assets[layer.font];
     const own = library.font(asset);
     const current = shippedFontOf(asset?.uri ?? "");
-    const label = strings.steps.change(words.font);
+    const label = this.strings.steps.change(this.#words.font);
     const shipped = (Object.keys(SHIPPED_FONTS) as ShippedFontId[]).map(
       (id): MenuItem => ({
         label: SHIPPED_FONTS[id].name,
@@ -218,8 +221,8 @@ export class TextFields extends EditorElement {
       ? [{ label: own.name, family: loadOwnPreview(own.engineKey, own.bytes), checked: true, run: () => {} }]
       : [];
     const file: MenuItem = {
-      label: words.ownFont,
-      hint: words.ownFontHint,
+      label: this.#words.ownFont,
+      hint: this.#words.ownFontHint,
       icon: FileUp,
       separated: true,
       run: () => pickFiles({ accept: ACCEPT.font, multiple: false }, (files) => void this.#takeFont(files[0]?.file)),
@@ -228,7 +231,7 @@ export class TextFields extends EditorElement {
     return html`<tc-menu
       id="font"
       .label=${name}
-      .name=${words.fontOf(name)}
+      .name=${this.#words.fontOf(name)}
       .items=${[...ownItem, ...shipped, file]}
       @click=${loadShippedPreviews}
       @keydown=${loadShippedPreviews}
@@ -240,24 +243,24 @@ export class TextFields extends EditorElement {
     try {
       await this.editor.texts.useFontFile(file.name, await bytesOf(file), null);
     } catch (thrown) {
-      this.editor.board.error(strings.errors.couldNotOpen(file.name), thrown);
+      this.editor.board.error(this.strings.errors.couldNotOpen(file.name), thrown);
     }
   }
 
   #align(layer: TextLayer): TemplateResult {
     const choose = (align: Align): void =>
-      void this.editor.texts.change(layer.id, { align }, strings.steps.change(words.align));
+      void this.editor.texts.change(layer.id, { align }, this.strings.steps.change(this.#words.align));
     return html`
-      <div class="field" role="group" aria-label=${words.align}>
-        <span>${words.align}</span>
+      <div class="field" role="group" aria-label=${this.#words.align}>
+        <span>${this.#words.align}</span>
         <div class="buttons aligns">
           ${(Object.keys(ALIGN_ICONS) as Align[]).map(
             (align) => html`<button
               class="icon"
               id=${`align-${align}`}
               aria-pressed=${layer.align === align}
-              aria-label=${words.aligns[align]}
-              title=${words.aligns[align]}
+              aria-label=${this.#words.aligns[align]}
+              title=${this.#words.aligns[align]}
               @click=${() => choose(align)}
             >
               ${icon(ALIGN_ICONS[align])}
@@ -272,17 +275,17 @@ export class TextFields extends EditorElement {
   #size(layer: TextLayer): TemplateResult {
     const { layers } = this.editor;
     const { kind } = layer.projector;
-    const unit = kind === "perspective" ? strings.properties.degrees : "";
+    const unit = kind === "perspective" ? this.strings.properties.degrees : "";
     const sized = (event: Event) => ({ projector: withEm(layer, detailOf(event).value) });
-    const label = strings.steps.change(words.size);
+    const label = this.strings.steps.change(this.#words.size);
     const change = (event: Event): void =>
       layers.change(layer.id, sized(event), label, detailOf(event).repeated ? `size:${layer.id}` : undefined);
     const step = kind === "planar" || kind === "cylindrical" ? this.step : 0.01;
     return html`<tc-number
       data-field="text-size"
-      .label=${words.sizeLetter}
-      .name=${words.size}
-      .hint=${words.sizeHint}
+      .label=${this.#words.sizeLetter}
+      .name=${this.#words.size}
+      .hint=${this.#words.sizeHint}
       .unit=${unit}
       .value=${emOf(layer)}
       .step=${step}
@@ -297,7 +300,7 @@ export class TextFields extends EditorElement {
   #color(layer: TextLayer): TemplateResult {
     return html`
       <div class="field">
-        <label for="text-color">${strings.properties.color}</label>
+        <label for="text-color">${this.strings.properties.color}</label>
         ${this.#swatch("text-color", layer, layer.color, (color) => ({ color }))}
       </div>
     `;
@@ -305,11 +308,11 @@ export class TextFields extends EditorElement {
 
   #outline(layer: TextLayer): TemplateResult {
     const { outline } = layer;
-    const label = strings.steps.change(words.outline);
+    const label = this.strings.steps.change(this.#words.outline);
     const toggle = (on: boolean): void =>
       void this.editor.texts.change(layer.id, { outline: on ? FIRST_OUTLINE : null }, label);
     return html`
-      ${checkField("outline", words.outline, outline !== null, toggle)}
+      ${checkField("outline", this.#words.outline, outline !== null, toggle)}
       ${
         outline === null
           ? nothing
@@ -317,9 +320,9 @@ export class TextFields extends EditorElement {
               ${this.#swatch("outline-color", layer, outline.color, (color) => ({ outline: { ...outline, color } }))}
               ${this.#number(layer, {
                 id: "outline-width",
-                label: words.outlineLetter,
-                hint: words.outlineHint,
-                unit: strings.properties.percent,
+                label: this.#words.outlineLetter,
+                hint: this.#words.outlineHint,
+                unit: this.strings.properties.percent,
                 value: round(outline.width * 100),
                 step: 0.5,
                 min: 0.1,
@@ -335,12 +338,12 @@ export class TextFields extends EditorElement {
     const { texts } = this.editor;
     // The field knows no alpha: what there is stays.
     const color = (event: Event): string => (event.target as HTMLInputElement).value + value.slice(7);
-    const label = strings.steps.change(id === "text-color" ? strings.properties.color : words.outline);
+    const label = this.strings.steps.change(id === "text-color" ? this.strings.properties.color : this.#words.outline);
     return html`<input
       type="color"
       id=${id}
       list=${`${id}-recent`}
-      aria-label=${id === "text-color" ? strings.properties.color : words.outlineColor}
+      aria-label=${id === "text-color" ? this.strings.properties.color : this.#words.outlineColor}
       .value=${value.slice(0, 7)}
       @input=${(event: Event) => void texts.preview(layer.id, patch(color(event)))}
       @change=${(event: Event) => void texts.change(layer.id, patch(color(event)), label)}
@@ -351,7 +354,12 @@ export class TextFields extends EditorElement {
     const { texts } = this.editor;
     const change = (event: Event): void => {
       const { value: next, repeated } = detailOf(event);
-      void texts.change(layer.id, patch(next), strings.steps.change(label), repeated ? `${id}:${layer.id}` : undefined);
+      void texts.change(
+        layer.id,
+        patch(next),
+        this.strings.steps.change(label),
+        repeated ? `${id}:${layer.id}` : undefined,
+      );
     };
     return html`<tc-number
       data-field=${id}

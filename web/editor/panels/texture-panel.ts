@@ -4,12 +4,10 @@ import { Maximize } from "lucide";
 import type { EditorState, Figures } from "../state/editor-state.ts";
 import { StoreController } from "../state/store.ts";
 import { TEXTURE_MODES, type TextureMode } from "../state/view-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
-
-const words = strings.texture;
 
 export class TexturePanel extends EditorElement {
   static override styles = [
@@ -103,6 +101,10 @@ export class TexturePanel extends EditorElement {
     );
   }
 
+  get #words(): Strings["texture"] {
+    return this.strings.texture;
+  }
+
   protected watched({ textureMode, outlines, targets, material, view, starting }: EditorState): readonly unknown[] {
     return [textureMode, outlines, targets, material, view.guide, starting];
   }
@@ -113,7 +115,7 @@ export class TexturePanel extends EditorElement {
     const named = material !== null && this.editor.viewer.guideOf(material).length > 0;
     const shown = material !== null && targets.has(material);
     return html`
-      <div role="tablist" aria-label=${words.label} @keydown=${this.#key}>
+      <div role="tablist" aria-label=${this.#words.label} @keydown=${this.#key}>
         ${TEXTURE_MODES.map(
           (mode) => html`<button
             role="tab"
@@ -121,24 +123,24 @@ export class TexturePanel extends EditorElement {
             aria-selected=${mode === textureMode}
             aria-controls="panel"
             tabindex=${mode === textureMode ? 0 : -1}
-            title=${words.modeHints[mode]}
+            title=${this.#words.modeHints[mode]}
             @click=${() => this.#choose(mode)}
           >
-            ${words.modes[mode]}
+            ${this.#words.modes[mode]}
           </button>`,
         )}
       </div>
       <div class="view" id="panel" role="tabpanel" aria-labelledby=${`tab-${textureMode}`}>
         <slot name="texture"></slot>
-        <div class="empty" ?hidden=${shown || starting}><p>${words.empty}</p></div>
+        <div class="empty" ?hidden=${shown || starting}><p>${this.#words.empty}</p></div>
       </div>
       <footer>
         ${
           texel
-            ? html`<p id="texel" title=${words.texelLabel}>${words.texel(texel[0], texel[1])}</p>`
-            : html`<p title=${words.modeHints[textureMode]}>${words.modeHints[textureMode]}</p>`
+            ? html`<p id="texel" title=${this.#words.texelLabel}>${this.#words.texel(texel[0], texel[1])}</p>`
+            : html`<p title=${this.#words.modeHints[textureMode]}>${this.#words.modeHints[textureMode]}</p>`
         }
-        <label title=${named ? "" : words.guideNone}>
+        <label title=${named ? "" : this.#words.guideNone}>
           <input
             type="checkbox"
             id="guide"
@@ -146,7 +148,7 @@ export class TexturePanel extends EditorElement {
             ?disabled=${!named}
             @change=${() => this.editor.views.toggle("guide")}
           />
-          ${strings.views.guide}
+          ${this.strings.views.guide}
         </label>
         <label>
           <input
@@ -155,9 +157,9 @@ export class TexturePanel extends EditorElement {
             .checked=${outlines}
             @change=${(event: Event) => this.editor.setOutlines((event.target as HTMLInputElement).checked)}
           />
-          ${words.outlines}
+          ${this.#words.outlines}
         </label>
-        <button class="icon" aria-label=${words.fitLabel} title=${words.fitLabel} @click=${() => this.editor.textureView.resetZoom()}>
+        <button class="icon" aria-label=${this.#words.fitLabel} title=${this.#words.fitLabel} @click=${() => this.editor.textureView.resetZoom()}>
           ${icon(Maximize)}
         </button>
       </footer>

@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import { ImagePlus } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { type BrushTip, tipsOf } from "../tools/brush-tips.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
@@ -10,8 +10,6 @@ import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
-
-const words = strings.tips;
 
 export class TipPicker extends EditorElement {
   static override styles = [
@@ -61,6 +59,10 @@ export class TipPicker extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["tips"] {
+    return this.strings.tips;
+  }
+
   protected watched({ design, demos, toolSettings }: EditorState): readonly unknown[] {
     return [design.assets, demos, toolSettings.tip, toolSettings.tinted];
   }
@@ -77,11 +79,11 @@ export class TipPicker extends EditorElement {
         if (file) void tips.useFile(file.file);
       });
     return html`
-      <div class="tips" role="group" aria-label=${words.inDesign}>
+      <div class="tips" role="group" aria-label=${this.#words.inDesign}>
         <button
           data-tip="round"
-          aria-label=${strings.tools.roundTip}
-          title=${strings.tools.roundTip}
+          aria-label=${this.strings.tools.roundTip}
+          title=${this.strings.tools.roundTip}
           aria-pressed=${tip === null}
           @click=${() => tips.use(null)}
         >
@@ -91,8 +93,8 @@ export class TipPicker extends EditorElement {
       </div>
       ${
         demos
-          ? html`<h3>${strings.decals.palette}</h3>
-              <div class="tips" role="group" aria-label=${strings.decals.palette}>
+          ? html`<h3>${this.strings.decals.palette}</h3>
+              <div class="tips" role="group" aria-label=${this.strings.decals.palette}>
                 ${demos.decals.map(
                   (decal) => html`<button
                     data-demo=${decal.id}
@@ -106,11 +108,13 @@ export class TipPicker extends EditorElement {
               </div>`
           : nothing
       }
-      <button class="outlined" id="tip-file" @click=${choose}>${icon(ImagePlus)}${words.ownPicture}</button>
+      <button class="outlined" id="tip-file" @click=${choose}>${icon(ImagePlus)}${this.#words.ownPicture}</button>
       ${
         tip === null
           ? nothing
-          : checkField("tool-tinted", strings.tools.tinted, tinted, (on) => this.editor.tools.configure({ tinted: on }))
+          : checkField("tool-tinted", this.strings.tools.tinted, tinted, (on) =>
+              this.editor.tools.configure({ tinted: on }),
+            )
       }
     `;
   }

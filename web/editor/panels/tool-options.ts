@@ -5,7 +5,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { ArrowLeftRight, ChevronDown, Palette, SlidersHorizontal } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { stepFor, unitFor } from "../tools/length-unit.ts";
 import type { Tool, ToolOption, ToolPanel } from "../tools/tool.ts";
 import { LEAST_SIZE, MOST_PIXEL_SIZE, MOST_SIZE, type ToolSettings } from "../tools/tool-settings.ts";
@@ -19,8 +19,6 @@ import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 import "./tip-picker.ts";
 import { toolOptionsStyles } from "./tool-options-styles.ts";
-
-const words = strings.tools;
 
 /** Characters from which a label needs a wider field. */
 const LONG_LABEL = 7;
@@ -48,6 +46,10 @@ export class ToolOptions extends EditorElement {
     super();
     this.sheet = false;
     this.beside = this.#beside.matches;
+  }
+
+  get #words(): Strings["tools"] {
+    return this.strings.tools;
   }
 
   override connectedCallback(): void {
@@ -87,7 +89,7 @@ export class ToolOptions extends EditorElement {
     const seldom = tool.options.filter((option) => behind.includes(option));
     if (this.sheet) return this.#laidOpen(tool, seldom);
     return html`
-      <div class="bar" role="toolbar" aria-label=${words.options}>
+      <div class="bar" role="toolbar" aria-label=${this.#words.options}>
         <div class="often">
           ${tool.renderOptions?.() ?? nothing}
           ${tool.options.map((option) => (behind.includes(option) ? nothing : this.#field(option, tool)))}
@@ -97,8 +99,8 @@ export class ToolOptions extends EditorElement {
             ? html`<button
                 class="icon"
                 id="more-options"
-                aria-label=${words.more}
-                title=${words.more}
+                aria-label=${this.#words.more}
+                title=${this.#words.more}
                 aria-expanded=${toolPanel === "more"}
                 aria-pressed=${toolPanel === "more"}
                 @click=${() => this.#toggle("more")}
@@ -136,8 +138,8 @@ export class ToolOptions extends EditorElement {
       case "size":
         return this.#size(settings);
       case "pixelSize":
-        return this.#number("pixelSize", words.pixelSize, settings.pixelSize, {
-          unit: words.texelUnit,
+        return this.#number("pixelSize", this.#words.pixelSize, settings.pixelSize, {
+          unit: this.#words.texelUnit,
           step: 1,
           min: 1,
           max: MOST_PIXEL_SIZE,
@@ -145,14 +147,14 @@ export class ToolOptions extends EditorElement {
         });
       case "hardness":
         return settings.tip === null || tool.id === "eraser"
-          ? this.#percent("hardness", words.hardness, settings.hardness)
+          ? this.#percent("hardness", this.#words.hardness, settings.hardness)
           : nothing;
       case "flow":
-        return this.#percent("flow", words.flow, settings.flow, 1);
+        return this.#percent("flow", this.#words.flow, settings.flow, 1);
       case "opacity":
-        return this.#percent("opacity", words.opacity, settings.opacity, 1);
+        return this.#percent("opacity", this.#words.opacity, settings.opacity, 1);
       case "spacing":
-        return this.#number("spacing", words.spacing, settings.spacing * 100, {
+        return this.#number("spacing", this.#words.spacing, settings.spacing * 100, {
           unit: "%",
           step: 1,
           min: 2,
@@ -160,35 +162,35 @@ export class ToolOptions extends EditorElement {
           set: (value) => ({ spacing: value / 100 }),
         });
       case "stabiliser":
-        return this.#number("stabiliser", words.stabiliser, settings.stabiliser, {
-          hint: words.stabiliserHint,
+        return this.#number("stabiliser", this.#words.stabiliser, settings.stabiliser, {
+          hint: this.#words.stabiliserHint,
           step: 1,
           min: 0,
           max: 100,
           set: (value) => ({ stabiliser: value }),
         });
       case "pressure":
-        return choiceField("pressure", words.pressure, words.pressures, settings.pressure, (pressure) =>
+        return choiceField("pressure", this.#words.pressure, this.#words.pressures, settings.pressure, (pressure) =>
           this.#set({ pressure }),
         );
       case "mirror":
         return this.#mirror(settings);
       case "tolerance":
-        return this.#number("tolerance", words.tolerance, settings.tolerance, {
-          hint: words.toleranceHint,
+        return this.#number("tolerance", this.#words.tolerance, settings.tolerance, {
+          hint: this.#words.toleranceHint,
           step: 1,
           min: 0,
           max: 255,
           set: (value) => ({ tolerance: Math.round(value) }),
         });
       case "aligned":
-        return checkField("tool-aligned", strings.clone.aligned, settings.cloneAligned, (on) =>
+        return checkField("tool-aligned", this.strings.clone.aligned, settings.cloneAligned, (on) =>
           this.#set({ cloneAligned: on }),
         );
       case "contiguous":
       case "filled":
       case "alphaLock":
-        return checkField(`tool-${option}`, words[option], settings[option], (on) => this.#set({ [option]: on }));
+        return checkField(`tool-${option}`, this.#words[option], settings[option], (on) => this.#set({ [option]: on }));
     }
   }
 
@@ -199,8 +201,8 @@ export class ToolOptions extends EditorElement {
         <input
           type="color"
           id="tool-color"
-          aria-label=${words.color}
-          title=${words.color}
+          aria-label=${this.#words.color}
+          title=${this.#words.color}
           .value=${color}
           @input=${(event: Event) => this.#set({ color: (event.target as HTMLInputElement).value })}
           @change=${pick}
@@ -211,8 +213,8 @@ export class ToolOptions extends EditorElement {
           class="icon second"
           id="swap-colors"
           style=${`--second:${background}`}
-          aria-label=${words.swapColors}
-          title=${words.swapColors}
+          aria-label=${this.#words.swapColors}
+          title=${this.#words.swapColors}
           @click=${() => this.editor.tools.swapColors()}
         >
           ${icon(ArrowLeftRight)}
@@ -220,8 +222,8 @@ export class ToolOptions extends EditorElement {
         <button
           class="icon"
           id="show-palette"
-          aria-label=${strings.palette.show}
-          title=${strings.palette.show}
+          aria-label=${this.strings.palette.show}
+          title=${this.strings.palette.show}
           aria-expanded=${this.state.toolPanel === "palette"}
           aria-pressed=${this.state.toolPanel === "palette"}
           @click=${() => this.#toggle("palette")}
@@ -237,8 +239,8 @@ export class ToolOptions extends EditorElement {
       <button
         class="tip"
         id="tool-tip"
-        aria-label=${strings.tips.label(tip?.name ?? words.roundTip)}
-        title=${strings.tips.label(tip?.name ?? words.roundTip)}
+        aria-label=${this.strings.tips.label(tip?.name ?? this.#words.roundTip)}
+        title=${this.strings.tips.label(tip?.name ?? this.#words.roundTip)}
         aria-expanded=${this.state.toolPanel === "tips"}
         aria-pressed=${this.state.toolPanel === "tips"}
         @click=${() => this.#toggle("tips")}
@@ -253,8 +255,8 @@ export class ToolOptions extends EditorElement {
     const choose = (event: Event): void =>
       this.#set({ mirror: (event.target as HTMLSelectElement).value as ToolSettings["mirror"] });
     return html`
-      <select id="tool-mirror" class="mirror" aria-label=${words.mirror} title=${words.mirror} @change=${choose}>
-        ${Object.entries(words.mirrors).map(
+      <select id="tool-mirror" class="mirror" aria-label=${this.#words.mirror} title=${this.#words.mirror} @change=${choose}>
+        ${Object.entries(this.#words.mirrors).map(
           ([axis, text]) => html`<option value=${axis} ?selected=${axis === mirror}>${text}</option>`,
         )}
       </select>
@@ -267,7 +269,7 @@ export class ToolOptions extends EditorElement {
     const { boundsMin: low, boundsMax: high } = model.info;
     const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
     const { symbol, perMetre } = unitFor(diagonal);
-    return this.#number("size", words.size, size * perMetre, {
+    return this.#number("size", this.#words.size, size * perMetre, {
       unit: symbol,
       step: stepFor(size * perMetre),
       min: diagonal * LEAST_SIZE * perMetre,

@@ -2,7 +2,6 @@
 import { html, type TemplateResult } from "lit";
 import { X } from "lucide";
 import type { Editor } from "../state/editor.ts";
-import { strings } from "../strings.ts";
 import type { ToolPanel } from "../tools/tool.ts";
 import { icon } from "../ui/icon.ts";
 import { offersToolPanel } from "./tool-options.ts";
@@ -14,6 +13,7 @@ export function openToolPanel(editor: Editor): ToolPanel | null {
 }
 
 export function toolPanel(editor: Editor, panel: ToolPanel): TemplateResult {
+  const { strings } = editor;
   const words = strings.tools;
   const close = (): void => editor.store.set({ toolPanel: null });
   return html`<div class="tool">

@@ -1,13 +1,12 @@
 /** The tools, one of which is chosen: a slim column beside the model, a row below it on a phone. */
 import { css, html, type TemplateResult } from "lit";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import type { Tool } from "../tools/tool.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 
-const words = strings.tools;
 const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 };
 
 export class ToolRail extends EditorElement {
@@ -67,6 +66,10 @@ export class ToolRail extends EditorElement {
     `,
   ];
 
+  get #words(): Strings["tools"] {
+    return this.strings.tools;
+  }
+
   protected watched(state: EditorState): readonly unknown[] {
     const { tool, model, targets, design, selectedId, material, toolSettings } = state;
     return [tool, model === null, targets, design.layers.length, selectedId, material, toolSettings.pixelMode];
@@ -76,7 +79,7 @@ export class ToolRail extends EditorElement {
     const { tools } = this.editor;
     const { tool } = this.state;
     return html`
-      <div role="radiogroup" aria-label=${words.label} aria-orientation="vertical" @keydown=${this.#key}>
+      <div role="radiogroup" aria-label=${this.#words.label} aria-orientation="vertical" @keydown=${this.#key}>
         ${tools.offered.map(
           ({ id, label, icon: drawing, shortcut }) => html`<button
             class="icon"
@@ -87,7 +90,7 @@ export class ToolRail extends EditorElement {
             aria-label=${label}
             aria-keyshortcuts=${shortcut}
             tabindex=${id === tool ? 0 : -1}
-            title=${words.withKey(label, shortcut)}
+            title=${this.#words.withKey(label(this.strings), shortcut)}
             @click=${() => tools.choose(id)}
           >
             ${icon(drawing)}

@@ -17,15 +17,13 @@ import {
   Undo2,
 } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import type { MenuItem } from "../ui/menu.ts";
 import { controls } from "../ui/theme.ts";
 import "./layout-switch.ts";
-
-const words = strings.topBar;
 
 export class TopBar extends EditorElement {
   static override properties = { compact: { type: Boolean } };
@@ -102,6 +100,10 @@ export class TopBar extends EditorElement {
     this.compact = false;
   }
 
+  get #words(): Strings["topBar"] {
+    return this.strings.topBar;
+  }
+
   protected watched(state: EditorState): readonly unknown[] {
     const { model, undoLabel, redoLabel, unsaved, demos, switching, designName, keeping } = state;
     return [model, undoLabel, redoLabel, unsaved, demos, switching, designName, keeping];
@@ -111,18 +113,18 @@ export class TopBar extends EditorElement {
     const { model, undoLabel, redoLabel, unsaved, switching, designName } = this.state;
     const { files } = this.editor;
     return html`
-      ${this.compact ? nothing : html`<h1>${strings.productName}</h1>`}
+      ${this.compact ? nothing : html`<h1>${this.strings.productName}</h1>`}
       <tc-menu
         class="projects"
         .label=${this.compact ? "" : designName}
-        .name=${strings.projects.menu(designName)}
+        .name=${this.strings.projects.menu(designName)}
         .icon=${Folder}
         .items=${this.#projectItems()}
       ></tc-menu>
       <tc-menu
         class="models"
-        .label=${model?.ref.title ?? words.noModel}
-        .name=${`${words.models}: ${model?.ref.title ?? words.noModel}`}
+        .label=${model?.ref.title ?? this.#words.noModel}
+        .name=${`${this.#words.models}: ${model?.ref.title ?? this.#words.noModel}`}
         .items=${this.#modelItems()}
       ></tc-menu>
       <span class="divider"></span>
@@ -130,8 +132,8 @@ export class TopBar extends EditorElement {
         <button
           class="icon"
           id="undo"
-          aria-label=${words.undo(undoLabel)}
-          title=${words.undo(undoLabel)}
+          aria-label=${this.#words.undo(undoLabel)}
+          title=${this.#words.undo(undoLabel)}
           ?disabled=${undoLabel === null || switching}
           @click=${() => files.travel("undo")}
         >
@@ -140,8 +142,8 @@ export class TopBar extends EditorElement {
         <button
           class="icon"
           id="redo"
-          aria-label=${words.redo(redoLabel)}
-          title=${words.redo(redoLabel)}
+          aria-label=${this.#words.redo(redoLabel)}
+          title=${this.#words.redo(redoLabel)}
           ?disabled=${redoLabel === null || switching}
           @click=${() => files.travel("redo")}
         >
@@ -152,8 +154,8 @@ export class TopBar extends EditorElement {
       <div class="group">
         ${this.compact ? nothing : this.#designButtons(unsaved)}
         <tc-menu
-          .label=${this.compact ? "" : words.export}
-          .name=${this.compact ? `${words.design}, ${words.export}` : words.export}
+          .label=${this.compact ? "" : this.#words.export}
+          .name=${this.compact ? `${this.#words.design}, ${this.#words.export}` : this.#words.export}
           .icon=${Download}
           .items=${this.compact ? [...this.#designItems(), ...this.#exportItems(true)] : this.#exportItems(false)}
           alignEnd
@@ -167,7 +169,7 @@ export class TopBar extends EditorElement {
             `
       }
       <tc-layout-switch .editor=${this.editor} ?compact=${this.compact}></tc-layout-switch>
-      <button class="icon" id="help" aria-label=${words.help} title=${words.help} @click=${() => this.#askForHelp()}>
+      <button class="icon" id="help" aria-label=${this.#words.help} title=${this.#words.help} @click=${() => this.#askForHelp()}>
         ${icon(CircleQuestionMark)}
       </button>
     `;
@@ -175,14 +177,14 @@ export class TopBar extends EditorElement {
 
   #designButtons(unsaved: boolean): TemplateResult {
     return html`
-      <button class="icon" id="open-design" aria-label=${words.openDesign} title=${words.openDesign} @click=${() => this.#openDesign()}>
+      <button class="icon" id="open-design" aria-label=${this.#words.openDesign} title=${this.#words.openDesign} @click=${() => this.#openDesign()}>
         ${icon(FolderOpen)}
       </button>
       <button
         class="icon save"
         id="save-design"
-        aria-label=${unsaved ? `${words.saveDesign}. ${words.unsaved}` : words.saveDesign}
-        title=${unsaved ? `${words.saveDesign}. ${words.unsaved}` : words.saveDesign}
+        aria-label=${unsaved ? `${this.#words.saveDesign}. ${this.#words.unsaved}` : this.#words.saveDesign}
+        title=${unsaved ? `${this.#words.saveDesign}. ${this.#words.unsaved}` : this.#words.saveDesign}
         @click=${() => this.editor.files.saveDesign()}
       >
         ${icon(Save)}${unsaved ? html`<span class="unsaved"></span>` : nothing}
@@ -193,7 +195,7 @@ export class TopBar extends EditorElement {
   #projectItems(): MenuItem[] {
     const { keeping, model } = this.state;
     const { projects, files } = this.editor;
-    const projectWords = strings.projects;
+    const projectWords = this.strings.projects;
     const none = model === null;
     return [
       {
@@ -232,26 +234,26 @@ export class TopBar extends EditorElement {
     const { files } = this.editor;
     const demoItems = (demos?.models ?? []).map((demo, index): MenuItem => {
       const item = { label: demo.name, checked: model?.ref.demoId === demo.id, run: () => void files.openDemo(demo) };
-      return index === 0 ? { ...item, heading: words.demos } : item;
+      return index === 0 ? { ...item, heading: this.#words.demos } : item;
     });
     return [
       ...demoItems,
       {
-        label: words.newFromTemplate,
-        hint: words.newFromTemplateHint,
+        label: this.#words.newFromTemplate,
+        hint: this.#words.newFromTemplateHint,
         icon: LayoutTemplate,
         separated: demoItems.length > 0,
         run: () => this.dispatchEvent(new CustomEvent("templates")),
       },
       {
-        label: words.openModel,
-        hint: words.openModelHint,
+        label: this.#words.openModel,
+        hint: this.#words.openModelHint,
         icon: Box,
         run: () => pickFiles({ accept: ACCEPT.model }, (chosen) => void files.openFiles(chosen)),
       },
       {
-        label: words.openFolder,
-        hint: words.openFolderHint,
+        label: this.#words.openFolder,
+        hint: this.#words.openFolderHint,
         icon: FolderOpen,
         run: () => pickFiles({ accept: "", folder: true }, (chosen) => void files.openFiles(chosen)),
       },
@@ -260,8 +262,8 @@ export class TopBar extends EditorElement {
 
   #designItems(): MenuItem[] {
     return [
-      { label: words.openDesign, icon: FolderOpen, heading: words.design, run: () => this.#openDesign() },
-      { label: words.saveDesign, icon: Save, run: () => this.editor.files.saveDesign() },
+      { label: this.#words.openDesign, icon: FolderOpen, heading: this.#words.design, run: () => this.#openDesign() },
+      { label: this.#words.saveDesign, icon: Save, run: () => this.editor.files.saveDesign() },
     ];
   }
 
@@ -270,16 +272,16 @@ export class TopBar extends EditorElement {
     const none = this.state.model === null;
     return [
       {
-        label: words.exportPng,
-        hint: words.exportPngHint,
+        label: this.#words.exportPng,
+        hint: this.#words.exportPngHint,
         icon: Image,
         disabled: none,
-        ...(headed && { heading: words.export }),
+        ...(headed && { heading: this.#words.export }),
         run: () => void files.exportPng(),
       },
       {
-        label: words.exportGlb,
-        hint: words.exportGlbHint,
+        label: this.#words.exportGlb,
+        hint: this.#words.exportGlbHint,
         icon: FileDown,
         disabled: none,
         run: () => void files.exportGlb(),

@@ -3,14 +3,12 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { Eye, RotateCcw } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { BACKGROUND_TONES, TEXTURE_MODES, type TextureMode, USUAL_VIEW } from "../state/view-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
-
-const words = strings.views;
 
 export class ViewMenu extends EditorElement {
   static override properties = { open: { state: true } };
@@ -84,6 +82,10 @@ export class ViewMenu extends EditorElement {
     this.open = false;
   }
 
+  get #words(): Strings["views"] {
+    return this.strings.views;
+  }
+
   protected watched({ view, model }: EditorState): readonly unknown[] {
     return [view, model === null];
   }
@@ -96,8 +98,8 @@ export class ViewMenu extends EditorElement {
       <button
         class="icon opener"
         id="view-menu"
-        aria-label=${words.menu}
-        title=${words.menu}
+        aria-label=${this.#words.menu}
+        title=${this.#words.menu}
         aria-expanded=${this.open}
         aria-pressed=${this.open}
         aria-controls="view-panel"
@@ -112,57 +114,61 @@ export class ViewMenu extends EditorElement {
   #panel(): TemplateResult {
     const { view } = this.state;
     const { views } = this.editor;
-    const backgrounds = Object.fromEntries(BACKGROUND_TONES.map((tone) => [tone, words.backgrounds[tone]])) as Record<
-      (typeof BACKGROUND_TONES)[number],
-      string
-    >;
+    const backgrounds = Object.fromEntries(
+      BACKGROUND_TONES.map((tone) => [tone, this.#words.backgrounds[tone]]),
+    ) as Record<(typeof BACKGROUND_TONES)[number], string>;
     const unusual = Object.entries(USUAL_VIEW).some(
       ([key, value]) => key !== "layout" && key !== "guide" && view[key as keyof typeof view] !== value,
     );
     return html`
-      <div class="panel" id="view-panel" role="group" aria-label=${words.menu} @keydown=${this.#key}>
+      <div class="panel" id="view-panel" role="group" aria-label=${this.#words.menu} @keydown=${this.#key}>
         <div class="titled">
-          <h2>${words.menu}</h2>
+          <h2>${this.#words.menu}</h2>
           <button
             class="icon small"
             id="reset-view"
-            aria-label=${words.reset}
-            title=${words.reset}
+            aria-label=${this.#words.reset}
+            title=${this.#words.reset}
             ?disabled=${!unusual}
             @click=${() => views.set({ ...USUAL_VIEW, layout: view.layout, guide: view.guide })}
           >
             ${icon(RotateCcw)}
           </button>
         </div>
-        ${choiceField("shading", words.shading, words.shadings, view.shading, (shading) => views.set({ shading }))}
+        ${choiceField("shading", this.#words.shading, this.#words.shadings, view.shading, (shading) => views.set({ shading }))}
         <div class="field">
-          <label for="model-map">${words.shows}</label>
+          <label for="model-map">${this.#words.shows}</label>
           <select
             id="model-map"
             @change=${(event: Event) => views.set({ modelMap: (event.target as HTMLSelectElement).value as TextureMode })}
           >
             ${TEXTURE_MODES.map(
               (mode) =>
-                html`<option value=${mode} ?selected=${mode === view.modelMap}>${strings.texture.modes[mode]}</option>`,
+                html`<option value=${mode} ?selected=${mode === view.modelMap}>${this.strings.texture.modes[mode]}</option>`,
             )}
           </select>
         </div>
         <div class="checks">
-          ${checkField("wireframe", words.wireframe, view.wireframe, () => views.toggle("wireframe"))}
-          ${checkField("turntable", words.turntable, view.turntable, () => views.toggle("turntable"))}
+          ${checkField("wireframe", this.#words.wireframe, view.wireframe, () => views.toggle("wireframe"))}
+          ${checkField("turntable", this.#words.turntable, view.turntable, () => views.toggle("turntable"))}
         </div>
-        ${this.#slider("light-turn", words.lightTurn, view.lightTurn, 360, words.degrees(view.lightTurn), (lightTurn) =>
-          views.set({ lightTurn }),
+        ${this.#slider(
+          "light-turn",
+          this.#words.lightTurn,
+          view.lightTurn,
+          360,
+          this.#words.degrees(view.lightTurn),
+          (lightTurn) => views.set({ lightTurn }),
         )}
         ${this.#slider(
           "light-strength",
-          words.lightStrength,
+          this.#words.lightStrength,
           view.lightStrength * 100,
           200,
-          words.percent(view.lightStrength * 100),
+          this.#words.percent(view.lightStrength * 100),
           (percent) => views.set({ lightStrength: percent / 100 }),
         )}
-        ${choiceField("background", words.background, backgrounds, view.background, (background) => views.set({ background }))}
+        ${choiceField("background", this.#words.background, backgrounds, view.background, (background) => views.set({ background }))}
       </div>
     `;
   }

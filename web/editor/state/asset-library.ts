@@ -14,7 +14,6 @@ import { bytesOf, findCompanion } from "../files/companions.ts";
 import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
 import { fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
-import { assetWords } from "../strings/asset-words.ts";
 import { MEBIBYTE } from "./megabytes.ts";
 
 export interface LibraryPicture {
@@ -251,16 +250,16 @@ async function readAsset(uri: string, field: string, { path, files, baseUrl, rea
   const address = URL.canParse(uri, baseUrl) ? new URL(uri, baseUrl) : undefined;
   const allowed = address && (uri.startsWith("https:") || (baseUrl !== undefined && !uri.includes(":")));
   if (!allowed) {
-    throw new TexelcastError("missing-file", assetWords.missingAsset(uri), {
+    throw new TexelcastError("missing-file", `The design names the picture ${uri}, which is not part of it.`, {
       subject: path,
       field,
       value: uri,
-      hint: assetWords.missingAssetHint,
+      hint: "Open the design together with its pictures: choose or drop all of them at once.",
     });
   }
   const response = await fetch(address).catch(() => undefined);
   if (!response?.ok) {
-    throw new TexelcastError("missing-file", assetWords.unreachable(uri), { subject: path, field, value: uri });
+    throw new TexelcastError("missing-file", `${uri} could not be fetched.`, { subject: path, field, value: uri });
   }
   return bytesOf(await response.blob());
 }

@@ -2,7 +2,6 @@
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf, visitOf } from "../document/index.ts";
-import { strings } from "../strings.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
@@ -54,13 +53,13 @@ export class DecalCommands {
 
   /** Puts a picture on the model: at `hit`, else in the middle of the view, else in front of the model. */
   add(name: string, picture: LibraryPicture, hit: SurfaceHit | null): void {
-    this.addLayer(picture.width / picture.height, hit, strings.steps.add, (id, projector, material) => {
+    this.addLayer(picture.width / picture.height, hit, this.#board.strings.steps.add, (id, projector, material) => {
       const { design, key } = withAsset(this.#session.recordedDesign, name, picture.asset);
       const { state } = this.#store;
       const filter = isPixelated(state, hit?.material ?? state.material) ? "nearest" : "linear";
       return { design, layer: makeDecalLayer({ id, name, material, asset: key, projector, filter }) };
     });
-    this.#board.announce(strings.announce.added(name));
+    this.#board.announce(this.#board.strings.announce.added(name));
   }
 
   /**
@@ -96,7 +95,7 @@ export class DecalCommands {
 
   /** Slides the selected decal along the surface by steps of the view: +1 right, +1 up. False without a selection. */
   nudge(right: number, up: number, coarse: boolean): boolean {
-    return this.#step("nudge", strings.steps.move, (projector) => {
+    return this.#step("nudge", this.#board.strings.steps.move, (projector) => {
       const step = NUDGE_SHARE * this.#diagonal() * (coarse ? COARSE : 1);
       return this.#viewer.nudge(projector, right * step, up * step);
     });
@@ -104,7 +103,7 @@ export class DecalCommands {
 
   /** Turns the selected decal by `steps` degrees. */
   spin(steps: number, coarse: boolean): boolean {
-    return this.#step("spin", strings.steps.rotate, (projector) =>
+    return this.#step("spin", this.#board.strings.steps.rotate, (projector) =>
       spunProjector(projector, steps * (coarse ? COARSE : 1)),
     );
   }
@@ -112,7 +111,7 @@ export class DecalCommands {
   /** Scales the selected decal by `steps` percent. */
   scale(steps: number, coarse: boolean): boolean {
     const factor = 1 + (steps * (coarse ? COARSE : 1)) / 100;
-    return this.#step("scale", strings.steps.scale, (projector) => scaledProjector(projector, factor));
+    return this.#step("scale", this.#board.strings.steps.scale, (projector) => scaledProjector(projector, factor));
   }
 
   /** Throws the selected decal as another kind; from the view, anew from where the camera is. False without a selection. */
@@ -121,7 +120,7 @@ export class DecalCommands {
     if (!layer) return false;
     if (layer.projector.kind === kind && kind !== "perspective") return true;
     const projector = this.#viewer.convertProjector(layer.projector, kind, this.#stampMaterial(layer));
-    const words = strings.projection;
+    const words = this.#board.strings.projection;
     if (projector === null) {
       this.#board.info({ title: words.refused[kind], message: words.refusedHint[kind] });
       return true;
@@ -140,8 +139,8 @@ export class DecalCommands {
     if (!layer) return false;
     const projector = this.#viewer.alignProjector(layer.projector, how, this.#stampMaterial(layer));
     const material = this.#reach.movedTo(layer, projector, null);
-    this.#layers.change(layer.id, { projector, material }, strings.projection.alignSteps[how]);
-    this.#board.announce(strings.projection.aligned[how](layer.name));
+    this.#layers.change(layer.id, { projector, material }, this.#board.strings.projection.alignSteps[how]);
+    this.#board.announce(this.#board.strings.projection.aligned[how](layer.name));
     return true;
   }
 
@@ -155,7 +154,11 @@ export class DecalCommands {
   /** Gives a decal all materials that it meets where it lies. */
   paintAllMet(layer: PlacedLayer): void {
     const material = this.#reach.at(layer.projector, layer.backfaces, materialsOf(layer)[0] ?? 0);
-    this.#layers.change(layer.id, { material }, strings.steps.change(strings.properties.material));
+    this.#layers.change(
+      layer.id,
+      { material },
+      this.#board.strings.steps.change(this.#board.strings.properties.material),
+    );
   }
 
   #step(kind: string, label: string, change: (projector: Projector) => Projector): boolean {
@@ -176,7 +179,7 @@ export class DecalCommands {
       if (layer?.type !== "decal" && layer?.type !== "text") return;
       const patch = { projector, material: this.#reach.movedTo(layer, projector, onto) };
       if (phase === "move") this.#layers.preview(id, patch);
-      else this.#layers.change(id, patch, strings.steps[kind]);
+      else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
     }
   }
 

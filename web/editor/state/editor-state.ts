@@ -3,6 +3,7 @@ import type { ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../eng
 import { type Design, emptyDesign } from "../document/index.ts";
 import type { DemoCatalogue } from "../files/demo-catalogue.ts";
 import type { ProjectSummary } from "../storage/project.ts";
+import type { Language } from "../strings/language.ts";
 import type { ToolId, ToolPanel } from "../tools/tool.ts";
 import { INITIAL_TOOL_SETTINGS, type ToolSettings } from "../tools/tool-settings.ts";
 import { DEFAULT_BUDGET } from "./history.ts";
@@ -77,6 +78,8 @@ export interface ListedProject extends ProjectSummary {
 }
 
 export interface EditorState {
+  /** What the editor says is in this language. */
+  readonly language: Language;
   readonly model: OpenModel | null;
   readonly design: Design;
   /** Stem of the file that "Save" writes. */
@@ -123,6 +126,7 @@ export interface EditorState {
 }
 
 export const INITIAL_STATE: EditorState = {
+  language: "en",
   model: null,
   design: emptyDesign(),
   designName: "texelcast",

@@ -9,7 +9,8 @@ import { type Design, type DesignLayer, materialsIn } from "../document/index.ts
 import { type DemoCatalogue, loadDemoCatalogue } from "../files/demo-catalogue.ts";
 import { fileStem } from "../files/download.ts";
 import type { Autosave } from "../storage/autosave.ts";
-import { strings } from "../strings.ts";
+import type { Language } from "../strings/language.ts";
+import { type Strings, stringsIn } from "../strings.ts";
 import { TipCommands } from "../tools/brush-tips.ts";
 import { PaletteCommands } from "../tools/palette-commands.ts";
 import { PartsTool } from "../tools/parts-tool.ts";
@@ -56,16 +57,18 @@ export interface EditorParts {
   readonly textureView: TextureView;
   /** Whether the browser keeps what is worked on; default true. */
   readonly keeps?: boolean;
+  /** Default "en". */
+  readonly language?: Language;
 }
 
 export class Editor {
   readonly engine: Engine;
   readonly viewer: ModelViewer;
   readonly textureView: TextureView;
-  readonly store = new Store<EditorState>(INITIAL_STATE);
+  readonly store: Store<EditorState>;
   readonly figures = new Store<Figures>(INITIAL_FIGURES);
-  readonly board = new NoticeBoard(this.store);
-  readonly tasks = new Tasks(this.store);
+  readonly board: NoticeBoard;
+  readonly tasks: Tasks;
   readonly library: AssetLibrary;
   readonly layers: LayerCommands;
   readonly decals: DecalCommands;
@@ -82,7 +85,10 @@ export class Editor {
   readonly #router: UpdateRouter;
   #modeRequest = 0;
 
-  constructor({ engine, viewer, textureView, keeps = true }: EditorParts) {
+  constructor({ engine, viewer, textureView, keeps = true, language = "en" }: EditorParts) {
+    this.store = new Store<EditorState>({ ...INITIAL_STATE, language });
+    this.board = new NoticeBoard(this.store);
+    this.tasks = new Tasks(this.store);
     this.engine = engine;
     this.viewer = viewer;
     this.textureView = textureView;
@@ -91,7 +97,7 @@ export class Editor {
     this.#router = new UpdateRouter(engine, viewer, textureView, this.figures);
     this.session = new DesignSession({
       ...{ engine, viewer, library: this.library, store },
-      later: (work) => this.#attempt(strings.errors.engineFault, work),
+      later: (work) => this.#attempt(this.strings.errors.engineFault, work),
     });
     const send = this.session.send.bind(this.session);
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
@@ -144,6 +150,11 @@ export class Editor {
     this.#connect();
   }
 
+  /** What it says, in its language. */
+  get strings(): Strings {
+    return stringsIn(this.store.state.language);
+  }
+
   /**
    * Opens the project that was worked on last, else (and for an address that ends in "?new") the first demo, or says what to
    * do without one.
@@ -169,11 +180,11 @@ export class Editor {
 
   async #loadDemos(page: string): Promise<DemoCatalogue | null> {
     try {
-      const demos = await loadDemoCatalogue(page);
+      const demos = await loadDemoCatalogue(page, this.strings);
       this.store.set({ demos });
       return demos;
     } catch (thrown) {
-      this.board.error(strings.errors.noDemosTitle, thrown);
+      this.board.error(this.strings.errors.noDemosTitle, thrown);
       return null;
     }
   }
@@ -190,11 +201,11 @@ export class Editor {
   configureTarget(settings: TargetSettings): void {
     const { material } = this.store.state;
     if (material === null) return;
-    this.#attempt(strings.errors.couldNotBake, this.#models.configure(material, settings));
+    this.#attempt(this.strings.errors.couldNotBake, this.#models.configure(material, settings));
   }
 
   showMaterial(material: number): void {
-    this.#attempt(strings.errors.couldNotBake, this.#models.showMaterial(material));
+    this.#attempt(this.strings.errors.couldNotBake, this.#models.showMaterial(material));
   }
 
   /** Shows the texture or one of the maps behind it. */
@@ -203,7 +214,7 @@ export class Editor {
     this.#modeRequest += 1;
     const { material, targets } = this.store.state;
     if (mode === "texture" || material === null || !targets.has(material)) this.textureView.setMode("texture");
-    else this.#attempt(strings.errors.couldNotShowMap, this.#showMap(material, mode, this.#modeRequest));
+    else this.#attempt(this.strings.errors.couldNotShowMap, this.#showMap(material, mode, this.#modeRequest));
   }
 
   async #showMap(material: number, view: MapView, request: number): Promise<void> {
@@ -214,7 +225,7 @@ export class Editor {
 
   /** Gives the views a target's whole picture again: their graphics context was lost. */
   refresh(material: number): void {
-    this.#attempt(strings.errors.couldNotShow, this.#models.reopen(material));
+    this.#attempt(this.strings.errors.couldNotShow, this.#models.reopen(material));
   }
 
   /** Bytes. */
@@ -239,7 +250,9 @@ export class Editor {
 
   #connect(): void {
     this.textureView.on("gesture", (gesture) => this.decals.followGesture(gesture));
-    this.viewer.on("gradient", ({ place, phase }) => followGradient(this.store.state, this.layers, place, phase));
+    this.viewer.on("gradient", ({ place, phase }) =>
+      followGradient(this.store.state, this.layers, place, phase, this.strings.gradient.moved),
+    );
     this.viewer.on("needsFullUpdate", ({ material }) => this.refresh(material));
     this.engine.onError((error) => this.#tellOfFault(error));
     let seen = this.store.state;
@@ -254,12 +267,15 @@ export class Editor {
   #tellOfFault(error: Error): void {
     const code = error instanceof TexelcastError ? error.code : "";
     if (code === "engine-crashed") {
-      this.board.info({ title: strings.notices.engineRestarted, message: strings.notices.engineRestartedBody });
+      this.board.info({
+        title: this.strings.notices.engineRestarted,
+        message: this.strings.notices.engineRestartedBody,
+      });
     } else if (code === "engine-halted") {
-      const undo = { label: strings.notices.undoLast, run: () => void this.files.travel("undo") };
-      this.board.error(strings.errors.engineHalted, error, undo);
+      const undo = { label: this.strings.notices.undoLast, run: () => void this.files.travel("undo") };
+      this.board.error(this.strings.errors.engineHalted, error, undo);
     } else {
-      this.board.error(strings.errors.engineFault, error);
+      this.board.error(this.strings.errors.engineFault, error);
     }
   }
 
@@ -272,7 +288,7 @@ export class Editor {
     if (now.switching) return;
     if (before.design !== now.design) {
       if (before.model === now.model) this.board.dismissInfos();
-      this.#attempt(strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
+      this.#attempt(this.strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
     }
     this.textureView.setStamp(shownStamp(now));
     this.#showGradient(now);
@@ -284,7 +300,7 @@ export class Editor {
   }
 
   #showGradient(state: EditorState): void {
-    const { from, to, center, radius, handle } = strings.gradient;
+    const { from, to, center, radius, handle } = this.strings.gradient;
     const place = shownGradient(state);
     const names = place?.kind === "radial" ? ([center, radius] as const) : ([from, to] as const);
     this.viewer.setGradient(place, [handle(names[0]), handle(names[1])]);
@@ -301,8 +317,8 @@ export class Editor {
 
   /** Once, and not at each step that goes. */
   #tellOfDroppedSteps({ history }: EditorState): void {
-    const message = strings.history.dropped(strings.history.megabytes(megabytes(history.budget)));
-    this.board.info({ title: strings.history.droppedTitle, message });
+    const message = this.strings.history.dropped(this.strings.history.megabytes(megabytes(history.budget)));
+    this.board.info({ title: this.strings.history.droppedTitle, message });
   }
 
   #attempt(title: string, work: Promise<void>): void {

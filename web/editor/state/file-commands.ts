@@ -9,7 +9,6 @@ import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { sortFiles } from "../files/file-intake.ts";
 import type { ProjectContent } from "../storage/project.ts";
-import { strings } from "../strings.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -71,8 +70,14 @@ export class FileCommands {
     try {
       const collected = await files;
       if (collected.length === 0) return;
-      name = collected.length === 1 ? (collected[0]?.file.name ?? "") : strings.files.several(collected.length);
-      const { model, design, project, pictures, fonts, companions } = await sortFiles(collected);
+      name =
+        collected.length === 1
+          ? (collected[0]?.file.name ?? "")
+          : this.#parts.board.strings.files.several(collected.length);
+      const { model, design, project, pictures, fonts, companions } = await sortFiles(
+        collected,
+        this.#parts.board.strings,
+      );
       if (project) {
         name = project.file.name;
         const own = model && { source: model, title: model.name, demoId: null };
@@ -92,7 +97,7 @@ export class FileCommands {
         await this.#addPicture(picture, pictures.length === 1 ? hit : null);
       }
     } catch (thrown) {
-      this.#parts.board.error(strings.errors.couldNotOpen(name), thrown);
+      this.#parts.board.error(this.#parts.board.strings.errors.couldNotOpen(name), thrown);
     }
   }
 
@@ -106,13 +111,13 @@ export class FileCommands {
       const design = await library.adopt(parseDesign(demo.design, demo.name), { path: demo.name, baseUrl: demos.url });
       await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
     } catch (thrown) {
-      board.error(strings.errors.couldNotOpen(demo.name), thrown);
+      board.error(this.#parts.board.strings.errors.couldNotOpen(demo.name), thrown);
     }
   }
 
   /** A large model on a slow line takes its time, which is said. */
   #fetchModel(address: string, name: string, page: string): Promise<Uint8Array> {
-    const label = strings.tasks.opening(name);
+    const label = this.#parts.board.strings.tasks.opening(name);
     return this.#parts.tasks.run(label, () => fetchBytes(address, page), { cancellable: false });
   }
 
@@ -124,7 +129,7 @@ export class FileCommands {
       const source = { name: model.slice(model.lastIndexOf("/") + 1), bytes };
       await this.#openModel({ source, title: name, demoId: null }, emptyDesign());
     } catch (thrown) {
-      board.error(strings.errors.couldNotOpen(name), thrown);
+      board.error(this.#parts.board.strings.errors.couldNotOpen(name), thrown);
     }
   }
 
@@ -135,7 +140,7 @@ export class FileCommands {
       const bytes = await fetchBytes(decal.picture, store.state.demos.page);
       decals.add(decal.name, await library.add(decal.picture, bytes), hit);
     } catch (thrown) {
-      board.error(strings.errors.couldNotOpen(decal.name), thrown);
+      board.error(this.#parts.board.strings.errors.couldNotOpen(decal.name), thrown);
     }
   }
 
@@ -144,7 +149,7 @@ export class FileCommands {
     const name = `${fileNameOf(store.state.designName)}.design.json`;
     download(name, "application/json", serialiseDesign(session.recordedDesign));
     session.markSaved();
-    board.announce(strings.announce.saved(name));
+    board.announce(this.#parts.board.strings.announce.saved(name));
   }
 
   async exportPng(): Promise<void> {
@@ -170,7 +175,9 @@ export class FileCommands {
     const position = session.position + (direction === "undo" ? -1 : 1);
     return this.#travelTo(position, () =>
       board.announce(
-        direction === "undo" ? strings.announce.undone(label ?? "") : strings.announce.redone(label ?? ""),
+        direction === "undo"
+          ? this.#parts.board.strings.announce.undone(label ?? "")
+          : this.#parts.board.strings.announce.redone(label ?? ""),
       ),
     );
   }
@@ -180,7 +187,7 @@ export class FileCommands {
     const { store, board } = this.#parts;
     const label = store.state.history.labels[position];
     return this.#travelTo(position, () =>
-      board.announce(strings.announce.travelled(strings.history.step(label ?? ""))),
+      board.announce(this.#parts.board.strings.announce.travelled(this.#parts.board.strings.history.step(label ?? ""))),
     );
   }
 
@@ -205,7 +212,7 @@ export class FileCommands {
         arrive();
       });
     } catch (thrown) {
-      board.error(strings.errors.couldNotOpen(model.title), thrown);
+      board.error(this.#parts.board.strings.errors.couldNotOpen(model.title), thrown);
     }
   }
 
@@ -215,17 +222,17 @@ export class FileCommands {
     const worked = store.state.unsaved && left.layers.length > 0;
     await models.open(ref, design, () => {
       store.set({ designName: fileStem(ref.title) });
-      session.recordModel(ref, design, strings.steps.openModel);
+      session.recordModel(ref, design, this.#parts.board.strings.steps.openModel);
       session.select(design.layers[0]?.id ?? null);
     });
     board.dismissAll();
-    board.announce(strings.announce.opened(ref.title));
+    board.announce(this.#parts.board.strings.announce.opened(ref.title));
     if (worked) {
-      const bring = (): void => session.record({ ...left }, strings.steps.bringDecals);
+      const bring = (): void => session.record({ ...left }, this.#parts.board.strings.steps.bringDecals);
       board.info({
-        title: strings.notices.newModel(ref.title),
-        message: strings.notices.workKept,
-        action: { label: strings.notices.bringDecals, run: bring },
+        title: this.#parts.board.strings.notices.newModel(ref.title),
+        message: this.#parts.board.strings.notices.workKept,
+        action: { label: this.#parts.board.strings.notices.bringDecals, run: bring },
       });
     }
   }
@@ -234,7 +241,7 @@ export class FileCommands {
     const parsed = parseDesign(await file.file.text(), file.file.name);
     const place: DesignPlace = { path: file.path, files: companions };
     return this.#parts.tasks.run(
-      strings.tasks.opening(file.file.name),
+      this.#parts.board.strings.tasks.opening(file.file.name),
       () => this.#parts.library.adopt(parsed, place),
       {
         cancellable: false,
@@ -248,31 +255,35 @@ export class FileCommands {
     models.rememberSettings(model, targets);
     await models.open(model, design, () => {
       store.set({ designName: name });
-      session.recordModel(model, design, strings.steps.openProject);
+      session.recordModel(model, design, this.#parts.board.strings.steps.openProject);
       session.select(design.layers.at(-1)?.id ?? null);
     });
     board.dismissAll();
-    board.announce(strings.announce.opened(name));
+    board.announce(this.#parts.board.strings.announce.opened(name));
   }
 
   #takeDesign(design: Design, fileName: string): void {
     const { session, store, board } = this.#parts;
     store.set({ designName: fileStem(fileName) });
-    session.record(design, strings.steps.openDesign);
+    session.record(design, this.#parts.board.strings.steps.openDesign);
     session.markSaved();
     session.select(design.layers.at(-1)?.id ?? null);
     const materials = new Set(store.state.model?.info.materials.map(({ index }) => index));
     const lost = design.layers.filter(
       (layer) => !materialsIn(layer).every((material) => materials.has(material)),
     ).length;
-    if (lost > 0) board.info({ title: strings.notices.otherModel, message: strings.notices.lostLayers(lost) });
-    board.announce(strings.announce.opened(fileName));
+    if (lost > 0)
+      board.info({
+        title: this.#parts.board.strings.notices.otherModel,
+        message: this.#parts.board.strings.notices.lostLayers(lost),
+      });
+    board.announce(this.#parts.board.strings.announce.opened(fileName));
   }
 
   async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
     const { library, decals, store } = this.#parts;
     if (!store.state.model) {
-      throw new TexelcastError("bad-argument", strings.errors.noModelYet, { subject: file.name });
+      throw new TexelcastError("bad-argument", this.#parts.board.strings.errors.noModelYet, { subject: file.name });
     }
     const picture = await library.add(file.name, await bytesOf(file));
     decals.add(fileStem(file.name), picture, hit);
@@ -280,7 +291,7 @@ export class FileCommands {
 
   async #useFont({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
     if (!this.#parts.store.state.model) {
-      throw new TexelcastError("bad-argument", strings.errors.noModelForText, { subject: file.name });
+      throw new TexelcastError("bad-argument", this.#parts.board.strings.errors.noModelForText, { subject: file.name });
     }
     await this.#parts.texts().useFontFile(file.name, await bytesOf(file), hit);
   }
@@ -288,11 +299,11 @@ export class FileCommands {
   async #export(name: string, type: string, make: () => Promise<Uint8Array>): Promise<void> {
     const { tasks, board } = this.#parts;
     try {
-      const bytes = await tasks.run(strings.tasks.exporting(name), make, { cancellable: false });
+      const bytes = await tasks.run(this.#parts.board.strings.tasks.exporting(name), make, { cancellable: false });
       download(name, type, bytes);
-      board.announce(strings.announce.exported(name));
+      board.announce(this.#parts.board.strings.announce.exported(name));
     } catch (thrown) {
-      board.error(strings.errors.couldNotExport(name), thrown);
+      board.error(this.#parts.board.strings.errors.couldNotExport(name), thrown);
     }
   }
 }

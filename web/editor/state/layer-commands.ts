@@ -11,7 +11,6 @@ import {
   type StrokeLayer,
   type TextLayer,
 } from "../document/index.ts";
-import { strings } from "../strings.ts";
 import { layerById, patchLayer } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf, type EditorState } from "./editor-state.ts";
@@ -78,7 +77,9 @@ export class LayerCommands {
     if (id === selectedId && selection.length === (id === null ? 0 : 1)) return;
     this.#session.select(id);
     const layer = layerById(this.#session.design, id);
-    this.#board.announce(layer ? strings.announce.selected(layer.name) : strings.announce.nothingSelected);
+    this.#board.announce(
+      layer ? this.#board.strings.announce.selected(layer.name) : this.#board.strings.announce.nothingSelected,
+    );
   }
 
   /** Takes a layer into the choice, or out of it. */
@@ -105,7 +106,7 @@ export class LayerCommands {
 
   #choose(ids: readonly string[]): void {
     this.#session.select(ids[0] ?? null, ids.slice(1));
-    this.#board.announce(strings.announce.chosen(this.#store.state.selection.length));
+    this.#board.announce(this.#board.strings.announce.chosen(this.#store.state.selection.length));
   }
 
   /** Shows a change that is still going on (the scrub of a field). Locked layers stay as they are. */
@@ -132,15 +133,18 @@ export class LayerCommands {
     if (locked === undefined) return [...ids];
     const free = ids.filter((id) => !isLocked(design, id));
     const name = layerById(design, locked)?.name ?? "";
-    this.#board.info({ title: strings.notices.locked(name), message: strings.notices.lockedHint });
+    this.#board.info({
+      title: this.#board.strings.notices.locked(name),
+      message: this.#board.strings.notices.lockedHint,
+    });
     return free;
   }
 
   duplicate(ids = this.#store.state.selection): void {
     const { design, ids: copies } = duplicateLayers(this.#session.recordedDesign, ids, (layer) => this.#apart(layer));
     if (copies.length === 0) return;
-    const said = this.#said(ids, strings.announce.duplicated, strings.announce.duplicatedMany);
-    this.#session.record(design, strings.steps.duplicate(copies.length));
+    const said = this.#said(ids, this.#board.strings.announce.duplicated, this.#board.strings.announce.duplicatedMany);
+    this.#session.record(design, this.#board.strings.steps.duplicate(copies.length));
     this.#choose(copies.toReversed());
     this.#board.announce(said);
   }
@@ -159,10 +163,10 @@ export class LayerCommands {
     const design = removeLayers(before, gone);
     if (design === before) return;
     const rows = layerRows(before, this.#store.state.collapsed).map(({ layer }) => layer.id);
-    const said = this.#said(gone, strings.announce.removed, strings.announce.removedMany);
+    const said = this.#said(gone, this.#board.strings.announce.removed, this.#board.strings.announce.removedMany);
     const places = gone.map((id) => rows.indexOf(id));
     const around = [...rows.slice(0, Math.max(...places)).reverse(), ...rows.slice(Math.max(...places) + 1)];
-    this.#session.record(design, strings.steps.remove(gone.length));
+    this.#session.record(design, this.#board.strings.steps.remove(gone.length));
     this.select(around.find((id) => layerById(design, id)) ?? null);
     this.#board.announce(said);
   }
@@ -190,21 +194,23 @@ export class LayerCommands {
     const before = this.#session.recordedDesign;
     const design = this.#attempt(() => edit(before));
     if (!design || design === before) return;
-    this.#session.record(design, strings.steps.reorder);
+    this.#session.record(design, this.#board.strings.steps.reorder);
     const row = layerRows(design, new Set()).find(({ layer }) => layer.id === ids[0]);
     if (!row) return;
     const { layer, place, count, parentId } = row;
     const group = layerById(design, parentId)?.name;
-    this.#board.announce(strings.announce.moved(layer.name, place, count, group));
+    this.#board.announce(this.#board.strings.announce.moved(layer.name, place, count, group));
   }
 
   /** Puts the chosen layers into a new group. */
   group(ids = this.#store.state.selection): void {
-    const made = this.#attempt(() => groupLayers(this.#session.recordedDesign, ids, { name: strings.layers.group }));
+    const made = this.#attempt(() =>
+      groupLayers(this.#session.recordedDesign, ids, { name: this.#board.strings.layers.group }),
+    );
     if (!made) return;
-    this.#session.record(made.design, strings.steps.group);
+    this.#session.record(made.design, this.#board.strings.steps.group);
     this.select(made.id);
-    this.#board.announce(strings.announce.grouped(layerById(made.design, made.id)?.name ?? ""));
+    this.#board.announce(this.#board.strings.announce.grouped(layerById(made.design, made.id)?.name ?? ""));
   }
 
   /** Where the picture would change by it, says how and asks first. */
@@ -214,14 +220,14 @@ export class LayerCommands {
     const { design, ids: freed, lost } = ungroupLayers(before, groups);
     if (design === before) return;
     if (lost.size > 0 && !anyway) {
-      const { ungroupChanges, ungroupLoses, ungroupAnyway } = strings.notices;
+      const { ungroupChanges, ungroupLoses, ungroupAnyway } = this.#board.strings.notices;
       const action = { label: ungroupAnyway, run: () => this.ungroup(groups, true) };
       this.#board.info({ title: ungroupChanges, message: ungroupLoses([...lost]), action });
       return;
     }
-    this.#session.record(design, strings.steps.ungroup);
+    this.#session.record(design, this.#board.strings.steps.ungroup);
     this.#choose(freed.toReversed());
-    this.#board.announce(strings.announce.ungrouped(freed.length));
+    this.#board.announce(this.#board.strings.announce.ungrouped(freed.length));
   }
 
   /** Joins a layer with the one below it; several chosen layers become a group. */
@@ -233,12 +239,16 @@ export class LayerCommands {
       return;
     }
     if (this.unlocked([id]).length === 0) return;
-    const merge = this.#attempt(() => mergeDown(this.#session.recordedDesign, id, strings.layers.group));
+    const merge = this.#attempt(() => mergeDown(this.#session.recordedDesign, id, this.#board.strings.layers.group));
     if (!merge) return;
-    this.#session.record(merge.design, strings.steps.merge);
+    this.#session.record(merge.design, this.#board.strings.steps.merge);
     this.select(merge.id);
-    if (merge.obstacle === null) this.#board.announce(strings.announce.merged);
-    else this.#board.info({ title: strings.notices.grouped, message: strings.notices.mergeObstacles[merge.obstacle] });
+    if (merge.obstacle === null) this.#board.announce(this.#board.strings.announce.merged);
+    else
+      this.#board.info({
+        title: this.#board.strings.notices.grouped,
+        message: this.#board.strings.notices.mergeObstacles[merge.obstacle],
+      });
   }
 
   /** A new layer above the selected one, and inside a group where that is what is selected. */
@@ -249,22 +259,22 @@ export class LayerCommands {
     if (!made) return;
     this.#session.record(made.design, label);
     this.select(made.id);
-    this.#board.announce(strings.announce.added(layerById(made.design, made.id)?.name ?? ""));
+    this.#board.announce(this.#board.strings.announce.added(layerById(made.design, made.id)?.name ?? ""));
   }
 
   /** Gives the selected layer a mask, which the brush paints on from then on. */
   addMask(hideAll: boolean): void {
     const { selectedId } = this.#store.state;
-    const id = this.#editMask((design, layer) => addMask(design, layer, hideAll), strings.steps.addMask);
+    const id = this.#editMask((design, layer) => addMask(design, layer, hideAll), this.#board.strings.steps.addMask);
     if (id !== undefined && id === selectedId) this.editMask(id, true);
   }
 
   removeMask(): void {
-    this.#editMask(removeMask, strings.steps.removeMask);
+    this.#editMask(removeMask, this.#board.strings.steps.removeMask);
   }
 
   invertMask(): void {
-    this.#editMask(invertMask, strings.steps.invertMask);
+    this.#editMask(invertMask, this.#board.strings.steps.invertMask);
   }
 
   #editMask(edit: (design: Design, id: string) => Design, label: string): string | undefined {
@@ -280,25 +290,27 @@ export class LayerCommands {
     if (!layer || (on && layer.mask === null)) return;
     this.select(id);
     this.#store.set({ editingMask: on ? id : null });
-    const { editingMask, editingLayer } = strings.announce;
+    const { editingMask, editingLayer } = this.#board.strings.announce;
     this.#board.announce(on ? editingMask(layer.name) : editingLayer(layer.name));
   }
 
   toggleVisible(ids: readonly string[] = this.#store.state.selection): void {
-    this.#toggle("visible", ids, [strings.steps.show, strings.steps.hide]);
-    const said = this.#isOn("visible", ids) ? strings.announce.shown : strings.announce.hidden;
-    this.#board.announce(this.#said(ids, said, strings.announce.changedMany));
+    this.#toggle("visible", ids, [this.#board.strings.steps.show, this.#board.strings.steps.hide]);
+    const said = this.#isOn("visible", ids) ? this.#board.strings.announce.shown : this.#board.strings.announce.hidden;
+    this.#board.announce(this.#said(ids, said, this.#board.strings.announce.changedMany));
   }
 
   toggleLocked(ids: readonly string[] = this.#store.state.selection): void {
-    this.#toggle("locked", ids, [strings.steps.lock, strings.steps.unlock]);
-    const said = this.#isOn("locked", ids) ? strings.announce.locked : strings.announce.unlocked;
-    this.#board.announce(this.#said(ids, said, strings.announce.changedMany));
+    this.#toggle("locked", ids, [this.#board.strings.steps.lock, this.#board.strings.steps.unlock]);
+    const said = this.#isOn("locked", ids)
+      ? this.#board.strings.announce.locked
+      : this.#board.strings.announce.unlocked;
+    this.#board.announce(this.#said(ids, said, this.#board.strings.announce.changedMany));
   }
 
   rename(id: string, name: string): void {
     const trimmed = name.trim();
-    if (trimmed) this.change(id, { name: trimmed }, strings.steps.rename);
+    if (trimmed) this.change(id, { name: trimmed }, this.#board.strings.steps.rename);
   }
 
   setCollapsed(id: string, closed: boolean): void {
@@ -330,7 +342,7 @@ export class LayerCommands {
     try {
       return edit();
     } catch (thrown) {
-      this.#board.error(strings.errors.couldNotArrange, thrown);
+      this.#board.error(this.#board.strings.errors.couldNotArrange, thrown);
       return undefined;
     }
   }

@@ -6,7 +6,7 @@ import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine, MaterialInfo, ModelInfo, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
 import { type Design, materialsIn } from "../document/index.ts";
-import { strings } from "../strings.ts";
+import { type Strings, stringsIn } from "../strings.ts";
 import { usedMaterials } from "./design-edits.ts";
 import {
   DEFAULT_TARGET,
@@ -51,6 +51,10 @@ export class ModelSession {
     this.#send = send;
   }
 
+  get #strings(): Strings {
+    return stringsIn(this.#store.state.language);
+  }
+
   /**
    * Opens a model in place of the one before, with the design that is to be seen on it; `onOpen` runs once it is the
    * open one. Rejects with a TexelcastError, and the old model and its targets are there as before.
@@ -71,7 +75,7 @@ export class ModelSession {
       }
       onOpen();
     };
-    return this.#inLine(strings.tasks.opening(ref.title), work, { replaces: true });
+    return this.#inLine(this.#strings.tasks.opening(ref.title), work, { replaces: true });
   }
 
   /** Sizes and gutters that a model is to be opened with. */
@@ -90,7 +94,7 @@ export class ModelSession {
     };
     change(settings);
     try {
-      await this.#inLine(strings.tasks.baking, (task) => this.#openTarget(material, task), { replaces: true });
+      await this.#inLine(this.#strings.tasks.baking, (task) => this.#openTarget(material, task), { replaces: true });
     } catch (thrown) {
       // Back to what is still open, unless a newer wish is already on its way.
       const newest = this.#store.state.targetSettings.get(material) === settings;
@@ -101,7 +105,7 @@ export class ModelSession {
 
   /** Opens a target again as it is, for its first update: the whole picture, with all its mip levels. */
   reopen(material: number): Promise<void> {
-    return this.#inLine(strings.tasks.baking, (task) => this.#openTarget(material, task));
+    return this.#inLine(this.#strings.tasks.baking, (task) => this.#openTarget(material, task));
   }
 
   /** Makes a material the one that the texture view shows. */
@@ -110,7 +114,7 @@ export class ModelSession {
     this.#store.set({ material });
     const target = this.#store.state.targets.get(material);
     if (target) await this.#router.showInTextureView(target, await this.#uvTrianglesOf(material));
-    else await this.#inLine(strings.tasks.baking, (task) => this.#openTarget(material, task));
+    else await this.#inLine(this.#strings.tasks.baking, (task) => this.#openTarget(material, task));
   }
 
   /** Opens the targets that a design's layers need and that are not open yet. */
@@ -118,7 +122,7 @@ export class ModelSession {
     for (const material of usedMaterials(design)) {
       if (this.#store.state.targets.has(material) || !this.#paintable(material)) continue;
       const { model } = this.#store.state;
-      await this.#inLine(strings.tasks.baking, async (task) => {
+      await this.#inLine(this.#strings.tasks.baking, async (task) => {
         const wanted = model === this.#store.state.model && !this.#store.state.targets.has(material);
         if (wanted) await this.#openTarget(material, task);
       });
@@ -126,7 +130,7 @@ export class ModelSession {
   }
 
   async #show(model: OpenModel, design: Design, task: TaskHandle): Promise<void> {
-    const material = firstPaintable(model.info, design);
+    const material = firstPaintable(model.info, design, this.#strings);
     this.#router.clear();
     this.#uvTriangles = new Map();
     this.#send(design);
@@ -138,7 +142,7 @@ export class ModelSession {
       targetSettings: this.#settings.get(model.ref) ?? new Map(),
       textureMode: "texture",
     });
-    task.relabel(strings.tasks.baking);
+    task.relabel(this.#strings.tasks.baking);
     await this.#openTarget(material, task);
     for (const other of usedMaterials(design)) {
       if (other !== material && this.#paintable(other)) await this.#openTarget(other, task);
@@ -146,7 +150,7 @@ export class ModelSession {
   }
 
   async #restore(before: OpenModel): Promise<void> {
-    await this.#tasks.run(strings.tasks.restoring(before.ref.title), async (task) => {
+    await this.#tasks.run(this.#strings.tasks.restoring(before.ref.title), async (task) => {
       await this.#engine.loadModel(before.ref.source);
       await this.#show(before, this.#store.state.design, task);
     });
@@ -210,17 +214,17 @@ export class ModelSession {
 }
 
 /** The material that the design's top layer paints, else the paintable one with the most triangles. */
-function firstPaintable(info: ModelInfo, design: Design): number {
+function firstPaintable(info: ModelInfo, design: Design, strings: Strings): number {
   const paintable = info.materials.filter(({ refusal }) => refusal === null);
   const isPaintable = (material: number): boolean => paintable.some(({ index }) => index === material);
   const wanted = design.layers.toReversed().flatMap(materialsIn).find(isPaintable);
   if (wanted !== undefined) return wanted;
   const [best] = paintable.toSorted((a, b) => b.triangles - a.triangles);
   if (best) return best.index;
-  throw refusalOf(info);
+  throw refusalOf(info, strings);
 }
 
-function refusalOf(info: ModelInfo): TexelcastError {
+function refusalOf(info: ModelInfo, strings: Strings): TexelcastError {
   const refused = info.materials.find((material): material is MaterialInfo & { refusal: object } => !!material.refusal);
   if (!refused) {
     return new TexelcastError("no-triangles", strings.errors.noMaterials, { subject: info.name });

@@ -1,4 +1,5 @@
 /** Shows notices and announcements. */
+import { type Strings, stringsIn } from "../strings.ts";
 import type { EditorState } from "./editor-state.ts";
 import { isCancelled, type Notice, type NoticeAction, noticeOf } from "./notices.ts";
 import type { Store } from "./store.ts";
@@ -14,11 +15,16 @@ export class NoticeBoard {
     this.#store = store;
   }
 
+  /** What the editor says, in its language. */
+  get strings(): Strings {
+    return stringsIn(this.#store.state.language);
+  }
+
   /** A cancelled task is what the user asked for and needs no notice. */
   error(title: string, thrown: unknown, action?: NoticeAction): void {
     if (isCancelled(thrown)) return;
     this.#count += 1;
-    this.#add({ ...noticeOf(this.#count, title, thrown), ...(action && { action }) });
+    this.#add({ ...noticeOf(this.#count, title, thrown, this.strings), ...(action && { action }) });
   }
 
   info(notice: Pick<Notice, "title" | "message" | "action" | "stays"> & { readonly hint?: string }): number {

@@ -1,6 +1,6 @@
 /** What the page tells its user: notices that stay until dismissed, and announcements for screen readers. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 
 export interface NoticeAction {
   readonly label: string;
@@ -25,7 +25,7 @@ export interface Notice {
 }
 
 /** `title` says what was being done ("Could not open Fox.glb"); the error says why. */
-export function noticeOf(id: number, title: string, thrown: unknown): Notice {
+export function noticeOf(id: number, title: string, thrown: unknown, strings: Strings): Notice {
   const error = TexelcastError.wrap(thrown, "unexpected", thrown instanceof Error ? thrown.message : String(thrown));
   const { code, message, subject, field, value, hint } = error;
   const where = [subject, field, value === undefined ? undefined : strings.notices.value(shortened(value))];

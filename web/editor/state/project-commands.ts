@@ -10,7 +10,7 @@ import { randomId } from "../storage/content-hash.ts";
 import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/project.ts";
 import type { ProjectLock } from "../storage/project-lock.ts";
 import type { ProjectStore } from "../storage/project-store.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { EditorState, ListedProject, ModelRef } from "./editor-state.ts";
@@ -31,8 +31,6 @@ export interface ProjectCommandsParts {
   readonly tasks: Tasks;
 }
 
-const words = strings.projects;
-
 export class ProjectCommands {
   readonly #parts: ProjectCommandsParts;
   /** Deleted since the list was opened: they stay in it, to be brought back. */
@@ -40,6 +38,10 @@ export class ProjectCommands {
 
   constructor(parts: ProjectCommandsParts) {
     this.#parts = parts;
+  }
+
+  get #words(): Strings["projects"] {
+    return this.#parts.board.strings.projects;
   }
 
   /** Opens the project that was worked on last; false where there is none, or none that can be opened. */
@@ -54,7 +56,7 @@ export class ProjectCommands {
       return false;
     }
     if (!newest) return false;
-    return this.open(newest.id, words.back(newest.name));
+    return this.open(newest.id, this.#words.back(newest.name));
   }
 
   /** Opens a project in place of what is open, which is kept first. False where it could not be opened. */
@@ -74,7 +76,7 @@ export class ProjectCommands {
   async openFile(fileName: string, bytes: Uint8Array, model?: ModelRef): Promise<void> {
     const { library, autosave, files, store, tasks } = this.#parts;
     const open = async ({ signal, checkCancelled }: TaskHandle): Promise<ProjectContent> => {
-      const file = await unpackInWorker(bytes, fileName, signal);
+      const file = await unpackInWorker(bytes, fileName, signal, this.#parts.board.strings);
       const { name, targets } = file;
       const ref = await this.#modelOf(file, model ?? store.state.model?.ref, model !== undefined);
       const design = await library.adopt(file.design, { path: fileName, read: (uri) => file.assets.get(uri) });
@@ -82,7 +84,7 @@ export class ProjectCommands {
       const settings = targets.map(({ material, size, gutter }) => [material, { size, gutter }] as const);
       return { name, design, model: ref, targets: new Map(settings) };
     };
-    const content = await tasks.run(strings.tasks.opening(fileName), open);
+    const content = await tasks.run(this.#parts.board.strings.tasks.opening(fileName), open);
     await autosave.flush();
     autosave.begin(content.model);
     await files.openProject(content);
@@ -103,18 +105,20 @@ export class ProjectCommands {
       model: { title, demo: demoId, source: withModel ? source : null },
     };
     try {
-      const bytes = await tasks.run(strings.tasks.packing(name), ({ signal }) => packInWorker(project, signal));
+      const bytes = await tasks.run(this.#parts.board.strings.tasks.packing(name), ({ signal }) =>
+        packInWorker(project, signal, board.strings),
+      );
       download(name, "application/zip", bytes);
       session.markSaved(design);
-      board.announce(strings.announce.saved(name));
+      board.announce(this.#parts.board.strings.announce.saved(name));
     } catch (thrown) {
-      board.error(words.couldNotSave(name), thrown);
+      board.error(this.#words.couldNotSave(name), thrown);
     }
   }
 
   /** Reads the list again. */
   async refresh(): Promise<void> {
-    await this.#attempt(words.couldNotList, async () => {
+    await this.#attempt(this.#words.couldNotList, async () => {
       await this.#parts.autosave.flush();
       await this.#list();
     });
@@ -131,11 +135,11 @@ export class ProjectCommands {
     const { store, projects, autosave, board } = this.#parts;
     const trimmed = name.trim();
     if (trimmed === "") return;
-    await this.#attempt(words.couldNotSave(trimmed), async () => {
+    await this.#attempt(this.#words.couldNotSave(trimmed), async () => {
       const free = await projects.freeName(trimmed, id);
       await projects.rename(id, free);
       if (id === autosave.projectId) store.set({ designName: free });
-      if (free !== trimmed) board.announce(words.namedInstead(free));
+      if (free !== trimmed) board.announce(this.#words.namedInstead(free));
       await autosave.flush();
       await this.#list();
     });
@@ -143,34 +147,34 @@ export class ProjectCommands {
 
   async duplicate({ id, name }: ProjectSummary): Promise<void> {
     const { projects, autosave, board } = this.#parts;
-    await this.#attempt(words.couldNotSave(name), async () => {
+    await this.#attempt(this.#words.couldNotSave(name), async () => {
       await autosave.flush();
-      await projects.duplicate(id, await projects.freeName(words.copyOf(name), null));
+      await projects.duplicate(id, await projects.freeName(this.#words.copyOf(name), null));
       await this.#list();
-      board.announce(strings.announce.duplicated(name));
+      board.announce(this.#parts.board.strings.announce.duplicated(name));
     });
   }
 
   async remove({ id, name }: ProjectSummary): Promise<void> {
     const { projects, autosave, board } = this.#parts;
-    await this.#attempt(words.couldNotDelete(name), async () => {
+    await this.#attempt(this.#words.couldNotDelete(name), async () => {
       await autosave.flush();
       await projects.remove(id);
       this.#deleted.add(id);
       autosave.forget(id);
       await this.#list();
-      board.announce(strings.announce.removed(name));
+      board.announce(this.#parts.board.strings.announce.removed(name));
     });
   }
 
   async restore({ id, name }: ProjectSummary): Promise<void> {
-    await this.#attempt(words.couldNotOpen(name), async () => {
+    await this.#attempt(this.#words.couldNotOpen(name), async () => {
       const { projects } = this.#parts;
       await projects.rename(id, await projects.freeName(name, id));
       await projects.restore(id);
       this.#deleted.delete(id);
       await this.#list();
-      this.#parts.board.announce(words.restored(name));
+      this.#parts.board.announce(this.#words.restored(name));
     });
   }
 
@@ -190,14 +194,14 @@ export class ProjectCommands {
       const loaded = await projects.load(id);
       name = loaded.summary.name;
       const free = await lock.take(id);
-      const content = await this.#contentOf(loaded, free ? name : words.copyOf(name));
+      const content = await this.#contentOf(loaded, free ? name : this.#words.copyOf(name));
       autosave.adopt(content, free ? id : randomId(), free ? loaded.summary.revision : 0);
       await files.openProject(content);
       this.#tell(loaded, content, free, title);
       return true;
     } catch (thrown) {
       if (before !== null) void lock.take(before);
-      board.error(words.couldNotOpen(name), thrown);
+      board.error(this.#words.couldNotOpen(name), thrown);
       return false;
     }
   }
@@ -219,14 +223,17 @@ export class ProjectCommands {
     const known = !given && demo !== null && this.#parts.store.state.demos?.models.some(({ id }) => id === demo);
     if (known) return this.#demo({ id: demo, title });
     if (other) return { ...other };
-    throw new TexelcastError("missing-file", words.noModel, { subject: title, hint: words.noModelHint });
+    throw new TexelcastError("missing-file", this.#words.noModel, { subject: title, hint: this.#words.noModelHint });
   }
 
   async #demo({ id, title }: { id: string; title: string }): Promise<ModelRef> {
     const { demos } = this.#parts.store.state;
     const demo = demos?.models.find((candidate) => candidate.id === id);
     if (!demos || !demo) {
-      throw new TexelcastError("missing-file", words.demoGone(title), { subject: title, hint: words.demoGoneHint });
+      throw new TexelcastError("missing-file", this.#words.demoGone(title), {
+        subject: title,
+        hint: this.#words.demoGoneHint,
+      });
     }
     const bytes = await fetchBytes(demo.model, demos.page);
     return { source: { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes }, title, demoId: id };
@@ -234,9 +241,10 @@ export class ProjectCommands {
 
   #tell({ summary, fromBackup }: LoadedProject, content: ProjectContent, free: boolean, title?: string): void {
     const { board } = this.#parts;
-    if (fromBackup) board.info({ title: words.backupTitle(summary.name), message: words.backup });
-    else if (!free) board.info({ title: words.elsewhereTitle(summary.name), message: words.elsewhere(content.name) });
-    else if (title !== undefined) board.info({ title, message: words.backMessage(summary.modified) });
+    if (fromBackup) board.info({ title: this.#words.backupTitle(summary.name), message: this.#words.backup });
+    else if (!free)
+      board.info({ title: this.#words.elsewhereTitle(summary.name), message: this.#words.elsewhere(content.name) });
+    else if (title !== undefined) board.info({ title, message: this.#words.backMessage(summary.modified) });
   }
 
   async #list(): Promise<void> {

@@ -3,7 +3,6 @@ import type { TexelcastError } from "../../core/texelcast-error.ts";
 import { Autosave } from "../storage/autosave.ts";
 import { ProjectLock } from "../storage/project-lock.ts";
 import { ProjectStore } from "../storage/project-store.ts";
-import { strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DesignSession } from "./design-session.ts";
 import { type EditorState, INITIAL_STATE } from "./editor-state.ts";
@@ -33,11 +32,13 @@ export interface ProjectKeeping {
 
 export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts): ProjectKeeping {
   const { store, board, session } = parts;
-  const projects = new ProjectStore();
+  const { strings } = board;
+  const projects = new ProjectStore(strings);
   const lock = new ProjectLock();
   let refusal: number | null = null;
   const autosave = new Autosave({
     // One in which nothing ever happens.
+    strings,
     store: keeps ? store : new Store(INITIAL_STATE),
     recorded: () => session.recorded,
     projects,

@@ -1,7 +1,6 @@
 /** Which gradient the 3D view shows with handles, and what a drag of them does. */
 import type { GradientPhase, GradientPlace } from "../../viewer/viewer-api.ts";
 import { visitOf, walkLayers } from "../document/index.ts";
-import { strings } from "../strings.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
@@ -20,12 +19,13 @@ export function shownGradient({ design, selectedId }: EditorState): GradientPlac
     : { kind: "radial", center: gradient.center, radius: gradient.radius };
 }
 
-/** Keeps the colours. Steps that follow each other closely, as keys make them, are one. */
+/** Keeps the colours; `step` is what the history says. Steps that follow each other closely, as keys make them, are one. */
 export function followGradient(
   { design, selectedId }: EditorState,
   layers: LayerCommands,
   place: GradientPlace,
   phase: GradientPhase,
+  step: string,
 ): void {
   const layer = visitOf(design, selectedId)?.layer;
   if (layer?.type !== "fill" || layer.gradient?.kind !== place.kind) return;
@@ -35,5 +35,5 @@ export function followGradient(
   }
   const gradient = { ...place, stops: layer.gradient.stops };
   if (phase === "move") layers.preview(layer.id, { gradient });
-  else layers.change(layer.id, { gradient }, strings.gradient.moved, `gradient:${layer.id}`);
+  else layers.change(layer.id, { gradient }, step, `gradient:${layer.id}`);
 }

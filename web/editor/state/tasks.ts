@@ -1,6 +1,6 @@
 /** Long work with progress and cancellation: shown only when it lasts, so that quick work does not flicker. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { strings } from "../strings.ts";
+import { type Strings, stringsIn } from "../strings.ts";
 import type { EditorState, Task } from "./editor-state.ts";
 import type { Store } from "./store.ts";
 
@@ -23,6 +23,10 @@ export class Tasks {
 
   constructor(store: Store<EditorState>) {
     this.#store = store;
+  }
+
+  get #strings(): Strings {
+    return stringsIn(this.#store.state.language);
   }
 
   get running(): boolean {
@@ -58,7 +62,7 @@ export class Tasks {
         progress: (share) => this.#patch(id, { share }),
         relabel: (text) => this.#patch(id, { label: text, share: null }),
         checkCancelled: () => {
-          if (abort.signal.aborted) throw new TexelcastError("cancelled", strings.errors.cancelled);
+          if (abort.signal.aborted) throw new TexelcastError("cancelled", this.#strings.errors.cancelled);
         },
       });
     } finally {

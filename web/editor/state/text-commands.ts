@@ -4,7 +4,6 @@ import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fon
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
 import { resolveWords } from "../document/resolve-layers.ts";
-import { strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
 import { layerById, patchLayer, withAsset, withoutUnusedAssets } from "./design-edits.ts";
@@ -55,17 +54,22 @@ export class TextCommands {
     if (!store.state.model || store.state.switching) return;
     try {
       const { design: withFont, key } = withAsset(session.recordedDesign, font.name, font.asset);
-      const text = strings.text.sample;
+      const text = this.#parts.board.strings.text.sample;
       const plain = makeTextLayer({ id: "", text, font: key, projector: NOWHERE });
       const room = await this.#measure(this.#wordsOf(plain, withFont.assets));
-      decals.addLayer(room.width / room.height, hit, strings.steps.addText, (id, projector, material) => ({
-        design: withFont,
-        layer: { ...plain, id, projector, material, fontSize: 1 / room.height },
-      }));
+      decals.addLayer(
+        room.width / room.height,
+        hit,
+        this.#parts.board.strings.steps.addText,
+        (id, projector, material) => ({
+          design: withFont,
+          layer: { ...plain, id, projector, material, fontSize: 1 / room.height },
+        }),
+      );
       store.set({ textToType: session.selected?.id ?? null });
-      board.announce(strings.announce.added(strings.text.name));
+      board.announce(this.#parts.board.strings.announce.added(this.#parts.board.strings.text.name));
     } catch (thrown) {
-      board.error(strings.errors.couldNotWrite, thrown);
+      board.error(this.#parts.board.strings.errors.couldNotWrite, thrown);
     }
   }
 
@@ -89,7 +93,11 @@ export class TextCommands {
     const { name, asset } = await this.#parts.library.addFont(fileName, bytes);
     const { selected } = this;
     if (selected)
-      await this.change(selected.id, { fontAsset: { name, asset } }, strings.steps.change(strings.text.font));
+      await this.change(
+        selected.id,
+        { fontAsset: { name, asset } },
+        this.#parts.board.strings.steps.change(this.#parts.board.strings.text.font),
+      );
     else await this.add(hit, { name, asset });
   }
 
@@ -103,7 +111,7 @@ export class TextCommands {
     const fit = fitted(layer, room, this.#textureAspect(layer));
     session.record(
       patchLayer<TextLayer>(session.recordedDesign, id, fit),
-      strings.steps.change(strings.properties.size),
+      this.#parts.board.strings.steps.change(this.#parts.board.strings.properties.size),
     );
   }
 
@@ -150,7 +158,7 @@ export class TextCommands {
       const [old, now] = await Promise.all(words.map((each) => this.#measure(each)));
       if (request === this.#asked && old && now && session.recordedDesign === before) finish(old, now);
     } catch (thrown) {
-      board.error(strings.errors.couldNotWrite, thrown);
+      board.error(this.#parts.board.strings.errors.couldNotWrite, thrown);
     }
   }
 

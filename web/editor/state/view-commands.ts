@@ -8,7 +8,6 @@ import type {
   TextureHover,
   TextureView,
 } from "../../viewer/viewer-api.ts";
-import { strings } from "../strings.ts";
 import type { EditorState, Figures } from "./editor-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
@@ -56,19 +55,19 @@ export class ViewCommands {
   setLayout(layout: ViewLayout): void {
     if (layout === this.#parts.store.state.view.layout) return;
     this.set({ layout });
-    this.#parts.board.announce(strings.views.layoutChosen[layout]);
+    this.#parts.board.announce(this.#parts.board.strings.views.layoutChosen[layout]);
   }
 
   toggle(setting: "wireframe" | "turntable" | "guide"): void {
     const on = !this.#parts.store.state.view[setting];
     this.set({ [setting]: on });
-    this.#parts.board.announce(strings.views.toggled(strings.views[setting], on));
+    this.#parts.board.announce(this.#parts.board.strings.views.toggled(this.#parts.board.strings.views[setting], on));
   }
 
   toggleShading(): void {
     const shading = this.#parts.store.state.view.shading === "lit" ? "unlit" : "lit";
     this.set({ shading });
-    this.#parts.board.announce(strings.views.shadings[shading]);
+    this.#parts.board.announce(this.#parts.board.strings.views.shadings[shading]);
   }
 
   /** What is not given stays; `clip: null` brings the model to rest. */
@@ -92,7 +91,9 @@ export class ViewCommands {
     if (!hidden.delete(id)) hidden.add(id);
     this.#hide(hidden);
     const name = shown.parts.find((part) => part.id === id)?.name ?? "";
-    this.#parts.board.announce(hidden.has(id) ? strings.announce.hidden(name) : strings.announce.shown(name));
+    this.#parts.board.announce(
+      hidden.has(id) ? this.#parts.board.strings.announce.hidden(name) : this.#parts.board.strings.announce.shown(name),
+    );
   }
 
   /** Shows a group whole, or hides it where all of it is shown. */
@@ -106,7 +107,9 @@ export class ViewCommands {
       else hidden.add(id);
     }
     this.#hide(hidden);
-    this.#parts.board.announce(show ? strings.announce.shown(group) : strings.announce.hidden(group));
+    this.#parts.board.announce(
+      show ? this.#parts.board.strings.announce.shown(group) : this.#parts.board.strings.announce.hidden(group),
+    );
   }
 
   /** Hides all but one part; where it is alone already, shows all. */
@@ -116,12 +119,14 @@ export class ViewCommands {
     const alone = !shown.hidden.has(id) && others.every((other) => shown.hidden.has(other));
     this.#hide(new Set(alone ? [] : others));
     const name = shown.parts.find((part) => part.id === id)?.name ?? "";
-    this.#parts.board.announce(alone ? strings.modelParts.allShown : strings.modelParts.isolated(name));
+    this.#parts.board.announce(
+      alone ? this.#parts.board.strings.modelParts.allShown : this.#parts.board.strings.modelParts.isolated(name),
+    );
   }
 
   showAllParts(): void {
     this.#hide(new Set());
-    this.#parts.board.announce(strings.modelParts.allShown);
+    this.#parts.board.announce(this.#parts.board.strings.modelParts.allShown);
   }
 
   #hide(hidden: ReadonlySet<number>): void {
@@ -157,7 +162,9 @@ export class ViewCommands {
       return;
     }
     const work = this.#fetchMaps(view.modelMap, [...targets.keys()], this.#mapRequest);
-    void tasks.quietly(work.catch((thrown: unknown) => board.error(strings.errors.couldNotShowMap, thrown)));
+    void tasks.quietly(
+      work.catch((thrown: unknown) => board.error(this.#parts.board.strings.errors.couldNotShowMap, thrown)),
+    );
   }
 
   async #fetchMaps(map: MapView, materials: readonly number[], request: number): Promise<void> {

@@ -6,7 +6,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { EditorState, ModelRef, Snapshot, TargetSettings } from "../state/editor-state.ts";
 import type { Store } from "../state/store.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";
 import { ProjectPacker } from "./packed-project.ts";
 import type { ProjectContent } from "./project.ts";
@@ -21,6 +21,7 @@ export interface AutosaveParts {
   /** A small picture of the model as it is seen; null where there is none. */
   readonly thumbnail: () => Promise<string | null>;
   readonly notices: AutosaveNotices;
+  readonly strings: Strings;
 }
 
 export interface AutosaveNotices {
@@ -46,7 +47,7 @@ interface OpenProject {
 
 export class Autosave {
   readonly #parts: AutosaveParts;
-  readonly #packer = new ProjectPacker();
+  readonly #packer: ProjectPacker;
   readonly #projects = new WeakMap<ModelRef, OpenProject>();
   #current: OpenProject | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
@@ -58,6 +59,7 @@ export class Autosave {
 
   constructor(parts: AutosaveParts) {
     this.#parts = parts;
+    this.#packer = new ProjectPacker(parts.strings);
     parts.store.subscribe(() => this.#observe());
   }
 
@@ -201,7 +203,7 @@ export class Autosave {
   #failed(project: OpenProject, error: TexelcastError): void {
     if (error.code === "storage-conflict") {
       Object.assign(project, { id: randomId(), revision: 0, kept: null });
-      const name = strings.projects.copyOf(this.#parts.store.state.designName);
+      const name = this.#parts.strings.projects.copyOf(this.#parts.store.state.designName);
       this.#parts.store.set({ designName: name });
       void this.#parts.lock.take(project.id);
       this.#parts.notices.copied(name);

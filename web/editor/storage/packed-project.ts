@@ -7,7 +7,7 @@ import type { ModelSource } from "../../engine/engine-api.ts";
 import { type Design, type DesignAsset, parseDesign, serialiseDesign } from "../document/index.ts";
 import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
 import type { ModelRef } from "../state/editor-state.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { contentHash } from "./content-hash.ts";
 import type { ProjectContent, StoredModel } from "./project.ts";
 
@@ -38,6 +38,11 @@ interface KnownBlob {
 export class ProjectPacker {
   #pictures: ReadonlyMap<string, KnownBlob> = new Map();
   readonly #models = new WeakMap<Uint8Array, Promise<string>>();
+  readonly #strings: Strings;
+
+  constructor(strings: Strings) {
+    this.#strings = strings;
+  }
 
   /**
    * Rejects with a TexelcastError of code "bad-design" for a design that could not be read again: it must never take
@@ -59,7 +64,7 @@ export class ProjectPacker {
     }
     this.#pictures = pictures;
     const stored = await this.#packModel(model, blobs);
-    const text = readableText({ ...design, assets }, name);
+    const text = readableText({ ...design, assets }, name, this.#strings);
     const size = [...blobs.values()].reduce((sum, blob) => sum + blob.size, text.length);
     const list = [...targets].map(([material, settings]) => ({ material, ...settings }));
     return { name, design: text, model: stored, targets: list, layers: design.layers.length, blobs, size };
@@ -84,7 +89,7 @@ export class ProjectPacker {
   }
 }
 
-function readableText(design: Design, name: string): string {
+function readableText(design: Design, name: string, strings: Strings): string {
   const refusal = strings.storage.unwritable(name);
   try {
     const text = serialiseDesign(design);
@@ -105,7 +110,12 @@ async function hashed(uri: string, key: string): Promise<KnownBlob> {
  *
  * @throws TexelcastError "bad-design" for text that is no design, "missing-file" for a picture that is not there.
  */
-export function unpackDesign(text: string, name: string, bytesOf: (hash: string) => Uint8Array | undefined): Design {
+export function unpackDesign(
+  text: string,
+  name: string,
+  bytesOf: (hash: string) => Uint8Array | undefined,
+  strings: Strings,
+): Design {
   const design = parseDesign(text, name);
   const assets: Record<string, DesignAsset> = {};
   for (const [key, asset] of Object.entries(design.assets)) {
@@ -113,7 +123,7 @@ export function unpackDesign(text: string, name: string, bytesOf: (hash: string)
       assets[key] = asset;
       continue;
     }
-    const bytes = present(bytesOf(asset.uri.slice(PREFIX.length)), name, key);
+    const bytes = present(bytesOf(asset.uri.slice(PREFIX.length)), name, key, strings);
     assets[key] = { ...asset, uri: encodeDataUri(asset.type, bytes) };
   }
   return { ...design, assets };
@@ -124,17 +134,18 @@ export function unpackModel(
   model: Extract<StoredModel, { kind: "files" }>,
   name: string,
   bytesOf: (hash: string) => Uint8Array | undefined,
+  strings: Strings,
 ): ModelRef {
-  const resources = model.resources.map(({ uri, blob }) => [uri, present(bytesOf(blob), name, uri)] as const);
+  const resources = model.resources.map(({ uri, blob }) => [uri, present(bytesOf(blob), name, uri, strings)] as const);
   const source: ModelSource = {
     name: model.name,
-    bytes: present(bytesOf(model.blob), name, model.name),
+    bytes: present(bytesOf(model.blob), name, model.name, strings),
     ...(resources.length > 0 && { resources: new Map(resources) }),
   };
   return { source, title: model.title, demoId: null };
 }
 
-function present(bytes: Uint8Array | undefined, name: string, part: string): Uint8Array {
+function present(bytes: Uint8Array | undefined, name: string, part: string, strings: Strings): Uint8Array {
   if (bytes) return bytes;
   throw new TexelcastError("missing-file", strings.storage.partMissing(part), { subject: name, field: part });
 }

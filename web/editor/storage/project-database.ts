@@ -1,7 +1,7 @@
 /** The browser's database of projects: its tables, and how it is opened. */
 import { type DBSchema, type IDBPDatabase, openDB } from "idb";
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import type { ProjectSummary, StoredModel } from "./project.ts";
 
 const NAME = "texelcast";
@@ -47,7 +47,12 @@ export type ProjectDatabase = IDBPDatabase<ProjectSchema>;
 
 /** Opens the database, and again after the browser has closed it. */
 export class ProjectConnection {
+  readonly #strings: Strings;
   #opening: Promise<ProjectDatabase> | null = null;
+
+  constructor(strings: Strings) {
+    this.#strings = strings;
+  }
 
   open(): Promise<ProjectDatabase> {
     if (this.#opening) return this.#opening;
@@ -64,7 +69,7 @@ export class ProjectConnection {
   }
 
   async #open(): Promise<ProjectDatabase> {
-    if (typeof indexedDB === "undefined") throw new TexelcastError("storage-refused", strings.storage.none);
+    if (typeof indexedDB === "undefined") throw new TexelcastError("storage-refused", this.#strings.storage.none);
     const opened = openDB<ProjectSchema>(NAME, VERSION, {
       upgrade(database) {
         database.createObjectStore("projects", { keyPath: "id" });
@@ -81,7 +86,7 @@ export class ProjectConnection {
       timer = setTimeout(() => {
         // One that comes too late is nobody's.
         opened.then((database) => database.close()).catch(() => undefined);
-        reject(new TexelcastError("storage-refused", strings.storage.silent));
+        reject(new TexelcastError("storage-refused", this.#strings.storage.silent));
       }, PATIENCE);
     });
     try {

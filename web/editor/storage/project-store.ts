@@ -5,7 +5,7 @@
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { countedName } from "../files/counted-name.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";
 import { type PackedProject, unpackDesign, unpackModel } from "./packed-project.ts";
 import type { LoadedProject, ProjectSummary } from "./project.ts";
@@ -22,10 +22,13 @@ type Writing = ReturnType<typeof openTables>;
 const openTables = (database: ProjectDatabase) => database.transaction(TABLES, "readwrite");
 
 export class ProjectStore {
-  readonly #connection = new ProjectConnection();
+  readonly #connection: ProjectConnection;
+  readonly #strings: Strings;
   readonly #now: () => number;
 
-  constructor(now: () => number = Date.now) {
+  constructor(strings: Strings, now: () => number = Date.now) {
+    this.#connection = new ProjectConnection(strings);
+    this.#strings = strings;
     this.#now = now;
   }
 
@@ -52,7 +55,9 @@ export class ProjectStore {
       const row = await projects.get(id);
       // A project that is gone was deleted elsewhere: saving brings it back, since somebody works on it.
       if (row && row.revision !== seen) {
-        throw new TexelcastError("storage-conflict", strings.storage.conflict(packed.name), { subject: packed.name });
+        throw new TexelcastError("storage-conflict", this.#strings.storage.conflict(packed.name), {
+          subject: packed.name,
+        });
       }
       const revision = Math.max(seen, row?.revision ?? 0) + 1;
       await addRevision(tables, { project: id, revision, ...rowOf(packed) }, packed.blobs);
@@ -82,13 +87,13 @@ export class ProjectStore {
     return this.#read(async (database) => {
       const row = await database.get("projects", id);
       if (!row || row.deleted !== null) {
-        throw new TexelcastError("missing-file", strings.storage.gone, { subject: row?.name ?? id });
+        throw new TexelcastError("missing-file", this.#strings.storage.gone, { subject: row?.name ?? id });
       }
       try {
-        return { ...(await loadRevision(database, row, row.revision)), fromBackup: false };
+        return { ...(await loadRevision(database, row, row.revision, this.#strings)), fromBackup: false };
       } catch (fault) {
         if (row.previous === null) throw fault;
-        const backup = await loadRevision(database, row, row.previous).catch(() => {
+        const backup = await loadRevision(database, row, row.previous, this.#strings).catch(() => {
           throw fault;
         });
         return { ...backup, fromBackup: true };
@@ -126,7 +131,7 @@ export class ProjectStore {
     return this.#write(async (tables) => {
       const row = await tables.objectStore("projects").get(id);
       const revision = row && (await tables.objectStore("revisions").get([id, row.revision]));
-      if (!revision) throw new TexelcastError("missing-file", strings.storage.gone, { subject: name });
+      if (!revision) throw new TexelcastError("missing-file", this.#strings.storage.gone, { subject: name });
       const copy = randomId();
       await tables.objectStore("revisions").put({ ...revision, project: copy, revision: 1 });
       const copied = { ...row, id: copy, name, revision: 1, previous: null, deleted: null, modified: this.#now() };
@@ -163,7 +168,7 @@ export class ProjectStore {
     try {
       return await this.#withDatabase(work);
     } catch (thrown) {
-      throw storageError(thrown);
+      throw storageError(thrown, this.#strings);
     }
   }
 
@@ -231,6 +236,7 @@ async function loadRevision(
   database: ProjectDatabase,
   row: ProjectRow,
   number: number,
+  strings: Strings,
 ): Promise<Omit<LoadedProject, "fromBackup">> {
   const revision = await database.get("revisions", [row.id, number]);
   if (!revision) {
@@ -245,8 +251,8 @@ async function loadRevision(
   const { model, targets } = revision;
   return {
     summary: summaryOf(row),
-    design: unpackDesign(revision.design, row.name, bytesOf),
-    model: model.kind === "demo" ? model : unpackModel(model, row.name, bytesOf),
+    design: unpackDesign(revision.design, row.name, bytesOf, strings),
+    model: model.kind === "demo" ? model : unpackModel(model, row.name, bytesOf, strings),
     targets: new Map(targets.map(({ material, size, gutter }) => [material, { size, gutter }])),
   };
 }

@@ -1,12 +1,12 @@
 /** Why the browser would not keep something, in words for its user. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 
 /**
  * "storage-full" where the browser's space is used up, "storage-refused" for every other reason (a private window, a
  * policy, a broken database). TexelcastErrors stay as they are.
  */
-export function storageError(thrown: unknown): TexelcastError {
+export function storageError(thrown: unknown, strings: Strings): TexelcastError {
   if (thrown instanceof TexelcastError) return thrown;
   const words = strings.storage;
   if (isQuotaError(thrown)) {

@@ -1,26 +1,30 @@
-/** Numbers and times as the page's language writes them. */
-import { type Language, language } from "./language.ts";
+/** Numbers and times as a language writes them. */
+import type { Language } from "./language.ts";
 
 /** The page's English is British. */
 const LOCALES: Readonly<Record<Language, string>> = { en: "en-GB", de: "de" };
-const locale = LOCALES[language];
 
-const whole = new Intl.NumberFormat(locale);
-const oneDecimal = new Intl.NumberFormat(locale, { minimumFractionDigits: 1, maximumFractionDigits: 1 });
-const twoDecimals = new Intl.NumberFormat(locale, { minimumFractionDigits: 2, maximumFractionDigits: 2 });
-const dateAndTime = new Intl.DateTimeFormat(locale, { dateStyle: "medium", timeStyle: "short" });
+export interface NumberWords {
+  /** "3,428,621", "3.428.621". */
+  readonly whole: (value: number) => string;
+  /** "81.7", "81,7". */
+  readonly tenths: (value: number) => string;
+  /** "0.32", "0,32". */
+  readonly hundredths: (value: number) => string;
+  /** `time`: milliseconds since 1970, as `Date.now` has them. */
+  readonly moment: (time: number) => string;
+}
 
-/** What stands before the decimals: "." or ",". */
-export const DECIMAL_MARK = oneDecimal.formatToParts(0.5).find(({ type }) => type === "decimal")?.value ?? ".";
-
-/** "3,428,621", "3.428.621". */
-export const wholeNumber = (value: number): string => whole.format(value);
-
-/** "81.7", "81,7". */
-export const tenths = (value: number): string => oneDecimal.format(value);
-
-/** "0.32", "0,32". */
-export const hundredths = (value: number): string => twoDecimals.format(value);
-
-/** @param time Milliseconds since 1970, as `Date.now` has them. */
-export const momentOf = (time: number): string => dateAndTime.format(time);
+export function numbersIn(language: Language): NumberWords {
+  const locale = LOCALES[language];
+  const decimals = (digits: number): Intl.NumberFormat =>
+    new Intl.NumberFormat(locale, { minimumFractionDigits: digits, maximumFractionDigits: digits });
+  const [whole, one, two] = [new Intl.NumberFormat(locale), decimals(1), decimals(2)];
+  const dateAndTime = new Intl.DateTimeFormat(locale, { dateStyle: "medium", timeStyle: "short" });
+  return {
+    whole: (value) => whole.format(value),
+    tenths: (value) => one.format(value),
+    hundredths: (value) => two.format(value),
+    moment: (time) => dateAndTime.format(time),
+  };
+}

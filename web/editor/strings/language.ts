@@ -1,4 +1,4 @@
-/** Which language the page speaks: what its address asks for, else what was chosen before, else the first that the browser prefers. */
+/** Which language an editor speaks; of a page, what its address asks for, else what was chosen before, else the first that the browser prefers. */
 
 export const LANGUAGES = { en: "English", de: "Deutsch" } as const;
 export type Language = keyof typeof LANGUAGES;
@@ -19,8 +19,8 @@ export function languageFor({ search, kept, preferred }: LanguageWishes): Langua
   return isLanguage(spoken) ? spoken : "en";
 }
 
-/** The page's language; English outside a page. */
-export const language: Language =
+/** What the page is asked to speak; English outside a page. An element in a page of somebody else's has its own language. */
+export const pageLanguage: Language =
   typeof document === "undefined"
     ? "en"
     : languageFor({ search: location.search, kept: keptLanguage(), preferred: navigator.languages });
@@ -39,7 +39,7 @@ export function speak(chosen: Language): void {
 
 /** Tells the document its language and its direction; `?dir=rtl` mirrors the page, to see that its layout holds. */
 export function applyLanguage(root: HTMLElement): void {
-  root.lang = language;
+  root.lang = pageLanguage;
   root.dir = new URLSearchParams(location.search).get("dir") === "rtl" ? "rtl" : "ltr";
 }
 

@@ -7,7 +7,6 @@ import type { AssetLibrary } from "../state/asset-library.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import type { Store } from "../state/store.ts";
-import { strings } from "../strings.ts";
 import { isClone } from "./clone-layer.ts";
 import { isPixelLayer } from "./pixel-layer.ts";
 import type { Toolbox } from "./toolbox.ts";
@@ -47,7 +46,7 @@ export class TipCommands {
   /** Null paints a disc. */
   use(tip: BrushTip | null): void {
     this.#tools.configure({ tip });
-    this.#board.announce(strings.tips.chosen(tip?.name ?? strings.tools.roundTip));
+    this.#board.announce(this.#board.strings.tips.chosen(tip?.name ?? this.#board.strings.tools.roundTip));
   }
 
   async useDemo({ name, picture }: DemoDecal): Promise<void> {
@@ -65,7 +64,7 @@ export class TipCommands {
       const { asset } = await this.#library.add(fileName, await bytes);
       this.use({ name, asset });
     } catch (thrown) {
-      this.#board.error(strings.errors.couldNotOpen(name), thrown);
+      this.#board.error(this.#board.strings.errors.couldNotOpen(name), thrown);
     }
   }
 }

@@ -2,6 +2,7 @@
 import type { TemplateResult } from "lit";
 import type { IconNode } from "lucide";
 import type { SurfaceHit, ToolInput, ToolSample } from "../../viewer/viewer-api.ts";
+import type { Strings } from "../strings.ts";
 import { BrushPreview } from "./brush-preview.ts";
 import { PaintCursor } from "./paint-cursor.ts";
 import { PointerPath, ropeOf } from "./pointer-path.ts";
@@ -27,7 +28,7 @@ export interface StrokeStart {
 /** What is special to one of the brushes. */
 export interface BrushKind {
   readonly id: ToolId;
-  readonly label: string;
+  readonly label: (strings: Strings) => string;
   readonly icon: IconNode;
   readonly shortcut: string;
   readonly options: readonly ToolOption[];
@@ -49,7 +50,7 @@ export interface BrushKind {
 
 export class BrushTool implements Tool {
   readonly id: ToolId;
-  readonly label: string;
+  readonly label: (strings: Strings) => string;
   readonly icon: IconNode;
   readonly shortcut: string;
   readonly options: readonly ToolOption[];

@@ -2,7 +2,7 @@
 import { html } from "lit";
 import { Crosshair, Stamp } from "lucide";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import type { BrushKind, StrokeStart } from "./brush-tool.ts";
 import { type CloneCopy, ModelCopy, TextureCopy } from "./clone-copy.ts";
@@ -14,8 +14,6 @@ import type { PaintGesture } from "./stroke-gesture.ts";
 import type { ToolOption } from "./tool.ts";
 import type { ToolContext } from "./tool-context.ts";
 
-const words = strings.clone;
-
 /** A place of the surface or of the texture, and how the camera looked at it. */
 interface ClonePlace {
   readonly material: number;
@@ -26,7 +24,7 @@ interface ClonePlace {
 
 export class CloneBrush implements BrushKind {
   readonly id = "clone";
-  readonly label = words.name;
+  readonly label = (strings: Strings): string => strings.clone.name;
   readonly icon = Stamp;
   readonly shortcut = "S";
   readonly options: readonly ToolOption[] = [
@@ -48,6 +46,10 @@ export class CloneBrush implements BrushKind {
 
   readonly armed = (): boolean => this.#context.tools.settings.cloneArmed;
 
+  get #words(): Strings["clone"] {
+    return this.#context.board.strings.clone;
+  }
+
   inner(): number {
     return this.#context.tools.settings.hardness;
   }
@@ -67,7 +69,7 @@ export class CloneBrush implements BrushKind {
     if (event.shiftKey || event.key.toUpperCase() !== this.shortcut) return false;
     const { tools, board } = this.#context;
     tools.configure({ cloneArmed: !this.armed() });
-    if (this.armed()) board.announce(words.armed);
+    if (this.armed()) board.announce(this.#words.armed);
     return true;
   };
 
@@ -81,19 +83,19 @@ export class CloneBrush implements BrushKind {
     this.#pair = null;
     tools.configure({ cloneArmed: false });
     this.#mark(place);
-    board.announce(words.sourceSet);
+    board.announce(this.#words.sourceSet);
   };
 
   begin(start: StrokeStart): PaintGesture | null {
     const { session, store, board, tools, reach } = this.#context;
     if (this.#source === null || this.#model !== store.state.model) {
       tools.configure({ cloneArmed: true });
-      board.info({ title: words.noSource, message: words.noSourceHint });
+      board.info({ title: this.#words.noSource, message: this.#words.noSourceHint });
       return null;
     }
     const target = cloneTargetOf(session.recordedDesign, store.state.selectedId);
     if (target.kind === "refused") {
-      const { title, message } = strings.tools.refusals[target.reason];
+      const { title, message } = this.#context.board.strings.tools.refusals[target.reason];
       board.info({ title: title(target.name), message });
       return null;
     }
@@ -107,7 +109,7 @@ export class CloneBrush implements BrushKind {
       this.#context,
       {
         brush: { tip: "round", color: "#000000", hardness, flow },
-        name: words.mask,
+        name: this.#words.mask,
         ...{ size: size ?? 1, spacing, pressure, opacity, copy, session, reach },
         ...{ erases: true, alphaLock: false },
         freeAbove: (...place) => this.#context.viewer.surface.freeAbove(...place),
@@ -138,10 +140,10 @@ export class CloneBrush implements BrushKind {
       class="outlined"
       id="clone-source"
       aria-pressed=${this.armed()}
-      title=${words.setSourceHint}
+      title=${this.#words.setSourceHint}
       @click=${() => this.#context.tools.configure({ cloneArmed: !this.armed() })}
     >
-      ${icon(Crosshair)}${this.armed() ? words.pressSource : words.setSource}
+      ${icon(Crosshair)}${this.armed() ? this.#words.pressSource : this.#words.setSource}
     </button>
   `;
 
@@ -150,7 +152,7 @@ export class CloneBrush implements BrushKind {
     this.#line = work
       .then((id) => {
         if (id === null) {
-          board.info({ title: words.nothing, message: words.nothingHint });
+          board.info({ title: this.#words.nothing, message: this.#words.nothingHint });
           return;
         }
         if (store.state.selectedId !== id) {
@@ -158,16 +160,16 @@ export class CloneBrush implements BrushKind {
           store.set({ collapsed: new Set([...store.state.collapsed, id]) });
           session.select(id);
         }
-        board.announce(words.painted);
+        board.announce(this.#words.painted);
       })
-      .catch((thrown: unknown) => board.error(words.couldNot, thrown));
+      .catch((thrown: unknown) => board.error(this.#words.couldNot, thrown));
   }
 
   #modelCopy(source: ClonePlace, painted: ClonePlace): CloneCopy | null {
     const { hit, look } = painted;
     const sourceHit = source.hit;
     if (hit === null || look === null || sourceHit === null || source.look === null) {
-      this.#context.board.info({ title: words.offSurface, message: words.offSurfaceHint });
+      this.#context.board.info({ title: this.#words.offSurface, message: this.#words.offSurfaceHint });
       return null;
     }
     const first = this.#context.tools.settings.cloneAligned ? (this.#first ?? painted) : painted;

@@ -1,6 +1,5 @@
 /** A clone stroke under way: what it copies is read while the pointer already moves, and cut to the stroke at its end. */
 import { encodePng } from "../../engine/png-encoder.ts";
-import { strings } from "../strings.ts";
 import type { CloneCopy } from "./clone-copy.ts";
 import { type ClonePatch, type CloneTarget, cloneTargetOf, withClone } from "./clone-layer.ts";
 import type { PathStep } from "./pointer-path.ts";
@@ -36,7 +35,11 @@ export class CloneGesture implements PaintGesture {
       opacity: 1,
       put: (design, stroke) => {
         const [shown, target] = [this.#shown, this.#target];
-        return shown && target && withClone(design, target, stroke, this.#patch(shown, stroke.material));
+        return (
+          shown &&
+          target &&
+          withClone(design, target, stroke, this.#patch(shown, stroke.material), this.#context.board.strings.clone)
+        );
       },
     });
     this.#begun = ready.then(() => this.#begin());
@@ -84,10 +87,16 @@ export class CloneGesture implements PaintGesture {
         session.cancelPreview();
         return null;
       }
-      const { asset } = await library.add(strings.clone.name, await encodePng(thrown.picture));
+      const { asset } = await library.add(this.#context.board.strings.clone.name, await encodePng(thrown.picture));
       const patch = this.#patch({ asset, projector: thrown.projector }, stroke.material);
-      const { design, layerId } = withClone(session.recordedDesign, target, stroke, patch);
-      session.record(design, strings.clone.step);
+      const { design, layerId } = withClone(
+        session.recordedDesign,
+        target,
+        stroke,
+        patch,
+        this.#context.board.strings.clone,
+      );
+      session.record(design, this.#context.board.strings.clone.step);
       return layerId;
     } catch (thrown) {
       session.cancelPreview();

@@ -25,7 +25,7 @@ import {
 } from "../document/index.ts";
 import { freeName, withAsset } from "../state/design-edits.ts";
 import { isLocked } from "../state/layer-edits.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import type { PaintRefusal } from "./paint-target.ts";
 
 export type CloneTarget =
@@ -79,8 +79,8 @@ export function withClone(
   target: CloneTarget,
   stroke: StrokeLayer,
   patch: ClonePatch,
+  words: Strings["clone"],
 ): { readonly design: Design; readonly layerId: string } {
-  const words = strings.clone;
   const { design: more, key } = withAsset(design, words.name, patch.asset);
   const taken = layerIds(more);
   const nextId = (): string => {

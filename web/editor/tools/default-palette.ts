@@ -1,12 +1,8 @@
 /** The palette that a new page begins with: greys, then hues in four steps from deep to pale, and skin and hair tones. */
-import { language } from "../strings/language.ts";
 import type { Palette } from "./gimp-palette.ts";
 
-/** Here, because the state begins with it, and a shop's element has the state without the page's words. */
-const NAME = { en: "Basic colours", de: "Grundfarben" }[language];
-
 export const DEFAULT_PALETTE: Palette = {
-  name: NAME,
+  name: "",
   colors: [
     ...["#15171b", "#3a3f47", "#646b76", "#949ba6", "#c5cad1", "#eceef1", "#ffffff", "#f3ead7"],
     ...["#5c1a1b", "#a32a2a", "#d94f45", "#f2978b", "#5e3010", "#a85a1c", "#e38b32", "#f6c283"],

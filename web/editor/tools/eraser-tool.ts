@@ -2,7 +2,7 @@
 import { Eraser } from "lucide";
 import type { ToolInput } from "../../viewer/viewer-api.ts";
 import { findLayer } from "../document/index.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { isPixelLayer } from "./pixel-layer.ts";
 import type { Tool, ToolOption } from "./tool.ts";
 import type { ToolContext } from "./tool-context.ts";
@@ -11,7 +11,7 @@ type InputTool = Tool & { readonly input: ToolInput };
 
 export class EraserTool implements Tool {
   readonly id = "eraser";
-  readonly label = strings.tools.eraser;
+  readonly label = (strings: Strings): string => strings.tools.eraser;
   readonly icon = Eraser;
   readonly shortcut = "E";
   readonly input: ToolInput;

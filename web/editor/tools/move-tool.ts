@@ -1,11 +1,10 @@
 /** Decals: chosen, dragged, turned and sized by the views' own handles. */
 import { MousePointer2 } from "lucide";
-import { strings } from "../strings.ts";
 import type { Tool } from "./tool.ts";
 
 export const moveTool: Tool = {
   id: "move",
-  label: strings.tools.move,
+  label: ({ tools }) => tools.move,
   icon: MousePointer2,
   shortcut: "V",
   options: [],

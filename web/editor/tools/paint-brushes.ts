@@ -2,7 +2,6 @@
 import { Brush as BrushIcon, Eraser } from "lucide";
 import type { Brush, Design } from "../document/index.ts";
 import { withAsset } from "../state/design-edits.ts";
-import { strings } from "../strings.ts";
 import type { BrushKind } from "./brush-tool.ts";
 import { mirrorOf } from "./mirror-setting.ts";
 import { paintTargetOf, withStroke } from "./paint-target.ts";
@@ -16,7 +15,7 @@ const COMMON = ["size", "hardness", "flow", "opacity", "spacing", "stabiliser", 
 export function paintBrush(context: ToolContext, probe: PixelProbe): BrushKind {
   return {
     id: "brush",
-    label: strings.tools.brush,
+    label: ({ tools }) => tools.brush,
     icon: BrushIcon,
     shortcut: "B",
     options: ["color", "tip", ...COMMON, "alphaLock"],
@@ -29,7 +28,7 @@ export function paintBrush(context: ToolContext, probe: PixelProbe): BrushKind {
 export function eraserBrush(context: ToolContext): BrushKind {
   return {
     id: "eraser",
-    label: strings.tools.eraser,
+    label: ({ tools }) => tools.eraser,
     icon: Eraser,
     shortcut: "E",
     options: COMMON,
@@ -40,6 +39,7 @@ export function eraserBrush(context: ToolContext): BrushKind {
 
 function begin(context: ToolContext, erases: boolean): PaintGesture | null {
   const { session, store, board, tools, reach } = context;
+  const { strings } = board;
   const { selectedId, editingMask } = store.state;
   const target = paintTargetOf(session.recordedDesign, selectedId, erases, editingMask);
   if (target.kind === "refused") {
@@ -63,7 +63,7 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     mirror: mirrorOf(mirror, store.state.model?.info ?? null),
     put: (before, layer) => {
       const { design, brush } = brushIn(before, settings, erases);
-      return withStroke(design, target, { ...layer, brush });
+      return withStroke(design, target, { ...layer, brush }, strings);
     },
     session,
     reach,

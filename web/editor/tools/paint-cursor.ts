@@ -1,6 +1,5 @@
 /** Painting by keys: arrows move a cursor over the surface, Space or Enter paints where it is, for as long as it is held. */
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import { strings } from "../strings.ts";
 import type { ToolContext } from "./tool-context.ts";
 
 export interface PaintCursorHooks {
@@ -59,7 +58,7 @@ export class PaintCursor {
     if (this.#hit === null) {
       this.#hit = viewer.surfaceAtCentre();
       if (this.#hit === null) return;
-      board.announce(strings.tools.cursorShown);
+      board.announce(this.#context.board.strings.tools.cursorShown);
     } else {
       const step = this.#hooks.stepAt(this.#hit) * (coarse ? COARSE : 1);
       const lying = viewer.projectorAt(this.#hit, step, 1);

@@ -11,7 +11,7 @@ import {
   visitOf,
 } from "../document/index.ts";
 import { freeName } from "../state/design-edits.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 
 export type PaintTarget =
   | { readonly kind: "strokes"; readonly layerId: string }
@@ -66,6 +66,7 @@ export function withStroke(
   design: Design,
   target: PaintTarget,
   stroke: StrokeLayer,
+  strings: Strings,
 ): { readonly design: Design; readonly layerId: string } {
   if (target.kind !== "new") {
     const { layerId } = target;

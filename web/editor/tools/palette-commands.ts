@@ -3,7 +3,6 @@ import { decodePicture } from "../../engine/picture-decoder.ts";
 import { bytesOf } from "../files/companions.ts";
 import { download, fileStem } from "../files/download.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
-import { strings } from "../strings.ts";
 import { DEFAULT_PALETTE } from "./default-palette.ts";
 import { parseGimpPalette, printGimpPalette } from "./gimp-palette.ts";
 import { colorsOf } from "./picture-palette.ts";
@@ -26,21 +25,22 @@ export class PaletteCommands {
     try {
       const isPalette = file.name.toLowerCase().endsWith(".gpl");
       const palette = isPalette
-        ? parseGimpPalette(await file.text(), file.name)
+        ? parseGimpPalette(await file.text(), file.name, this.#board.strings.palette.errors)
         : {
             name: fileStem(file.name),
             colors: colorsOf(await decodePicture(await bytesOf(file), file.name), PICTURE_COLORS),
           };
       this.#tools.configure({ palette });
-      this.#board.announce(strings.palette.opened(palette.name, palette.colors.length));
+      this.#board.announce(this.#board.strings.palette.opened(palette.name, palette.colors.length));
     } catch (thrown) {
-      this.#board.error(strings.errors.couldNotOpen(file.name), thrown);
+      this.#board.error(this.#board.strings.errors.couldNotOpen(file.name), thrown);
     }
   }
 
   save(): void {
     const { palette } = this.#tools.settings;
-    download(`${fileStem(palette.name)}.gpl`, "text/plain", printGimpPalette(palette));
+    const name = palette.name || this.#board.strings.palette.basic;
+    download(`${fileStem(name)}.gpl`, "text/plain", printGimpPalette({ ...palette, name }));
   }
 
   reset(): void {

@@ -5,11 +5,9 @@ import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type FillLayer, materialsOf, type Parts } from "../document/index.ts";
 import { layerById } from "../state/design-edits.ts";
 import type { LayerCommands } from "../state/layer-commands.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import type { Tool } from "./tool.ts";
 import type { ToolContext } from "./tool-context.ts";
-
-const words = strings.fillParts;
 
 type Context = Pick<ToolContext, "engine" | "store" | "board" | "viewer" | "textureView"> & {
   readonly layers: LayerCommands;
@@ -17,7 +15,7 @@ type Context = Pick<ToolContext, "engine" | "store" | "board" | "viewer" | "text
 
 export class PartsTool implements Tool {
   readonly id = "parts";
-  readonly label = words.tool;
+  readonly label = (strings: Strings): string => strings.fillParts.tool;
   readonly icon = MousePointerClick;
   readonly shortcut = "";
   readonly options = [];
@@ -45,6 +43,10 @@ export class PartsTool implements Tool {
 
   readonly offered = (): boolean => this.#layer !== undefined;
 
+  get #words(): Strings["fillParts"] {
+    return this.#context.board.strings.fillParts;
+  }
+
   deactivate(): void {
     this.#lightUp(null);
   }
@@ -68,7 +70,7 @@ export class PartsTool implements Tool {
     const before = this.#layer;
     if (!before) return;
     if (!materialsOf(before).includes(material)) {
-      board.info({ title: words.title, message: words.otherMaterial });
+      board.info({ title: this.#words.title, message: this.#words.otherMaterial });
       return;
     }
     const charts = await this.#chartsOf(material);
@@ -77,9 +79,9 @@ export class PartsTool implements Tool {
     const layer = this.#layer;
     if (face === null || layer?.id !== before.id) return;
     const parts = withToggled(layer.parts, face, charts);
-    layers.change(layer.id, { parts }, words.step);
+    layers.change(layer.id, { parts }, this.#words.step);
     const count = parts.kind === "charts" ? parts.charts.length : parts.faces.length;
-    board.announce(words.picked(parts.kind, count));
+    board.announce(this.#words.picked(parts.kind, count));
   }
 
   #chartsOf(material: number): Promise<UvCharts> {

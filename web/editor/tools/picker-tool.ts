@@ -1,13 +1,12 @@
 /** The colour picker: takes what lies under the pointer, for as long as it is held. */
 import { Pipette } from "lucide";
-import { strings } from "../strings.ts";
 import type { PixelProbe } from "./pixel-probe.ts";
 import type { Tool } from "./tool.ts";
 
 export function pickerTool(probe: PixelProbe): Tool {
   return {
     id: "picker",
-    label: strings.tools.picker,
+    label: ({ tools }) => tools.picker,
     icon: Pipette,
     shortcut: "I",
     options: ["color"],

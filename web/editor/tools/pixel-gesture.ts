@@ -6,7 +6,7 @@
 import type { Picture } from "../../engine/engine-api.ts";
 import { encodePng } from "../../engine/png-encoder.ts";
 import type { DecalLayer, Design } from "../document/index.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { PixelCanvas } from "./pixel-canvas.ts";
 import { addPixelLayer, withPixels } from "./pixel-layer.ts";
 import type { ToolContext } from "./tool-context.ts";
@@ -84,8 +84,15 @@ export class PixelGesture {
       let design = session.recordedDesign;
       let first: string | null = null;
       for (const { canvas, layer, material } of this.#drawn()) {
-        const { asset } = await library.add(strings.tools.pixelLayer, await encodePng(canvas));
-        const placed = withSheet(design, store.state.selectedId, layer, material, asset.uri);
+        const { asset } = await library.add(this.#context.board.strings.tools.pixelLayer, await encodePng(canvas));
+        const placed = withSheet(
+          design,
+          store.state.selectedId,
+          layer,
+          material,
+          asset.uri,
+          this.#context.board.strings,
+        );
         design = placed.design;
         first ??= placed.id;
       }
@@ -153,7 +160,14 @@ export class PixelGesture {
     for (const sheet of new Set(this.#sheets.values())) {
       if (!sheet?.previewing) continue;
       const { layer, material } = sheet;
-      design = withSheet(design, store.state.selectedId, layer, material, `live:${slotOf(sheet)}`).design;
+      design = withSheet(
+        design,
+        store.state.selectedId,
+        layer,
+        material,
+        `live:${slotOf(sheet)}`,
+        this.#context.board.strings,
+      ).design;
     }
     session.preview(design);
   }
@@ -167,8 +181,9 @@ function withSheet(
   layer: DecalLayer | null,
   material: number,
   uri: string,
+  strings: Strings,
 ): { readonly design: Design; readonly id: string } {
   const png = { type: "image/png", uri } as const;
-  if (layer === null) return addPixelLayer(design, selectedId, material, png);
-  return { design: withPixels(design, layer.id, png), id: layer.id };
+  if (layer === null) return addPixelLayer(design, selectedId, material, png, strings);
+  return { design: withPixels(design, layer.id, png, strings), id: layer.id };
 }

@@ -12,7 +12,7 @@ import {
   walkLayers,
 } from "../document/index.ts";
 import { freeName, withAsset, withoutUnusedAssets } from "../state/design-edits.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 
 const WHOLE_TEXTURE = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } as const;
 
@@ -48,6 +48,7 @@ export function withPixels(
   design: Design,
   id: string,
   asset: { readonly type: "image/png"; readonly uri: string },
+  strings: Strings,
 ): Design {
   const { design: more, key } = withAsset(design, strings.tools.pixelLayer, asset);
   return withoutUnusedAssets(mapLayer(more, id, (layer) => ({ ...layer, asset: key }) as DesignLayer));
@@ -59,6 +60,7 @@ export function addPixelLayer(
   selectedId: string | null,
   material: number,
   asset: { readonly type: "image/png"; readonly uri: string },
+  strings: Strings,
 ): { readonly design: Design; readonly id: string } {
   const { design: more, key } = withAsset(design, strings.tools.pixelLayer, asset);
   const id = freeIdIn(more);

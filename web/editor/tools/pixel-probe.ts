@@ -1,7 +1,6 @@
 /** The colour of the finished texture at a place of the surface. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import { strings } from "../strings.ts";
 import type { ToolContext } from "./tool-context.ts";
 
 export class PixelProbe {
@@ -22,9 +21,9 @@ export class PixelProbe {
       .then((color) => {
         if (request !== this.#request || color === null) return;
         tools.useColor(color);
-        board.announce(strings.tools.picked(color));
+        board.announce(this.#context.board.strings.tools.picked(color));
       })
-      .catch((thrown: unknown) => board.error(strings.tools.couldNotPick, thrown));
+      .catch((thrown: unknown) => board.error(this.#context.board.strings.tools.couldNotPick, thrown));
   }
 
   /** "#rrggbb"; null where no target is open. Rejects as the engine does. */
@@ -35,7 +34,10 @@ export class PixelProbe {
     const y = Math.min(target.height - 1, Math.floor(uv[1] * target.height));
     const [red, green, blue] = await this.#context.engine.readTexels(material, x, y, 1, 1);
     if (red === undefined || green === undefined || blue === undefined) {
-      throw new TexelcastError("engine-crashed", strings.tools.noTexel, { field: "uv", value: uv.join(", ") });
+      throw new TexelcastError("engine-crashed", this.#context.board.strings.tools.noTexel, {
+        field: "uv",
+        value: uv.join(", "),
+      });
     }
     return hexOf(red, green, blue);
   }

@@ -3,7 +3,6 @@ import type { ModelInfo, Picture } from "../../engine/engine-api.ts";
 import { decodePicture } from "../../engine/picture-decoder.ts";
 import type { DecalLayer } from "../document/index.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
-import { strings } from "../strings.ts";
 import { PixelGesture, type PixelSource, type PixelStart } from "./pixel-gesture.ts";
 import { pixelLayerFor } from "./pixel-layer.ts";
 import { TexelNeighbours } from "./texel-neighbours.ts";
@@ -60,7 +59,7 @@ export class PixelSession {
     const { board } = this.#context;
     const layer = this.#layerOf(material);
     if (layer !== undefined && (layer.locked || !layer.visible)) {
-      const words = strings.tools.refusals[layer.locked ? "locked" : "hidden"];
+      const words = this.#context.board.strings.tools.refusals[layer.locked ? "locked" : "hidden"];
       board.info({ title: words.title(layer.name), message: words.message });
       return null;
     }
@@ -95,7 +94,7 @@ export class PixelSession {
       .then((id) => {
         if (id !== null) done(id);
       })
-      .catch((thrown: unknown) => board.error(strings.tools.couldNotPaint, thrown));
+      .catch((thrown: unknown) => board.error(this.#context.board.strings.tools.couldNotPaint, thrown));
   }
 
   /** Resolves when every gesture that was finished is recorded. */

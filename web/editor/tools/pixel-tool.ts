@@ -1,7 +1,7 @@
 /** Pencil, pixel eraser, line, rectangle and bucket: each gesture changes one pixel layer, in one step of the history. */
 import { type IconNode, Minus, PaintBucket, Pencil, Square } from "lucide";
 import type { SurfaceHit, ToolInput, ToolSample } from "../../viewer/viewer-api.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { PaintCursor } from "./paint-cursor.ts";
 import { CLEAR, type PixelCanvas, type PixelColor, pixelColorOf } from "./pixel-canvas.ts";
 import { fillFrom } from "./pixel-fill.ts";
@@ -52,7 +52,7 @@ interface Stroke {
 
 export class PixelTool implements Tool {
   readonly id: PixelKind;
-  readonly label: string;
+  readonly label: (strings: Strings) => string;
   readonly icon: IconNode;
   readonly shortcut: string;
   readonly options: readonly ToolOption[];
@@ -69,7 +69,7 @@ export class PixelTool implements Tool {
 
   constructor(kind: PixelKind, context: ToolContext, pixels: PixelSession, probe: PixelProbe) {
     this.id = kind;
-    this.label = strings.tools[kind];
+    this.label = ({ tools }) => tools[kind];
     ({ icon: this.icon, shortcut: this.shortcut, options: this.options } = KINDS[kind]);
     this.#context = context;
     this.#pixels = pixels;
@@ -233,9 +233,9 @@ export class PixelTool implements Tool {
 
   #record(gesture: PixelGesture): void {
     const { session, store, board } = this.#context;
-    this.#pixels.finish(gesture, strings.tools.steps[this.id], (id) => {
+    this.#pixels.finish(gesture, this.#context.board.strings.tools.steps[this.id], (id) => {
       if (store.state.selectedId !== id) session.select(id);
-      board.announce(strings.tools.painted[this.id]);
+      board.announce(this.#context.board.strings.tools.painted[this.id]);
     });
   }
 

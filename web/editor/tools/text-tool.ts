@@ -1,14 +1,13 @@
 /** The text tool: a click puts words on the surface, and the panel has them typed. */
 import { Type } from "lucide";
 import type { TextCommands } from "../state/text-commands.ts";
-import { strings } from "../strings.ts";
 import type { Tool } from "./tool.ts";
 import type { Toolbox } from "./toolbox.ts";
 
 export function textTool(texts: TextCommands, tools: Toolbox): Tool {
   return {
     id: "text",
-    label: strings.text.tool,
+    label: ({ text }) => text.tool,
     icon: Type,
     shortcut: "T",
     options: [],

@@ -2,6 +2,7 @@
 import type { TemplateResult } from "lit";
 import type { IconNode } from "lucide";
 import type { ToolInput } from "../../viewer/viewer-api.ts";
+import type { Strings } from "../strings.ts";
 
 export const TOOL_IDS = [
   "move",
@@ -47,7 +48,7 @@ export type ToolPanel = "more" | "palette" | "tips";
 export interface Tool {
   readonly id: ToolId;
   /** What it is called in the rail and by screen readers. */
-  readonly label: string;
+  readonly label: (strings: Strings) => string;
   readonly icon: IconNode;
   /** A letter that chooses it, upper case, or "". */
   readonly shortcut: string;

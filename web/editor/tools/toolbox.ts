@@ -3,7 +3,6 @@ import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import type { Store } from "../state/store.ts";
-import { strings } from "../strings.ts";
 import { isPixelated } from "./pixel-mode.ts";
 import { TOOL_IDS, type Tool, type ToolId } from "./tool.ts";
 import { DEFAULT_COLORS, type ToolSettings, USUAL_SIZE, withRecent } from "./tool-settings.ts";
@@ -74,7 +73,7 @@ export class Toolbox {
     viewer.setTool(tool.input);
     this.#showInTexture(tool);
     tool.activate?.();
-    board.announce(strings.tools.chosen(tool.label));
+    board.announce(board.strings.tools.chosen(tool.label(board.strings)));
   }
 
   configure(settings: Partial<ToolSettings>): void {

@@ -3,6 +3,7 @@ import { LitElement, type PropertyDeclarations } from "lit";
 import type { Editor } from "../state/editor.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { StoreController } from "../state/store.ts";
+import type { Strings } from "../strings.ts";
 
 export abstract class EditorElement extends LitElement {
   static override properties: PropertyDeclarations = { editor: { attribute: false } };
@@ -17,7 +18,7 @@ export abstract class EditorElement extends LitElement {
     new StoreController<EditorState>(
       this,
       () => this.editor?.store,
-      (state) => this.watched(state),
+      (state) => [state.language, ...this.watched(state)],
       // What a gesture only shows is no step of the history: a new one, or the old one again, ends it.
       pace === 0 ? null : { milliseconds: pace, final: ({ history }) => history },
     );
@@ -25,6 +26,10 @@ export abstract class EditorElement extends LitElement {
 
   /** The parts of the state that `render` reads. */
   protected abstract watched(state: EditorState): readonly unknown[];
+
+  protected get strings(): Strings {
+    return this.editor.strings;
+  }
 
   protected get state(): EditorState {
     return this.editor.store.state;

@@ -7,13 +7,12 @@ import { css, html, LitElement, type TemplateResult } from "lit";
 import { styleMap } from "lit/directives/style-map.js";
 import { Minus, Plus } from "lucide";
 import type { GradientStop } from "../document/index.ts";
-import { strings } from "../strings.ts";
+import type { Strings } from "../strings.ts";
 import { icon } from "./icon.ts";
 import type { NumberFieldEvent } from "./number-field.ts";
 import { recentColors } from "./recent-colors.ts";
 import { controls } from "./theme.ts";
 
-const words = strings.gradient;
 const LEAST = 2;
 const MOST = 16;
 const STEP = 0.01;
@@ -22,7 +21,13 @@ const COARSE_STEP = 0.1;
 const DRAG_START = 2;
 
 export class GradientStops extends LitElement {
-  static override properties = { stops: { attribute: false }, recent: { attribute: false }, chosen: { state: true } };
+  static override properties = {
+    words: { attribute: false },
+    stops: { attribute: false },
+    recent: { attribute: false },
+    chosen: { state: true },
+  };
+  declare words: Strings["gradient"];
   declare stops: readonly GradientStop[];
   /** Colours that the fields offer. */
   declare recent: readonly string[];
@@ -129,7 +134,7 @@ export class GradientStops extends LitElement {
     const place = Math.min(this.chosen, stops.length - 1);
     const list = stops.map(({ color, offset }) => `${color} ${offset * 100}%`).join(", ");
     return html`
-      <div class="bar" role="group" aria-label=${words.stops} @dblclick=${this.#addAt} title=${words.barHint}>
+      <div class="bar" role="group" aria-label=${this.words.stops} @dblclick=${this.#addAt} title=${this.words.barHint}>
         <span class="ink" style=${styleMap({ background: `linear-gradient(to right, ${list})` })}></span>
         ${stops.map((stop, index) => this.#handle(stop, index, index === place))}
       </div>
@@ -141,7 +146,7 @@ export class GradientStops extends LitElement {
     return html`<button
       class="handle"
       role="slider"
-      aria-label=${words.stop(index + 1, this.stops.length)}
+      aria-label=${this.words.stop(index + 1, this.stops.length)}
       aria-valuemin="0"
       aria-valuemax="100"
       aria-valuenow=${Math.round(offset * 100)}
@@ -170,18 +175,18 @@ export class GradientStops extends LitElement {
       <input
         type="color"
         list="recent-colors"
-        aria-label=${words.color}
+        aria-label=${this.words.color}
         .value=${color.slice(0, 7)}
         @input=${(event: Event) => this.#tell("stops-preview", this.#with(place, { color: value(event) }))}
         @change=${(event: Event) => this.#tell("stops-change", this.#with(place, { color: value(event) }))}
       />
       ${recentColors("recent-colors", this.recent)}
-      ${this.#number("offset", words.offsetLetter, words.offset, offset, moved)}
-      ${this.#number("stop-alpha", words.alphaLetter, words.alpha, alphaOf(color), faded)}
+      ${this.#number("offset", this.words.offsetLetter, this.words.offset, offset, moved)}
+      ${this.#number("stop-alpha", this.words.alphaLetter, this.words.alpha, alphaOf(color), faded)}
       <button
         class="icon"
-        aria-label=${words.add}
-        title=${words.add}
+        aria-label=${this.words.add}
+        title=${this.words.add}
         ?disabled=${this.stops.length >= MOST}
         @click=${() => this.#add(this.#gapAfter(place))}
       >
@@ -189,8 +194,8 @@ export class GradientStops extends LitElement {
       </button>
       <button
         class="icon"
-        aria-label=${words.remove}
-        title=${words.remove}
+        aria-label=${this.words.remove}
+        title=${this.words.remove}
         ?disabled=${this.stops.length <= LEAST}
         @click=${() => this.#remove(place)}
       >

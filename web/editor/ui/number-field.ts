@@ -3,7 +3,6 @@
  * on, `field-change` when a value is final, `field-cancel` when Escape ends a scrub; `detail` is a NumberFieldEvent.
  */
 import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { DECIMAL_MARK } from "../strings/formats.ts";
 import { controls } from "./theme.ts";
 
 export interface NumberFieldEvent {
@@ -154,7 +153,7 @@ export class NumberField extends LitElement {
         spellcheck="false"
         aria-label=${this.unit ? `${this.name}, ${this.unit}` : this.name}
         aria-valuenow=${formatNumber(this.value, this.step)}
-        aria-valuetext=${`${shownNumber(this.value, this.step)} ${this.unit}`.trim()}
+        aria-valuetext=${`${this.#shown(this.value, this.step)} ${this.unit}`.trim()}
         aria-valuemin=${Number.isFinite(this.min) ? formatNumber(this.min, this.step) : nothing}
         aria-valuemax=${Number.isFinite(this.max) ? formatNumber(this.max, this.step) : nothing}
         ?disabled=${this.disabled}
@@ -180,10 +179,16 @@ export class NumberField extends LitElement {
     return this.renderRoot.querySelector("input");
   }
 
+  /** As the language writes it that the field stands in. */
+  #shown(value: number, step: number): string {
+    const text = formatNumber(value, step);
+    return this.matches(":lang(de)") ? text.replace(".", ",") : text;
+  }
+
   #show(value = this.value): void {
     const input = this.#input;
     if (!input) return;
-    input.value = shownNumber(value, this.step);
+    input.value = this.#shown(value, this.step);
     if (input.getAttribute("aria-invalid") !== "false") input.setAttribute("aria-invalid", "false");
   }
 
@@ -296,8 +301,6 @@ function factorOf(event: { readonly shiftKey: boolean; readonly altKey: boolean 
   if (event.shiftKey) return COARSE;
   return event.altKey ? FINE : 1;
 }
-
-const shownNumber = (value: number, step: number): string => formatNumber(value, step).replace(".", DECIMAL_MARK);
 
 /** Two digits more than the step, without zeros at the end. */
 function formatNumber(value: number, step: number): string {

@@ -3,7 +3,7 @@ import { css, html, type TemplateResult } from "lit";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Design } from "../../editor/document/design.ts";
 import { Editor } from "../../editor/state/editor.ts";
-import { strings } from "../../editor/strings.ts";
+import { stringsIn } from "../../editor/strings.ts";
 import "../../editor/workbench.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { createEngineClient } from "../../engine/engine-client.ts";
@@ -68,6 +68,8 @@ class FullMode implements Mode {
     const holder = document.createElement("div");
     holder.append(places.view, places.texture);
     host.view.append(holder);
+    const { language } = host.words;
+    const strings = stringsIn(language);
     const viewer = createModelViewer(places.view, { label: strings.stage.view });
     const engine = createEngineClient(host.wasm === "" ? {} : { wasm: host.wasm });
     const textureView = createTextureView(places.texture, {
@@ -76,7 +78,7 @@ class FullMode implements Mode {
       readTexels: (material, x, y, width, height) => engine.readTexels(material, x, y, width, height),
     });
     this.#textureView = textureView;
-    const editor = new Editor({ engine, viewer, textureView, keeps: false });
+    const editor = new Editor({ engine, viewer, textureView, keeps: false, language });
     this.#editor = editor;
     workbench.editor = editor;
     workbench.append(places.view, places.texture);
@@ -120,7 +122,12 @@ class FullMode implements Mode {
   }
   configure(): void {
     const { camera, readonly, words } = this.desk.settings;
-    this.desk.viewer.setCamera(null, camera);
+    const { viewer, store } = this.desk;
+    viewer.setCamera(null, camera);
+    store.set({ language: words.language });
+    const { stage, texture } = this.#editor.strings;
+    viewer.element.setAttribute("aria-label", stage.view);
+    this.#textureView.element.setAttribute("aria-label", texture.view);
     if (readonly) throw new TexelcastError("unsupported", words.errors.fullReadonly, { field: "readonly" });
   }
   async resize(): Promise<void> {

@@ -1,5 +1,9 @@
 /** The element's own words, apart from the whole editor's: a shop's page loads these alone. */
+export type WordsLanguage = "en" | "de";
+
 export const english = {
+  language: "en" as WordsLanguage,
+
   view: "Product in 3D. Drag to turn it. With something chosen, the arrow keys move it, [ and ] turn it, + and - size it.",
   start: "Personalise",
   loading: "Loading the product",

@@ -1,6 +1,8 @@
 import type { Words } from "./english.ts";
 
 export const german: Words = {
+  language: "de",
+
   view: "Produkt in 3D. Ziehen dreht es. Ist etwas gewählt, schieben es die Pfeiltasten, [ und ] drehen es, + und - ändern die Größe.",
   start: "Selbst gestalten",
   loading: "Das Produkt wird geladen",

@@ -1,10 +1,8 @@
 /** Which language an element speaks. Each element has its own; German comes when it is first asked for. */
-import { english, type Words } from "./english.ts";
+import { english, type Words, type WordsLanguage } from "./english.ts";
 
-export type { Words } from "./english.ts";
+export type { Words, WordsLanguage } from "./english.ts";
 export { english } from "./english.ts";
-
-export type WordsLanguage = "en" | "de";
 
 /** The first wish that is spoken here, by its first part ("de-AT" is German); English where none is. */
 export function languageOf(wishes: readonly (string | null | undefined)[]): WordsLanguage {
