@@ -1,11 +1,14 @@
 /**
  * Starts the example shop; `npm run storefront` builds its pages first.
- *   node build/node/storefront.mjs [--port 8787] [--host localhost] [--site FOLDER] [--data FOLDER]
+ *   node build/node/storefront.mjs [--port 8787] [--editor-port 8788] [--host localhost] [--site FOLDER] [--data FOLDER]
+ *     [--origin https://shop.example] [--editor-origin https://editor.example]   where a proxy stands before them
  */
 import { mkdir } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
+import type { FastifyInstance } from "fastify";
+import { createEditorServer, originOf, type ShopOrigins } from "./editor-server.ts";
 import { createShopServer } from "./shop-server.ts";
 
 const DEFAULT_PORT = 8787;
@@ -17,30 +20,53 @@ const beside = (folder: string): string => fileURLToPath(new URL(`../${folder}`,
 const { values } = parseArgs({
   options: {
     port: { type: "string", default: process.env.PORT ?? String(DEFAULT_PORT) },
+    "editor-port": { type: "string" },
+    origin: { type: "string" },
+    "editor-origin": { type: "string" },
     host: { type: "string", default: "localhost" },
     site: { type: "string", default: beside("storefront") },
     data: { type: "string", default: beside("storefront-data") },
   },
 });
-const { port: given, host, site, data } = values;
-const port = Number(given);
-if (!/^\d+$/.test(given) || port > MOST_PORT)
-  refuse(`The port must be a number from 0 to ${MOST_PORT}, is "${given}".`);
+const { host, site, data } = values;
+const port = portOf(values.port, "--port");
+const editorPort = portOf(values["editor-port"] ?? String(port === 0 ? 0 : port + 1), "--editor-port");
 
 await mkdir(data, { recursive: true });
+const origins: ShopOrigins = { shop: null, editor: null };
 const { app } = await createShopServer({
   site: path.resolve(site),
   store: path.join(data, "files"),
   database: path.join(data, "shop.sqlite"),
+  origins,
 });
-for (const signal of ["SIGINT", "SIGTERM"] as const) process.once(signal, () => void app.close());
-try {
-  process.stdout.write(`The shop is open: ${await app.listen({ port, host })}\n`);
-} catch (error) {
-  await app.close();
-  const taken = (error as NodeJS.ErrnoException).code === "EADDRINUSE";
-  if (!taken) throw error;
-  refuse(`Port ${port} is taken: name another with --port.`);
+const editor = await createEditorServer(path.resolve(site), origins);
+const close = async (): Promise<void> => {
+  await Promise.all([app.close(), editor.close()]);
+};
+for (const signal of ["SIGINT", "SIGTERM"] as const) process.once(signal, () => void close());
+const editorAt = await listen(editor, editorPort, "--editor-port");
+const shopAt = await listen(app, port, "--port");
+origins.editor = values["editor-origin"] ?? editorAt;
+origins.shop = values.origin ?? shopAt;
+process.stdout.write(`The shop is open: ${origins.shop}\n`);
+
+function portOf(given: string, option: string): number {
+  const number = Number(given);
+  if (/^\d+$/.test(given) && number <= MOST_PORT) return number;
+  return refuse(`${option} must be a number from 0 to ${MOST_PORT}, is "${given}".`);
+}
+
+/** The origin that it listens on. */
+async function listen(server: FastifyInstance, at: number, option: string): Promise<string> {
+  try {
+    await server.listen({ port: at, host });
+    return originOf(server, host);
+  } catch (error) {
+    await close();
+    if ((error as NodeJS.ErrnoException).code !== "EADDRINUSE") throw error;
+    return refuse(`Port ${at} is taken: name another with ${option}.`);
+  }
 }
 
 function refuse(reason: string): never {

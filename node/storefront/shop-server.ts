@@ -2,10 +2,12 @@
 import helmet from "@fastify/helmet";
 import serveStatic from "@fastify/static";
 import Fastify, { type FastifyInstance } from "fastify";
-import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
+import { type EditorReply, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { AssetStore } from "./asset-store.ts";
 import { addCartRoutes } from "./cart-routes.ts";
 import { type Catalogue, readCatalogue } from "./catalogue.ts";
+import { EDITOR_POLICY, orNone } from "./content-policy.ts";
+import { editorPageOf, type ShopOrigins } from "./editor-server.ts";
 import { addFileRoutes } from "./file-routes.ts";
 import { addOrderRoutes } from "./order-routes.ts";
 import { Press } from "./press.ts";
@@ -22,6 +24,8 @@ export interface ShopServerOptions {
   readonly database: string;
   /** Bytes of all stored files together; default `SHOP_LIMITS.storedBytes`. */
   readonly storedBytes?: number;
+  /** Where the editor's page is that product pages may frame; default: nowhere. */
+  readonly origins?: ShopOrigins;
   /** Told of what nobody expected. Default: standard error. */
   readonly report?: (error: unknown) => void;
 }
@@ -41,23 +45,6 @@ export interface ShopServer {
   printed(): Promise<void>;
 }
 
-/**
- * Scripts are the shop's own alone, and WebAssembly may be compiled. Blob addresses are the textures of a model on its
- * way to the graphics card.
- */
-const CONTENT_SECURITY_POLICY = {
-  "default-src": ["'none'"],
-  "script-src": ["'self'", "'wasm-unsafe-eval'"],
-  "style-src": ["'self'"],
-  "img-src": ["'self'", "blob:", "data:"],
-  "font-src": ["'self'"],
-  "connect-src": ["'self'", "blob:", "data:"],
-  "worker-src": ["'self'"],
-  "base-uri": ["'none'"],
-  "form-action": ["'self'"],
-  "frame-ancestors": ["'none'"],
-};
-
 /** Opens the store and the database, and makes the server; it does not listen yet. `app.close()` ends all of it. */
 export async function createShopServer(options: ShopServerOptions): Promise<ShopServer> {
   const catalogue = await readCatalogue(options.site);
@@ -70,6 +57,7 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     return press.print(product, line.design);
   });
   const shop: Shop = { catalogue, store, database, press, queue };
+  const { origins } = options;
   const report = options.report ?? ((error) => console.error(error));
 
   const app = Fastify({ bodyLimit: SHOP_LIMITS.jsonBytes, forceCloseConnections: true });
@@ -83,12 +71,24 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     return reply.code(status).send(body);
   });
   await app.register(helmet, {
-    contentSecurityPolicy: { useDefaults: false, directives: CONTENT_SECURITY_POLICY },
+    contentSecurityPolicy: {
+      useDefaults: false,
+      directives: {
+        ...EDITOR_POLICY,
+        "frame-src": [() => orNone(origins?.editor ?? null)],
+        "frame-ancestors": ["'none'"],
+      },
+    },
     // The example speaks plain HTTP on one's own machine; a proxy that speaks TLS adds it.
     strictTransportSecurity: false,
     xFrameOptions: { action: "deny" },
   });
   await app.register(serveStatic, { root: options.site, cacheControl: false });
+  app.get("/api/editor", (): EditorReply => {
+    const page = origins && editorPageOf(origins);
+    if (!page) throw notFound("editor", "on an origin of its own");
+    return { page };
+  });
   app.get("/api/products", () => ({ products: [...catalogue.products.values()] }));
   addFileRoutes(app, shop);
   addCartRoutes(app, shop);

@@ -21,7 +21,7 @@ const ROOMS = [
   { folder: "web/app", uses: ["web/embed", "web/element", ...below("web/element")], runs: "page" },
   { folder: "web/package", uses: ["web/embed", "web/element", ...below("web/element")], runs: "page" },
   { folder: "web/embed", uses: ["web/element", "web/core"], runs: "page" },
-  { folder: "web/storefront", uses: ["web/storefront/api", "web/element"], runs: "page" },
+  { folder: "web/storefront", uses: ["web/storefront/api", "web/embed", "web/element"], runs: "page" },
   { folder: "web/element", uses: below("web/element"), runs: "page" },
   { folder: "web/editor", uses: below("web/editor"), runs: "page" },
   { folder: "web/viewer", uses: below("web/viewer"), runs: "page" },

@@ -33,11 +33,12 @@ async function upload({ page, editor }: ShopPage, press: () => Promise<void>): P
   await expect(editor.locator("[data-layer]")).toHaveCount(1);
 }
 
-test("a mug with a logo and a name goes through the cart, is edited there, ordered, and printed as approved", async ({
-  shop,
-}) => {
+/**
+ * A mug with a logo and a name: personalised, warned about, kept, edited from the cart, ordered, and printed as approved.
+ * @param look at each page on the way
+ */
+async function buyMug(shop: ShopPage, look = async (): Promise<void> => {}): Promise<void> {
   const { page, editor } = shop;
-  expect(await shop.obstacles()).toEqual([]);
   await page.getByRole("link", { name: "Stoneware mug" }).click();
   await shop.productShown();
   await upload(shop, () => editor.getByRole("button", { name: "Add picture" }).click());
@@ -47,7 +48,7 @@ test("a mug with a logo and a name goes through the cart, is edited there, order
   await page.keyboard.press("Tab");
   await expect(page.getByText("2 prints")).toBeVisible();
   await expect(page.getByRole("region", { name: "Before it is printed" })).toContainText("logo Only 31 DPI");
-  expect(await shop.obstacles()).toEqual([]);
+  await look();
 
   await page.getByRole("button", { name: "Add to cart" }).click();
   await expect(page.getByText("Tick “Print it as it is” first")).toBeVisible();
@@ -59,7 +60,7 @@ test("a mug with a logo and a name goes through the cart, is edited there, order
   const snapshot = page.getByRole("img", { name: "Stoneware mug with your design" });
   await expect(snapshot).toHaveJSProperty("naturalWidth", 480);
   const before = await snapshot.getAttribute("src");
-  expect(await shop.obstacles()).toEqual([]);
+  await look();
 
   await page.getByRole("link", { name: "Edit Stoneware mug" }).click();
   await shop.productShown();
@@ -73,7 +74,22 @@ test("a mug with a logo and a name goes through the cart, is edited there, order
 
   await order(page, () => page.getByRole("button", { name: "Place order" }).click());
   await expectPrinted(page, () => page.getByRole("link", { name: "Download the print file" }).click());
-  expect(await shop.obstacles()).toEqual([]);
+  await look();
+}
+
+test("a mug with a logo and a name goes through the cart, is edited there, ordered, and printed as approved", async ({
+  shop,
+}) => {
+  const look = async (): Promise<void> => expect(await shop.obstacles()).toEqual([]);
+  await look();
+  await buyMug(shop, look);
+});
+
+test("with the editor in an iframe of another origin the mug goes the same way, and is printed as approved", async ({
+  shop,
+}) => {
+  await shop.frameEditors();
+  await buyMug(shop);
 });
 
 test("a figure is personalised, ordered and its print file downloaded by keyboard alone", async ({ shop }) => {

@@ -1,7 +1,7 @@
 /** The order server as the pages see it. */
 import { sha256 } from "@noble/hashes/sha2.js";
 import { bytesToHex } from "@noble/hashes/utils.js";
-import type { Cart, LineRequest, Order, Product, ShopFault } from "./api/shop-api.ts";
+import type { Cart, EditorReply, LineRequest, Order, Product, ShopFault } from "./api/shop-api.ts";
 import { words } from "./words.ts";
 
 /** A refusal of the server's, or that it did not answer. */
@@ -29,6 +29,9 @@ const part = encodeURIComponent;
 export const shopClient = {
   products: async (): Promise<readonly Product[]> =>
     (await ask<{ readonly products: readonly Product[] }>("GET", "products")).products,
+
+  /** Address of the editor's page on its own origin. */
+  editorPage: async (): Promise<string> => (await ask<EditorReply>("GET", "editor")).page,
 
   makeCart: (): Promise<Cart> => ask("POST", "carts"),
   cart: (cart: string): Promise<Cart> => ask("GET", `carts/${part(cart)}`),

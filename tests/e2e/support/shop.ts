@@ -6,6 +6,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { test as base, expect, type Locator, type Page } from "@playwright/test";
+import { createEditorServer, originOf, type ShopOrigins } from "../../../node/storefront/editor-server.ts";
 import { createShopServer } from "../../../node/storefront/shop-server.ts";
 import { seriousFaults, smallTargets } from "./page-faults.ts";
 
@@ -20,11 +21,13 @@ export const sha256 = (bytes: Uint8Array): string => createHash("sha256").update
 
 export class ShopPage {
   readonly page: Page;
-  readonly editor: Locator;
+  /** In the page itself, or in the iframe there. */
+  editor: Locator;
   /** Dialogs, requests to elsewhere, refusals of the content security policy, errors of the page. */
   readonly alarms: string[] = [];
 
-  constructor(page: Page, address: string) {
+  constructor(page: Page, origins: ShopOrigins) {
+    const own = [origins.shop, origins.editor];
     this.page = page;
     this.editor = page.locator("texelcast-editor");
     page.on("dialog", (dialog) => {
@@ -32,12 +35,20 @@ export class ShopPage {
       void dialog.accept();
     });
     page.on("request", (request) => {
-      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address)) this.alarms.push(request.url());
+      const url = new URL(request.url());
+      if (!/^(data|blob):/.test(url.protocol) && !own.includes(url.origin)) this.alarms.push(url.href);
     });
     page.on("pageerror", (error) => this.alarms.push(String(error)));
     page.on("console", (message) => {
       if (message.type() === "error") this.alarms.push(message.text());
     });
+  }
+
+  /** From here on the editors are in an iframe of another origin. */
+  async frameEditors(): Promise<void> {
+    await this.page.goto(`${this.page.url()}product.html?editor=iframe`);
+    await this.page.goBack();
+    this.editor = this.page.frameLocator("iframe").locator("texelcast-editor");
   }
 
   /** Waits until the product can be worked on. */
@@ -67,25 +78,31 @@ export class ShopPage {
   }
 }
 
-export const test = base.extend<{ shop: ShopPage }, { address: string }>({
-  address: [
+export const test = base.extend<{ shop: ShopPage }, { origins: ShopOrigins }>({
+  origins: [
     // biome-ignore lint/correctness/noEmptyPattern: Playwright asks for a pattern.
     async ({}, use) => {
       const folder = mkdtempSync(path.join(tmpdir(), "texelcast-shop-"));
+      const origins: ShopOrigins = { shop: null, editor: null };
       const { app } = await createShopServer({
         site: SITE,
         store: path.join(folder, "files"),
         database: path.join(folder, "shop.sqlite"),
+        origins,
       });
-      await use(`${await app.listen({ port: 0, host: "localhost" })}/`);
-      await app.close();
+      const editor = await createEditorServer(SITE, origins);
+      for (const server of [app, editor]) await server.listen({ port: 0, host: "localhost" });
+      origins.shop = originOf(app, "localhost");
+      origins.editor = originOf(editor, "localhost");
+      await use(origins);
+      for (const server of [app, editor]) await server.close();
       rmSync(folder, { recursive: true, force: true });
     },
     { scope: "worker" },
   ],
-  shop: async ({ page, address }, use) => {
-    const shop = new ShopPage(page, address);
-    await page.goto(address);
+  shop: async ({ page, origins }, use) => {
+    const shop = new ShopPage(page, origins);
+    await page.goto(`${origins.shop}/`);
     await use(shop);
     expect(shop.alarms).toEqual([]);
   },

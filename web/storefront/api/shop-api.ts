@@ -39,6 +39,11 @@ export interface Product {
   readonly price: PriceRule;
 }
 
+/** Where the editor's page is that may be framed: an origin of its own. */
+export interface EditorReply {
+  readonly page: string;
+}
+
 /** A file of a design: a key of the design's `assets`, and the stored file that holds its bytes. */
 export interface AssetReference {
   readonly key: string;

@@ -1,14 +1,20 @@
 /** A product with the editor on it: personalised here, priced as it changes, and put into the cart with all that prints it. */
-import "../../element/define.ts";
 import { html, nothing } from "lit";
-import { createRef, ref } from "lit/directives/ref.js";
-import type { ChangeDetail, SubmitDetail, TexelcastEditorApi } from "../../element/element-api.ts";
+import { ref } from "lit/directives/ref.js";
+import type { ChangeDetail, SubmitDetail } from "../../element/element-api.ts";
 import { unitPriceOf } from "../api/price.ts";
 import { type CartLine, type Product, SHOP_LIMITS } from "../api/shop-api.ts";
 import { formatCount, formatPrice } from "../formats.ts";
 import { findCart } from "../my-cart.ts";
 import { openFrame, startPage } from "../page-frame.ts";
 import { type PrintFinding, printFindings } from "../print-findings.ts";
+import {
+  type ProductEditor,
+  type ProductEditorParts,
+  placeElement,
+  placeFrame,
+  wantsFrame,
+} from "../product-editor.ts";
 import { designOf, putInCart } from "../put-in-cart.ts";
 import { ShopError, shopClient } from "../shop-client.ts";
 import { words } from "../words.ts";
@@ -20,13 +26,13 @@ const SNAPSHOT = { width: 480, height: 480 } as const;
 
 const parameters = new URLSearchParams(location.search);
 const frame = openFrame(words.shop);
-const editor = createRef<HTMLElement & TexelcastEditorApi>();
+/** Where the editor goes, once it is drawn. */
+const { promise: place, resolve: foundPlace } = promiseOfPlace();
 
+let editor: ProductEditor | null = null;
 let product: Product;
 /** The cart's line that is edited; null for a new one. */
 let line: CartLine | null = null;
-/** What the line's design was when it was put into the cart. */
-let design: object | null = null;
 let amount: Pick<ChangeDetail, "counts" | "totalArea"> = {
   counts: { decals: 0, texts: 0, layers: 0 },
   totalArea: 0,
@@ -40,6 +46,14 @@ let unsaved = false;
 let waiting = 0;
 
 startPage(frame, async () => {
+  const parts = readPage();
+  parts.catch(() => undefined);
+  editor = wantsFrame(parameters)
+    ? await placeFrame(await shopClient.editorPage(), place, parts)
+    : await placeElement(place, parts);
+});
+
+async function readPage(): Promise<ProductEditorParts> {
   const products = await shopClient.products();
   const found = products.find(({ id }) => id === parameters.get("product"));
   if (found === undefined) throw new ShopError({ code: "not-found", message: words.noProduct });
@@ -47,9 +61,19 @@ startPage(frame, async () => {
   document.title = words.title(product.name);
   const asked = parameters.get("line");
   if (asked !== null) line = (await findCart())?.lines.find(({ id }) => id === asked) ?? null;
-  if (line !== null) design = await designOf(line);
+  // What the line's design was when it was put into the cart.
+  const design = line === null ? null : await designOf(line);
   draw();
-});
+  return { product, design, label: words.editorOf(product.name), onChange: changed, onSubmit: submitted };
+}
+
+function promiseOfPlace(): { promise: Promise<Element>; resolve: (place: Element) => void } {
+  let resolve: (place: Element) => void = () => undefined;
+  const promise = new Promise<Element>((done) => {
+    resolve = done;
+  });
+  return { promise, resolve };
+}
 
 addEventListener("beforeunload", (event) => {
   if (unsaved) event.preventDefault();
@@ -58,21 +82,7 @@ addEventListener("beforeunload", (event) => {
 function draw(): void {
   frame.show(html`
     <div class="product">
-      <texelcast-editor
-        ${ref(editor)}
-        class="editor"
-        mode="shop"
-        loading="eager"
-        src=${product.model}
-        zones=${product.zones}
-        material=${product.material}
-        camera-orbit=${product.camera}
-        poster=${product.poster}
-        aria-label=${words.editorOf(product.name)}
-        .design=${design}
-        @change=${changed}
-        @submit=${submitted}
-      ></texelcast-editor>
+      <div class="editor-place" ${ref((element) => element && foundPlace(element))}></div>
       <section class="panel buy" aria-labelledby="product-name">
         <p class="crumb">
           <a href=${line === null ? "./index.html" : "./cart.html"}>${line === null ? words.back : words.backToCart}</a>
@@ -166,7 +176,7 @@ function setSeen(event: Event): void {
   draw();
 }
 
-function changed({ detail }: CustomEvent<ChangeDetail>): void {
+function changed(detail: ChangeDetail): void {
   amount = detail;
   names = new Map(detail.areas.map(({ id, name }) => [id, name]));
   unsaved = detail.canUndo;
@@ -178,7 +188,7 @@ function changed({ detail }: CustomEvent<ChangeDetail>): void {
 
 async function check(): Promise<void> {
   // A design that cannot be looked at says so by the element's own `error` event.
-  const report = await editor.value?.validate().catch(() => null);
+  const report = await editor?.validate().catch(() => null);
   findings = report ? printFindings(report, names) : [];
   draw();
 }
@@ -186,7 +196,7 @@ async function check(): Promise<void> {
 /** The button only asks; the editor's own button comes by the same way, to `submitted`. */
 async function buy(event: SubmitEvent): Promise<void> {
   event.preventDefault();
-  if (step !== "" || !editor.value) return;
+  if (step !== "" || editor === null) return;
   if (mustBeSeen() && !seen) {
     frame.setFault({ code: "not-seen", message: words.confirmFirst });
     document.querySelector<HTMLElement>(".seen input")?.focus();
@@ -196,7 +206,7 @@ async function buy(event: SubmitEvent): Promise<void> {
   step = "preparing";
   draw();
   try {
-    await editor.value.submit();
+    await editor.submit();
   } catch (thrown) {
     step = "";
     frame.setFault(thrown);
@@ -204,15 +214,12 @@ async function buy(event: SubmitEvent): Promise<void> {
   }
 }
 
-async function submitted(event: CustomEvent<SubmitDetail>): Promise<void> {
-  event.preventDefault();
-  const element = editor.value;
-  if (step === "sending" || !element) return;
+async function submitted({ design, assets, texture }: SubmitDetail): Promise<void> {
+  if (step === "sending" || editor === null) return;
   step = "sending";
   draw();
   try {
-    const { design, assets, texture } = event.detail;
-    const snapshot = await element.snapshot("current", SNAPSHOT);
+    const snapshot = await editor.snapshot("current", SNAPSHOT);
     const field = document.querySelector<HTMLInputElement>('[name="quantity"]');
     const quantity = Math.max(1, field?.valueAsNumber || 1);
     await putInCart({ product: product.id, design, assets, texture, snapshot, quantity }, line?.id ?? null);
