@@ -59,6 +59,7 @@ export const german: Strings = {
     play: "Animation abspielen",
     emptyTitle: "Öffne ein Modell",
     emptyBody: "Eine .glb-Datei oder eine .gltf mit allen Dateien: Wähle sie oder zieh sie irgendwo auf diese Seite.",
+    allHidden: "Alle Teile des Modells sind ausgeblendet.",
     dropModel: "Loslassen zum Öffnen",
     dropHint: "Ein Modell, ein Design oder ein Bild, genau dort, wo es hinsoll",
   },

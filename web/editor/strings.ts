@@ -58,6 +58,7 @@ const english = {
     play: "Play the animation",
     emptyTitle: "Open a model to begin",
     emptyBody: "A .glb file, or a .gltf with its files: choose it, or drop it anywhere on this page.",
+    allHidden: "Every part of the model is hidden.",
     dropModel: "Drop to open",
     dropHint: "A model, a design, or a picture right where it should go",
   },

@@ -109,6 +109,14 @@ export class Stage extends EditorElement {
         max-width: 22rem;
         color: var(--text-quiet);
       }
+      .hidden {
+        inset: 40% 0 auto;
+        width: fit-content;
+        margin-inline: auto;
+        border-radius: var(--radius-large);
+        background: var(--surface);
+        box-shadow: var(--shadow);
+      }
       .ways {
         display: flex;
         flex-wrap: wrap;
@@ -125,8 +133,8 @@ export class Stage extends EditorElement {
     return this.strings.stage;
   }
 
-  protected watched({ model, animation, tasks, view, starting, demos }: EditorState): readonly unknown[] {
-    return [model, animation.clips, animation.clip === null, tasks.length === 0, view.background, starting, demos];
+  protected watched({ model, animation, tasks, view, shown, starting, demos }: EditorState): readonly unknown[] {
+    return [model, animation.clips, animation.clip === null, tasks.length === 0, view.background, shown, starting, demos];
   }
 
   override render(): TemplateResult {
@@ -157,7 +165,19 @@ export class Stage extends EditorElement {
             : nothing
         }
       </div>
+      ${this.#nothingShown()}
       <tc-animation-bar .editor=${this.editor}></tc-animation-bar>
+    `;
+  }
+
+  #nothingShown(): TemplateResult | typeof nothing {
+    const { parts, hidden } = this.state.shown;
+    if (parts.length === 0 || hidden.size < parts.length) return nothing;
+    return html`
+      <div class="empty hidden">
+        <p>${this.#words.allHidden}</p>
+        <button class="outlined" @click=${() => this.editor.views.showAllParts()}>${this.strings.modelParts.showAll}</button>
+      </div>
     `;
   }
 
