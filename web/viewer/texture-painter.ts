@@ -199,13 +199,7 @@ export class TexturePainter {
     camera: TextureCamera,
     pixelRatio: number,
   ): void {
-    const gl = this.#gl;
-    this.#use(this.#line, texture, camera, pixelRatio);
-    gl.uniform4fv(this.#line.at.lineColor, color);
-    gl.enable(gl.BLEND);
-    gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    this.#bind(lines);
-    gl.drawArrays(gl.LINES, 0, lines.vertices);
+    this.#drawPlain(this.#gl.LINES, lines, color, texture, camera, pixelRatio);
   }
 
   /** Filled triangles, given as `makeLines` takes its ends: three corners each. */
@@ -216,13 +210,24 @@ export class TexturePainter {
     camera: TextureCamera,
     pixelRatio: number,
   ): void {
+    this.#drawPlain(this.#gl.TRIANGLES, corners, color, texture, camera, pixelRatio);
+  }
+
+  #drawPlain(
+    kind: GLenum,
+    points: PaintedLines,
+    color: CssColor,
+    texture: PaintedTexture,
+    camera: TextureCamera,
+    pixelRatio: number,
+  ): void {
     const gl = this.#gl;
     this.#use(this.#line, texture, camera, pixelRatio);
     gl.uniform4fv(this.#line.at.lineColor, color);
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    this.#bind(corners);
-    gl.drawArrays(gl.TRIANGLES, 0, corners.vertices);
+    this.#bind(points);
+    gl.drawArrays(kind, 0, points.vertices);
   }
 
   #use({ handle, at }: Program, texture: PaintedTexture, camera: TextureCamera, pixelRatio: number): void {

@@ -4,6 +4,7 @@ import { X } from "lucide";
 import lucideLicence from "../../../node_modules/lucide/LICENSE?raw";
 import { LANGUAGES, type Language, pageLanguage, speak } from "../strings/language.ts";
 import type { Strings } from "../strings.ts";
+import { dialogFrame } from "../ui/dialog-frame.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
 
@@ -15,28 +16,10 @@ export class HelpDialog extends LitElement {
 
   static override styles = [
     controls,
+    dialogFrame,
     css`
       dialog {
         width: min(56rem, calc(100vw - 2rem));
-        max-height: calc(100dvh - 4rem);
-        padding: 0;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface-high);
-        color: var(--text);
-        box-shadow: var(--shadow);
-      }
-      dialog::backdrop {
-        background: rgb(0 0 0 / 35%);
-      }
-      header {
-        position: sticky;
-        top: 0;
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        padding: var(--space-3) var(--space-3) var(--space-2) var(--space-4);
-        background: inherit;
       }
       .body {
         display: grid;

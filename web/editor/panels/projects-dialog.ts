@@ -5,6 +5,7 @@ import { Copy, Image, Pencil, Plus, Trash2, Undo2, X } from "lucide";
 import type { EditorState, ListedProject } from "../state/editor-state.ts";
 import { megabytes } from "../state/megabytes.ts";
 import type { Strings } from "../strings.ts";
+import { dialogFrame } from "../ui/dialog-frame.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
@@ -17,29 +18,10 @@ export class ProjectsDialog extends EditorElement {
 
   static override styles = [
     controls,
+    dialogFrame,
     css`
       dialog {
         width: min(40rem, calc(100vw - 2rem));
-        max-height: calc(100dvh - 4rem);
-        padding: 0;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface-high);
-        color: var(--text);
-        box-shadow: var(--shadow);
-      }
-      dialog::backdrop {
-        background: rgb(0 0 0 / 35%);
-      }
-      header {
-        position: sticky;
-        z-index: 1;
-        inset-block-start: 0;
-        display: flex;
-        align-items: center;
-        gap: var(--space-2);
-        padding: var(--space-3) var(--space-3) var(--space-2) var(--space-4);
-        background: inherit;
       }
       h2 {
         flex: 1;

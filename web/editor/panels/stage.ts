@@ -134,7 +134,16 @@ export class Stage extends EditorElement {
   }
 
   protected watched({ model, animation, tasks, view, shown, starting, demos }: EditorState): readonly unknown[] {
-    return [model, animation.clips, animation.clip === null, tasks.length === 0, view.background, shown, starting, demos];
+    return [
+      model,
+      animation.clips,
+      animation.clip === null,
+      tasks.length === 0,
+      view.background,
+      shown,
+      starting,
+      demos,
+    ];
   }
 
   override render(): TemplateResult {

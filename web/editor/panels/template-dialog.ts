@@ -4,6 +4,7 @@ import { X } from "lucide";
 import type { DemoTemplate } from "../files/demo-catalogue.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { dialogFrame } from "../ui/dialog-frame.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { controls } from "../ui/theme.ts";
@@ -11,28 +12,10 @@ import { controls } from "../ui/theme.ts";
 export class TemplateDialog extends EditorElement {
   static override styles = [
     controls,
+    dialogFrame,
     css`
       dialog {
         width: min(38rem, calc(100vw - 2rem));
-        max-height: calc(100dvh - 4rem);
-        padding: 0;
-        border: 1px solid var(--line);
-        border-radius: var(--radius-large);
-        background: var(--surface-high);
-        color: var(--text);
-        box-shadow: var(--shadow);
-      }
-      dialog::backdrop {
-        background: rgb(0 0 0 / 35%);
-      }
-      header {
-        position: sticky;
-        inset-block-start: 0;
-        display: flex;
-        align-items: center;
-        justify-content: space-between;
-        padding: var(--space-3) var(--space-3) var(--space-1) var(--space-4);
-        background: inherit;
       }
       .body {
         display: grid;
