@@ -648,6 +648,8 @@ export const german: Strings = {
     unknownFile: (name) => `${name} ist kein Modell, Design oder Bild, das diese Seite kennt.`,
     unknownFileHint:
       "Modelle: .glb, .gltf. Bilder: .png, .jpg, .webp, .svg. Schriften: .ttf, .otf. Designs: .design.json. Projekte: .texelcast.",
+    notHere: (name) => `${name} lässt sich hier nicht öffnen: Diese Seite hat ihr eigenes Modell und Design.`,
+    notHereHint: "Bilder und Schriften lassen sich hinzufügen.",
     noDemosTitle: "Die Beispielmodelle fehlen",
     noDemos: "Die Liste der Beispielmodelle ließ sich nicht lesen.",
     noDemosHint: "Führe npm run demo aus oder öffne ein eigenes Modell.",
@@ -697,5 +699,10 @@ export const german: Strings = {
   },
 
   splitter: "Breite der Texturansicht",
+  readonly: {
+    title: "Dieses Design kann man nur ansehen",
+    message: "Drehe es, sieh dir die Ebenen an, exportiere es. Nichts davon ändert es.",
+    why: "Nicht zu ändern: Dieses Design kann man nur ansehen",
+  },
   sidePanel: "Ebenen und Eigenschaften",
 };

@@ -644,6 +644,8 @@ const english = {
     unknownFile: (name: string): string => `${name} is not a model, a design or a picture that this page knows.`,
     unknownFileHint:
       "Models: .glb, .gltf. Pictures: .png, .jpg, .webp, .svg. Fonts: .ttf, .otf. Designs: .design.json. Projects: .texelcast.",
+    notHere: (name: string): string => `${name} cannot be opened here: this page has its own model and design.`,
+    notHereHint: "Pictures and fonts can be added.",
     noDemosTitle: "The demo models are missing",
     noDemos: "The list of demo models could not be read.",
     noDemosHint: "Run npm run demo, or open a model of your own.",
@@ -695,6 +697,13 @@ const english = {
 
   splitter: "Width of the texture view",
   sidePanel: "Layers and properties",
+
+  /** Where the design is only looked at. */
+  readonly: {
+    title: "This design can only be looked at",
+    message: "Turn it, look at its layers, export it. Nothing that you do changes it.",
+    why: "Cannot be changed: this design can only be looked at",
+  },
 } as const;
 
 /** The same words in another language: any text for a text, the same values for a sentence. */

@@ -217,6 +217,7 @@ export class Workbench extends EditorElement {
         aria-label=${this.strings.topBar.label}
         .editor=${editor}
         .compact=${compact}
+        .embedded=${this.embedded}
         @help=${() => this.#help()}
         @templates=${this.#templates}
         @projects=${() => this.renderRoot.querySelector("tc-projects-dialog")?.show()}
@@ -234,8 +235,12 @@ export class Workbench extends EditorElement {
             `
       }
       <tc-help-dialog .words=${this.strings.help} ?embedded=${this.embedded}></tc-help-dialog>
-      <tc-template-dialog .editor=${editor}></tc-template-dialog>
-      <tc-projects-dialog .editor=${editor} @create=${this.#templates}></tc-projects-dialog>
+      ${
+        this.embedded
+          ? nothing
+          : html`<tc-template-dialog .editor=${editor}></tc-template-dialog>
+              <tc-projects-dialog .editor=${editor} @create=${this.#templates}></tc-projects-dialog>`
+      }
       ${
         this.dropping
           ? html`<div class="drop">
@@ -302,7 +307,8 @@ export class Workbench extends EditorElement {
     const openModel = (): void =>
       pickFiles({ accept: ACCEPT.model }, (files) => void this.editor.files.openFiles(files));
     const help = (): void => this.#help();
-    if (handleShortcut(event, this.editor, { openModel, help })) event.preventDefault();
+    if (handleShortcut(event, this.editor, { openModel: this.embedded ? null : openModel, help }))
+      event.preventDefault();
   };
 
   readonly #dragOver = (event: DragEvent): void => {

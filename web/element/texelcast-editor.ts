@@ -3,11 +3,7 @@
  * page asks for, and opens the page's model and design in it. Importing this file registers nothing and runs in bare Node.
  */
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { TexelcastError } from "../core/texelcast-error.ts";
-import type { Design } from "../editor/document/design.ts";
 import { controls } from "../editor/ui/theme.ts";
-import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
-import type { DesignExport } from "./desk/export-design.ts";
 import type {
   DecalSource,
   ExportedDesign,
@@ -23,20 +19,15 @@ import type {
   TextOptions,
 } from "./element-api.ts";
 import { cover, notice } from "./element-cover.ts";
-import { errorDetail, isCancelled, type ShownError, typedError } from "./element-errors.ts";
-import { type EditorEvents, sendEvent } from "./element-events.ts";
+import type { EditorEvents } from "./element-events.ts";
 import { DEFAULTS, PROPERTIES } from "./element-properties.ts";
-import { FETCHED, Run } from "./element-run.ts";
 import { readSettings } from "./element-settings.ts";
+import { Sight } from "./element-sight.ts";
 import { elementStyles } from "./element-styles.ts";
-import type { Mode, ModeHost } from "./mode.ts";
+import { Voice } from "./element-voice.ts";
+import { Work } from "./element-work.ts";
+import type { Mode } from "./mode.ts";
 import { tokens } from "./shop/tokens.ts";
-import { english, languageOf, type Words, wordsIn } from "./words/words.ts";
-
-/** Milliseconds of rest after which a change is told. */
-const CHANGE_REST = 120;
-/** How far beyond the window the element counts as about to be seen. */
-const NEAR = "200px";
 
 type Listener<Type extends keyof EditorEvents> = (this: TexelcastEditor, event: EditorEvents[Type]) => unknown;
 type AnyListener = EventListenerOrEventListenerObject;
@@ -146,19 +137,9 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   declare wasmUrl: TexelcastEditorProperties["wasmUrl"];
   declare beforeAccept: TexelcastEditorProperties["beforeAccept"];
 
-  #phase: "idle" | "loading" | "failed" | "ready" = "idle";
-  #share = 0;
-  #shownError: ShownError | null = null;
-  #announcement = "";
-  #words: Words = english;
-  #run: Run | null = null;
-  #starting: Promise<void> | null = null;
-  /** What was worked on when the mode was closed last. */
-  #kept: Design | null = null;
-  #viewHost: HTMLElement | null = null;
-  #sight: IntersectionObserver | null = null;
-  #changeTimer: ReturnType<typeof setTimeout> | undefined;
-  #exports: DesignExport | null = null;
+  readonly #voice = new Voice(this);
+  readonly #work = new Work({ element: this, voice: this.#voice, idle: () => this.#watchSight() });
+  readonly #sight = new Sight(this, () => void this.start());
 
   constructor() {
     super();
@@ -166,16 +147,16 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   get loaded(): boolean {
-    return this.#phase === "ready";
+    return this.#work.phase === "ready";
   }
   get selected(): string | null {
-    return this.#mode?.desk.store.state.selectedId ?? null;
+    return this.#work.mode?.desk.store.state.selectedId ?? null;
   }
   get canUndo(): boolean {
-    return (this.#mode?.desk.store.state.undoLabel ?? null) !== null;
+    return (this.#work.mode?.desk.store.state.undoLabel ?? null) !== null;
   }
   get canRedo(): boolean {
-    return (this.#mode?.desk.store.state.redoLabel ?? null) !== null;
+    return (this.#work.mode?.desk.store.state.redoLabel ?? null) !== null;
   }
 
   override connectedCallback(): void {
@@ -189,72 +170,61 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     super.disconnectedCallback();
     this.removeEventListener("pointerdown", this.#touched);
     this.removeEventListener("focusin", this.#touched);
-    this.#sight?.disconnect();
-    this.#sight = null;
+    this.#sight.end();
     // What is only moved to another place of the page goes on as it is.
     setTimeout(() => {
-      if (!this.isConnected) this.#close();
+      if (!this.isConnected) this.#work.close();
     });
   }
 
   /** Begins to load, whatever `loading` says. */
   start(): Promise<void> {
-    this.#starting ??= this.#told(this.#start()).finally(() => {
-      if (this.#phase === "failed" || this.#phase === "idle") this.#starting = null;
-    });
-    this.#starting.catch(() => undefined);
-    return this.#starting;
+    return this.#work.start();
   }
 
   addDecal(source: DecalSource, options?: PlaceOptions): Promise<string> {
-    return this.#told(this.#ready().then((mode) => mode.addDecal(source, options)));
+    return this.#with((mode) => mode.addDecal(source, options));
   }
 
   addText(text: string, options?: TextOptions): Promise<string> {
-    return this.#told(this.#ready().then((mode) => mode.addText(text, options)));
+    return this.#with((mode) => mode.addText(text, options));
   }
 
   select(id: string | null): boolean {
-    return this.#mode?.desk.select(id) ?? false;
+    return this.#work.mode?.desk.select(id) ?? false;
   }
 
   removeLayer(id: string): boolean {
-    return this.#tried(() => this.#mode?.desk.remove(id));
+    return this.#voice.tried(() => this.#work.mode?.desk.remove(id));
   }
 
   undo(): boolean {
-    return this.#tried(() => this.#mode?.desk.travel(-1));
+    return this.#voice.tried(() => this.#work.mode?.desk.travel(-1));
   }
 
   redo(): boolean {
-    return this.#tried(() => this.#mode?.desk.travel(1));
+    return this.#voice.tried(() => this.#work.mode?.desk.travel(1));
   }
 
   exportTexture(options: ExportTextureOptions = {}): Promise<ExportedTexture> {
-    return this.#told(
-      this.#ready().then(async (mode) => {
-        const { exportTexture, printOptions } = await import("./desk/prints.ts");
-        return await exportTexture(mode, printOptions(mode, options, this.#settings));
-      }),
-    );
+    return this.#with(async (mode) => {
+      const { exportTexture, printOptions } = await import("./desk/prints.ts");
+      return await exportTexture(mode, printOptions(mode, options, this.#work.settings));
+    });
   }
 
   exportModel(): Promise<Uint8Array> {
-    return this.#told(
-      this.#ready().then(async (mode) => {
-        await mode.idle();
-        return await mode.desk.engine.exportGlb();
-      }),
-    );
+    return this.#with(async (mode) => {
+      await mode.idle();
+      return await mode.desk.engine.exportGlb();
+    });
   }
 
   exportDesign(): Promise<ExportedDesign> {
-    return this.#told(
-      this.#ready().then(async (mode) => {
-        const { DesignExport } = await import("./desk/export-design.ts");
-        return await new DesignExport().whole(mode.desk.design);
-      }),
-    );
+    return this.#with(async (mode) => {
+      const { DesignExport } = await import("./desk/export-design.ts");
+      return await new DesignExport().whole(mode.desk.design);
+    });
   }
 
   snapshot(view?: SnapshotView, options?: SnapshotOptions): Promise<Blob>;
@@ -263,322 +233,66 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     views: SnapshotView | readonly SnapshotView[] = "current",
     options: SnapshotOptions = {},
   ): Promise<Blob | Blob[]> {
-    return this.#told(
-      this.#ready().then(async (mode): Promise<Blob | Blob[]> => {
-        const { takeSnapshots } = await import("./desk/snapshots.ts");
-        if (typeof views !== "string") return await takeSnapshots(mode, views, options, this.#words);
-        const [picture] = await takeSnapshots(mode, [views], options, this.#words);
-        return picture as Blob;
-      }),
-    );
+    return this.#with(async (mode): Promise<Blob | Blob[]> => {
+      const { takeSnapshots } = await import("./desk/snapshots.ts");
+      const { words } = this.#voice;
+      if (typeof views !== "string") return await takeSnapshots(mode, views, options, words);
+      const [picture] = await takeSnapshots(mode, [views], options, words);
+      return picture as Blob;
+    });
   }
 
   validate(): Promise<PrintReport> {
-    return this.#told(
-      this.#ready().then(async (mode) => {
-        const { printReport } = await import("./desk/prints.ts");
-        return await printReport(mode);
-      }),
-    );
+    return this.#with(async (mode) => {
+      const { printReport } = await import("./desk/prints.ts");
+      return await printReport(mode);
+    });
   }
 
   submit(): Promise<SubmitDetail> {
-    return this.#told(this.#submit());
+    return this.#voice.told(this.#work.submit());
   }
 
   async restart(): Promise<void> {
-    this.#close();
+    this.#work.close();
     await this.start();
   }
 
   override render(): TemplateResult {
-    const words = this.#words;
-    const dismiss = (): void => this.#dismiss();
+    const { words, shownError, announcement } = this.#voice;
+    const { phase, share, made, view } = this.#work;
+    const { poster } = this;
+    const start = (): void => void this.start();
     // Under the cover already: the view has its place and size when the model comes.
-    const face = this.#run?.made?.render() ?? this.#viewHost;
     return html`
-      ${face}
-      ${
-        this.#phase === "ready"
-          ? nothing
-          : cover({
-              words,
-              poster: this.poster,
-              phase: this.#phase,
-              share: this.#share,
-              error: this.#shownError,
-              start: () => void this.start(),
-            })
-      }
-      ${this.#phase === "ready" && this.#shownError ? notice(this.#shownError, words, dismiss) : nothing}
-      <div class="visually-hidden" role="status">${this.#announcement}</div>
+      ${made?.render() ?? view}
+      ${phase === "ready" ? nothing : cover({ words, poster, phase, share, error: shownError, start })}
+      ${phase === "ready" && shownError ? notice(shownError, words, () => this.#voice.dismiss()) : nothing}
+      <div class="visually-hidden" role="status">${announcement}</div>
     `;
   }
 
   protected override updated(changed: PropertyValues<this>): void {
     const has = (...names: (keyof TexelcastEditorProperties)[]): boolean => names.some((name) => changed.has(name));
-    for (const [name, fault] of readSettings(this, this.#words).faults) if (has(name)) this.#report(fault);
+    for (const [name, fault] of readSettings(this, this.#voice.words).faults) if (has(name)) this.#voice.report(fault);
     if (has("loading", "src")) this.#watchSight();
-    if (has("locale")) void this.#speak();
-    const mode = this.#mode;
-    // Another design takes the place of the one that was worked on before.
-    if (has("design") && !mode) this.#kept = null;
-    if (this.#phase === "idle" || changed.size === 0) return;
-    const anew = has("src", "mode", "wasmUrl");
-    if (anew || (has("design") && !mode)) {
-      // What they were when it began is known from then on: the first values are no change.
-      if (this.#run === null && this.#phase === "loading") return;
-      this.#close();
-      if (has("design")) this.#kept = null;
-      void this.start();
-      return;
-    }
-    if (!mode) return;
-    if (has("zones")) void this.#told(this.#useZones(mode));
-    if (has("design")) void this.#told(this.#takeDesign(mode));
-    if (has("size", "material")) void this.#told(mode.resize());
-    if (has("readonly", "minCameraOrbit", "maxCameraOrbit")) {
-      this.#tried(() => {
-        mode.configure();
-        return true;
-      });
-    }
+    if (has("locale")) void this.#voice.speak().then(() => this.#work.configure());
+    if (changed.size > 0) this.#work.follow(has);
   }
 
-  get #mode(): Mode | null {
-    return this.#run?.mode ?? null;
-  }
-
-  async #start(): Promise<void> {
-    const began = performance.now();
-    this.#phase = "loading";
-    this.#shownError = null;
-    this.#progress(0);
-    this.#viewHost ??= makeViewHost();
-    await this.#speak();
-    await this.updateComplete;
-    const run = new Run({
-      kind: this.mode,
-      src: this.src,
-      zones: this.zones === "" ? null : this.zones,
-      design: this.#kept === null ? { given: this.design } : { kept: this.#kept },
-      base: document.baseURI,
-      words: this.#words,
-      limits: this.#settings.limits,
-      host: this.#modeHost(this.#viewHost),
-      progress: (share) => this.#progress(share),
-    });
-    this.#run = run;
-    try {
-      const mode = await run.open();
-      const { orbit, settings } = readSettings(this, this.#words);
-      if (orbit !== null) mode.desk.viewer.setCamera(orbit, settings.camera);
-      this.#phase = "ready";
-      this.#progress(1);
-      if (mode.desk.design.layers.length > 0 && mode.desk.zones !== null) void this.#told(this.#sendChange(false));
-      const { loadDetail } = await import("./desk/hand-over.ts");
-      sendEvent(this, "load", loadDetail(mode, began));
-    } catch (thrown) {
-      if (this.#run === run) {
-        this.#run = null;
-        this.#phase = "failed";
-        const { message, hint = "" } = typedError(thrown, this.#words);
-        this.#shownError = { message, hint };
-      }
-      throw thrown;
-    } finally {
-      this.requestUpdate();
-    }
-  }
-
-  /** Ends what runs; what was designed stays. */
-  #close(): void {
-    clearTimeout(this.#changeTimer);
-    const mode = this.#mode;
-    if (mode) this.#kept = mode.desk.design;
-    this.#run?.close();
-    this.#run = null;
-    this.#starting = null;
-    this.#viewHost?.replaceChildren();
-    this.#phase = "idle";
-    this.#shownError = null;
-    this.requestUpdate();
-    this.#watchSight();
-  }
-
-  async #ready(): Promise<Mode> {
-    await this.start();
-    const mode = this.#mode;
-    if (!mode) throw new TexelcastError("cancelled", this.#words.errors.notReady);
-    return mode;
-  }
-
-  #adopt({ styles }: Mode): void {
-    const root = this.renderRoot;
-    if (!(root instanceof ShadowRoot)) return;
-    for (const { styleSheet } of styles) {
-      if (styleSheet && !root.adoptedStyleSheets.includes(styleSheet)) root.adoptedStyleSheets.push(styleSheet);
-    }
-  }
-
-  async #takeDesign(mode: Mode): Promise<void> {
-    const run = this.#run;
-    const design = await run?.readDesign(mode.desk.library, this.design ?? undefined);
-    if (design && this.#run === run) mode.desk.takeDesign(design);
-  }
-
-  async #useZones({ desk }: Mode): Promise<void> {
-    const { zones } = this;
-    const read = zones === null || zones === "" ? null : await this.#run?.readZones(zones);
-    if (this.zones !== zones || read === undefined || desk.closed) return;
-    await desk.useZones(read);
-    this.#changed();
-  }
-
-  async #submit(): Promise<SubmitDetail> {
-    const mode = await this.#ready();
-    const { submitDetail } = await import("./desk/hand-over.ts");
-    const detail = await submitDetail(mode);
-    if (sendEvent(this, "submit", detail)) this.#announce(this.#words.submitted);
-    return detail;
-  }
-
-  get #settings(): DeskSettings {
-    return readSettings(this, this.#words).settings;
-  }
-
-  #modeHost(view: HTMLElement): ModeHost {
-    const settings = (): DeskSettings => this.#settings;
-    const words = (): Words => this.#words;
-    const shownError = (): ShownError | null => this.#shownError;
-    const hooks: DeskHooks = {
-      settings,
-      changed: () => this.#changed(),
-      selected: (id) => sendEvent(this, "select", { id }),
-      failed: (thrown) => this.#tell(thrown),
-      progress: (share) => this.#progress(FETCHED + (1 - FETCHED) * share),
-      announce: (text) => this.#announce(text),
-    };
-    return {
-      hooks,
-      view,
-      wasm: this.wasmUrl,
-      get words() {
-        return words();
-      },
-      get shownError() {
-        return shownError();
-      },
-      tell: (thrown) => this.#tell(thrown),
-      dismiss: () => this.#dismiss(),
-      submit: () => this.#submit(),
-      requestUpdate: () => this.requestUpdate(),
-      made: async (mode) => {
-        this.#adopt(mode);
-        this.requestUpdate();
-        await this.updateComplete;
-      },
-    };
-  }
-
-  #changed(): void {
-    clearTimeout(this.#changeTimer);
-    this.#changeTimer = setTimeout(() => void this.#told(this.#sendChange()), CHANGE_REST);
-  }
-
-  /** A design that was brought along is measured for its badges, and is no change. */
-  async #sendChange(tell = true): Promise<void> {
-    const run = this.#run;
-    const mode = run?.mode;
-    if (!mode) return;
-    const { changeDetail, DesignExport } = await import("./desk/hand-over.ts");
-    this.#exports ??= new DesignExport();
-    const detail = await changeDetail(mode, this.#exports);
-    // A newer change tells itself.
-    if (this.#run !== run || detail === null) return;
-    this.requestUpdate();
-    if (tell) sendEvent(this, "change", detail);
-  }
-
-  async #speak(): Promise<void> {
-    const wishes = [this.locale, this.closest("[lang]")?.getAttribute("lang"), ...navigator.languages];
-    this.#words = await wordsIn(languageOf(wishes));
-    this.#mode?.configure();
-    this.requestUpdate();
-  }
-
-  /** Tells the page of a call that fails; whoever made the call is told by its promise, and need not listen. */
-  #told<T>(work: Promise<T>): Promise<T> {
-    const told = work.catch((thrown: unknown) => {
-      this.#report(thrown);
-      throw thrown;
-    });
-    told.catch(() => undefined);
-    return told;
-  }
-
-  #tried(act: () => boolean | undefined): boolean {
-    try {
-      return act() ?? false;
-    } catch (thrown) {
-      this.#report(thrown);
-      return false;
-    }
-  }
-
-  #report(thrown: unknown): void {
-    if (!isCancelled(thrown)) sendEvent(this, "error", errorDetail(typedError(thrown, this.#words)));
-  }
-
-  /** Tells the user, too. */
-  #tell(thrown: unknown): void {
-    if (isCancelled(thrown)) return;
-    const { message, hint = "" } = typedError(thrown, this.#words);
-    this.#shownError = { message, hint };
-    this.requestUpdate();
-    this.#report(thrown);
-  }
-
-  #dismiss(): void {
-    this.#shownError = null;
-    this.requestUpdate();
-  }
-
-  #announce(text: string): void {
-    // A live region speaks only when its text changes, which a space at the end does without being heard.
-    this.#announcement = this.#announcement === text ? `${text}\u00a0` : text;
-    this.requestUpdate();
-  }
-
-  #progress(share: number): void {
-    this.#share = share;
-    sendEvent(this, "progress", { share });
-    this.requestUpdate();
+  /** Does something with what is open, which is begun where it is not; the page is told where it fails. */
+  #with<T>(act: (mode: Mode) => Promise<T>): Promise<T> {
+    return this.#voice.told(this.#work.ready().then(act));
   }
 
   readonly #touched = (): void => {
-    if (this.#phase === "idle" && this.src) void this.start();
+    if (this.#work.phase === "idle" && this.src) void this.start();
   };
 
   #watchSight(): void {
-    this.#sight?.disconnect();
-    this.#sight = null;
-    if (this.#phase !== "idle" || !this.src || !this.isConnected) return;
+    this.#sight.end();
+    if (this.#work.phase !== "idle" || !this.src || !this.isConnected) return;
     if (this.loading === "eager") void this.start();
-    else if (this.loading !== "lazy") {
-      this.#sight = new IntersectionObserver(
-        (entries) => {
-          if (entries.some(({ isIntersecting }) => isIntersecting)) void this.start();
-        },
-        { rootMargin: NEAR },
-      );
-      this.#sight.observe(this);
-    }
+    else if (this.loading !== "lazy") this.#sight.watch();
   }
-}
-
-function makeViewHost(): HTMLElement {
-  const view = document.createElement("div");
-  view.className = "own view";
-  return view;
 }

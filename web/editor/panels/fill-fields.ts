@@ -48,6 +48,7 @@ function gradientFields(context: PropertyContext, gradient: Gradient): TemplateR
   };
   return html`
     <tc-gradient-stops
+      ?inert=${context.state.readonly}
       .words=${words}
       .stops=${gradient.stops}
       .recent=${context.state.toolSettings.recent}

@@ -132,6 +132,7 @@ export class HistoryPanel extends EditorElement {
         class="list"
         role="listbox"
         tabindex="0"
+        aria-disabled=${this.state.readonly}
         aria-label=${this.#words.list}
         aria-activedescendant=${`step-${position}`}
         @scroll=${(event: Event) => {

@@ -32,6 +32,7 @@ function rowKey(event: KeyboardEvent, row: LayerRow, element: HTMLElement, conte
   const { id } = row.layer;
   const place = rows.indexOf(row);
   const own = state.selection.includes(id) ? state.selection : [id];
+  if (state.readonly && changes(event)) return true;
   if (event.altKey) {
     if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return false;
     layers.step(event.key === "ArrowUp" ? 1 : -1, own);
@@ -73,6 +74,12 @@ function rowKey(event: KeyboardEvent, row: LayerRow, element: HTMLElement, conte
     default:
       return false;
   }
+}
+
+/** Whether a key of the list changes the layers, and not only what of them is looked at. */
+function changes({ key, altKey, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  if (key === " ") return !ctrlKey && !metaKey;
+  return altKey || ["F2", "Delete", "Backspace"].includes(key);
 }
 
 function goTo(place: number, event: KeyboardEvent, context: LayerKeyContext): boolean {

@@ -16,6 +16,7 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { Menu } from "../ui/menu.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { readonlyFields } from "../ui/readonly-fields.ts";
 import { controls } from "../ui/theme.ts";
 import { thumbnailStyles } from "../ui/thumbnail.ts";
 import { addItems, barActs, moreItems } from "./layer-acts.ts";
@@ -56,13 +57,13 @@ export class LayerList extends EditorElement implements LayerDragHost {
   }
 
   override render(): TemplateResult {
-    const { design, collapsed, model, starting } = this.state;
+    const { design, collapsed, model, starting, readonly } = this.state;
     const without = starting ? "" : this.#words.emptyWithoutModel;
     this.rows = layerRows(design, collapsed);
     return html`
-      ${this.#looks()}
+      ${readonlyFields(readonly, this.strings.readonly.why, html`${this.#looks()}`)}
       ${this.rows.length === 0 ? html`<p class="quiet empty">${model ? this.#words.emptyBody : without}</p>` : this.#tree()}
-      ${model ? this.#bar() : nothing}
+      ${model && !readonly ? this.#bar() : nothing}
     `;
   }
 
@@ -92,6 +93,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
                 editsMask: editingMask === row.layer.id,
                 twists,
                 words: this.#words,
+                readonly: this.state.readonly,
               },
               this.#acts,
             ),
@@ -262,12 +264,12 @@ export class LayerList extends EditorElement implements LayerDragHost {
   readonly #acts: RowActs = {
     press: (event, id, byGrip) => {
       const onControl = (event.target as Element).closest("button, input") !== null;
-      if (!onControl) this.#drag.press(event, id, byGrip);
+      if (!onControl && !this.state.readonly) this.#drag.press(event, id, byGrip);
     },
     choose: (event, id) => this.#choose(event, id),
     show: (id) => this.editor.viewer.frameDecal(id),
     startRename: (id) => {
-      this.renaming = id;
+      if (!this.state.readonly) this.renaming = id;
     },
     endRename: (id, name) => {
       // Leaving the field comes after its key, which has ended it.
@@ -300,7 +302,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
   #contextMenu(event: MouseEvent): void {
     const row = (event.target as Element).closest<HTMLElement>(".row");
     // A finger that is held chooses several.
-    if (!row || (event as PointerEvent).pointerType === "touch") return;
+    if (!row || this.state.readonly || (event as PointerEvent).pointerType === "touch") return;
     event.preventDefault();
     const id = row.dataset.id ?? "";
     if (!this.state.selection.includes(id)) this.editor.layers.select(id);

@@ -8,6 +8,7 @@ import { isLocked } from "../state/layer-edits.ts";
 import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
+import { readonlyFields } from "../ui/readonly-fields.ts";
 import { controls } from "../ui/theme.ts";
 import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
 import { brushFields } from "./brush-fields.ts";
@@ -53,13 +54,14 @@ export class LayerProperties extends EditorElement {
     const context: PropertyContext = { editor: this.editor, state: this.state, ids: selection };
     const locked = isLocked(design, layer.id);
     const several = selection.length > 1;
-    return html`
+    const fields = html`
       ${several ? html`<h2>${this.strings.layers.several(selection.length)}</h2>` : this.#header(layer)}
       ${locked ? this.#lock(layer) : nothing}
       <div class="fields" ?inert=${locked}>
         ${several ? this.#look(context, layer) : this.#fields(context, layer)}
       </div>
     `;
+    return readonlyFields(this.state.readonly, this.strings.readonly.why, fields);
   }
 
   #fields(context: PropertyContext, layer: DesignLayer): TemplateResult {

@@ -23,6 +23,8 @@ export interface RowLook {
   readonly into: boolean;
   readonly editsMask: boolean;
   readonly words: Strings["layers"];
+  /** The design is only looked at. */
+  readonly readonly: boolean;
   /** Some row holds layers: those that do not leave room for what opens them. */
   readonly twists: boolean;
 }
@@ -69,7 +71,7 @@ export function layerRow(row: LayerRow, look: RowLook, acts: RowActs): TemplateR
       @pointerdown=${(event: PointerEvent) => acts.press(event, id, false)}
       @click=${(event: MouseEvent) => acts.choose(event, id)}
     >
-      ${nameCell(row, look, acts)}${switches(row, words, acts)}
+      ${nameCell(row, look, acts)}${switches(row, look, acts)}
       <span
         class="grip"
         title=${words.drag(name)}
@@ -143,16 +145,16 @@ function nameField({ id, name }: DesignLayer, words: Strings["layers"], acts: Ro
   />`;
 }
 
-function switches({ layer, lockedAbove }: LayerRow, words: Strings["layers"], acts: RowActs): TemplateResult {
+function switches({ layer, lockedAbove }: LayerRow, { words, readonly }: RowLook, acts: RowActs): TemplateResult {
   const { id, name, visible, locked } = layer;
   const lockLabel = locked ? words.unlock(name) : words.lock(name);
   const eyeLabel = visible ? words.hide(name) : words.show(name);
   return html`
     <div class=${`cell ${lockedAbove ? "" : "quiet-until-near"}`} role="gridcell">
-      ${iconButton("locked", lockLabel, locked || lockedAbove ? Lock : LockOpen, () => acts.toggleLocked(id), locked)}
+      ${iconButton("locked", lockLabel, locked || lockedAbove ? Lock : LockOpen, () => acts.toggleLocked(id), { pressed: locked, disabled: readonly })}
     </div>
     <div class="cell" role="gridcell">
-      ${iconButton("visible", eyeLabel, visible ? Eye : EyeOff, () => acts.toggleVisible(id))}
+      ${iconButton("visible", eyeLabel, visible ? Eye : EyeOff, () => acts.toggleVisible(id), { disabled: readonly })}
     </div>
   `;
 }
@@ -163,7 +165,7 @@ function iconButton(
   label: string,
   drawing: IconNode,
   run: () => void,
-  pressed: boolean | typeof nothing = nothing,
+  { pressed, disabled = false }: { readonly pressed?: boolean; readonly disabled?: boolean } = {},
 ): TemplateResult {
   const click = (event: Event): void => {
     event.stopPropagation();
@@ -173,7 +175,8 @@ function iconButton(
     class=${action === "twist" ? "icon twist" : "icon"}
     data-action=${action}
     tabindex="-1"
-    aria-pressed=${pressed}
+    aria-pressed=${pressed ?? nothing}
+    ?disabled=${disabled}
     aria-label=${label}
     title=${label}
     @click=${click}

@@ -64,6 +64,12 @@ export class SidePanel extends EditorElement {
         max-height: none;
         border: 0;
       }
+      :host([noted]) .upper {
+        grid-template-rows: auto auto minmax(0, 1fr);
+      }
+      :host([noted][single]) .upper {
+        grid-template-rows: auto minmax(0, 1fr);
+      }
       [role="tablist"] {
         display: flex;
         gap: 2px;
@@ -106,6 +112,13 @@ export class SidePanel extends EditorElement {
         align-items: center;
         justify-content: space-between;
         padding: var(--space-2) var(--space-1) 0 var(--space-4);
+      }
+      .readonly {
+        display: grid;
+        gap: var(--space-1);
+        padding: var(--space-3) var(--space-4);
+        border-block-end: 1px solid var(--line);
+        line-height: 1.4;
       }
       .section.adding {
         padding-block: var(--space-3);
@@ -155,9 +168,11 @@ export class SidePanel extends EditorElement {
 
   override render(): TemplateResult {
     this.toggleAttribute("single", this.only !== null);
+    this.toggleAttribute("noted", this.state.readonly);
     if (this.only !== null) return this.#single(this.only);
     return html`
       <div class=${`upper ${this.tab}`}>
+        ${this.#note()}
         ${this.#tabs()}
         <div id="upper" role="tabpanel" aria-labelledby=${`tab-${this.tab}`} style="display: grid; min-height: 0">
           ${this.#upper(this.tab)}
@@ -167,10 +182,18 @@ export class SidePanel extends EditorElement {
     `;
   }
 
+  /** That nothing here can be changed is said once, before all that cannot. */
+  #note(): TemplateResult | typeof nothing {
+    const { title, message } = this.strings.readonly;
+    return this.state.readonly
+      ? html`<div class="readonly" role="note"><h2>${title}</h2><p class="quiet">${message}</p></div>`
+      : nothing;
+  }
+
   #single(section: Section): TemplateResult {
     switch (section) {
       case "layers":
-        return html`<div class="upper">${this.#upper("layers")}${this.#adding()}</div>`;
+        return html`<div class="upper">${this.#note()}${this.#upper("layers")}${this.#adding()}</div>`;
       case "history":
         return html`<div class="upper">${this.#upper("history")}</div>`;
       case "properties":
@@ -227,7 +250,8 @@ export class SidePanel extends EditorElement {
     return laidOpen ? toolPanel(this.editor, laidOpen) : nothing;
   }
 
-  #adding(): TemplateResult {
+  #adding(): TemplateResult | typeof nothing {
+    if (this.state.readonly) return nothing;
     return html`<div class="section adding"><tc-decal-palette ?row=${this.only !== null} .editor=${this.editor}></tc-decal-palette></div>`;
   }
 

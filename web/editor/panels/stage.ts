@@ -161,8 +161,12 @@ export class Stage extends EditorElement {
     const { viewer, views } = this.editor;
     const offersPlay = animation.clips.length > 0 && animation.clip === null;
     return html`
-      <tc-tool-options .editor=${this.editor}></tc-tool-options>
-      <tc-tool-rail .editor=${this.editor}></tc-tool-rail>
+      ${
+        this.state.readonly
+          ? nothing
+          : html`<tc-tool-options .editor=${this.editor}></tc-tool-options>
+              <tc-tool-rail .editor=${this.editor}></tc-tool-rail>`
+      }
       <div class="tools">
         <button class="icon" aria-label=${this.#words.frame} title=${this.#words.frame} @click=${() => viewer.frameModel()}>${icon(Maximize)}</button>
         <tc-view-menu .editor=${this.editor}></tc-view-menu>

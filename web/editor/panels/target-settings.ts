@@ -1,8 +1,9 @@
 /** The paint target of a material: its size, its gutter, and how well the model is unwrapped. */
 import { css, html, nothing, type TemplateResult } from "lit";
-import { DEFAULT_TARGET, type EditorState } from "../state/editor-state.ts";
+import type { EditorState, TargetSettings as Settings } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
+import { readonlyFields } from "../ui/readonly-fields.ts";
 import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
 
@@ -63,20 +64,25 @@ export class TargetSettings extends EditorElement {
     return this.strings.target;
   }
 
-  protected watched({ model, material, targets, targetSettings, toolSettings }: EditorState): readonly unknown[] {
-    return [model, material, targets, targetSettings, toolSettings.pixelMode];
+  protected watched({
+    model,
+    material,
+    targets,
+    targetSettings,
+    usualTarget,
+    toolSettings,
+  }: EditorState): readonly unknown[] {
+    return [model, material, targets, targetSettings, usualTarget, toolSettings.pixelMode];
   }
 
   override render(): TemplateResult {
-    const { model, material, targets, targetSettings } = this.state;
+    const { model, material, targets, targetSettings, usualTarget, readonly } = this.state;
     if (!model || material === null) return html`<p class="quiet">${this.strings.stage.emptyTitle}</p>`;
-    const settings = targetSettings.get(material) ?? DEFAULT_TARGET;
+    const settings = targetSettings.get(material) ?? usualTarget;
     const { textureSize } = model.info.materials.find(({ index }) => index === material) ?? { textureSize: null };
     const [ownWidth, ownHeight] = textureSize ?? [SIZE_WITHOUT_PICTURE, SIZE_WITHOUT_PICTURE];
     const target = targets.get(material);
     const { editor } = this;
-    const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;
-    const numberOrNull = (text: string): number | null => (text === "" ? null : Number(text));
     return html`
       <div class="field">
         <label for="material">${this.#words.material}</label>
@@ -89,6 +95,18 @@ export class TargetSettings extends EditorElement {
           })}
         </select>
       </div>
+      ${readonlyFields(readonly, this.strings.readonly.why, this.#sizes(settings, ownWidth, ownHeight))}
+      ${checkField("pixel-mode", this.strings.tools.pixelMode, editor.tools.pixelMode, (pixelMode) =>
+        editor.tools.configure({ pixelMode }),
+      )}
+      ${target ? this.#figures(target) : nothing}
+    `;
+  }
+
+  #sizes(settings: Settings, ownWidth: number, ownHeight: number): TemplateResult {
+    const { editor } = this;
+    const numberOrNull = (text: string): number | null => (text === "" ? null : Number(text));
+    return html`
       <div class="field">
         <label for="size">${this.#words.size}</label>
         <select
@@ -111,10 +129,6 @@ export class TargetSettings extends EditorElement {
           ${GUTTERS.map((size) => html`<option value=${size} ?selected=${settings.gutter === size}>${this.#words.texels(String(size))}</option>`)}
         </select>
       </div>
-      ${checkField("pixel-mode", this.strings.tools.pixelMode, editor.tools.pixelMode, (pixelMode) =>
-        editor.tools.configure({ pixelMode }),
-      )}
-      ${target ? this.#figures(target) : nothing}
     `;
   }
 
@@ -143,3 +157,5 @@ export class TargetSettings extends EditorElement {
   }
 }
 customElements.define("tc-target-settings", TargetSettings);
+
+const chosen = (event: Event): string => (event.target as HTMLSelectElement).value;

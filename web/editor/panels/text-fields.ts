@@ -16,6 +16,7 @@ import { icon } from "../ui/icon.ts";
 import "../ui/menu.ts";
 import type { MenuItem } from "../ui/menu.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { readonlyFields } from "../ui/readonly-fields.ts";
 import { recentColors } from "../ui/recent-colors.ts";
 import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
@@ -123,7 +124,7 @@ export class TextFields extends EditorElement {
     const { design, selectedId } = this.state;
     const layer = layerById(design, selectedId);
     if (layer?.type !== "text") return html``;
-    return html`
+    const fields = html`
       <section aria-label=${this.#words.name}>
         ${this.#wordsField(layer)}${this.#missing(layer)}
         <div class="field">
@@ -166,6 +167,7 @@ export class TextFields extends EditorElement {
         }
       </section>
     `;
+    return readonlyFields(this.state.readonly, this.strings.readonly.why, fields);
   }
 
   #wordsField(layer: TextLayer): TemplateResult {

@@ -26,9 +26,11 @@ import { controls } from "../ui/theme.ts";
 import "./layout-switch.ts";
 
 export class TopBar extends EditorElement {
-  static override properties = { compact: { type: Boolean } };
+  static override properties = { compact: { type: Boolean }, embedded: { type: Boolean } };
   /** On a phone: only what fits in one row. */
   declare compact: boolean;
+  /** In a page of somebody else's, which has its own model and design. */
+  declare embedded: boolean;
 
   static override styles = [
     controls,
@@ -98,6 +100,7 @@ export class TopBar extends EditorElement {
   constructor() {
     super();
     this.compact = false;
+    this.embedded = false;
   }
 
   get #words(): Strings["topBar"] {
@@ -110,31 +113,18 @@ export class TopBar extends EditorElement {
   }
 
   override render(): TemplateResult {
-    const { model, undoLabel, redoLabel, unsaved, switching, designName } = this.state;
+    const { model, undoLabel, redoLabel, unsaved, switching, designName, readonly } = this.state;
     const { files } = this.editor;
     return html`
-      ${this.compact ? nothing : html`<h1>${this.strings.productName}</h1>`}
-      <tc-menu
-        class="projects"
-        .label=${this.compact ? "" : designName}
-        .name=${this.strings.projects.menu(designName)}
-        .icon=${Folder}
-        .items=${this.#projectItems()}
-      ></tc-menu>
-      <tc-menu
-        class="models"
-        .label=${model?.ref.title ?? this.#words.noModel}
-        .name=${`${this.#words.models}: ${model?.ref.title ?? this.#words.noModel}`}
-        .items=${this.#modelItems()}
-      ></tc-menu>
-      <span class="divider"></span>
+      ${this.compact || this.embedded ? nothing : html`<h1>${this.strings.productName}</h1>`}
+      ${this.embedded ? nothing : this.#own(model?.ref.title ?? this.#words.noModel, designName)}
       <div class="group">
         <button
           class="icon"
           id="undo"
           aria-label=${this.#words.undo(undoLabel)}
           title=${this.#words.undo(undoLabel)}
-          ?disabled=${undoLabel === null || switching}
+          ?disabled=${undoLabel === null || switching || readonly}
           @click=${() => files.travel("undo")}
         >
           ${icon(Undo2)}
@@ -144,7 +134,7 @@ export class TopBar extends EditorElement {
           id="redo"
           aria-label=${this.#words.redo(redoLabel)}
           title=${this.#words.redo(redoLabel)}
-          ?disabled=${redoLabel === null || switching}
+          ?disabled=${redoLabel === null || switching || readonly}
           @click=${() => files.travel("redo")}
         >
           ${icon(Redo2)}
@@ -175,11 +165,32 @@ export class TopBar extends EditorElement {
     `;
   }
 
-  #designButtons(unsaved: boolean): TemplateResult {
+  /** What is chosen here is the page's to choose where the editor is part of one. */
+  #own(title: string, designName: string): TemplateResult {
     return html`
-      <button class="icon" id="open-design" aria-label=${this.#words.openDesign} title=${this.#words.openDesign} @click=${() => this.#openDesign()}>
+      <tc-menu
+        class="projects"
+        .label=${this.compact ? "" : designName}
+        .name=${this.strings.projects.menu(designName)}
+        .icon=${Folder}
+        .items=${this.#projectItems()}
+      ></tc-menu>
+      <tc-menu
+        class="models"
+        .label=${title}
+        .name=${`${this.#words.models}: ${title}`}
+        .items=${this.#modelItems()}
+      ></tc-menu>
+      <span class="divider"></span>
+    `;
+  }
+
+  #designButtons(unsaved: boolean): TemplateResult {
+    const open = html`<button class="icon" id="open-design" aria-label=${this.#words.openDesign} title=${this.#words.openDesign} @click=${() => this.#openDesign()}>
         ${icon(FolderOpen)}
-      </button>
+      </button>`;
+    return html`
+      ${this.embedded ? nothing : open}
       <button
         class="icon save"
         id="save-design"
@@ -204,7 +215,11 @@ export class TopBar extends EditorElement {
         icon: LayoutGrid,
         run: () => this.dispatchEvent(new CustomEvent("projects")),
       },
-      { label: projectWords.create, icon: Plus, run: () => this.dispatchEvent(new CustomEvent("templates")) },
+      {
+        label: projectWords.create,
+        icon: Plus,
+        run: () => this.dispatchEvent(new CustomEvent("templates")),
+      },
       {
         label: projectWords.saveFile,
         hint: projectWords.saveFileHint,
@@ -233,7 +248,11 @@ export class TopBar extends EditorElement {
     const { demos, model } = this.state;
     const { files } = this.editor;
     const demoItems = (demos?.models ?? []).map((demo, index): MenuItem => {
-      const item = { label: demo.name, checked: model?.ref.demoId === demo.id, run: () => void files.openDemo(demo) };
+      const item = {
+        label: demo.name,
+        checked: model?.ref.demoId === demo.id,
+        run: () => void files.openDemo(demo),
+      };
       return index === 0 ? { ...item, heading: this.#words.demos } : item;
     });
     return [
@@ -260,11 +279,18 @@ export class TopBar extends EditorElement {
     ];
   }
 
+  #openItem(): MenuItem {
+    return {
+      label: this.#words.openDesign,
+      icon: FolderOpen,
+      heading: this.#words.design,
+      run: () => this.#openDesign(),
+    };
+  }
+
   #designItems(): MenuItem[] {
-    return [
-      { label: this.#words.openDesign, icon: FolderOpen, heading: this.#words.design, run: () => this.#openDesign() },
-      { label: this.#words.saveDesign, icon: Save, run: () => this.editor.files.saveDesign() },
-    ];
+    const open = this.embedded ? [] : [this.#openItem()];
+    return [...open, { label: this.#words.saveDesign, icon: Save, run: () => this.editor.files.saveDesign() }];
   }
 
   #exportItems(headed: boolean): MenuItem[] {

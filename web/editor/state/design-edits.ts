@@ -11,10 +11,15 @@ import {
   mapLayer,
   materialsIn,
 } from "../document/index.ts";
-
 import { countedName } from "../files/counted-name.ts";
 
 export const layerById = findLayer;
+
+/** How many pictures and texts a design puts on its model. */
+export function placedCount(design: Design): number {
+  const layers = flattenLayers(design, { masks: false, strokes: false });
+  return layers.filter(({ type }) => type === "decal" || type === "text").length;
+}
 
 /** `patch` may hold any field of the layer but its id and type. An unknown id or an equal value changes nothing. */
 export function patchLayer<L extends DesignLayer>(

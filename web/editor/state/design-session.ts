@@ -78,9 +78,15 @@ export class DesignSession {
     return this.#history.valueAt(position);
   }
 
+  /** Against the wrong model, or where it is only looked at, the design must not be edited. */
+  get #closed(): boolean {
+    const { switching, readonly } = this.#store.state;
+    return switching || readonly;
+  }
+
   /** Shows a design without recording it (a gesture is under way). */
   preview(design: Design): void {
-    if (this.#store.state.switching) return;
+    if (this.#closed) return;
     this.#history.preview({ ...this.#history.recorded, design });
     this.#publish();
   }
@@ -93,7 +99,7 @@ export class DesignSession {
 
   /** One step of the history. Steps of the same `mergeKey` close together in time are one. */
   record(design: Design, label: string, mergeKey?: string): void {
-    if (this.#store.state.switching) return;
+    if (this.#closed) return;
     // A preview that came back to where it began is no step.
     const unchanged = design === this.#history.recorded.design;
     this.#history.record(unchanged ? this.#history.recorded : { ...this.#history.recorded, design }, label, mergeKey);

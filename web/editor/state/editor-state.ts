@@ -80,6 +80,8 @@ export interface ListedProject extends ProjectSummary {
 export interface EditorState {
   /** What the editor says is in this language. */
   readonly language: Language;
+  /** The design is looked at, and nothing that a user does changes it. */
+  readonly readonly: boolean;
   readonly model: OpenModel | null;
   readonly design: Design;
   /** Stem of the file that "Save" writes. */
@@ -97,6 +99,8 @@ export interface EditorState {
   /** The material that the texture view and the target settings are about; null without a paintable one. */
   readonly material: number | null;
   readonly targets: ReadonlyMap<number, TargetInfo>;
+  /** Of the targets that nobody has set otherwise. */
+  readonly usualTarget: TargetSettings;
   readonly targetSettings: ReadonlyMap<number, TargetSettings>;
   readonly undoLabel: string | null;
   readonly redoLabel: string | null;
@@ -127,6 +131,7 @@ export interface EditorState {
 
 export const INITIAL_STATE: EditorState = {
   language: "en",
+  readonly: false,
   model: null,
   design: emptyDesign(),
   designName: "texelcast",
@@ -137,6 +142,7 @@ export const INITIAL_STATE: EditorState = {
   textToType: null,
   material: null,
   targets: new Map(),
+  usualTarget: DEFAULT_TARGET,
   targetSettings: new Map(),
   undoLabel: null,
   redoLabel: null,

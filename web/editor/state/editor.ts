@@ -17,6 +17,7 @@ import { PartsTool } from "../tools/parts-tool.ts";
 import { registerTools } from "../tools/register-tools.ts";
 import { textTool } from "../tools/text-tool.ts";
 import { Toolbox } from "../tools/toolbox.ts";
+import type { Admission } from "./admission.ts";
 import { AssetLibrary } from "./asset-library.ts";
 import { DecalCommands } from "./decal-commands.ts";
 import { DecalReach } from "./decal-reach.ts";
@@ -57,6 +58,8 @@ export interface EditorParts {
   readonly textureView: TextureView;
   /** Whether the browser keeps what is worked on; default true. */
   readonly keeps?: boolean;
+  /** What the page around it says of files; null: it has none, and whatever can be opened may be. */
+  readonly admission?: Admission | null;
   /** Default "en". */
   readonly language?: Language;
 }
@@ -85,7 +88,7 @@ export class Editor {
   readonly #router: UpdateRouter;
   #modeRequest = 0;
 
-  constructor({ engine, viewer, textureView, keeps = true, language = "en" }: EditorParts) {
+  constructor({ engine, viewer, textureView, keeps = true, admission = null, language = "en" }: EditorParts) {
     this.store = new Store<EditorState>({ ...INITIAL_STATE, language });
     this.board = new NoticeBoard(this.store);
     this.tasks = new Tasks(this.store);
@@ -102,7 +105,7 @@ export class Editor {
     const send = this.session.send.bind(this.session);
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
     const { session, library } = this;
-    this.layers = new LayerCommands(session, viewer, store, board);
+    this.layers = new LayerCommands({ session, viewer, store, board, admission });
     this.decals = new DecalCommands({ session, viewer, store, board, layers: this.layers });
     const { decals } = this;
     const models = this.#models;
@@ -117,6 +120,7 @@ export class Editor {
       board,
       tasks,
       projects,
+      admission,
       texts: () => this.texts,
     });
     const keeping = keepProjects({
@@ -131,7 +135,7 @@ export class Editor {
     const { tools } = this;
     const reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     this.palettes = new PaletteCommands(tools, board);
-    this.tips = new TipCommands(library, store, tools, board);
+    this.tips = new TipCommands({ library, store, tools, board, admission });
     registerTools({ engine, viewer, textureView, session, library, store, board, tools, reach });
     tools.register(new PartsTool({ engine, viewer, textureView, store, board, layers: this.layers }));
     const showMaterial = (material: number): void => this.showMaterial(material);
@@ -145,7 +149,7 @@ export class Editor {
       tasks,
       showMaterial,
     });
-    this.texts = new TextCommands({ engine, session, store, board, library, decals });
+    this.texts = new TextCommands({ engine, session, store, board, library, decals, admission });
     tools.register(textTool(this.texts, tools));
     this.#connect();
   }
@@ -202,6 +206,15 @@ export class Editor {
     const { material } = this.store.state;
     if (material === null) return;
     this.#attempt(this.strings.errors.couldNotBake, this.#models.configure(material, settings));
+  }
+
+  /** Gives every target that nobody has set otherwise that size; null: the model's own. */
+  resizeTargets(size: number | null): void {
+    const { targets, targetSettings } = this.store.state;
+    this.store.set({ usualTarget: { size, gutter: null } });
+    for (const material of targets.keys()) {
+      if (!targetSettings.has(material)) this.#attempt(this.strings.errors.couldNotBake, this.#models.reopen(material));
+    }
   }
 
   showMaterial(material: number): void {

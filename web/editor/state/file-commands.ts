@@ -9,6 +9,7 @@ import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { sortFiles } from "../files/file-intake.ts";
 import type { ProjectContent } from "../storage/project.ts";
+import type { Admission } from "./admission.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -29,6 +30,8 @@ export interface FileCommandsParts {
   readonly library: AssetLibrary;
   readonly board: NoticeBoard;
   readonly tasks: Tasks;
+  /** Null: whatever can be opened may be. */
+  readonly admission: Admission | null;
   readonly texts: () => TextCommands;
   /** A function, because the two need each other. */
   readonly projects: () => ProjectCommands;
@@ -46,20 +49,28 @@ export class FileCommands {
     files: Promise<readonly CollectedFile[]> | readonly CollectedFile[],
     hit: SurfaceHit | null = null,
   ): Promise<void> {
-    return this.#parts.tasks.quietly(this.#openFiles(files, hit));
+    return this.#unlessReadonly(() => this.#openFiles(files, hit));
   }
 
   openDemo(demo: DemoModel): Promise<void> {
-    return this.#parts.tasks.quietly(this.#openDemo(demo));
+    return this.#unlessReadonly(() => this.#openDemo(demo));
   }
 
   /** Opens a template's model, without a design. */
   openTemplate(template: DemoTemplate): Promise<void> {
-    return this.#parts.tasks.quietly(this.#openTemplate(template));
+    return this.#unlessReadonly(() => this.#openTemplate(template));
   }
 
   addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null = null): Promise<void> {
-    return this.#parts.tasks.quietly(this.#addDemoDecal(decal, hit));
+    return this.#unlessReadonly(() => this.#addDemoDecal(decal, hit));
+  }
+
+  /** What would change the design is not begun where it is only looked at, and the user is told. */
+  async #unlessReadonly(work: () => Promise<void>): Promise<void> {
+    const { store, board, tasks } = this.#parts;
+    const { title, message } = board.strings.readonly;
+    if (store.state.readonly) board.info({ title, message });
+    else await tasks.quietly(work());
   }
 
   async #openFiles(
@@ -78,6 +89,7 @@ export class FileCommands {
         collected,
         this.#parts.board.strings,
       );
+      if (this.#parts.admission && (model || design || project)) throw this.#notHere(collected);
       if (project) {
         name = project.file.name;
         const own = model && { source: model, title: model.name, demoId: null };
@@ -194,7 +206,7 @@ export class FileCommands {
   /** Steps lead across models too, which takes a moment: the old model is opened again. */
   async #travelTo(position: number, arrived: () => void): Promise<void> {
     const { session, store, models, board } = this.#parts;
-    if (store.state.switching || position === session.position) return;
+    if (store.state.switching || store.state.readonly || position === session.position) return;
     const goal = session.snapshotAt(position);
     if (!goal) return;
     const arrive = (): void => {
@@ -280,12 +292,23 @@ export class FileCommands {
     board.announce(this.#parts.board.strings.announce.opened(fileName));
   }
 
+  /** In somebody's page the model and the design are the page's. */
+  #notHere([first]: readonly CollectedFile[]): TexelcastError {
+    const { notHere, notHereHint } = this.#parts.board.strings.errors;
+    const subject = first?.path ?? "";
+    return new TexelcastError("unsupported", notHere(subject), { subject, hint: notHereHint });
+  }
+
   async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
-    const { library, decals, store } = this.#parts;
+    const { library, decals, store, admission } = this.#parts;
     if (!store.state.model) {
       throw new TexelcastError("bad-argument", this.#parts.board.strings.errors.noModelYet, { subject: file.name });
     }
-    const picture = await library.add(file.name, await bytesOf(file));
+    admission?.checkRoom(1);
+    const bytes = await bytesOf(file);
+    const picture = await library.add(file.name, (await admission?.admit("picture", file.name, bytes)) ?? bytes);
+    // Somebody may have added another one meanwhile.
+    admission?.checkRoom(1);
     decals.add(fileStem(file.name), picture, hit);
   }
 
@@ -293,7 +316,9 @@ export class FileCommands {
     if (!this.#parts.store.state.model) {
       throw new TexelcastError("bad-argument", this.#parts.board.strings.errors.noModelForText, { subject: file.name });
     }
-    await this.#parts.texts().useFontFile(file.name, await bytesOf(file), hit);
+    const bytes = await bytesOf(file);
+    const admitted = await this.#parts.admission?.admit("font", file.name, bytes);
+    await this.#parts.texts().useFontFile(file.name, admitted ?? bytes, hit);
   }
 
   async #export(name: string, type: string, make: () => Promise<Uint8Array>): Promise<void> {

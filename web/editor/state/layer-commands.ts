@@ -11,7 +11,8 @@ import {
   type StrokeLayer,
   type TextLayer,
 } from "../document/index.ts";
-import { layerById, patchLayer } from "./design-edits.ts";
+import type { Admission } from "./admission.ts";
+import { layerById, patchLayer, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf, type EditorState } from "./editor-state.ts";
 import {
@@ -51,20 +52,25 @@ const COPY_SHARE = 0.04;
 /** A locked layer may still be renamed, shown, hidden and unlocked. */
 const FREE_FIELDS: readonly (keyof LayerPatch)[] = ["locked", "visible", "name"];
 
+export interface LayerCommandsParts {
+  readonly session: DesignSession;
+  readonly viewer: Pick<ModelViewer, "nudge">;
+  readonly store: Store<EditorState>;
+  readonly board: NoticeBoard;
+  readonly admission?: Admission | null;
+}
+
 export class LayerCommands {
   readonly #session: DesignSession;
   readonly #store: Store<EditorState>;
   readonly #board: NoticeBoard;
+  readonly #admission: Admission | null;
   readonly #viewer: Pick<ModelViewer, "nudge">;
   /** Where a choice of several began. */
   #anchor: string | null = null;
 
-  constructor(
-    session: DesignSession,
-    viewer: Pick<ModelViewer, "nudge">,
-    store: Store<EditorState>,
-    board: NoticeBoard,
-  ) {
+  constructor({ session, viewer, store, board, admission = null }: LayerCommandsParts) {
+    this.#admission = admission;
     this.#session = session;
     this.#viewer = viewer;
     this.#store = store;
@@ -143,6 +149,12 @@ export class LayerCommands {
   duplicate(ids = this.#store.state.selection): void {
     const { design, ids: copies } = duplicateLayers(this.#session.recordedDesign, ids, (layer) => this.#apart(layer));
     if (copies.length === 0) return;
+    const more = placedCount(design) - placedCount(this.#session.recordedDesign);
+    const fits = this.#attempt(() => {
+      this.#admission?.checkRoom(more);
+      return true;
+    });
+    if (!fits) return;
     const said = this.#said(ids, this.#board.strings.announce.duplicated, this.#board.strings.announce.duplicatedMany);
     this.#session.record(design, this.#board.strings.steps.duplicate(copies.length));
     this.#choose(copies.toReversed());

@@ -8,13 +8,7 @@ import type { ModelViewer } from "../../viewer/viewer-api.ts";
 import { type Design, materialsIn } from "../document/index.ts";
 import { type Strings, stringsIn } from "../strings.ts";
 import { usedMaterials } from "./design-edits.ts";
-import {
-  DEFAULT_TARGET,
-  type EditorState,
-  type ModelRef,
-  type OpenModel,
-  type TargetSettings,
-} from "./editor-state.ts";
+import type { EditorState, ModelRef, OpenModel, TargetSettings } from "./editor-state.ts";
 import type { Store } from "./store.ts";
 import type { TaskHandle, Tasks } from "./tasks.ts";
 import type { UpdateRouter } from "./update-router.ts";
@@ -85,7 +79,7 @@ export class ModelSession {
 
   /** Opens a material's target with other settings; the old one stays until the new one is there. */
   async configure(material: number, settings: TargetSettings): Promise<void> {
-    const { model, targetSettings } = this.#store.state;
+    const { model, targetSettings, usualTarget } = this.#store.state;
     if (!model) return;
     const change = (value: TargetSettings): void => {
       const map = new Map(this.#store.state.targetSettings).set(material, value);
@@ -98,7 +92,7 @@ export class ModelSession {
     } catch (thrown) {
       // Back to what is still open, unless a newer wish is already on its way.
       const newest = this.#store.state.targetSettings.get(material) === settings;
-      if (newest) change(targetSettings.get(material) ?? DEFAULT_TARGET);
+      if (newest) change(targetSettings.get(material) ?? usualTarget);
       throw thrown;
     }
   }
@@ -157,7 +151,8 @@ export class ModelSession {
   }
 
   async #openTarget(material: number, task: TaskHandle): Promise<void> {
-    const { size, gutter } = this.#store.state.targetSettings.get(material) ?? DEFAULT_TARGET;
+    const { targetSettings, usualTarget } = this.#store.state;
+    const { size, gutter } = targetSettings.get(material) ?? usualTarget;
     const uvTriangles = await this.#uvTrianglesOf(material);
     const info = await this.#engine.openTarget(
       {

@@ -4,7 +4,8 @@ import type { LayerCommands } from "./layer-commands.ts";
 import { VIEW_LAYOUTS } from "./view-state.ts";
 
 export interface ShortcutActions {
-  readonly openModel: () => void;
+  /** Null where there is none to be chosen. */
+  readonly openModel: (() => void) | null;
   readonly help: () => void;
 }
 
@@ -22,11 +23,13 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
     return true;
   }
   if (handleView(event, editor)) return true;
+  if (editor.store.state.readonly) return handleLook(event, editor);
   return editor.tools.handleKey(event) || (event.altKey ? handleAlt : handlePlain)(event, editor);
 }
 
-function handleCommand(event: KeyboardEvent, { files, layers }: Editor, actions: ShortcutActions): boolean {
+function handleCommand(event: KeyboardEvent, { files, layers, store }: Editor, actions: ShortcutActions): boolean {
   if (event.altKey) return false;
+  if (store.state.readonly && event.key.toLowerCase() !== "s") return false;
   // By place on the keyboard: where a layout has these characters on another level, Ctrl means another one.
   if (event.code === "BracketRight") return arrange(layers, 1, event.shiftKey);
   if (event.code === "BracketLeft") return arrange(layers, -1, event.shiftKey);
@@ -51,8 +54,8 @@ function handleCommand(event: KeyboardEvent, { files, layers }: Editor, actions:
       files.saveDesign();
       return true;
     case "o":
-      actions.openModel();
-      return true;
+      actions.openModel?.();
+      return actions.openModel !== null;
     default:
       return false;
   }
@@ -111,6 +114,14 @@ function handleAlt(event: KeyboardEvent, { decals }: Editor): boolean {
     default:
       return false;
   }
+}
+
+/** What is left where the design is only looked at. */
+function handleLook(event: KeyboardEvent, { layers, viewer }: Editor): boolean {
+  if (event.key === "Escape") layers.select(null);
+  else if (event.key.toLowerCase() === "f") viewer.frameModel();
+  else return false;
+  return true;
 }
 
 function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Editor): boolean {

@@ -4,6 +4,7 @@ import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fon
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
 import { resolveWords } from "../document/resolve-layers.ts";
+import type { Admission } from "./admission.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
 import { layerById, patchLayer, withAsset, withoutUnusedAssets } from "./design-edits.ts";
@@ -28,6 +29,7 @@ export interface TextCommandsParts {
   readonly board: NoticeBoard;
   readonly library: AssetLibrary;
   readonly decals: DecalCommands;
+  readonly admission: Admission | null;
 }
 
 const FIRST_FONT: ShippedFontId = "inter-700";
@@ -54,6 +56,7 @@ export class TextCommands {
     if (!store.state.model || store.state.switching) return;
     try {
       const { design: withFont, key } = withAsset(session.recordedDesign, font.name, font.asset);
+      this.#parts.admission?.checkRoom(1);
       const text = this.#parts.board.strings.text.sample;
       const plain = makeTextLayer({ id: "", text, font: key, projector: NOWHERE });
       const room = await this.#measure(this.#wordsOf(plain, withFont.assets));

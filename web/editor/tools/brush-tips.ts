@@ -3,6 +3,7 @@ import { type Design, type DesignAsset, flattenLayers } from "../document/index.
 import { bytesOf } from "../files/companions.ts";
 import { type DemoDecal, fetchBytes } from "../files/demo-catalogue.ts";
 import { fileStem } from "../files/download.ts";
+import type { Admission } from "../state/admission.ts";
 import type { AssetLibrary } from "../state/asset-library.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
@@ -30,13 +31,23 @@ export function tipsOf(design: Pick<Design, "assets" | "layers">): BrushTip[] {
     .map(([name, asset]) => ({ name, asset }));
 }
 
+export interface TipCommandsParts {
+  readonly library: AssetLibrary;
+  readonly store: Store<EditorState>;
+  readonly tools: Toolbox;
+  readonly board: NoticeBoard;
+  readonly admission: Admission | null;
+}
+
 export class TipCommands {
   readonly #library: AssetLibrary;
   readonly #store: Store<EditorState>;
   readonly #tools: Toolbox;
   readonly #board: NoticeBoard;
+  readonly #admission: Admission | null;
 
-  constructor(library: AssetLibrary, store: Store<EditorState>, tools: Toolbox, board: NoticeBoard) {
+  constructor({ library, store, tools, board, admission }: TipCommandsParts) {
+    this.#admission = admission;
     this.#library = library;
     this.#store = store;
     this.#tools = tools;
@@ -61,7 +72,9 @@ export class TipCommands {
 
   async #take(name: string, fileName: string, bytes: Promise<Uint8Array>): Promise<void> {
     try {
-      const { asset } = await this.#library.add(fileName, await bytes);
+      const given = await bytes;
+      const admitted = await this.#admission?.admit("picture", fileName, given);
+      const { asset } = await this.#library.add(fileName, admitted ?? given);
       this.use({ name, asset });
     } catch (thrown) {
       this.#board.error(this.#board.strings.errors.couldNotOpen(name), thrown);

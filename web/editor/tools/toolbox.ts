@@ -1,5 +1,6 @@
 /** The tools and which of them is chosen. Tools register themselves here; the rail and the options bar read it. */
-import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
+import { LOOK_ONLY } from "../../viewer/look-only.ts";
+import type { ModelViewer, TextureView, ToolInput } from "../../viewer/viewer-api.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import type { Store } from "../state/store.ts";
@@ -24,6 +25,7 @@ export class Toolbox {
     parts.store.subscribe(() => {
       const before = seen;
       seen = parts.store.state;
+      if (seen.readonly !== before.readonly) this.#followReadonly(seen.readonly);
       if (seen.model !== before.model) this.#measure();
       if (seen.targets !== before.targets || seen.toolSettings.pixelMode !== before.toolSettings.pixelMode) {
         this.#showPixels();
@@ -40,6 +42,7 @@ export class Toolbox {
 
   /** Those that the rail offers now. */
   get offered(): readonly Tool[] {
+    if (this.#parts.store.state.readonly) return [];
     return this.all.filter((tool) => tool.offered?.() ?? true);
   }
 
@@ -65,13 +68,12 @@ export class Toolbox {
 
   /** An unknown id changes nothing. */
   choose(id: ToolId): void {
-    const { store, viewer, board } = this.#parts;
+    const { store, board } = this.#parts;
     const tool = this.#tools.get(id);
-    if (!tool || id === store.state.tool) return;
+    if (!tool || id === store.state.tool || store.state.readonly) return;
     this.active?.deactivate?.();
     store.set({ tool: id });
-    viewer.setTool(tool.input);
-    this.#showInTexture(tool);
+    this.#use(tool.input);
     tool.activate?.();
     board.announce(board.strings.tools.chosen(tool.label(board.strings)));
   }
@@ -116,9 +118,18 @@ export class Toolbox {
     return path.includes(this.#parts.textureView.element) ? "texture" : null;
   }
 
-  #showInTexture(tool: Tool): void {
+  /** The views' pointer is the chosen tool's, or nobody's while the design is only looked at. */
+  #followReadonly(readonly: boolean): void {
+    const { active } = this;
+    if (readonly) active?.deactivate?.();
+    this.#use(readonly ? LOOK_ONLY : (active?.input ?? null));
+    if (!readonly) active?.activate?.();
+  }
+
+  #use(input: ToolInput | null): void {
     const { viewer, textureView, store } = this.#parts;
-    textureView.setTool(tool.input, (uv) => {
+    viewer.setTool(input);
+    textureView.setTool(input, (uv) => {
       const { material } = store.state;
       return material === null ? null : viewer.surface.atUv(material, uv);
     });

@@ -18,7 +18,7 @@ export abstract class EditorElement extends LitElement {
     new StoreController<EditorState>(
       this,
       () => this.editor?.store,
-      (state) => [state.language, ...this.watched(state)],
+      (state) => [state.language, state.readonly, ...this.watched(state)],
       // What a gesture only shows is no step of the history: a new one, or the old one again, ends it.
       pace === 0 ? null : { milliseconds: pace, final: ({ history }) => history },
     );

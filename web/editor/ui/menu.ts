@@ -23,7 +23,10 @@ export interface MenuItem {
 }
 
 export class Menu extends LitElement {
+  /** A fieldset around it that is disabled disables it. */
+  static readonly formAssociated = true;
   static override properties = {
+    disabled: { state: true },
     label: {},
     name: {},
     icon: { attribute: false },
@@ -39,6 +42,7 @@ export class Menu extends LitElement {
   declare items: readonly MenuItem[];
   declare alignEnd: boolean;
   declare open: boolean;
+  declare disabled: boolean;
 
   constructor() {
     super();
@@ -48,6 +52,11 @@ export class Menu extends LitElement {
     this.items = [];
     this.alignEnd = false;
     this.open = false;
+    this.disabled = false;
+  }
+
+  formDisabledCallback(disabled: boolean): void {
+    this.disabled = disabled;
   }
 
   static override styles = [
@@ -116,6 +125,7 @@ export class Menu extends LitElement {
       <button
         class=${this.label ? "opener" : "opener icon"}
         aria-haspopup="menu"
+        ?disabled=${this.disabled}
         aria-expanded=${this.open}
         aria-label=${this.name}
         title=${this.name}

@@ -17,6 +17,8 @@ const COARSE = 10;
 const FINE = 0.1;
 
 export class NumberField extends LitElement {
+  /** A fieldset around it that is disabled disables it. */
+  static readonly formAssociated = true;
   static override properties = {
     label: {},
     name: {},
@@ -27,6 +29,7 @@ export class NumberField extends LitElement {
     min: { type: Number },
     max: { type: Number },
     disabled: { type: Boolean },
+    fieldsetDisabled: { state: true },
   };
   /** What is seen: short ("X"). */
   declare label: string;
@@ -39,6 +42,7 @@ export class NumberField extends LitElement {
   declare min: number;
   declare max: number;
   declare disabled: boolean;
+  declare fieldsetDisabled: boolean;
 
   #scrub: {
     readonly pointer: number;
@@ -60,6 +64,7 @@ export class NumberField extends LitElement {
     this.min = Number.NEGATIVE_INFINITY;
     this.max = Number.POSITIVE_INFINITY;
     this.disabled = false;
+    this.fieldsetDisabled = false;
   }
 
   static override styles = [
@@ -90,7 +95,7 @@ export class NumberField extends LitElement {
         outline-offset: -1px;
         background: var(--surface);
       }
-      :host([disabled]) {
+      :host(:disabled) {
         opacity: 0.5;
       }
       label {
@@ -156,7 +161,7 @@ export class NumberField extends LitElement {
         aria-valuetext=${`${this.#shown(this.value, this.step)} ${this.unit}`.trim()}
         aria-valuemin=${Number.isFinite(this.min) ? formatNumber(this.min, this.step) : nothing}
         aria-valuemax=${Number.isFinite(this.max) ? formatNumber(this.max, this.step) : nothing}
-        ?disabled=${this.disabled}
+        ?disabled=${this.#off}
         @input=${this.#type}
         @keydown=${this.#key}
         @focus=${(event: Event) => (event.target as HTMLInputElement).select()}
@@ -166,9 +171,17 @@ export class NumberField extends LitElement {
     </div>`;
   }
 
+  formDisabledCallback(disabled: boolean): void {
+    this.fieldsetDisabled = disabled;
+  }
+
+  get #off(): boolean {
+    return this.disabled || this.fieldsetDisabled;
+  }
+
   override updated(changed: PropertyValues<this>): void {
     const own = this.#typing || this.#scrub?.active === true;
-    if ((changed.has("value") || changed.has("step")) && !own) this.#show();
+    if ((changed.has("value") || changed.has("step") || changed.has("name")) && !own) this.#show();
   }
 
   override focus(): void {
@@ -233,7 +246,7 @@ export class NumberField extends LitElement {
   }
 
   #press(event: PointerEvent): void {
-    if (event.button !== 0 || this.disabled) return;
+    if (event.button !== 0 || this.#off) return;
     event.preventDefault();
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
     this.#scrub = { pointer: event.pointerId, x: event.clientX, from: this.value, active: false, value: this.value };

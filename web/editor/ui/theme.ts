@@ -126,6 +126,10 @@ export const controls = css`
   button:active {
     background: var(--pressed);
   }
+  /* Of what can only be looked at: a box would not be one of the panel's own. */
+  fieldset {
+    display: contents;
+  }
   /* aria-disabled keeps the focus, which the keyboard would lose at the end of a list. */
   button:disabled,
   button[aria-disabled="true"] {

@@ -4,10 +4,10 @@
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Design, DesignLayer } from "../../editor/document/design.ts";
-import { flattenLayers, removeById } from "../../editor/document/layer-tree.ts";
+import { removeById } from "../../editor/document/layer-tree.ts";
 import type { AssetLibrary } from "../../editor/state/asset-library.ts";
 import { DecalReach, type PlacedLayer } from "../../editor/state/decal-reach.ts";
-import { layerById, patchLayer, withoutUnusedAssets } from "../../editor/state/design-edits.ts";
+import { layerById, patchLayer, placedCount, withoutUnusedAssets } from "../../editor/state/design-edits.ts";
 import type { DesignSession } from "../../editor/state/design-session.ts";
 import type { EditorState } from "../../editor/state/editor-state.ts";
 import type { Store } from "../../editor/state/store.ts";
@@ -148,15 +148,13 @@ export class Desk {
   /** How many more pictures and texts there may be. */
   get room(): number {
     const { maxDecals } = this.settings;
-    if (maxDecals === null) return Number.POSITIVE_INFINITY;
-    const placed = flattenLayers(this.design, { masks: false, strokes: false });
-    return maxDecals - placed.filter(({ type }) => type === "decal" || type === "text").length;
+    return maxDecals === null ? Number.POSITIVE_INFINITY : maxDecals - placedCount(this.design);
   }
 
-  /** Throws "too-many-decals" where no other one may come. */
-  checkRoom(): void {
+  /** Throws "too-many-decals" where that many more may not come. */
+  checkRoom(more = 1): void {
     this.checkWritable();
-    if (this.room > 0) return;
+    if (more <= 0 || this.room >= more) return;
     const { words, maxDecals } = this.settings;
     throw new TexelcastError("too-many-decals", words.errors.tooMany(maxDecals ?? 0), {
       field: "max-decals",

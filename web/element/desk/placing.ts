@@ -1,6 +1,6 @@
 /** Putting pictures and words on the product. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import type { DesignAsset, LayerMaterials } from "../../editor/document/design.ts";
+import type { LayerMaterials } from "../../editor/document/design.ts";
 import { freeIdIn } from "../../editor/document/layer-tree.ts";
 import { makeDecalLayer } from "../../editor/document/make-layer.ts";
 import { fileStem } from "../../editor/files/download.ts";
@@ -51,7 +51,7 @@ export async function addPicture(
 ): Promise<string> {
   desk.checkRoom();
   const { name, bytes } = await fileOf(desk, source);
-  const picture = await takeIn(desk, name, bytes);
+  const picture = await desk.library.add(name, await admitPicture(desk, name, bytes));
   // Somebody may have added another one meanwhile.
   desk.checkRoom();
   const label = options.name ?? fileStem(name);
@@ -79,17 +79,12 @@ async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; 
   return { name: nameOf(url), bytes: await fetchBytes(url, { words, signal: new AbortController().signal }) };
 }
 
-interface TakenPicture {
-  readonly asset: DesignAsset;
-  readonly width: number;
-  readonly height: number;
-}
-
-async function takeIn(desk: Desk, name: string, bytes: Uint8Array): Promise<TakenPicture> {
+/** A picture's bytes without metadata: checked, and accepted by the shop. */
+export async function admitPicture(desk: Desk, name: string, bytes: Uint8Array): Promise<Uint8Array> {
   const { checkUpload } = await import("../../engine/upload-check.ts");
   const checked = checkUpload(name, bytes, desk.settings.limits);
   await askShop(desk, { name, ...checked, sha256: await contentHash(checked.bytes) });
-  return await desk.library.add(name, checked.bytes);
+  return checked.bytes;
 }
 
 /** Rejects with "refused" where the shop does not take an asset, or its hook fails. */

@@ -97,9 +97,7 @@ export class Texts {
     }
     const bytes = font instanceof Uint8Array ? font : new Uint8Array(await font.arrayBuffer());
     const name = font instanceof File ? font.name : "font";
-    const { readFontHeader } = await import("../../engine/font-file.ts");
-    const type = `font/${readFontHeader(bytes, name).format}` as const;
-    await askShop(this.#desk, { name, type, bytes, width: 0, height: 0, sha256: await contentHash(bytes) });
+    await admitFont(this.#desk, name, bytes);
     return await this.#desk.library.addFont(name, bytes);
   }
 
@@ -108,6 +106,13 @@ export class Texts {
     const key = this.#desk.library.engineKey(assets[layer.font]);
     return await this.#desk.engine.measureText({ ...words, font: key ?? words.font, fontSize: 1 });
   }
+}
+
+/** Rejects with "bad-font", and with "refused" where the shop does not take it. */
+export async function admitFont(desk: Desk, name: string, bytes: Uint8Array): Promise<void> {
+  const { readFontHeader } = await import("../../engine/font-file.ts");
+  const type = `font/${readFontHeader(bytes, name).format}` as const;
+  await askShop(desk, { name, type, bytes, width: 0, height: 0, sha256: await contentHash(bytes) });
 }
 
 /** A font that comes with Texelcast, as a text takes it. */

@@ -1,7 +1,7 @@
 /** The whole editor inside the element: loaded when a page asks for it, and never with the shop's mode. */
-import { css, html, type TemplateResult } from "lit";
-import { TexelcastError } from "../../core/texelcast-error.ts";
+import { html, nothing, type TemplateResult } from "lit";
 import type { Design } from "../../editor/document/design.ts";
+import type { Admission } from "../../editor/state/admission.ts";
 import { Editor } from "../../editor/state/editor.ts";
 import { stringsIn } from "../../editor/strings.ts";
 import "../../editor/workbench.ts";
@@ -10,33 +10,16 @@ import { createEngineClient } from "../../engine/engine-client.ts";
 import { createModelViewer } from "../../viewer/model-viewer.ts";
 import { createTextureView } from "../../viewer/texture-view.ts";
 import type { TextureView } from "../../viewer/viewer-api.ts";
-import { Desk } from "../desk/desk.ts";
-import { addPicture } from "../desk/placing.ts";
-import { Texts } from "../desk/texts.ts";
+import { paintableMaterial } from "../desk/paintable.ts";
+import { addPicture, admitPicture } from "../desk/placing.ts";
+import { admitFont, Texts } from "../desk/texts.ts";
 import type { DecalSource, PlaceOptions, TextOptions } from "../element-api.ts";
 import type { Mode, ModeHost } from "../mode.ts";
-
-const styles = css`
-  .full {
-    position: absolute;
-    inset: 0;
-    display: grid;
-    grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
-  }
-  .full .view {
-    position: relative;
-    inset: auto;
-  }
-  .full .foot {
-    display: flex;
-    align-items: center;
-    justify-content: end;
-    gap: 0.5rem;
-    padding: 0.5rem 0.75rem max(0.5rem, env(safe-area-inset-bottom));
-    border-block-start: 1px solid var(--_line);
-    background: var(--_surface);
-  }
-`;
+import { badgeStyles } from "../shop/badge-styles.ts";
+import { HeatMap } from "../shop/heat-map.ts";
+import { verdict } from "../shop/print-badges.ts";
+import { FullDesk } from "./full-desk.ts";
+import { fullStyles } from "./full-styles.ts";
 
 /** Throws a TexelcastError without WebGL 2. */
 export function openFull(host: ModeHost): Mode {
@@ -44,12 +27,13 @@ export function openFull(host: ModeHost): Mode {
 }
 
 class FullMode implements Mode {
-  readonly styles = [styles];
+  readonly styles = [badgeStyles, fullStyles];
   readonly #host: ModeHost;
   readonly #editor: Editor;
-  readonly desk: Desk;
+  readonly desk: FullDesk;
   readonly #texts: Texts;
   readonly #textureView: TextureView;
+  readonly #heat: HeatMap;
 
   constructor(host: ModeHost) {
     this.#host = host;
@@ -78,63 +62,120 @@ class FullMode implements Mode {
       readTexels: (material, x, y, width, height) => engine.readTexels(material, x, y, width, height),
     });
     this.#textureView = textureView;
-    const editor = new Editor({ engine, viewer, textureView, keeps: false, language });
+    const admission = this.#admission();
+    const editor = new Editor({ engine, viewer, textureView, keeps: false, admission, language });
     this.#editor = editor;
     workbench.editor = editor;
     workbench.append(places.view, places.texture);
     workbench.hidden = false;
     holder.replaceWith(workbench);
     const { store, session, library } = editor;
-    this.desk = new Desk({ engine, viewer, store, session, library, hooks: host.hooks });
+    this.desk = new FullDesk({ engine, viewer, store, session, library, hooks: host.hooks });
     this.#texts = new Texts(this.desk);
+    this.#heat = new HeatMap(this.desk, () => host.requestUpdate());
+  }
+
+  /** What the panels bring along is asked about as what the page's own script brings. */
+  #admission(): Admission {
+    return {
+      checkRoom: (more) => this.desk.checkRoom(more),
+      admit: async (kind, name, bytes) => {
+        if (kind === "picture") return await admitPicture(this.desk, name, bytes);
+        await admitFont(this.desk, name, bytes);
+        return bytes;
+      },
+    };
   }
 
   async open(source: ModelSource, readDesign: () => Promise<Design>): Promise<void> {
     const ref = { source, title: source.name, demoId: null };
-    const { size, material } = this.desk.settings;
-    const settings = new Map(size === null ? [] : [[material ?? 0, { size, gutter: null }] as const]);
-    await this.#editor.open(ref, await readDesign(), settings);
+    this.#editor.resizeTargets(this.desk.settings.size);
+    await this.#editor.open(ref, await readDesign());
+    this.#chooseMaterial();
     this.desk.store.set({ starting: false });
     this.desk.opened();
     this.configure();
-    await this.desk.engine.idle();
+    await this.idle();
   }
+
   render(): TemplateResult {
     const { words, view, submit, tell } = this.#host;
+    const { desk } = this;
     const handIn = (): void => void submit().catch(tell);
     return html`
       <div class="full" part="full">
         ${view}
         <div class="foot" part="foot">
           <slot name="toolbar"></slot>
-          <span class="own"><button class="filled" part="button submit-button" data-act="submit" @click=${handIn}>
-            <slot name="submit">${words.submit}</slot>
-          </button></span>
+          ${desk.zones === null ? nothing : this.#quality()}
+          ${
+            desk.settings.readonly
+              ? nothing
+              : html`<span class="own"><button class="filled" part="button submit-button" data-act="submit" @click=${handIn}>
+                  <slot name="submit">${words.submit}</slot>
+                </button></span>`
+          }
         </div>
       </div>
     `;
   }
+
+  /** How it will be printed: in a word, and on the model. */
+  #quality(): TemplateResult {
+    const { words, tell } = this.#host;
+    const { good, least } = words.heatLegend;
+    const { shown } = this.#heat;
+    return html`<div class="own quality">
+      <button
+        class="outlined"
+        part="button heat-button"
+        data-act="heat"
+        aria-pressed=${shown}
+        @click=${() => void this.#heat.toggle().catch(tell)}
+      >
+        ${words.heatMap}
+      </button>
+      ${
+        shown
+          ? html`<span class="legend"><span class="good">${good}</span><span class="bad">${least}</span></span>`
+          : verdict(this.desk, words)
+      }
+    </div>`;
+  }
+
   addDecal(source: DecalSource, options?: PlaceOptions): Promise<string> {
     return addPicture(this.desk, source, options);
   }
   addText(text: string, options?: TextOptions): Promise<string> {
     return this.#texts.add(text, options);
   }
+
   configure(): void {
     const { camera, readonly, words } = this.desk.settings;
-    const { viewer, store } = this.desk;
+    const { viewer, store, session } = this.desk;
     viewer.setCamera(null, camera);
-    store.set({ language: words.language });
+    if (readonly && !store.state.readonly) session.select(null);
+    store.set({ language: words.language, readonly });
     const { stage, texture } = this.#editor.strings;
     viewer.element.setAttribute("aria-label", stage.view);
     this.#textureView.element.setAttribute("aria-label", texture.view);
-    if (readonly) throw new TexelcastError("unsupported", words.errors.fullReadonly, { field: "readonly" });
   }
+
   async resize(): Promise<void> {
+    this.#chooseMaterial();
     const { size } = this.desk.settings;
-    this.#editor.configureTarget({ size, gutter: null });
+    if (size !== this.desk.store.state.usualTarget.size) this.#editor.resizeTargets(size);
     await this.idle();
   }
+
+  #chooseMaterial(): void {
+    const { desk } = this;
+    const { model } = desk.store.state;
+    if (model === null) return;
+    desk.printed = paintableMaterial(model.info, desk.settings);
+    this.#editor.showMaterial(desk.printed);
+  }
+
   idle(): Promise<void> {
     return this.#editor.idle();
   }

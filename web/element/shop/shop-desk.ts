@@ -1,5 +1,4 @@
 /** The shop's desk: one engine, one view, one design with its history, and no more of the editor than these need. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Design } from "../../editor/document/design.ts";
 import { AssetLibrary } from "../../editor/state/asset-library.ts";
 import type { PlacedLayer } from "../../editor/state/decal-reach.ts";
@@ -8,13 +7,14 @@ import { DesignSession } from "../../editor/state/design-session.ts";
 import { type EditorState, INITIAL_FIGURES, INITIAL_STATE } from "../../editor/state/editor-state.ts";
 import { Store } from "../../editor/state/store.ts";
 import { UpdateRouter } from "../../editor/state/update-router.ts";
-import type { ModelInfo, ModelSource, TargetInfo } from "../../engine/engine-api.ts";
+import type { ModelSource, TargetInfo } from "../../engine/engine-api.ts";
 import { createEngineClient } from "../../engine/engine-client.ts";
+import { LOOK_ONLY } from "../../viewer/look-only.ts";
 import { createModelViewer } from "../../viewer/model-viewer.ts";
 import type { DecalGesture } from "../../viewer/viewer-api.ts";
 import { Desk } from "../desk/desk.ts";
 import type { DeskHooks } from "../desk/desk-settings.ts";
-import { LOOK_ONLY } from "./look-only.ts";
+import { paintableMaterial } from "../desk/paintable.ts";
 
 export interface ShopDeskParts {
   /** Where the view goes; it must have a size. */
@@ -63,7 +63,7 @@ export class ShopDesk extends Desk {
     await this.viewer.setModel(info);
     this.#router.clear();
     const ref = { source, title: source.name, demoId: null };
-    const material = this.#paintable(info);
+    const material = paintableMaterial(info, this.settings);
     this.store.set({ model: { ref, info }, material });
     const materials = [...new Set([material, ...usedMaterials(design)])].filter((each) => this.#canPaint(each));
     for (const [index, each] of materials.entries()) {
@@ -84,9 +84,13 @@ export class ShopDesk extends Desk {
     if (readonly) this.session.select(null);
   }
 
-  /** Gives the open targets the size of the settings. */
+  /** Takes up the settings' material, and gives what is open the settings' size. */
   async resize(): Promise<void> {
-    for (const material of this.store.state.targets.keys()) await this.#inLine(() => this.#openTarget(material));
+    const { model, targets } = this.store.state;
+    if (model === null) return;
+    const own = paintableMaterial(model.info, this.settings);
+    this.store.set({ material: own });
+    for (const material of new Set([own, ...targets.keys()])) await this.#inLine(() => this.#openTarget(material));
   }
 
   /** Resolves when every target that the design needs is open and shows it. */
@@ -138,22 +142,6 @@ export class ShopDesk extends Desk {
     const turn = this.#line.then(work);
     this.#line = turn.catch(() => undefined);
     return turn;
-  }
-
-  /** The material that the page asks for, else the paintable one with the most triangles. */
-  #paintable({ name, materials }: ModelInfo): number {
-    const { material, words } = this.settings;
-    const open = materials.filter(({ refusal }) => refusal === null);
-    const [largest] = open.toSorted((a, b) => b.triangles - a.triangles);
-    if (open.some(({ index }) => index === material)) return material ?? 0;
-    const asked = material === null ? undefined : materials.find(({ index }) => index === material);
-    if (material === null && largest) return largest.index;
-    const refusal = asked?.refusal ?? materials.find((each) => each.refusal !== null)?.refusal;
-    throw new TexelcastError(
-      refusal?.code.toLowerCase().replaceAll("_", "-") ?? "bad-argument",
-      refusal?.message ?? words.errors.notOpenable,
-      { subject: name, field: "material", value: String(material) },
-    );
   }
 
   #canPaint(material: number): boolean {

@@ -59,21 +59,6 @@ export const shopStyles = css`
     box-shadow: 0 0 0 1px var(--line);
     font-size: var(--text-small);
   }
-  .legend span::before {
-    content: "";
-    display: inline-block;
-    width: 0.7em;
-    height: 0.7em;
-    margin-inline-end: 0.4em;
-    border-radius: 50%;
-    background: currentcolor;
-  }
-  .legend .good {
-    color: var(--good);
-  }
-  .legend .bad {
-    color: var(--danger);
-  }
   .panel {
     display: flex;
     flex-direction: column;
@@ -166,26 +151,6 @@ export const shopStyles = css`
     width: 100%;
     height: 100%;
     object-fit: contain;
-  }
-  .badge {
-    flex: none;
-    padding: 0.1rem 0.45rem;
-    border-radius: 99px;
-    font-size: var(--text-small);
-    font-variant-numeric: tabular-nums;
-    white-space: nowrap;
-  }
-  .badge.good {
-    color: var(--good);
-    background: var(--good-soft);
-  }
-  .badge.caution {
-    color: var(--caution);
-    background: var(--caution-soft);
-  }
-  .badge.bad {
-    color: var(--danger);
-    background: var(--danger-soft);
   }
   .fields {
     display: grid;

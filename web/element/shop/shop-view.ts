@@ -9,6 +9,7 @@ import type { Desk } from "../desk/desk.ts";
 import { addPicture } from "../desk/placing.ts";
 import type { Texts } from "../desk/texts.ts";
 import type { ModeHost } from "../mode.ts";
+import { badgeStyles } from "./badge-styles.ts";
 import { HeatMap } from "./heat-map.ts";
 import { layerFields } from "./layer-fields.ts";
 import { layerRows } from "./layer-rows.ts";
@@ -17,7 +18,7 @@ import { handleKey } from "./shop-keys.ts";
 import { shopStyles } from "./shop-styles.ts";
 
 export class ShopView {
-  static readonly styles = [shopStyles];
+  static readonly styles = [badgeStyles, shopStyles];
   readonly desk: Desk;
   readonly texts: Texts;
   readonly host: ModeHost;

@@ -1,5 +1,5 @@
-/** A tool that takes nothing: with it the view can be turned, and what lies on the product stays where it is. */
-import type { ToolInput } from "../../viewer/viewer-api.ts";
+/** A tool that takes nothing: with it the view can be turned, and what lies on the model stays where it is. */
+import type { ToolInput } from "./viewer-api.ts";
 
 export const LOOK_ONLY: ToolInput = {
   cursor: "grab",

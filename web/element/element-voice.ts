@@ -1,0 +1,83 @@
+/** What an element says, and in which language: errors to its page and its user, announcements to screen readers. */
+import type { LitElement } from "lit";
+import type { TexelcastEditorProperties } from "./element-api.ts";
+import { errorDetail, isCancelled, type ShownError, typedError } from "./element-errors.ts";
+import { sendEvent } from "./element-events.ts";
+import { english, languageOf, type Words, wordsIn } from "./words/words.ts";
+
+export class Voice {
+  readonly #element: LitElement & Pick<TexelcastEditorProperties, "locale">;
+  #words: Words = english;
+  #announcement = "";
+  #shownError: ShownError | null = null;
+
+  constructor(element: LitElement & Pick<TexelcastEditorProperties, "locale">) {
+    this.#element = element;
+  }
+
+  get words(): Words {
+    return this.#words;
+  }
+  get announcement(): string {
+    return this.#announcement;
+  }
+  /** What the user sees of the newest error, until it is sent away. */
+  get shownError(): ShownError | null {
+    return this.#shownError;
+  }
+
+  /** Takes up the element's language, which may have to be loaded. */
+  async speak(): Promise<void> {
+    const { locale } = this.#element;
+    const around = this.#element.closest("[lang]")?.getAttribute("lang");
+    this.#words = await wordsIn(languageOf([locale, around, ...navigator.languages]));
+    this.#element.requestUpdate();
+  }
+
+  /** Tells the page of a call that fails; whoever made the call is told by its promise, and need not listen. */
+  told<T>(work: Promise<T>): Promise<T> {
+    const told = work.catch((thrown: unknown) => {
+      this.report(thrown);
+      throw thrown;
+    });
+    told.catch(() => undefined);
+    return told;
+  }
+
+  tried(act: () => boolean | undefined): boolean {
+    try {
+      return act() ?? false;
+    } catch (thrown) {
+      this.report(thrown);
+      return false;
+    }
+  }
+
+  report(thrown: unknown): void {
+    if (!isCancelled(thrown)) sendEvent(this.#element, "error", errorDetail(typedError(thrown, this.#words)));
+  }
+
+  /** Tells the user, too. */
+  tell(thrown: unknown): void {
+    if (isCancelled(thrown)) return;
+    this.show(thrown);
+    this.report(thrown);
+  }
+
+  show(thrown: unknown): void {
+    const { message, hint = "" } = typedError(thrown, this.#words);
+    this.#shownError = { message, hint };
+    this.#element.requestUpdate();
+  }
+
+  dismiss(): void {
+    this.#shownError = null;
+    this.#element.requestUpdate();
+  }
+
+  announce(text: string): void {
+    // A live region speaks only when its text changes, which a space at the end does without being heard.
+    this.#announcement = this.#announcement === text ? `${text}\u00a0` : text;
+    this.#element.requestUpdate();
+  }
+}

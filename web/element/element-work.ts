@@ -1,0 +1,263 @@
+/** What an element has under way: it is opened, the design is worked on, and it is closed, as often as the page likes. */
+import type { LitElement } from "lit";
+import { TexelcastError } from "../core/texelcast-error.ts";
+import type { Design } from "../editor/document/design.ts";
+import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
+import type { DesignExport } from "./desk/export-design.ts";
+import type { SubmitDetail, TexelcastEditorProperties } from "./element-api.ts";
+import { sendEvent } from "./element-events.ts";
+import { FETCHED, Run } from "./element-run.ts";
+import { readSettings } from "./element-settings.ts";
+import type { Voice } from "./element-voice.ts";
+import type { Mode, ModeHost } from "./mode.ts";
+
+/** Milliseconds of rest after which a change is told. */
+const CHANGE_REST = 120;
+
+export type Phase = "idle" | "loading" | "failed" | "ready";
+
+export interface WorkParts {
+  readonly element: LitElement & TexelcastEditorProperties;
+  readonly voice: Voice;
+  /** It is idle again: whoever waits to begin may. */
+  readonly idle: () => void;
+}
+
+export class Work {
+  readonly #element: WorkParts["element"];
+  readonly #voice: Voice;
+  readonly #idle: () => void;
+  #phase: Phase = "idle";
+  #share = 0;
+  #run: Run | null = null;
+  #starting: Promise<void> | null = null;
+  /** What was worked on when the mode was closed last. */
+  #kept: Design | null = null;
+  #view: HTMLElement | null = null;
+  #changeTimer: ReturnType<typeof setTimeout> | undefined;
+  #exports: DesignExport | null = null;
+
+  constructor({ element, voice, idle }: WorkParts) {
+    this.#element = element;
+    this.#voice = voice;
+    this.#idle = idle;
+  }
+
+  get phase(): Phase {
+    return this.#phase;
+  }
+  /** How far loading has come, 0 to 1. */
+  get share(): number {
+    return this.#share;
+  }
+  /** Null until it is open. */
+  get mode(): Mode | null {
+    return this.#run?.mode ?? null;
+  }
+  /** Before it is open, too. */
+  get made(): Mode | null {
+    return this.#run?.made ?? null;
+  }
+  /** The 3D view's box: under the cover already, so that it has its place and size when the model comes. */
+  get view(): HTMLElement | null {
+    return this.#view;
+  }
+  get settings(): DeskSettings {
+    return readSettings(this.#element, this.#voice.words).settings;
+  }
+
+  start(): Promise<void> {
+    this.#starting ??= this.#voice.told(this.#start()).finally(() => {
+      if (this.#phase === "failed" || this.#phase === "idle") this.#starting = null;
+    });
+    this.#starting.catch(() => undefined);
+    return this.#starting;
+  }
+
+  /** The mode, open. Rejects as `start` does, "cancelled" where it was closed meanwhile. */
+  async ready(): Promise<Mode> {
+    await this.start();
+    const { mode } = this;
+    if (!mode) throw new TexelcastError("cancelled", this.#voice.words.errors.notReady);
+    return mode;
+  }
+
+  /** Ends what runs; what was designed stays. */
+  close(): void {
+    clearTimeout(this.#changeTimer);
+    const { mode } = this;
+    if (mode) this.#kept = mode.desk.design;
+    this.#run?.close();
+    this.#run = null;
+    this.#starting = null;
+    this.#view?.replaceChildren();
+    this.#phase = "idle";
+    this.#voice.dismiss();
+    this.#idle();
+  }
+
+  /** Takes up what the page has set: the names of those properties. */
+  follow(has: (...names: (keyof TexelcastEditorProperties)[]) => boolean): void {
+    const { mode } = this;
+    // Another design takes the place of the one that was worked on before.
+    if (has("design") && !mode) this.#kept = null;
+    if (this.#phase === "idle") return;
+    const anew = has("src", "mode", "wasmUrl");
+    if (anew || (has("design") && !mode)) {
+      // What they were when it began is known from then on: the first values are no change.
+      if (this.#run === null && this.#phase === "loading") return;
+      this.close();
+      if (has("design")) this.#kept = null;
+      void this.start();
+      return;
+    }
+    if (!mode) return;
+    if (has("zones")) void this.#voice.told(this.#useZones(mode));
+    if (has("design")) void this.#voice.told(this.#takeDesign(mode));
+    if (has("size", "material")) void this.#voice.told(mode.resize());
+    if (has("readonly", "minCameraOrbit", "maxCameraOrbit")) this.configure();
+  }
+
+  /** Takes up the settings that cost nothing. */
+  configure(): void {
+    this.#voice.tried(() => {
+      this.mode?.configure();
+      return true;
+    });
+  }
+
+  async submit(): Promise<SubmitDetail> {
+    const mode = await this.ready();
+    const { submitDetail } = await import("./desk/hand-over.ts");
+    const detail = await submitDetail(mode);
+    if (sendEvent(this.#element, "submit", detail)) this.#voice.announce(this.#voice.words.submitted);
+    return detail;
+  }
+
+  async #start(): Promise<void> {
+    const began = performance.now();
+    const element = this.#element;
+    const voice = this.#voice;
+    this.#phase = "loading";
+    voice.dismiss();
+    this.#progress(0);
+    this.#view ??= makeView();
+    await voice.speak();
+    await element.updateComplete;
+    const { mode: kind, src, zones, design } = element;
+    const run = new Run({
+      ...{ kind, src, zones: zones === "" ? null : zones, words: voice.words, limits: this.settings.limits },
+      design: this.#kept === null ? { given: design } : { kept: this.#kept },
+      base: document.baseURI,
+      host: this.#modeHost(this.#view),
+      progress: (share) => this.#progress(share),
+    });
+    this.#run = run;
+    try {
+      const mode = await run.open();
+      const { orbit, settings } = readSettings(element, voice.words);
+      if (orbit !== null) mode.desk.viewer.setCamera(orbit, settings.camera);
+      this.#phase = "ready";
+      this.#progress(1);
+      // What the page set while it was opening.
+      if (element.zones !== zones) void voice.told(this.#useZones(mode));
+      if (mode.desk.design.layers.length > 0 && mode.desk.zones !== null) void voice.told(this.#sendChange(false));
+      const { loadDetail } = await import("./desk/hand-over.ts");
+      sendEvent(element, "load", loadDetail(mode, began));
+    } catch (thrown) {
+      if (this.#run === run) {
+        this.#run = null;
+        this.#phase = "failed";
+        voice.show(thrown);
+      }
+      throw thrown;
+    } finally {
+      element.requestUpdate();
+    }
+  }
+
+  async #takeDesign(mode: Mode): Promise<void> {
+    const run = this.#run;
+    const design = await run?.readDesign(mode.desk.library, this.#element.design ?? undefined);
+    if (design && this.#run === run) mode.desk.takeDesign(design);
+  }
+
+  async #useZones({ desk }: Mode): Promise<void> {
+    const { zones } = this.#element;
+    const read = zones === null || zones === "" ? null : await this.#run?.readZones(zones);
+    if (this.#element.zones !== zones || read === undefined || desk.closed) return;
+    await desk.useZones(read);
+    this.#changed();
+  }
+
+  #modeHost(view: HTMLElement): ModeHost {
+    const element = this.#element;
+    const voice = this.#voice;
+    const hooks: DeskHooks = {
+      settings: () => this.settings,
+      changed: () => this.#changed(),
+      selected: (id) => sendEvent(element, "select", { id }),
+      failed: (thrown) => voice.tell(thrown),
+      progress: (share) => this.#progress(FETCHED + (1 - FETCHED) * share),
+      announce: (text) => voice.announce(text),
+    };
+    return {
+      hooks,
+      view,
+      wasm: element.wasmUrl,
+      get words() {
+        return voice.words;
+      },
+      get shownError() {
+        return voice.shownError;
+      },
+      tell: (thrown) => voice.tell(thrown),
+      dismiss: () => voice.dismiss(),
+      submit: () => this.submit(),
+      requestUpdate: () => element.requestUpdate(),
+      made: async (mode) => {
+        adopt(element, mode);
+        element.requestUpdate();
+        await element.updateComplete;
+      },
+    };
+  }
+
+  #changed(): void {
+    clearTimeout(this.#changeTimer);
+    this.#changeTimer = setTimeout(() => void this.#voice.told(this.#sendChange()), CHANGE_REST);
+  }
+
+  /** A design that was brought along is measured for its badges, and is no change. */
+  async #sendChange(tell = true): Promise<void> {
+    const run = this.#run;
+    const mode = run?.mode;
+    if (!mode) return;
+    const { changeDetail, DesignExport } = await import("./desk/hand-over.ts");
+    this.#exports ??= new DesignExport();
+    const detail = await changeDetail(mode, this.#exports);
+    // A newer change tells itself.
+    if (this.#run !== run || detail === null) return;
+    this.#element.requestUpdate();
+    if (tell) sendEvent(this.#element, "change", detail);
+  }
+
+  #progress(share: number): void {
+    this.#share = share;
+    sendEvent(this.#element, "progress", { share });
+    this.#element.requestUpdate();
+  }
+}
+
+function makeView(): HTMLElement {
+  const view = document.createElement("div");
+  view.className = "own view";
+  return view;
+}
+
+function adopt({ renderRoot: root }: LitElement, { styles }: Mode): void {
+  if (!(root instanceof ShadowRoot)) return;
+  for (const { styleSheet } of styles) {
+    if (styleSheet && !root.adoptedStyleSheets.includes(styleSheet)) root.adoptedStyleSheets.push(styleSheet);
+  }
+}
