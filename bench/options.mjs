@@ -90,8 +90,8 @@ export function parseBenchOptions(args, { works } = BENCH) {
 
 /** @param {readonly string[]} args */
 function parseWords(args) {
-  try {
-    return parseArgs({
+  return knownWords(() =>
+    parseArgs({
       args: [...args],
       options: {
         sizes: { type: "string", default: "1024,2048,4096" },
@@ -101,7 +101,18 @@ function parseWords(args) {
         json: { type: "string" },
         help: { type: "boolean", short: "h" },
       },
-    }).values;
+    }),
+  ).values;
+}
+
+/**
+ * Node's own refusals as ours.
+ * @template Words
+ * @param {() => Words} parse @returns {Words}
+ */
+export function knownWords(parse) {
+  try {
+    return parse();
   } catch (error) {
     // Node's own words name the option; some go on to explain how to escape a "-", which is no help here.
     const [sentence] = (error instanceof Error ? error.message : String(error)).split(". ");
@@ -121,7 +132,7 @@ function list(option, text) {
  * @param {string} option @param {string} text @param {readonly Name[]} known
  * @returns {Name[]} in the order of `known`
  */
-function names(option, text, known) {
+export function names(option, text, known) {
   const chosen = list(option, text);
   const unknown = chosen.find((name) => !known.includes(/** @type {Name} */ (name)));
   if (unknown !== undefined) {
@@ -131,14 +142,14 @@ function names(option, text, known) {
 }
 
 /** @param {string} option @param {string} text @param {number} most */
-function wholeNumber(option, text, most) {
+export function wholeNumber(option, text, most) {
   const number = Number(text);
   if (/^\d+$/.test(text) && number >= 1 && number <= most) return number;
   throw new UsageError(option, `${option} takes whole numbers from 1 to ${most}, not "${text}".`);
 }
 
 /** @param {string} file */
-function jsonFile(file) {
+export function jsonFile(file) {
   if (file.endsWith(".json")) return file;
   throw new UsageError("--json", `--json takes a file that ends in .json, not "${file}".`);
 }
@@ -148,13 +159,21 @@ function jsonFile(file) {
  * @param {readonly string[]} args @param {Command} command
  */
 export function checkOptionsOrExit(args, command) {
+  checkOrExit(command.name, helpOf(command), () => parseBenchOptions(args, command));
+}
+
+/**
+ * @param {string} name of the command @param {string} help
+ * @param {() => unknown} parse gives "help" where that is asked for, throws a UsageError
+ */
+export function checkOrExit(name, help, parse) {
   try {
-    if (parseBenchOptions(args, command) !== "help") return;
-    console.log(helpOf(command));
+    if (parse() !== "help") return;
+    console.log(help);
     process.exit(0);
   } catch (error) {
     if (!(error instanceof UsageError)) throw error;
-    console.error(`${error.message}\n${command.name} -- --help lists the options.`);
+    console.error(`${error.message}\n${name} -- --help lists the options.`);
     process.exit(2);
   }
 }

@@ -2,7 +2,7 @@
  * Brings a checkout to where a command can run: packages, WebAssembly module, demo assets, command line, test tools.
  * Uses Node's built-ins alone, since it runs before `npm ci`. A run with nothing to do takes well under 300 ms.
  *
- *   node scripts/bootstrap.mjs start|build|storefront|cli|package|test|lint|bench|figures|bench:browser [--quiet]
+ *   node scripts/bootstrap.mjs start|build|storefront|cli|package|test|lint|bench|figures|bench:browser|bench:load [--quiet]
  */
 import { pathToFileURL } from "node:url";
 import { testTools } from "./bootstrap/build-tools.mjs";
@@ -40,6 +40,7 @@ const GOALS = {
   bench: [nodePackages, testTools, wasmModule],
   figures: [nodePackages, chromium, wasmModule, demoAssets],
   "bench:browser": [nodePackages, chromium, wasmModule, demoAssets],
+  "bench:load": [nodePackages, chromium, wasmModule, demoAssets, designSchema, npmPackage, storefrontPages],
 };
 
 /**
