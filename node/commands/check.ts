@@ -34,7 +34,7 @@ export async function readZones(file: string): Promise<PrintZones> {
 const HEADING = ["layer", "DPI least", "mean", "stretch", "clipped", "hidden", "outside", "margin", "cm²"];
 
 function describe({ layers, violations, warnings, printScale }: PrintReport): string {
-  if (layers.length === 0) return "nothing is printed: no layer is shown\n";
+  if (layers.length === 0 && violations.length === 0) return "nothing is printed: no layer is shown\n";
   const rightAligned = HEADING.map((_, column) => column > 0);
   const table = formatTable([HEADING, ...layers.map(rowOf)], rightAligned);
   const told = [
@@ -59,5 +59,7 @@ function rowOf(layer: LayerPrint): string[] {
   ];
 }
 
-const describeFinding = (kind: string, { code, layer, message, hint }: PrintFinding): string =>
-  `${kind} ${code}, layer ${printable(layer)}: ${message} ${hint}\n`;
+function describeFinding(kind: string, { code, layer, zone, message, hint }: PrintFinding): string {
+  const about = layer === null ? `zone ${printable(zone ?? "")}` : `layer ${printable(layer)}`;
+  return `${kind} ${code}, ${about}: ${message} ${hint}\n`;
+}

@@ -74,6 +74,14 @@ describe("texelcast check", () => {
     ]);
   });
 
+  it("exits with 3 for a zone on a material that the model lacks, and names both and the materials there are", async () => {
+    const { run } = await workbench([decal()], zones([zone({ material: 7 })]));
+    const { code, stdout } = await run("check", "--zones", "zones.json");
+    expect(code).toBe(3);
+    expect(stdout).toContain("VIOLATION zone-without-material, zone left: The zone “left” is on material 7");
+    expect(stdout).toMatch(/Give it one of the model's: 0\b/);
+  });
+
   it("exits with 3 for a zones file that it cannot read, and with 2 where it is used wrongly", async () => {
     const { run } = await workbench([decal()], zones([zone({ bleed: "3mm" })]));
     const refused = await run("check", "--zones", "zones.json");

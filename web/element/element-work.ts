@@ -198,6 +198,7 @@ export class Work {
       changed: () => this.#changed(),
       selected: (id) => sendEvent(element, "select", { id }),
       failed: (thrown) => voice.tell(thrown),
+      warn: (error) => voice.report(error),
       progress: (share) => this.#progress(FETCHED + (1 - FETCHED) * share),
       announce: (text) => voice.announce(text),
     };

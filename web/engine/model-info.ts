@@ -19,6 +19,11 @@ export function modelInfo(session: Session, model: LoadedModel): ModelInfo {
   };
 }
 
+/** "" where the file gives it none. */
+export function materialName({ packed, name }: LoadedModel, index: number): string {
+  return textAt(listOf(packed.json, "materials", name)[index], "name") ?? "";
+}
+
 function materialInfo(session: Session, model: LoadedModel, index: number): MaterialInfo {
   const info = session.materialInfo(index);
   const { core } = session;
@@ -26,7 +31,7 @@ function materialInfo(session: Session, model: LoadedModel, index: number): Mate
   const code = core.statusCode(info.paintStatus);
   return {
     index,
-    name: textAt(listOf(model.packed.json, "materials", model.name)[index], "name") ?? "",
+    name: materialName(model, index),
     refusal: paintable ? null : { code, message: core.statusMessage(info.paintStatus) },
     triangles: info.triangleCount,
     degenerateUvTriangles: info.degenerateUvTriangles,

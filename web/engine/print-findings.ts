@@ -16,15 +16,20 @@ export interface Findings {
   readonly warnings: readonly PrintFinding[];
 }
 
-/** @param unpaintable Materials that cannot be painted, and why. */
+/**
+ * @param materials The names of the model's, by their indices.
+ * @param unpaintable Those that cannot be painted, and why.
+ */
 export function findingsOf(
   zones: PrintZones,
+  materials: readonly string[],
   layers: readonly LayerPrint[],
   unpaintable: ReadonlyMap<number, string>,
   sources: readonly EnginePaintingLayer[],
 ): Findings {
   const violations: PrintFinding[] = [];
   const warnings: PrintFinding[] = [];
+  violations.push(...lostZones(zones, materials));
   for (const source of sources) {
     for (const material of materialsOf(source)) {
       const why = unpaintable.get(material);
@@ -38,6 +43,18 @@ export function findingsOf(
       (isViolation ? violations : warnings).push(rest);
   }
   return { violations, warnings };
+}
+
+/** Zones of materials that the model does not have. */
+export function lostZones({ zones }: PrintZones, materials: readonly string[]): PrintFinding[] {
+  const list = materials.map((name, index) => (name === "" ? String(index) : `${index} (${name})`)).join(", ");
+  return zones
+    .filter(({ material }) => material >= materials.length)
+    .map(({ id, material }) => {
+      const message = `The zone “${id}” is on material ${material}, which the model does not have.`;
+      const hint = `Give it one of the model's: ${list}.`;
+      return finding("zone-without-material", null, id, message, hint, material, materials.length - 1);
+    });
 }
 
 interface LayerFinding extends PrintFinding {
@@ -140,7 +157,7 @@ const of = (layer: string, [code, zone, message, hint, value, limit]: FindingRes
 
 function finding(
   code: PrintFindingCode,
-  layer: string,
+  layer: string | null,
   zone: string | null,
   message: string,
   hint: string,

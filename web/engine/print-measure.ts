@@ -5,6 +5,7 @@ import { perInch } from "./core-zones.ts";
 import { materialsOf } from "./layer-materials.ts";
 import { pictureOf } from "./layer-picture.ts";
 import type { EnginePaintingLayer } from "./layer-tree.ts";
+import { materialName } from "./model-info.ts";
 import { OpenTarget } from "./open-target.ts";
 import { findingsOf } from "./print-findings.ts";
 import { printedLayers } from "./print-layers.ts";
@@ -34,8 +35,10 @@ export async function measurePrint(context: PrintContext): Promise<PrintReport> 
       targets.set(material, target);
       drawWhole(context, target);
     }
+    const { materialCount } = context.session.modelInfo();
+    const materials = Array.from({ length: materialCount }, (_, index) => materialName(context.model, index));
     const measured = layers.map((layer) => measureLayer(context, layer, targets));
-    const { violations, warnings } = findingsOf(context.zones, measured, unpaintable, layers);
+    const { violations, warnings } = findingsOf(context.zones, materials, measured, unpaintable, layers);
     return {
       texelcastPrintReport: 1,
       printScale: context.zones.printScale,

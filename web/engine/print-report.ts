@@ -58,13 +58,15 @@ export type PrintFindingCode =
   | "appears-twice"
   | "mirrored"
   /** It lies on a material that was not measured: the model cannot be painted there. */
-  | "not-printable";
+  | "not-printable"
+  /** A zone names a material that the model does not have: it zones nothing. */
+  | "zone-without-material";
 
 /** Something that the print would not forgive. */
 export interface PrintFinding {
   readonly code: PrintFindingCode;
-  /** The layer's id. */
-  readonly layer: string;
+  /** The layer's id; null where it is about a zone alone. */
+  readonly layer: string | null;
   /** The zone's id; null where it is about none. */
   readonly zone: string | null;
   /** A whole sentence for the user. */

@@ -13,7 +13,7 @@ export interface PrintFinding {
 /** @param names of layers, by their ids */
 export function printFindings(report: PrintReport, names: ReadonlyMap<string, string>): PrintFinding[] {
   const told = (finding: PrintReport["warnings"][number], grave: boolean): PrintFinding => ({
-    layer: names.get(finding.layer) ?? finding.layer,
+    layer: names.get(finding.layer ?? "") ?? finding.layer ?? "",
     message: finding.message,
     hint: finding.hint,
     grave,

@@ -1,4 +1,5 @@
 /** What a desk asks of the element it works for. */
+import type { TexelcastError } from "../../core/texelcast-error.ts";
 import type { UploadLimits } from "../../engine/upload-check.ts";
 import type { CameraLimits } from "../../viewer/model-camera.ts";
 import type { BeforeAccept } from "../element-api.ts";
@@ -25,6 +26,8 @@ export interface DeskHooks {
   selected(id: string | null): void;
   /** Something failed that no call waits for. */
   failed(thrown: unknown): void;
+  /** Something is wrong that is the page's to mend, and not its visitor's. */
+  warn(error: TexelcastError): void;
   /** 0 to 1 of opening. */
   progress(share: number): void;
   announce(text: string): void;

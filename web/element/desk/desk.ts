@@ -59,10 +59,21 @@ export class Desk {
     return this.hooks.settings();
   }
 
-  /** Cuts what is printed off at the zones, if they say so. Rejects with "bad-zones". */
+  /**
+   * Cuts what is printed off at the zones, if they say so. Of a zone on a material that the model does not have the page is
+   * told; the others hold.
+   */
   async useZones(zones: PrintZones | null): Promise<void> {
     await this.engine.setZones(zones);
     this.zones = zones;
+    const materials = this.store.state.model?.info.materials ?? [];
+    for (const { id, material } of zones?.zones ?? []) {
+      if (materials.some(({ index }) => index === material)) continue;
+      const { zoneMaterial, zoneMaterialHint } = this.settings.words.errors;
+      const list = materials.map(({ index, name }) => (name === "" ? index : `${index} (${name})`)).join(", ");
+      const details = { field: "material", value: String(material), hint: zoneMaterialHint(list) };
+      this.hooks.warn(new TexelcastError("bad-zones", zoneMaterial(id, material), details));
+    }
   }
 
   /** The design without what a gesture only shows so far. */

@@ -86,6 +86,9 @@ export const english = {
     emptyText: "There are no words to put on.",
     nowhere: "There is no surface to put it on.",
     nowhereHint: "Turn the product so that it can be seen.",
+    zoneMaterial: (zone: string, material: number): string =>
+      `The zone “${zone}” is on material ${material}, which the model does not have.`,
+    zoneMaterialHint: (materials: string): string => `Give it one of the model's: ${materials}.`,
     graphics: "The picture could not be drawn: the graphics are not there.",
     graphicsHint: "Wait a moment and try again.",
     badOption: (name: string): string => `${name} is not what it must be.`,

@@ -48,7 +48,7 @@ export const german: Words = {
   printGood: "Druckt gut",
   printIssues: (count) => (count === 1 ? "1 Hinweis" : `${count} Hinweise`),
   dpi: (value) => `${value} dpi`,
-  area: (value) => `${value} cm²`,
+  area: (value) => `${value.replace(".", ",")} cm²`,
 
   announce: {
     added: (name) => `${name} hinzugefügt`,
@@ -85,6 +85,8 @@ export const german: Words = {
     emptyText: "Es gibt keine Worte, die darauf sollen.",
     nowhere: "Es gibt keine Fläche dafür.",
     nowhereHint: "Dreh das Produkt so, dass man sie sieht.",
+    zoneMaterial: (zone, material) => `Die Zone „${zone}“ liegt auf Material ${material}, das das Modell nicht hat.`,
+    zoneMaterialHint: (materials) => `Gib ihr eines des Modells: ${materials}.`,
     graphics: "Das Bild ließ sich nicht zeichnen: Die Grafik ist nicht da.",
     graphicsHint: "Warte einen Moment und versuche es noch einmal.",
     badOption: (name) => `${name} ist nicht, was es sein muss.`,
