@@ -34,13 +34,22 @@ const GOALS = {
   package: [nodePackages, wasmModule, designSchema, npmPackage],
   test: [
     ...[nodePackages, testTools, chromium, firefox, wasmModule, demoAssets, designSchema],
-    ...[commandLine, npmPackage, storefrontPages],
+    ...[commandLine, npmPackage, storefrontPages, storefrontServer],
   ],
   lint: [nodePackages, testTools],
   bench: [nodePackages, testTools, wasmModule],
   figures: [nodePackages, chromium, wasmModule, demoAssets],
   "bench:browser": [nodePackages, chromium, wasmModule, demoAssets],
-  "bench:load": [nodePackages, chromium, wasmModule, demoAssets, designSchema, npmPackage, storefrontPages],
+  "bench:load": [
+    nodePackages,
+    chromium,
+    wasmModule,
+    demoAssets,
+    designSchema,
+    npmPackage,
+    storefrontPages,
+    storefrontServer,
+  ],
 };
 
 /**

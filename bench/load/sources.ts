@@ -12,6 +12,7 @@ import type { Answer, SlowNetwork, Source } from "./slow-server.ts";
 const inRoot = (name: string): string => fileURLToPath(new URL(`../../${name}`, import.meta.url));
 export const DIST = inRoot("build/package/dist");
 const SITE = inRoot("build/storefront");
+const PRESS = new URL("../../build/node/storefront-press.mjs", import.meta.url);
 
 const TYPES: Readonly<Record<string, string>> = {
   ".js": "text/javascript",
@@ -81,7 +82,13 @@ export async function serveAll(network: SlowNetwork): Promise<Addresses> {
   const folder = mkdtempSync(path.join(tmpdir(), "texelcast-load-"));
   const origins: ShopOrigins = { shop: null, editor: null };
   const store = path.join(folder, "files");
-  const { app } = await createShopServer({ site: SITE, store, database: ":memory:", origins });
+  const { app } = await createShopServer({
+    site: SITE,
+    store,
+    database: ":memory:",
+    origins,
+    press: { script: PRESS },
+  });
   const editor = await createEditorServer(SITE, origins);
   origins.shop = await network.serve(behind(app));
   origins.editor = await network.serve(behind(editor));

@@ -3,7 +3,7 @@
  * another, and no name from outside ever becomes a path.
  */
 import { createHash, randomUUID } from "node:crypto";
-import { mkdir, readdir, readFile, rename, rm, stat, writeFile } from "node:fs/promises";
+import { mkdir, readdir, readFile, rename, rm, stat, utimes, writeFile } from "node:fs/promises";
 import path from "node:path";
 import type { Sha256 } from "../../web/storefront/api/shop-api.ts";
 import { notFound, shopError } from "./shop-error.ts";
@@ -45,7 +45,10 @@ export class AssetStore {
    */
   async put(bytes: Uint8Array): Promise<Sha256> {
     const hash = sha256Of(bytes);
-    if (await this.has(hash)) return hash;
+    if (await this.has(hash)) {
+      await this.#touch(hash);
+      return hash;
+    }
     if (this.#storedBytes + bytes.length > this.#mostBytes) {
       throw shopError("storage-full", "the shop has no room for more files", { hint: "Try again later." });
     }
@@ -79,7 +82,34 @@ export class AssetStore {
     if (sha256Of(bytes) !== hash) {
       throw shopError("hash-mismatch", "a stored file is damaged", { subject: hash, hint: "Send the file again." });
     }
+    await this.#touch(hash);
     return bytes;
+  }
+
+  /**
+   * Takes away the files that nothing names, and that nobody stored or read since then: what is on its way into a cart is
+   * younger.
+   *
+   * @returns how many
+   */
+  async removeUnused(used: ReadonlySet<Sha256>, since: Date): Promise<number> {
+    let removed = 0;
+    for (const entry of await readdir(this.#folder, { withFileTypes: true, recursive: true })) {
+      if (!entry.isFile() || !isSha256(entry.name) || used.has(entry.name)) continue;
+      const file = this.#fileOf(entry.name);
+      const { size, mtime } = await stat(file);
+      if (mtime >= since) continue;
+      await rm(file);
+      this.#storedBytes -= size;
+      removed += 1;
+    }
+    return removed;
+  }
+
+  /** It is in use: its time is now. */
+  async #touch(hash: Sha256): Promise<void> {
+    const now = new Date();
+    await utimes(this.#fileOf(hash), now, now);
   }
 
   #fileOf(hash: Sha256): string {

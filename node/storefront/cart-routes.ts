@@ -10,7 +10,10 @@ import type { Shop } from "./shop-server.ts";
 type OfCart = { Params: { cart: string } };
 type OfLine = { Params: { cart: string; line: string } };
 
-export function addCartRoutes(app: FastifyInstance, { catalogue, store, database, press }: Shop): void {
+export function addCartRoutes(app: FastifyInstance, shop: Shop): void {
+  const { catalogue, store, database, press } = shop;
+  // One count for all that it works for.
+  const forThePress = { config: { rateLimit: false }, onRequest: app.rateLimit({ max: shop.linesPerMinute }) } as const;
   const cartOf = (id: string): Cart => {
     if (!database.hasCart(id)) throw notFound("cart", id);
     const lines = database.linesOf(id);
@@ -21,13 +24,20 @@ export function addCartRoutes(app: FastifyInstance, { catalogue, store, database
     const product = catalogue.products.get(line.product) as Product;
     const { areaCm2: area } = (await press.measure(product, line.design)).whole;
     const unitPrice = unitPriceOf(product.price, { decals: line.decals, area });
-    return { ...line, productName: product.name, area, unitPrice };
+    if (unitPrice !== line.unitPrice) {
+      throw shopError("price-changed", "the price of this design is another than the page showed", {
+        field: "unitPrice",
+        value: String(unitPrice),
+        hint: "It stands there now. Add it to the cart if that is right.",
+      });
+    }
+    return { ...line, productName: product.name, area };
   };
 
   app.post("/api/carts", (_request, reply) => reply.code(201).send(cartOf(database.makeCart())));
   app.get<OfCart>("/api/carts/:cart", (request) => cartOf(request.params.cart));
 
-  app.post<OfCart>("/api/carts/:cart/lines", async (request, reply) => {
+  app.post<OfCart>("/api/carts/:cart/lines", forThePress, async (request, reply) => {
     const { cart } = request.params;
     if (cartOf(cart).lines.length >= SHOP_LIMITS.linesPerCart) {
       throw shopError("too-large", `a cart holds ${SHOP_LIMITS.linesPerCart} lines`, {
@@ -39,7 +49,7 @@ export function addCartRoutes(app: FastifyInstance, { catalogue, store, database
     return reply.code(201).send({ line, cart: cartOf(cart) });
   });
 
-  app.put<OfLine>("/api/carts/:cart/lines/:line", async (request) => {
+  app.put<OfLine>("/api/carts/:cart/lines/:line", forThePress, async (request) => {
     const { cart, line } = request.params;
     if (database.lineOf(cart, line) === null) throw notFound("line", line);
     if (!database.replaceLine(cart, line, await itemOf(request.body))) throw notFound("line", line);

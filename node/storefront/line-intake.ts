@@ -26,6 +26,7 @@ const lineRequest = strict({
   ),
   approved: strict({ sha256: hash, width: whole(1, 16_384), height: whole(1, 16_384) }),
   snapshot: hash,
+  unitPrice: whole(0, 1e9),
   quantity: whole(1, SHOP_LIMITS.quantity),
 });
 

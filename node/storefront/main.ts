@@ -1,6 +1,7 @@
 /**
  * Starts the example shop; `npm run storefront` builds its pages first.
  *   node build/node/storefront.mjs [--port 8787] [--editor-port 8788] [--host localhost] [--site FOLDER] [--data FOLDER]
+ *     [--keep-days 14]   of files that no cart and no order uses
  *     [--origin https://shop.example] [--editor-origin https://editor.example]   where a proxy stands before them
  */
 import { mkdir } from "node:fs/promises";
@@ -8,6 +9,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import type { FastifyInstance } from "fastify";
+import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { createEditorServer, originOf, type ShopOrigins } from "./editor-server.ts";
 import { createShopServer } from "./shop-server.ts";
 
@@ -21,6 +23,7 @@ const { values } = parseArgs({
   options: {
     port: { type: "string", default: process.env.PORT ?? String(DEFAULT_PORT) },
     "editor-port": { type: "string" },
+    "keep-days": { type: "string", default: String(SHOP_LIMITS.unusedDays) },
     origin: { type: "string" },
     "editor-origin": { type: "string" },
     host: { type: "string", default: "localhost" },
@@ -39,6 +42,8 @@ const { app } = await createShopServer({
   store: path.join(data, "files"),
   database: path.join(data, "shop.sqlite"),
   origins,
+  behindProxy: values.origin !== undefined,
+  unusedDays: daysOf(values["keep-days"]),
 });
 const editor = await createEditorServer(path.resolve(site), origins);
 const close = async (): Promise<void> => {
@@ -50,6 +55,12 @@ const shopAt = await listen(app, port, "--port");
 origins.editor = values["editor-origin"] ?? editorAt;
 origins.shop = values.origin ?? shopAt;
 process.stdout.write(`The shop is open: ${origins.shop}\n`);
+
+function daysOf(given: string): number {
+  const days = Number(given);
+  if (given.trim() !== "" && days >= 0) return days;
+  return refuse(`--keep-days must be a number of days, is "${given}".`);
+}
 
 function portOf(given: string, option: string): number {
   const number = Number(given);

@@ -140,6 +140,15 @@ export class ShopDatabase {
     this.#db.run("UPDATE order_lines SET status = ?, printed = ?, fault = ? WHERE id = ?", values);
   }
 
+  /** Every file that a line of a cart or an order names: pictures, fonts, snapshots, print files. */
+  filesInUse(): Set<string> {
+    const rows = this.#all(
+      "SELECT item, NULL AS printed FROM cart_lines UNION ALL SELECT item, printed FROM order_lines",
+      [],
+    );
+    return new Set(rows.flatMap(({ item, printed }) => `${item} ${printed ?? ""}`.match(/\b[0-9a-f]{64}\b/g) ?? []));
+  }
+
   #one(sql: string, values: string[]): Row | null {
     return this.#db.get(sql, values) as Row | null;
   }

@@ -2,7 +2,14 @@
 import { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../../web/core/texelcast-error.ts";
 
 /** Codes that are the shop's own; those of designs and pictures are the editor's. */
-export type ShopErrorCode = "bad-request" | "not-found" | "too-large" | "hash-mismatch" | "storage-full";
+export type ShopErrorCode =
+  | "bad-request"
+  | "not-found"
+  | "too-large"
+  | "hash-mismatch"
+  | "storage-full"
+  | "price-changed"
+  | "too-many-requests";
 
 const STATUS_OF_CODE: Readonly<Record<string, number>> = {
   "bad-request": 400,
@@ -13,6 +20,11 @@ const STATUS_OF_CODE: Readonly<Record<string, number>> = {
   "bad-picture": 422,
   "bad-font": 422,
   "storage-full": 507,
+  "price-changed": 409,
+  "too-many-requests": 429,
+  // The press's own: it can be tried again.
+  "press-failed": 503,
+  timeout: 503,
   // The engine's own, about what it was given.
   "missing-file": 422,
   "bad-size": 422,
@@ -28,6 +40,13 @@ export const notFound = (what: string, id: string): TexelcastError =>
     field: what,
     value: id.slice(0, 80),
     hint: "It may have been ordered or taken away: go back to the shop's first page.",
+  });
+
+/** @param wait milliseconds until somebody is heard again */
+export const tooManyRequests = (wait: number): TexelcastError =>
+  shopError("too-many-requests", "the shop was asked too often in a short time", {
+    value: `${Math.ceil(wait / 1000)} s`,
+    hint: `Try again in ${Math.ceil(wait / 1000)} seconds.`,
   });
 
 export interface ErrorReply {

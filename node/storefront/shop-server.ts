@@ -1,7 +1,9 @@
 /** The example shop's order server: JSON below `/api`, files by their hash, and the built pages. */
 import helmet from "@fastify/helmet";
+import rateLimit from "@fastify/rate-limit";
 import serveStatic from "@fastify/static";
 import Fastify, { type FastifyInstance } from "fastify";
+import type { Design } from "../../web/editor/document/index.ts";
 import { type EditorReply, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { AssetStore } from "./asset-store.ts";
 import { addCartRoutes } from "./cart-routes.ts";
@@ -10,10 +12,10 @@ import { EDITOR_POLICY, orNone } from "./content-policy.ts";
 import { editorPageOf, type ShopOrigins } from "./editor-server.ts";
 import { addFileRoutes } from "./file-routes.ts";
 import { addOrderRoutes } from "./order-routes.ts";
-import { Press } from "./press.ts";
+import { Press, type PressOptions } from "./press.ts";
 import { PrintQueue } from "./print-queue.ts";
 import { ShopDatabase } from "./shop-database.ts";
-import { notFound, replyTo } from "./shop-error.ts";
+import { notFound, replyTo, tooManyRequests } from "./shop-error.ts";
 
 export interface ShopServerOptions {
   /** The built pages, with `shop/products.json` and the models. */
@@ -26,6 +28,16 @@ export interface ShopServerOptions {
   readonly storedBytes?: number;
   /** Where the editor's page is that product pages may frame; default: nowhere. */
   readonly origins?: ShopOrigins;
+  /** Days that a file is kept which no cart and no order uses; default `SHOP_LIMITS.unusedDays`. */
+  readonly unusedDays?: number;
+  /** Requests a minute from one address; default `SHOP_LIMITS.requestsPerMinute`. */
+  readonly requestsPerMinute?: number;
+  /** Lines put into carts a minute from one address; default `SHOP_LIMITS.linesPerMinute`. */
+  readonly linesPerMinute?: number;
+  /** A proxy stands before the server and says who asks. */
+  readonly behindProxy?: boolean;
+  /** Where files are printed and measured. */
+  readonly press?: PressOptions;
   /** Told of what nobody expected. Default: standard error. */
   readonly report?: (error: unknown) => void;
 }
@@ -37,6 +49,8 @@ export interface Shop {
   readonly database: ShopDatabase;
   readonly press: Press;
   readonly queue: PrintQueue;
+  /** Of one address. */
+  readonly linesPerMinute: number;
 }
 
 export interface ShopServer {
@@ -45,22 +59,29 @@ export interface ShopServer {
   printed(): Promise<void>;
 }
 
+const DAY = 24 * 60 * 60 * 1000;
+
 /** Opens the store and the database, and makes the server; it does not listen yet. `app.close()` ends all of it. */
 export async function createShopServer(options: ShopServerOptions): Promise<ShopServer> {
   const catalogue = await readCatalogue(options.site);
   const store = await AssetStore.open(options.store, options.storedBytes ?? SHOP_LIMITS.storedBytes);
   const database = new ShopDatabase(options.database);
-  const press = new Press(catalogue, store);
+  const press = new Press(catalogue, store, options.press);
   const queue = new PrintQueue(database, store, async (line) => {
     const product = catalogue.products.get(line.product);
     if (product === undefined) throw notFound("product", line.product);
-    return press.print(product, line.design);
+    return press.print(product, line.design as Design);
   });
-  const shop: Shop = { catalogue, store, database, press, queue };
+  const { linesPerMinute = SHOP_LIMITS.linesPerMinute } = options;
+  const shop: Shop = { catalogue, store, database, press, queue, linesPerMinute };
   const { origins } = options;
   const report = options.report ?? ((error) => console.error(error));
 
-  const app = Fastify({ bodyLimit: SHOP_LIMITS.jsonBytes, forceCloseConnections: true });
+  const app = Fastify({
+    bodyLimit: SHOP_LIMITS.jsonBytes,
+    forceCloseConnections: true,
+    trustProxy: options.behindProxy ?? false,
+  });
   app.setErrorHandler((error, _request, reply) => {
     const { status, body, unexpected } = replyTo(error);
     if (unexpected) report(error);
@@ -84,17 +105,32 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     xFrameOptions: { action: "deny" },
   });
   await app.register(serveStatic, { root: options.site, cacheControl: false });
-  app.get("/api/editor", (): EditorReply => {
-    const page = origins && editorPageOf(origins);
-    if (!page) throw notFound("editor", "on an origin of its own");
-    return { page };
+  await app.register(async (api) => {
+    await api.register(rateLimit, {
+      max: options.requestsPerMinute ?? SHOP_LIMITS.requestsPerMinute,
+      timeWindow: "1 minute",
+      errorResponseBuilder: (_request, { ttl }) => tooManyRequests(ttl),
+    });
+    api.get("/api/editor", (): EditorReply => {
+      const page = origins && editorPageOf(origins);
+      if (!page) throw notFound("editor", "on an origin of its own");
+      return { page };
+    });
+    api.get("/api/products", () => ({ products: [...catalogue.products.values()] }));
+    addFileRoutes(api, shop);
+    addCartRoutes(api, shop);
+    addOrderRoutes(api, shop);
   });
-  app.get("/api/products", () => ({ products: [...catalogue.products.values()] }));
-  addFileRoutes(app, shop);
-  addCartRoutes(app, shop);
-  addOrderRoutes(app, shop);
+  const tidyUp = (): Promise<unknown> =>
+    store
+      .removeUnused(database.filesInUse(), new Date(Date.now() - (options.unusedDays ?? SHOP_LIMITS.unusedDays) * DAY))
+      .catch(report);
+  await tidyUp();
+  const tidying = setInterval(tidyUp, DAY / 4).unref();
   app.addHook("onClose", async () => {
+    clearInterval(tidying);
     await shop.queue.end();
+    await press.end();
     database.close();
   });
   shop.queue.wake();

@@ -55,8 +55,11 @@ export const storefrontServer = stampedStep({
     ...["node", "web/core", "web/engine", "web/editor/document", "web/storefront/api"],
     ...["package.json", "scripts/bootstrap/products.mjs"],
   ],
-  outputs: ["build/node/storefront.mjs"],
-  work: () => bundleForNode("node/storefront/main.ts", "build/node/storefront.mjs"),
+  outputs: ["build/node/storefront.mjs", "build/node/storefront-press.mjs"],
+  work: async () => {
+    await bundleForNode("node/storefront/main.ts", "build/node/storefront.mjs");
+    await bundleForNode("node/storefront/press-worker.ts", "build/node/storefront-press.mjs");
+  },
 });
 
 export const storefrontPages = stampedStep({

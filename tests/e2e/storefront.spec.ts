@@ -92,6 +92,21 @@ test("with the editor in an iframe of another origin the mug goes the same way, 
   await buyMug(shop);
 });
 
+test("an edit of a text that still has the focus is in the price that goes into the cart", async ({ shop }) => {
+  const { page, editor } = shop;
+  await page.getByRole("link", { name: "Stoneware mug" }).click();
+  await shop.productShown();
+  await editor.getByRole("button", { name: "Add text" }).click();
+  await expect(page.getByText("1 print", { exact: true })).toBeVisible();
+  const before = await page.locator(".sum dd").textContent();
+  await expect(editor.getByLabel("Words")).toBeFocused();
+  await page.keyboard.insertText("A good deal more words");
+  // The button takes the focus only as it is pressed. The server refuses a price that is not its own.
+  await page.getByRole("button", { name: "Add to cart" }).click();
+  await page.waitForURL(/cart\.html/, { timeout: 60_000 });
+  await expect(page.locator(".line-price")).not.toHaveText(String(before));
+});
+
 test("a figure is personalised, ordered and its print file downloaded by keyboard alone", async ({ shop }) => {
   const { page, editor } = shop;
   const { keyboard } = page;

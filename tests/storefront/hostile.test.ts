@@ -149,7 +149,8 @@ describe("a request is refused", () => {
     ["for a product that is not sold", { product: "__proto__" }, "not-found"],
     ["for no pieces", { quantity: 0 }, "bad-request"],
     ["for half a piece", { quantity: 0.5 }, "bad-request"],
-    ["with a price of its own", { unitPrice: 1 }, "bad-request"],
+    ["with a price of its own", { unitPrice: 1 }, "price-changed"],
+    ["with a price below nothing", { unitPrice: -1 }, "bad-request"],
     ["with an approved hash that is none", { approved: { sha256: "<script>", width: 1, height: 1 } }, "bad-request"],
     ["with a snapshot that is no picture", { snapshot: "0".repeat(64) }, "not-found"],
   ])("%s", async (_what, changes, code) => {

@@ -164,7 +164,10 @@ describe("a cart", () => {
   it("tells the customer's price by the server's own count, hidden layers left out", async () => {
     const shop = await openShop();
     const cart = await shop.cart();
-    const hidden = await shop.line({ design: designWith({ visible: false }) });
-    expect((await shop.addLine(cart, hidden)).json().cart.total).toBe(1000);
+    const hidden = { design: designWith({ visible: false }) };
+    expect((await shop.addLine(cart, await shop.line({ ...hidden, unitPrice: 1000 }))).json().cart.total).toBe(1000);
+    const stale = await shop.addLine(cart, await shop.line(hidden));
+    expect(stale.statusCode).toBe(409);
+    expect(stale.json().error).toMatchObject({ code: "price-changed", field: "unitPrice", value: "1000" });
   });
 });

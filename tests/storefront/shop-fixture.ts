@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import type { LightMyRequestResponse } from "fastify";
 import { afterAll } from "vitest";
-import { createShopServer, type ShopServer } from "../../node/storefront/shop-server.ts";
+import { createShopServer, type ShopServer, type ShopServerOptions } from "../../node/storefront/shop-server.ts";
 import type { Product } from "../../web/storefront/api/shop-api.ts";
 import { FACING_DOWN, plainPng, planeGlb } from "../node/plane-model.ts";
 
@@ -43,6 +43,8 @@ export const ZONES = {
   ],
 };
 
+const PRESS = new URL("../../build/node/storefront-press.mjs", import.meta.url);
+
 export const sha256 = (bytes: Uint8Array): string => createHash("sha256").update(bytes).digest("hex");
 
 export const LOGO = await plainPng(8, 8, [200, 30, 40, 255]);
@@ -73,12 +75,9 @@ export interface TestShop extends ShopServer {
 
 /** Opens a shop on a folder (a new one without), and ends it after the file's tests. */
 export async function openShop({
-  storedBytes,
   folder = mkdtempSync(path.join(tmpdir(), "texelcast-shop-")),
-}: {
-  storedBytes?: number;
-  folder?: string;
-} = {}): Promise<TestShop> {
+  ...options
+}: { folder?: string } & Partial<ShopServerOptions> = {}): Promise<TestShop> {
   const site = path.join(folder, "site");
   for (const name of ["shop", "demo"]) mkdirSync(path.join(site, name), { recursive: true });
   writeFileSync(path.join(site, "index.html"), "<!doctype html><title>Shop</title>");
@@ -91,7 +90,11 @@ export async function openShop({
     store: path.join(folder, "files"),
     database: path.join(folder, "shop.sqlite"),
     report: (error) => reported.push(error),
-    ...(storedBytes !== undefined && { storedBytes }),
+    press: { script: PRESS },
+    // As many as a file's tests ask at once.
+    requestsPerMinute: 10_000,
+    linesPerMinute: 10_000,
+    ...options,
   });
   afterAll(async () => {
     await server.app.close();
@@ -117,6 +120,7 @@ export async function openShop({
         assets: [{ key: "logo", sha256: sha256(LOGO) }],
         approved: { sha256: "0".repeat(64), width: 64, height: 64 },
         snapshot: sha256(SNAPSHOT),
+        unitPrice: 1150,
         quantity: 1,
         ...changes,
       };

@@ -8,6 +8,8 @@ export interface PersonalisedProduct extends Pick<SubmitDetail, "design" | "asse
   readonly product: string;
   /** PNG. */
   readonly snapshot: Blob;
+  /** As the page shows it. */
+  readonly unitPrice: number;
   readonly quantity: number;
 }
 
@@ -22,6 +24,7 @@ export async function putInCart(made: PersonalisedProduct, line: string | null):
     assets: made.assets.map((asset) => ({ key: asset.key, sha256: asset.sha256 })),
     approved: { sha256, width, height },
     snapshot: await shopClient.putFile(new Uint8Array(await made.snapshot.arrayBuffer())),
+    unitPrice: made.unitPrice,
     quantity: made.quantity,
   };
   const { id } = await openCart();

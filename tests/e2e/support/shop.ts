@@ -13,6 +13,7 @@ import { seriousFaults, smallTargets } from "./page-faults.ts";
 export { expect } from "@playwright/test";
 
 const SITE = fileURLToPath(new URL("../../../build/storefront", import.meta.url));
+const PRESS = new URL("../../../build/node/storefront-press.mjs", import.meta.url);
 const AXE = createRequire(import.meta.url).resolve("axe-core/axe.min.js");
 /** Pixels that a finger needs. */
 const TARGET = 24;
@@ -89,6 +90,7 @@ export const test = base.extend<{ shop: ShopPage }, { origins: ShopOrigins }>({
         store: path.join(folder, "files"),
         database: path.join(folder, "shop.sqlite"),
         origins,
+        press: { script: PRESS },
       });
       const editor = await createEditorServer(SITE, origins);
       for (const server of [app, editor]) await server.listen({ port: 0, host: "localhost" });

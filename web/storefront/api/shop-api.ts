@@ -68,6 +68,8 @@ export interface LineRequest {
   readonly approved: Approval;
   /** The stored picture of the product, for the cart. */
   readonly snapshot: Sha256;
+  /** What the page showed for one piece, in the currency's smallest unit: refused with "price-changed" where it is another. */
+  readonly unitPrice: number;
   readonly quantity: number;
 }
 
@@ -150,4 +152,10 @@ export const SHOP_LIMITS = {
   nameLength: 120,
   /** Bytes of all stored files. */
   storedBytes: 4 * 2 ** 30,
+  /** Days that a file is kept which no line of a cart or an order names. */
+  unusedDays: 14,
+  /** From one address, below `/api`. */
+  requestsPerMinute: 600,
+  /** Of those, the ones that the press works for: lines put into carts. */
+  linesPerMinute: 60,
 } as const;

@@ -145,8 +145,8 @@ async function remove(line: CartLine): Promise<void> {
 
 async function putBack(): Promise<void> {
   if (removed === null) return;
-  const { product, design, approved, snapshot, quantity } = removed;
-  const request: LineRequest = { product, design, assets: [], approved, snapshot, quantity };
+  const { product, design, approved, snapshot, unitPrice, quantity } = removed;
+  const request: LineRequest = { product, design, assets: [], approved, snapshot, unitPrice, quantity };
   if (!(await change((id) => shopClient.addLine(id, request)))) return;
   removed = null;
   draw();

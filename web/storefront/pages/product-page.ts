@@ -1,7 +1,7 @@
 /** A product with the editor on it: personalised here, priced as it changes, and put into the cart with all that prints it. */
 import { html, nothing } from "lit";
 import { ref } from "lit/directives/ref.js";
-import type { ChangeDetail, SubmitDetail } from "../../element/element-api.ts";
+import type { ChangeDetail, PrintReport, SubmitDetail } from "../../element/element-api.ts";
 import { unitPriceOf } from "../api/price.ts";
 import { type CartLine, type Product, SHOP_LIMITS } from "../api/shop-api.ts";
 import { formatCount, formatPrice } from "../formats.ts";
@@ -37,6 +37,8 @@ let amount: Pick<ChangeDetail, "counts" | "totalArea"> = {
   counts: { decals: 0, texts: 0, layers: 0 },
   totalArea: 0,
 };
+/** The server's price, where it was another than the page's. */
+let told: number | null = null;
 let names: ReadonlyMap<string, string> = new Map();
 let findings: readonly PrintFinding[] = [];
 let seen = false;
@@ -120,7 +122,7 @@ function draw(): void {
 
 const decalsNow = (): number => amount.counts.decals + amount.counts.texts;
 const areaNow = (): number => (product.price.perSquareCentimetre > 0 ? amount.totalArea : 0);
-const unitPrice = (): number => unitPriceOf(product.price, { decals: decalsNow(), area: areaNow() });
+const unitPrice = (): number => told ?? unitPriceOf(product.price, { decals: decalsNow(), area: areaNow() });
 
 function price() {
   const { currency, base, perDecal } = product.price;
@@ -178,12 +180,18 @@ function setSeen(event: Event): void {
 
 function changed(detail: ChangeDetail): void {
   amount = detail;
+  told = null;
   names = new Map(detail.areas.map(({ id, name }) => [id, name]));
   unsaved = detail.canUndo;
   seen = false;
   draw();
   clearTimeout(waiting);
   waiting = window.setTimeout(() => void check(), VALIDATE_AFTER);
+}
+
+function amountOf({ layers, whole }: PrintReport): typeof amount {
+  const of = (kind: string): number => layers.filter(({ type }) => type === kind).length;
+  return { counts: { decals: of("decal"), texts: of("text"), layers: layers.length }, totalArea: whole.areaCm2 };
 }
 
 async function check(): Promise<void> {
@@ -214,19 +222,23 @@ async function buy(event: SubmitEvent): Promise<void> {
   }
 }
 
-async function submitted({ design, assets, texture }: SubmitDetail): Promise<void> {
+async function submitted({ design, assets, texture, report }: SubmitDetail): Promise<void> {
   if (step === "sending" || editor === null) return;
   step = "sending";
+  // What is handed in may hold an edit whose `change` is still to come.
+  if (report !== null) amount = amountOf(report);
   draw();
   try {
     const snapshot = await editor.snapshot("current", SNAPSHOT);
     const field = document.querySelector<HTMLInputElement>('[name="quantity"]');
     const quantity = Math.max(1, field?.valueAsNumber || 1);
-    await putInCart({ product: product.id, design, assets, texture, snapshot, quantity }, line?.id ?? null);
+    const made = { product: product.id, design, assets, texture, snapshot, unitPrice: unitPrice(), quantity };
+    await putInCart(made, line?.id ?? null);
     unsaved = false;
     location.assign("./cart.html");
   } catch (thrown) {
     step = "";
+    if (thrown instanceof ShopError && thrown.fault.code === "price-changed") told = Number(thrown.fault.value);
     frame.setFault(thrown);
     draw();
   }
