@@ -49,7 +49,7 @@ test("what is painted in the element is told to its page, and printed by a serve
   await upload(demoFile("decals/flower.png"));
   await expect(editor.locator("tc-notice-stack")).toContainText("takes 1 pictures and texts at most");
 
-  await editor.getByRole("radio", { name: "Brush (B)" }).click();
+  await editor.getByRole("radio", { name: "Brush" }).click();
   const view = await editor.getByRole("application", { name: /Model in 3D/ }).boundingBox();
   if (!view) throw new Error("The view is not shown.");
   const [x, y] = [view.x + view.width * 0.4, view.y + view.height * 0.6];

@@ -1,5 +1,7 @@
 /** Every word that the page says, in German: as long as strings.ts, place for place. tsc keeps it complete. */
+
 import { numbersIn } from "./strings/formats.ts";
+import { germanError } from "./strings/german-errors.ts";
 import { germanKeys } from "./strings/german-keys.ts";
 import {
   germanGradient,
@@ -9,6 +11,7 @@ import {
   germanLayers,
   germanParts,
 } from "./strings/german-layers.ts";
+import { germanName } from "./strings/german-names.ts";
 import { plural } from "./strings/plural.ts";
 import type { Strings } from "./strings.ts";
 
@@ -16,6 +19,8 @@ const numbers = numbersIn("de");
 
 export const german: Strings = {
   numbers,
+  told: germanError,
+  named: germanName,
 
   productName: "Texelcast",
   materialName: (index, name) => name || `Material ${index}`,

@@ -1,8 +1,9 @@
 /**
  * Every word that the editor says, in one place: longer than other files for that alone, so that a translator reads down one
- * list. Errors of the engine bring their own words.
+ * list. What the engine reports is put into words by its code, in `told`.
  */
 
+import { ownWords } from "./strings/error-words.ts";
 import { numbersIn } from "./strings/formats.ts";
 import { keyGroups } from "./strings/key-words.ts";
 import type { Language } from "./strings/language.ts";
@@ -15,6 +16,10 @@ const numbers = numbersIn("en");
 
 const english = {
   numbers,
+  /** What the engine or the reader of a file reports. */
+  told: ownWords,
+  /** What comes with the page: models, templates, decals, and the parts that its models name. */
+  named: (name: string): string => name,
 
   productName: "Texelcast",
   materialName: (index: number, name: string): string => name || `Material ${index}`,
@@ -709,8 +714,8 @@ const english = {
 /** The same words in another language: any text for a text, the same values for a sentence. */
 type Words<T> = T extends string
   ? string
-  : T extends (...values: infer V) => string
-    ? (...values: V) => string
+  : T extends (...values: infer V) => infer R
+    ? (...values: V) => Words<R>
     : { readonly [K in keyof T]: Words<T[K]> };
 
 /** What a language must say; tsc refuses one that leaves something out. */

@@ -9,8 +9,18 @@ export interface ShownError {
   readonly hint: string;
 }
 
-export function typedError(thrown: unknown, { errors }: Words): TexelcastError {
-  return TexelcastError.wrap(thrown, "internal", thrown instanceof Error ? thrown.message : errors.unexpected);
+/** Those that have been put into the element's words: once is enough. */
+const spoken = new WeakSet<TexelcastError>();
+
+/** The error in the element's language; what was called off stays as it is. */
+export function typedError(thrown: unknown, { errors, told }: Words): TexelcastError {
+  const error = TexelcastError.wrap(thrown, "internal", thrown instanceof Error ? thrown.message : errors.unexpected);
+  if (spoken.has(error) || isCancelled(error)) return error;
+  const { message, hint } = told(error.toJSON());
+  if (message === error.message) return error;
+  const worded = new TexelcastError(error.code, message, { ...error.toJSON(), hint, cause: error });
+  spoken.add(worded);
+  return worded;
 }
 
 export function errorDetail(error: TexelcastError): ErrorDetail {

@@ -37,8 +37,9 @@ export class Voice {
   /** Tells the page of a call that fails; whoever made the call is told by its promise, and need not listen. */
   told<T>(work: Promise<T>): Promise<T> {
     const told = work.catch((thrown: unknown) => {
-      this.report(thrown);
-      throw thrown;
+      const error = isCancelled(thrown) ? thrown : typedError(thrown, this.#words);
+      this.report(error);
+      throw error;
     });
     told.catch(() => undefined);
     return told;

@@ -51,7 +51,13 @@ export async function loadDemoCatalogue(page: string, strings: Strings): Promise
     });
   }
   const { models = [], templates = [], decals = [] } = list as Partial<DemoCatalogue>;
-  return { url, page, models, templates, decals };
+  const { named } = strings;
+  return {
+    ...{ url, page },
+    models: models.map((model) => ({ ...model, name: named(model.name) })),
+    templates: templates.map((each) => ({ ...each, name: named(each.name), hint: named(each.hint) })),
+    decals: decals.map((decal) => ({ ...decal, name: named(decal.name) })),
+  };
 }
 
 /** Rejects with a TexelcastError of code "missing-file". */

@@ -87,7 +87,7 @@ export class ToolRail extends EditorElement {
             id=${`tool-${id}`}
             data-tool=${id}
             aria-checked=${id === tool}
-            aria-label=${label}
+            aria-label=${label(this.strings)}
             aria-keyshortcuts=${shortcut}
             tabindex=${id === tool ? 0 : -1}
             title=${this.#words.withKey(label(this.strings), shortcut)}

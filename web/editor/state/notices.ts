@@ -27,7 +27,8 @@ export interface Notice {
 /** `title` says what was being done ("Could not open Fox.glb"); the error says why. */
 export function noticeOf(id: number, title: string, thrown: unknown, strings: Strings): Notice {
   const error = TexelcastError.wrap(thrown, "unexpected", thrown instanceof Error ? thrown.message : String(thrown));
-  const { code, message, subject, field, value, hint } = error;
+  const { code, subject, field, value } = error;
+  const { message, hint } = strings.told(error.toJSON());
   const where = [subject, field, value === undefined ? undefined : strings.notices.value(shortened(value))];
   return {
     id,
@@ -36,7 +37,7 @@ export function noticeOf(id: number, title: string, thrown: unknown, strings: St
     code,
     message,
     where: where.filter((part) => part !== undefined && part !== "" && !title.includes(part)).join(" · "),
-    hint: hint ?? "",
+    hint,
   };
 }
 

@@ -3,6 +3,7 @@ import type { Engine, MapView } from "../../engine/engine-api.ts";
 import type {
   AnimationState,
   MapPicture,
+  ModelPart,
   ModelViewer,
   SurfaceHit,
   TextureHover,
@@ -138,7 +139,7 @@ export class ViewCommands {
   #react(before: EditorState, now: EditorState): void {
     const { viewer, textureView, store } = this.#parts;
     if (before.model !== now.model) {
-      const parts = viewer.parts;
+      const parts = this.#named(viewer.parts);
       const hidden = new Set(parts.filter((part) => part.hidden).map(({ id }) => id));
       store.set({
         shown: now.model ? { ...NO_PARTS, parts, hidden } : NO_PARTS,
@@ -148,9 +149,28 @@ export class ViewCommands {
     }
     if (before.model !== now.model || before.material !== now.material || before.view.guide !== now.view.guide) {
       const shows = now.view.guide && now.material !== null;
-      textureView.setGuide(shows ? viewer.guideOf(now.material) : []);
+      const { named } = this.#parts.board.strings;
+      const guide = shows ? viewer.guideOf(now.material) : [];
+      textureView.setGuide(
+        guide.map(({ part, face, uv }) => ({
+          part: named(part),
+          ...(face !== undefined && { face: named(face) }),
+          uv,
+        })),
+      );
     }
     if (before.view.modelMap !== now.view.modelMap || before.targets !== now.targets) this.#showMaps(now);
+  }
+
+  /** Of a model that says which parts of its texture are whose, the names are known in each language. */
+  #named(parts: readonly ModelPart[]): readonly ModelPart[] {
+    const { viewer, board } = this.#parts;
+    const { named } = board.strings;
+    return parts.map((part) =>
+      viewer.guideOf(part.material).length === 0
+        ? part
+        : { ...part, name: named(part.name), group: part.group === null ? null : named(part.group) },
+    );
   }
 
   /** The engine is asked anew when targets change: a map belongs to a target's size. */

@@ -25,7 +25,7 @@ export function layerBadge(desk: Desk, id: string, words: Words): Shown {
 }
 
 /** What there is to say of a layer, whole sentences, the worse first. */
-export function layerFindings(desk: Desk, id: string): Shown {
+export function layerFindings(desk: Desk, id: string, words: Words): Shown {
   const report = reportOf(desk);
   if (!report) return nothing;
   const found = [
@@ -34,12 +34,10 @@ export function layerFindings(desk: Desk, id: string): Shown {
   ].filter(({ finding }) => finding.layer === id);
   if (found.length === 0) return nothing;
   return html`<ul class="findings" part="findings" role="list">
-    ${found.map(
-      ({ finding: { message, hint }, tone }) => html`<li class=${tone}>
-        <p>${message}</p>
-        <p>${hint}</p>
-      </li>`,
-    )}
+    ${found.map(({ finding, tone }) => {
+      const { message, hint } = words.finding(finding, tone === "bad");
+      return html`<li class=${tone}><p>${message}</p><p>${hint}</p></li>`;
+    })}
   </ul>`;
 }
 

@@ -158,7 +158,7 @@ export class ShopView {
                 </slot>`
               : layerRows(this, design, selectedId)
           }
-          ${selected ? layerFields(this, selected) : nothing} ${selected ? layerFindings(desk, selected.id) : nothing}
+          ${selected ? layerFields(this, selected) : nothing} ${selected ? layerFindings(desk, selected.id, words) : nothing}
         </div>
         <div class="own foot" part="foot">
           ${verdict(desk, words)}

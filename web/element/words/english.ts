@@ -1,8 +1,15 @@
 /** The element's own words, apart from the whole editor's: a shop's page loads these alone. */
+import { type ErrorWords, ownWords } from "../../editor/strings/error-words.ts";
+import type { PrintFinding } from "../../engine/print-report.ts";
+
 export type WordsLanguage = "en" | "de";
 
 export const english = {
   language: "en" as WordsLanguage,
+  /** What the engine or the reader of a file reports. */
+  told: ownWords,
+  /** What the printer would say; `grave`: it must not be printed so. */
+  finding: ({ message, hint }: PrintFinding, _grave: boolean): ErrorWords => ({ message, hint }),
 
   view: "Product in 3D. Drag to turn it. With something chosen, the arrow keys move it, [ and ] turn it, + and - size it.",
   start: "Personalise",

@@ -1,7 +1,11 @@
+import { germanError } from "../../editor/strings/german-errors.ts";
 import type { Words } from "./english.ts";
+import { germanFinding } from "./german-findings.ts";
 
 export const german: Words = {
   language: "de",
+  told: germanError,
+  finding: germanFinding,
 
   view: "Produkt in 3D. Ziehen dreht es. Ist etwas gewählt, schieben es die Pfeiltasten, [ und ] drehen es, + und - ändern die Größe.",
   start: "Selbst gestalten",
