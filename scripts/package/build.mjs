@@ -3,13 +3,14 @@
  * the same scripts serve an import map, a bundler and Node, and `npm install texelcast` brings nothing else.
  */
 import { chmodSync, cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { join } from "node:path";
+import { join, relative } from "node:path";
 import { build } from "esbuild";
 import { inRoot } from "../bootstrap/paths.mjs";
 import { declarations } from "./declarations.mjs";
 import { elementManifest } from "./element-manifest.mjs";
 import { licenceText } from "./licences.mjs";
 import { ENTRIES, manifestOf } from "./manifest.mjs";
+import { mergeChunks } from "./merge-chunks.mjs";
 import { NamedFiles, urlFiles } from "./url-files.mjs";
 
 const PACKAGE = inRoot("build/package");
@@ -17,6 +18,9 @@ const DIST = join(PACKAGE, "dist");
 
 /** A branch for Node in packages for both; no page takes it. */
 const NODE_MODULES = ["fs", "path", "url", "module", "node:*"];
+
+/** What shows a product in the shop's mode. */
+const SHOWN_AT_ONCE = ["web/element/define.ts", "web/element/shop/shop-mode.ts"];
 
 /** @type {import("esbuild").BuildOptions} */
 const SHARED = {
@@ -38,20 +42,25 @@ export async function buildPackage() {
   const entries = Object.values(ENTRIES);
   /** @type {Set<string>} */
   const inputs = new Set();
-  /** @param {import("esbuild").BuildOptions} options */
-  const bundle = async (options) => {
-    const { metafile } = await build({ ...SHARED, plugins: [urlFiles(files)], ...options });
-    for (const input of Object.keys(metafile?.inputs ?? {})) inputs.add(inRoot(input));
+  /** @param {import("esbuild").BuildOptions} own @param {readonly string[]} roots sources that are loaded as a whole */
+  const bundle = async (own, roots = []) => {
+    const options = { ...SHARED, ...own };
+    const { metafile } = await build({ ...options, metafile: true, plugins: [urlFiles(files)] });
+    for (const input of Object.keys(metafile.inputs)) inputs.add(inRoot(input));
+    if (roots.length > 0) await mergeChunks({ dist: DIST, metafile, roots, options });
   };
 
-  await bundle({
-    entryPoints: entriesOf(entries.filter(({ runs }) => runs === "page")),
-    platform: "browser",
-    splitting: true,
-    minify: true,
-    chunkNames: "page-[hash]",
-    external: ["three", "three/*", ...NODE_MODULES],
-  });
+  await bundle(
+    {
+      entryPoints: entriesOf(entries.filter(({ runs }) => runs === "page")),
+      platform: "browser",
+      splitting: true,
+      minify: true,
+      chunkNames: "page-[hash]",
+      external: ["three", "three/*", ...NODE_MODULES],
+    },
+    SHOWN_AT_ONCE,
+  );
   // For pages without a bundler and without import maps, which a strict policy refuses: three.js is inside.
   await bundle({
     entryPoints: [{ in: "web/element/define.ts", out: "standalone" }],
@@ -63,14 +72,17 @@ export async function buildPackage() {
   });
   // Bundles of their own: a worker sees no import map, and must not load the page's half.
   for (const [name, source] of files.workers) {
-    await bundle({
-      entryPoints: [{ in: source, out: name.replace(/\.js$/, "") }],
-      platform: "browser",
-      splitting: true,
-      minify: true,
-      chunkNames: "worker-[hash]",
-      external: NODE_MODULES,
-    });
+    await bundle(
+      {
+        entryPoints: [{ in: source, out: name.replace(/\.js$/, "") }],
+        platform: "browser",
+        splitting: true,
+        minify: true,
+        chunkNames: "worker-[hash]",
+        external: NODE_MODULES,
+      },
+      [relative(inRoot(), source)],
+    );
   }
   const servers = entries.flatMap(({ name, server }) => (server ? [{ source: server, name: `${name}-server` }] : []));
   await bundle({

@@ -13,13 +13,13 @@ import {
   parseDesign,
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
+import { isLocked } from "../../web/editor/document/layer-tree.ts";
 import {
   addMask,
   duplicateLayers,
   groupLayers,
   insertAbove,
   invertMask,
-  isLocked,
   moveLayers,
   removeLayers,
   removeMask,

@@ -1,8 +1,10 @@
 /** One time that the element is open: its mode is loaded, its model and design are opened, and in the end all of it is closed. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Design } from "../editor/document/design.ts";
+import type { AssetLibrary } from "../editor/state/asset-library.ts";
 import type { PrintZones } from "../engine/print-zones.ts";
 import type { UploadLimits } from "../engine/upload-check.ts";
+import { fetchModel } from "./desk/read-model.ts";
 import type { DesignInput, TexelcastEditorProperties } from "./element-api.ts";
 import type { Mode, ModeHost } from "./mode.ts";
 import type { Words } from "./words/words.ts";
@@ -58,15 +60,19 @@ export class Run {
       const { signal } = this.#abort;
       const fetching = { words, signal, progress: (share: number) => progress(share * FETCHED) };
       // At once: what shows the model is fetched while the model is.
-      const [make, { fetchModel }] = await Promise.all([loadMode(kind), import("./desk/read-model.ts")]);
+      const loading = loadMode(kind);
+      loading.catch(() => undefined);
       const source = typeof src === "string" ? await fetchModel(src, base, fetching) : src;
       this.#check();
       progress(FETCHED);
-      const mode = make(host);
+      const mode = (await loading)(host);
       this.#made = mode;
       await host.made(mode);
-      await mode.open(source, () => this.readDesign(mode.desk.library));
-      if (zones !== null) await mode.desk.useZones(await this.readZones(zones));
+      await mode.open(source, this.#hasDesign ? (library) => this.readDesign(library) : null);
+      if (zones !== null) {
+        const [desk, read] = await Promise.all([mode.takeDesk(), this.readZones(zones)]);
+        await desk.useZones(read);
+      }
       this.#check();
       this.#open = true;
       return mode;
@@ -77,8 +83,13 @@ export class Run {
     }
   }
 
+  get #hasDesign(): boolean {
+    const { design } = this.#parts;
+    return "kept" in design || design.given !== null;
+  }
+
   /** Reads a design with the engine's help: its files are taken in. */
-  async readDesign(library: Mode["desk"]["library"], given?: DesignInput): Promise<Design> {
+  async readDesign(library: AssetLibrary, given?: DesignInput): Promise<Design> {
     const { design, words, base, limits } = this.#parts;
     if (given === undefined && "kept" in design) return design.kept;
     const input = given ?? ("given" in design ? design.given : null);

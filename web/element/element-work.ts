@@ -9,7 +9,7 @@ import { sendEvent } from "./element-events.ts";
 import { FETCHED, Run } from "./element-run.ts";
 import { readSettings } from "./element-settings.ts";
 import type { Voice } from "./element-voice.ts";
-import type { Mode, ModeHost } from "./mode.ts";
+import type { AtDesk, Mode, ModeHost } from "./mode.ts";
 
 /** Milliseconds of rest after which a change is told. */
 const CHANGE_REST = 120;
@@ -82,11 +82,17 @@ export class Work {
     return mode;
   }
 
+  /** The same, with its desk. */
+  async atDesk(): Promise<AtDesk> {
+    const mode = await this.ready();
+    return { desk: await mode.takeDesk(), idle: () => mode.idle() };
+  }
+
   /** Ends what runs; what was designed stays. */
   close(): void {
     clearTimeout(this.#changeTimer);
     const { mode } = this;
-    if (mode) this.#kept = mode.desk.design;
+    if (mode?.desk) this.#kept = mode.desk.design;
     this.#run?.close();
     this.#run = null;
     this.#starting = null;
@@ -127,7 +133,7 @@ export class Work {
   }
 
   async submit(): Promise<SubmitDetail> {
-    const mode = await this.ready();
+    const mode = await this.atDesk();
     const { submitDetail } = await import("./desk/hand-over.ts");
     const detail = await submitDetail(mode);
     if (sendEvent(this.#element, "submit", detail)) this.#voice.announce(this.#voice.words.submitted);
@@ -156,14 +162,19 @@ export class Work {
     try {
       const mode = await run.open();
       const { orbit, settings } = readSettings(element, voice.words);
-      if (orbit !== null) mode.desk.viewer.setCamera(orbit, settings.camera);
+      if (orbit !== null) mode.viewer.setCamera(orbit, settings.camera);
       this.#phase = "ready";
       this.#progress(1);
       // What the page set while it was opening.
       if (element.zones !== zones) void voice.told(this.#useZones(mode));
-      if (mode.desk.design.layers.length > 0 && mode.desk.zones !== null) void voice.told(this.#sendChange(false));
-      const { loadDetail } = await import("./desk/hand-over.ts");
-      sendEvent(element, "load", loadDetail(mode, began));
+      const { desk } = mode;
+      if (desk && desk.design.layers.length > 0 && desk.zones !== null) void voice.told(this.#sendChange(false));
+      const materials = mode.materials.map(({ index, name, refusal }) => ({
+        index,
+        name,
+        paintable: refusal === null,
+      }));
+      sendEvent(element, "load", { materials, milliseconds: Math.round(performance.now() - began) });
     } catch (thrown) {
       if (this.#run === run) {
         this.#run = null;
@@ -178,13 +189,15 @@ export class Work {
 
   async #takeDesign(mode: Mode): Promise<void> {
     const run = this.#run;
-    const design = await run?.readDesign(mode.desk.library, this.#element.design ?? undefined);
-    if (design && this.#run === run) mode.desk.takeDesign(design);
+    const desk = await mode.takeDesk();
+    const design = await run?.readDesign(desk.library, this.#element.design ?? undefined);
+    if (design && this.#run === run) desk.takeDesign(design);
   }
 
-  async #useZones({ desk }: Mode): Promise<void> {
+  async #useZones(mode: Mode): Promise<void> {
     const { zones } = this.#element;
     const read = zones === null || zones === "" ? null : await this.#run?.readZones(zones);
+    const desk = await mode.takeDesk();
     if (this.#element.zones !== zones || read === undefined || desk.closed) return;
     await desk.useZones(read);
     this.#changed();
@@ -216,8 +229,9 @@ export class Work {
       dismiss: () => voice.dismiss(),
       submit: () => this.submit(),
       requestUpdate: () => element.requestUpdate(),
+      adopt: (styles) => adopt(element, styles),
       made: async (mode) => {
-        adopt(element, mode);
+        adopt(element, mode.styles);
         element.requestUpdate();
         await element.updateComplete;
       },
@@ -233,10 +247,11 @@ export class Work {
   async #sendChange(tell = true): Promise<void> {
     const run = this.#run;
     const mode = run?.mode;
-    if (!mode) return;
+    const desk = mode?.desk;
+    if (!mode || !desk) return;
     const { changeDetail, DesignExport } = await import("./desk/hand-over.ts");
     this.#exports ??= new DesignExport();
-    const detail = await changeDetail(mode, this.#exports);
+    const detail = await changeDetail({ desk, idle: () => mode.idle() }, this.#exports);
     // A newer change tells itself.
     if (this.#run !== run || detail === null) return;
     this.#element.requestUpdate();
@@ -256,7 +271,7 @@ function makeView(): HTMLElement {
   return view;
 }
 
-function adopt({ renderRoot: root }: LitElement, { styles }: Mode): void {
+function adopt({ renderRoot: root }: LitElement, styles: Mode["styles"]): void {
   if (!(root instanceof ShadowRoot)) return;
   for (const { styleSheet } of styles) {
     if (styleSheet && !root.adoptedStyleSheets.includes(styleSheet)) root.adoptedStyleSheets.push(styleSheet);

@@ -1,22 +1,39 @@
 /** What the element asks of either mode, shop or full. */
 import type { CSSResult, TemplateResult } from "lit";
 import type { Design } from "../editor/document/design.ts";
-import type { ModelSource } from "../engine/engine-api.ts";
+import type { AssetLibrary } from "../editor/state/asset-library.ts";
+import type { MaterialInfo, ModelSource } from "../engine/engine-api.ts";
+import type { ModelView } from "../viewer/viewer-api.ts";
 import type { Desk } from "./desk/desk.ts";
 import type { DeskHooks } from "./desk/desk-settings.ts";
 import type { DecalSource, PlaceOptions, TextOptions } from "./element-api.ts";
 import type { ShownError } from "./element-errors.ts";
 import type { Words } from "./words/words.ts";
 
-export interface Mode {
+/** Reads a design with the engine's help: its files are taken in. */
+export type ReadDesign = (library: AssetLibrary) => Promise<Design>;
+
+/** A mode whose desk is there. */
+export interface AtDesk {
   readonly desk: Desk;
+  idle(): Promise<void>;
+}
+
+export interface Mode {
+  readonly viewer: ModelView;
+  /** Where the design is worked on; null while there is none, and nobody did anything yet. */
+  readonly desk: Desk | null;
+  /** Loads the desk, if it is not there. Rejects with "cancelled" where the mode is closed meanwhile. */
+  takeDesk(): Promise<Desk>;
+  /** The open model's. */
+  readonly materials: readonly MaterialInfo[];
   /** For the element's shadow root. */
   readonly styles: readonly CSSResult[];
   /**
-   * Opens a model with a design, which is read when the engine can take its files. Rejects with a TexelcastError; the mode is to
-   * be closed then.
+   * Opens a model with a design, which is read when the engine can take its files, or (null) with nothing on it. Rejects with a
+   * TexelcastError; the mode is to be closed then.
    */
-  open(source: ModelSource, readDesign: () => Promise<Design>): Promise<void>;
+  open(source: ModelSource, readDesign: ReadDesign | null): Promise<void>;
   render(): TemplateResult;
   addDecal(source: DecalSource, options?: PlaceOptions): Promise<string>;
   addText(text: string, options?: TextOptions): Promise<string>;
@@ -41,6 +58,8 @@ export interface ModeHost {
   dismiss(): void;
   submit(): Promise<unknown>;
   requestUpdate(): void;
+  /** Gives styles to the element's shadow root. */
+  adopt(styles: readonly CSSResult[]): void;
   /** To be told of a mode before it opens anything; resolves when it is rendered. */
   made(mode: Mode): Promise<void>;
 }

@@ -26,7 +26,7 @@ import { Sight } from "./element-sight.ts";
 import { elementStyles } from "./element-styles.ts";
 import { Voice } from "./element-voice.ts";
 import { Work } from "./element-work.ts";
-import type { Mode } from "./mode.ts";
+import type { AtDesk, Mode } from "./mode.ts";
 import { tokens } from "./shop/tokens.ts";
 
 type Listener<Type extends keyof EditorEvents> = (this: TexelcastEditor, event: EditorEvents[Type]) => unknown;
@@ -150,13 +150,13 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     return this.#work.phase === "ready";
   }
   get selected(): string | null {
-    return this.#work.mode?.desk.store.state.selectedId ?? null;
+    return this.#work.mode?.desk?.store.state.selectedId ?? null;
   }
   get canUndo(): boolean {
-    return (this.#work.mode?.desk.store.state.undoLabel ?? null) !== null;
+    return (this.#work.mode?.desk?.store.state.undoLabel ?? null) !== null;
   }
   get canRedo(): boolean {
-    return (this.#work.mode?.desk.store.state.redoLabel ?? null) !== null;
+    return (this.#work.mode?.desk?.store.state.redoLabel ?? null) !== null;
   }
 
   override connectedCallback(): void {
@@ -191,37 +191,37 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   select(id: string | null): boolean {
-    return this.#work.mode?.desk.select(id) ?? false;
+    return this.#work.mode?.desk?.select(id) ?? false;
   }
 
   removeLayer(id: string): boolean {
-    return this.#voice.tried(() => this.#work.mode?.desk.remove(id));
+    return this.#voice.tried(() => this.#work.mode?.desk?.remove(id));
   }
 
   undo(): boolean {
-    return this.#voice.tried(() => this.#work.mode?.desk.travel(-1));
+    return this.#voice.tried(() => this.#work.mode?.desk?.travel(-1));
   }
 
   redo(): boolean {
-    return this.#voice.tried(() => this.#work.mode?.desk.travel(1));
+    return this.#voice.tried(() => this.#work.mode?.desk?.travel(1));
   }
 
   exportTexture(options: ExportTextureOptions = {}): Promise<ExportedTexture> {
-    return this.#with(async (mode) => {
+    return this.#atDesk(async (mode) => {
       const { exportTexture, printOptions } = await import("./desk/prints.ts");
       return await exportTexture(mode, printOptions(mode, options, this.#work.settings));
     });
   }
 
   exportModel(): Promise<Uint8Array> {
-    return this.#with(async (mode) => {
+    return this.#atDesk(async (mode) => {
       await mode.idle();
       return await mode.desk.engine.exportGlb();
     });
   }
 
   exportDesign(): Promise<ExportedDesign> {
-    return this.#with(async (mode) => {
+    return this.#atDesk(async (mode) => {
       const { DesignExport } = await import("./desk/export-design.ts");
       return await new DesignExport().whole(mode.desk.design);
     });
@@ -243,7 +243,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   validate(): Promise<PrintReport> {
-    return this.#with(async (mode) => {
+    return this.#atDesk(async (mode) => {
       const { printReport } = await import("./desk/prints.ts");
       return await printReport(mode);
     });
@@ -283,6 +283,10 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   /** Does something with what is open, which is begun where it is not; the page is told where it fails. */
   #with<T>(act: (mode: Mode) => Promise<T>): Promise<T> {
     return this.#voice.told(this.#work.ready().then(act));
+  }
+
+  #atDesk<T>(act: (mode: AtDesk) => Promise<T>): Promise<T> {
+    return this.#voice.told(this.#work.atDesk().then(act));
   }
 
   readonly #touched = (): void => {

@@ -10,7 +10,7 @@ import {
   Mesh,
   MeshBasicMaterial,
 } from "three";
-import { OVERLAY_LAYER } from "./model-look.ts";
+import { OVERLAY_LAYER } from "./view-layers.ts";
 
 /** Enough to tell the chart, and so little that its colours are still judged. */
 const FILL_OPACITY = 0.1;

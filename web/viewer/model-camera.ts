@@ -28,16 +28,17 @@ export class ModelCamera {
   }
 
   setLimits({ min, max }: CameraLimits): void {
-    const { controls } = this.#stage;
     const angle = (degrees: number | null, otherwise: number): number =>
       degrees === null ? otherwise : MathUtils.degToRad(degrees);
-    controls.minAzimuthAngle = angle(min.theta, Number.NEGATIVE_INFINITY);
-    controls.maxAzimuthAngle = angle(max.theta, Number.POSITIVE_INFINITY);
-    controls.minPolarAngle = clampPolar(angle(min.phi, 0));
-    controls.maxPolarAngle = clampPolar(angle(max.phi, Math.PI));
     const { radius } = this.#stage.bounds;
-    controls.minDistance = this.#metres(min) ?? radius * 0.05;
-    controls.maxDistance = this.#metres(max) ?? radius * 12;
+    this.#stage.rig.limit({
+      minAzimuthAngle: angle(min.theta, Number.NEGATIVE_INFINITY),
+      maxAzimuthAngle: angle(max.theta, Number.POSITIVE_INFINITY),
+      minPolarAngle: clampPolar(angle(min.phi, 0)),
+      maxPolarAngle: clampPolar(angle(max.phi, Math.PI)),
+      minDistance: this.#metres(min) ?? radius * 0.05,
+      maxDistance: this.#metres(max) ?? radius * 12,
+    });
     this.#stage.requestFrame();
   }
 
@@ -45,8 +46,7 @@ export class ModelCamera {
   moveTo(orbit: Orbit): void {
     if (this.#positions === null) return;
     const { eye, target } = this.#eyeAt(this.#stage.camera, orbit, this.#positions);
-    this.#stage.controls.normalizeRotations();
-    this.#stage.controls.setLookAt(...eye, ...target, false);
+    this.#stage.rig.lookAt(eye, target, false);
     this.#stage.requestFrame();
   }
 
@@ -59,8 +59,8 @@ export class ModelCamera {
     camera.fov = lensFor(camera.aspect);
     if (orbit !== null) {
       const { eye, target } = this.#eyeAt(camera, orbit, this.#positions);
-      camera.position.set(...eye);
-      camera.lookAt(...target);
+      camera.position.copy(eye);
+      camera.lookAt(target);
       camera.layers.mask = this.#stage.camera.layers.mask;
     }
     return await this.#stage.capture(camera, width, height);
@@ -71,8 +71,7 @@ export class ModelCamera {
     const polar = phi === null ? MODEL_POLAR : clampPolar(MathUtils.degToRad(phi));
     const framed = framedEye(camera, positions, azimuth, polar);
     const asked = distance === null ? 1 : distance.unit === "m" ? distance.value / framed.distance : distance.value;
-    const eye = framed.target.clone().lerp(framed.eye, asked);
-    return { eye: eye.toArray(), target: framed.target.toArray() };
+    return { eye: framed.target.clone().lerp(framed.eye, asked), target: framed.target };
   }
 
   #metres({ distance }: Orbit): number | null {

@@ -18,13 +18,9 @@ import {
   type WebGLRenderer,
 } from "three";
 import { type ModelScene, meshesOf } from "./model-scene.ts";
+import { MODEL_LAYER, OVERLAY_LAYER } from "./view-layers.ts";
 import type { MapPicture } from "./viewer-api.ts";
 
-/** Meshes on this layer are what the model consists of; others (ground, shadow, highlight) stay on OVERLAY_LAYER. */
-export const MODEL_LAYER = 0;
-export const OVERLAY_LAYER = 1;
-/** No camera looks at this one. */
-const HIDDEN_LAYER = 31;
 /** Where no map is known: materials that are no targets. */
 const UNMAPPED = new Color(0.22, 0.22, 0.22);
 
@@ -67,13 +63,6 @@ export class ModelLook {
     }
     this.#maps = pictures && new Map([...pictures].map(([index, picture]) => [index, this.#textureOf(index, picture)]));
     this.#dress();
-  }
-
-  /** `hidden` are places in the scene's order of meshes. */
-  hide(meshes: readonly Mesh[], hidden: ReadonlySet<number>): void {
-    for (const [place, mesh] of meshes.entries()) {
-      mesh.layers.set(hidden.has(place) ? HIDDEN_LAYER : MODEL_LAYER);
-    }
   }
 
   /** Before a frame: the live textures may have changed places. */

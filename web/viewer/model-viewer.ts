@@ -1,29 +1,30 @@
-/** The 3D view: the model, its live texture, picking and the decal gizmo, behind one interface. */
+/** The 3D view with hands: picking, the decal gizmo, tools and looks, on a view that shows the model. */
 import { type Ray, Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
-import { frameDecal, frameModel, stepCamera } from "./camera-framing.ts";
 import type { Orbit } from "./camera-orbit.ts";
 import { ClipClock } from "./clip-clock.ts";
+import { frameDecal } from "./decal-framing.ts";
 import { DecalGizmo } from "./decal-gizmo.ts";
 import { poseOf } from "./decal-pose.ts";
-import { EventHub } from "./event-hub.ts";
+import { GIZMO_STYLE } from "./gizmo-style.ts";
 import { GradientHandles, type GradientLabels, type GradientPlace } from "./gradient-handles.ts";
-import { type CameraLimits, ModelCamera } from "./model-camera.ts";
+import { HeldCamera } from "./held-camera.ts";
+import type { CameraLimits } from "./model-camera.ts";
 import { ModelDisplay } from "./model-display.ts";
 import { guideOf } from "./model-parts.ts";
 import { ModelPlacement } from "./model-placement.ts";
-import { loadModelScene } from "./model-scene.ts";
 import { hitOf, ModelTools } from "./model-tools.ts";
 import { pictureBox } from "./projector-outline.ts";
 import type { Alignment } from "./projector-placer.ts";
 import { reachVolume } from "./reached-materials.ts";
 import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { ShownModel } from "./shown-model.ts";
-import { Stage } from "./stage.ts";
+import type { Stage } from "./stage.ts";
+import type { StillModel } from "./still-model.ts";
+import { type ModelViewOptions, StillView } from "./still-view.ts";
 import type { SurfaceSample } from "./surface-query.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
-import { UpdateQueue } from "./update-queue.ts";
 import { ViewInput } from "./view-input.ts";
 import type {
   AnimationState,
@@ -38,65 +39,46 @@ import type {
   TexturePlace,
   ViewerDecal,
 } from "./viewer-api.ts";
-import { adoptViewerStyle } from "./viewer-style.ts";
-
-export interface ModelViewerOptions {
-  /** Accessible name of the view; default "3D view". */
-  readonly label?: string;
-}
+import { adoptStyle } from "./viewer-style.ts";
 
 /** Builds a viewer that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
-export function createModelViewer(host: HTMLElement, options: ModelViewerOptions = {}): ModelViewer {
-  return new ThreeModelViewer(host, options);
+export function createModelViewer(host: HTMLElement, options: ModelViewOptions = {}): ModelViewer {
+  return withHands(new StillView(host, options));
+}
+
+/** Takes hold of a view, once: what it shows stays as it is, and it may be used as before. */
+export function withHands(view: StillView): ModelViewer {
+  return new ThreeModelViewer(view);
 }
 
 class ThreeModelViewer implements ModelViewer {
   readonly element: HTMLElement;
+  readonly #view: StillView;
   readonly #stage: Stage;
+  readonly #held: HeldCamera;
   readonly #screen: ScreenSpace;
   readonly #gizmo: DecalGizmo;
   readonly #tools: ModelTools;
   readonly #gradient: GradientHandles;
   readonly #input: ViewInput;
   readonly #display: ModelDisplay;
-  readonly #camera: ModelCamera;
   readonly #clock: ClipClock;
-  readonly #events = new EventHub<ModelViewerEvents>();
   #model: ShownModel | null = null;
-  /** The newest load; an older one that ends later is dropped. */
-  #loading = 0;
-  #decals: readonly ViewerDecal[] = [];
-  #upload = { milliseconds: 0, bytes: 0 };
-  readonly #updates = new UpdateQueue(
-    (update) => this.#applyNow(update),
-    (task) => this.#stage.whenGpuDone(task),
-  );
-  #disposed = false;
 
-  constructor(host: HTMLElement, options: ModelViewerOptions) {
-    adoptViewerStyle(host);
-    const root = document.createElement("div");
-    root.className = "tcv-root";
-    root.tabIndex = 0;
-    root.setAttribute("role", "application");
-    root.setAttribute("aria-label", options.label ?? "3D view");
-    host.append(root);
+  constructor(view: StillView) {
+    const { element: root, events } = view;
+    adoptStyle(root, GIZMO_STYLE);
     this.element = root;
-    this.#stage = new Stage(root, {
-      beforeFrame: (delta) => this.#advance(delta),
-      drawOver: () => this.#display.drawOver(),
-      afterFrame: (cameraMoved) => {
-        if (cameraMoved) {
-          this.#followCamera();
-        }
-      },
-      contextRestored: () => this.#refill(),
-    });
+    this.#view = view;
+    this.#stage = view.stage;
+    this.#held = view.stage.hold(
+      (still) => new HeldCamera(this.#stage.camera, root, still, () => this.#stage.requestFrame()),
+    );
     this.#screen = new ScreenSpace(this.#stage.camera, root);
     this.#gizmo = new DecalGizmo({
       root,
       screen: this.#screen,
-      gesture: (gesture) => this.#events.emit("gesture", gesture),
+      gesture: (gesture) => events.emit("gesture", gesture),
       dragging: (active) => {
         this.#stage.inGesture = active;
       },
@@ -114,13 +96,12 @@ class ThreeModelViewer implements ModelViewer {
       },
     });
     this.#display = new ModelDisplay(root, this.#stage, this.#screen);
-    this.#camera = new ModelCamera(this.#stage);
     const pick = (ray: Ray) => this.#model?.pick(ray) ?? null;
     const toDrawn = (point: Vector3) => this.#model?.toPosed(point) ?? point;
     this.#gradient = new GradientHandles(root, this.#screen, {
       pick: (at) => this.#sampleAt(at),
       atRest: () => this.#model !== null && !this.#model.animation.posed,
-      changed: (place, phase) => this.#events.emit("gradient", { place, phase }),
+      changed: (place, phase) => events.emit("gradient", { place, phase }),
     });
     // Before the decals' own input, which it keeps from what a tool takes.
     this.#tools = new ModelTools(root, this.#screen, {
@@ -132,50 +113,65 @@ class ThreeModelViewer implements ModelViewer {
     this.#input = new ViewInput(root, this.#gizmo, this.#screen, {
       pick,
       isPosed: () => this.#model?.animation.posed ?? false,
-      select: (id) => this.#events.emit("select", { id }),
-      hover: (sample) => this.#events.emit("hover", { hit: sample && hitOf(sample) }),
-      setPanning: (pans) => this.#stage.setPanning(pans),
+      select: (id) => events.emit("select", { id }),
+      hover: (sample) => events.emit("hover", { hit: sample && hitOf(sample) }),
+      setPanning: (pans) => this.#held.setPanning(pans),
     });
     this.#clock = new ClipClock(root, {
       animation: () => this.#model?.animation ?? null,
       isOnModel: (event) => this.#sampleAt(this.#screen.pointOf(event.clientX, event.clientY)) !== null,
-      tell: (state) => this.#events.emit("animation", state),
+      tell: (state) => events.emit("animation", state),
       changed: () => this.#followModel(),
     });
     root.addEventListener("keydown", (event) => this.#onKey(event));
+    view.take({
+      modelShown: (model) => this.#modelShown(model),
+      modelGone: () => this.#modelGone(),
+      setDecals: (decals, selectedId) => this.#gizmo.setDecals(decals, selectedId),
+      beforeFrame: (delta) => {
+        this.#display.beforeFrame();
+        return this.#clock.advance(delta);
+      },
+      drawOver: () => this.#display.drawOver(),
+      cameraMoved: () => this.#followCamera(),
+      letGo: () => this.#letGo(),
+    });
   }
 
   async setModel(info: ModelInfo): Promise<void> {
-    this.#loading += 1;
-    const load = this.#loading;
-    const scene = await loadModelScene(info);
-    if (load !== this.#loading || this.#disposed) {
-      scene.dispose();
-      throw new TexelcastError("cancelled", `${info.name} was replaced by another model before it was shown.`);
-    }
-    this.#dropModel();
-    const model = new ShownModel(this.#stage.renderer, scene);
+    await this.#view.setModel(info);
+  }
+
+  #modelShown(still: StillModel): void {
+    const model = new ShownModel(still);
     this.#model = model;
-    this.#stage.show(scene.root, model.bounds);
     this.#display.setModel(model);
-    this.setHiddenParts(new Set(model.parts.filter(({ hidden }) => hidden).map(({ id }) => id)));
+    this.#surfaceChanged();
     this.#gizmo.enabled = !this.#tools.active;
-    this.#camera.setModel(model.positions);
-    frameModel(this.#stage, model.positions, false);
+  }
+
+  #modelGone(): void {
+    const model = this.#model;
+    if (model === null) {
+      return;
+    }
+    this.#gizmo.setSurface(null);
+    this.#tools.setSurface(null);
+    this.#display.setModel(null);
+    model.dispose();
+    this.#model = null;
   }
 
   bindTarget(info: TargetInfo): void {
-    this.#model?.materials.bind(info);
-    this.#stage.requestFrame();
+    this.#view.bindTarget(info);
   }
 
   applyUpdate(update: TargetUpdate): void {
-    this.#updates.push(update);
+    this.#view.applyUpdate(update);
   }
 
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {
-    this.#decals = decals;
-    this.#gizmo.setDecals(decals, selectedId);
+    this.#view.setDecals(decals, selectedId);
   }
 
   surfaceAtCentre(): SurfaceHit | null {
@@ -231,7 +227,7 @@ class ThreeModelViewer implements ModelViewer {
   setTool(input: ToolInput | null): void {
     this.#tools.tool = input;
     this.#input.suspended = input !== null;
-    this.#stage.setTwoFingersOrbit(input !== null);
+    this.#held.setTwoFingersOrbit(input !== null);
     this.#gizmo.enabled = input === null;
     this.#gradient.enabled = input === null;
   }
@@ -254,13 +250,11 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   frameModel(): void {
-    if (this.#model !== null) {
-      frameModel(this.#stage, this.#model.positions, true);
-    }
+    this.#view.frameModel();
   }
 
   frameDecal(id: string): void {
-    const decal = this.#decals.find((candidate) => candidate.id === id);
+    const decal = this.#view.decals.find((candidate) => candidate.id === id);
     if (decal === undefined || this.#model === null) {
       return;
     }
@@ -292,13 +286,17 @@ class ThreeModelViewer implements ModelViewer {
     }
     model.hide(ids);
     this.#display.partsChanged();
-    this.#gizmo.setSurface(model.query);
-    this.#tools.setSurface(model.query);
-    // The shadow is that of the model at rest.
+    this.#surfaceChanged();
     if (!model.animation.posed) {
-      this.#stage.castShadow(model.scene.root, model.bounds);
+      this.#view.castShadow();
     }
     this.#stage.requestFrame();
+  }
+
+  #surfaceChanged(): void {
+    const query = this.#model?.query ?? null;
+    this.#gizmo.setSurface(query);
+    this.#tools.setSurface(query);
   }
 
   guideOf(material: number): readonly GuideEntry[] {
@@ -322,18 +320,15 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   picture(width: number, height: number): string | null {
-    return this.#model === null ? null : this.#stage.picture(width, height);
+    return this.#view.picture(width, height);
   }
 
   setCamera(orbit: Orbit | null, limits: CameraLimits): void {
-    this.#camera.setLimits(limits);
-    if (orbit !== null) {
-      this.#camera.moveTo(orbit);
-    }
+    this.#view.setCamera(orbit, limits);
   }
 
   capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null> {
-    return this.#camera.capture(orbit, width, height);
+    return this.#view.capture(orbit, width, height);
   }
 
   clientPosition(position: Vec3): { x: number; y: number } | null {
@@ -343,36 +338,29 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void {
-    return this.#events.on(type, listener);
+    return this.#view.on(type, listener);
   }
 
-  get statistics(): { frames: number; uploadMilliseconds: number; uploadedBytes: number } {
-    return {
-      frames: this.#stage.frames,
-      uploadMilliseconds: this.#upload.milliseconds,
-      uploadedBytes: this.#upload.bytes,
-    };
+  get statistics(): ModelViewer["statistics"] {
+    return this.#view.statistics;
+  }
+
+  clickAt(clientX: number, clientY: number): void {
+    this.#input.clickAt(clientX, clientY);
   }
 
   dispose(): void {
-    this.#disposed = true;
+    this.#view.dispose();
+  }
+
+  #letGo(): void {
     this.#clock.dispose();
     this.#input.dispose();
     this.#tools.dispose();
     this.#gradient.dispose();
-    this.#dropModel();
     this.#display.dispose();
     this.#gizmo.dispose();
     this.#screen.dispose();
-    this.#stage.dispose();
-    this.element.remove();
-  }
-
-  #applyNow(update: TargetUpdate): void {
-    if (this.#model !== null) {
-      this.#upload = this.#model.materials.apply(update);
-      this.#stage.requestFrame();
-    }
   }
 
   #requireModel(): ShownModel {
@@ -382,26 +370,8 @@ class ThreeModelViewer implements ModelViewer {
     return this.#model;
   }
 
-  #dropModel(): void {
-    const model = this.#model;
-    if (model !== null) {
-      this.#gizmo.setSurface(null);
-      this.#tools.setSurface(null);
-      this.#updates.clear();
-      this.#display.setModel(null);
-      this.#camera.setModel(null);
-      model.dispose();
-      this.#model = null;
-    }
-  }
-
   #sampleAt(point: ScreenPoint): SurfaceSample | null {
     return this.#model?.pick(this.#screen.rayThrough(point)) ?? null;
-  }
-
-  #advance(delta: number): boolean {
-    this.#display.beforeFrame();
-    return this.#clock.advance(delta);
   }
 
   #followCamera(): void {
@@ -417,18 +387,6 @@ class ThreeModelViewer implements ModelViewer {
     this.#stage.requestFrame();
   }
 
-  #refill(): void {
-    const model = this.#model;
-    if (model === null) {
-      return;
-    }
-    model.materials.rebuild();
-    this.#stage.castShadow(model.scene.root, model.bounds);
-    for (const material of model.materials.boundMaterials) {
-      this.#events.emit("needsFullUpdate", { material });
-    }
-  }
-
   /** The arrow keys are the tool's or the selected decal's, which the editor moves; without one they turn the camera. */
   #onKey(event: KeyboardEvent): void {
     const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !event.defaultPrevented;
@@ -437,7 +395,9 @@ class ThreeModelViewer implements ModelViewer {
     }
     if (event.key === "0") {
       this.frameModel();
-    } else if (!stepCamera(this.#stage, event.key)) {
+    } else if (this.#held.step(event.key, this.#stage.animates)) {
+      this.#stage.requestFrame();
+    } else {
       return;
     }
     event.preventDefault();

@@ -1,20 +1,13 @@
-/** A model with everything that was made from it; replaced as a whole. */
-import { type Box3, Matrix4, type Ray, type Vector3, type WebGLRenderer } from "three";
-import { boundsOf } from "./camera-framing.ts";
+/** A shown model with all that hands need of it: what they point at, its animation, its looks. Replaced as a whole. */
+import { type Box3, Matrix4, type Ray, type Vector3 } from "three";
 import { ModelAnimation } from "./model-animation.ts";
 import { ModelLook } from "./model-look.ts";
-import { partsOf } from "./model-parts.ts";
 import type { ModelScene } from "./model-scene.ts";
-import { PaintedMaterials } from "./painted-materials.ts";
+import type { PaintedMaterials } from "./painted-materials.ts";
 import { PosedSurface } from "./posed-surface.ts";
 import type { ViewPoint } from "./projector-align.ts";
-import {
-  DOUBLE_SIDED,
-  gatherRestingSurface,
-  type RestingSurface,
-  shapedMeshes,
-  triangleSubset,
-} from "./resting-surface.ts";
+import { DOUBLE_SIDED, type RestingSurface, triangleSubset } from "./resting-surface.ts";
+import type { StillModel } from "./still-model.ts";
 import { type SurfaceChart, SurfaceCharts } from "./surface-charts.ts";
 import { SurfaceQuery, type SurfaceSample } from "./surface-query.ts";
 import type { ModelPart, TexturePlace } from "./viewer-api.ts";
@@ -24,6 +17,7 @@ export class ShownModel {
   readonly bounds: Box3;
   readonly parts: readonly ModelPart[];
   readonly materials: PaintedMaterials;
+  readonly #still: StillModel;
   readonly animation: ModelAnimation;
   readonly look: ModelLook;
   /** All triangles at rest, hidden or not: what decides which materials a decal reaches. */
@@ -37,18 +31,21 @@ export class ShownModel {
   /** The pose that `#posed` shows. */
   #shownPose = 0;
 
-  constructor(renderer: WebGLRenderer, scene: ModelScene) {
+  constructor(still: StillModel) {
+    const { scene } = still;
+    this.#still = still;
     this.scene = scene;
-    this.#surface = gatherRestingSurface(scene);
-    this.bounds = boundsOf(this.#surface.positions);
-    this.parts = partsOf(scene);
+    this.#surface = still.surface;
+    this.bounds = still.bounds;
+    this.parts = still.parts;
+    this.materials = still.materials;
     this.whole = new SurfaceQuery(this.#surface);
     this.#visible = this.#surface;
     this.#query = this.whole;
     this.#charts = new SurfaceCharts(this.#surface);
-    this.materials = new PaintedMaterials(renderer, scene);
     this.animation = new ModelAnimation(scene);
     this.look = new ModelLook(scene);
+    if (still.hidden.size > 0) this.#leaveOut(still.hidden);
   }
 
   /** The visible triangles at rest. */
@@ -68,7 +65,11 @@ export class ShownModel {
 
   /** Neither drawn nor met by the pointer; what is painted does not heed it. */
   hide(parts: ReadonlySet<number>): void {
-    this.look.hide(shapedMeshes(this.scene), parts);
+    this.#still.hide(parts);
+    this.#leaveOut(parts);
+  }
+
+  #leaveOut(parts: ReadonlySet<number>): void {
     this.#posed = null;
     this.#visible = parts.size === 0 ? this.#surface : triangleSubset(this.#surface, (mesh) => !parts.has(mesh));
     this.#query = parts.size === 0 ? this.whole : new SurfaceQuery(this.#visible);
@@ -117,12 +118,10 @@ export class ShownModel {
     return this.#charts.at(place);
   }
 
+  /** Leaves the model as it was shown without hands. */
   dispose(): void {
     this.animation.dispose();
     this.look.dispose();
-    this.materials.dispose();
-    this.scene.root.removeFromParent();
-    this.scene.dispose();
   }
 
   /** Brought up to the pose on demand: a clip that nobody points at costs nothing. */

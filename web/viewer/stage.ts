@@ -1,36 +1,25 @@
 /** Renderer, scene, camera and the loop that draws a frame only when something asked for one. */
-import CameraControls from "camera-controls";
 import {
   type Box3,
   MathUtils,
-  Matrix4,
   NeutralToneMapping,
   type Object3D,
   PerspectiveCamera,
-  Quaternion,
-  Raycaster,
   Scene,
   Sphere,
-  Spherical,
   SRGBColorSpace,
-  Box3 as ThreeBox3,
-  Vector2,
   Vector3,
-  Vector4,
   WebGLRenderer,
 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { type CameraRig, StillRig } from "./camera-rig.ts";
 import { captureScene, lensFor } from "./capture.ts";
 import { ContactShadow } from "./contact-shadow.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { GroundLight } from "./ground-light.ts";
-import { OVERLAY_LAYER } from "./model-look.ts";
 import { MotionResolution } from "./motion-resolution.ts";
 import { createStudioEnvironment } from "./studio-environment.ts";
-
-CameraControls.install({
-  THREE: { Vector2, Vector3, Vector4, Quaternion, Matrix4, Spherical, Box3: ThreeBox3, Sphere, Raycaster },
-});
+import { OVERLAY_LAYER } from "./view-layers.ts";
 
 /** A frame costs four times at 3 what it costs at 1.5, and nobody sees it. */
 const MOST_PIXEL_RATIO = 2;
@@ -56,7 +45,8 @@ export class Stage {
   readonly renderer: WebGLRenderer;
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(lensFor(1), 1, 0.01, 100);
-  readonly controls: CameraControls;
+  readonly #still = new StillRig(this.camera);
+  #rig: CameraRig = this.#still;
   /** Frames drawn so far. */
   frames = 0;
   readonly #root: HTMLElement;
@@ -103,8 +93,6 @@ export class Stage {
     this.#shadow.mesh.layers.set(OVERLAY_LAYER);
     this.#ground.mesh.layers.set(OVERLAY_LAYER);
 
-    this.controls = new CameraControls(this.camera, root);
-    this.#configureControls();
     this.#resize = new ResizeObserver(() => {
       this.#resized = true;
       this.requestFrame();
@@ -115,7 +103,7 @@ export class Stage {
       this.#lost = true;
     });
     this.#listen(this.canvas, "webglcontextrestored", () => this.#restore());
-    this.#listen(this.#reducedMotion, "change", () => this.#configureMotion());
+    this.#listen(this.#reducedMotion, "change", () => this.#rig.setEased(this.animates));
     this.#watchTheme();
   }
 
@@ -130,6 +118,19 @@ export class Stage {
   /** Whether movements of the view's own may be animated. */
   get animates(): boolean {
     return !this.#reducedMotion.matches;
+  }
+
+  get rig(): CameraRig {
+    return this.#rig;
+  }
+
+  /** Gives the camera into other hands, which go on from where it stands. */
+  hold<Rig extends CameraRig>(make: (still: StillRig) => Rig): Rig {
+    const rig = make(this.#still);
+    rig.setEased(this.animates);
+    this.#rig = rig;
+    this.requestFrame();
+    return rig;
   }
 
   requestFrame(): void {
@@ -170,9 +171,8 @@ export class Stage {
     this.scene.add(model);
     bounds.getBoundingSphere(this.#bounds);
     this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
-    this.controls.minDistance = this.#bounds.radius * 0.05;
-    this.controls.maxDistance = this.#bounds.radius * 12;
-    this.controls.setBoundary(bounds.clone().expandByScalar(this.#bounds.radius));
+    this.#rig.limit({ minDistance: this.#bounds.radius * 0.05, maxDistance: this.#bounds.radius * 12 });
+    this.#rig.enclose(bounds.clone().expandByScalar(this.#bounds.radius));
     this.castShadow(model, bounds);
     this.requestFrame();
   }
@@ -181,17 +181,6 @@ export class Stage {
   castShadow(model: Object3D, bounds: Box3): void {
     this.#shadow.cast(model, bounds);
     this.#ground.place(bounds);
-  }
-
-  /** Whether the left button pans instead of turning, from its next press on. */
-  setPanning(pans: boolean): void {
-    this.controls.mouseButtons.left = pans ? CameraControls.ACTION.TRUCK : CameraControls.ACTION.ROTATE;
-  }
-
-  /** Whether two fingers orbit and zoom, since one is a tool's; else they pan and zoom, and one orbits. */
-  setTwoFingersOrbit(orbit: boolean): void {
-    const { ACTION } = CameraControls;
-    this.controls.touches.two = orbit ? ACTION.TOUCH_DOLLY_ROTATE : ACTION.TOUCH_DOLLY_TRUCK;
   }
 
   /** The middle of the view in this size, pixels, as a `data:` URI; null while the context is lost. */
@@ -237,7 +226,7 @@ export class Stage {
     for (const cleanup of this.#cleanups) {
       cleanup();
     }
-    this.controls.dispose();
+    this.#rig.dispose();
     this.#shadow.dispose();
     this.#ground.dispose();
     this.#environment.dispose();
@@ -255,7 +244,7 @@ export class Stage {
     this.#setScale(this.#moving ? this.#resolution.scale : 1);
     const resized = this.#applySize();
     const turns = this.#turnTable(delta);
-    const moved = this.controls.update(delta);
+    const moved = this.#rig.update(delta);
     const animates = this.#hooks.beforeFrame(delta);
     this.#fitClipping();
     this.camera.updateMatrixWorld();
@@ -275,11 +264,10 @@ export class Stage {
 
   /** Stands still while the user has a hand on the view. */
   #turnTable(delta: number): boolean {
-    if (!this.#turntable || this.#inGesture || this.controls.currentAction !== CameraControls.ACTION.NONE) {
-      return this.#turntable;
+    if (this.#turntable && !this.#inGesture) {
+      this.#rig.turn((2 * Math.PI * delta) / TURN_SECONDS);
     }
-    this.controls.azimuthAngle += (2 * Math.PI * delta) / TURN_SECONDS;
-    return true;
+    return this.#turntable;
   }
 
   #setScale(scale: number): void {
@@ -321,31 +309,6 @@ export class Stage {
     camera.near = Math.max(distance - radius * 2.5, radius * 0.01);
     camera.far = distance + radius * 4;
     camera.updateProjectionMatrix();
-  }
-
-  #configureControls(): void {
-    const { controls } = this;
-    const { ACTION } = CameraControls;
-    controls.mouseButtons.left = ACTION.ROTATE;
-    controls.mouseButtons.middle = ACTION.ROTATE;
-    controls.mouseButtons.right = ACTION.TRUCK;
-    controls.mouseButtons.wheel = ACTION.DOLLY;
-    controls.touches.one = ACTION.TOUCH_ROTATE;
-    controls.touches.two = ACTION.TOUCH_DOLLY_TRUCK;
-    // Three fingers undo and redo.
-    controls.touches.three = ACTION.NONE;
-    controls.dollyToCursor = true;
-    controls.minPolarAngle = 0.01;
-    controls.maxPolarAngle = Math.PI - 0.01;
-    this.#configureMotion();
-    for (const type of ["controlstart", "control", "transitionstart"] as const) {
-      controls.addEventListener(type, () => this.requestFrame());
-    }
-  }
-
-  #configureMotion(): void {
-    this.controls.smoothTime = this.animates ? 0.16 : 0;
-    this.controls.draggingSmoothTime = this.animates ? 0.06 : 0;
   }
 
   #restore(): void {

@@ -5,6 +5,7 @@ import { BoundTexture, type OverlayColors } from "./bound-texture.ts";
 import { readCssColor } from "./css-color.ts";
 import { EventHub } from "./event-hub.ts";
 import { FrameTask } from "./frame-task.ts";
+import { GIZMO_STYLE } from "./gizmo-style.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
 import type { ScreenPoint } from "./screen-space.ts";
@@ -25,7 +26,7 @@ import type {
   TextureViewEvents,
   ViewerDecal,
 } from "./viewer-api.ts";
-import { adoptViewerStyle } from "./viewer-style.ts";
+import { adoptStyle, VIEW_STYLE } from "./viewer-style.ts";
 
 export interface TextureViewOptions {
   /** Accessible name of the view; default "Texture". */
@@ -78,7 +79,8 @@ class GlTextureView implements TextureView {
 
   constructor(host: HTMLElement, options: TextureViewOptions) {
     this.#options = options;
-    adoptViewerStyle(host);
+    adoptStyle(host, VIEW_STYLE);
+    adoptStyle(host, GIZMO_STYLE);
     const root = document.createElement("div");
     root.className = "tcv-root tcv-texture";
     root.tabIndex = 0;

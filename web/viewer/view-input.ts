@@ -129,6 +129,17 @@ export class ViewInput {
     return { event, decal: null, grab: null, onClick: null };
   }
 
+  /** As a click that came and went before there were hands. */
+  clickAt(clientX: number, clientY: number): void {
+    if (this.#suspended) {
+      return;
+    }
+    const { onClick } = this.#pressAt(new PointerEvent("pointerdown", { clientX, clientY }));
+    if (onClick !== undefined) {
+      this.#hooks.select(onClick);
+    }
+  }
+
   #startHandle(handle: HandleName, event: PointerEvent): boolean {
     if (!this.#gizmo.startHandle(handle, this.#pointerOf(event))) {
       return false;

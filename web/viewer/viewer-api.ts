@@ -136,7 +136,8 @@ export interface ModelViewerEvents {
   animation: AnimationState;
 }
 
-export interface ModelViewer {
+/** A model that is shown, with its live texture. */
+export interface ModelView {
   readonly element: HTMLElement;
   /** Shows a model and frames it. Rejects with a TexelcastError when three.js cannot load it. */
   setModel(info: ModelInfo): Promise<void>;
@@ -146,6 +147,26 @@ export interface ModelViewer {
   applyUpdate(update: TargetUpdate): void;
   /** Decals lie bottom to top, as layers do: a click selects the topmost under it. */
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void;
+  frameModel(): void;
+  /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
+  picture(width: number, height: number): string | null;
+  /** How far the camera may go about the open model, and (not null) where it goes now. Another model is free of both. */
+  setCamera(orbit: Orbit | null, limits: CameraLimits): void;
+  /**
+   * The model from an orbit, or (null) from where the camera is: a PNG of this size in pixels on a clear ground, without
+   * gizmo; null without a model or while WebGL is lost.
+   */
+  capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null>;
+  on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void;
+  /** Frames drawn, and the main-thread milliseconds of the newest upload: for tests and the status line. */
+  readonly statistics: { readonly frames: number; readonly uploadMilliseconds: number; readonly uploadedBytes: number };
+  dispose(): void;
+}
+
+/** A model that is shown and can be taken hold of. */
+export interface ModelViewer extends ModelView {
+  /** Selects what a click there would, as if one had come. */
+  clickAt(clientX: number, clientY: number): void;
   /** Where a new decal would go: the surface point nearest the middle of the view. Null when the model is out of view. */
   surfaceAtCentre(): SurfaceHit | null;
   surfaceAtPointer(clientX: number, clientY: number): SurfaceHit | null;
@@ -185,17 +206,7 @@ export interface ModelViewer {
   readonly surface: ToolSurface;
   /** Whether a material's texels are shown as squares; null: as the model's own texture asks. */
   setPixelated(material: number, pixelated: boolean | null): void;
-  frameModel(): void;
   frameDecal(id: string): void;
-  /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
-  picture(width: number, height: number): string | null;
-  /** How far the camera may go about the open model, and (not null) where it goes now. Another model is free of both. */
-  setCamera(orbit: Orbit | null, limits: CameraLimits): void;
-  /**
-   * The model from an orbit, or (null) from where the camera is: a PNG of this size in pixels on a clear ground, without
-   * gizmo; null without a model or while WebGL is lost.
-   */
-  capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null>;
   /** The model's animations; none on a model that has none. */
   readonly clips: readonly ClipInfo[];
   /**
@@ -218,10 +229,6 @@ export interface ModelViewer {
   setMarker(place: TexturePlace | null): void;
   /** A point of model space in the page's client pixels; null behind the camera or without a model. */
   clientPosition(position: Vec3): { readonly x: number; readonly y: number } | null;
-  on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void;
-  /** Frames drawn, and the main-thread milliseconds of the newest upload: for tests and the status line. */
-  readonly statistics: { readonly frames: number; readonly uploadMilliseconds: number; readonly uploadedBytes: number };
-  dispose(): void;
 }
 
 /** The pointer over the flat view. */

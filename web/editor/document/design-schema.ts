@@ -33,13 +33,13 @@ import {
   type TextLayer,
   WRAPS,
 } from "./design.ts";
+import { DESIGN_LIMITS } from "./design-limits.ts";
 import {
   angle,
   assetName,
   boundedList,
   coordinate,
   cylindrical,
-  DESIGN_LIMITS,
   dab,
   filledText,
   flag,
@@ -61,7 +61,7 @@ import {
   uv,
 } from "./schema-parts.ts";
 
-export { DESIGN_LIMITS } from "./schema-parts.ts";
+export { DESIGN_LIMITS } from "./design-limits.ts";
 
 const layerEntries = {
   id: v.optional(filledText(DESIGN_LIMITS.idLength)),

@@ -4,9 +4,9 @@
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { type Design, type DesignLayer, freeLayerId, materialsOf } from "./design.ts";
+import { DESIGN_LIMITS } from "./design-limits.ts";
 import type { DesignPath } from "./design-problem.ts";
 import { liesOnTexture } from "./mirror-layer.ts";
-import { DESIGN_LIMITS } from "./schema-parts.ts";
 
 /** Which of a layer's lists: what a group holds, what a paint layer holds, what a mask holds. */
 export type LayerList = "layers" | "strokes" | "mask";
@@ -269,4 +269,12 @@ function withLayers(design: Design, layers: readonly DesignLayer[]): Design {
 
 function refusal(field: string, value: string | null, message: string): TexelcastError {
   return new TexelcastError("bad-argument", message, { field, value: String(value) });
+}
+
+/** It, or a group that it lies in, is locked. */
+export function isLocked(design: Pick<Design, "layers">, id: string): boolean {
+  for (let visit = visitOf(design, id); visit; visit = visitOf(design, visit.parentId)) {
+    if (visit.layer.locked) return true;
+  }
+  return false;
 }

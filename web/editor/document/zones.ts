@@ -2,10 +2,10 @@
 import * as v from "valibot";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { NO_ZONES, type PrintZones } from "../../engine/print-zones.ts";
+import { DESIGN_LIMITS } from "./design-limits.ts";
 import { type DesignProblem, describeValue, formatPath } from "./design-problem.ts";
 import {
   boundedList,
-  DESIGN_LIMITS,
   filledText,
   length,
   listOfNumbers,

@@ -2,9 +2,9 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { Lock } from "lucide";
 import type { DecalLayer, DesignLayer } from "../document/index.ts";
+import { isLocked } from "../document/layer-tree.ts";
 import { layerById } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
-import { isLocked } from "../state/layer-edits.ts";
 import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";

@@ -3,15 +3,9 @@
  * What no step of the history holds any more is thrown away; of what an undo may ask for, the engine keeps the newest, and
  * is given the others again from their URIs.
  */
-import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
-import { isShippedFontAddress } from "../../engine/font-address.ts";
-import { readFontHeader } from "../../engine/font-file.ts";
-import { readPictureHeader } from "../../engine/picture-header.ts";
 import { isSvg } from "../../engine/svg-start.ts";
-import type { Design, DesignAsset } from "../document/index.ts";
-import { bytesOf, findCompanion } from "../files/companions.ts";
-import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
+import type { Design, DesignAsset } from "../document/design.ts";
 import { fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { MEBIBYTE } from "./megabytes.ts";
@@ -93,7 +87,9 @@ export class AssetLibrary {
 
   /** Checks a font file and gives it to the engine. Rejects with a TexelcastError ("bad-font"). */
   async addFont(fileName: string, bytes: Uint8Array): Promise<LibraryFont> {
+    const { readFontHeader } = await import("../../engine/font-file.ts");
     const type = `font/${readFontHeader(bytes, fileName).format}` as const;
+    const { encodeDataUri } = await import("../files/data-uri.ts");
     const uri = encodeDataUri(type, bytes);
     const known = this.font({ type, uri });
     if (known) {
@@ -110,7 +106,9 @@ export class AssetLibrary {
 
   /** Decodes a picture and gives it to the engine. Rejects with a TexelcastError ("bad-picture", "out-of-budget"). */
   async add(name: string, bytes: Uint8Array): Promise<LibraryPicture> {
+    const { readPictureHeader } = await import("../../engine/picture-header.ts");
     const type = isSvg(bytes) ? "image/svg+xml" : TYPES[readPictureHeader(bytes, name).format];
+    const { encodeDataUri } = await import("../files/data-uri.ts");
     const uri = encodeDataUri(type, bytes);
     const known = this.get({ type, uri });
     if (known) {
@@ -147,6 +145,7 @@ export class AssetLibrary {
   }
 
   async #giveAgain(uri: string, kept: Kept | undefined, name: string, type: string): Promise<void> {
+    const { decodeDataUri } = await import("../files/data-uri.ts");
     const bytes = decodeDataUri(uri, name);
     if (kept === undefined) {
       await (type.startsWith("font/") ? this.addFont(name, bytes) : this.add(name, bytes));
@@ -219,19 +218,8 @@ export class AssetLibrary {
    * Rejects with a TexelcastError that names the asset.
    */
   async adopt(design: Design, place: DesignPlace): Promise<Design> {
-    const assets: Record<string, DesignAsset> = {};
-    for (const [key, asset] of Object.entries(design.assets)) {
-      const field = `assets.${key}.uri`;
-      if (isShippedFontAddress(asset.uri) || this.engineKey(asset) !== undefined) {
-        assets[key] = asset;
-        continue;
-      }
-      const bytes = await readAsset(asset.uri, field, place);
-      const name = asset.uri.startsWith("data:") ? key : asset.uri;
-      const kept = asset.type.startsWith("font/") ? await this.addFont(name, bytes) : await this.add(name, bytes);
-      assets[key] = kept.asset;
-    }
-    return { ...design, assets };
+    const { adoptAssets } = await import("./asset-adoption.ts");
+    return await adoptAssets(this, design, place);
   }
 }
 
@@ -239,27 +227,4 @@ function urisOf(designs: Iterable<Design>): Set<string> {
   const uris = new Set<string>();
   for (const { assets } of designs) for (const { uri } of Object.values(assets)) uris.add(uri);
   return uris;
-}
-
-async function readAsset(uri: string, field: string, { path, files, baseUrl, read }: DesignPlace): Promise<Uint8Array> {
-  if (uri.startsWith("data:")) return decodeDataUri(uri, field);
-  const inside = read?.(uri);
-  if (inside) return inside;
-  const companion = files && !uri.includes(":") ? findCompanion(uri, path, files) : undefined;
-  if (companion) return bytesOf(companion.file);
-  const address = URL.canParse(uri, baseUrl) ? new URL(uri, baseUrl) : undefined;
-  const allowed = address && (uri.startsWith("https:") || (baseUrl !== undefined && !uri.includes(":")));
-  if (!allowed) {
-    throw new TexelcastError("missing-file", `The design names the picture ${uri}, which is not part of it.`, {
-      subject: path,
-      field,
-      value: uri,
-      hint: "Open the design together with its pictures: choose or drop all of them at once.",
-    });
-  }
-  const response = await fetch(address).catch(() => undefined);
-  if (!response?.ok) {
-    throw new TexelcastError("missing-file", `${uri} could not be fetched.`, { subject: path, field, value: uri });
-  }
-  return bytesOf(await response.blob());
 }

@@ -2,6 +2,7 @@
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf, visitOf } from "../document/index.ts";
+import { isLocked } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
@@ -9,7 +10,6 @@ import { addOnTop, layerById, withAsset } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf, type EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
-import { isLocked } from "./layer-edits.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 import type { Store } from "./store.ts";

@@ -7,7 +7,7 @@ import {
   layerMaterials,
   materialsOf,
   type TextLayer,
-} from "../document/index.ts";
+} from "../document/design.ts";
 
 /** What lies where its projector is: a picture, or words. */
 export type PlacedLayer = DecalLayer | TextLayer;

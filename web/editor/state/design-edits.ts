@@ -1,16 +1,7 @@
 /** The edits of a design: each takes a design and gives a new one that shares all that did not change. */
-import {
-  assetsOf,
-  type Design,
-  type DesignAsset,
-  type DesignLayer,
-  findLayer,
-  flattenLayers,
-  insertAt,
-  liesOnTexture,
-  mapLayer,
-  materialsIn,
-} from "../document/index.ts";
+import type { Design, DesignAsset, DesignLayer } from "../document/design.ts";
+import { assetsOf, findLayer, flattenLayers, insertAt, mapLayer, materialsIn } from "../document/layer-tree.ts";
+import { liesOnTexture } from "../document/mirror-layer.ts";
 import { countedName } from "../files/counted-name.ts";
 
 export const layerById = findLayer;

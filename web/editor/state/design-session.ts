@@ -1,26 +1,20 @@
 /** The design under edit: its history, the selection, and the engine's and the viewer's copies of it. */
 import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
 import { withKeys } from "../../engine/layer-picture.ts";
-import type { ModelViewer, ViewerDecal } from "../../viewer/viewer-api.ts";
-import {
-  type Design,
-  type DesignLayer,
-  emptyDesign,
-  materialsOf,
-  mirroredProjector,
-  resolveLayers,
-  walkLayers,
-} from "../document/index.ts";
+import type { ModelView, ViewerDecal } from "../../viewer/viewer-api.ts";
+import { type Design, type DesignLayer, emptyDesign, materialsOf } from "../document/design.ts";
+import { isLocked, walkLayers } from "../document/layer-tree.ts";
+import { mirroredProjector } from "../document/mirror-layer.ts";
+import { resolveLayers } from "../document/resolve-layers.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState, HistorySteps, ModelRef, Snapshot } from "./editor-state.ts";
 import { History } from "./history.ts";
-import { isLocked } from "./layer-edits.ts";
 import type { Store } from "./store.ts";
 
 export interface DesignSessionParts {
   readonly engine: Engine;
-  readonly viewer: ModelViewer;
+  readonly viewer: ModelView;
   readonly library: AssetLibrary;
   readonly store: Store<EditorState>;
   /** Sees to work that goes on after a call, and tells the user where it fails. */
@@ -29,7 +23,7 @@ export interface DesignSessionParts {
 
 export class DesignSession {
   readonly #engine: Engine;
-  readonly #viewer: ModelViewer;
+  readonly #viewer: ModelView;
   readonly #library: AssetLibrary;
   readonly #store: Store<EditorState>;
   readonly #later: (work: Promise<void>) => void;

@@ -1,6 +1,6 @@
 /** What the page shows, as one immutable value. The design in it is the truth; the rest is view state or derived. */
 import type { ModelInfo, ModelSource, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
-import { type Design, emptyDesign } from "../document/index.ts";
+import { type Design, emptyDesign } from "../document/design.ts";
 import type { DemoCatalogue } from "../files/demo-catalogue.ts";
 import type { ProjectSummary } from "../storage/project.ts";
 import type { Language } from "../strings/language.ts";

@@ -1,4 +1,5 @@
 /** What a user does to layers of any kind, each a step of the history. Acts are for all chosen layers. */
+
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
 import {
   type DecalLayer,
@@ -11,6 +12,7 @@ import {
   type StrokeLayer,
   type TextLayer,
 } from "../document/index.ts";
+import { isLocked } from "../document/layer-tree.ts";
 import type { Admission } from "./admission.ts";
 import { layerById, patchLayer, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -21,7 +23,6 @@ import {
   groupLayers,
   insertAbove,
   invertMask,
-  isLocked,
   moveLayers,
   outermost,
   removeLayers,

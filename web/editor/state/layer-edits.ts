@@ -1,21 +1,18 @@
 /** The edits of the layers' tree: each takes a design and gives a new one that shares all that did not change. */
+import type { Design, DesignLayer, GroupLayer } from "../document/design.ts";
 import {
-  type Design,
-  type DesignLayer,
   findLayer,
   freeIdIn,
-  type GroupLayer,
   insertAt,
   type LayerVisit,
   layersAt,
-  makeFillLayer,
-  makeGroupLayer,
   mapLayer,
   removeById,
   visitOf,
   walkLayers,
   withFreeIds,
-} from "../document/index.ts";
+} from "../document/layer-tree.ts";
+import { makeFillLayer, makeGroupLayer } from "../document/make-layer.ts";
 import { freeName, withoutUnusedAssets } from "./design-edits.ts";
 
 /** A place among the layers of the design, or of a group; `index` counts from the bottom. */
@@ -36,14 +33,6 @@ export function outermost(design: Pick<Design, "layers">, ids: readonly string[]
     if (!covered && chosen.has(layer.id)) visits.push(visit);
   }
   return visits;
-}
-
-/** It, or a group that it lies in, is locked. */
-export function isLocked(design: Pick<Design, "layers">, id: string): boolean {
-  for (let visit = visitOf(design, id); visit; visit = visitOf(design, visit.parentId)) {
-    if (visit.layer.locked) return true;
-  }
-  return false;
 }
 
 /** Takes layers out, and the pictures that nothing uses any more. */

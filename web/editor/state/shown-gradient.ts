@@ -1,10 +1,10 @@
 /** Which gradient the 3D view shows with handles, and what a drag of them does. */
 import type { GradientPhase, GradientPlace } from "../../viewer/viewer-api.ts";
 import { visitOf, walkLayers } from "../document/index.ts";
+import { isLocked } from "../document/layer-tree.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
-import { isLocked } from "./layer-edits.ts";
 
 /** The selected fill's, where it is shown and may be changed; else null. */
 export function shownGradient({ design, selectedId }: EditorState): GradientPlace | null {

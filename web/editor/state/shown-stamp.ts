@@ -1,9 +1,9 @@
 /** Which flat stamp the texture view shows with handles. */
 import type { ViewerDecal } from "../../viewer/viewer-api.ts";
 import { materialsOf } from "../document/index.ts";
+import { isLocked } from "../document/layer-tree.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState } from "./editor-state.ts";
-import { isLocked } from "./layer-edits.ts";
 
 /**
  * The selected stamp, where it lies in the texture that is shown; null otherwise. One that covers the whole texture is no

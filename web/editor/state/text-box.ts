@@ -3,7 +3,7 @@
  * large as before; one that a user made otherwise is a frame, which stays, and the words find their place in it.
  */
 import type { Projector, TextMeasure, Vec3 } from "../../engine/engine-api.ts";
-import type { Align, TextLayer } from "../document/index.ts";
+import type { Align, TextLayer } from "../document/design.ts";
 
 export type Room = Pick<TextMeasure, "width" | "height">;
 

@@ -3,6 +3,7 @@ import type { Engine, EngineText, Projector, TextMeasure } from "../../engine/en
 import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
+import { isLocked } from "../document/layer-tree.ts";
 import { resolveWords } from "../document/resolve-layers.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary } from "./asset-library.ts";
@@ -10,7 +11,6 @@ import type { DecalCommands } from "./decal-commands.ts";
 import { layerById, patchLayer, withAsset, withoutUnusedAssets } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { EditorState } from "./editor-state.ts";
-import { isLocked } from "./layer-edits.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import { fitsClosely, fitted, refitted } from "./text-box.ts";

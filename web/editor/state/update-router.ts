@@ -3,20 +3,20 @@
  * updates that arrive early wait for `bind`.
  */
 import type { Engine, TargetInfo, TargetUpdate } from "../../engine/engine-api.ts";
-import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
+import type { ModelView, TextureView } from "../../viewer/viewer-api.ts";
 import type { Figures } from "./editor-state.ts";
 import type { Store } from "./store.ts";
 
 export class UpdateRouter {
   readonly #engine: Engine;
-  readonly #viewer: ModelViewer;
+  readonly #viewer: ModelView;
   readonly #textureView: TextureView | null;
   readonly #figures: Store<Figures>;
   readonly #bound = new Map<number, TargetInfo>();
   readonly #early = new Map<number, TargetUpdate[]>();
   #textureMaterial: number | null = null;
 
-  constructor(engine: Engine, viewer: ModelViewer, textureView: TextureView | null, figures: Store<Figures>) {
+  constructor(engine: Engine, viewer: ModelView, textureView: TextureView | null, figures: Store<Figures>) {
     this.#engine = engine;
     this.#viewer = viewer;
     this.#textureView = textureView;

@@ -23,8 +23,8 @@ import {
   sameMirror,
   visitOf,
 } from "../document/index.ts";
+import { isLocked } from "../document/layer-tree.ts";
 import { freeName, withAsset } from "../state/design-edits.ts";
-import { isLocked } from "../state/layer-edits.ts";
 import type { Strings } from "../strings.ts";
 import type { PaintRefusal } from "./paint-target.ts";
 

@@ -1,6 +1,8 @@
 /** Lucide's icons (ISC licence, shown in the help dialog). Decorative: the control around one has the name. */
+/// <reference path="./lucide-icons.d.ts" />
 import { html, type TemplateResult } from "lit";
-import { createElement, type IconNode } from "lucide";
+import type { IconNode } from "lucide";
+import createElement from "lucide/dist/esm/createElement.mjs";
 
 class Icon extends HTMLElement {
   #node: IconNode | undefined;

@@ -14,12 +14,14 @@ import type { Store } from "../../editor/state/store.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import type { PrintReport } from "../../engine/print-report.ts";
 import type { PrintZones } from "../../engine/print-zones.ts";
-import type { ModelViewer } from "../../viewer/viewer-api.ts";
+import type { ModelView, ModelViewer } from "../../viewer/viewer-api.ts";
 import type { DeskHooks, DeskSettings } from "./desk-settings.ts";
 
 export interface DeskParts {
   readonly engine: Engine;
-  readonly viewer: ModelViewer;
+  readonly viewer: ModelView;
+  /** Loads what takes hold of the view; asked for once, and again where it failed. */
+  readonly loadHands: () => Promise<ModelViewer>;
   readonly store: Store<EditorState>;
   readonly session: DesignSession;
   readonly library: AssetLibrary;
@@ -28,7 +30,7 @@ export interface DeskParts {
 
 export class Desk {
   readonly engine: Engine;
-  readonly viewer: ModelViewer;
+  readonly viewer: ModelView;
   readonly store: Store<EditorState>;
   readonly session: DesignSession;
   readonly library: AssetLibrary;
@@ -38,25 +40,57 @@ export class Desk {
   /** What the page knows of; null until the desk is open. */
   #recorded: Design | null = null;
   #closed = false;
+  readonly #loadHands: () => Promise<ModelViewer>;
+  #taking: Promise<ModelViewer> | null = null;
+  #hands: ModelViewer | null = null;
   /** Where the product may be printed; null: everywhere, and nobody asked how well. */
   zones: PrintZones | null = null;
   /** Of the design as it was last measured. */
   report: PrintReport | null = null;
 
-  constructor({ engine, viewer, store, session, library, hooks }: DeskParts) {
+  constructor({ engine, viewer, loadHands, store, session, library, hooks }: DeskParts) {
     this.engine = engine;
     this.viewer = viewer;
     this.store = store;
     this.session = session;
     this.library = library;
     this.hooks = hooks;
-    this.reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
+    this.#loadHands = loadHands;
+    const reaching = {
+      materialsReached: (...of: Parameters<ModelViewer["materialsReached"]>) => this.#held.materialsReached(...of),
+    };
+    this.reach = new DecalReach(reaching, () => store.state.model?.info.materials ?? []);
     this.#seen = store.state;
     store.subscribe(() => this.#react());
   }
 
   get settings(): DeskSettings {
     return this.hooks.settings();
+  }
+
+  /** The view with hands; null until `takeHands` brought them. */
+  get hands(): ModelViewer | null {
+    return this.#hands;
+  }
+
+  /** Loads what takes hold of the view, if nobody did yet. Rejects with "cancelled" where the desk is closed meanwhile. */
+  takeHands(): Promise<ModelViewer> {
+    this.#taking ??= this.#loadHands().then(
+      (hands) => {
+        this.#hands = hands;
+        return hands;
+      },
+      (thrown: unknown) => {
+        this.#taking = null;
+        throw thrown;
+      },
+    );
+    return this.#taking;
+  }
+
+  get #held(): ModelViewer {
+    if (this.#hands === null) throw new TexelcastError("internal", "The view was asked before it was taken hold of.");
+    return this.#hands;
   }
 
   /**

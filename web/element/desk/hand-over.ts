@@ -1,11 +1,11 @@
 /** What the element's events carry of a design. */
-import type { ChangeDetail, LoadDetail, SubmitDetail } from "../element-api.ts";
-import type { Mode } from "../mode.ts";
+import type { ChangeDetail, SubmitDetail } from "../element-api.ts";
+import type { AtDesk } from "../mode.ts";
 import { countsOf, DesignExport } from "./export-design.ts";
 import { exportTexture, layerAreas, printOptions, printReport } from "./prints.ts";
 
 /** Measures the design, for its badges, too; null where it is another one by then. */
-export async function changeDetail(mode: Mode, exports: DesignExport): Promise<ChangeDetail | null> {
+export async function changeDetail(mode: AtDesk, exports: DesignExport): Promise<ChangeDetail | null> {
   const { desk } = mode;
   const { design } = desk;
   const named = await exports.named(design);
@@ -19,22 +19,13 @@ export async function changeDetail(mode: Mode, exports: DesignExport): Promise<C
   return { design: named, counts: countsOf(design), areas, totalArea, ...steps };
 }
 
-export async function submitDetail(mode: Mode): Promise<SubmitDetail> {
+export async function submitDetail(mode: AtDesk): Promise<SubmitDetail> {
   const { desk } = mode;
   const exported = await new DesignExport().whole(desk.design);
   const print = printOptions(mode, {}, desk.settings);
   const texture = await exportTexture(mode, print);
   const report = desk.zones === null ? null : await printReport(mode);
   return { ...exported, print, texture, report };
-}
-
-export function loadDetail({ desk }: Mode, began: number): LoadDetail {
-  const materials = (desk.store.state.model?.info.materials ?? []).map(({ index, name, refusal }) => ({
-    index,
-    name,
-    paintable: refusal === null,
-  }));
-  return { materials, milliseconds: Math.round(performance.now() - began) };
 }
 
 export { DesignExport } from "./export-design.ts";

@@ -8,7 +8,7 @@ import { addOnTop, withAsset } from "../../editor/state/design-edits.ts";
 import { diagonalOf } from "../../editor/state/editor-state.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
 import type { Projector } from "../../engine/engine-api.ts";
-import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import type { ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions } from "../element-api.ts";
 import type { Desk } from "./desk.ts";
 import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
@@ -23,8 +23,14 @@ export interface Place {
 }
 
 /** Where something of that aspect (width by height) goes. Throws "bad-argument" where there is no surface for it. */
-export function placeFor(desk: Desk, aspect: number, options: PlaceOptions, at: SurfaceHit | null): Place {
-  const { viewer, store } = desk;
+export function placeFor(
+  desk: Desk,
+  viewer: ModelViewer,
+  aspect: number,
+  options: PlaceOptions,
+  at: SurfaceHit | null,
+): Place {
+  const { store } = desk;
   const { words } = desk.settings;
   const { position } = options;
   const start = at === null && position === undefined ? startingPlace(viewer, desk.zones?.zones ?? []) : null;
@@ -52,10 +58,11 @@ export async function addPicture(
   desk.checkRoom();
   const { name, bytes } = await fileOf(desk, source);
   const picture = await desk.library.add(name, await admitPicture(desk, name, bytes));
+  const viewer = await desk.takeHands();
   // Somebody may have added another one meanwhile.
   desk.checkRoom();
   const label = options.name ?? fileStem(name);
-  const { projector, material } = placeFor(desk, picture.width / picture.height, options, at);
+  const { projector, material } = placeFor(desk, viewer, picture.width / picture.height, options, at);
   const { design, key } = withAsset(desk.design, label, picture.asset);
   const layer = makeDecalLayer({ id: freeIdIn(design), name: label, material, asset: key, projector });
   const { words } = desk.settings;

@@ -3,32 +3,34 @@ import { TexelcastError } from "../../core/texelcast-error.ts";
 import { findLayer } from "../../editor/document/layer-tree.ts";
 import type { MapPicture } from "../../viewer/viewer-api.ts";
 import type { ExportedTexture, ExportTextureOptions, LayerArea, PrintReport } from "../element-api.ts";
-import type { Mode } from "../mode.ts";
+import type { AtDesk } from "../mode.ts";
 import type { DeskSettings } from "./desk-settings.ts";
 import { addressOf, type Fetching, fetchBytes, nameOf } from "./read-model.ts";
 
-type Desk = Pick<Mode, "desk" | "idle">;
-
 /** Options with what the element says in the place of what was left out. */
-export function printOptions(mode: Desk, options: ExportTextureOptions, settings: DeskSettings): ExportTextureOptions {
+export function printOptions(
+  mode: AtDesk,
+  options: ExportTextureOptions,
+  settings: DeskSettings,
+): ExportTextureOptions {
   const { size } = settings;
   const ownSize = options.size === undefined && options.dpi === undefined && size !== null;
   const ownMaterial = options.material === undefined && options.zone === undefined;
   return { ...(ownMaterial && { material: mode.desk.material }), ...(ownSize && { size }), ...options };
 }
 
-export async function exportTexture(mode: Desk, options: ExportTextureOptions): Promise<ExportedTexture> {
+export async function exportTexture(mode: AtDesk, options: ExportTextureOptions): Promise<ExportedTexture> {
   await mode.idle();
   return await mode.desk.engine.exportPrint(options);
 }
 
-export async function printReport(mode: Desk): Promise<PrintReport> {
+export async function printReport(mode: AtDesk): Promise<PrintReport> {
   await mode.idle();
   return await mode.desk.engine.printReport();
 }
 
 /** What each layer of the design prints, as a report of it says. */
-export function layerAreas({ desk }: Desk, report: PrintReport): readonly LayerArea[] {
+export function layerAreas({ desk }: AtDesk, report: PrintReport): readonly LayerArea[] {
   return report.layers.flatMap(({ id, areaCm2 }) => {
     const layer = findLayer(desk.design, id);
     return layer ? [{ id, name: layer.name, type: layer.type, area: areaCm2 }] : [];
@@ -56,7 +58,7 @@ function plain(data: object): unknown {
 const NEUTRAL = [214, 217, 222] as const;
 
 /** The density of the decals on every open material: red is too coarse, green sharp, grey no decal. */
-export async function heatMaps(mode: Desk): Promise<ReadonlyMap<number, MapPicture>> {
+export async function heatMaps(mode: AtDesk): Promise<ReadonlyMap<number, MapPicture>> {
   const { engine, store } = mode.desk;
   await mode.idle();
   const maps = new Map<number, MapPicture>();

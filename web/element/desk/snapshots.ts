@@ -20,7 +20,7 @@ const NAMED: Readonly<Record<string, string | null>> = {
 
 /** PNGs, one for each view. Throws "bad-argument" for a view or a size that is none, "unsupported" without graphics. */
 export async function takeSnapshots(
-  mode: Pick<Mode, "desk" | "idle">,
+  mode: Pick<Mode, "viewer" | "idle">,
   views: readonly SnapshotView[],
   { width = SIDE, height = SIDE }: SnapshotOptions,
   words: Words,
@@ -39,7 +39,7 @@ export async function takeSnapshots(
   await new Promise((resolve) => requestAnimationFrame(resolve));
   const pictures: Blob[] = [];
   for (const orbit of orbits) {
-    const picture = await mode.desk.viewer.capture(orbit, width, height);
+    const picture = await mode.viewer.capture(orbit, width, height);
     if (picture === null) {
       throw new TexelcastError("unsupported", words.errors.graphics, { hint: words.errors.graphicsHint });
     }

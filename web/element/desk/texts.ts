@@ -49,9 +49,9 @@ export class Texts {
     const { color = FIRST_COLOR, curve = 0 } = options;
     const look = { text, font: key, color: hexColor(color, words.errors.badOption("color")), curve };
     const plain = makeTextLayer({ id: "", name, projector: NOWHERE, ...look });
-    const room = await this.#measure(plain, design.assets);
+    const [viewer, room] = await Promise.all([desk.takeHands(), this.#measure(plain, design.assets)]);
     desk.checkRoom();
-    const place = placeFor(desk, room.width / room.height, options, null);
+    const place = placeFor(desk, viewer, room.width / room.height, options, null);
     // The design may be another one since the words were measured.
     const now = withAsset(desk.design, font.name, font.asset);
     const id = freeIdIn(now.design);

@@ -1,20 +1,20 @@
 /** The whole editor inside the element: loaded when a page asks for it, and never with the shop's mode. */
 import { html, nothing, type TemplateResult } from "lit";
-import type { Design } from "../../editor/document/design.ts";
+import { emptyDesign } from "../../editor/document/design.ts";
 import type { Admission } from "../../editor/state/admission.ts";
 import { Editor } from "../../editor/state/editor.ts";
 import { stringsIn } from "../../editor/strings.ts";
 import "../../editor/workbench.ts";
-import type { ModelSource } from "../../engine/engine-api.ts";
+import type { MaterialInfo, ModelSource } from "../../engine/engine-api.ts";
 import { createEngineClient } from "../../engine/engine-client.ts";
 import { createModelViewer } from "../../viewer/model-viewer.ts";
 import { createTextureView } from "../../viewer/texture-view.ts";
-import type { TextureView } from "../../viewer/viewer-api.ts";
+import type { ModelView, TextureView } from "../../viewer/viewer-api.ts";
 import { paintableMaterial } from "../desk/paintable.ts";
 import { addPicture, admitPicture } from "../desk/placing.ts";
 import { admitFont, Texts } from "../desk/texts.ts";
 import type { DecalSource, PlaceOptions, TextOptions } from "../element-api.ts";
-import type { Mode, ModeHost } from "../mode.ts";
+import type { Mode, ModeHost, ReadDesign } from "../mode.ts";
 import { badgeStyles } from "../shop/badge-styles.ts";
 import { HeatMap } from "../shop/heat-map.ts";
 import { verdict } from "../shop/print-badges.ts";
@@ -70,7 +70,8 @@ class FullMode implements Mode {
     workbench.hidden = false;
     holder.replaceWith(workbench);
     const { store, session, library } = editor;
-    this.desk = new FullDesk({ engine, viewer, store, session, library, hooks: host.hooks });
+    const loadHands = async (): Promise<typeof viewer> => viewer;
+    this.desk = new FullDesk({ engine, viewer, loadHands, store, session, library, hooks: host.hooks });
     this.#texts = new Texts(this.desk);
     this.#heat = new HeatMap(this.desk, () => host.requestUpdate());
   }
@@ -87,10 +88,20 @@ class FullMode implements Mode {
     };
   }
 
-  async open(source: ModelSource, readDesign: () => Promise<Design>): Promise<void> {
+  get viewer(): ModelView {
+    return this.desk.viewer;
+  }
+  get materials(): readonly MaterialInfo[] {
+    return this.desk.store.state.model?.info.materials ?? [];
+  }
+  async takeDesk(): Promise<FullDesk> {
+    return this.desk;
+  }
+
+  async open(source: ModelSource, readDesign: ReadDesign | null): Promise<void> {
     const ref = { source, title: source.name, demoId: null };
     this.#editor.resizeTargets(this.desk.settings.size);
-    await this.#editor.open(ref, await readDesign());
+    await this.#editor.open(ref, (await readDesign?.(this.desk.library)) ?? emptyDesign());
     this.#chooseMaterial();
     this.desk.store.set({ starting: false });
     this.desk.opened();

@@ -27,7 +27,7 @@ export class HeatMap {
     if (this.#shown) await this.#draw();
     else {
       this.#drawn = null;
-      this.#desk.viewer.setMapPictures(null);
+      this.#desk.hands?.setMapPictures(null);
     }
   }
 
@@ -36,7 +36,7 @@ export class HeatMap {
     const { design } = desk;
     this.#drawn = design;
     const { heatMaps } = await import("../desk/prints.ts");
-    const maps = await heatMaps({ desk, idle: () => desk.engine.idle() });
-    if (this.#shown && this.#drawn === design && !desk.closed) desk.viewer.setMapPictures(maps);
+    const [viewer, maps] = await Promise.all([desk.takeHands(), heatMaps({ desk, idle: () => desk.engine.idle() })]);
+    if (this.#shown && this.#drawn === design && !desk.closed) viewer.setMapPictures(maps);
   }
 }

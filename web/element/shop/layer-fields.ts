@@ -7,10 +7,19 @@ import "../../editor/ui/number-field.ts";
 import type { NumberFieldEvent } from "../../editor/ui/number-field.ts";
 import type { Projector } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontOf } from "../../engine/shipped-fonts.ts";
-import { shippedFont } from "../desk/texts.ts";
-import type { ShopView } from "./shop-view.ts";
+import type { Desk } from "../desk/desk.ts";
+import { shippedFont, type Texts } from "../desk/texts.ts";
+import type { ModeHost } from "../mode.ts";
 
-export function layerFields(view: ShopView, layer: DesignLayer): TemplateResult | typeof nothing {
+export interface FieldsHost {
+  readonly host: ModeHost;
+  readonly desk: Desk;
+  readonly texts: Texts;
+  /** Printed metres a metre of the model. */
+  readonly printScale: number;
+}
+
+export function layerFields(view: FieldsHost, layer: DesignLayer): TemplateResult | typeof nothing {
   if (layer.type !== "decal" && layer.type !== "text") return nothing;
   return html`
     <div class="fields" part="fields" role="group" aria-label=${layer.name}>
@@ -19,7 +28,7 @@ export function layerFields(view: ShopView, layer: DesignLayer): TemplateResult 
   `;
 }
 
-function textFields({ host: { words, tell }, texts, desk }: ShopView, layer: TextLayer): TemplateResult {
+function textFields({ host: { words, tell }, texts, desk }: FieldsHost, layer: TextLayer): TemplateResult {
   const uri = desk.design.assets[layer.font]?.uri ?? "";
   const font = shippedFontOf(uri);
   const change = (patch: Parameters<typeof texts.change>[1], final: boolean): void => {
@@ -63,7 +72,7 @@ function textFields({ host: { words, tell }, texts, desk }: ShopView, layer: Tex
   `;
 }
 
-function sizeFields(view: ShopView, id: string, projector: Projector): TemplateResult {
+function sizeFields(view: FieldsHost, id: string, projector: Projector): TemplateResult {
   const { words } = view.host;
   const size = sizeOf(projector);
   const scale = view.printScale * 100;
@@ -105,7 +114,7 @@ interface NumberSettings {
 }
 
 function number(
-  view: ShopView,
+  view: FieldsHost,
   id: string,
   { name, unit, set, value, step, min, max }: NumberSettings,
 ): TemplateResult {

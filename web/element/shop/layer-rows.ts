@@ -1,15 +1,21 @@
 /** What is on the product, the topmost first. */
 import { html, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import { Shapes, Trash2, Type } from "lucide";
-import type { Design, DesignLayer } from "../../editor/document/design.ts";
+import type { DesignLayer } from "../../editor/document/design.ts";
 import { walkLayers } from "../../editor/document/layer-tree.ts";
 import { icon } from "../../editor/ui/icon.ts";
+import type { Desk } from "../desk/desk.ts";
+import type { Words } from "../words/words.ts";
+import { Shapes, Trash2, Type } from "./icons.ts";
 import { layerBadge } from "./print-badges.ts";
-import type { ShopView } from "./shop-view.ts";
 
-export function layerRows(view: ShopView, design: Design, selectedId: string | null): TemplateResult {
-  const { words } = view.host;
+export interface LayerActs {
+  readonly select: (layer: DesignLayer) => void;
+  readonly remove: (layer: DesignLayer) => void;
+}
+
+export function layerRows(desk: Desk, words: Words, acts: LayerActs): TemplateResult {
+  const { design, selectedId } = desk.store.state;
   const layers = [...walkLayers(design, { masks: false, strokes: false })]
     .map(({ layer }) => layer)
     .filter(({ type }) => type !== "group")
@@ -19,28 +25,27 @@ export function layerRows(view: ShopView, design: Design, selectedId: string | n
       ${repeat(
         layers,
         ({ id }) => id,
-        (layer) => row(view, design, layer, layer.id === selectedId),
+        (layer) => row(desk, words, acts, layer, layer.id === selectedId),
       )}
     </ul>
   `;
 }
 
-function row(view: ShopView, design: Design, layer: DesignLayer, chosen: boolean): TemplateResult {
-  const { words } = view.host;
+function row(desk: Desk, words: Words, acts: LayerActs, layer: DesignLayer, chosen: boolean): TemplateResult {
   const kind = layer.type === "decal" || layer.type === "text" ? words.kinds[layer.type] : words.kinds.other;
   return html`
     <li class="row" part="row" data-layer=${layer.id} ?data-chosen=${chosen}>
-      <button class="choose" aria-pressed=${chosen} @click=${() => view.select(layer)}>
-        ${tile(view, design, layer)}
+      <button class="choose" aria-pressed=${chosen} @click=${() => acts.select(layer)}>
+        ${tile(desk, layer)}
         <span class="name"><span>${layer.name}</span><span class="quiet">${kind}</span></span>
       </button>
-      ${layerBadge(view.desk, layer.id, words)}
+      ${layerBadge(desk, layer.id, words)}
       <button
         class="icon"
         data-act="remove"
         aria-label=${words.remove(layer.name)}
         title=${words.remove(layer.name)}
-        @click=${() => view.remove(layer)}
+        @click=${() => acts.remove(layer)}
       >
         ${icon(Trash2)}
       </button>
@@ -48,8 +53,8 @@ function row(view: ShopView, design: Design, layer: DesignLayer, chosen: boolean
   `;
 }
 
-function tile(view: ShopView, design: Design, layer: DesignLayer): TemplateResult {
-  const picture = layer.type === "decal" ? view.desk.library.get(design.assets[layer.asset]) : undefined;
+function tile(desk: Desk, layer: DesignLayer): TemplateResult {
+  const picture = layer.type === "decal" ? desk.library.get(desk.design.assets[layer.asset]) : undefined;
   if (picture) return html`<span class="tile"><img src=${picture.url} alt="" /></span>`;
   return html`<span class="tile plain">${icon(layer.type === "text" ? Type : Shapes)}</span>`;
 }

@@ -37,8 +37,8 @@ export function handleKey(event: KeyboardEvent, desk: Desk): boolean {
     return true;
   };
   const step = NUDGE_SHARE * diagonalOf(desk.store.state.model) * steps;
-  const nudge = (right: number, up: number): true =>
-    place("nudge", desk.viewer.nudge(projector, right * step, up * step));
+  const nudge = (right: number, up: number): boolean =>
+    desk.hands !== null && place("nudge", desk.hands.nudge(projector, right * step, up * step));
   if (event.code === "BracketLeft") return place("spin", spunProjector(projector, steps));
   if (event.code === "BracketRight") return place("spin", spunProjector(projector, -steps));
   switch (event.key) {

@@ -1,12 +1,12 @@
-/** What the shop mode loads when it is first seen or touched: the engine's client, the view, and their few panels. */
+/** What the shop mode loads when it is first seen or touched: the engine's client, the still view, and the frame of its panel. */
 import type { TemplateResult } from "lit";
 import type { Design } from "../../editor/document/design.ts";
-import type { ModelSource } from "../../engine/engine-api.ts";
-import { addPicture } from "../desk/placing.ts";
-import { Texts } from "../desk/texts.ts";
+import type { MaterialInfo, ModelSource } from "../../engine/engine-api.ts";
+import type { ModelView } from "../../viewer/viewer-api.ts";
+import type { Desk } from "../desk/desk.ts";
 import type { DecalSource, PlaceOptions, TextOptions } from "../element-api.ts";
-import type { Mode, ModeHost } from "../mode.ts";
-import { ShopDesk } from "./shop-desk.ts";
+import type { Mode, ModeHost, ReadDesign } from "../mode.ts";
+import { ShopProduct } from "./shop-product.ts";
 import { ShopView } from "./shop-view.ts";
 
 /** Throws a TexelcastError without WebGL 2. */
@@ -14,41 +14,86 @@ export function openShop(host: ModeHost): Mode {
   return new ShopMode(host);
 }
 
+/** Of opening, where the model is read. */
+const LOADED = 0.35;
+
 class ShopMode implements Mode {
   readonly styles = ShopView.styles;
-  readonly desk: ShopDesk;
-  readonly #texts: Texts;
+  readonly #product: ShopProduct;
   readonly #view: ShopView;
 
   constructor(host: ModeHost) {
     const { view, wasm, hooks } = host;
-    this.desk = new ShopDesk({ view, wasm, hooks });
-    this.#texts = new Texts(this.desk);
-    this.#view = new ShopView(host, this.desk, this.#texts);
+    this.#product = new ShopProduct({ view, wasm, hooks });
+    this.#view = new ShopView(host, this.#product);
   }
 
-  open(source: ModelSource, readDesign: () => Promise<Design>): Promise<void> {
-    return this.desk.open(source, readDesign);
+  get viewer(): ModelView {
+    return this.#product.viewer;
   }
+  get desk(): Desk | null {
+    return this.#view.bench?.desk ?? null;
+  }
+  get materials(): readonly MaterialInfo[] {
+    return this.#product.open?.info.materials ?? [];
+  }
+
+  async takeDesk(): Promise<Desk> {
+    return (await this.#view.takeBench()).desk;
+  }
+
+  async open(source: ModelSource, readDesign: ReadDesign | null): Promise<void> {
+    const product = this.#product;
+    const { progress } = product.hooks;
+    const info = await product.engine.loadModel(source);
+    // Without a design there is nothing to be worked on yet, and no desk.
+    const begun = readDesign && (await this.#layOut(readDesign));
+    progress(LOADED);
+    const open = await product.show(source, info);
+    const materials = [...new Set([open.material, ...(begun?.materials ?? [])])].filter((each) =>
+      product.canPaint(each),
+    );
+    for (const [index, material] of materials.entries()) {
+      const share = (part: number): number => LOADED + ((1 - LOADED) * (index + part)) / materials.length;
+      await product.openTarget(material, (part) => progress(share(part)));
+    }
+    begun?.desk.begin(open, begun.design);
+    this.#view.opened();
+    this.configure();
+    await product.engine.idle();
+  }
+
+  /** Gives the engine a design before the model is shown, so that it is never shown without. */
+  async #layOut(readDesign: ReadDesign) {
+    const { usedMaterials } = await import("../../editor/state/design-edits.ts");
+    const { desk } = await this.#view.takeBench();
+    const design: Design = await readDesign(desk.library);
+    desk.session.send(design);
+    return { desk, design, materials: usedMaterials(design) };
+  }
+
   render(): TemplateResult {
     return this.#view.render();
   }
-  addDecal(source: DecalSource, options?: PlaceOptions): Promise<string> {
-    return addPicture(this.desk, source, options);
+  async addDecal(source: DecalSource, options?: PlaceOptions): Promise<string> {
+    return await (await this.#view.takeTools()).addPicture(source, options);
   }
-  addText(text: string, options?: TextOptions): Promise<string> {
-    return this.#texts.add(text, options);
+  async addText(text: string, options?: TextOptions): Promise<string> {
+    return await (await this.#view.takeTools()).texts.add(text, options);
   }
   configure(): void {
-    this.desk.configure();
+    this.viewer.setCamera(null, this.#product.hooks.settings().camera);
+    this.#view.bench?.desk.configure();
   }
   resize(): Promise<void> {
-    return this.desk.resize();
+    return this.#product.resize();
   }
   idle(): Promise<void> {
-    return this.desk.idle();
+    return this.#product.idle();
   }
   close(): void {
-    this.desk.close();
+    this.#view.close();
+    if (this.#view.bench) this.#view.bench.desk.close();
+    else this.#product.close();
   }
 }

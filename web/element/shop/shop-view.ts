@@ -1,60 +1,64 @@
 /** The shop mode's face: the view with its few tools, what is on the product, the fields of what is chosen, and the way out. */
 import { html, nothing, type TemplateResult } from "lit";
-import { ImagePlus, Maximize, Redo2, ScanEye, Type, Undo2 } from "lucide";
 import type { DesignLayer } from "../../editor/document/design.ts";
-import { carriesFiles } from "../../editor/files/file-collection.ts";
-import { ACCEPT, pickFiles } from "../../editor/ui/file-picker.ts";
 import { icon } from "../../editor/ui/icon.ts";
-import type { Desk } from "../desk/desk.ts";
-import { addPicture } from "../desk/placing.ts";
-import type { Texts } from "../desk/texts.ts";
 import type { ModeHost } from "../mode.ts";
-import { badgeStyles } from "./badge-styles.ts";
-import { HeatMap } from "./heat-map.ts";
-import { layerFields } from "./layer-fields.ts";
-import { layerRows } from "./layer-rows.ts";
-import { layerFindings, verdict } from "./print-badges.ts";
-import { handleKey } from "./shop-keys.ts";
+import { FirstTouch } from "./first-touch.ts";
+import { ImagePlus, Maximize, Redo2, Type, Undo2 } from "./icons.ts";
+import type { ShopBench } from "./shop-bench.ts";
+import type { ShopProduct } from "./shop-product.ts";
 import { shopStyles } from "./shop-styles.ts";
+import type { ShopTools } from "./shop-tools.ts";
 
 export class ShopView {
-  static readonly styles = [badgeStyles, shopStyles];
-  readonly desk: Desk;
-  readonly texts: Texts;
-  readonly host: ModeHost;
-  readonly #view: HTMLElement;
-  readonly #heat: HeatMap;
+  static readonly styles = [shopStyles];
+  readonly #host: ModeHost;
+  readonly #product: ShopProduct;
   #busy = false;
   #dropping = false;
+  #open = false;
+  /** Somebody touched it before it was open. */
+  #awaited = false;
+  readonly #firstTouch: FirstTouch;
+  #bench: ShopBench | null = null;
+  #takingBench: Promise<ShopBench> | null = null;
+  #tools: ShopTools | null = null;
+  #takingTools: Promise<ShopTools> | null = null;
+  /** Keys that came before what they are for. */
+  #keys: { readonly target: EventTarget; readonly event: KeyboardEvent }[] = [];
 
-  constructor(host: ModeHost, desk: Desk, texts: Texts) {
-    this.host = host;
-    this.desk = desk;
-    this.texts = texts;
-    this.#view = host.view;
-    this.#heat = new HeatMap(desk, () => host.requestUpdate());
-    desk.store.subscribe(() => host.requestUpdate());
+  constructor(host: ModeHost, product: ShopProduct) {
+    this.#host = host;
+    this.#product = product;
+    this.#firstTouch = new FirstTouch(product.viewer.element, this.#touched);
+  }
+
+  /** Null while there is nothing to work on. */
+  get bench(): ShopBench | null {
+    return this.#bench;
   }
 
   render(): TemplateResult {
-    const { desk, host } = this;
-    const { readonly } = desk.settings;
+    const host = this.#host;
+    const { readonly } = host.hooks.settings();
     return html`
       <div
         class="shop"
         ?data-alone=${readonly}
+        @focusin=${this.#touched}
+        @pointerenter=${this.#touched}
         @keydown=${this.#key}
         @dragover=${this.#dragOver}
         @dragleave=${this.#dragLeave}
         @drop=${this.#drop}
       >
         <div class="stage" part="stage">
-          ${this.#view}
+          ${host.view}
           <div class="bar" part="toolbar">
-            ${this.#tools(readonly)}
+            ${this.#viewTools(readonly)}
             <slot name="toolbar"></slot>
           </div>
-          ${this.#heat.shown ? this.#legend() : nothing}
+          ${this.#bench?.legend()}
           ${this.#dropping ? html`<div class="own drop">${host.words.drop}</div>` : nothing}
         </div>
         ${readonly ? nothing : this.#panel()}
@@ -62,41 +66,88 @@ export class ShopView {
     `;
   }
 
-  #tools(readonly: boolean): TemplateResult {
-    const { desk } = this;
-    const { words } = this.host;
-    const { undoLabel, redoLabel } = desk.store.state;
-    const step = (by: 1 | -1): void => void this.desk.travel(by);
+  /** The product is shown: from now on a touch brings what it needs. */
+  opened(): void {
+    this.#open = true;
+    if (this.#awaited) this.#touched();
+  }
+
+  /** Loads what a design is worked on with, if nobody did yet. */
+  takeBench(): Promise<ShopBench> {
+    this.#takingBench ??= this.#loadBench().catch((thrown: unknown) => {
+      this.#takingBench = null;
+      throw thrown;
+    });
+    return this.#takingBench;
+  }
+
+  /** Loads what puts things on the product, and what takes hold of it, if nobody did yet. */
+  takeTools(): Promise<ShopTools> {
+    this.#takingTools ??= this.#loadTools().catch((thrown: unknown) => {
+      this.#takingTools = null;
+      throw thrown;
+    });
+    return this.#takingTools;
+  }
+
+  close(): void {
+    this.#firstTouch.stop();
+  }
+
+  async #loadBench(): Promise<ShopBench> {
+    const { ShopBench } = await import("./shop-bench.ts");
+    const product = this.#product;
+    const host = this.#host;
+    product.checkOpen();
+    const bench = new ShopBench(product, host);
+    this.#bench = bench;
+    host.adopt(ShopBench.styles);
+    // What was opened with a design is begun with it.
+    if (this.#open && product.open) bench.desk.begin(product.open);
+    host.requestUpdate();
+    return bench;
+  }
+
+  async #loadTools(): Promise<ShopTools> {
+    const loading = import("./shop-tools.ts");
+    // Side by side with the desk, which takes hold of the view.
+    const early = import("../../viewer/model-viewer.ts");
+    for (const each of [loading, early]) each.catch(() => undefined);
+    const { desk } = await this.takeBench();
+    const [viewer, { ShopTools }] = await Promise.all([desk.takeHands(), loading]);
+    const tools = new ShopTools(desk);
+    this.#tools = tools;
+    this.#host.requestUpdate();
+    this.#firstTouch.giveTo(viewer);
+    for (const { target, event } of this.#keys) target.dispatchEvent(new KeyboardEvent("keydown", event));
+    this.#keys = [];
+    return tools;
+  }
+
+  readonly #touched = (): void => {
+    this.#awaited = true;
+    if (!this.#open || this.#takingTools !== null || this.#product.closed) return;
+    this.takeTools().catch((thrown: unknown) => this.#product.fail(thrown));
+  };
+
+  #viewTools(readonly: boolean): TemplateResult {
+    const { words } = this.#host;
+    const desk = this.#bench?.desk;
+    const { undoLabel = null, redoLabel = null } = desk?.store.state ?? {};
     return html`
       <div class="own tools" role="toolbar" aria-label=${words.panel}>
         ${
           readonly
             ? nothing
             : html`
-                ${this.#tool("undo", words.undo, icon(Undo2), undoLabel === null, () => step(-1))}
-                ${this.#tool("redo", words.redo, icon(Redo2), redoLabel === null, () => step(1))}
+                ${this.#tool("undo", words.undo, icon(Undo2), undoLabel === null, () => desk?.travel(-1))}
+                ${this.#tool("redo", words.redo, icon(Redo2), redoLabel === null, () => desk?.travel(1))}
               `
         }
-        ${desk.zones === null ? nothing : this.#heatSwitch()}
-        ${this.#tool("fit", words.fit, icon(Maximize), false, () => this.desk.viewer.frameModel())}
+        ${this.#bench?.heatSwitch()}
+        ${this.#tool("fit", words.fit, icon(Maximize), false, () => this.#product.viewer.frameModel())}
       </div>
     `;
-  }
-
-  #heatSwitch(): TemplateResult {
-    const { words } = this.host;
-    const label = this.#heat.shown ? words.heatMapOff : words.heatMap;
-    return html`<button
-      class="icon"
-      part="button heat-button"
-      data-act="heat"
-      aria-pressed=${this.#heat.shown}
-      aria-label=${label}
-      title=${label}
-      @click=${() => this.#attempt(this.#heat.toggle())}
-    >
-      ${icon(ScanEye)}
-    </button>`;
   }
 
   #tool(name: string, label: string, face: TemplateResult, disabled: boolean, act: () => void): TemplateResult {
@@ -113,17 +164,12 @@ export class ShopView {
     </button>`;
   }
 
-  #legend(): TemplateResult {
-    const { good, least } = this.host.words.heatLegend;
-    return html`<div class="own legend"><span class="good">${good}</span><span class="bad">${least}</span></div>`;
-  }
-
   #panel(): TemplateResult {
-    const { desk, host } = this;
-    const { words } = host;
-    const full = desk.room <= 0;
-    const { design, selectedId } = desk.store.state;
-    const selected = desk.selected;
+    const { words, hooks } = this.#host;
+    const bench = this.#bench;
+    const { maxDecals } = hooks.settings();
+    const full = (bench?.desk.room ?? maxDecals ?? 1) <= 0;
+    const selected = bench?.desk.selected;
     return html`
       <section class="panel" part="panel" aria-label=${words.panel}>
         <div class="own add" part="add">
@@ -147,21 +193,21 @@ export class ShopView {
           </button>
         </div>
         <div class="own scroll" part="list">
-          ${full ? html`<p class="quiet" role="status">${words.full(desk.settings.maxDecals ?? 0)}</p>` : nothing}
+          ${full ? html`<p class="quiet" role="status">${words.full(maxDecals ?? 0)}</p>` : nothing}
           ${
-            design.layers.length === 0
-              ? html`<slot name="empty">
+            bench?.hasLayers
+              ? bench.rows({ select: this.#select, remove: this.#remove })
+              : html`<slot name="empty">
                   <div class="empty" part="empty">
                     <h2>${words.emptyTitle}</h2>
                     <p>${words.emptyBody}</p>
                   </div>
                 </slot>`
-              : layerRows(this, design, selectedId)
           }
-          ${selected ? layerFields(this, selected) : nothing} ${selected ? layerFindings(desk, selected.id, words) : nothing}
+          ${selected ? this.#fields(selected) : nothing} ${selected ? bench?.findings(selected.id) : nothing}
         </div>
         <div class="own foot" part="foot">
-          ${verdict(desk, words)}
+          ${bench?.verdict()}
           <button
             class="filled"
             part="button submit-button"
@@ -176,49 +222,49 @@ export class ShopView {
     `;
   }
 
-  /** Printed metres a metre of the model. */
-  get printScale(): number {
-    return this.desk.zones?.printScale ?? 1;
+  #fields(layer: DesignLayer): TemplateResult | typeof nothing {
+    const desk = this.#bench?.desk;
+    if (this.#tools === null) this.#touched();
+    if (!desk || this.#tools === null) return nothing;
+    return this.#tools.fields({ host: this.#host, desk, printScale: desk.zones?.printScale ?? 1 }, layer);
   }
 
-  select(layer: DesignLayer): void {
-    const { words } = this.host;
-    this.desk.select(this.desk.store.state.selectedId === layer.id ? null : layer.id);
-    if (this.desk.selected) this.desk.hooks.announce(words.announce.selected(layer.name));
-  }
+  readonly #select = (layer: DesignLayer): void => {
+    const desk = this.#bench?.desk;
+    if (!desk) return;
+    desk.select(desk.store.state.selectedId === layer.id ? null : layer.id);
+    if (desk.selected) desk.hooks.announce(this.#host.words.announce.selected(layer.name));
+  };
 
-  remove(layer: DesignLayer): void {
+  readonly #remove = (layer: DesignLayer): void => {
     try {
-      this.desk.remove(layer.id);
+      this.#bench?.desk.remove(layer.id);
     } catch (thrown) {
-      this.host.tell(thrown);
+      this.#host.tell(thrown);
     }
     // The row that had the focus is gone.
-    this.desk.viewer.element.focus({ preventScroll: true });
-  }
+    this.#product.viewer.element.focus({ preventScroll: true });
+  };
 
   #attempt(work: Promise<unknown>): void {
-    this.host.dismiss();
-    work.catch((thrown: unknown) => this.host.tell(thrown));
+    this.#host.dismiss();
+    work.catch((thrown: unknown) => this.#host.tell(thrown));
   }
 
   #upload(): void {
-    pickFiles({ accept: ACCEPT.picture }, (files) => {
-      this.#attempt(this.#addAll(files.map(({ file }) => file)));
-    });
-  }
-
-  async #addAll(files: readonly File[], at: { x: number; y: number } | null = null): Promise<void> {
-    const hit = at && this.desk.viewer.surfaceAtPointer(at.x, at.y);
-    for (const file of files) await addPicture(this.desk, file, {}, files.length === 1 ? hit : null);
+    const pick = (tools: ShopTools): void => tools.pickPictures((files) => this.#attempt(tools.addFiles(files)));
+    // Browsers open a file dialog only right after a press.
+    if (this.#tools) pick(this.#tools);
+    else this.#attempt(this.takeTools().then(pick));
   }
 
   async #addText(): Promise<void> {
-    await this.texts.add(this.host.words.sampleText);
-    this.host.requestUpdate();
+    const { texts } = await this.takeTools();
+    await texts.add(this.#host.words.sampleText);
+    this.#host.requestUpdate();
     // The field is there with the next render.
     requestAnimationFrame(() => {
-      const root = this.#view.getRootNode();
+      const root = this.#host.view.getRootNode();
       const field = root instanceof ShadowRoot ? root.querySelector<HTMLTextAreaElement>("textarea") : null;
       field?.focus();
       field?.select();
@@ -227,25 +273,36 @@ export class ShopView {
 
   async #submit(): Promise<void> {
     this.#busy = true;
-    this.host.requestUpdate();
+    this.#host.requestUpdate();
     try {
-      await this.host.submit();
+      await this.#host.submit();
     } finally {
       this.#busy = false;
-      this.host.requestUpdate();
+      this.#host.requestUpdate();
     }
   }
 
   readonly #key = (event: KeyboardEvent): void => {
-    if (handleKey(event, this.desk)) event.preventDefault();
+    if (this.#tools !== null) {
+      if (this.#tools.key(event)) event.preventDefault();
+      return;
+    }
+    const [target] = event.composedPath();
+    if (!this.#open || target === undefined || event.key === "Tab") return;
+    this.#keys.push({ target, event });
+    // The page would scroll under a view that is about to turn.
+    if (target === this.#product.viewer.element && event.key.startsWith("Arrow")) event.preventDefault();
+    this.#touched();
   };
 
   readonly #dragOver = (event: DragEvent): void => {
-    if (!carriesFiles(event.dataTransfer) || this.desk.settings.readonly) return;
+    const carriesFiles = event.dataTransfer?.types.includes("Files") === true;
+    if (!carriesFiles || this.#host.hooks.settings().readonly) return;
     event.preventDefault();
+    this.#touched();
     if (!this.#dropping) {
       this.#dropping = true;
-      this.host.requestUpdate();
+      this.#host.requestUpdate();
     }
   };
 
@@ -259,11 +316,12 @@ export class ShopView {
     const files = [...(event.dataTransfer?.files ?? [])];
     if (files.length === 0) return;
     event.preventDefault();
-    this.#attempt(this.#addAll(files, { x: event.clientX, y: event.clientY }));
+    const at = { x: event.clientX, y: event.clientY };
+    this.#attempt(this.takeTools().then((tools) => tools.addFiles(files, at)));
   };
 
   #endDrop(): void {
     this.#dropping = false;
-    this.host.requestUpdate();
+    this.#host.requestUpdate();
   }
 }

@@ -1,0 +1,198 @@
+/**
+ * Fewer and larger files: a bundler that splits makes a file of every set of modules that the same places share, and twenty
+ * small ones compress worse than one. What is always loaded together becomes one file.
+ */
+import { readFileSync, rmSync, writeFileSync } from "node:fs";
+import { basename, join } from "node:path";
+import { build } from "esbuild";
+
+/** @typedef {import("esbuild").Metafile["outputs"][string]} Output */
+
+/** What a file takes from another: `import{a as b}from"./x.js"`, and the same with `export`. */
+const NAMED = /(?:import|export)\s*\{([^}]*)\}\s*from\s*"\.\/([\w-]+\.js)"/g;
+
+/**
+ * Merges the scripts of one build in place.
+ *
+ * @param {object} parts
+ * @param {string} parts.dist where the build was written
+ * @param {import("esbuild").Metafile} parts.metafile
+ * @param {readonly string[]} parts.roots sources of the scripts that are loaded with all they import: what the same roots
+ *   need is merged. The root's own file keeps its name and its exports.
+ * @param {import("esbuild").BuildOptions} parts.options of the build
+ */
+export async function mergeChunks({ dist, metafile, roots, options }) {
+  const graph = new Graph(metafile);
+  const rootNames = roots.map((source) => graph.named(source));
+  const groups = groupsOf(graph, rootNames);
+  /** Merged script to the one it is now part of. @type {Map<string, string>} */
+  const partOf = new Map();
+  for (const members of groups) {
+    const name = members.find((member) => rootNames.includes(member)) ?? members[0] ?? "";
+    for (const member of members) partOf.set(member, name);
+  }
+  const read = (/** @type {string} */ name) => readFileSync(join(dist, name), "utf8");
+  const wanted = wantedNames(graph.names, partOf, read);
+  /** @type {import("esbuild").OutputFile[]} */
+  const written = [];
+  for (const name of graph.names) {
+    const own = partOf.get(name) ?? name;
+    // Of a group the one that gives it its name stands for all; what takes nothing from a merged script stays as it is.
+    if (own !== name || !(partOf.has(name) || graph.importsOf(name).some((each) => partOf.has(each)))) continue;
+    const members = [...partOf].filter(([, group]) => group === name).map(([member]) => member);
+    const lines = members.flatMap((member) => {
+      const names = [...(wanted.get(member) ?? [])].map((each) => `${each} as ${alias(member, each)}`);
+      return names.length === 0 ? [] : [`export { ${names.join(", ")} } from "./${member}";`];
+    });
+    const { outputFiles } = await build({
+      ...options,
+      splitting: false,
+      metafile: false,
+      write: false,
+      outdir: dist,
+      entryPoints: undefined,
+      stdin: { contents: [`export * from "./${name}";`, ...lines].join("\n"), resolveDir: dist, sourcefile: "merged" },
+      plugins: [chunkPlugin(dist, partOf, new Set([name, ...members]), wanted)],
+    });
+    for (const file of outputFiles) {
+      const isMap = file.path.endsWith(".map");
+      const text = isMap ? file.text : file.text.replace(/(\/\/# sourceMappingURL=)\S+\s*$/, `$1${name}.map\n`);
+      written.push({ ...file, path: join(dist, isMap ? `${name}.map` : name), text });
+    }
+  }
+  for (const [member, name] of partOf) {
+    if (member === name) continue;
+    rmSync(join(dist, member));
+    rmSync(join(dist, `${member}.map`), { force: true });
+    // Whoever asks for it by `import()` finds it where it was.
+    if (!graph.isAskedFor(member)) continue;
+    const names = [...(wanted.get(member) ?? [])].map((each) => `${alias(member, each)} as ${each}`);
+    writeFileSync(join(dist, member), `export{${names.join(",")}}from"./${name}";\n`);
+  }
+  for (const { path, text } of written) writeFileSync(path, text);
+
+  /** What is taken of merged scripts, from outside of their group. @param {readonly string[]} names */
+  function wantedNames(names, /** @type {Map<string, string>} */ merged, /** @type {(name: string) => string} */ text) {
+    /** @type {Map<string, Set<string>>} */
+    const found = new Map();
+    const add = (/** @type {string} */ from, /** @type {string} */ each) => {
+      found.set(from, (found.get(from) ?? new Set()).add(each));
+    };
+    for (const name of names) {
+      for (const [, list = "", from = ""] of text(name).matchAll(NAMED)) {
+        if (!merged.has(from) || merged.get(from) === (merged.get(name) ?? name)) continue;
+        for (const each of list.split(",")) add(from, each.trim().split(/\s+as\s+/)[0] ?? "");
+      }
+    }
+    for (const member of merged.keys()) {
+      if (graph.isAskedFor(member) && merged.get(member) !== member)
+        for (const each of graph.exportsOf(member)) add(member, each);
+    }
+    return found;
+  }
+}
+
+/** Before the address of a script that is merged already. */
+const WHOLE = "whole:";
+
+/** How a merged script's export is called in the file that it is part of. */
+const alias = (/** @type {string} */ member, /** @type {string} */ name) =>
+  `${basename(member, ".js").replace(/\W/g, "_")}_${name}`;
+
+/**
+ * @param {string} dist @param {Map<string, string>} partOf
+ * @param {Set<string>} members of the file that is made @param {Map<string, Set<string>>} wanted
+ * @returns {import("esbuild").Plugin}
+ */
+function chunkPlugin(dist, partOf, members, wanted) {
+  return {
+    name: "chunks",
+    setup(plugged) {
+      plugged.onResolve({ filter: /./ }, ({ path, kind }) => {
+        if (path.startsWith(WHOLE)) return { path: path.slice(WHOLE.length), external: true };
+        const name = path.replace(/^\.\//, "");
+        if (kind === "dynamic-import" || kind === "entry-point") return { path, external: kind === "dynamic-import" };
+        if (members.has(name)) return { path: join(dist, name) };
+        if (path.startsWith("./") && partOf.has(name)) return { path: name, namespace: "merged" };
+        return { path, external: true };
+      });
+      plugged.onLoad({ filter: /./, namespace: "merged" }, ({ path }) => ({
+        contents: `export { ${[...(wanted.get(path) ?? [])].map((each) => `${alias(path, each)} as ${each}`).join(", ")} } from "${WHOLE}./${partOf.get(path)}";`,
+        resolveDir: dist,
+      }));
+    },
+  };
+}
+
+/** Which script imports which. */
+class Graph {
+  /** @type {Map<string, Output>} */
+  #outputs = new Map();
+
+  /** @param {import("esbuild").Metafile} metafile */
+  constructor({ outputs }) {
+    for (const [path, output] of Object.entries(outputs)) {
+      if (path.endsWith(".js")) this.#outputs.set(basename(path), output);
+    }
+  }
+
+  get names() {
+    return [...this.#outputs.keys()];
+  }
+
+  /** The script made of a source. @param {string} source */
+  named(source) {
+    const found = [...this.#outputs].find(([, { entryPoint }]) => entryPoint === source);
+    if (!found) throw new Error(`No script is made of ${source}.`);
+    return found[0];
+  }
+
+  /** @param {string} name */
+  exportsOf(name) {
+    return this.#outputs.get(name)?.exports ?? [];
+  }
+
+  /** Whether some script asks for it by `import()`. @param {string} name */
+  isAskedFor(name) {
+    return this.names.some((each) => this.importsOf(each, ["dynamic-import"]).includes(name));
+  }
+
+  /** @param {string} name @param {readonly string[]} kinds @returns {string[]} */
+  importsOf(name, kinds = ["import-statement"]) {
+    const imports = this.#outputs.get(name)?.imports ?? [];
+    return imports.filter(({ kind, external }) => kinds.includes(kind) && !external).map(({ path }) => basename(path));
+  }
+
+  /** A script and all that it needs. @param {string} name @param {readonly string[]} [kinds] */
+  reach(name, kinds, seen = new Set()) {
+    if (seen.has(name)) return seen;
+    seen.add(name);
+    for (const each of this.importsOf(name, kinds)) this.reach(each, kinds, seen);
+    return seen;
+  }
+
+  /** Scripts that pages name themselves. @returns {string[]} */
+  get entries() {
+    return this.names.filter((name) => this.#outputs.get(name)?.entryPoint && !this.isAskedFor(name));
+  }
+}
+
+/**
+ * Scripts that the same roots need at once, and the same entries at some time: an entry must not come to load another one's
+ * file for a part of it. What needs a script is needed by no more than what the script is needed by, so no two files need
+ * each other.
+ *
+ * @param {Graph} graph @param {readonly string[]} roots @returns {string[][]} of more than one script each
+ */
+function groupsOf(graph, roots) {
+  const atOnce = roots.map((root) => graph.reach(root));
+  const others = graph.entries.filter((entry) => !roots.includes(entry));
+  const sometime = others.map((entry) => graph.reach(entry, ["import-statement", "dynamic-import"]));
+  /** @type {Map<string, string[]>} */
+  const groups = new Map();
+  for (const name of new Set(atOnce.flatMap((names) => [...names]))) {
+    const key = [...atOnce, ...sometime].map((names) => Number(names.has(name))).join("");
+    groups.set(key, [...(groups.get(key) ?? []), name]);
+  }
+  return [...groups.values()].filter((members) => members.length > 1);
+}

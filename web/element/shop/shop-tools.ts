@@ -1,0 +1,44 @@
+/** What the shop mode loads when it is first touched, beside the view's hands: what puts things on the product and changes them. */
+import type { nothing, TemplateResult } from "lit";
+import type { DesignLayer } from "../../editor/document/design.ts";
+import { ACCEPT, pickFiles } from "../../editor/ui/file-picker.ts";
+import type { Desk } from "../desk/desk.ts";
+import { addPicture } from "../desk/placing.ts";
+import { Texts } from "../desk/texts.ts";
+import type { DecalSource, PlaceOptions } from "../element-api.ts";
+import { type FieldsHost, layerFields } from "./layer-fields.ts";
+import { handleKey } from "./shop-keys.ts";
+
+export class ShopTools {
+  readonly texts: Texts;
+  readonly #desk: Desk;
+
+  constructor(desk: Desk) {
+    this.#desk = desk;
+    this.texts = new Texts(desk);
+  }
+
+  addPicture(source: DecalSource, options: PlaceOptions = {}): Promise<string> {
+    return addPicture(this.#desk, source, options);
+  }
+
+  /** Asks the user for files. */
+  pickPictures(picked: (files: readonly File[]) => void): void {
+    pickFiles({ accept: ACCEPT.picture }, (files) => picked(files.map(({ file }) => file)));
+  }
+
+  /** Puts files on, a single one where it was dropped (client pixels). */
+  async addFiles(files: readonly File[], at: { readonly x: number; readonly y: number } | null = null): Promise<void> {
+    const hit = at && (await this.#desk.takeHands()).surfaceAtPointer(at.x, at.y);
+    for (const file of files) await addPicture(this.#desk, file, {}, files.length === 1 ? hit : null);
+  }
+
+  /** True when the key was ours, and its default must not happen. */
+  key(event: KeyboardEvent): boolean {
+    return handleKey(event, this.#desk);
+  }
+
+  fields(host: Omit<FieldsHost, "texts">, layer: DesignLayer): TemplateResult | typeof nothing {
+    return layerFields({ ...host, texts: this.texts }, layer);
+  }
+}

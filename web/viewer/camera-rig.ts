@@ -1,0 +1,72 @@
+/** What holds the view's camera: nothing but a place at first, and the controls once a hand may come. */
+import { type Box3, type PerspectiveCamera, Vector3 } from "three";
+
+/** How far the camera may go: radians about the vertical and down from it, and metres. */
+export interface CameraReach {
+  readonly minAzimuthAngle: number;
+  readonly maxAzimuthAngle: number;
+  readonly minPolarAngle: number;
+  readonly maxPolarAngle: number;
+  readonly minDistance: number;
+  readonly maxDistance: number;
+}
+
+export interface CameraRig {
+  /** Limits what hands do from now on; what is not given stays. */
+  limit(reach: Partial<CameraReach>): void;
+  /** Keeps what is looked at inside a box. */
+  enclose(box: Box3): void;
+  /** Goes there, at once or `eased`. */
+  lookAt(eye: Vector3, target: Vector3, eased: boolean): void;
+  /** Goes round by itself, radians, unless a hand is on the view. */
+  turn(angle: number): void;
+  /** Whether movements may be animated. */
+  setEased(eased: boolean): void;
+  /** Brings the camera to its place after `delta` seconds. Returns whether it moved. */
+  update(delta: number): boolean;
+  dispose(): void;
+}
+
+/** Holds the camera still, and keeps what it was told for the rig that comes after it. */
+export class StillRig implements CameraRig {
+  readonly #camera: PerspectiveCamera;
+  #moved = false;
+  reach: Partial<CameraReach> = {};
+  box: Box3 | null = null;
+  readonly eye = new Vector3(0, 0, 1);
+  readonly target = new Vector3();
+
+  constructor(camera: PerspectiveCamera) {
+    this.#camera = camera;
+  }
+
+  limit(reach: Partial<CameraReach>): void {
+    this.reach = { ...this.reach, ...reach };
+  }
+
+  enclose(box: Box3): void {
+    this.box = box;
+  }
+
+  lookAt(eye: Vector3, target: Vector3): void {
+    this.eye.copy(eye);
+    this.target.copy(target);
+    this.#moved = true;
+  }
+
+  turn(): void {}
+
+  setEased(): void {}
+
+  update(): boolean {
+    const moved = this.#moved;
+    this.#moved = false;
+    if (moved) {
+      this.#camera.position.copy(this.eye);
+      this.#camera.lookAt(this.target);
+    }
+    return moved;
+  }
+
+  dispose(): void {}
+}

@@ -1,0 +1,86 @@
+/** What the views' style sheet has for handles, tools and the flat view. */
+export const GIZMO_STYLE = /* css */ `
+.tcv-overlay { position: absolute; inset: 0; width: 100%; height: 100%; overflow: hidden; pointer-events: none; }
+.tcv-overlay path { fill: none; stroke-linejoin: round; stroke-linecap: round; }
+.tcv-casing { stroke: var(--tcv-casing); stroke-width: 3.5; }
+.tcv-outline { stroke: var(--tcv-accent); stroke-width: 1.75; }
+.tcv-outline-hidden { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 1 5; stroke-opacity: 0.75; }
+.tcv-box { stroke: var(--tcv-accent); stroke-width: 1; stroke-opacity: 0.5; }
+.tcv-box-hidden { stroke: var(--tcv-accent); stroke-width: 1; stroke-opacity: 0.18; }
+.tcv-hover { stroke: var(--tcv-accent); stroke-width: 1.75; stroke-opacity: 0.85; }
+.tcv-twin { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 5 4; stroke-opacity: 0.6; }
+.tcv-arrow { stroke: var(--tcv-accent); stroke-width: 2; }
+.tcv-overlay .tcv-arrow-head { fill: var(--tcv-accent); stroke: none; }
+.tcv-guide { stroke: var(--tcv-accent); stroke-width: 1.25; }
+
+.tcv-handle { pointer-events: all; transition: opacity 120ms, visibility 0s; }
+.tcv-handle[data-hidden] { opacity: 0.4; }
+.tcv-hit { fill: transparent; }
+.tcv-overlay .tcv-mark { fill: var(--tcv-handle); stroke: var(--tcv-accent); stroke-width: 1.75; transition: transform 120ms ease-out; }
+.tcv-mark-shadow { fill: rgb(10 14 24 / 0.22); }
+.tcv-overlay .tcv-handle:hover .tcv-mark, .tcv-overlay .tcv-handle[data-active] .tcv-mark { fill: var(--tcv-accent); stroke: var(--tcv-handle); transform: scale(1.2); }
+.tcv-overlay .tcv-glyph { stroke: var(--tcv-accent); stroke-width: 1.5; pointer-events: none; }
+.tcv-overlay .tcv-handle:hover .tcv-glyph, .tcv-overlay .tcv-handle[data-active] .tcv-glyph { stroke: var(--tcv-handle); }
+
+.tcv-root[data-cursor="move"] { cursor: move; }
+.tcv-root[data-cursor="orbit"] { cursor: grab; }
+/* Hidden once they have faded, so that no frame of a drag paints them. */
+.tcv-root[data-gesture] .tcv-handle:not([data-active]) { opacity: 0; visibility: hidden; pointer-events: none; transition: opacity 120ms, visibility 0s 120ms; }
+.tcv-root[data-gesture="slide"] { cursor: grabbing; }
+.tcv-root[data-gesture="slide"] .tcv-guide, .tcv-root[data-gesture="scale"] .tcv-guide { opacity: 0; }
+
+.tcv-readout {
+  position: absolute; left: 0; top: 0; padding: 3px 8px; border-radius: 6px; pointer-events: none; white-space: nowrap;
+  font: 500 12px/1.4 system-ui, sans-serif; font-variant-numeric: tabular-nums;
+  color: var(--tcv-on-accent); background: var(--tcv-accent); box-shadow: 0 2px 8px rgb(10 14 24 / 0.25);
+}
+.tcv-readout[hidden] { display: none; }
+
+.tcv-ring-casing { stroke: rgb(10 14 24 / 0.55); stroke-width: 3; }
+.tcv-ring-line { stroke: #ffffff; stroke-width: 1.25; }
+.tcv-ring-inner { stroke: rgb(255 255 255 / 0.8); stroke-width: 1; stroke-dasharray: 3 3; }
+
+.tcv-gradient { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
+.tcv-gradient[hidden], .tcv-gradient-handle[hidden] { display: none; }
+.tcv-gradient-handle {
+  position: absolute; left: 0; top: 0; width: 28px; height: 28px; margin: -14px 0 0 -14px; padding: 0; border: 0;
+  background: none; cursor: grab; pointer-events: auto; touch-action: none;
+}
+.tcv-gradient-handle::after {
+  content: ""; position: absolute; inset: 6px; border-radius: 50%; box-sizing: border-box;
+  background: var(--tcv-handle); border: 2px solid var(--tcv-accent); box-shadow: 0 1px 5px rgb(10 14 24 / 0.35);
+}
+.tcv-gradient-handle[data-gradient-handle="second"]::after { border-radius: 3px; }
+.tcv-gradient-handle:hover::after, .tcv-gradient-handle[data-active]::after { background: var(--tcv-accent); border-color: var(--tcv-handle); }
+.tcv-gradient-handle:focus { outline: none; }
+.tcv-gradient-handle:focus-visible { outline: 2px solid var(--tcv-accent); outline-offset: -1px; border-radius: 50%; }
+.tcv-gradient-handle[data-active] { cursor: grabbing; }
+@media (pointer: coarse) {
+  .tcv-gradient-handle { width: 44px; height: 44px; margin: -22px 0 0 -22px; }
+  .tcv-gradient-handle::after { inset: 13px; }
+}
+
+.tcv-texture { cursor: grab; }
+.tcv-texture[data-panning] { cursor: grabbing; }
+.tcv-marker {
+  position: absolute; left: 0; top: 0; width: 18px; height: 18px; margin: -9px 0 0 -9px; border-radius: 50%;
+  pointer-events: none; border: 2px solid var(--tcv-handle); outline: 2px solid var(--tcv-accent);
+  box-shadow: 0 1px 5px rgb(10 14 24 / 0.5);
+}
+.tcv-marker::after {
+  content: ""; position: absolute; inset: 5px; border-radius: 50%; background: var(--tcv-accent);
+  box-shadow: 0 0 0 1px var(--tcv-handle);
+}
+.tcv-marker[hidden] { display: none; }
+.tcv-marker[data-behind] { opacity: 0.4; }
+
+.tcv-guide-names rect { fill: none; stroke: var(--tcv-accent); stroke-width: 1; stroke-dasharray: 3 3; opacity: 0.8; }
+.tcv-guide-names text {
+  fill: var(--viewer-guide-text, #1a1d22); font: 500 11px/1 system-ui, sans-serif; text-anchor: middle; dominant-baseline: central;
+  paint-order: stroke; stroke: var(--viewer-guide-halo, rgb(255 255 255 / 0.85)); stroke-width: 3px; stroke-linejoin: round;
+}
+.tcv-guide-names .tcv-part { font-weight: 700; fill: var(--tcv-accent); }
+
+@media (prefers-reduced-motion: reduce) {
+  .tcv-mark, .tcv-handle { transition: none; }
+}`;

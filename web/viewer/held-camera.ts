@@ -1,0 +1,104 @@
+/** The camera in the user's hands: orbit, pan and zoom by camera-controls, from where the camera stands. */
+import CameraControls from "camera-controls";
+import {
+  Box3,
+  Matrix4,
+  type PerspectiveCamera,
+  Quaternion,
+  Raycaster,
+  Sphere,
+  Spherical,
+  Vector2,
+  Vector3,
+  Vector4,
+} from "three";
+import type { CameraReach, CameraRig, StillRig } from "./camera-rig.ts";
+
+CameraControls.install({
+  THREE: { Vector2, Vector3, Vector4, Quaternion, Matrix4, Spherical, Box3, Sphere, Raycaster },
+});
+
+export class HeldCamera implements CameraRig {
+  readonly controls: CameraControls;
+
+  /** @param before what it takes over from @param requestFrame asks for `update` */
+  constructor(camera: PerspectiveCamera, root: HTMLElement, before: StillRig, requestFrame: () => void) {
+    const { ACTION } = CameraControls;
+    const controls = new CameraControls(camera, root);
+    this.controls = controls;
+    controls.mouseButtons.left = ACTION.ROTATE;
+    controls.mouseButtons.middle = ACTION.ROTATE;
+    controls.mouseButtons.right = ACTION.TRUCK;
+    controls.mouseButtons.wheel = ACTION.DOLLY;
+    controls.touches.one = ACTION.TOUCH_ROTATE;
+    controls.touches.two = ACTION.TOUCH_DOLLY_TRUCK;
+    // Three fingers undo and redo.
+    controls.touches.three = ACTION.NONE;
+    controls.dollyToCursor = true;
+    this.limit({ minPolarAngle: 0.01, maxPolarAngle: Math.PI - 0.01, ...before.reach });
+    this.lookAt(before.eye, before.target, false);
+    if (before.box !== null) this.enclose(before.box);
+    for (const type of ["controlstart", "control", "transitionstart"] as const) {
+      controls.addEventListener(type, requestFrame);
+    }
+  }
+
+  limit(reach: Partial<CameraReach>): void {
+    Object.assign(this.controls, reach);
+  }
+
+  enclose(box: Box3): void {
+    this.controls.setBoundary(box);
+  }
+
+  lookAt(eye: Vector3, target: Vector3, eased: boolean): void {
+    this.controls.normalizeRotations();
+    this.controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, eased);
+  }
+
+  turn(angle: number): void {
+    if (this.controls.currentAction === CameraControls.ACTION.NONE) this.controls.azimuthAngle += angle;
+  }
+
+  setEased(eased: boolean): void {
+    this.controls.smoothTime = eased ? 0.16 : 0;
+    this.controls.draggingSmoothTime = eased ? 0.06 : 0;
+  }
+
+  /** Whether the left button pans instead of turning, from its next press on. */
+  setPanning(pans: boolean): void {
+    this.controls.mouseButtons.left = pans ? CameraControls.ACTION.TRUCK : CameraControls.ACTION.ROTATE;
+  }
+
+  /** Whether two fingers orbit and zoom, since one is a tool's; else they pan and zoom, and one orbits. */
+  setTwoFingersOrbit(orbit: boolean): void {
+    const { ACTION } = CameraControls;
+    this.controls.touches.two = orbit ? ACTION.TOUCH_DOLLY_ROTATE : ACTION.TOUCH_DOLLY_TRUCK;
+  }
+
+  /** Arrow keys turn, plus and minus dolly. Returns whether the key meant something. */
+  step(key: string, eased: boolean): boolean {
+    const { controls } = this;
+    const turn = Math.PI / 24;
+    const steps: Record<string, () => void> = {
+      ArrowLeft: () => controls.rotate(-turn, 0, eased),
+      ArrowRight: () => controls.rotate(turn, 0, eased),
+      ArrowUp: () => controls.rotate(0, -turn, eased),
+      ArrowDown: () => controls.rotate(0, turn, eased),
+      "+": () => controls.dolly(controls.distance * 0.15, eased),
+      "=": () => controls.dolly(controls.distance * 0.15, eased),
+      "-": () => controls.dolly(-controls.distance * 0.15, eased),
+    };
+    const step = steps[key];
+    step?.();
+    return step !== undefined;
+  }
+
+  update(delta: number): boolean {
+    return this.controls.update(delta);
+  }
+
+  dispose(): void {
+    this.controls.dispose();
+  }
+}
