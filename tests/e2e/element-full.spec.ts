@@ -91,6 +91,22 @@ test("two elements speak two languages, and one of them another one from then on
   await expect(second.getByRole("tab", { name: "Ebenen" })).toBeVisible();
   await expect(second.getByRole("application", { name: /Modell in 3D/ })).toBeVisible();
   expect((await told(page)).errors).toEqual([]);
+
+  // What is wrong with the page's own zones is told to it, in the element's language.
+  const zoneFault = await page.evaluate(async () => {
+    const element = document.querySelector("texelcast-editor") as Element;
+    const error = new Promise<{ code: string; message: string; hint: string }>((resolve) => {
+      element.addEventListener("error", ({ detail }) => resolve(detail), { once: true });
+    });
+    const shape = { kind: "box", position: [0, 0.05, 0.05], size: [0.1, 0.08, 0.1] };
+    element.zones = { texelcastZones: 1, zones: [{ id: "wrap", name: "Wrap", material: 7, shape }] };
+    const { code, message, hint } = await error;
+    const { violations } = await element.validate();
+    return { code, message, hint, violations: violations.map((each) => [each.code, each.zone, each.layer]) };
+  });
+  expect(zoneFault).toMatchObject({ code: "bad-zones", violations: [["zone-without-material", "wrap", null]] });
+  expect(zoneFault.message).toContain("Material 7");
+  expect(zoneFault.hint).toBe("Gib ihr eines des Modells: 0 (Glaze).");
 });
 
 test("a design that can only be looked at is changed by no tool, no key, no field and no call", async ({ page }) => {

@@ -1,36 +1,23 @@
-import { fileURLToPath } from "node:url";
 import type { Page } from "puppeteer-core";
-import { type PreviewServer, preview } from "vite";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { freePort } from "../../scripts/test/free-port.mjs";
 import { manyLayersHash } from "../support/many-layers.ts";
 import { hashManyLayersInPage, manyLayersInput } from "../support/many-layers-page.ts";
-import { type FirefoxBrowser, launchFirefox } from "./support/firefox-browser.ts";
+import { openSiteInFirefox, type SiteInFirefox } from "./support/site-in-firefox.ts";
 
-let server: PreviewServer;
-let firefox: FirefoxBrowser;
+let site: SiteInFirefox;
 let page: Page;
-const faults: string[] = [];
 
 beforeAll(async () => {
-  const configFile = fileURLToPath(new URL("../../vite.config.ts", import.meta.url));
-  server = await preview({ configFile, logLevel: "warn", preview: { port: await freePort(), strictPort: true } });
-  firefox = await launchFirefox();
-  page = await firefox.browser.newPage();
-  page.on("console", (message) => {
-    if (message.type() === "error") faults.push(`console: ${message.text()}`);
-  });
-  page.on("pageerror", (error) => faults.push(`page: ${String(error)}`));
-  await page.setViewport({ width: 1280, height: 800 });
-  await page.goto(server.resolvedUrls?.local[0] ?? "");
+  site = await openSiteInFirefox();
+  ({ page } = site);
+  await page.goto(site.address);
   await page.waitForFunction(() => window.texelcast !== undefined, { timeout: 60_000 });
   await page.evaluate(() => window.texelcast.ready);
   await page.evaluate(() => window.texelcast.idle());
 });
 
 afterAll(async () => {
-  await firefox?.close();
-  await server?.close();
+  await site?.close();
 });
 
 /** Of the decal that the first demo has. */
@@ -56,7 +43,7 @@ test("the page opens on its first demo and draws it", async () => {
   const { shownRevision, bakeCount } = await page.evaluate(() => window.texelcast.stats());
   expect(bakeCount).toBe(1);
   expect(shownRevision).toBeGreaterThan(0);
-  expect(faults).toEqual([]);
+  expect(site.faults).toEqual([]);
 });
 
 test("the decal is dragged with the mouse, texels change under way, and undo gives the first bytes back", async () => {
@@ -76,7 +63,7 @@ test("the decal is dragged with the mouse, texels change under way, and undo giv
   await page.keyboard.press("z");
   await page.keyboard.up("Control");
   expect(await settledHash()).toBe(start);
-  expect(faults).toEqual([]);
+  expect(site.faults).toEqual([]);
 });
 
 test("many layers give the one hash in Firefox that Chromium, Node and native code give", async () => {

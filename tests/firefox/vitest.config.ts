@@ -7,6 +7,8 @@ export default defineConfig({
   test: {
     environment: "node",
     include: ["tests/firefox/*.spec.ts"],
+    // One browser with software WebGL already uses a small machine whole.
+    fileParallelism: false,
     // Mesa compiles the first frame's shaders on the processor.
     testTimeout: 90_000,
     hookTimeout: 90_000,

@@ -1,0 +1,32 @@
+/** The built site, served, and a page of Firefox. */
+import { fileURLToPath } from "node:url";
+import type { Page } from "puppeteer-core";
+import { preview } from "vite";
+import { freePort } from "../../../scripts/test/free-port.mjs";
+import { launchFirefox } from "./firefox-browser.ts";
+
+export interface SiteInFirefox {
+  readonly address: string;
+  readonly page: Page;
+  /** What the page has written to the console as an error, or thrown and not caught. */
+  readonly faults: readonly string[];
+  close(): Promise<void>;
+}
+
+export async function openSiteInFirefox(): Promise<SiteInFirefox> {
+  const configFile = fileURLToPath(new URL("../../../vite.config.ts", import.meta.url));
+  const server = await preview({ configFile, logLevel: "warn", preview: { port: await freePort(), strictPort: true } });
+  const firefox = await launchFirefox();
+  const page = await firefox.browser.newPage();
+  const faults: string[] = [];
+  page.on("console", (message) => {
+    if (message.type() === "error") faults.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => faults.push(`page: ${String(error)}`));
+  await page.setViewport({ width: 1280, height: 800 });
+  const close = async (): Promise<void> => {
+    await firefox.close();
+    await server.close();
+  };
+  return { address: server.resolvedUrls?.local[0] ?? "", page, faults, close };
+}
