@@ -5,17 +5,20 @@ import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import { type Browser, chromium, type Page } from "@playwright/test";
 import { chromiumLaunch } from "../../scripts/bootstrap/chromium.mjs";
-import { circumstances, formatCircumstances, formatTable } from "../report.ts";
+import { type Circumstances, circumstances, formatCircumstances, formatTable } from "../report.ts";
 import { parseLoadOptions } from "./options.mjs";
 import { type Line, type Sent, SlowNetwork } from "./slow-server.ts";
 import { DIST, serveAll } from "./sources.ts";
 
 const options = parseLoadOptions(process.argv.slice(2));
 if (options === "help") throw new Error("scripts/bench-load.mjs answers --help");
-const { pages, rounds, json } = options;
+const { pages, rounds, json, readme } = options;
 
 /** As in Chromium's own tools: nine tenths of 9 Mbit/s, and 165 ms. */
 const FAST_4G: Line = { bytesPerSecond: (9e6 / 8) * 0.9, latency: 165 };
+
+const README_START = "<!-- `npm run bench:load -- --readme` writes what follows. -->\n";
+const README_END = "<!-- Up to here. -->";
 
 interface Condition {
   readonly name: string;
@@ -70,6 +73,7 @@ try {
   const sizes = { ...(await packageSizes()), ...element };
   console.log(`${formatCircumstances(conditions)}\nNothing cached. Medians of ${rounds} loads.\n`);
   console.log(`${formatTimes()}\n\n${formatBytes()}\n\n${formatSizes(sizes)}`);
+  if (readme) await writeReadme(`${formatSizes(sizes)}\n\n${loadSentence(conditions)}\n\n${formatTimes()}`);
   if (json) {
     await mkdir(dirname(json), { recursive: true });
     await writeFile(json, `${JSON.stringify({ ...conditions, rounds, rows, sizes }, null, 2)}\n`);
@@ -129,6 +133,20 @@ function kindOf({ path, type }: Sent): Kind {
   if (type.startsWith("image/")) return "pictures";
   if (/font/.test(type) || path.endsWith(".ttf")) return "fonts";
   return "HTML, CSS, JSON";
+}
+
+function loadSentence({ date, machine }: Circumstances): string {
+  const [processor, cores] = machine.split(", ");
+  return `A product page with nothing cached, until the product can be worked on: medians of ${rounds} loads on ${date.slice(0, 10)}, on
+${processor}, ${cores}, WebGL on the processor ([how it is measured](bench/README.md#loading-a-product-page)).`;
+}
+
+async function writeReadme(tables: string): Promise<void> {
+  const file = fileURLToPath(new URL("../../README.md", import.meta.url));
+  const text = await readFile(file, "utf8");
+  const [start, end] = [text.indexOf(README_START) + README_START.length, text.indexOf(README_END)];
+  if (start < README_START.length || end < start) throw new Error(`README.md lacks ${README_START} … ${README_END}`);
+  await writeFile(file, `${text.slice(0, start)}\n${tables}\n\n${text.slice(end)}`);
 }
 
 function median(values: readonly number[]): number {

@@ -10,6 +10,7 @@ export const PAGES = /** @type {const} */ (["html", "shop", "framed"]);
  * @property {readonly (typeof PAGES)[number][]} pages
  * @property {number} rounds loads of each page under each condition
  * @property {string | null} json where to write the figures
+ * @property {boolean} readme whether to write the tables into README.md
  */
 
 export const LOAD_BENCH = {
@@ -21,6 +22,7 @@ Opens pages with the element in Chromium with nothing cached, and prints tables 
   --pages html,shop    of ${PAGES.join(", ")}; without it all but the last
   --rounds 3           loads of each page under each condition
   --json FILE.json     writes the figures there too
+  --readme             writes the budget's tables into README.md
   --help               this
 `,
 };
@@ -37,6 +39,7 @@ export function parseLoadOptions(args) {
         pages: { type: "string", default: "html,shop" },
         rounds: { type: "string", default: "3" },
         json: { type: "string" },
+        readme: { type: "boolean", default: false },
         help: { type: "boolean", short: "h" },
       },
     }),
@@ -46,5 +49,6 @@ export function parseLoadOptions(args) {
     pages: names("--pages", values.pages, PAGES),
     rounds: wholeNumber("--rounds", values.rounds, 100),
     json: values.json === undefined ? null : jsonFile(values.json),
+    readme: values.readme,
   };
 }
