@@ -21,6 +21,7 @@ export const elementStyles = css`
     position: absolute;
     inset: 0;
     display: grid;
+    grid-template: 100% / 100%;
     place-items: center;
     background: var(--_stage);
   }
