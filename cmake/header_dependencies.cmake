@@ -19,7 +19,13 @@ function(texelcast_provide name probe link folder repository tag)
         message(STATUS "${name} is not installed: fetching ${repository} ${tag}")
         # A subfolder that is not there: the release is fetched, but its own CMake files, which would add targets and
         # options that header-only use does not need, are not run.
-        FetchContent_Declare(${name} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW TRUE
+        # A commit's hash cannot be fetched shallowly.
+        string(LENGTH ${tag} tag_length)
+        set(shallow TRUE)
+        if(tag_length EQUAL 40)
+            set(shallow FALSE)
+        endif()
+        FetchContent_Declare(${name} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW ${shallow} GIT_SUBMODULES ""
                              SOURCE_DIR ${CMAKE_SOURCE_DIR}/build/deps/${name} SOURCE_SUBDIR headers_only)
         FetchContent_MakeAvailable(${name})
         set(include ${CMAKE_SOURCE_DIR}/build/deps/${name}/${folder})
@@ -40,19 +46,15 @@ function(texelcast_header_dependency target)
             texelcast_provide(glm glm/glm.hpp glm . https://github.com/g-truc/glm.git 1.0.1)
         elseif(name STREQUAL "tinygltf")
             texelcast_provide(tinygltf tiny_gltf.h tiny_gltf.h . https://github.com/syoyo/tinygltf.git v2.9.3)
-        elseif(name STREQUAL "nlohmann_json")
-            texelcast_provide(nlohmann_json nlohmann/json.hpp nlohmann include https://github.com/nlohmann/json.git
-                              v3.11.3)
+        elseif(name STREQUAL "rapidjson")
+            # Its last release, 1.1.0 of 2016, is not C++20: a commit that package managers build.
+            texelcast_provide(rapidjson rapidjson/document.h rapidjson include https://github.com/Tencent/rapidjson.git
+                              24b5e7a8b27f42fa16b96fc70aade9106cf7102f)
         elseif(name STREQUAL "doctest")
             texelcast_provide(doctest doctest/doctest.h doctest . https://github.com/doctest/doctest.git v2.4.11)
         else()
             message(FATAL_ERROR "unknown header dependency ${name}")
         endif()
     endforeach()
-    if("tinygltf" IN_LIST ARGN AND NOT EXISTS ${TEXELCAST_DEPS_INCLUDE}/json.hpp)
-        # Debian's tinygltf includes <nlohmann/json.hpp>; the release says "json.hpp".
-        file(CREATE_LINK ${TEXELCAST_DEPS_INCLUDE}/nlohmann/json.hpp ${TEXELCAST_DEPS_INCLUDE}/json.hpp COPY_ON_ERROR
-             SYMBOLIC)
-    endif()
     target_include_directories(${target} SYSTEM PUBLIC ${TEXELCAST_DEPS_INCLUDE})
 endfunction()

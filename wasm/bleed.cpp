@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "coverage_bits.h"
+#include "sorted_keys.h"
 #include "target.h"
 
 namespace txc {
@@ -41,8 +42,14 @@ public:
 
     /// Puts the texture back; the list then holds the new colours.
     void swap_colors() {
-        for (BledTexel& bled : target_.bleed.texels) {
-            for (int c = 0; c < 4; ++c) std::swap(bled.rgba[c], texture_[std::size_t{bled.index} * 4 + c]);
+        for (std::uint64_t& packed : target_.bleed.texels) {
+            BledTexel bled = BledTexel::of(packed);
+            std::uint8_t* texel = texture_ + std::size_t{bled.index} * 4;
+            std::uint32_t shown;
+            std::memcpy(&shown, texel, 4);
+            std::memcpy(texel, &bled.rgba, 4);
+            bled.rgba = shown;
+            packed = bled.packed();
         }
     }
 
@@ -126,7 +133,9 @@ private:
                 reserve_counted(bleed.texels, larger, bleed.share, "bleeding the exported texture");
             if (status != TXC_STATUS_OK) return status;
         }
-        bleed.texels.push_back({index, {before[0], before[1], before[2], before[3]}});
+        BledTexel bled{index, 0};
+        std::memcpy(&bled.rgba, before, 4);
+        bleed.texels.push_back(bled.packed());
         return TXC_STATUS_OK;
     }
 
@@ -152,7 +161,7 @@ std::uint32_t bleed_reach(std::uint32_t width, std::uint32_t height) {
 }
 
 void Bleed::forget() {
-    texels = std::vector<BledTexel>();
+    texels = std::vector<std::uint64_t>();
     is_known = false;
     share.release();
 }
@@ -170,8 +179,7 @@ TxcStatus find_bleed(Target& target, MemoryBudget& budget) {
         target.bleed.forget();
         return status;
     }
-    std::vector<BledTexel>& texels = target.bleed.texels;
-    std::sort(texels.begin(), texels.end(), [](const BledTexel& a, const BledTexel& b) { return a.index < b.index; });
+    sort_keys(target.bleed.texels);
     target.bleed.is_known = true;
     return TXC_STATUS_OK;
 }
@@ -180,11 +188,13 @@ void read_bled_rows(const Target& target, std::uint32_t row, std::uint32_t row_c
     const std::uint32_t first = row * target.def.width;
     const std::uint32_t last = first + row_count * target.def.width;
     std::memcpy(out, target.output.levels[0].rgba.data() + std::size_t{first} * 4, std::size_t{last - first} * 4);
-    const std::vector<BledTexel>& texels = target.bleed.texels;
-    auto bled = std::lower_bound(texels.begin(), texels.end(), first,
-                                 [](const BledTexel& t, std::uint32_t index) { return t.index < index; });
-    for (; bled != texels.end() && bled->index < last; ++bled)
-        std::memcpy(out + std::size_t{bled->index - first} * 4, bled->rgba, 4);
+    const std::vector<std::uint64_t>& texels = target.bleed.texels;
+    auto packed = std::lower_bound(texels.begin(), texels.end(), BledTexel{first, 0}.packed());
+    for (; packed != texels.end(); ++packed) {
+        const BledTexel bled = BledTexel::of(*packed);
+        if (bled.index >= last) break;
+        std::memcpy(out + std::size_t{bled.index - first} * 4, &bled.rgba, 4);
+    }
 }
 
 }  // namespace txc

@@ -14,13 +14,19 @@ struct Target;
 /// A texel that the exported texture holds another colour at.
 struct BledTexel {
     std::uint32_t index;  // row-major
-    std::uint8_t rgba[4];
+    std::uint32_t rgba;   // as four bytes in memory
+
+    /// As a key to be sorted by the index.
+    std::uint64_t packed() const { return std::uint64_t{index} << 32 | rgba; }
+    static BledTexel of(std::uint64_t packed) {
+        return {static_cast<std::uint32_t>(packed >> 32), static_cast<std::uint32_t>(packed)};
+    }
 };
 
 /// A target's bled texels, ascending: found when an export first asks, void after the next update.
 struct Bleed {
     explicit Bleed(MemoryBudget& budget) : share(budget) {}
-    std::vector<BledTexel> texels;
+    std::vector<std::uint64_t> texels;  // packed
     bool is_known = false;
     BudgetShare share;
 

@@ -1,10 +1,10 @@
 #include "gltf_container.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
-#define JSON_NOEXCEPTION
-#include <nlohmann/json.hpp>
+#include "json_reader.h"
 
 namespace txc {
 namespace {
@@ -63,31 +63,38 @@ TxcStatus find_chunks(const std::uint8_t* bytes, std::uint32_t byte_count, Chunk
 }
 
 /// Follows the JSON text from value to value without keeping it.
-class DocumentCheck {
+class DocumentCheck final : public JsonEvents {
 public:
     DocumentCheck(bool glb, BudgetShare& share) : glb_(glb), share_(share), charged_(share.bytes()) {}
 
     TxcStatus status() const { return status_; }
 
-    bool null() { return take_value(); }
-    bool boolean(bool) { return take_value(); }
-    bool number_integer(std::int64_t) { return take_value(); }
-    bool number_unsigned(std::uint64_t value) { return take_value(&value); }
-    bool number_float(double, const std::string&) { return take_value(); }
-    bool string(std::string& value) { return take_value(nullptr, &value); }
-    bool binary(std::vector<std::uint8_t>&) { return take_value(); }
-    bool start_object(std::size_t) { return open(false); }
-    bool end_object() { return close(); }
-    bool start_array(std::size_t) { return open(true); }
-    bool end_array() { return close(); }
-    bool key(std::string& name) {
-        levels_.back().key = name;
-        return true;
+    bool Null() override { return take_value(); }
+    bool Bool(bool) override { return take_value(); }
+    bool Int(int value) override { return Int64(value); }
+    bool Uint(unsigned value) override { return Uint64(value); }
+    bool Int64(std::int64_t value) override {
+        const WholeNumber number{static_cast<std::uint64_t>(value), value < 0};
+        return take_value(&number);
     }
-    template <typename Exception>
-    bool parse_error(std::size_t position, const std::string&, const Exception&) {
-        status_ = fail(TXC_STATUS_BAD_MODEL, "the JSON is broken at its byte %zu", position);
-        return false;
+    bool Uint64(std::uint64_t value) override {
+        const WholeNumber number{value, false};
+        return take_value(&number);
+    }
+    bool Double(double) override { return take_value(); }
+    bool String(const char* letters, unsigned, bool) override { return take_value(nullptr, letters); }
+    bool StartObject() override { return open(false); }
+    bool EndObject(unsigned) override { return close(); }
+    bool StartArray() override { return open(true); }
+    bool EndArray(unsigned) override { return close(); }
+    bool Key(const char* letters, unsigned length, bool) override {
+        Level& object = levels_.back();
+        object.key.assign(letters, length);
+        // glTF forbids it, and of two values one parser takes the first, another the last.
+        if (!object.keys.insert(object.key).second) {
+            return stop(fail(TXC_STATUS_BAD_MODEL, "the JSON has the member %.40s twice in one object", letters));
+        }
+        return true;
     }
 
     /// The checks that need the whole document.
@@ -113,8 +120,13 @@ public:
 private:
     struct Level {
         bool is_array;
-        std::string key;          // of the member under way, in an object
-        std::uint32_t index = 0;  // of the element under way, in an array
+        std::string key;             // of the member under way, in an object
+        std::set<std::string> keys;  // of all its members so far
+        std::uint32_t index = 0;     // of the element under way, in an array
+    };
+    struct WholeNumber {
+        std::uint64_t bits;
+        bool is_negative;
     };
     struct Buffer {
         std::uint64_t byte_length = 0;
@@ -151,9 +163,8 @@ private:
             free_depth_ > 0 || (!levels_.empty() && !levels_.back().is_array &&
                                 (levels_.back().key == "extras" || levels_.back().key == "extensions"));
         if (is_free) ++free_depth_;
-        if (levels_.size() == 1 && is_array) forget_list(list);
         if (is_element) begin_element(list);
-        levels_.push_back({is_array, {}, 0});
+        levels_.push_back({is_array, {}, {}, 0});
         return charge(is_element && list == "materials" ? kMaterialBytes
                       : is_array && is_free             ? kFreeValueBytes
                       : is_array                        ? kValueBytes
@@ -167,7 +178,7 @@ private:
         return true;
     }
 
-    bool take_value(const std::uint64_t* number = nullptr, const std::string* letters = nullptr) {
+    bool take_value(const WholeNumber* number = nullptr, const char* letters = nullptr) {
         if (in_element() && !note_member(number, letters)) return false;
         step();
         return charge(free_depth_ > 0 ? kFreeValueBytes : kValueBytes);
@@ -177,35 +188,29 @@ private:
         if (!levels_.empty() && levels_.back().is_array) ++levels_.back().index;
     }
 
-    // A list that stands twice in the document counts as it stands last, as it does for the parser.
-    void forget_list(const std::string& list) {
-        if (list == "buffers") buffers_.clear();
-        if (list == "bufferViews") views_.clear();
-        if (list == "images") images_.clear();
-    }
-
     void begin_element(const std::string& list) {
         if (list == "buffers") buffers_.emplace_back();
         if (list == "bufferViews") views_.emplace_back();
         if (list == "images") images_.push_back(-1);
     }
 
-    bool note_member(const std::uint64_t* number, const std::string* letters) {
+    bool note_member(const WholeNumber* number, const char* letters) {
         const std::string& list = levels_[0].key;
         const std::string& member = levels_[2].key;
         const bool is_size = member == "byteLength" || member == "byteOffset" || member == "count";
-        if (is_size && number != nullptr && *number > kMaxBytes) {
+        const std::uint64_t size = number != nullptr && !number->is_negative ? number->bits : 0;
+        if (is_size && size > kMaxBytes) {
             return stop(fail(TXC_STATUS_BAD_MODEL, "%s[%u].%s is %llu, more than any file holds", list.c_str(),
-                             levels_[1].index, member.c_str(), static_cast<unsigned long long>(*number)));
+                             levels_[1].index, member.c_str(), static_cast<unsigned long long>(size)));
         }
         // tinygltf cuts other numbers down to an int.
-        const int index = number != nullptr ? static_cast<int>(*number) : -1;
+        const int index = number != nullptr ? static_cast<int>(number->bits) : -1;
         if (list == "buffers") {
-            if (member == "byteLength") buffers_.back().byte_length = number != nullptr ? *number : 0;
-            if (member == "uri") buffers_.back().has_uri = letters != nullptr && !letters->empty();
+            if (member == "byteLength") buffers_.back().byte_length = size;
+            if (member == "uri") buffers_.back().has_uri = letters != nullptr && letters[0] != 0;
         } else if (list == "bufferViews") {
             if (member == "buffer") views_.back().buffer = index;
-            if (member == "byteOffset") views_.back().byte_offset = number != nullptr ? *number : 0;
+            if (member == "byteOffset") views_.back().byte_offset = size;
         } else if (list == "images" && member == "bufferView") {
             images_.back() = index;
         }
@@ -252,9 +257,9 @@ TxcStatus check_gltf_container(const std::uint8_t* bytes, std::uint32_t byte_cou
         status != TXC_STATUS_OK)
         return status;
     DocumentCheck check(glb, share);
-    const bool parsed = nlohmann::json::sax_parse(chunks.json, chunks.json + chunks.json_length, &check);
+    const JsonResult parsed = read_json(reinterpret_cast<const char*>(chunks.json), chunks.json_length, check);
     if (check.status() != TXC_STATUS_OK) return check.status();
-    if (!parsed) return fail(TXC_STATUS_BAD_MODEL, "the JSON cannot be read");
+    if (!parsed.is_whole) return fail(TXC_STATUS_BAD_MODEL, "the JSON is broken at its byte %zu", parsed.place);
     return check.check_lists();
 }
 

@@ -1,16 +1,17 @@
 // Longer than other files here, for one reason: tinygltf stays behind this one file.
 #include "gltf_reader.h"
 
-// <fstream> must come before tinygltf's JSON: with JSON_NOEXCEPTION its own include order leaves std::ofstream incomplete.
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <glm/gtc/quaternion.hpp>
 #include <sstream>
 
+#include "tinygltf_json.h"
 #include "tinygltf_words.h"
 
-#define JSON_NOEXCEPTION
+#define TINYGLTF_USE_RAPIDJSON
+#define TINYGLTF_NO_INCLUDE_RAPIDJSON
 #define TINYGLTF_NOEXCEPTION
 #define TINYGLTF_NO_FS
 #define TINYGLTF_NO_STB_IMAGE

@@ -1,7 +1,8 @@
 #include "gutter.h"
 
 #include <algorithm>
-#include <tuple>
+
+#include "sorted_keys.h"
 
 namespace txc {
 
@@ -11,17 +12,22 @@ std::uint32_t default_gutter(std::uint32_t width, std::uint32_t height) {
 
 GutterSearch::GutterSearch(const CoverageBits& covered, std::uint32_t width, std::uint32_t height, std::uint32_t gutter)
     : covered_(covered), near_covered_(width, height), width_(width), height_(height), gutter_(gutter) {
+    constexpr std::int32_t kMiddle = 128;
+    static_assert(kMaxGutter < kMiddle);
     const auto reach = static_cast<std::int32_t>(gutter);
+    std::vector<std::uint64_t> ranks;
     for (std::int32_t dy = -reach; dy <= reach; ++dy) {
         for (std::int32_t dx = -reach; dx <= reach; ++dx) {
             const std::int32_t distance = dx * dx + dy * dy;
-            if (distance > 0 && distance <= reach * reach) places_.push_back({dx, dy});
+            if (distance == 0 || distance > reach * reach) continue;
+            ranks.push_back(static_cast<std::uint64_t>(distance) << 32 | static_cast<std::uint64_t>(dy * dy) << 16 |
+                            static_cast<std::uint64_t>(dy + kMiddle) << 8 | static_cast<std::uint64_t>(dx + kMiddle));
         }
     }
-    std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) {
-        const auto rank = [](const Place& p) { return std::tuple(p.dx * p.dx + p.dy * p.dy, p.dy * p.dy, p.dy, p.dx); };
-        return rank(a) < rank(b);
-    });
+    sort_keys(ranks);
+    for (const std::uint64_t rank : ranks)
+        places_.push_back(
+            {static_cast<std::int32_t>(rank & 0xff) - kMiddle, static_cast<std::int32_t>(rank >> 8 & 0xff) - kMiddle});
 }
 
 /// The texels of a row that may be gutter: not covered, with a covered one in the square around them.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sorted_keys.h"
+
 namespace txc {
 namespace {
 
@@ -14,6 +16,9 @@ constexpr double kAlong = 1e-6;
 /// Texels of a block's side, and from its centre to its furthest texel's, with room for rounding.
 constexpr double kBlock = 16.0;
 constexpr double kBlockRadius = 12.0;
+/// Distances to a block are rounded down to steps, texels.
+constexpr double kDistanceStep = 1.0 / 64.0;
+constexpr double kMostSteps = 4294967295.0;
 /// A bound that is compared leaves room for rounding: an edge too many is looked at, never one too few.
 constexpr double kBound = 1.0 - 1e-9;
 
@@ -89,25 +94,24 @@ void ZoneLook::come_to_block_of(const ZoneTexel& texel) {
     block_ = block;
     size_ = texel.size;
     edges_.clear();
+    nearest_.clear();
     crossing_.clear();
     const glm::dvec2 centre = (block + 0.5) * kBlock;
     const std::vector<glm::dvec2>& corners = zone_->corners;
     glm::dvec2 from = corners.back() * size_;
     for (std::uint32_t c = 0; c < corners.size(); ++c) {
         const glm::dvec2 to = corners[c] * size_;
-        Edge edge{from, to - from, to.y, 0.0, c};
+        const Edge edge{from, to - from, to.y};
         const glm::dvec2 left =
             centre - from - edge.way * share_of(glm::dot(centre - from, edge.way), glm::dot(edge.way, edge.way));
-        edge.distance = std::max(glm::length(left) * kBound - kBlockRadius, 0.0);
+        const double distance = std::max(glm::length(left) * kBound - kBlockRadius, 0.0);
+        nearest_.push_back(static_cast<std::uint64_t>(std::min(kMostSteps, distance / kDistanceStep)) << 32 | c);
         edges_.push_back(edge);
         if (std::max(from.y, to.y) >= centre.y - kBlock && std::min(from.y, to.y) <= centre.y + kBlock)
             crossing_.push_back(edge);
         from = to;
     }
-    // The corner tells edges of one distance apart, so that every library sorts alike.
-    std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) {
-        return a.distance != b.distance ? a.distance < b.distance : a.corner < b.corner;
-    });
+    sort_keys(nearest_);
 }
 
 double ZoneLook::polygon_inset(const ZoneTexel& texel) {
@@ -121,9 +125,10 @@ double ZoneLook::polygon_inset(const ZoneTexel& texel) {
     // A texel's way is at least this long on the surface.
     const double shortest = texel.metric.shortest() * kBound;
     double nearest = kFar;
-    for (const Edge& edge : edges_) {
-        const double least = edge.distance * shortest;
+    for (const std::uint64_t key : nearest_) {
+        const double least = static_cast<double>(key >> 32) * kDistanceStep * shortest;
         if (least * least > nearest) break;
+        const Edge& edge = edges_[static_cast<std::uint32_t>(key)];
         const glm::dvec2 way = texel.place - edge.from;
         const double share = share_of(texel.metric.dot(way, edge.way), texel.metric.dot(edge.way, edge.way));
         const glm::dvec2 left = way - edge.way * share;

@@ -54,10 +54,8 @@ public:
 
 private:
     struct Edge {
-        glm::dvec2 from, way;   // texels
-        double to_y;            // of its end: the next edge begins at the very same
-        double distance = 0.0;  // texels from any texel of the block, or fewer
-        std::uint32_t corner = 0;
+        glm::dvec2 from, way;  // texels
+        double to_y;           // of its end: the next edge begins at the very same
     };
 
     void come_to_block_of(const ZoneTexel& texel);
@@ -65,10 +63,11 @@ private:
     double box_inset(const ZoneTexel& texel) const;
 
     const PrintZone* zone_;
-    glm::dvec2 block_{-1.0};      // of kBlock x kBlock texels, counted from the texture's corner
-    glm::dvec2 size_{0.0};        // the texture's, that the edges are in
-    std::vector<Edge> edges_;     // by distance
-    std::vector<Edge> crossing_;  // those that reach into the block's rows
+    glm::dvec2 block_{-1.0};              // of kBlock x kBlock texels, counted from the texture's corner
+    glm::dvec2 size_{0.0};                // the texture's, that the edges are in
+    std::vector<Edge> edges_;             // in the size, corner by corner
+    std::vector<std::uint64_t> nearest_;  // the edges' distances to the block above their places, ascending
+    std::vector<Edge> crossing_;          // those that reach into the block's rows
 };
 
 /// Looks at several zones, in their order.

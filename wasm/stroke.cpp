@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "sorted_keys.h"
+
 namespace txc {
 namespace {
 
@@ -59,12 +61,11 @@ public:
         if (const TxcStatus status = make_room(tiles_, to); status != TXC_STATUS_OK) return status;
         tiles_.indices.resize(to);
         tiles_.texels.resize(to * kTileValues);
-        std::vector<std::uint32_t> order(fresh_count);
-        for (std::uint32_t i = 0; i < fresh_count; ++i) order[i] = i;
-        std::sort(order.begin(), order.end(),
-                  [this](std::uint32_t a, std::uint32_t b) { return fresh_.indices[a] < fresh_.indices[b]; });
+        std::vector<std::uint64_t> order(fresh_count);  // tile above place
+        for (std::uint32_t i = 0; i < fresh_count; ++i) order[i] = std::uint64_t{fresh_.indices[i]} << 32 | i;
+        sort_keys(order);
         for (std::size_t next = fresh_count; next > 0;) {
-            const std::uint32_t fresh = order[next - 1];
+            const auto fresh = static_cast<std::uint32_t>(order[next - 1]);
             --to;
             if (old_count > 0 && tiles_.indices[old_count - 1] > fresh_.indices[fresh]) {
                 --old_count;

@@ -43,7 +43,7 @@ const CLANG_FORMAT = {
 const DEBIAN_HEADERS = [
   { header: "/usr/include/glm/glm.hpp", debian: "libglm-dev" },
   { header: "/usr/include/tiny_gltf.h", debian: "libtinygltf-dev" },
-  { header: "/usr/include/nlohmann/json.hpp", debian: "nlohmann-json3-dev" },
+  { header: "/usr/include/rapidjson/document.h", debian: "rapidjson-dev" },
   { header: "/usr/include/doctest/doctest.h", debian: "doctest-dev" },
 ];
 

@@ -149,7 +149,7 @@ TEST_CASE("Any member may be missing") {
     }
 }
 
-TEST_CASE("A member may be there twice") {
+TEST_CASE("A member that is there twice is refused by name") {
     GlbBuilder glb = make_everything();
     const std::string json = glb.json();
     const JsonSpans spans(json);
@@ -158,8 +158,23 @@ TEST_CASE("A member may be there twice") {
         const std::string member = json.substr(span.member_begin, span.end - span.member_begin);
         const std::string changed = json.substr(0, span.end) + "," + member + json.substr(span.end);
         CAPTURE(changed);
-        check_survived(try_read(GlbBuilder::pack(changed, glb.binary())));
+        const ReadModel model = try_read(GlbBuilder::pack(changed, glb.binary()));
+        CHECK(model.status == TXC_STATUS_BAD_MODEL);
+        CHECK_UNARY(model.detail.find("twice in one object") != std::string::npos);
     }
+}
+
+TEST_CASE("A negative number that tinygltf cuts down to another is refused or unused, never read") {
+    GlbBuilder glb = make_model(make_plane());
+    const int view = glb.add("bufferViews", R"({"buffer":-0,"byteOffset":4000000000,"byteLength":4})");
+    glb.add("images", text(R"({"bufferView":%lld,"mimeType":"image/png"})", view - 4294967296ll));
+    CHECK(try_read(glb.glb()).status == TXC_STATUS_BAD_MODEL);
+}
+
+TEST_CASE("An address that begins with a zero letter is none") {
+    GlbBuilder glb = make_model(make_plane());
+    glb.set("buffers", R"([{"byteLength":144},{"byteLength":144,"uri":"\u0000x"}])");
+    CHECK(try_read(glb.glb()).status == TXC_STATUS_BAD_MODEL);
 }
 
 TEST_CASE("A text cut short anywhere is survived") {
