@@ -38,6 +38,15 @@ export const toolOptionsStyles = css`
   .often tc-number.long {
     width: 7.5rem;
   }
+  /* A finger's letters are larger: the number has room beside its label and its unit. */
+  @media (pointer: coarse) and (min-width: 721px) {
+    .often tc-number {
+      width: 7.5rem;
+    }
+    .often tc-number.long {
+      width: 8.5rem;
+    }
+  }
   .often .check {
     padding-inline: var(--space-2);
   }

@@ -120,7 +120,10 @@ export class FileCommands {
     try {
       const bytes = await this.#fetchModel(demo.model, demo.name, demos.page);
       const source = { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes };
-      const design = await library.adopt(parseDesign(demo.design, demo.name), { path: demo.name, baseUrl: demos.url });
+      const parsed = parseDesign(demo.design, demo.name);
+      const { named } = board.strings;
+      const layers = parsed.layers.map((layer) => ({ ...layer, name: named(layer.name) }));
+      const design = await library.adopt({ ...parsed, layers }, { path: demo.name, baseUrl: demos.url });
       await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotOpen(demo.name), thrown);
