@@ -1,37 +1,38 @@
-/** What the package weighs, as a web server sends it: bytes after gzip. README's table has the figures of the day. */
-import { readFileSync } from "node:fs";
+/** What the package weighs, as a web server sends it, held by size-limit: .size-limit.mjs has the budgets. */
+import { execFile } from "node:child_process";
 import { join } from "node:path";
-import { gzipSync } from "node:zlib";
-import { afterAll, beforeAll, expect, test } from "vitest";
-import { type InstalledPackage, installPackage } from "./support/installed.ts";
+import { promisify } from "node:util";
+import { beforeAll, expect, test } from "vitest";
+import { CHECKOUT } from "./support/installed.ts";
 
-const DIST = "/node_modules/texelcast/dist";
-/** Thousand bytes. */
-const KB = 1000;
-
-let installed: InstalledPackage;
-beforeAll(async () => {
-  installed = await installPackage();
-});
-afterAll(() => installed?.remove());
-
-const gzipped = (path: string): number => gzipSync(readFileSync(join(installed.folder, path)), { level: 9 }).length;
-
-/** A script and all that it imports at once, each file once. */
-function withImports(path: string, seen = new Set<string>()): Set<string> {
-  if (seen.has(path)) return seen;
-  seen.add(path);
-  const source = readFileSync(join(installed.folder, path), "utf8");
-  for (const [, name] of source.matchAll(/(?:from|import)\s*"\.\/([\w-]+\.js)"/g)) withImports(`${DIST}/${name}`, seen);
-  return seen;
+interface Weighed {
+  readonly name: string;
+  readonly passed: boolean;
+  readonly size: number;
 }
 
-const sum = (paths: Iterable<string>): number => [...new Set(paths)].reduce((bytes, path) => bytes + gzipped(path), 0);
-
-test("the shop's side of the iframe is at most 10 kB", () => {
-  expect(sum(withImports(`${DIST}/embed.js`))).toBeLessThanOrEqual(10 * KB);
+let weighed: readonly Weighed[];
+beforeAll(async () => {
+  const script = join(CHECKOUT, "node_modules/size-limit/bin.js");
+  // It ends with 1 where a budget is broken, and tells which all the same.
+  const run = promisify(execFile)(process.execPath, [script, "--json"], { cwd: CHECKOUT });
+  const { stdout } = await run.catch((ended: { stdout?: string }) => {
+    if (!ended.stdout) throw ended;
+    return { stdout: ended.stdout };
+  });
+  weighed = JSON.parse(stdout) as readonly Weighed[];
 });
 
-test("the root import is at most 1 kB", () => {
-  expect(sum(withImports(`${DIST}/index.js`))).toBeLessThanOrEqual(KB);
+test.each([
+  "element and engine, until the shop's product is shown",
+  "a design on it, or zones: the desk",
+  "a design on it: reading and checking",
+  "the first touch, beside the desk",
+  "the engine's WebAssembly",
+  "the shop's side of the iframe",
+  "the root import",
+])("%s: within the budget", (name) => {
+  const found = weighed.find((each) => each.name === name);
+  expect(found, `size-limit weighs “${name}”`).toBeDefined();
+  expect(found?.passed, `${found?.size} bytes`).toBe(true);
 });

@@ -1,6 +1,5 @@
 /** A model's parts as the user knows them: one for each mesh, named by its node, and by its material where one node has several. */
-import type { ModelScene } from "./model-scene.ts";
-import { shapedMeshes } from "./resting-surface.ts";
+import { type ModelScene, shapedMeshes } from "./model-scene.ts";
 import type { GuideEntry, ModelPart } from "./viewer-api.ts";
 
 /** Part numbers are places in `shapedMeshes`. */

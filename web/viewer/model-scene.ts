@@ -1,5 +1,5 @@
 /** A model's bytes as a three.js scene, with the glTF material index of every three.js material. */
-import { type AnimationClip, type Group, type Material, Mesh, type MeshStandardMaterial } from "three";
+import { type AnimationClip, type Group, type Material, Mesh, type MeshStandardMaterial, Vector3 } from "three";
 import { type GLTF, GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo } from "../engine/engine-api.ts";
@@ -67,6 +67,27 @@ export function meshesOf(root: Group): Mesh[] {
     }
   });
   return meshes;
+}
+
+/** The meshes of a scene that have a shape, in its order: what part numbers count. */
+export function shapedMeshes(scene: ModelScene): Mesh[] {
+  return meshesOf(scene.root).filter((mesh) => mesh.geometry.getAttribute("position") !== undefined);
+}
+
+/** Where the scene's vertices are, metres, three numbers each, as it stands now. */
+export function positionsOf(scene: ModelScene): Float32Array {
+  scene.root.updateMatrixWorld(true);
+  const meshes = shapedMeshes(scene);
+  const count = meshes.reduce((sum, { geometry }) => sum + geometry.getAttribute("position").count, 0);
+  const positions = new Float32Array(count * 3);
+  const vertex = new Vector3();
+  let at = 0;
+  for (const mesh of meshes) {
+    for (let index = 0; index < mesh.geometry.getAttribute("position").count; index++, at += 3) {
+      mesh.getVertexPosition(index, vertex).applyMatrix4(mesh.matrixWorld).toArray(positions, at);
+    }
+  }
+  return positions;
 }
 
 /** Three's own names are made unique and fit for its animation paths; the file's are what the user gave. */

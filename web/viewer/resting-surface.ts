@@ -14,7 +14,7 @@ import {
   Vector2,
   Vector3,
 } from "three";
-import { type ModelScene, meshesOf } from "./model-scene.ts";
+import { type ModelScene, shapedMeshes } from "./model-scene.ts";
 
 /** Flags of a triangle, to be combined. */
 export const DOUBLE_SIDED = 1;
@@ -40,7 +40,7 @@ export interface RestingSurface {
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** Gathers all meshes of a scene whose materials still carry the model's own textures. The scene must be at rest. */
+/** Gathers all meshes of a scene whose materials carry the model's textures, or live ones with their settings. The scene must be at rest. */
 export function gatherRestingSurface(scene: ModelScene): RestingSurface {
   scene.root.updateMatrixWorld(true);
   const meshes = shapedMeshes(scene);
@@ -80,11 +80,6 @@ export function gatherRestingSurface(scene: ModelScene): RestingSurface {
     firstTriangle = end;
   }
   return surface;
-}
-
-/** The meshes of a scene that have a shape, in its order: what `meshOfTriangle` counts. */
-export function shapedMeshes(scene: ModelScene): Mesh[] {
-  return meshesOf(scene.root).filter((mesh) => mesh.geometry.getAttribute("position") !== undefined);
 }
 
 /** Writes where the scene's vertices are now, as an animation has posed them: in the order of `gatherRestingSurface`. */

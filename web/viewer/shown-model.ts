@@ -6,7 +6,7 @@ import type { ModelScene } from "./model-scene.ts";
 import type { PaintedMaterials } from "./painted-materials.ts";
 import { PosedSurface } from "./posed-surface.ts";
 import type { ViewPoint } from "./projector-align.ts";
-import { DOUBLE_SIDED, type RestingSurface, triangleSubset } from "./resting-surface.ts";
+import { DOUBLE_SIDED, gatherRestingSurface, type RestingSurface, triangleSubset } from "./resting-surface.ts";
 import type { StillModel } from "./still-model.ts";
 import { type SurfaceChart, SurfaceCharts } from "./surface-charts.ts";
 import { SurfaceQuery, type SurfaceSample } from "./surface-query.ts";
@@ -35,7 +35,7 @@ export class ShownModel {
     const { scene } = still;
     this.#still = still;
     this.scene = scene;
-    this.#surface = still.surface;
+    this.#surface = gatherRestingSurface(scene);
     this.bounds = still.bounds;
     this.parts = still.parts;
     this.materials = still.materials;

@@ -1,16 +1,16 @@
-/** A model as it is shown: its scene, its surface at rest, its materials. */
+/** A model as it is shown: its scene, its bounds, its materials. */
 import type { Box3, WebGLRenderer } from "three";
 import { boundsOf } from "./camera-framing.ts";
 import { partsOf } from "./model-parts.ts";
-import type { ModelScene } from "./model-scene.ts";
+import { type ModelScene, positionsOf, shapedMeshes } from "./model-scene.ts";
 import { PaintedMaterials } from "./painted-materials.ts";
-import { gatherRestingSurface, type RestingSurface, shapedMeshes } from "./resting-surface.ts";
 import { HIDDEN_LAYER, MODEL_LAYER } from "./view-layers.ts";
 import type { ModelPart } from "./viewer-api.ts";
 
 export class StillModel {
   readonly scene: ModelScene;
-  readonly surface: RestingSurface;
+  /** Vertices at rest, three numbers each. */
+  readonly positions: Float32Array;
   readonly bounds: Box3;
   readonly parts: readonly ModelPart[];
   readonly materials: PaintedMaterials;
@@ -18,15 +18,10 @@ export class StillModel {
 
   constructor(renderer: WebGLRenderer, scene: ModelScene) {
     this.scene = scene;
-    this.surface = gatherRestingSurface(scene);
-    this.bounds = boundsOf(this.surface.positions);
+    this.positions = positionsOf(scene);
+    this.bounds = boundsOf(this.positions);
     this.parts = partsOf(scene);
     this.materials = new PaintedMaterials(renderer, scene);
-  }
-
-  /** Vertices at rest, three numbers each. */
-  get positions(): Float32Array {
-    return this.surface.positions;
   }
 
   /** Parts that are not drawn. */

@@ -1,0 +1,17 @@
+/** The package's budgets, for `npx size-limit`, after `npm run package`: bytes after gzip, three.js apart. */
+import { join } from "node:path";
+import { DIST, shopStages, withImports } from "./scripts/package/stages.mjs";
+
+const { shown, desk, design, touch } = shopStages();
+const scripts = (names) => [...names].map((name) => join(DIST, name));
+const budget = (name, path, limit) => ({ name, path, limit, gzip: true });
+
+export default [
+  budget("element and engine, until the shop's product is shown", scripts(shown), "60 kB"),
+  budget("a design on it, or zones: the desk", scripts(desk), "22 kB"),
+  budget("a design on it: reading and checking", scripts(design), "22 kB"),
+  budget("the first touch, beside the desk", scripts(touch), "75 kB"),
+  budget("the engine's WebAssembly", [join(DIST, "assets/texelcast.wasm")], "150 kB"),
+  budget("the shop's side of the iframe", scripts(withImports("embed.js")), "10 kB"),
+  budget("the root import", scripts(withImports("index.js")), "1 kB"),
+];
