@@ -33,7 +33,9 @@ afterAll(async () => {
 
 /** Scripts of the package among what was served, in order. */
 const scripts = (): string[] =>
-  server.served.filter((path) => path.startsWith(`${DIST}/`) && path.endsWith(".js")).map((path) => path.slice(DIST.length + 1));
+  server.served
+    .filter((path) => path.startsWith(`${DIST}/`) && path.endsWith(".js"))
+    .map((path) => path.slice(DIST.length + 1));
 
 async function openShop(): Promise<{ page: Page; complaints: string[] }> {
   const opened = await openPage(browser, `${server.origin}/shop.html`);
@@ -42,13 +44,12 @@ async function openShop(): Promise<{ page: Page; complaints: string[] }> {
   return opened;
 }
 
-test("until the product is touched nothing is loaded but what shows it; a press before the hands are there selects all the same", async () => {
+test("until the product is touched nothing is loaded but what shows it, and then what takes hold of it", async () => {
   const { page, complaints } = await openShop();
   const { shown, touch } = shopStages();
   const before = scripts();
   expect(before.toSorted()).toEqual([...shown].toSorted());
 
-  // The pointer comes and presses in one go; what takes hold of the view arrives after it.
   await page.evaluate(async (logo) => {
     const editor = document.querySelector("texelcast-editor");
     await editor?.addDecal(logo);
@@ -75,7 +76,9 @@ test("a drag that begins before there are hands turns the product when they come
   await page.mouse.move(box.x + box.width * 0.1, box.y + box.height * 0.8);
   await page.mouse.down();
   await page.mouse.move(box.x + box.width * 0.5, box.y + box.height * 0.8, { steps: 3 });
-  await expect.poll(() => server.served.slice(held).some((path) => path.endsWith(hand)), { timeout: 20_000 }).toBe(true);
+  await expect
+    .poll(() => server.served.slice(held).some((path) => path.endsWith(hand)), { timeout: 20_000 })
+    .toBe(true);
   await page.waitForLoadState("networkidle");
   await expect.poll(snapshot, { timeout: 20_000 }).not.toBe(still);
   await page.mouse.up();

@@ -10,7 +10,6 @@ import { Session } from "../core/session.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { type CoreSource, loadCore } from "../core/wasm-module.ts";
 import { aboutFile } from "./about-file.ts";
-import { coreZones } from "./core-zones.ts";
 import { DrawnOnDemand } from "./drawn-on-demand.ts";
 import type {
   Engine,
@@ -65,6 +64,7 @@ export class EngineHost implements Engine {
   #fontsComing = false;
 
   #zones: PrintZones | null = null;
+  #zoneWork: typeof import("./zone-work.ts") | null = null;
   #layers: readonly EngineLayer[] = [];
   #revision = 0;
   /** The newest layers (or what they refer to) were not drawn yet. */
@@ -292,8 +292,10 @@ export class EngineHost implements Engine {
   }
 
   setZones(zones: PrintZones | null): Promise<void> {
-    return this.#enqueue((session) => {
-      const { zones: core, corners } = coreZones(zones ?? NO_ZONES);
+    return this.#enqueue(async (session) => {
+      this.#zoneWork ??= await import("./zone-work.ts");
+      this.#checkAlive();
+      const { zones: core, corners } = this.#zoneWork.coreZones(zones ?? NO_ZONES);
       session.setZones(core, corners);
       this.#zones = zones;
       this.#markStale();
@@ -446,7 +448,7 @@ export class EngineHost implements Engine {
     return {
       imageOf: (asset) => this.#drawn.imageOf(asset) ?? this.#images.get(asset),
       resolve: (layers, target) => this.#drawn.resolve(layers, session, target, report),
-      zones: this.#zones,
+      clipping: this.#zones && this.#zoneWork && { zones: this.#zones, Clip: this.#zoneWork.ZoneClip },
     };
   }
 

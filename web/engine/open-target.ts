@@ -24,7 +24,7 @@ import type { LoadedModel } from "./model-loader.ts";
 import type { PrintZones } from "./print-zones.ts";
 import type { RasterTarget } from "./raster-size.ts";
 import { texelsPerMetre } from "./texel-density.ts";
-import { ZoneClip } from "./zone-clip-picture.ts";
+import type { ZoneClip } from "./zone-clip-picture.ts";
 
 /** Texels of the bake's first step; later ones aim at the times below. */
 const FIRST_STEP = 1 << 17;
@@ -64,8 +64,8 @@ export interface TargetPictures {
   readonly imageOf: (asset: string) => ImageHandle | undefined;
   /** Gives drawings and words the keys of images that were drawn for this target. */
   readonly resolve: (layers: readonly EngineLayer[], target: () => RasterTarget) => readonly EngineLayer[];
-  /** The session's zones; null: none. */
-  readonly zones: PrintZones | null;
+  /** The session's zones, and what cuts layers off at them; null: none. */
+  readonly clipping: { readonly zones: PrintZones; readonly Clip: typeof ZoneClip } | null;
 }
 
 export class OpenTarget {
@@ -74,7 +74,8 @@ export class OpenTarget {
   readonly factorBaked: boolean;
   readonly #target: Target;
   readonly #layers: LayerSync;
-  readonly #clip: ZoneClip;
+  readonly #makeClip: (Clip: typeof ZoneClip) => ZoneClip;
+  #clip: ZoneClip | null = null;
   #raster: RasterTarget | null;
 
   private constructor(
@@ -88,7 +89,7 @@ export class OpenTarget {
     this.info = info;
     this.factorBaked = factorBaked;
     this.#raster = window?.raster ?? null;
-    this.#clip = new ZoneClip(session, target, info, window);
+    this.#makeClip = (Clip) => new Clip(session, target, info, window);
     const triangles = new FillTriangles(() => session.materialUvs(info.material));
     this.#layers = new LayerSync(target, (layer) => {
       if (layer.type === "stroke") return { ...NO_DETAILS, dabs: layer.dabs };
@@ -153,7 +154,7 @@ export class OpenTarget {
 
   /** Gives back what the target keeps in the session beside itself: for one that ended with its model. */
   forgetImages(): void {
-    this.#clip.forget();
+    this.#clip?.forget();
   }
 
   /** What decides how many pixels a drawing gets here. */
@@ -183,7 +184,12 @@ export class OpenTarget {
     const { material } = this.info;
     const own = layersOnMaterial(layers, material);
     const drawn = pictures.resolve(own, () => this.raster);
-    const { layers: clipped, imageOf } = this.#clip.apply(drawn, pictures.zones, pictures.imageOf);
+    const { clipping } = pictures;
+    if (clipping !== null) this.#clip ??= this.#makeClip(clipping.Clip);
+    const { layers: clipped, imageOf } = this.#clip?.apply(drawn, clipping?.zones ?? null, pictures.imageOf) ?? {
+      layers: drawn,
+      imageOf: pictures.imageOf,
+    };
     this.#layers.apply(clipped, { imageOf, report });
     const update = this.#target.update();
     if (update.rects.length === 0) return null;

@@ -8,6 +8,7 @@ import { compileCodec } from "./codec-wasm.ts";
 import type { Picture } from "./engine-api.ts";
 import { orientPixels } from "./exif-orientation.ts";
 import { badPicture, type PictureFormat, readPictureHeader } from "./picture-header.ts";
+import { decodePng } from "./png-codec.ts";
 
 export { type PictureHeader, readPictureHeader } from "./picture-header.ts";
 
@@ -78,10 +79,8 @@ const jpegCodec = new EmscriptenCodec("jpeg", () => import("@jsquash/jpeg/decode
 const webpCodec = new EmscriptenCodec("webp", () => import("@jsquash/webp/decode.js"));
 
 const DECODERS: Readonly<Record<PictureFormat, (bytes: Uint8Array) => Promise<Uint8Array<ArrayBuffer>>>> = {
-  png: async (bytes) => {
-    const { decodePng } = await import("./png-codec.ts");
-    return pixelsOf(await decodePng(bytes));
-  },
+  // A model's own texture is a PNG as a rule: its codec's glue comes with the engine, and its module is loaded all the same.
+  png: async (bytes) => pixelsOf(await decodePng(bytes)),
   jpeg: (bytes) => jpegCodec.decode(bytes),
   webp: (bytes) => webpCodec.decode(bytes),
 };
