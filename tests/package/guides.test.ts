@@ -7,7 +7,7 @@ import { join } from "node:path";
 import type { Browser, Frame, Page } from "@playwright/test";
 import { build as bundle } from "esbuild";
 import { build } from "vite";
-import { afterAll, beforeAll, expect, test } from "vitest";
+import { afterAll, beforeAll, expect, test, vi } from "vitest";
 import { type DesignsServer, startDesignsServer } from "./support/designs-server.ts";
 import { STORY_FILES } from "./support/engine-story.ts";
 import { guideFiles, looseFences } from "./support/guide.ts";
@@ -22,6 +22,9 @@ import {
   serveFolder,
 } from "./support/serve.ts";
 import { htmlOfPhp, renderSection } from "./support/theme.ts";
+
+// Each is a whole product page, its finished texture and its print file, with graphics drawn in software.
+vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
 
 const FILES = guideFiles();
 const VARIANT = 4471;
@@ -108,6 +111,7 @@ beforeAll(async () => {
       logLevel: "error",
     });
   }
+  await buildFrameworks(folder);
   browser = await openBrowser();
 });
 afterAll(async () => {
@@ -118,20 +122,42 @@ afterAll(async () => {
   installed?.remove();
 });
 
-/** Puts a picture on the mug; gives the hash of the texture that the customer then sees. */
-const personalise = (place: Page | Frame): Promise<string> =>
-  place.evaluate(async () => {
-    type Editor = HTMLElement & {
-      start(): Promise<void>;
-      addDecal(source: string): Promise<string>;
-      exportTexture(): Promise<{ sha256: string }>;
-    };
+/** React's page and Vue's in one build: Vue's settings are those of React and its compiler. */
+async function buildFrameworks(folder: string): Promise<void> {
+  const outDir = join(folder, "built");
+  const entries = { react: "/react/main.jsx", vue: "/vue/main.js" };
+  for (const [name, script] of Object.entries(entries)) {
+    const body = `<div id="product"></div><script type="module" src="${script}"></script>`;
+    addShopFiles(folder, { [`${name}.html`]: page(name, body) });
+  }
+  const input = Object.keys(entries).map((name) => join(folder, `${name}.html`));
+  await build({
+    root: folder,
+    configFile: join(folder, "vue/vite.config.js"),
+    logLevel: "error",
+    build: { outDir, target: "es2022", rolldownOptions: { input } },
+  });
+  addShopFiles(outDir, { ...STORY_FILES, "favicon.ico": "" });
+}
+
+/** Puts a picture on the mug; gives the hash of what the customer then hands in, once that happened. */
+async function personalise(opened: Page, place: Page | Frame): Promise<() => string> {
+  let approved = "";
+  await opened.exposeFunction("noteApproved", (sha256: string) => {
+    approved = sha256;
+  });
+  await place.evaluate(async () => {
+    type Editor = HTMLElement & { start(): Promise<void>; addDecal(source: string): Promise<string> };
+    type Handed = CustomEvent<{ texture: { sha256: string } }>;
+    const { noteApproved } = globalThis as unknown as { noteApproved: (sha256: string) => void };
     await customElements.whenDefined("texelcast-editor");
     const editor = document.querySelector("texelcast-editor") as Editor;
+    editor.addEventListener("submit", (event) => noteApproved((event as unknown as Handed).detail.texture.sha256));
     await editor.start();
     await editor.addDecal("/logo.png");
-    return (await editor.exportTexture()).sha256;
   });
+  return () => approved;
+}
 
 /** The framed editor, when it has answered. */
 async function framed(opened: Page): Promise<Frame> {
@@ -151,11 +177,11 @@ async function printedHash(design: string): Promise<string> {
 
 /** The editor's own button, then the id that the page got for the order: what was approved is what the server prints. */
 async function expectApproved(opened: Page, place: Page | Frame): Promise<void> {
-  const approved = await personalise(place);
+  const approved = await personalise(opened, place);
   await opened.getByText("Prints: 1").waitFor();
   await place.locator("texelcast-editor [part~=submit-button]").click();
   await opened.locator("[name=buy]:enabled").waitFor({ timeout: 30_000 });
-  expect(await printedHash(await opened.locator("[name=design]").inputValue())).toBe(approved);
+  expect(await printedHash(await opened.locator("[name=design]").inputValue())).toBe(approved());
 }
 
 test("plain HTML: what the customer approved is what the guide's server prints, under a strict policy", async () => {
@@ -179,36 +205,23 @@ test("plain HTML with an import map shows the mug with the page's own three.js",
   await opened.close();
 });
 
-test("React and Vue, built by Vite: what the customer approved is what the guide's server prints", async () => {
-  const { folder } = installed;
-  const outDir = join(folder, "built");
-  const entries = { react: "/react/main.jsx", vue: "/vue/main.js" };
-  for (const [name, script] of Object.entries(entries)) {
-    const body = `<div id="product"></div><script type="module" src="${script}"></script>`;
-    addShopFiles(folder, { [`${name}.html`]: page(name, body) });
-  }
-  // Vue's settings are those of React and its compiler.
-  await build({
-    root: folder,
-    configFile: join(folder, "vue/vite.config.js"),
-    logLevel: "error",
-    build: {
-      outDir,
-      target: "es2022",
-      rolldownOptions: { input: Object.keys(entries).map((name) => join(folder, `${name}.html`)) },
-    },
-  });
-  addShopFiles(outDir, { ...STORY_FILES, "favicon.ico": "" });
-  const server = await serveFolder(outDir, {}, "localhost", passOn("/designs", designs.port));
-  for (const name of Object.keys(entries)) {
+test.each(["react", "vue"])(
+  "%s, built by Vite: what the customer approved is what the guide's server prints",
+  async (name) => {
+    const server = await serveFolder(
+      join(installed.folder, "built"),
+      {},
+      "localhost",
+      passOn("/designs", designs.port),
+    );
     const { page: opened, complaints } = await openPage(browser, `${server.origin}/${name}.html`);
     await opened.locator("texelcast-editor").waitFor({ state: "attached" });
     await expectApproved(opened, opened);
     expect(complaints).toEqual([]);
     await opened.close();
-  }
-  await server.stop();
-});
+    await server.stop();
+  },
+);
 
 test("the iframe of another origin: what the customer approved is what the guide's server prints", async () => {
   const { page: opened, complaints } = await openPage(browser, `${shop.origin}/framed.html`);
@@ -219,22 +232,26 @@ test("the iframe of another origin: what the customer approved is what the guide
 
 test("Shopify's section puts the design's id and the approved hash into the cart line's properties", async () => {
   const { page: opened, complaints } = await openPage(browser, `${shop.origin}/shopify.html`);
-  const approved = await personalise(await framed(opened));
+  const approved = await personalise(opened, await framed(opened));
   await opened.getByLabel("Pieces").fill("3");
   await opened.getByRole("button", { name: "Add to cart" }).click();
   await opened.waitForURL(`${shop.origin}/cart`);
   const [{ items }] = carted.splice(0) as [{ items: [{ properties: { _design: string } }] }];
   expect(items).toEqual([
-    { id: VARIANT, quantity: 3, properties: { _design: expect.any(String), _approved: approved, Personalised: "Yes" } },
+    {
+      id: VARIANT,
+      quantity: 3,
+      properties: { _design: expect.any(String), _approved: approved(), Personalised: "Yes" },
+    },
   ]);
-  expect(await printedHash(items[0].properties._design)).toBe(approved);
+  expect(await printedHash(items[0].properties._design)).toBe(approved());
   expect(complaints).toEqual([]);
   await opened.close();
 });
 
 test("WooCommerce's plugin is PHP, and its page and script send the design's id with the product's form", async () => {
   const { page: opened, complaints } = await openPage(browser, `${shop.origin}/woocommerce.html`);
-  const approved = await personalise(await framed(opened));
+  const approved = await personalise(opened, await framed(opened));
   await opened.getByRole("button", { name: "Add to cart" }).click();
   await opened.waitForURL(`${shop.origin}/woocommerce/cart`);
   const [sent] = carted.splice(0) as [{ texelcast_design: string }];
@@ -242,7 +259,7 @@ test("WooCommerce's plugin is PHP, and its page and script send the design's id 
   // What the plugin takes for an id.
   const [, id = ""] = /TEXELCAST_ID = '\/(.*)\/'/.exec(FILES["texelcast.php"] ?? "") ?? [];
   expect(sent.texelcast_design).toMatch(new RegExp(id));
-  expect(await printedHash(sent.texelcast_design)).toBe(approved);
+  expect(await printedHash(sent.texelcast_design)).toBe(approved());
   expect(complaints).toEqual([]);
   await opened.close();
 });
