@@ -5,6 +5,8 @@ import type { GuideEntry } from "./viewer-api.ts";
 const SVG = "http://www.w3.org/2000/svg";
 /** Width of a letter and height of a line, pixels; a name that does not fit is left out. */
 const LETTER = 6;
+/** Of a part's name, which is bold. */
+const PART_LETTER = 7;
 const LINE = 15;
 const PADDING = 4;
 
@@ -69,7 +71,7 @@ export class TextureGuide {
     for (const { name, uv, text } of this.#parts) {
       const { x: left } = camera.pixelOf([uv[0], uv[1]]);
       const { x: right, y: bottom } = camera.pixelOf([uv[2], uv[3]]);
-      text.textContent = name.length * LETTER <= right - left ? name : "";
+      text.textContent = name.length * PART_LETTER <= right - left ? name : "";
       text.setAttribute("x", ((left + right) / 2).toFixed(1));
       text.setAttribute("y", (bottom - LINE / 2).toFixed(1));
     }
