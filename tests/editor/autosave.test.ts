@@ -1,3 +1,4 @@
+import { createHash } from "node:crypto";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { type Design, emptyDesign } from "../../web/editor/document/index.ts";
@@ -69,9 +70,12 @@ function page() {
 
 beforeEach(() => {
   vi.useFakeTimers();
-  // As on a page by plain http: no digest from another thread, for which a stopped clock would not wait.
+  // A digest at once: for one from another thread, or for code that is loaded, a stopped clock would not wait.
   const { crypto } = globalThis;
-  vi.stubGlobal("crypto", { getRandomValues: (array: Uint8Array<ArrayBuffer>) => crypto.getRandomValues(array) });
+  vi.stubGlobal("crypto", {
+    getRandomValues: (array: Uint8Array<ArrayBuffer>) => crypto.getRandomValues(array),
+    subtle: { digest: async (_: string, bytes: Uint8Array) => createHash("sha256").update(bytes).digest() },
+  });
 });
 afterEach(() => {
   vi.unstubAllGlobals();
