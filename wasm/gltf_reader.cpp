@@ -28,6 +28,7 @@
 #pragma GCC diagnostic pop
 #endif
 
+#include "detail_words.h"
 #include "exact_math.h"
 #include "gltf_container.h"
 
@@ -200,7 +201,7 @@ TxcStatus find_accessor(const Model& model, int index, const tinygltf::Accessor*
 /// Grows the scratch memory by what an accessor's elements will take.
 TxcStatus reserve_scratch(BudgetShare& scratch, int accessor_index, std::uint64_t count, std::uint64_t element_bytes) {
     char what[32];
-    std::snprintf(what, sizeof what, "accessors[%d]", accessor_index);
+    write_words(what, sizeof what, "accessors[%d]", accessor_index);
     return scratch.resize(scratch.bytes() + count * element_bytes, what);
 }
 
@@ -723,7 +724,7 @@ TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryB
         const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
         for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
             char whose[80];
-            std::snprintf(whose, sizeof whose, "meshes[%d].primitives[%zu]", node.mesh, p);
+            write_words(whose, sizeof whose, "meshes[%d].primitives[%zu]", node.mesh, p);
             const TxcStatus status = read_primitive(reader, mesh.primitives[p], weights, global[n],
                                                     node.skin >= 0 ? &joints : nullptr, whose);
             if (status != TXC_STATUS_OK) return status;

@@ -1,6 +1,6 @@
 #include "status.h"
 
-#include <cstdio>
+#include "detail_words.h"
 
 namespace txc {
 
@@ -13,7 +13,7 @@ TxcStatus fail(TxcStatus status, const char* detail_format, ...) {
     char buffer[512];
     std::va_list arguments;
     va_start(arguments, detail_format);
-    std::vsnprintf(buffer, sizeof buffer, detail_format, arguments);
+    write_words(buffer, sizeof buffer, detail_format, arguments);
     va_end(arguments);
     error_detail() = buffer;
     return status;

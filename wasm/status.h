@@ -8,7 +8,7 @@
 
 namespace txc {
 
-/// Keeps `detail` (printf format) for txc_error_detail and returns `status`, so that `return fail(...)` is one line.
+/// Keeps `detail` (write_words' format) for txc_error_detail and returns `status`, so that `return fail(...)` is one line.
 TxcStatus fail(TxcStatus status, const char* detail_format, ...) __attribute__((format(printf, 2, 3)));
 
 /// The newest failure's detail; emptied at the start of each ABI call.

@@ -154,7 +154,7 @@ TEST_CASE("A member that is there twice is refused by name") {
     const std::string json = glb.json();
     const JsonSpans spans(json);
     for (const JsonSpan& span : spans.all()) {
-        if (span.member_begin == 0) continue;
+        if (span.member_begin == 0 || span.member_begin == span.begin) continue;  // an element of a list
         const std::string member = json.substr(span.member_begin, span.end - span.member_begin);
         const std::string changed = json.substr(0, span.end) + "," + member + json.substr(span.end);
         CAPTURE(changed);
