@@ -1,6 +1,7 @@
-/** The licences of the packages whose code or files lie in ours, as one text. */
+/** The licences of the packages whose code or files lie in ours, and of what is compiled into the module, as one text. */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
+import { inRoot } from "../bootstrap/paths.mjs";
 
 /**
  * @param {Iterable<string>} files that went into the bundles or beside them, absolute
@@ -17,7 +18,8 @@ export function licenceText(files) {
     return [`${name} ${version} (${license})`, ...texts].join("\n\n");
   });
   const head = "Texelcast holds code and files of these packages, under their own licences.";
-  return `${[head, ...parts].join(`\n\n${"-".repeat(80)}\n\n`)}\n`;
+  const core = readFileSync(inRoot("wasm/LICENCES.txt"), "utf8").trim();
+  return `${[head, core, ...parts].join(`\n\n${"-".repeat(80)}\n\n`)}\n`;
 }
 
 /** @param {string} file @returns {string | null} */
