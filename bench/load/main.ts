@@ -68,7 +68,8 @@ try {
   network.line = null;
   const { bytes } = await load(browser, addresses.map, 1);
   const element = {
-    "the element in shop mode with its worker, until the product is shown, without three.js and WebAssembly": bytes.scripts,
+    "the element in shop mode with its worker, until the product is shown, without three.js and WebAssembly":
+      bytes.scripts,
   };
   const sizes = { ...(await packageSizes()), ...element };
   console.log(`${formatCircumstances(conditions)}\nNothing cached. Medians of ${rounds} loads.\n`);
