@@ -6,7 +6,7 @@ import helmet from "@fastify/helmet";
 import serveStatic from "@fastify/static";
 import Fastify, { type FastifyInstance } from "fastify";
 import { EDITOR_POLICY, orNone } from "./content-policy.ts";
-import { notFound, replyTo } from "./shop-error.ts";
+import { answerNoAddress } from "./shop-error.ts";
 
 /** Where the shop and its editor are, as browsers see them; null until they listen. */
 export interface ShopOrigins {
@@ -31,10 +31,7 @@ export function originOf(server: FastifyInstance, host: string): string {
 /** @param site the shop's built pages */
 export async function createEditorServer(site: string, origins: ShopOrigins): Promise<FastifyInstance> {
   const app = Fastify({ forceCloseConnections: true });
-  app.setNotFoundHandler((request, reply) => {
-    const { status, body } = replyTo(notFound("address", request.url));
-    return reply.code(status).send(body);
-  });
+  app.setNotFoundHandler(answerNoAddress);
   await app.register(helmet, {
     contentSecurityPolicy: {
       useDefaults: false,

@@ -1,4 +1,5 @@
 /** How the shop refuses: a TexelcastError, and the HTTP status that goes with its code. */
+import type { FastifyReply, FastifyRequest } from "fastify";
 import { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../../web/core/texelcast-error.ts";
 
 /** Codes that are the shop's own; those of designs and pictures are the editor's. */
@@ -87,4 +88,10 @@ function replyToFramework(thrown: unknown): Omit<ErrorReply, "unexpected"> | nul
     hint: "docs/storefront.md says what the server takes.",
   });
   return { status: statusCode, body: { error: error.toJSON() } };
+}
+
+/** Answers who asks for an address that a server does not have, as any other fault is answered. */
+export function answerNoAddress(request: FastifyRequest, reply: FastifyReply): FastifyReply {
+  const { status, body } = replyTo(notFound("address", request.url));
+  return reply.code(status).send(body);
 }

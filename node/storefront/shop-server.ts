@@ -15,7 +15,7 @@ import { addOrderRoutes } from "./order-routes.ts";
 import { Press, type PressOptions } from "./press.ts";
 import { PrintQueue } from "./print-queue.ts";
 import { ShopDatabase } from "./shop-database.ts";
-import { notFound, replyTo, tooManyRequests } from "./shop-error.ts";
+import { answerNoAddress, notFound, replyTo, tooManyRequests } from "./shop-error.ts";
 
 export interface ShopServerOptions {
   /** The built pages, with `shop/products.json` and the models. */
@@ -87,10 +87,7 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     if (unexpected) report(error);
     return reply.code(status).send(body);
   });
-  app.setNotFoundHandler((request, reply) => {
-    const { status, body } = replyTo(notFound("address", request.url));
-    return reply.code(status).send(body);
-  });
+  app.setNotFoundHandler(answerNoAddress);
   await app.register(helmet, {
     contentSecurityPolicy: {
       useDefaults: false,
