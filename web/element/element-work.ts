@@ -240,11 +240,11 @@ export class Work {
 
   #changed(): void {
     clearTimeout(this.#changeTimer);
-    this.#changeTimer = setTimeout(() => void this.#voice.told(this.#sendChange()), CHANGE_REST);
+    this.#changeTimer = setTimeout(() => void this.#voice.told(this.#sendChange(true)), CHANGE_REST);
   }
 
   /** A design that was brought along is measured for its badges, and is no change. */
-  async #sendChange(tell = true): Promise<void> {
+  async #sendChange(tell: boolean): Promise<void> {
     const run = this.#run;
     const mode = run?.mode;
     const desk = mode?.desk;
@@ -252,8 +252,12 @@ export class Work {
     const { changeDetail, DesignExport } = await import("./desk/hand-over.ts");
     this.#exports ??= new DesignExport();
     const detail = await changeDetail({ desk, idle: () => mode.idle() }, this.#exports);
-    // A newer change tells itself.
-    if (this.#run !== run || detail === null) return;
+    if (this.#run !== run) return;
+    if (detail === null) {
+      // A newer change tells itself; what is only shown so far may yet be given up.
+      if (tell && !desk.closed && !desk.atRest) this.#changed();
+      return;
+    }
     this.#element.requestUpdate();
     if (tell) sendEvent(this.#element, "change", detail);
   }

@@ -223,6 +223,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   exportDesign(): Promise<ExportedDesign> {
     return this.#atDesk(async (mode) => {
       const { DesignExport } = await import("./desk/export-design.ts");
+      await mode.idle();
       return await new DesignExport().whole(mode.desk.design);
     });
   }

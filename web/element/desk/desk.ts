@@ -42,6 +42,8 @@ export class Desk {
   #closed = false;
   readonly #loadHands: () => Promise<ModelViewer>;
   #taking: Promise<ModelViewer> | null = null;
+  /** What was begun and is not in the design yet. */
+  readonly #begun = new Set<Promise<unknown>>();
   #hands: ModelViewer | null = null;
   /** Where the product may be printed; null: everywhere, and nobody asked how well. */
   zones: PrintZones | null = null;
@@ -117,6 +119,29 @@ export class Desk {
 
   get selected(): DesignLayer | undefined {
     return this.session.selected;
+  }
+
+  /** Counts work that ends in a change of the design, or of what the engine shows of it, as under way. */
+  during<T>(work: Promise<T>): Promise<T> {
+    this.#begun.add(work);
+    const ended = (): void => void this.#begun.delete(work);
+    work.then(ended, ended);
+    return work;
+  }
+
+  /** Resolves when all that was begun is in the design, or has failed. */
+  async settled(): Promise<void> {
+    while (this.#begun.size > 0) await Promise.allSettled(this.#begun);
+  }
+
+  /** Whether what is shown is the design, and no gesture or typing is under way. */
+  get atRest(): boolean {
+    return this.session.design === this.design;
+  }
+
+  /** Makes what is shown a step of the history, as the end of the gesture or of the typing would. */
+  keepShown(): void {
+    if (!this.atRest) this.record(this.session.design, this.settings.words.steps.change);
   }
 
   /** The material that new things go on where nothing else says. */

@@ -4,13 +4,13 @@ import type { AtDesk } from "../mode.ts";
 import { countsOf, DesignExport } from "./export-design.ts";
 import { exportTexture, layerAreas, printOptions, printReport } from "./prints.ts";
 
-/** Measures the design, for its badges, too; null where it is another one by then. */
+/** Measures the design, for its badges, too; null where it is another one by then, or another is shown. */
 export async function changeDetail(mode: AtDesk, exports: DesignExport): Promise<ChangeDetail | null> {
   const { desk } = mode;
   const { design } = desk;
   const named = await exports.named(design);
   const report = await printReport(mode);
-  if (desk.design !== design || desk.closed) return null;
+  if (desk.design !== design || !desk.atRest || desk.closed) return null;
   desk.report = report;
   const areas = layerAreas(mode, report);
   const totalArea = areas.reduce((sum, { area }) => sum + area, 0);
@@ -19,13 +19,22 @@ export async function changeDetail(mode: AtDesk, exports: DesignExport): Promise
   return { design: named, counts: countsOf(design), areas, totalArea, ...steps };
 }
 
+/**
+ * The design, the texture and the report of one moment: what was typed or dragged up to the call is in it, and where the user
+ * goes on meanwhile all is made anew. Rejects with "cancelled" where the desk is closed.
+ */
 export async function submitDetail(mode: AtDesk): Promise<SubmitDetail> {
   const { desk } = mode;
-  const exported = await new DesignExport().whole(desk.design);
-  const print = printOptions(mode, {}, desk.settings);
-  const texture = await exportTexture(mode, print);
-  const report = desk.zones === null ? null : await printReport(mode);
-  return { ...exported, print, texture, report };
+  for (;;) {
+    await mode.idle();
+    desk.keepShown();
+    const { design } = desk;
+    const exported = await new DesignExport().whole(design);
+    const print = printOptions(mode, {}, desk.settings);
+    const texture = await exportTexture(mode, print);
+    const report = desk.zones === null ? null : await printReport(mode);
+    if (desk.design === design && desk.atRest) return { ...exported, print, texture, report };
+  }
 }
 
 export { DesignExport } from "./export-design.ts";

@@ -57,7 +57,19 @@ export async function addPicture(
 ): Promise<string> {
   desk.checkRoom();
   const { name, bytes } = await fileOf(desk, source);
-  const picture = await desk.library.add(name, await admitPicture(desk, name, bytes));
+  const admitted = await admitPicture(desk, name, bytes);
+  // Not before: the shop may ask for the design while it makes up its mind.
+  return await desk.during(putPicture(desk, name, admitted, options, at));
+}
+
+async function putPicture(
+  desk: Desk,
+  name: string,
+  bytes: Uint8Array,
+  options: PlaceOptions,
+  at: SurfaceHit | null,
+): Promise<string> {
+  const picture = await desk.library.add(name, bytes);
   const viewer = await desk.takeHands();
   // Somebody may have added another one meanwhile.
   desk.checkRoom();

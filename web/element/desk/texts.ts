@@ -1,6 +1,6 @@
 /** Words on the product: put on, typed, dressed; their box follows them. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import type { DesignAsset, Projector, TextLayer } from "../../editor/document/design.ts";
+import type { Design, DesignAsset, Projector, TextLayer } from "../../editor/document/design.ts";
 import { freeIdIn } from "../../editor/document/layer-tree.ts";
 import { makeTextLayer } from "../../editor/document/make-layer.ts";
 import { resolveWords } from "../../editor/document/resolve-layers.ts";
@@ -44,6 +44,13 @@ export class Texts {
       throw new TexelcastError("bad-argument", words.errors.emptyText, { field: "text" });
     }
     const font = await this.#font(options.font ?? FIRST_FONT);
+    // Not before: the shop may ask for the design while it makes up its mind about a font.
+    return await desk.during(this.#put(text, font, options));
+  }
+
+  async #put(text: string, font: NamedFont, options: TextOptions): Promise<string> {
+    const desk = this.#desk;
+    const { words } = desk.settings;
     const { design, key } = withAsset(desk.design, font.name, font.asset);
     const name = options.name ?? shortened(text);
     const { color = FIRST_COLOR, curve = 0 } = options;
@@ -63,25 +70,47 @@ export class Texts {
   }
 
   /** Shows a change, or (`final`) records it; the box goes on lying close about the words. */
-  async change(id: string, { font, ...fields }: TextPatch, final: boolean): Promise<void> {
+  change(id: string, patch: TextPatch, final: boolean): Promise<void> {
+    return this.#desk.during(this.#change(id, patch, final));
+  }
+
+  async #change(id: string, patch: TextPatch, final: boolean): Promise<void> {
     const desk = this.#desk;
-    const before = desk.design;
-    const layer = layerById(before, id);
-    if (layer?.type !== "text" || desk.settings.readonly) return;
+    const layer = this.#layer(id);
+    if (layer === null || desk.settings.readonly) return;
+    const { font, ...fields } = patch;
     this.#asked += 1;
+    if (final && !font && isSame(layer, fields)) {
+      desk.session.cancelPreview();
+      return;
+    }
     const request = this.#asked;
-    const { design, key } = font ? withAsset(before, font.name, font.asset) : { design: before, key: layer.font };
+    const dressed = (): { design: Design; key: string } =>
+      font ? withAsset(desk.design, font.name, font.asset) : { design: desk.design, key: layer.font };
+    const { design, key } = dressed();
     const named =
       fields.text === undefined || layer.name !== shortened(layer.text) ? {} : { name: shortened(fields.text) };
     const changed: TextLayer = { ...layer, ...fields, ...named, font: key };
     const [old, now] = await Promise.all([this.#measure(layer, design.assets), this.#measure(changed, design.assets)]);
-    if (request !== this.#asked || desk.design !== before) return;
+    // A newer one shows itself; what is to be recorded must not go for it.
+    if (!final && request !== this.#asked) return;
+    if (this.#layer(id) !== layer) {
+      await this.#change(id, patch, final);
+      return;
+    }
     const target = desk.store.state.targets.get(desk.material);
     const close = fitsClosely(layer, old, target ? target.width / target.height : 1);
     const box = close ? refitted(changed, old, now) : {};
-    const edited = patchLayer<TextLayer>(design, id, { ...fields, ...named, font: key, ...box });
+    // The design may have got other layers since the words were measured.
+    const present = dressed();
+    const edited = patchLayer<TextLayer>(present.design, id, { ...fields, ...named, font: present.key, ...box });
     if (final) desk.session.record(font ? withoutUnusedAssets(edited) : edited, desk.settings.words.steps.change);
     else desk.session.preview(edited);
+  }
+
+  #layer(id: string): TextLayer | null {
+    const layer = layerById(this.#desk.design, id);
+    return layer?.type === "text" ? layer : null;
   }
 
   async #font(font: string | Blob | Uint8Array): Promise<NamedFont> {
@@ -124,6 +153,10 @@ function hexColor(color: string, message: string): string {
   if (/^#(?:[0-9a-f]{6}|[0-9a-f]{8})$/i.test(color)) return color;
   throw new TexelcastError("bad-argument", message, { field: "color", value: color, hint: '"#rrggbb" or "#rrggbbaa"' });
 }
+
+/** The end of typing may have been recorded before: what is handed in holds it. */
+const isSame = (layer: TextLayer, fields: Partial<TextLayer>): boolean =>
+  Object.entries(fields).every(([name, value]) => layer[name as keyof TextLayer] === value);
 
 const shortened = (text: string): string => {
   const line = text.trim().replace(/\s+/g, " ");

@@ -187,8 +187,9 @@ class FullMode implements Mode {
     this.#editor.showMaterial(desk.printed);
   }
 
-  idle(): Promise<void> {
-    return this.#editor.idle();
+  async idle(): Promise<void> {
+    await this.desk.settled();
+    await this.#editor.idle();
   }
   close(): void {
     if (this.desk.closed) return;

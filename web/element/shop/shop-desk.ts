@@ -19,7 +19,7 @@ export class ShopDesk extends Desk {
     const { engine, viewer, hooks } = product;
     const store = new Store<EditorState>(INITIAL_STATE);
     const library = new AssetLibrary(engine);
-    const later = (work: Promise<void>): void => product.attempt(work);
+    const later = (work: Promise<void>): void => product.attempt(this.during(work));
     const session = new DesignSession({ engine, viewer, library, store, later });
     const loadHands = async (): Promise<ModelViewer> => {
       const { withHands } = await import("../../viewer/model-viewer.ts");

@@ -88,8 +88,9 @@ class ShopMode implements Mode {
   resize(): Promise<void> {
     return this.#product.resize();
   }
-  idle(): Promise<void> {
-    return this.#product.idle();
+  async idle(): Promise<void> {
+    await this.desk?.settled();
+    await this.#product.idle();
   }
   close(): void {
     this.#view.close();

@@ -227,12 +227,14 @@ async function submitted({ design, assets, texture, report }: SubmitDetail): Pro
   step = "sending";
   // What is handed in may hold an edit whose `change` is still to come.
   if (report !== null) amount = amountOf(report);
+  // Of what is handed in, whatever is changed while it is on its way.
+  const paid = unitPrice();
   draw();
   try {
     const snapshot = await editor.snapshot("current", SNAPSHOT);
     const field = document.querySelector<HTMLInputElement>('[name="quantity"]');
     const quantity = Math.max(1, field?.valueAsNumber || 1);
-    const made = { product: product.id, design, assets, texture, snapshot, unitPrice: unitPrice(), quantity };
+    const made = { product: product.id, design, assets, texture, snapshot, unitPrice: paid, quantity };
     await putInCart(made, line?.id ?? null);
     unsaved = false;
     location.assign("./cart.html");
