@@ -41,7 +41,8 @@ let amount: Pick<ChangeDetail, "counts" | "totalArea"> = {
 let told: number | null = null;
 let names: ReadonlyMap<string, string> = new Map();
 let findings: readonly PrintFinding[] = [];
-let seen = false;
+/** What was said, and taken, as it is. */
+let taken: readonly PrintFinding[] = [];
 let step: "" | "preparing" | "sending" = "";
 /** There is work on the product that is in no cart yet. */
 let unsaved = false;
@@ -161,7 +162,7 @@ function checks() {
     ${
       mustBeSeen()
         ? html`<label class="seen">
-            <input type="checkbox" .checked=${seen} @change=${setSeen} />
+            <input type="checkbox" .checked=${isTaken()} @change=${take} />
             <span>${words.printAnyway}</span>
           </label>`
         : nothing
@@ -172,10 +173,21 @@ function checks() {
 
 const graveOnes = (): PrintFinding[] => findings.filter(({ grave }) => grave);
 const mustBeSeen = (): boolean => graveOnes().length > 0;
+const isTaken = (): boolean => JSON.stringify(graveOnes()) === JSON.stringify(taken);
 
-function setSeen(event: Event): void {
-  seen = (event.target as HTMLInputElement).checked;
+function take(event: Event): void {
+  taken = (event.target as HTMLInputElement).checked ? graveOnes() : [];
   draw();
+}
+
+/** False where the customer has not taken yet what the printer would say. */
+function confirmed(): boolean {
+  if (!mustBeSeen() || isTaken()) return true;
+  step = "";
+  frame.setFault({ code: "not-seen", message: words.confirmFirst });
+  draw();
+  document.querySelector<HTMLElement>(".seen input")?.focus();
+  return false;
 }
 
 function changed(detail: ChangeDetail): void {
@@ -183,7 +195,6 @@ function changed(detail: ChangeDetail): void {
   told = null;
   names = new Map(detail.areas.map(({ id, name }) => [id, name]));
   unsaved = detail.canUndo;
-  seen = false;
   draw();
   clearTimeout(waiting);
   waiting = window.setTimeout(() => void check(), VALIDATE_AFTER);
@@ -204,12 +215,7 @@ async function check(): Promise<void> {
 /** The button only asks; the editor's own button comes by the same way, to `submitted`. */
 async function buy(event: SubmitEvent): Promise<void> {
   event.preventDefault();
-  if (step !== "" || editor === null) return;
-  if (mustBeSeen() && !seen) {
-    frame.setFault({ code: "not-seen", message: words.confirmFirst });
-    document.querySelector<HTMLElement>(".seen input")?.focus();
-    return;
-  }
+  if (step !== "" || editor === null || !confirmed()) return;
   frame.setFault(null);
   step = "preparing";
   draw();
@@ -224,9 +230,14 @@ async function buy(event: SubmitEvent): Promise<void> {
 
 async function submitted({ design, assets, texture, report }: SubmitDetail): Promise<void> {
   if (step === "sending" || editor === null) return;
-  step = "sending";
   // What is handed in may hold an edit whose `change` is still to come.
-  if (report !== null) amount = amountOf(report);
+  if (report !== null) {
+    amount = amountOf(report);
+    names = new Map(design.layers.map(({ id, name }) => [id, name]));
+    findings = printFindings(report, names);
+  }
+  if (!confirmed()) return;
+  step = "sending";
   // Of what is handed in, whatever is changed while it is on its way.
   const paid = unitPrice();
   draw();
