@@ -1,12 +1,12 @@
 /** Questions to the resting model: where does a ray meet it, which point is nearest, what is its smooth normal there. */
-import { type Box3, BufferAttribute, BufferGeometry, Ray, Sphere, Triangle, Vector3 } from "three";
+import { type Box3, BufferAttribute, BufferGeometry, DoubleSide, Ray, Sphere, Triangle, Vector3 } from "three";
+import { type HitPointInfo, MeshBVH } from "three-mesh-bvh";
 import type { PerspectiveProjector } from "../engine/engine-api.ts";
 import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
 import type { ReachVolume } from "./reached-materials.ts";
 import { DOUBLE_SIDED, FACETED, type RestingSurface } from "./resting-surface.ts";
 import { shellsOf } from "./surface-shells.ts";
 import { type SurfaceSight, seenFrom } from "./surface-sight.ts";
-import { TriangleTree } from "./triangle-tree.ts";
 import { UvLookup, type UvPlace } from "./uv-lookup.ts";
 
 /** A point of the surface with what lies there; `distance` from the question's origin, metres. */
@@ -41,8 +41,7 @@ const AVERAGING_OFFSETS: readonly Vector3[] = [...fibonacciSphere(20, 1), ...fib
 
 export class SurfaceQuery {
   readonly #surface: RestingSurface;
-  readonly #tree: TriangleTree;
-  readonly #geometry = new BufferGeometry();
+  readonly #bvh: MeshBVH | null;
   #shells: Uint32Array | null = null;
   readonly #materialCount: number;
   readonly #ray = new Ray();
@@ -55,21 +54,24 @@ export class SurfaceQuery {
   constructor(surface: RestingSurface) {
     this.#surface = surface;
     this.#materialCount = new Set(surface.materialOfTriangle).size;
-    this.#geometry.setAttribute("position", new BufferAttribute(surface.positions, 3));
-    this.#tree = new TriangleTree(surface);
-    this.#measure();
+    if (surface.index.length === 0) {
+      this.#bvh = null;
+      return;
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(surface.positions, 3));
+    geometry.setIndex(new BufferAttribute(surface.index, 1));
+    geometry.computeBoundingSphere();
+    this.bounds.copy(geometry.boundingSphere as Sphere);
+    // Indirect: the triangles keep their order, by which material and flags are found.
+    this.#bvh = new MeshBVH(geometry, { indirect: true });
   }
 
   /** The vertices have moved: an animation posed them anew. */
   refit(): void {
-    this.#tree.refit();
-    this.#measure();
-  }
-
-  #measure(): void {
-    if (this.#surface.index.length === 0) return;
-    this.#geometry.computeBoundingSphere();
-    this.bounds.copy(this.#geometry.boundingSphere ?? this.bounds);
+    this.#bvh?.refit();
+    this.#bvh?.geometry.computeBoundingSphere();
+    this.bounds.copy(this.#bvh?.geometry.boundingSphere ?? this.bounds);
   }
 
   /** A sample's place in its own triangle: shares of the three corners, as `at` takes them. */
@@ -85,12 +87,12 @@ export class SurfaceQuery {
     this.#ray.direction.copy(direction);
     let near = 0;
     for (let skipped = 0; skipped < MOST_BACK_FACES; skipped++) {
-      const hit = this.#tree.raycastFirst(this.#ray, near, far);
-      if (hit === null) {
+      const hit = this.#bvh?.raycastFirst(this.#ray, DoubleSide, near, far);
+      if (hit?.faceIndex === undefined || hit.faceIndex === null) {
         return null;
       }
-      if (this.#isSeenAlong(hit.triangle, direction)) {
-        return this.#sample(hit.triangle, hit.point, hit.distance);
+      if (this.#isSeenAlong(hit.faceIndex, direction)) {
+        return this.#sample(hit.faceIndex, hit.point, hit.distance);
       }
       near = hit.distance + this.bounds.radius * 1e-6;
     }
@@ -101,9 +103,9 @@ export class SurfaceQuery {
   raycastFacing(origin: Vector3, direction: Vector3, far: number): SurfaceSample[] {
     this.#ray.origin.copy(origin);
     this.#ray.direction.copy(direction);
-    return this.#tree
-      .raycast(this.#ray, 0, far)
-      .map((hit) => this.#sample(hit.triangle, hit.point, hit.distance))
+    const hits = this.#bvh?.raycast(this.#ray, DoubleSide, 0, far) ?? [];
+    return hits
+      .map((hit) => this.#sample(hit.faceIndex as number, hit.point, hit.distance))
       .filter((sample) => sample.normal.dot(direction) < 0)
       .sort((a, b) => a.distance - b.distance);
   }
@@ -121,9 +123,9 @@ export class SurfaceQuery {
   materialsWithin(volume: ReachVolume): number[] {
     const { materialOfTriangle } = this.#surface;
     const found = new Set<number>();
-    this.#tree.walk({
-      enters: (box) => volume.touchesBox(box),
-      meets: (triangle, index) => {
+    this.#bvh?.shapecast({
+      intersectsBounds: (box) => volume.touchesBox(box),
+      intersectsTriangle: (triangle, index) => {
         const material = materialOfTriangle[index] as number;
         if (!found.has(material) && volume.reachesTriangle(triangle)) {
           found.add(material);
@@ -135,8 +137,8 @@ export class SurfaceQuery {
   }
 
   closest(point: Vector3, within = Number.POSITIVE_INFINITY): SurfaceSample | null {
-    const found = this.#tree.closest(point, within);
-    return found && this.#sample(found.triangle, found.point, found.distance);
+    const info = this.#bvh?.closestPointToPoint(point, {} as HitPointInfo, 0, within);
+    return info ? this.#sample(info.faceIndex, info.point.clone(), info.distance) : null;
   }
 
   /** The surface at shares of a triangle's corners. */
@@ -226,8 +228,8 @@ export class SurfaceQuery {
     const asking: number[][] = [[...points.keys()]];
     let asked = asking[0] as readonly number[];
     const on = new Vector3();
-    this.#tree.walk({
-      enters: (box, depth) => {
+    this.#bvh?.shapecast({
+      intersectsBounds: (box, _isLeaf, _score, depth) => {
         const above = asking[depth - 1] ?? (asking[0] as number[]);
         const here: number[] = [];
         for (const index of above) {
@@ -239,7 +241,7 @@ export class SurfaceQuery {
         asked = here;
         return here.length > 0;
       },
-      meets: (triangle, index) => {
+      intersectsTriangle: (triangle, index) => {
         for (const which of asked) {
           const point = points[which] as Vector3;
           const found = nearest[which] as NearestPlace;
