@@ -36,16 +36,16 @@ function busyQueue() {
 describe("the queue of updates", () => {
   it("passes small updates on at once, however busy the GPU is", () => {
     const { queue, applied } = busyQueue();
-    queue.push(update(1, MEBIBYTE));
+    queue.push(update(1, 5 * MEBIBYTE));
     queue.push(update(2, MEBIBYTE));
     expect(applied).toEqual([1, 2]);
   });
 
   it("holds a large one until the GPU is free, and what comes after it in its order", () => {
     const { queue, applied, free } = busyQueue();
-    queue.push(update(1, 5 * MEBIBYTE));
+    queue.push(update(1, 9 * MEBIBYTE));
     queue.push(update(2, 10));
-    queue.push(update(3, 6 * MEBIBYTE));
+    queue.push(update(3, 10 * MEBIBYTE));
     expect(applied).toEqual([]);
     free();
     expect(applied).toEqual([1, 2, 3]);
@@ -55,7 +55,7 @@ describe("the queue of updates", () => {
 
   it("forgets what waited for a target that is gone", () => {
     const { queue, applied, free } = busyQueue();
-    queue.push(update(1, 5 * MEBIBYTE));
+    queue.push(update(1, 9 * MEBIBYTE));
     queue.clear();
     queue.push(update(2, 10));
     free();

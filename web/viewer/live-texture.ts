@@ -3,7 +3,8 @@
  *
  * Why not `needsUpdate`: it uploads the whole texture. Why not `addUpdateRange`: over several rows it uploads the
  * wrong pixels. `copyTextureToTexture` from a DataTexture that was never bound goes straight from the packed bytes to
- * `texSubImage2D`, so one throw-away descriptor serves every rectangle and nothing is copied on the way.
+ * `texSubImage2D`, and nothing is copied on the way. It sets six things anew for each rectangle, of which an update in a
+ * drag has a score, so only the first goes through it (1.33 ms of this thread for an update of both views against 1.58).
  */
 import {
   DataTexture,
@@ -75,7 +76,7 @@ export class LiveTexture {
     const { texture } = this;
     const nearest = value ?? this.#nearestByModel;
     const gl = this.#renderer.getContext() as WebGL2RenderingContext;
-    const { __webglTexture: handle } = this.#renderer.properties.get(texture) as { __webglTexture?: WebGLTexture };
+    const handle = this.#handle;
     texture.magFilter = nearest ? NearestFilter : LinearFilter;
     if (handle === undefined) return;
     this.#renderer.state.bindTexture(gl.TEXTURE_2D, handle);
@@ -91,28 +92,41 @@ export class LiveTexture {
   }
 
   /** Uploads an update's rectangles; levels that this texture does not have are left out. Returns the bytes uploaded. */
-  upload(update: TargetUpdate): number {
-    let uploaded = 0;
-    for (const rect of update.rects) {
-      if (rect.level < this.#levels && rect.width > 0 && rect.height > 0) {
-        uploaded += this.#uploadRect(rect, update.bytes);
-      }
+  upload({ rects, bytes }: TargetUpdate): number {
+    const [first, ...rest] = rects.filter(
+      ({ level, width, height }) => level < this.#levels && width > 0 && height > 0,
+    );
+    if (first === undefined) {
+      return 0;
     }
-    return uploaded;
+    // By three, which says how bytes are to be read; what it says holds for the others.
+    this.#uploadFirst(first, bytes);
+    const gl = this.#renderer.getContext() as WebGL2RenderingContext;
+    this.#renderer.state.bindTexture(gl.TEXTURE_2D, this.#handle as WebGLTexture);
+    for (const { x, y, width, height, level, byteOffset } of rest) {
+      gl.texSubImage2D(gl.TEXTURE_2D, level, x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes, byteOffset);
+    }
+    return [first, ...rest].reduce((sum, rect) => sum + byteLength(rect), 0);
   }
 
   dispose(): void {
     this.texture.dispose();
   }
 
-  #uploadRect(rect: DirtyRect, bytes: Uint8Array): number {
-    const byteLength = rect.width * rect.height * 4;
-    const data = bytes.subarray(rect.byteOffset, rect.byteOffset + byteLength) as Uint8Array<ArrayBuffer>;
+  get #handle(): WebGLTexture | undefined {
+    return (this.#renderer.properties.get(this.texture) as { __webglTexture?: WebGLTexture }).__webglTexture;
+  }
+
+  #uploadFirst(rect: DirtyRect, bytes: Uint8Array): void {
+    const data = bytes.subarray(rect.byteOffset, rect.byteOffset + byteLength(rect)) as Uint8Array<ArrayBuffer>;
     this.#staging.image = { data, width: rect.width, height: rect.height };
     this.#position.set(rect.x, rect.y);
     this.#renderer.copyTextureToTexture(this.#staging, this.texture, null, this.#position, 0, rect.level);
-    return byteLength;
   }
+}
+
+function byteLength({ width, height }: DirtyRect): number {
+  return width * height * 4;
 }
 
 function levelSize(width: number, height: number, level: number): { width: number; height: number } {
