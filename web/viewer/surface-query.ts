@@ -63,8 +63,9 @@ export class SurfaceQuery {
     geometry.setIndex(new BufferAttribute(surface.index, 1));
     geometry.computeBoundingSphere();
     this.bounds.copy(geometry.boundingSphere as Sphere);
-    // Indirect: the triangles keep their order, by which material and flags are found.
-    this.#bvh = new MeshBVH(geometry, { indirect: true });
+    // Indirect: the triangles keep their order, by which material and flags are found. Leaves of 3 triangles answer 40 rays
+    // in 0.16 ms, the usual 10 in 0.20.
+    this.#bvh = new MeshBVH(geometry, { indirect: true, targetLeafSize: 3 });
   }
 
   /** The vertices have moved: an animation posed them anew. */
@@ -214,35 +215,39 @@ export class SurfaceQuery {
   }
 
   /**
-   * The nearest surface to each of many points around a place of the surface, by one walk through the tree: a drag asks for
-   * a score of them in each frame. On 20,000 triangles 0.6 ms against 1.3 one by one; one by one with each one's reach cut to
-   * what the others found 1.2, and in one walk without guesses 2.9.
+   * The nearest surface to each of many points around a place of the surface, at most 32, by one walk through the tree: a
+   * drag asks for a score of them in each frame. On 20,000 triangles 0.46 ms; 0.6 with a list of the points that a node
+   * may hold something for in place of their bits, 1.3 one by one; one by one with each one's reach cut to what the others found 1.2, and
+   * in one walk without guesses 2.9.
    */
   #nearestToEach(points: readonly Vector3[], place: SurfacePlace): SurfacePlace[] {
-    const nearest = points.map((point, index) => ({
-      triangle: place.triangle,
-      position: place.position.clone(),
-      square: this.#reachOf(point, place, this.#guesses[index]),
-    }));
-    // By depth in the tree: the points that a node may hold something nearer to.
-    const asking: number[][] = [[...points.keys()]];
-    let asked = asking[0] as readonly number[];
+    const nearest: NearestPlace[] = [];
+    let all = 0;
+    for (const [which, point] of points.entries()) {
+      const square = this.#reachOf(point, place, this.#guesses[which]);
+      nearest.push({ triangle: place.triangle, position: place.position.clone(), square });
+      all |= 1 << which;
+    }
+    // By depth in the tree, one bit each: the points that a node may hold something nearer to.
+    const asking: number[] = [all];
+    let asked = all;
     const on = new Vector3();
     this.#bvh?.shapecast({
       intersectsBounds: (box, _isLeaf, _score, depth) => {
-        const above = asking[depth - 1] ?? (asking[0] as number[]);
-        const here: number[] = [];
-        for (const index of above) {
-          if (squareTo(box, points[index] as Vector3) < (nearest[index] as NearestPlace).square) {
-            here.push(index);
+        let here = 0;
+        for (let left = asking[Math.max(0, depth - 1)] as number; left !== 0; left &= left - 1) {
+          const which = lowestBit(left);
+          if (squareTo(box, points[which] as Vector3) < (nearest[which] as NearestPlace).square) {
+            here |= 1 << which;
           }
         }
         asking[depth] = here;
         asked = here;
-        return here.length > 0;
+        return here !== 0;
       },
       intersectsTriangle: (triangle, index) => {
-        for (const which of asked) {
+        for (let left = asked; left !== 0; left &= left - 1) {
+          const which = lowestBit(left);
           const point = points[which] as Vector3;
           const found = nearest[which] as NearestPlace;
           triangle.closestPointToPoint(point, on);
@@ -329,12 +334,15 @@ export class SurfaceQuery {
 
 /** Squared distance of a point to a box, 0 inside. */
 function squareTo({ min, max }: Box3, { x, y, z }: Vector3): number {
-  const [alongX, alongY, alongZ] = [
-    Math.max(min.x - x, 0, x - max.x),
-    Math.max(min.y - y, 0, y - max.y),
-    Math.max(min.z - z, 0, z - max.z),
-  ];
+  const alongX = x < min.x ? min.x - x : x > max.x ? x - max.x : 0;
+  const alongY = y < min.y ? min.y - y : y > max.y ? y - max.y : 0;
+  const alongZ = z < min.z ? min.z - z : z > max.z ? z - max.z : 0;
   return alongX * alongX + alongY * alongY + alongZ * alongZ;
+}
+
+/** Place of the lowest bit that is set. */
+function lowestBit(bits: number): number {
+  return 31 - Math.clz32(bits & -bits);
 }
 
 function addScaled(target: Vector3, values: Float32Array, vertex: number, factor: number): void {
