@@ -93,9 +93,22 @@ export const flattenLayers = (design: Pick<Design, "layers">, options?: WalkOpti
 export const findLayer = (design: Pick<Design, "layers">, id: string | null): DesignLayer | undefined =>
   visitOf(design, id)?.layer;
 
+/**
+ * What `visitOf` has found, by a design's list, which never changes. In each frame of a drag a dozen panels and tools ask for
+ * the selected layer of that frame's design.
+ */
+const found = new WeakMap<readonly DesignLayer[], Map<string, LayerVisit | undefined>>();
+
 /** Where the layer of that id is. */
 export function visitOf(design: Pick<Design, "layers">, id: string | null): LayerVisit | undefined {
   if (id === null) return undefined;
+  const known = found.get(design.layers) ?? new Map<string, LayerVisit | undefined>();
+  found.set(design.layers, known);
+  if (!known.has(id)) known.set(id, walkTo(design, id));
+  return known.get(id);
+}
+
+function walkTo(design: Pick<Design, "layers">, id: string): LayerVisit | undefined {
   for (const visit of walkLayers(design)) if (visit.layer.id === id) return visit;
   return undefined;
 }
