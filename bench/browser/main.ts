@@ -99,11 +99,12 @@ try {
   await server.close();
 }
 
-function formatPageDrag({ frames, median, mean, p95, byKind }: FrameWork): string {
+function formatPageDrag({ frames, median, mean, p95, perMove, byKind }: FrameWork): string {
   const kinds = Object.entries(byKind).sort(([, a], [, b]) => b - a);
   return [
     "A drag of local10 at 2048² in the editor page: processor time of the page's own thread in a frame.",
     `median ${median.toFixed(2)}, mean ${mean.toFixed(2)}, 95 % under ${p95.toFixed(2)}; ${frames} frames`,
+    `a move of the pointer, with all its frames: ${perMove?.toFixed(2) ?? "none"}`,
     `mean by kind: ${kinds.map(([kind, share]) => `${kind} ${share.toFixed(2)}`).join(", ")}`,
   ].join("\n");
 }

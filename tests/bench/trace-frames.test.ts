@@ -58,6 +58,17 @@ test("messages of the test that drives the page are none of its work", () => {
   expect(median).toBe(3.5);
 });
 
+test("the work of all frames is shared among the pointer's moves", () => {
+  const move = (start: number): TraceEvent => ({
+    ...event("EventDispatch", start, 0.5),
+    args: { data: { type: "pointermove" } },
+  });
+  const events = [named(1, "CrRendererMain"), event("Commit", 0, 1), event("RunTask", 2, 3)];
+  const second = [event("Commit", 5, 1), event("RunTask", 7, 2), event("RunTask", 10, 1), event("Commit", 10, 1)];
+  expect(frameWork([...events, ...second]).perMove).toBeNull();
+  expect(frameWork([...events, move(2), move(7.5), ...second]).perMove).toBeCloseTo(3);
+});
+
 test("a trace without frames is refused, not counted as no work", () => {
   expect(() => frameWork([named(1, "CrRendererMain"), event("RunTask", 0, 5)])).toThrow("no frames");
 });
