@@ -74,7 +74,8 @@ class GlTextureView implements TextureView {
   #map: { readonly picture: MapPicture; texture: PaintedTexture } | null = null;
   #outlines = true;
   #markedUv: readonly [number, number] | null = null;
-  #pixelRatio = 1;
+  /** 0 while the view has no room in the page: it takes updates, without the finest level, and draws nothing. */
+  #pixelRatio = 0;
   #colors: (PaintColors & OverlayColors) | null = null;
 
   constructor(host: HTMLElement, options: TextureViewOptions) {
@@ -236,12 +237,12 @@ class GlTextureView implements TextureView {
   }
 
   #draw(): void {
-    if (this.#gl.isContextLost()) {
+    if (this.#pixelRatio === 0 || this.#gl.isContextLost()) {
       return;
     }
     this.#painter.clear();
     const target = this.#target;
-    if (target !== null && this.#pixelRatio > 0) {
+    if (target !== null) {
       this.#colors ??= this.#computeColors();
       target.drawFromNewest();
       void this.#completeFinest(target);
@@ -303,6 +304,7 @@ class GlTextureView implements TextureView {
     const width = this.element.clientWidth;
     const height = this.element.clientHeight;
     if (width === 0 || height === 0) {
+      this.#pixelRatio = 0;
       return;
     }
     this.#pixelRatio = Math.min(devicePixelRatio, MOST_PIXEL_RATIO);
