@@ -10,7 +10,7 @@ export default [
   budget("element and engine, until the shop's product is shown", scripts(shown), "60 kB"),
   budget("a design on it, or zones: the desk", scripts(desk), "22 kB"),
   budget("a design on it: reading and checking", scripts(design), "22 kB"),
-  budget("the first touch, beside the desk", scripts(touch), "75 kB"),
+  budget("the first touch, beside the desk", scripts(touch), "49 kB"),
   budget("the engine's WebAssembly", [join(DIST, "assets/texelcast.wasm")], "150 kB"),
   budget("the shop's side of the iframe", scripts(withImports("embed.js")), "10 kB"),
   budget("the root import", scripts(withImports("index.js")), "1 kB"),

@@ -35,6 +35,6 @@ export function shopStages() {
   const desk = without(all(scriptOf("shop/shop-bench.ts"), scriptOf("state/design-edits.ts")), shown);
   const reading = ["desk/read-design.ts", "document/parse-design.ts", "document/asset-check.ts"].map(scriptOf);
   const design = without(all(...reading), shown, desk);
-  const touch = without(all(scriptOf("shop/shop-tools.ts"), scriptOf("viewer/model-viewer.ts")), shown, desk);
+  const touch = without(all(scriptOf("shop/shop-tools.ts"), scriptOf("viewer/decal-viewer.ts")), shown, desk);
   return { shown, desk, design, touch };
 }

@@ -17,7 +17,7 @@ import { type PathStep, PointerPath, ropeOf } from "../../web/editor/tools/point
 import { brushKeyChange } from "../../web/editor/tools/size-keys.ts";
 import { surfaceJoins } from "../../web/editor/tools/surface-joins.ts";
 import { withRecent } from "../../web/editor/tools/tool-settings.ts";
-import { hitOf } from "../../web/viewer/model-tools.ts";
+import { hitOf } from "../../web/viewer/surface-hit.ts";
 import type { SurfaceHit, ToolSample, ToolView } from "../../web/viewer/viewer-api.ts";
 import { cube, cylinder, queryOf, sheet, sphere } from "../viewer/surface-helpers.ts";
 

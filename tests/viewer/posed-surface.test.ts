@@ -15,13 +15,13 @@ import {
   Vector3,
 } from "three";
 import { describe, expect, it } from "vitest";
+import { boxDrag } from "../../web/viewer/box-drag.ts";
 import { axisOf, poseOf } from "../../web/viewer/decal-pose.ts";
 import { rotateDrag, scaleDrag } from "../../web/viewer/gizmo-drag.ts";
 import { ModelAnimation } from "../../web/viewer/model-animation.ts";
 import type { ModelScene } from "../../web/viewer/model-scene.ts";
 import { carried, dragAtRest } from "../../web/viewer/posed-gizmo.ts";
 import { PosedSurface } from "../../web/viewer/posed-surface.ts";
-import { boxDrag } from "../../web/viewer/projector-drag.ts";
 import { gatherRestingSurface, triangleSubset } from "../../web/viewer/resting-surface.ts";
 import { SurfaceQuery } from "../../web/viewer/surface-query.ts";
 import { expectVector } from "./pose-helpers.ts";

@@ -27,6 +27,14 @@ export interface CameraRig {
   dispose(): void;
 }
 
+/** A rig that hands can reach. */
+export interface HeldRig extends CameraRig {
+  /** Whether the left button pans instead of turning, from its next press on. */
+  setPanning(pans: boolean): void;
+  /** Arrow keys turn, plus and minus dolly. Returns whether the key meant something. */
+  step(key: string, eased: boolean): boolean;
+}
+
 /** Holds the camera still, and keeps what it was told for the rig that comes after it. */
 export class StillRig implements CameraRig {
   readonly #camera: PerspectiveCamera;

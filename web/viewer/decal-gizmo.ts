@@ -1,6 +1,7 @@
 /** The decals under the pointer: selecting, dragging, hovering; and the drawing of the selected one. */
 import { type Matrix4, Vector3 } from "three";
 import type { CylindricalProjector, PerspectiveProjector, PlanarProjector, Projector } from "../engine/engine-api.ts";
+import { boxDrag, type PictureGrab, type ProjectorDrag } from "./box-drag.ts";
 import type { SizeLimits } from "./decal-handles.ts";
 import { drapeOutline, type OutlinePoint, POINTS_PER_EDGE, POINTS_PER_EDGE_SLIDING } from "./decal-outline.ts";
 import { decalsAt, rectangleHit } from "./decal-picking.ts";
@@ -10,12 +11,9 @@ import { type DragPointer, depthDrag, rotateDrag, scaleDrag, slideDrag } from ".
 import { GizmoOverlay, type GizmoPicture, type HandleName } from "./gizmo-overlay.ts";
 import { drawGizmo, drawOutline, type GizmoView, handleHeight, hoverPath, outlineIndexOf } from "./gizmo-picture.ts";
 import { carried, dragAtRest, pointerAtRest } from "./posed-gizmo.ts";
-import { boxDrag, type PictureGrab, type ProjectorDrag, pictureDrag } from "./projector-drag.ts";
-import { thrownHandleDrag } from "./projector-handles.ts";
-import { throwOutline } from "./projector-outline.ts";
-import { drawThrown } from "./projector-picture.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
+import type { ThrownKinds } from "./thrown-kinds.ts";
 import type { DecalGesture, ViewerDecal } from "./viewer-api.ts";
 
 /** What the gizmo needs of the view around it. */
@@ -27,6 +25,8 @@ export interface GizmoHost {
   dragging(active: boolean): void;
   /** How an animation has posed the model; null at rest. */
   posed(): PosedView | null;
+  /** How projectors are drawn and dragged that are no boxes; null while that is not there. */
+  thrown(): ThrownKinds | null;
 }
 
 /** The model as it is drawn, where that is not how it rests. */
@@ -135,8 +135,8 @@ export class DecalGizmo {
       const drag =
         projector.kind === "planar"
           ? boxDrag(slideDrag(this.#query, poseOf(projector), grab))
-          : pictureDrag(this.#query, projector, grab);
-      this.#startDrag(decal, drag, null);
+          : this.#host.thrown()?.drag(this.#query, projector, grab);
+      if (drag !== undefined) this.#startDrag(decal, drag, null);
     }
   }
 
@@ -183,7 +183,7 @@ export class DecalGizmo {
   ): ProjectorDrag | null {
     const grabbed = this.#outlineOf(projector)[outlineIndexOf(handle)];
     return this.#query && grabbed
-      ? thrownHandleDrag(projector, handle, grabbed.position, ray, this.#limits(this.#query))
+      ? (this.#host.thrown()?.handleDrag(projector, handle, grabbed.position, ray, this.#limits(this.#query)) ?? null)
       : null;
   }
 
@@ -253,9 +253,9 @@ export class DecalGizmo {
     const { projector } = decal;
     // While it slides a decal is looked at, not its box; and what is not drawn casts no rays in each frame.
     if (this.#drag?.drag.kind === "slide") {
-      return { ...NOTHING, ...drawOutline(view, outlineOn(view.query, projector, POINTS_PER_EDGE_SLIDING)) };
+      return { ...NOTHING, ...drawOutline(view, this.#outlineOn(view.query, projector, POINTS_PER_EDGE_SLIDING)) };
     }
-    return drawWhole(view, decal, this.#outlineOf(projector), hover);
+    return this.#drawWhole(view, decal, this.#outlineOf(projector), hover);
   }
 
   /** The box stands at rest; its picture stands where the surface under the decal has been moved to. */
@@ -274,7 +274,7 @@ export class DecalGizmo {
     if (motion === null || projector.kind === "uv") {
       return { ...NOTHING, hover, ...drawOutline(view, onPose(selected)) };
     }
-    return drawWhole(view, { ...selected, projector: carried(projector, motion) }, onPose(selected), hover);
+    return this.#drawWhole(view, { ...selected, projector: carried(projector, motion) }, onPose(selected), hover);
   }
 
   /** How the pose has moved the surface that a projector's picture lies on; null at rest. */
@@ -346,32 +346,32 @@ export class DecalGizmo {
     if (known !== undefined || this.#query === null) {
       return known ?? [];
     }
-    const outline = outlineOn(this.#query, projector, POINTS_PER_EDGE);
-    this.#outlines.set(projector, outline);
+    const outline = this.#outlineOn(this.#query, projector, POINTS_PER_EDGE);
+    if (projector.kind === "planar" || this.#host.thrown() !== null) this.#outlines.set(projector, outline);
     return outline;
+  }
+
+  #drawWhole(
+    view: GizmoView,
+    { projector, locked }: ViewerDecal,
+    outline: readonly OutlinePoint[],
+    hover: string,
+  ): GizmoPicture {
+    const options = { handles: locked !== true, hover };
+    return projector.kind === "planar"
+      ? drawGizmo(view, poseOf(projector), outline, options)
+      : (this.#host.thrown()?.draw(view, projector, outline, options) ?? { ...NOTHING, hover });
+  }
+
+  #outlineOn(query: SurfaceQuery, projector: Projector, pointsPerEdge: number): OutlinePoint[] {
+    return projector.kind === "planar"
+      ? drapeOutline(query, poseOf(projector), pointsPerEdge)
+      : (this.#host.thrown()?.outline(query, projector, pointsPerEdge) ?? []);
   }
 
   #limits(query: SurfaceQuery): SizeLimits {
     return { least: query.bounds.radius * 1e-3, most: query.bounds.radius * 8 };
   }
-}
-
-function drawWhole(
-  view: GizmoView,
-  { projector, locked }: ViewerDecal,
-  outline: readonly OutlinePoint[],
-  hover: string,
-): GizmoPicture {
-  const options = { handles: locked !== true, hover };
-  return projector.kind === "planar"
-    ? drawGizmo(view, poseOf(projector), outline, options)
-    : drawThrown(view, projector, outline, options);
-}
-
-function outlineOn(query: SurfaceQuery, projector: Projector, pointsPerEdge: number): OutlinePoint[] {
-  return projector.kind === "planar"
-    ? drapeOutline(query, poseOf(projector), pointsPerEdge)
-    : throwOutline(query, projector, pointsPerEdge);
 }
 
 const NOTHING = {

@@ -12,13 +12,13 @@ import {
   Vector3,
   Vector4,
 } from "three";
-import type { CameraReach, CameraRig, StillRig } from "./camera-rig.ts";
+import type { CameraReach, HeldRig, StillRig } from "./camera-rig.ts";
 
 CameraControls.install({
   THREE: { Vector2, Vector3, Vector4, Quaternion, Matrix4, Spherical, Box3, Sphere, Raycaster },
 });
 
-export class HeldCamera implements CameraRig {
+export class HeldCamera implements HeldRig {
   readonly controls: CameraControls;
 
   /** @param before what it takes over from @param requestFrame asks for `update` */
@@ -65,7 +65,6 @@ export class HeldCamera implements CameraRig {
     this.controls.draggingSmoothTime = eased ? 0.06 : 0;
   }
 
-  /** Whether the left button pans instead of turning, from its next press on. */
   setPanning(pans: boolean): void {
     this.controls.mouseButtons.left = pans ? CameraControls.ACTION.TRUCK : CameraControls.ACTION.ROTATE;
   }
@@ -76,7 +75,6 @@ export class HeldCamera implements CameraRig {
     this.controls.touches.two = orbit ? ACTION.TOUCH_DOLLY_ROTATE : ACTION.TOUCH_DOLLY_TRUCK;
   }
 
-  /** Arrow keys turn, plus and minus dolly. Returns whether the key meant something. */
   step(key: string, eased: boolean): boolean {
     const { controls } = this;
     const turn = Math.PI / 24;

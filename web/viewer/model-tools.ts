@@ -4,6 +4,7 @@ import type { PerspectiveProjector, Vec3 } from "../engine/engine-api.ts";
 import { SurfaceRing } from "./brush-ring.ts";
 import { tangentPart, tupleOf } from "./decal-pose.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
+import { hitOf } from "./surface-hit.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
 import type { SurfaceSight } from "./surface-sight.ts";
 import { type TexelPlaces, texelPlaces } from "./texel-places.ts";
@@ -152,19 +153,4 @@ export class ModelTools implements ToolSurface {
     const sample = this.#hooks.pick(this.#screen.rayThrough(at));
     return sample && hitOf(sample);
   }
-}
-
-export function hitOf(sample: SurfaceSample): SurfaceHit {
-  return {
-    position: tupleOf(sample.position),
-    normal: tupleOf(sample.normal),
-    material: sample.material,
-    uv: [wrapUnit(sample.uv[0]), wrapUnit(sample.uv[1])],
-    face: sample.face,
-  };
-}
-
-function wrapUnit(value: number): number {
-  const wrapped = value - Math.floor(value);
-  return wrapped < 1 ? wrapped : 0;
 }

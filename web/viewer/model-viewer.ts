@@ -1,31 +1,27 @@
-/** The 3D view with hands: picking, the decal gizmo, tools and looks, on a view that shows the model. */
-import { type Ray, Vector3 } from "three";
+/** The editor's 3D view: hands on decals, tools, animations and looks, on a view that shows the model. */
+import { Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
 import type { Orbit } from "./camera-orbit.ts";
 import { ClipClock } from "./clip-clock.ts";
 import { frameDecal } from "./decal-framing.ts";
-import { DecalGizmo } from "./decal-gizmo.ts";
+import { DecalHands } from "./decal-hands.ts";
 import { poseOf } from "./decal-pose.ts";
-import { GIZMO_STYLE } from "./gizmo-style.ts";
 import { GradientHandles, type GradientLabels, type GradientPlace } from "./gradient-handles.ts";
 import { HeldCamera } from "./held-camera.ts";
 import type { CameraLimits } from "./model-camera.ts";
 import { ModelDisplay } from "./model-display.ts";
 import { guideOf } from "./model-parts.ts";
-import { ModelPlacement } from "./model-placement.ts";
-import { hitOf, ModelTools } from "./model-tools.ts";
+import { placerFor } from "./model-placer.ts";
+import { ModelTools } from "./model-tools.ts";
 import { pictureBox } from "./projector-outline.ts";
-import type { Alignment } from "./projector-placer.ts";
-import { reachVolume } from "./reached-materials.ts";
-import { type ScreenPoint, ScreenSpace } from "./screen-space.ts";
+import type { Alignment, ProjectorPlacer } from "./projector-placer.ts";
 import { ShownModel } from "./shown-model.ts";
 import type { Stage } from "./stage.ts";
 import type { StillModel } from "./still-model.ts";
 import { type ModelViewOptions, StillView } from "./still-view.ts";
-import type { SurfaceSample } from "./surface-query.ts";
+import { THROWN } from "./thrown-kinds.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
-import { ViewInput } from "./view-input.ts";
 import type {
   AnimationState,
   ClipInfo,
@@ -39,16 +35,10 @@ import type {
   TexturePlace,
   ViewerDecal,
 } from "./viewer-api.ts";
-import { adoptStyle } from "./viewer-style.ts";
 
 /** Builds a viewer that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
 export function createModelViewer(host: HTMLElement, options: ModelViewOptions = {}): ModelViewer {
-  return withHands(new StillView(host, options));
-}
-
-/** Takes hold of a view, once: what it shows stays as it is, and it may be used as before. */
-export function withHands(view: StillView): ModelViewer {
-  return new ThreeModelViewer(view);
+  return new ThreeModelViewer(new StillView(host, options));
 }
 
 class ThreeModelViewer implements ModelViewer {
@@ -56,32 +46,26 @@ class ThreeModelViewer implements ModelViewer {
   readonly #view: StillView;
   readonly #stage: Stage;
   readonly #held: HeldCamera;
-  readonly #screen: ScreenSpace;
-  readonly #gizmo: DecalGizmo;
+  readonly #hands: DecalHands;
   readonly #tools: ModelTools;
   readonly #gradient: GradientHandles;
-  readonly #input: ViewInput;
   readonly #display: ModelDisplay;
   readonly #clock: ClipClock;
   #model: ShownModel | null = null;
 
   constructor(view: StillView) {
     const { element: root, events } = view;
-    adoptStyle(root, GIZMO_STYLE);
     this.element = root;
     this.#view = view;
     this.#stage = view.stage;
     this.#held = view.stage.hold(
       (still) => new HeldCamera(this.#stage.camera, root, still, () => this.#stage.requestFrame()),
     );
-    this.#screen = new ScreenSpace(this.#stage.camera, root);
-    this.#gizmo = new DecalGizmo({
-      root,
-      screen: this.#screen,
-      gesture: (gesture) => events.emit("gesture", gesture),
-      dragging: (active) => {
-        this.#stage.inGesture = active;
-      },
+    const hands = new DecalHands({
+      view,
+      rig: this.#held,
+      model: () => this.#model,
+      thrown: () => THROWN,
       posed: () => {
         const model = this.#model;
         if (model === null || !model.animation.posed) {
@@ -95,39 +79,34 @@ class ThreeModelViewer implements ModelViewer {
         };
       },
     });
-    this.#display = new ModelDisplay(root, this.#stage, this.#screen);
-    const pick = (ray: Ray) => this.#model?.pick(ray) ?? null;
-    const toDrawn = (point: Vector3) => this.#model?.toPosed(point) ?? point;
-    this.#gradient = new GradientHandles(root, this.#screen, {
-      pick: (at) => this.#sampleAt(at),
+    this.#hands = hands;
+    const { screen, gizmo } = hands;
+    this.#display = new ModelDisplay(root, this.#stage, screen);
+    this.#gradient = new GradientHandles(root, screen, {
+      pick: (at) => hands.sampleAt(at),
       atRest: () => this.#model !== null && !this.#model.animation.posed,
       changed: (place, phase) => events.emit("gradient", { place, phase }),
     });
     // Before the decals' own input, which it keeps from what a tool takes.
-    this.#tools = new ModelTools(root, this.#screen, {
+    this.#tools = new ModelTools(root, screen, {
       query: () => this.#model?.query ?? null,
       concealed: () => this.#model?.concealed ?? null,
-      pick,
-      toDrawn,
+      pick: (ray) => this.#model?.pick(ray) ?? null,
+      toDrawn: (point) => this.#model?.toPosed(point) ?? point,
     });
-    this.#input = new ViewInput(root, this.#gizmo, this.#screen, {
-      pick,
-      isPosed: () => this.#model?.animation.posed ?? false,
-      select: (id) => events.emit("select", { id }),
-      hover: (sample) => events.emit("hover", { hit: sample && hitOf(sample) }),
-      setPanning: (pans) => this.#held.setPanning(pans),
-    });
+    hands.listen();
     this.#clock = new ClipClock(root, {
       animation: () => this.#model?.animation ?? null,
-      isOnModel: (event) => this.#sampleAt(this.#screen.pointOf(event.clientX, event.clientY)) !== null,
+      isOnModel: (event) => hands.sampleAt(screen.pointOf(event.clientX, event.clientY)) !== null,
       tell: (state) => events.emit("animation", state),
       changed: () => this.#followModel(),
     });
-    root.addEventListener("keydown", (event) => this.#onKey(event));
+    // The arrow keys are a tool's before they are the decal's or the camera's.
+    root.addEventListener("keydown", (event) => !this.#tools.active && hands.key(event));
     view.take({
       modelShown: (model) => this.#modelShown(model),
       modelGone: () => this.#modelGone(),
-      setDecals: (decals, selectedId) => this.#gizmo.setDecals(decals, selectedId),
+      setDecals: (decals, selectedId) => gizmo.setDecals(decals, selectedId),
       beforeFrame: (delta) => {
         this.#display.beforeFrame();
         return this.#clock.advance(delta);
@@ -147,7 +126,7 @@ class ThreeModelViewer implements ModelViewer {
     this.#model = model;
     this.#display.setModel(model);
     this.#surfaceChanged();
-    this.#gizmo.enabled = !this.#tools.active;
+    this.#hands.gizmo.enabled = !this.#tools.active;
   }
 
   #modelGone(): void {
@@ -155,7 +134,7 @@ class ThreeModelViewer implements ModelViewer {
     if (model === null) {
       return;
     }
-    this.#gizmo.setSurface(null);
+    this.#hands.gizmo.setSurface(null);
     this.#tools.setSurface(null);
     this.#display.setModel(null);
     model.dispose();
@@ -175,60 +154,37 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   surfaceAtCentre(): SurfaceHit | null {
-    const { clientWidth: width, clientHeight: height } = this.element;
-    // Outwards in rings: the first that meets the model is nearest to the middle, to within a ring's width.
-    for (let ring = 0; ring <= 12; ring++) {
-      const around = ring === 0 ? 1 : 6 + ring * 2;
-      for (let step = 0; step < around; step++) {
-        const angle = (2 * Math.PI * step) / around;
-        const reach = (ring / 12) * 0.5;
-        const hit = this.#sampleAt({
-          x: width * (0.5 + reach * Math.sin(angle)),
-          y: height * (0.5 + reach * Math.cos(angle)),
-        });
-        if (hit !== null) {
-          return hitOf(hit);
-        }
-      }
-    }
-    return null;
+    return this.#hands.surfaceAtCentre();
   }
 
   surfaceAtPointer(clientX: number, clientY: number): SurfaceHit | null {
-    const sample = this.#sampleAt(this.#screen.pointOf(clientX, clientY));
-    return sample && hitOf(sample);
+    return this.#hands.surfaceAtPointer(clientX, clientY);
   }
 
   projectorAt(hit: SurfaceHit, width: number, aspect: number, keep?: PlanarProjector): PlanarProjector {
-    return this.#placement.at(hit, width, aspect, keep);
+    return this.#hands.projectorAt(hit, width, aspect, keep);
   }
 
   nudge(projector: Projector, rightMetres: number, upMetres: number): Projector {
-    return this.#placement.nudged(projector, rightMetres, upMetres);
+    return this.#hands.nudge(projector, rightMetres, upMetres);
   }
 
   convertProjector(projector: Projector, kind: Projector["kind"], material: number): Projector | null {
-    return this.#placement.placer(projector, material).converted(projector, kind);
+    return this.#placer(projector, material).converted(projector, kind);
   }
 
   alignProjector(projector: Projector, how: Alignment, material: number): Projector {
-    return this.#placement.placer(projector, material).aligned(projector, how);
-  }
-
-  get #placement(): ModelPlacement {
-    return new ModelPlacement(this.#requireModel(), this.#screen);
+    return this.#placer(projector, material).aligned(projector, how);
   }
 
   materialsReached(projector: Projector, backfaces: boolean): readonly number[] {
-    const volume = reachVolume(projector, backfaces);
-    return (volume && this.#model?.whole.materialsWithin(volume)) ?? [];
+    return this.#hands.materialsReached(projector, backfaces);
   }
 
   setTool(input: ToolInput | null): void {
     this.#tools.tool = input;
-    this.#input.suspended = input !== null;
+    this.#hands.suspended = input !== null;
     this.#held.setTwoFingersOrbit(input !== null);
-    this.#gizmo.enabled = input === null;
     this.#gradient.enabled = input === null;
   }
 
@@ -295,7 +251,7 @@ class ThreeModelViewer implements ModelViewer {
 
   #surfaceChanged(): void {
     const query = this.#model?.query ?? null;
-    this.#gizmo.setSurface(query);
+    this.#hands.gizmo.setSurface(query);
     this.#tools.setSurface(query);
   }
 
@@ -332,7 +288,7 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   clientPosition(position: Vec3): { x: number; y: number } | null {
-    const point = this.#model && this.#screen.project(this.#model.toPosed(new Vector3(...position)));
+    const point = this.#model && this.#hands.screen.project(this.#model.toPosed(new Vector3(...position)));
     const box = this.element.getBoundingClientRect();
     return point && { x: point.x + box.left, y: point.y + box.top };
   }
@@ -346,7 +302,7 @@ class ThreeModelViewer implements ModelViewer {
   }
 
   clickAt(clientX: number, clientY: number): void {
-    this.#input.clickAt(clientX, clientY);
+    this.#hands.clickAt(clientX, clientY);
   }
 
   dispose(): void {
@@ -355,27 +311,21 @@ class ThreeModelViewer implements ModelViewer {
 
   #letGo(): void {
     this.#clock.dispose();
-    this.#input.dispose();
     this.#tools.dispose();
     this.#gradient.dispose();
     this.#display.dispose();
-    this.#gizmo.dispose();
-    this.#screen.dispose();
+    this.#hands.dispose();
   }
 
-  #requireModel(): ShownModel {
+  #placer(projector: Projector, material: number): ProjectorPlacer {
     if (this.#model === null) {
       throw new TexelcastError("no-model", "There is no model to place a decal on.", { hint: "Open a model first." });
     }
-    return this.#model;
-  }
-
-  #sampleAt(point: ScreenPoint): SurfaceSample | null {
-    return this.#model?.pick(this.#screen.rayThrough(point)) ?? null;
+    return placerFor(this.#model, this.#hands.screen, projector, material);
   }
 
   #followCamera(): void {
-    this.#gizmo.drawNow();
+    this.#hands.gizmo.drawNow();
     this.#tools.cameraMoved();
     this.#gradient.drawNow();
     this.#display.moved();
@@ -385,21 +335,5 @@ class ThreeModelViewer implements ModelViewer {
   #followModel(): void {
     this.#followCamera();
     this.#stage.requestFrame();
-  }
-
-  /** The arrow keys are the tool's or the selected decal's, which the editor moves; without one they turn the camera. */
-  #onKey(event: KeyboardEvent): void {
-    const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !event.defaultPrevented;
-    if (!plain || this.#tools.active || this.#gizmo.selectedDecal !== null) {
-      return;
-    }
-    if (event.key === "0") {
-      this.frameModel();
-    } else if (this.#held.step(event.key, this.#stage.animates)) {
-      this.#stage.requestFrame();
-    } else {
-      return;
-    }
-    event.preventDefault();
   }
 }

@@ -1,9 +1,9 @@
 /** The gizmo of a decal on a posed model: drawn where the pose has brought it, dragged as at rest. */
 import { type Matrix4, Quaternion, Vector3 } from "three";
 import type { Projector, UvProjector } from "../engine/engine-api.ts";
+import type { ProjectorDrag } from "./box-drag.ts";
 import { tupleOf } from "./decal-pose.ts";
 import type { DragPointer } from "./gizmo-drag.ts";
-import type { ProjectorDrag } from "./projector-drag.ts";
 
 /** A projector where a rigid motion of model space has brought it. */
 export function carried<P extends Exclude<Projector, UvProjector>>(projector: P, motion: Matrix4): P {

@@ -1,34 +1,10 @@
-/** Drags of any projector: a box's by its handles and along the surface, the others' by their picture. */
+/** Drags and steps of projectors that are no boxes, by their picture. */
 import { Quaternion, Vector3 } from "three";
 import type { CylindricalProjector, PerspectiveProjector, Projector, UvProjector } from "../engine/engine-api.ts";
-import { type DecalPose, minimalRotation, poseOf, projectorOf, type SurfacePoint, tupleOf } from "./decal-pose.ts";
-import type { DragPointer, GizmoDrag } from "./gizmo-drag.ts";
+import type { PictureGrab, ProjectorDrag } from "./box-drag.ts";
+import { minimalRotation, tupleOf } from "./decal-pose.ts";
 import { rotationOf, toView } from "./projector-sight.ts";
 import type { SurfaceQuery } from "./surface-query.ts";
-
-export interface ProjectorDrag {
-  readonly kind: GizmoDrag["kind"];
-  /** The projector at this place of the pointer; null where it says nothing. */
-  move(pointer: DragPointer): Projector | null;
-  /** glTF material of the surface that the decal was dragged onto; null while that is unknown. */
-  readonly material: number | null;
-  readout(projector: Projector): string | null;
-}
-
-export function boxDrag(drag: GizmoDrag): ProjectorDrag {
-  const posed = (pose: DecalPose | null): Projector | null => pose && projectorOf(pose);
-  return {
-    kind: drag.kind,
-    get material() {
-      return drag.material;
-    },
-    move: (pointer) => posed(drag.move(pointer)),
-    readout: (projector) => (projector.kind === "planar" ? drag.readout(poseOf(projector)) : null),
-  };
-}
-
-/** What was grabbed: a place on the surface, with its texture coordinates where it has any. */
-export type PictureGrab = SurfacePoint & { readonly uv?: readonly [number, number] };
 
 /** The point of the picture that was grabbed keeps under the pointer. */
 export function pictureDrag(

@@ -1,11 +1,12 @@
 /** Drags of the handles of projectors that are no boxes: an eye's picture and range, a label's arc, height and radius. */
 import { Plane, Quaternion, type Ray, Vector3 } from "three";
 import type { CylindricalProjector, PerspectiveProjector, Projector } from "../engine/engine-api.ts";
+import type { ProjectorDrag } from "./box-drag.ts";
 import { rotateByHandle, type SizeLimits, scaleByHandle } from "./decal-handles.ts";
 import { type DecalPose, rollOf, wrapAngle } from "./decal-pose.ts";
 import { alongAxis, formatDegrees, formatLengths, SNAP, sideOf } from "./gizmo-drag.ts";
 import type { HandleName, ScaleHandleName } from "./gizmo-overlay.ts";
-import { type ProjectorDrag, rolled } from "./projector-drag.ts";
+import { rolled } from "./projector-drag.ts";
 import { rotationOf, toView } from "./projector-sight.ts";
 
 const WIDEST_FOV = 170;

@@ -3,11 +3,11 @@
  * controls do and keeps from them what belongs to a decal.
  */
 import type { Ray } from "three";
+import type { PictureGrab } from "./box-drag.ts";
 import type { DecalGizmo } from "./decal-gizmo.ts";
 import { FrameTask } from "./frame-task.ts";
 import type { DragPointer } from "./gizmo-drag.ts";
 import type { HandleName } from "./gizmo-overlay.ts";
-import type { PictureGrab } from "./projector-drag.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceSample } from "./surface-query.ts";
 import type { ViewerDecal } from "./viewer-api.ts";

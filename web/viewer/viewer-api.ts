@@ -163,8 +163,11 @@ export interface ModelView {
   dispose(): void;
 }
 
-/** A model that is shown and can be taken hold of. */
-export interface ModelViewer extends ModelView {
+/** Where something is on a model, for what is to be put there. */
+export type SurfacePlaces = Pick<ToolSurface, "near" | "atUv" | "lookAt">;
+
+/** A model that is shown, with decals that can be taken hold of. */
+export interface DecalViewer extends ModelView {
   /** Selects what a click there would, as if one had come. */
   clickAt(clientX: number, clientY: number): void;
   /** Where a new decal would go: the surface point nearest the middle of the view. Null when the model is out of view. */
@@ -182,6 +185,11 @@ export interface ModelViewer extends ModelView {
    * from either side); none for a flat stamp. Occlusion is not looked at, and a label counts as its bounding box.
    */
   materialsReached(projector: Projector, backfaces: boolean): readonly number[];
+  readonly surface: SurfacePlaces;
+}
+
+/** A model that is shown, with all that an editor does to it. */
+export interface ModelViewer extends DecalViewer {
   /**
    * A decal's projector as another kind, its picture's place and size kept as well as both kinds allow; `material` says in
    * which texture a flat stamp lies. To "perspective" it is thrown from the camera and covers on the screen what it covers

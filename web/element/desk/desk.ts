@@ -14,14 +14,14 @@ import type { Store } from "../../editor/state/store.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import type { PrintReport } from "../../engine/print-report.ts";
 import type { PrintZones } from "../../engine/print-zones.ts";
-import type { ModelView, ModelViewer } from "../../viewer/viewer-api.ts";
+import type { DecalViewer, ModelView } from "../../viewer/viewer-api.ts";
 import type { DeskHooks, DeskSettings } from "./desk-settings.ts";
 
 export interface DeskParts {
   readonly engine: Engine;
   readonly viewer: ModelView;
   /** Loads what takes hold of the view; asked for once, and again where it failed. */
-  readonly loadHands: () => Promise<ModelViewer>;
+  readonly loadHands: () => Promise<DecalViewer>;
   readonly store: Store<EditorState>;
   readonly session: DesignSession;
   readonly library: AssetLibrary;
@@ -40,11 +40,11 @@ export class Desk {
   /** What the page knows of; null until the desk is open. */
   #recorded: Design | null = null;
   #closed = false;
-  readonly #loadHands: () => Promise<ModelViewer>;
-  #taking: Promise<ModelViewer> | null = null;
+  readonly #loadHands: () => Promise<DecalViewer>;
+  #taking: Promise<DecalViewer> | null = null;
   /** What was begun and is not in the design yet. */
   readonly #begun = new Set<Promise<unknown>>();
-  #hands: ModelViewer | null = null;
+  #hands: DecalViewer | null = null;
   /** Where the product may be printed; null: everywhere, and nobody asked how well. */
   zones: PrintZones | null = null;
   /** Of the design as it was last measured. */
@@ -59,7 +59,7 @@ export class Desk {
     this.hooks = hooks;
     this.#loadHands = loadHands;
     const reaching = {
-      materialsReached: (...of: Parameters<ModelViewer["materialsReached"]>) => this.#held.materialsReached(...of),
+      materialsReached: (...of: Parameters<DecalViewer["materialsReached"]>) => this.#held.materialsReached(...of),
     };
     this.reach = new DecalReach(reaching, () => store.state.model?.info.materials ?? []);
     this.#seen = store.state;
@@ -71,12 +71,12 @@ export class Desk {
   }
 
   /** The view with hands; null until `takeHands` brought them. */
-  get hands(): ModelViewer | null {
+  get hands(): DecalViewer | null {
     return this.#hands;
   }
 
   /** Loads what takes hold of the view, if nobody did yet. Rejects with "cancelled" where the desk is closed meanwhile. */
-  takeHands(): Promise<ModelViewer> {
+  takeHands(): Promise<DecalViewer> {
     this.#taking ??= this.#loadHands().then(
       (hands) => {
         this.#hands = hands;
@@ -90,7 +90,7 @@ export class Desk {
     return this.#taking;
   }
 
-  get #held(): ModelViewer {
+  get #held(): DecalViewer {
     if (this.#hands === null) throw new TexelcastError("internal", "The view was asked before it was taken hold of.");
     return this.#hands;
   }

@@ -8,7 +8,7 @@ import { addOnTop, withAsset } from "../../editor/state/design-edits.ts";
 import { diagonalOf } from "../../editor/state/editor-state.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
 import type { Projector } from "../../engine/engine-api.ts";
-import type { ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
+import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions } from "../element-api.ts";
 import type { Desk } from "./desk.ts";
 import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
@@ -25,7 +25,7 @@ export interface Place {
 /** Where something of that aspect (width by height) goes. Throws "bad-argument" where there is no surface for it. */
 export function placeFor(
   desk: Desk,
-  viewer: ModelViewer,
+  viewer: DecalViewer,
   aspect: number,
   options: PlaceOptions,
   at: SurfaceHit | null,

@@ -2,7 +2,7 @@
 import { Vector3 } from "three";
 import type { PrintZone } from "../../engine/print-zones.ts";
 import { reachesPoint } from "../../viewer/projector-sight.ts";
-import type { ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
+import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 
 /** Of a box's sides: what something new takes at the most, so that it has room to be moved. */
 const MOST_OF_ZONE = 0.8;
@@ -18,7 +18,7 @@ export interface StartingPlace {
  * sees before one that it does not. Null without a surface.
  */
 export function startingPlace(
-  viewer: Pick<ModelViewer, "surface" | "surfaceAtCentre">,
+  viewer: Pick<DecalViewer, "surface" | "surfaceAtCentre">,
   zones: readonly PrintZone[],
 ): StartingPlace | null {
   const seen = viewer.surfaceAtCentre();
@@ -46,7 +46,7 @@ function mostWidth(zone: PrintZone | null | undefined, aspect: number): number {
   return MOST_OF_ZONE * Math.min(width, height * aspect);
 }
 
-function middleOf({ material, shape }: PrintZone, surface: ModelViewer["surface"]): SurfaceHit | null {
+function middleOf({ material, shape }: PrintZone, surface: DecalViewer["surface"]): SurfaceHit | null {
   if (shape.kind === "box") {
     const hit = surface.near(shape.position);
     return hit?.material === material ? hit : null;

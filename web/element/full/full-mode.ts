@@ -73,7 +73,11 @@ class FullMode implements Mode {
     const loadHands = async (): Promise<typeof viewer> => viewer;
     this.desk = new FullDesk({ engine, viewer, loadHands, store, session, library, hooks: host.hooks });
     this.#texts = new Texts(this.desk);
-    this.#heat = new HeatMap(this.desk, () => host.requestUpdate());
+    this.#heat = new HeatMap(
+      this.desk,
+      async (maps) => viewer.setMapPictures(maps),
+      () => host.requestUpdate(),
+    );
   }
 
   /** What the panels bring along is asked about as what the page's own script brings. */

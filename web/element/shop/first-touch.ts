@@ -2,7 +2,7 @@
  * What a hand does on the view before there are hands: kept, and done again when they come, so that the first touch is not
  * lost. A pointer that is still down goes on from where it went down; one that came and went was a click.
  */
-import type { ModelViewer } from "../../viewer/viewer-api.ts";
+import type { DecalViewer } from "../../viewer/viewer-api.ts";
 
 /** Pixels that a press may wander and still be a click. */
 const SLOP = 8;
@@ -44,7 +44,7 @@ export class FirstTouch {
   }
 
   /** Does again what was done; to be called once. */
-  giveTo(viewer: ModelViewer): void {
+  giveTo(viewer: DecalViewer): void {
     this.stop();
     for (const { down, newest } of this.#presses.values()) {
       this.#view.dispatchEvent(new PointerEvent("pointerdown", down));

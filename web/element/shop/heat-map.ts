@@ -1,16 +1,22 @@
 /** The print's quality on the product itself, in place of its picture; it follows the design while it is shown. */
 import type { Design } from "../../editor/document/design.ts";
+import type { MapPicture } from "../../viewer/viewer-api.ts";
 import type { Desk } from "../desk/desk.ts";
+
+/** Shows maps in place of the textures, by material; null shows the textures again. */
+export type ShowMaps = (maps: ReadonlyMap<number, MapPicture> | null) => Promise<void>;
 
 export class HeatMap {
   readonly #desk: Desk;
+  readonly #show: ShowMaps;
   readonly #changed: () => void;
   #shown = false;
   /** What the newest map is of. */
   #drawn: Design | null = null;
 
-  constructor(desk: Desk, changed: () => void) {
+  constructor(desk: Desk, show: ShowMaps, changed: () => void) {
     this.#desk = desk;
+    this.#show = show;
     this.#changed = changed;
     desk.store.subscribe(() => {
       if (this.#shown && desk.design !== this.#drawn && !desk.closed) void this.#draw().catch(desk.hooks.failed);
@@ -27,7 +33,7 @@ export class HeatMap {
     if (this.#shown) await this.#draw();
     else {
       this.#drawn = null;
-      this.#desk.hands?.setMapPictures(null);
+      await this.#show(null);
     }
   }
 
@@ -36,7 +42,7 @@ export class HeatMap {
     const { design } = desk;
     this.#drawn = design;
     const { heatMaps } = await import("../desk/prints.ts");
-    const [viewer, maps] = await Promise.all([desk.takeHands(), heatMaps({ desk, idle: () => desk.engine.idle() })]);
-    if (this.#shown && this.#drawn === design && !desk.closed) viewer.setMapPictures(maps);
+    const maps = await heatMaps({ desk, idle: () => desk.engine.idle() });
+    if (this.#shown && this.#drawn === design && !desk.closed) await this.#show(maps);
   }
 }

@@ -22,7 +22,11 @@ export class ShopBench {
   constructor(product: ShopProduct, host: ModeHost) {
     this.desk = new ShopDesk(product);
     this.#host = host;
-    this.#heat = new HeatMap(this.desk, () => host.requestUpdate());
+    this.#heat = new HeatMap(
+      this.desk,
+      (maps) => this.desk.showMaps(maps),
+      () => host.requestUpdate(),
+    );
     this.desk.store.subscribe(() => host.requestUpdate());
   }
 

@@ -6,13 +6,14 @@ import { layerById, usedMaterials } from "../../editor/state/design-edits.ts";
 import { DesignSession } from "../../editor/state/design-session.ts";
 import { type EditorState, INITIAL_STATE } from "../../editor/state/editor-state.ts";
 import { Store } from "../../editor/state/store.ts";
-import { LOOK_ONLY } from "../../viewer/look-only.ts";
-import type { DecalGesture, ModelViewer } from "../../viewer/viewer-api.ts";
+import type { HeldView } from "../../viewer/decal-viewer.ts";
+import type { DecalGesture, DecalViewer, MapPicture } from "../../viewer/viewer-api.ts";
 import { Desk } from "../desk/desk.ts";
 import type { OpenProduct, ShopProduct } from "./shop-product.ts";
 
 export class ShopDesk extends Desk {
   readonly #product: ShopProduct;
+  readonly #held: { readonly view: HeldView | null };
   #shown: Pick<EditorState, "design" | "selectedId">;
 
   constructor(product: ShopProduct) {
@@ -21,12 +22,16 @@ export class ShopDesk extends Desk {
     const library = new AssetLibrary(engine);
     const later = (work: Promise<void>): void => product.attempt(this.during(work));
     const session = new DesignSession({ engine, viewer, library, store, later });
-    const loadHands = async (): Promise<ModelViewer> => {
-      const { withHands } = await import("../../viewer/model-viewer.ts");
+    const held: { view: HeldView | null } = { view: null };
+    const loadHands = async (): Promise<HeldView> => {
+      const { HeldView, kindsFor } = await import("../../viewer/decal-viewer.ts");
+      const kinds = await kindsFor(viewer.decals);
       product.checkOpen();
-      return withHands(viewer);
+      held.view = new HeldView(viewer, kinds, (thrown) => product.fail(thrown));
+      return held.view;
     };
     super({ engine, viewer, loadHands, library, store, session, hooks });
+    this.#held = held;
     this.#product = product;
     this.#shown = store.state;
     product.changed = () => this.#tellTargets();
@@ -44,16 +49,22 @@ export class ShopDesk extends Desk {
     this.opened();
   }
 
-  override async takeHands(): Promise<ModelViewer> {
+  override async takeHands(): Promise<DecalViewer> {
     const hands = await super.takeHands();
     this.configure();
     return hands;
   }
 
+  /** Shows pictures in place of the textures, by material; null shows the textures again. */
+  async showMaps(pictures: ReadonlyMap<number, MapPicture> | null): Promise<void> {
+    if (pictures !== null) await this.takeHands();
+    await this.#held.view?.showMaps(pictures);
+  }
+
   /** Takes up what the element's settings are now. */
   configure(): void {
     const { readonly } = this.settings;
-    this.hands?.setTool(readonly ? LOOK_ONLY : null);
+    if (this.#held.view) this.#held.view.lookOnly = readonly;
     if (readonly) this.session.select(null);
   }
 

@@ -111,7 +111,7 @@ export class ShopView {
   async #loadTools(): Promise<ShopTools> {
     const loading = import("./shop-tools.ts");
     // Side by side with the desk, which takes hold of the view.
-    const early = import("../../viewer/model-viewer.ts");
+    const early = import("../../viewer/decal-viewer.ts");
     for (const each of [loading, early]) each.catch(() => undefined);
     const { desk } = await this.takeBench();
     const [viewer, { ShopTools }] = await Promise.all([desk.takeHands(), loading]);

@@ -1,0 +1,227 @@
+/**
+ * The camera in a customer's hands, by three's own OrbitControls, from where it stands. They move a camera that nobody sees, the
+ * goal; the view's follows it with a little inertia, and goes by itself in the same way. The editor's, with more ways to move,
+ * is `HeldCamera`.
+ */
+import { type Box3, MathUtils, MOUSE, type PerspectiveCamera, Spherical, Vector3 } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { CameraReach, HeldRig, StillRig } from "./camera-rig.ts";
+
+/** How fast the view follows, of the way in a second: after a hand, and where it goes by itself. */
+const HAND_PACE = 30;
+const OWN_PACE = 10;
+const KEY_TURN = Math.PI / 24;
+const KEY_ZOOM = 0.15;
+/** Straight from above has no upright. */
+const LEAST_POLAR = 0.01;
+
+/** Tells of each movement, however small: the controls' own "change" leaves out what is below a millimetre. */
+class TellingControls extends OrbitControls {
+  told?: () => void;
+
+  override update(delta?: number | null): boolean {
+    const changed = super.update(delta);
+    this.told?.();
+    return changed;
+  }
+}
+
+/** Where a camera is about what it looks at: radians and metres; `theta` counts whole turns. */
+interface Place {
+  readonly about: Spherical;
+  readonly target: Vector3;
+}
+
+export class OrbitCamera implements HeldRig {
+  readonly #camera: PerspectiveCamera;
+  readonly #goalCamera: PerspectiveCamera;
+  readonly #controls: TellingControls;
+  readonly #requestFrame: () => void;
+  readonly #abort = new AbortController();
+  readonly #shown: Place = { about: new Spherical(), target: new Vector3() };
+  readonly #goal: Place = { about: new Spherical(), target: new Vector3() };
+  #box: Box3 | null = null;
+  #eased = true;
+  #pace = HAND_PACE;
+  #jumped = true;
+  /** A pointer is down on the view. */
+  #held = false;
+
+  /** @param before what it takes over from @param requestFrame asks for `update` */
+  constructor(camera: PerspectiveCamera, root: HTMLElement, before: StillRig, requestFrame: () => void) {
+    this.#camera = camera;
+    this.#goalCamera = camera.clone();
+    this.#requestFrame = requestFrame;
+    const { signal } = this.#abort;
+    // Before the controls listen: a wheel's step is larger than they think, and of fingers on a page that was scrolled they
+    // mistake the place.
+    const wheelSpeed = /Mac/.test(navigator.platform) ? 10 : 10 / 3;
+    root.addEventListener(
+      "wheel",
+      () => void Object.assign(this.#controls, { zoomSpeed: wheelSpeed, zoomToCursor: true }),
+      { signal, passive: true },
+    );
+    root.addEventListener(
+      "pointerdown",
+      () => {
+        Object.assign(this.#controls, { zoomSpeed: 1, zoomToCursor: false });
+        this.#held = true;
+      },
+      { signal },
+    );
+    const controls = new TellingControls(this.#goalCamera, root);
+    this.#controls = controls;
+    Object.assign(controls.mouseButtons, { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.ROTATE, RIGHT: MOUSE.PAN });
+    controls.addEventListener("start", () => this.#start());
+    controls.addEventListener("end", () => {
+      this.#held = false;
+    });
+    this.limit({ minPolarAngle: LEAST_POLAR, maxPolarAngle: Math.PI - LEAST_POLAR, ...before.reach });
+    this.#box = before.box;
+    this.lookAt(before.eye, before.target, false);
+    controls.told = () => this.#follow();
+  }
+
+  limit(reach: Partial<CameraReach>): void {
+    Object.assign(this.#controls, reach);
+  }
+
+  enclose(box: Box3): void {
+    this.#box = box;
+  }
+
+  lookAt(eye: Vector3, target: Vector3, eased: boolean): void {
+    const { about } = this.#goal;
+    about.setFromVector3(eye.clone().sub(target));
+    this.#goal.target.copy(target);
+    // Round the shorter way.
+    this.#shown.about.theta += wholeTurns(about.theta - this.#shown.about.theta);
+    this.#placeGoal();
+    this.#go(OWN_PACE, eased);
+  }
+
+  turn(angle: number): void {
+    if (this.#held) return;
+    for (const { about } of [this.#goal, this.#shown]) about.theta += angle;
+    this.#placeGoal();
+    this.#jumped = true;
+  }
+
+  setEased(eased: boolean): void {
+    this.#eased = eased;
+  }
+
+  /** The controls themselves pan with the shift key, and turn with it where they pan. */
+  setPanning(): void {}
+
+  step(key: string, eased: boolean): boolean {
+    const { about } = this.#goal;
+    const steps: Record<string, () => void> = {
+      ArrowLeft: () => (about.theta -= KEY_TURN),
+      ArrowRight: () => (about.theta += KEY_TURN),
+      ArrowUp: () => (about.phi -= KEY_TURN),
+      ArrowDown: () => (about.phi += KEY_TURN),
+      "+": () => (about.radius *= 1 - KEY_ZOOM),
+      "=": () => (about.radius *= 1 - KEY_ZOOM),
+      "-": () => (about.radius *= 1 + KEY_ZOOM),
+    };
+    const step = steps[key];
+    if (step === undefined) return false;
+    step();
+    about.makeSafe();
+    this.#placeGoal();
+    // They hold it to its limits.
+    this.#controls.update();
+    this.#go(OWN_PACE, eased);
+    return true;
+  }
+
+  update(delta: number): boolean {
+    const { about, target } = this.#shown;
+    const goal = this.#goal;
+    const before = [about.theta, about.phi, about.radius, ...target.toArray()];
+    const share = this.#eased ? 1 - Math.exp(-this.#pace * delta) : 1;
+    about.theta = MathUtils.lerp(about.theta, goal.about.theta, share);
+    about.phi = MathUtils.lerp(about.phi, goal.about.phi, share);
+    about.radius = MathUtils.lerp(about.radius, goal.about.radius, share);
+    target.lerp(goal.target, share);
+    if (this.#isThere()) this.#arrive();
+    const after = [about.theta, about.phi, about.radius, ...target.toArray()];
+    const moved = this.#jumped || after.some((value, part) => value !== before[part]);
+    this.#jumped = false;
+    this.#camera.position.setFromSpherical(about).add(target);
+    this.#camera.lookAt(target);
+    return moved;
+  }
+
+  dispose(): void {
+    this.#abort.abort();
+    this.#controls.dispose();
+  }
+
+  /** The goal's camera sees as the view's does; and what still moved by itself stops in a hand, while a wheel's steps add up. */
+  #start(): void {
+    this.#goalCamera.copy(this.#camera, false);
+    if (this.#held) {
+      this.#goal.about.copy(this.#shown.about);
+      this.#goal.target.copy(this.#shown.target);
+    }
+    this.#placeGoal();
+  }
+
+  /** Takes up where the controls have brought the goal, and holds it to what they do not: a box, and a limit on one side. */
+  #follow(): void {
+    const { position } = this.#goalCamera;
+    const { target } = this.#controls;
+    if (this.#box !== null) {
+      const inside = this.#box.clampPoint(target, new Vector3());
+      position.add(inside).sub(target);
+      target.copy(inside);
+    }
+    const { about } = this.#goal;
+    const { theta } = about;
+    about.setFromVector3(position.clone().sub(target));
+    this.#goal.target.copy(target);
+    about.theta += wholeTurns(theta - about.theta);
+    const { minAzimuthAngle: least, maxAzimuthAngle: most } = this.#controls;
+    if (!Number.isFinite(most - least)) about.theta = MathUtils.clamp(about.theta, least, most);
+    this.#placeGoal();
+    this.#go(HAND_PACE, true);
+  }
+
+  /** Puts the controls and their camera where the goal is. */
+  #placeGoal(): void {
+    const { about, target } = this.#goal;
+    const camera = this.#goalCamera;
+    this.#controls.target.copy(target);
+    camera.position.setFromSpherical(about).add(target);
+    camera.lookAt(target);
+    camera.updateMatrixWorld();
+  }
+
+  #go(pace: number, eased: boolean): void {
+    this.#pace = pace;
+    if (!eased) this.#arrive();
+    this.#jumped ||= !eased;
+    this.#requestFrame();
+  }
+
+  #arrive(): void {
+    this.#shown.about.copy(this.#goal.about);
+    this.#shown.target.copy(this.#goal.target);
+  }
+
+  #isThere(): boolean {
+    const [shown, goal] = [this.#shown, this.#goal];
+    const least = 1e-5;
+    return (
+      Math.abs(shown.about.theta - goal.about.theta) < least &&
+      Math.abs(shown.about.phi - goal.about.phi) < least &&
+      Math.abs(shown.about.radius - goal.about.radius) < least * goal.about.radius &&
+      shown.target.distanceTo(goal.target) < least * goal.about.radius
+    );
+  }
+}
+
+/** The whole turns in an angle, radians. */
+const wholeTurns = (angle: number): number => 2 * Math.PI * Math.round(angle / (2 * Math.PI));
