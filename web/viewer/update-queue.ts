@@ -6,8 +6,8 @@ import type { TargetUpdate } from "../engine/engine-api.ts";
 
 /**
  * Bytes: a target of 2048 x 1024. With half of that what a drag paints at 2048 x 2048 had to wait, too, in each view for a
- * fence of its own: where WebGL runs on the processor, 17.2 ms of this thread a move of the pointer against 14.1, and 290 ms
- * until the next move against 200. What comes at once did not make this thread wait (11 ms at most).
+ * fence of its own: where WebGL runs on the processor, in one pair of runs, 17.2 ms of this thread a move of the pointer against
+ * 14.1, and 290 ms until the next move against 200. What comes at once did not make this thread wait (11 ms at most).
  */
 const LARGE = 8 * 1024 * 1024;
 
