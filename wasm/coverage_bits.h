@@ -25,8 +25,11 @@ public:
     std::uint64_t* row(std::uint32_t y) { return bits_.data() + static_cast<std::size_t>(y) * words_; }
 
     /// Sets `count` > 0 bits from x on if none of them is set; false where any is, and nothing changes then.
-    bool claim_span(std::uint32_t x, std::uint32_t y, std::uint32_t count) {
-        std::uint64_t* words = row(y) + x / 64;
+    bool claim_span(std::uint32_t x, std::uint32_t y, std::uint32_t count) { return claim_in_row(row(y), x, count); }
+
+    /// The same in a row's words.
+    static bool claim_in_row(std::uint64_t* words, std::uint32_t x, std::uint32_t count) {
+        words += x / 64;
         const std::uint32_t from = x % 64;
         if (from + count <= 64) {
             const std::uint64_t mask = (~std::uint64_t{0} >> (64 - count)) << from;

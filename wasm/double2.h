@@ -17,10 +17,22 @@ using Long2 = std::int64_t __attribute__((vector_size(16)));
 
 inline Double2 splat2(double value) { return Double2{value, value}; }
 
+inline Double2 absolute2(Double2 v) {
+    return reinterpret_cast<Double2>(reinterpret_cast<Long2>(v) & 0x7fffffffffffffff);
+}
+
 #if defined(__wasm_simd128__)
+inline Double2 lesser2(Double2 a, Double2 b) {
+    return reinterpret_cast<Double2>(wasm_f64x2_pmin(reinterpret_cast<v128_t>(a), reinterpret_cast<v128_t>(b)));
+}
+inline Double2 greater2(Double2 a, Double2 b) {
+    return reinterpret_cast<Double2>(wasm_f64x2_pmax(reinterpret_cast<v128_t>(a), reinterpret_cast<v128_t>(b)));
+}
 inline Double2 ceil2(Double2 v) { return reinterpret_cast<Double2>(wasm_f64x2_ceil(reinterpret_cast<v128_t>(v))); }
 inline bool any_lane2(Long2 mask) { return wasm_v128_any_true(reinterpret_cast<v128_t>(mask)); }
 #else
+inline Double2 lesser2(Double2 a, Double2 b) { return b < a ? b : a; }
+inline Double2 greater2(Double2 a, Double2 b) { return a < b ? b : a; }
 inline Double2 ceil2(Double2 v) { return Double2{std::ceil(v[0]), std::ceil(v[1])}; }
 inline bool any_lane2(Long2 mask) { return (mask[0] | mask[1]) != 0; }
 #endif

@@ -160,6 +160,8 @@ TxcStatus MapBaker::begin_sorting() {
     return TXC_STATUS_OK;
 }
 
+// Rejected: a tile's box and the end of its runs held in registers until the next tile comes, which took as long (0.886 against
+// 0.874 to 0.89 of the same yardstick on 200,000 triangles). So did all of the bake's files at -O3.
 void MapBaker::sort_spans(std::uint64_t count) {
     const std::uint32_t columns = map_->tile_columns();
     TexelRun* runs = map_->runs.data();

@@ -22,7 +22,7 @@ class SpanList {
 public:
     explicit SpanList(BudgetShare& share) : share_(share) {}
 
-    std::uint64_t size() const { return size_; }
+    std::uint64_t size() const { return blocks_.size() * kBlock - static_cast<std::uint64_t>(end_ - next_); }
 
     TxcStatus add(std::uint32_t frame, std::uint32_t x, std::uint32_t y, std::uint32_t length) {
         if (next_ == end_) {
@@ -34,14 +34,13 @@ public:
         next_->y = static_cast<std::uint16_t>(y);
         next_->length = static_cast<std::uint16_t>(length);
         ++next_;
-        ++size_;
         return TXC_STATUS_OK;
     }
 
     /// Calls visit(span) for up to `count` spans from `first` on; returns the place after the last.
     template <typename Visit>
     std::uint64_t visit(std::uint64_t first, std::uint64_t count, Visit&& visit) const {
-        const std::uint64_t last = count < size_ - first ? first + count : size_;
+        const std::uint64_t last = count < size() - first ? first + count : size();
         while (first < last) {
             const Span* spans = blocks_[static_cast<std::size_t>(first / kBlock)].get();
             const std::uint64_t left = kBlock - first % kBlock;
@@ -56,7 +55,6 @@ public:
         share_.resize(share_.bytes() - blocks_.size() * kBlock * sizeof(Span), "baking the map");
         blocks_ = decltype(blocks_)();
         next_ = end_ = nullptr;
-        size_ = 0;
     }
 
 private:
@@ -76,7 +74,6 @@ private:
     std::vector<std::unique_ptr<Span[]>> blocks_;
     Span* next_ = nullptr;
     Span* end_ = nullptr;
-    std::uint64_t size_ = 0;
 };
 
 }  // namespace txc

@@ -15,17 +15,12 @@ std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
     return value % by < 0 ? quotient - 1 : quotient;
 }
 
-// Not std::fmin and fmax: they are calls in WebAssembly, for the sake of a NaN that no checked mesh has.
-template <typename T>
-T least(const T (&v)[3]) {
-    const T first = v[1] < v[0] ? v[1] : v[0];
-    return v[2] < first ? v[2] : first;
-}
-
-template <typename T>
-T greatest(const T (&v)[3]) {
-    const T first = v[1] > v[0] ? v[1] : v[0];
-    return v[2] > first ? v[2] : first;
+/// Counts a span's runs in a row of tiles.
+inline void count_runs(std::uint32_t* run_counts, std::uint32_t first, std::uint32_t count) {
+    std::uint32_t column = first / kTileSize;
+    const std::uint32_t last = (first + count - 1) / kTileSize;
+    ++run_counts[column];
+    while (column < last) ++run_counts[++column];
 }
 
 }  // namespace
@@ -44,14 +39,12 @@ TxcStatus SpanRaster::check(const Mesh& mesh, const MapKey& key) {
     const glm::vec2 extent = material.uv_max - material.uv_min;
     if (extent.x <= kMaxRepeats && extent.y <= kMaxRepeats) return TXC_STATUS_OK;
     for (const std::uint32_t triangle : material.triangles) {
-        float u[3];
-        float v[3];
-        for (int corner = 0; corner < 3; ++corner) {
-            const glm::vec2 uv = mesh.uvs[mesh.triangles[triangle].vertex[corner]];
-            u[corner] = uv.x;
-            v[corner] = uv.y;
-        }
-        if (greatest(u) - least(u) > kMaxRepeats || greatest(v) - least(v) > kMaxRepeats) {
+        const auto& vertices = mesh.triangles[triangle].vertex;
+        const glm::vec2 a = mesh.uvs[vertices[0]];
+        const glm::vec2 b = mesh.uvs[vertices[1]];
+        const glm::vec2 c = mesh.uvs[vertices[2]];
+        const glm::vec2 size = glm::max(glm::max(a, b), c) - glm::min(glm::min(a, b), c);
+        if (size.x > kMaxRepeats || size.y > kMaxRepeats) {
             return fail(
                 TXC_STATUS_BAD_UVS,
                 "triangle %u of material %u repeats the texture more than %g times; unwrap the model to paint it",
@@ -86,36 +79,34 @@ TxcStatus SpanRaster::step(std::int64_t& work) {
 void SpanRaster::open_triangle(std::uint32_t triangle) {
     triangle_ = triangle;
     rows_ = {0, 0};
-    const double width = map_.key.texture_width();
-    const double height = map_.key.texture_height();
+    const Double2 size = {static_cast<double>(map_.key.texture_width()),
+                          static_cast<double>(map_.key.texture_height())};
     const Triangle& corners = mesh_.triangles[triangle];
+    Double2 low{};
+    Double2 high{};
     for (int corner = 0; corner < 3; ++corner) {
         const std::uint32_t vertex = corners.vertex[corner];
         if (mesh_.vertex_has_uv[vertex] == 0) return;
         const glm::vec2 uv = mesh_.uvs[vertex];
-        texels_.x[corner] = static_cast<double>(uv.x) * width;
-        texels_.y[corner] = static_cast<double>(uv.y) * height;
+        const Double2 place = Double2{static_cast<double>(uv.x), static_cast<double>(uv.y)} * size;
+        low = corner == 0 ? place : lesser2(low, place);
+        high = corner == 0 ? place : greater2(high, place);
+        texels_.x[corner] = place[0];
+        texels_.y[corner] = place[1];
     }
     if (texels_.doubled_area() == 0.0) return;
     raster_ = TriangleRaster(texels_);
     rows_ = raster_.rows();
     open_frames_.clear();
-    const double left = least(texels_.x);
-    const double right = greatest(texels_.x);
-    const double top = least(texels_.y);
-    const double bottom = greatest(texels_.y);
-    wraps_ = left < 0.0 || top < 0.0 || right > width || bottom > height;
-    overlaps_itself_ = wraps_ && (right - left > width || bottom - top > height);
+    wraps_ = any_lane2((low < splat2(0.0)) | (high > size));
+    overlaps_itself_ = wraps_ && any_lane2(high - low > size);
     if (overlaps_itself_) claimed_ = CoverageBits(map_.key.texture_width(), map_.key.texture_height());
 }
 
-inline TxcStatus SpanRaster::add_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first,
-                                      std::uint32_t count) {
+TxcStatus SpanRaster::add_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first, std::uint32_t count) {
     if (map_.key.is_window()) return add_window_span(frame, row, first, count);
     map_.covered_texels += count;
-    std::uint32_t* run_counts = tile_run_counts_.data() + row / kTileSize * map_.tile_columns();
-    for (std::uint32_t column = first / kTileSize; column <= (first + count - 1) / kTileSize; ++column)
-        ++run_counts[column];
+    count_runs(tile_run_counts_.data() + row / kTileSize * map_.tile_columns(), first, count);
     return spans_.add(frame, first, row, count);
 }
 
@@ -130,38 +121,58 @@ TxcStatus SpanRaster::add_window_span(std::uint32_t frame, std::uint32_t row, st
     const std::uint32_t y = row - key.origin_y;
     window_covered_.claim_span(x, y, to - from);
     map_.covered_texels += to - from;
-    std::uint32_t* run_counts = tile_run_counts_.data() + y / kTileSize * map_.tile_columns();
-    for (std::uint32_t column = x / kTileSize; column <= (x + to - from - 1) / kTileSize; ++column)
-        ++run_counts[column];
+    count_runs(tile_run_counts_.data() + y / kTileSize * map_.tile_columns(), x, to - from);
     return spans_.add(frame, x, y, to - from);
 }
 
 /// A triangle inside the texture has one frame and meets no texel twice: nearly all do, so their rows take no call.
 TxcStatus SpanRaster::draw_rows(std::int64_t& work) {
-    const TriangleRaster raster = raster_;
     constexpr std::uint32_t kNone = 0xffffffffu;
+    // What the loop needs is its own: what lies behind `this` would be read anew after every store (with that, places in fixed
+    // point and frames two coordinates at a time, 200,000 triangles bake in 0.89 of the time before).
+    std::uint64_t* const words = covered_.row(0);
+    const std::size_t stride = covered_.words();
+    std::uint32_t* const run_counts = tile_run_counts_.data();
+    const std::uint32_t columns = map_.tile_columns();
+    const bool is_window = map_.key.is_window();
     std::uint32_t frame = open_frames_.empty() ? kNone : open_frames_[0].frame;
-    while (rows_.first < rows_.last && work > 0) {
-        const std::int32_t row = rows_.first++;
-        const TexelRange span = raster.span(row);
-        work -= 4;
-        if (span.first >= span.last) continue;
-        work -= span.last - span.first;
-        const auto first = static_cast<std::uint32_t>(span.first);
-        const auto y = static_cast<std::uint32_t>(row);
-        const auto count = static_cast<std::uint32_t>(span.last - span.first);
-        if (!covered_.claim_span(first, y, count)) {
-            if (const TxcStatus status = claim_free_texels(y, first, count, 0, 0); status != TXC_STATUS_OK)
-                return status;
-            if (!open_frames_.empty()) frame = open_frames_[0].frame;
-            continue;
+    std::uint32_t covered = 0;
+    std::int64_t left = work;
+    std::int32_t row = rows_.first;
+    while (row < rows_.last && left > 0) {
+        SpanWalk walk(raster_, row);
+        const std::int32_t end = raster_.part_end(row);
+        for (; row < end && left > 0; ++row) {
+            const TexelRange span = walk.next();
+            left -= 4;
+            if (span.first >= span.last) continue;
+            const auto first = static_cast<std::uint32_t>(span.first);
+            const auto y = static_cast<std::uint32_t>(row);
+            const auto count = static_cast<std::uint32_t>(span.last - span.first);
+            left -= count;
+            if (!CoverageBits::claim_in_row(words + y * stride, first, count)) {
+                if (const TxcStatus status = claim_free_texels(y, first, count, 0, 0); status != TXC_STATUS_OK)
+                    return status;
+                if (!open_frames_.empty()) frame = open_frames_[0].frame;
+                continue;
+            }
+            if (frame == kNone) {
+                if (const TxcStatus status = frame_for({span.first, row, 0, 0}, frame); status != TXC_STATUS_OK)
+                    return status;
+            }
+            if (is_window) {
+                if (const TxcStatus status = add_window_span(frame, y, first, count); status != TXC_STATUS_OK)
+                    return status;
+                continue;
+            }
+            covered += count;
+            count_runs(run_counts + y / kTileSize * columns, first, count);
+            if (const TxcStatus status = spans_.add(frame, first, y, count); status != TXC_STATUS_OK) return status;
         }
-        if (frame == kNone) {
-            if (const TxcStatus status = frame_for({span.first, row, 0, 0}, frame); status != TXC_STATUS_OK)
-                return status;
-        }
-        if (const TxcStatus status = add_span(frame, y, first, count); status != TXC_STATUS_OK) return status;
     }
+    rows_.first = row;
+    map_.covered_texels += covered;
+    work = left;
     return TXC_STATUS_OK;
 }
 

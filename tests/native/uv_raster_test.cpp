@@ -136,6 +136,35 @@ TEST_CASE("A random grid with diagonals either way covers each texel once") {
     }
 }
 
+TEST_CASE("A walk down a triangle finds the spans that its rows have, on textures of any size") {
+    Random random(3);
+    for (int round = 0; round < 3000; ++round) {
+        const double side = static_cast<double>(1u << (2 + random.below(13)));
+        const double grain = kGrains[random.below(4)];
+        // Slivers too: from a narrow band, steep or flat.
+        const double width = random.coin() ? side : std::min(side, random.between(1e-4, 2.0));
+        const double height = random.coin() ? side : std::min(side, random.between(1e-4, 2.0));
+        TexelTriangle triangle{};
+        for (int corner = 0; corner < 3; ++corner) {
+            triangle.x[corner] = draw_place(random, 0.0, width, grain);
+            triangle.y[corner] = draw_place(random, 0.0, height, grain);
+        }
+        const txc::TriangleRaster raster(triangle);
+        CAPTURE(round);
+        for (std::int32_t row = raster.rows().first; row < raster.rows().last;) {
+            const std::int32_t end = raster.part_end(row);
+            REQUIRE(end > row);
+            txc::SpanWalk walk(raster, row);
+            for (; row < end; ++row) {
+                const txc::TexelRange found = walk.next();
+                const txc::TexelRange span = raster.span(row);
+                REQUIRE(found.first == span.first);
+                REQUIRE(found.last == span.last);
+            }
+        }
+    }
+}
+
 TEST_CASE("Edges through texel centres belong to the triangle on their right or below them") {
     // Legs on centre lines at the top and left, hypotenuse through centres: top and left own theirs, it does not.
     Claims upper(6);
