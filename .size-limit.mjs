@@ -8,9 +8,9 @@ const budget = (name, path, limit) => ({ name, path, limit, gzip: true });
 
 export default [
   budget("element and engine, until the shop's product is shown", scripts(shown), "60 kB"),
-  budget("a design on it, or zones: the desk", scripts(desk), "22 kB"),
-  budget("a design on it: reading and checking", scripts(design), "22 kB"),
-  budget("the first touch, beside the desk", scripts(touch), "49 kB"),
+  budget("a design on it, or zones: the desk", scripts(desk), "19 kB"),
+  budget("a design on it: reading and checking", scripts(design), "20 kB"),
+  budget("the first touch, beside the desk", scripts(touch), "48 kB"),
   budget("the engine's WebAssembly", [join(DIST, "assets/texelcast.wasm")], "150 kB"),
   budget("the shop's side of the iframe", scripts(withImports("embed.js")), "10 kB"),
   budget("the root import", scripts(withImports("index.js")), "1 kB"),

@@ -1,8 +1,9 @@
 import { Ray, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { CylindricalProjector, PerspectiveProjector } from "../../web/engine/engine-api.ts";
+import { pictureRay } from "../../web/viewer/picture-ray.ts";
 import { thrownHandleDrag } from "../../web/viewer/projector-handles.ts";
-import { pictureRay, slideSpot, toView } from "../../web/viewer/projector-sight.ts";
+import { slideSpot, toView } from "../../web/viewer/projector-sight.ts";
 import { expectVector, radians } from "./pose-helpers.ts";
 
 const LIMITS = { least: 0.001, most: 10 };

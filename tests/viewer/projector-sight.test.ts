@@ -1,7 +1,8 @@
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { CylindricalProjector, PerspectiveProjector, UvProjector } from "../../web/engine/engine-api.ts";
-import { type PictureRay, pictureRay, reachesPoint } from "../../web/viewer/projector-sight.ts";
+import { type PictureRay, pictureRay } from "../../web/viewer/picture-ray.ts";
+import { reachesPoint } from "../../web/viewer/projector-sight.ts";
 import { expectVector } from "./pose-helpers.ts";
 
 const quarter = Math.SQRT1_2;

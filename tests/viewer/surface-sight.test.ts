@@ -1,6 +1,7 @@
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { PerspectiveProjector } from "../../web/engine/engine-api.ts";
+import { seenFrom } from "../../web/viewer/surface-sight.ts";
 import { cube, queryOf, sheet, sphere } from "./surface-helpers.ts";
 
 const ahead = (z: number): PerspectiveProjector => ({
@@ -33,7 +34,7 @@ describe("what an eye sees of a model", () => {
     );
     const eye = ahead(3);
     const [width, height] = [36, 24];
-    const sight = query.seenFrom(eye, width, height);
+    const sight = seenFrom(query.surface, eye, width, height);
     let met = 0;
     for (let pixel = 0; pixel < width * height; pixel++) {
       const hit = query.raycast(...rayOf(eye, pixel % width, Math.floor(pixel / width), width, height));
@@ -51,10 +52,10 @@ describe("what an eye sees of a model", () => {
     const floor = sheet()
       .scale(20, 20, 1)
       .rotateX(-Math.PI / 2);
-    const above = queryOf(floor).seenFrom(ahead(0), 8, 8);
+    const above = seenFrom(queryOf(floor).surface, ahead(0), 8, 8);
     expect([...above.materials.subarray(0, 8)], "above the horizon").toEqual(Array(8).fill(-1));
     expect([...above.materials.subarray(56)], "below it").toEqual(Array(8).fill(0));
-    const below = queryOf(floor.clone().translate(0, 1, 0)).seenFrom(ahead(0), 8, 8);
+    const below = seenFrom(queryOf(floor.clone().translate(0, 1, 0)).surface, ahead(0), 8, 8);
     expect(below.materials.every((material) => material === -1)).toBe(true);
   });
 });

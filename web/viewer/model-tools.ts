@@ -6,7 +6,7 @@ import { tangentPart, tupleOf } from "./decal-pose.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { hitOf } from "./surface-hit.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
-import type { SurfaceSight } from "./surface-sight.ts";
+import { type SurfaceSight, seenFrom } from "./surface-sight.ts";
 import { type TexelPlaces, texelPlaces } from "./texel-places.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 import { ToolPointer } from "./tool-pointer.ts";
@@ -137,7 +137,8 @@ export class ModelTools implements ToolSurface {
   }
 
   seenFrom(eye: PerspectiveProjector, width: number, height: number): SurfaceSight | null {
-    return this.#hooks.query()?.seenFrom(eye, width, height) ?? null;
+    const query = this.#hooks.query();
+    return query && seenFrom(query.surface, eye, width, height);
   }
 
   metresPerPixel(hit: SurfaceHit): number {

@@ -2,7 +2,8 @@
 import { Vector3 } from "three";
 import type { Projector, UvProjector } from "../engine/engine-api.ts";
 import { axisOf, poseOf } from "./decal-pose.ts";
-import { pictureRay, rotationOf } from "./projector-sight.ts";
+import { pictureRay } from "./picture-ray.ts";
+import { rotationOf } from "./projector-sight.ts";
 import type { SurfaceQuery, SurfaceSample } from "./surface-query.ts";
 
 /** The picture's middle on the surface, and the ways from there to its sides. Metres, model space. */

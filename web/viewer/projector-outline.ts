@@ -3,7 +3,8 @@ import { Vector3 } from "three";
 import type { CylindricalProjector, PerspectiveProjector, Projector, UvProjector } from "../engine/engine-api.ts";
 import { type OutlinePoint, POINTS_PER_EDGE, rectangleBorder } from "./decal-outline.ts";
 import type { DecalPose } from "./decal-pose.ts";
-import { type PictureRay, pictureRay, rotationOf } from "./projector-sight.ts";
+import { type PictureRay, pictureRay } from "./picture-ray.ts";
+import { rotationOf } from "./projector-sight.ts";
 import type { SurfaceQuery } from "./surface-query.ts";
 
 type ThrownProjector = PerspectiveProjector | CylindricalProjector;

@@ -1,10 +1,10 @@
 /**
- * The projectors that are not boxes, as three.js mathematics: what of the picture a point of the surface sees, and the
- * rays that draw a picture's border on the model (spec.md, section 3). No DOM, no scene.
+ * The projectors as three.js mathematics: what of the picture a point of the surface sees (spec.md, section 3). No DOM, no
+ * scene.
  */
 import { Quaternion, Vector3 } from "three";
 import type { CylindricalProjector, PerspectiveProjector, Projector, UvProjector } from "../engine/engine-api.ts";
-import { axisOf, containsPoint, facesNormal, poseOf } from "./decal-pose.ts";
+import { containsPoint, facesNormal, poseOf } from "./decal-pose.ts";
 
 /** What a projector may ask of a point of the surface. */
 export interface SeenPoint {
@@ -13,15 +13,6 @@ export interface SeenPoint {
   readonly normal: Vector3;
   /** Texture coordinates, not wrapped. */
   readonly uv: readonly [number, number];
-}
-
-/** A ray towards the surface, along which a point of the picture is thrown. */
-export interface PictureRay {
-  readonly origin: Vector3;
-  /** Unit. */
-  readonly direction: Vector3;
-  /** Metres inside the volume. */
-  readonly length: number;
 }
 
 /** True where the projector's volume holds the point and its light meets the surface's front. */
@@ -43,42 +34,6 @@ export function reachesPoint(projector: Projector, point: SeenPoint): boolean {
   const fromAxis = Math.hypot(local.x, local.z);
   const inDepth = fromAxis > 0 && Math.abs(fromAxis - projector.radius) <= projector.depth;
   return inDepth && normal.x * local.x + normal.z * local.z > 0 && isInside(labelPoint(projector, local));
-}
-
-/** The ray that throws a point of the picture (decal space, x and y); null for the flat stamp, which throws nothing. */
-export function pictureRay(projector: Projector, x: number, y: number): PictureRay | null {
-  if (projector.kind === "planar") {
-    const { position, size } = poseOf(projector);
-    const rotation = rotationOf(projector);
-    const origin = new Vector3(x * size.x, y * size.y, size.z / 2).applyQuaternion(rotation).add(position);
-    return { origin, direction: axisOf(poseOf(projector), 2).negate(), length: size.z };
-  }
-  if (projector.kind === "uv") {
-    return null;
-  }
-  const rotation = rotationOf(projector);
-  const position = new Vector3(...projector.position);
-  if (projector.kind === "perspective") {
-    const half = Math.tan((projector.fov * Math.PI) / 360);
-    const way = new Vector3(2 * x * half * projector.aspect, 2 * y * half, -1);
-    const direction = way.clone().applyQuaternion(rotation);
-    const origin = direction.clone().multiplyScalar(projector.near).add(position);
-    const perDepth = way.length();
-    return { origin, direction: direction.normalize(), length: (projector.far - projector.near) * perDepth };
-  }
-  const angle = (x * projector.arc * Math.PI) / 180;
-  const outward = new Vector3(Math.sin(angle), 0, Math.cos(angle));
-  const inner = Math.max(0, projector.radius - projector.depth);
-  const outer = projector.radius + projector.depth;
-  const origin = outward
-    .clone()
-    .multiplyScalar(outer)
-    .setY(y * projector.height);
-  return {
-    origin: origin.applyQuaternion(rotation).add(position),
-    direction: outward.negate().applyQuaternion(rotation),
-    length: outer - inner,
-  };
 }
 
 /** A point of model space along a posed projector's own axes, metres from its position. */

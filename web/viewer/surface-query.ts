@@ -1,12 +1,10 @@
 /** Questions to the resting model: where does a ray meet it, which point is nearest, what is its smooth normal there. */
 import { type Box3, BufferAttribute, BufferGeometry, DoubleSide, Ray, Sphere, Triangle, Vector3 } from "three";
 import { type HitPointInfo, MeshBVH } from "three-mesh-bvh";
-import type { PerspectiveProjector } from "../engine/engine-api.ts";
 import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
 import type { ReachVolume } from "./reached-materials.ts";
 import { DOUBLE_SIDED, FACETED, type RestingSurface } from "./resting-surface.ts";
 import { shellsOf } from "./surface-shells.ts";
-import { type SurfaceSight, seenFrom } from "./surface-sight.ts";
 import { UvLookup, type UvPlace } from "./uv-lookup.ts";
 
 /** A point of the surface with what lies there; `distance` from the question's origin, metres. */
@@ -40,7 +38,7 @@ const MOST_BACK_FACES = 16;
 const AVERAGING_OFFSETS: readonly Vector3[] = [...fibonacciSphere(20, 1), ...fibonacciSphere(12, 0.55)];
 
 export class SurfaceQuery {
-  readonly #surface: RestingSurface;
+  readonly surface: RestingSurface;
   readonly #bvh: MeshBVH | null;
   #shells: Uint32Array | null = null;
   readonly #materialCount: number;
@@ -52,7 +50,7 @@ export class SurfaceQuery {
   readonly bounds = new Sphere();
 
   constructor(surface: RestingSurface) {
-    this.#surface = surface;
+    this.surface = surface;
     this.#materialCount = new Set(surface.materialOfTriangle).size;
     if (surface.index.length === 0) {
       this.#bvh = null;
@@ -122,7 +120,7 @@ export class SurfaceQuery {
 
   /** The materials, ascending, with a triangle that the volume reaches. */
   materialsWithin(volume: ReachVolume): number[] {
-    const { materialOfTriangle } = this.#surface;
+    const { materialOfTriangle } = this.surface;
     const found = new Set<number>();
     this.#bvh?.shapecast({
       intersectsBounds: (box) => volume.touchesBox(box),
@@ -150,14 +148,9 @@ export class SurfaceQuery {
     return this.#sample(triangle, position, 0);
   }
 
-  /** What an eye sees of the surface, in a picture of that many pixels. */
-  seenFrom(eye: PerspectiveProjector, width: number, height: number): SurfaceSight {
-    return seenFrom(this.#surface, eye, width, height);
-  }
-
   /** How u and v grow over a triangle's plane, per metre; zeros where the triangle has no area. */
   uvGradients(triangle: number): { readonly u: Vector3; readonly v: Vector3 } {
-    const { uvs } = this.#surface;
+    const { uvs } = this.surface;
     const [a, b, c] = this.#loadTriangle(triangle);
     const first = this.#triangle.b.clone().sub(this.#triangle.a);
     const second = this.#triangle.c.clone().sub(this.#triangle.a);
@@ -177,7 +170,7 @@ export class SurfaceQuery {
 
   /** A number for the connected part of the model that a triangle belongs to. */
   shellOf(triangle: number): number {
-    this.#shells ??= shellsOf(this.#surface);
+    this.#shells ??= shellsOf(this.surface);
     return this.#shells[triangle] as number;
   }
 
@@ -185,7 +178,7 @@ export class SurfaceQuery {
   triangleAtUv(material: number, uv: readonly [number, number]): UvPlace | null {
     let lookup = this.#lookups.get(material);
     if (lookup === undefined) {
-      lookup = new UvLookup(this.#surface, material);
+      lookup = new UvLookup(this.surface, material);
       this.#lookups.set(material, lookup);
     }
     return lookup.at(uv[0], uv[1]);
@@ -198,7 +191,7 @@ export class SurfaceQuery {
    */
   smoothNormal(place: SurfaceSample, radius: number): Vector3 {
     const frame = minimalRotation(new Vector3(0, 0, 1), place.normal);
-    this.#shells ??= shellsOf(this.#surface);
+    this.#shells ??= shellsOf(this.surface);
     const shells = this.#shells;
     const shell = shells[place.triangle];
     const total = place.normal.clone();
@@ -280,7 +273,7 @@ export class SurfaceQuery {
   }
 
   #isSeenAlong(triangle: number, direction: Vector3): boolean {
-    if (((this.#surface.flagsOfTriangle[triangle] ?? 0) & DOUBLE_SIDED) !== 0) {
+    if (((this.surface.flagsOfTriangle[triangle] ?? 0) & DOUBLE_SIDED) !== 0) {
       return true;
     }
     this.#loadTriangle(triangle);
@@ -288,7 +281,7 @@ export class SurfaceQuery {
   }
 
   #sample(triangle: number, position: Vector3, distance: number): SurfaceSample {
-    const { uvs, materialOfTriangle } = this.#surface;
+    const { uvs, materialOfTriangle } = this.surface;
     const normal = this.#normalAt(triangle, position);
     const [a, b, c] = this.#loadTriangle(triangle);
     const share = this.#triangle.getBarycoord(position, new Vector3()) ?? new Vector3(1, 0, 0);
@@ -297,13 +290,13 @@ export class SurfaceQuery {
       (uvs[b * 2 + axis] as number) * share.y +
       (uvs[c * 2 + axis] as number) * share.z;
     const material = materialOfTriangle[triangle] as number;
-    const face = this.#surface.faceOfTriangle[triangle] as number;
+    const face = this.surface.faceOfTriangle[triangle] as number;
     return { position, normal, distance, triangle, face, material, uv: [uvAt(0), uvAt(1)] };
   }
 
   /** The surface's unit normal at a point of a triangle. */
   #normalAt(triangle: number, position: Vector3): Vector3 {
-    const { normals, flagsOfTriangle } = this.#surface;
+    const { normals, flagsOfTriangle } = this.surface;
     const [a, b, c] = this.#loadTriangle(triangle);
     const normal = new Vector3();
     if (((flagsOfTriangle[triangle] ?? 0) & FACETED) === 0) {
@@ -319,7 +312,7 @@ export class SurfaceQuery {
   }
 
   #loadTriangle(triangle: number): [number, number, number] {
-    const { index, positions } = this.#surface;
+    const { index, positions } = this.surface;
     const [a, b, c] = [index[triangle * 3], index[triangle * 3 + 1], index[triangle * 3 + 2]] as [
       number,
       number,
