@@ -46,8 +46,10 @@ export class FirstTouch {
   /** Does again what was done; to be called once. */
   giveTo(viewer: DecalViewer): void {
     this.stop();
-    for (const { down, newest } of this.#presses.values()) {
-      this.#view.dispatchEvent(new PointerEvent("pointerdown", down));
+    const presses = [...this.#presses.values()];
+    // Every finger is down before one of them moves: two of them are a pinch, and not a drag with a second finger on it.
+    for (const { down } of presses) this.#view.dispatchEvent(new PointerEvent("pointerdown", down));
+    for (const { down, newest } of presses) {
       if (newest !== down) this.#view.dispatchEvent(new PointerEvent("pointermove", newest));
     }
     if (this.#presses.size === 0 && this.#click !== null) viewer.clickAt(this.#click.clientX, this.#click.clientY);
