@@ -36,7 +36,7 @@ beforeAll(async () => {
       `{ wasm: await WebAssembly.compileStreaming(fetch("${DIST}/assets/texelcast.wasm")) }`,
     ),
     "element.html": page("/element.js"),
-    "element.js": ELEMENT_SCRIPT,
+    "element.js": elementScript(DIST),
     "index.html": page("/main.js"),
     "vite.config.js": guideFile("vite.config.js"),
     "main.js": `import { TexelcastError } from "texelcast";\n${storyScript("texelcast/core")}globalThis.root = TexelcastError.name;`,
@@ -49,8 +49,8 @@ afterAll(async () => {
   installed?.remove();
 });
 
-const ELEMENT_SCRIPT = `
-import "${DIST}/standalone.js";
+const elementScript = (dist: string): string => `
+import "${dist}/standalone.js";
 const editor = document.createElement("texelcast-editor");
 editor.style.cssText = "display: block; inline-size: 600px; block-size: 500px";
 Object.assign(editor, { src: "/mug.glb", loading: "eager", size: 256 });
@@ -125,6 +125,17 @@ test("a plain page under a strict policy opens the element; Node prints the very
     console.log(print.sha256);`;
   expect(await runInNode(installed.folder, script)).toBe(sha256);
   await server.stop();
+});
+
+test("a page takes the element from another origin, as from a CDN, and exports the same bytes", async () => {
+  const cdn = await serveFolder(installed.folder, { "access-control-allow-origin": "*" });
+  const script = elementScript(`${cdn.origin}${DIST}`);
+  addShopFiles(installed.folder, { "cdn.html": page("/cdn.js"), "cdn.js": script });
+  const shop = await serveFolder(installed.folder);
+  const [here, elsewhere] = [await tell(`${shop.origin}/element.html`), await tell(`${shop.origin}/cdn.html`)];
+  expect(elsewhere).toEqual(here);
+  expect(elsewhere).toMatchObject({ story: { sha256: expect.stringMatching(/^[0-9a-f]{64}$/) }, complaints: [] });
+  await Promise.all([cdn.stop(), shop.stop()]);
 });
 
 test("Vite builds a shop with the guide's two settings", async () => {

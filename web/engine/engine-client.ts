@@ -22,6 +22,7 @@ import type {
 } from "./engine-api.ts";
 import { cancelled, crashError, disposed, haltError } from "./engine-faults.ts";
 import type { Call, CallArguments, CallName, CallResult, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
+import { foreignWorker, isForeign } from "./foreign-worker.ts";
 import type { CallOptions, PendingCall } from "./pending-call.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
 import type { PrintZones } from "./print-zones.ts";
@@ -286,7 +287,9 @@ class EngineClient implements Engine {
     const { createWorker, wasm, memoryBudgetMib } = this.#options;
     const worker =
       createWorker?.() ??
-      new Worker(new URL("./engine-worker.ts", import.meta.url), { type: "module", name: "texelcast" });
+      (isForeign()
+        ? foreignWorker({ type: "module", name: "texelcast" })
+        : new Worker(new URL("./engine-worker.ts", import.meta.url), { type: "module", name: "texelcast" }));
     worker.onmessage = ({ data }: MessageEvent<WorkerMessage>) => this.#receive(data);
     worker.onerror = (event) => this.#crash(crashError(event.message || "its script could not be loaded or run"));
     worker.onmessageerror = () => this.#crash(crashError("one of its messages could not be read"));
