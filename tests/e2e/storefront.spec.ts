@@ -1,6 +1,6 @@
 /** The example shop as its customers use it: what they approve is what arrives at the press, to the byte. */
 import { readFileSync } from "node:fs";
-import type { Page } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import { paintPng } from "../support/png-file.ts";
 import { expect, type ShopPage, sha256, test } from "./support/shop.ts";
 
@@ -35,14 +35,19 @@ async function upload({ page, editor }: ShopPage, press: () => Promise<void>): P
 
 /**
  * A mug with a logo and a name: personalised, warned about, kept, edited from the cart, ordered, and printed as approved.
+ * @param press what is pressed in the editor, and the way into the cart
  * @param look at each page on the way
  */
-async function buyMug(shop: ShopPage, look = async (): Promise<void> => {}): Promise<void> {
+async function buyMug(
+  shop: ShopPage,
+  press: (button: Locator) => Promise<void>,
+  look = async (): Promise<void> => {},
+): Promise<void> {
   const { page, editor } = shop;
   await page.getByRole("link", { name: "Stoneware mug" }).click();
   await shop.productShown();
-  await upload(shop, () => editor.getByRole("button", { name: "Add picture" }).click());
-  await editor.getByRole("button", { name: "Add text" }).click();
+  await upload(shop, () => press(editor.getByRole("button", { name: "Add picture" })));
+  await press(editor.getByRole("button", { name: "Add text" }));
   await expect(editor.getByLabel("Words")).toBeFocused();
   await page.keyboard.insertText(WORDS);
   await page.keyboard.press("Tab");
@@ -50,7 +55,7 @@ async function buyMug(shop: ShopPage, look = async (): Promise<void> => {}): Pro
   await expect(page.getByRole("region", { name: "Before it is printed" })).toContainText("logo Only 31 DPI");
   await look();
 
-  await page.getByRole("button", { name: "Add to cart" }).click();
+  await press(page.getByRole("button", { name: "Add to cart" }));
   await expect(page.getByText("Tick “Print it as it is” first")).toBeVisible();
   await page.keyboard.press("Space");
   await page.getByRole("button", { name: "Add to cart" }).click();
@@ -82,14 +87,17 @@ test("a mug with a logo and a name goes through the cart, is edited there, order
 }) => {
   const look = async (): Promise<void> => expect(await shop.obstacles()).toEqual([]);
   await look();
-  await buyMug(shop, look);
+  await buyMug(shop, (button) => button.click(), look);
 });
 
-test("with the editor in an iframe of another origin the mug goes the same way, and is printed as approved", async ({
+test("with the editor in an iframe of another origin the mug goes the same way, by keys into the frame and out of it", async ({
   shop,
 }) => {
   await shop.frameEditors();
-  await buyMug(shop);
+  await buyMug(shop, async (button) => {
+    await shop.tabTo(button);
+    await shop.page.keyboard.press("Enter");
+  });
 });
 
 test("an edit of a text that still has the focus is in the price that goes into the cart", async ({ shop }) => {
