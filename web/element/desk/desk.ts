@@ -141,7 +141,9 @@ export class Desk {
 
   /** Makes what is shown a step of the history, as the end of the gesture or of the typing would. */
   keepShown(): void {
-    if (!this.atRest) this.record(this.session.design, this.settings.words.steps.change);
+    if (!this.atRest && !this.settings.readonly) this.record(this.session.design, this.settings.words.steps.change);
+    // Where nothing may be recorded, it is not to be printed either.
+    this.session.cancelPreview();
   }
 
   /** The material that new things go on where nothing else says. */
