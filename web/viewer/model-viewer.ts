@@ -1,15 +1,13 @@
 /** The editor's 3D view: hands on decals, tools, animations and looks, on a view that shows the model. */
 import { Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
-import type { Orbit } from "./camera-orbit.ts";
+import type { Projector, Vec3 } from "../engine/engine-api.ts";
 import { ClipClock } from "./clip-clock.ts";
 import { frameDecal } from "./decal-framing.ts";
 import { DecalHands } from "./decal-hands.ts";
 import { poseOf } from "./decal-pose.ts";
 import { GradientHandles, type GradientLabels, type GradientPlace } from "./gradient-handles.ts";
 import { HeldCamera } from "./held-camera.ts";
-import type { CameraLimits } from "./model-camera.ts";
 import { ModelDisplay } from "./model-display.ts";
 import { guideOf } from "./model-parts.ts";
 import { placerFor } from "./model-placer.ts";
@@ -22,6 +20,7 @@ import type { StillModel } from "./still-model.ts";
 import { type ModelViewOptions, StillView } from "./still-view.ts";
 import { THROWN } from "./thrown-kinds.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
+import { ViewInHands } from "./view-in-hands.ts";
 import type {
   AnimationState,
   ClipInfo,
@@ -30,10 +29,7 @@ import type {
   ModelLook,
   ModelPart,
   ModelViewer,
-  ModelViewerEvents,
-  SurfaceHit,
   TexturePlace,
-  ViewerDecal,
 } from "./viewer-api.ts";
 
 /** Builds a viewer that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
@@ -41,12 +37,10 @@ export function createModelViewer(host: HTMLElement, options: ModelViewOptions =
   return new ThreeModelViewer(new StillView(host, options));
 }
 
-class ThreeModelViewer implements ModelViewer {
-  readonly element: HTMLElement;
-  readonly #view: StillView;
+class ThreeModelViewer extends ViewInHands implements ModelViewer {
   readonly #stage: Stage;
   readonly #held: HeldCamera;
-  readonly #hands: DecalHands;
+  protected readonly hands: DecalHands;
   readonly #tools: ModelTools;
   readonly #gradient: GradientHandles;
   readonly #display: ModelDisplay;
@@ -54,9 +48,8 @@ class ThreeModelViewer implements ModelViewer {
   #model: ShownModel | null = null;
 
   constructor(view: StillView) {
+    super(view);
     const { element: root, events } = view;
-    this.element = root;
-    this.#view = view;
     this.#stage = view.stage;
     this.#held = view.stage.hold(
       (still) => new HeldCamera(this.#stage.camera, root, still, () => this.#stage.requestFrame()),
@@ -79,7 +72,7 @@ class ThreeModelViewer implements ModelViewer {
         };
       },
     });
-    this.#hands = hands;
+    this.hands = hands;
     const { screen, gizmo } = hands;
     this.#display = new ModelDisplay(root, this.#stage, screen);
     this.#gradient = new GradientHandles(root, screen, {
@@ -117,16 +110,12 @@ class ThreeModelViewer implements ModelViewer {
     });
   }
 
-  async setModel(info: ModelInfo): Promise<void> {
-    await this.#view.setModel(info);
-  }
-
   #modelShown(still: StillModel): void {
     const model = new ShownModel(still);
     this.#model = model;
     this.#display.setModel(model);
     this.#surfaceChanged();
-    this.#hands.gizmo.enabled = !this.#tools.active;
+    this.hands.gizmo.enabled = !this.#tools.active;
   }
 
   #modelGone(): void {
@@ -134,39 +123,11 @@ class ThreeModelViewer implements ModelViewer {
     if (model === null) {
       return;
     }
-    this.#hands.gizmo.setSurface(null);
+    this.hands.gizmo.setSurface(null);
     this.#tools.setSurface(null);
     this.#display.setModel(null);
     model.dispose();
     this.#model = null;
-  }
-
-  bindTarget(info: TargetInfo): void {
-    this.#view.bindTarget(info);
-  }
-
-  applyUpdate(update: TargetUpdate): void {
-    this.#view.applyUpdate(update);
-  }
-
-  setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {
-    this.#view.setDecals(decals, selectedId);
-  }
-
-  surfaceAtCentre(): SurfaceHit | null {
-    return this.#hands.surfaceAtCentre();
-  }
-
-  surfaceAtPointer(clientX: number, clientY: number): SurfaceHit | null {
-    return this.#hands.surfaceAtPointer(clientX, clientY);
-  }
-
-  projectorAt(hit: SurfaceHit, width: number, aspect: number, keep?: PlanarProjector): PlanarProjector {
-    return this.#hands.projectorAt(hit, width, aspect, keep);
-  }
-
-  nudge(projector: Projector, rightMetres: number, upMetres: number): Projector {
-    return this.#hands.nudge(projector, rightMetres, upMetres);
   }
 
   convertProjector(projector: Projector, kind: Projector["kind"], material: number): Projector | null {
@@ -177,13 +138,9 @@ class ThreeModelViewer implements ModelViewer {
     return this.#placer(projector, material).aligned(projector, how);
   }
 
-  materialsReached(projector: Projector, backfaces: boolean): readonly number[] {
-    return this.#hands.materialsReached(projector, backfaces);
-  }
-
   setTool(input: ToolInput | null): void {
     this.#tools.tool = input;
-    this.#hands.suspended = input !== null;
+    this.hands.suspended = input !== null;
     this.#held.setTwoFingersOrbit(input !== null);
     this.#gradient.enabled = input === null;
   }
@@ -205,12 +162,8 @@ class ThreeModelViewer implements ModelViewer {
     return this.#tools;
   }
 
-  frameModel(): void {
-    this.#view.frameModel();
-  }
-
   frameDecal(id: string): void {
-    const decal = this.#view.decals.find((candidate) => candidate.id === id);
+    const decal = this.view.decals.find((candidate) => candidate.id === id);
     if (decal === undefined || this.#model === null) {
       return;
     }
@@ -244,14 +197,14 @@ class ThreeModelViewer implements ModelViewer {
     this.#display.partsChanged();
     this.#surfaceChanged();
     if (!model.animation.posed) {
-      this.#view.castShadow();
+      this.view.castShadow();
     }
     this.#stage.requestFrame();
   }
 
   #surfaceChanged(): void {
     const query = this.#model?.query ?? null;
-    this.#hands.gizmo.setSurface(query);
+    this.hands.gizmo.setSurface(query);
     this.#tools.setSurface(query);
   }
 
@@ -275,38 +228,10 @@ class ThreeModelViewer implements ModelViewer {
     this.#display.mark(place);
   }
 
-  picture(width: number, height: number): string | null {
-    return this.#view.picture(width, height);
-  }
-
-  setCamera(orbit: Orbit | null, limits: CameraLimits): void {
-    this.#view.setCamera(orbit, limits);
-  }
-
-  capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null> {
-    return this.#view.capture(orbit, width, height);
-  }
-
   clientPosition(position: Vec3): { x: number; y: number } | null {
-    const point = this.#model && this.#hands.screen.project(this.#model.toPosed(new Vector3(...position)));
+    const point = this.#model && this.hands.screen.project(this.#model.toPosed(new Vector3(...position)));
     const box = this.element.getBoundingClientRect();
     return point && { x: point.x + box.left, y: point.y + box.top };
-  }
-
-  on<K extends keyof ModelViewerEvents>(type: K, listener: (event: ModelViewerEvents[K]) => void): () => void {
-    return this.#view.on(type, listener);
-  }
-
-  get statistics(): ModelViewer["statistics"] {
-    return this.#view.statistics;
-  }
-
-  clickAt(clientX: number, clientY: number): void {
-    this.#hands.clickAt(clientX, clientY);
-  }
-
-  dispose(): void {
-    this.#view.dispose();
   }
 
   #letGo(): void {
@@ -314,18 +239,18 @@ class ThreeModelViewer implements ModelViewer {
     this.#tools.dispose();
     this.#gradient.dispose();
     this.#display.dispose();
-    this.#hands.dispose();
+    this.hands.dispose();
   }
 
   #placer(projector: Projector, material: number): ProjectorPlacer {
     if (this.#model === null) {
       throw new TexelcastError("no-model", "There is no model to place a decal on.", { hint: "Open a model first." });
     }
-    return placerFor(this.#model, this.#hands.screen, projector, material);
+    return placerFor(this.#model, this.hands.screen, projector, material);
   }
 
   #followCamera(): void {
-    this.#hands.gizmo.drawNow();
+    this.hands.gizmo.drawNow();
     this.#tools.cameraMoved();
     this.#gradient.drawNow();
     this.#display.moved();
