@@ -29,9 +29,9 @@ function pacedPanel() {
 }
 
 /** A change, and the frame in which it is told. */
-async function frame(store: Store<Numbers>, change: Partial<Numbers>): Promise<void> {
+async function frame(store: Store<Numbers>, change: Partial<Numbers>, milliseconds = 16): Promise<void> {
   store.set(change);
-  await vi.advanceTimersByTimeAsync(16);
+  await vi.advanceTimersByTimeAsync(milliseconds);
 }
 
 describe("a panel of numbers in a drag", () => {
@@ -44,6 +44,15 @@ describe("a panel of numbers in a drag", () => {
     expect(shown[0]).toBe(1);
     expect(shown.length).toBeGreaterThan(3);
     expect(shown.length).toBeLessThan(8);
+  });
+
+  it("shows one in some also where frames are so slow that each looks like a rest", async () => {
+    const { store, shown } = pacedPanel();
+    for (let value = 1; value <= 30; value++) await frame(store, { value }, 320);
+    expect(shown.length).toBeGreaterThan(3);
+    expect(shown.length).toBeLessThan(10);
+    await vi.advanceTimersByTimeAsync(1000);
+    expect(shown.at(-1)).toBe(30);
   });
 
   it("shows the newest when the changes have come to rest", async () => {

@@ -52,6 +52,12 @@ describe("a ray to the resting surface", () => {
     expectVector(hit?.normal as Vector3, new Vector3(0, 0, 1), 1e-9);
   });
 
+  it("tells how far the surface is where nothing else of it is asked for", () => {
+    expect(queryOf(sphere()).distanceAlong(new Vector3(0, 0, 5), BACK, 10)).toBeCloseTo(4, 3);
+    expect(queryOf(sphere()).distanceAlong(new Vector3(0, 0, 5), BACK, 3)).toBeNull();
+    expect(triangle(0).distanceAlong(new Vector3(0.2, 0.2, -1), new Vector3(0, 0, 1), 10)).toBeNull();
+  });
+
   it("meets nothing in a model without triangles", () => {
     const empty = queryOf();
     expect(empty.raycast(new Vector3(0, 0, 5), BACK)).toBeNull();

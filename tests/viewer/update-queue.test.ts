@@ -53,6 +53,20 @@ describe("the queue of updates", () => {
     expect(applied).toEqual([1, 2, 3, 4]);
   });
 
+  it("tells whose bytes are no longer needed", () => {
+    const { queue, free } = busyQueue();
+    expect(queue.push(update(1, 10))).toBe(true);
+    expect(queue.push(update(2, 9 * MEBIBYTE))).toBe(false);
+    expect(queue.push(update(3, 10))).toBe(false);
+    free();
+    expect(queue.push(update(4, 10))).toBe(true);
+    const idle = new UpdateQueue(
+      () => {},
+      (task) => task(),
+    );
+    expect(idle.push(update(1, 9 * MEBIBYTE))).toBe(true);
+  });
+
   it("forgets what waited for a target that is gone", () => {
     const { queue, applied, free } = busyQueue();
     queue.push(update(1, 9 * MEBIBYTE));

@@ -24,8 +24,8 @@ export function drapeOutline(query: SurfaceQuery, pose: DecalPose, pointsPerEdge
   const border = rectangleBorder(pointsPerEdge);
   const heights = border.map(([x, y]) => {
     const origin = fromLocal(pose, x * pose.size.x, y * pose.size.y, pose.size.z / 2);
-    const hit = query.raycast(origin, backward, pose.size.z);
-    return hit === null ? null : pose.size.z / 2 - hit.distance;
+    const depth = query.distanceAlong(origin, backward, pose.size.z);
+    return depth === null ? null : pose.size.z / 2 - depth;
   });
   const filled = bridgeGaps(heights);
   const lift = 0.004 * Math.max(pose.size.x, pose.size.y);

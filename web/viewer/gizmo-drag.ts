@@ -152,8 +152,8 @@ function heightOver(query: SurfaceQuery, pose: DecalPose): number | null {
   const forward = axisOf(pose, 2);
   const reach = Math.max(pose.size.z / 2, 0.35 * Math.max(pose.size.x, pose.size.y));
   const origin = pose.position.clone().addScaledVector(forward, reach);
-  const hit = query.raycast(origin, forward.negate(), 2 * reach);
-  return hit === null ? null : hit.distance - reach;
+  const depth = query.distanceAlong(origin, forward.negate(), 2 * reach);
+  return depth === null ? null : depth - reach;
 }
 
 export function sideOf(name: ScaleHandleName): HandleSide {

@@ -113,8 +113,8 @@ export class StillView implements ModelView {
     this.stage.requestFrame();
   }
 
-  applyUpdate(update: TargetUpdate): void {
-    this.#updates.push(update);
+  applyUpdate(update: TargetUpdate): boolean {
+    return this.#updates.push(update);
   }
 
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {

@@ -82,6 +82,20 @@ export class SurfaceQuery {
 
   /** The first triangle that is seen along the ray; back faces of single-sided materials are passed. */
   raycast(origin: Vector3, direction: Vector3, far = Number.POSITIVE_INFINITY): SurfaceSample | null {
+    const hit = this.#firstSeen(origin, direction, far);
+    return hit && this.#sample(hit.triangle, hit.point, hit.distance);
+  }
+
+  /** How far along the ray `raycast` meets the surface, metres; null where it meets none. What lies there is not worked out. */
+  distanceAlong(origin: Vector3, direction: Vector3, far: number): number | null {
+    return this.#firstSeen(origin, direction, far)?.distance ?? null;
+  }
+
+  #firstSeen(
+    origin: Vector3,
+    direction: Vector3,
+    far: number,
+  ): { readonly triangle: number; readonly point: Vector3; readonly distance: number } | null {
     this.#ray.origin.copy(origin);
     this.#ray.direction.copy(direction);
     let near = 0;
@@ -91,7 +105,7 @@ export class SurfaceQuery {
         return null;
       }
       if (this.#isSeenAlong(hit.faceIndex, direction)) {
-        return this.#sample(hit.faceIndex, hit.point, hit.distance);
+        return { triangle: hit.faceIndex, point: hit.point, distance: hit.distance };
       }
       near = hit.distance + this.bounds.radius * 1e-6;
     }
@@ -115,7 +129,7 @@ export class SurfaceQuery {
     const distance = direction.length();
     direction.divideScalar(distance || 1);
     const slack = this.bounds.radius * 2e-3;
-    return this.raycast(from, direction, Math.max(0, distance - slack)) === null;
+    return this.#firstSeen(from, direction, Math.max(0, distance - slack)) === null;
   }
 
   /** The materials, ascending, with a triangle that the volume reaches. */

@@ -124,8 +124,8 @@ class GlTextureView implements TextureView {
     this.#drawTask.request();
   }
 
-  applyUpdate(update: TargetUpdate): void {
-    this.#updates.push(update);
+  applyUpdate(update: TargetUpdate): boolean {
+    return this.#updates.push(update);
   }
 
   setMode(mode: "texture" | MapView, picture?: MapPicture): void {

@@ -22,17 +22,18 @@ export class UpdateQueue {
     this.#whenFree = whenFree;
   }
 
-  push(update: TargetUpdate): void {
-    this.#waiting.push(update);
-    if (this.#waiting.length > 1) {
-      return;
+  /** Whether the update was brought at once: its bytes are not asked for again. */
+  push(update: TargetUpdate): boolean {
+    const waiting = this.#waiting;
+    waiting.push(update);
+    if (waiting.length === 1) {
+      if (update.bytes.byteLength > LARGE) {
+        this.#whenFree(() => this.#flush(waiting));
+      } else {
+        this.#flush(waiting);
+      }
     }
-    if (update.bytes.byteLength > LARGE) {
-      const waiting = this.#waiting;
-      this.#whenFree(() => this.#flush(waiting));
-    } else {
-      this.#flush(this.#waiting);
-    }
+    return waiting !== this.#waiting;
   }
 
   /** Drops what waits: its target is gone. */

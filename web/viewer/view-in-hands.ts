@@ -25,8 +25,8 @@ export abstract class ViewInHands implements DecalViewer {
     this.view.bindTarget(info);
   }
 
-  applyUpdate(update: TargetUpdate): void {
-    this.view.applyUpdate(update);
+  applyUpdate(update: TargetUpdate): boolean {
+    return this.view.applyUpdate(update);
   }
 
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {

@@ -143,8 +143,11 @@ export interface ModelView {
   setModel(info: ModelInfo): Promise<void>;
   /** Makes the GPU texture of a material's target; the material shows its own picture until the first update. */
   bindTarget(info: TargetInfo): void;
-  /** Uploads the dirty rectangles (packed staging buffer, copyTextureToTexture, every mip level that is reported). */
-  applyUpdate(update: TargetUpdate): void;
+  /**
+   * Uploads the dirty rectangles (packed staging buffer, copyTextureToTexture, every mip level that is reported). True where
+   * that is done, and the bytes are not read any more; false where it waits until the GPU is free.
+   */
+  applyUpdate(update: TargetUpdate): boolean;
   /** Decals lie bottom to top, as layers do: a click selects the topmost under it. */
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void;
   frameModel(): void;
@@ -260,7 +263,8 @@ export interface TextureViewEvents {
 export interface TextureView {
   readonly element: HTMLElement;
   bindTarget(info: TargetInfo, uvTriangles: Float32Array): void;
-  applyUpdate(update: TargetUpdate): void;
+  /** As `ModelView.applyUpdate`. */
+  applyUpdate(update: TargetUpdate): boolean;
   /** "texture" shows the live target; the others a picture of the map. */
   setMode(mode: "texture" | MapView, picture?: MapPicture): void;
   setOutlinesVisible(visible: boolean): void;

@@ -48,8 +48,12 @@ export interface Pace<State> {
 
 /** Where frames are slow, as many of them go without a render as where they are fast: at 60 a second these are 100 ms. */
 const CHANGES_A_RENDER = 6;
-/** Milliseconds without a change, after which the newest is shown. */
+/** Milliseconds without a change, after which the newest is shown, and the next one at once. */
 const REST = 250;
+/** Where changes come slower than that they rest only after a pause this many times as long as the one before. */
+const REST_PAUSES = 3;
+/** No pause is waited for longer, milliseconds. */
+const LONGEST_REST = 1000;
 
 /**
  * Renders its element again when one of the values that `pick` names has changed, and only then. With a `pace`, changes that
@@ -68,6 +72,8 @@ export class StoreController<State extends object> implements ReactiveController
   /** Since the newest render. */
   #changes = 0;
   #changed = Number.NEGATIVE_INFINITY;
+  /** Milliseconds between the two newest changes of one movement. */
+  #pause = 0;
 
   /** `store` is a function because an element is made before its properties are set. */
   constructor(
@@ -109,20 +115,27 @@ export class StoreController<State extends object> implements ReactiveController
 
   #change(): void {
     const now = performance.now();
-    const rested = now - this.#changed >= REST;
+    const pause = now - this.#changed;
+    const rested = pause >= this.#rest;
+    this.#pause = pause < LONGEST_REST ? pause : 0;
     this.#changed = now;
     this.#changes += 1;
     const { milliseconds } = this.#pace ?? { milliseconds: 0 };
     const due = this.#changes >= CHANGES_A_RENDER && now - this.#rendered >= milliseconds;
     if (milliseconds === 0 || rested || due) this.#render();
-    else this.#waiting ??= setTimeout(() => this.#rest(), REST);
+    else this.#waiting ??= setTimeout(() => this.#lookForRest(), this.#rest);
+  }
+
+  /** Milliseconds that tell a pause between the frames of a slow drag from its end. */
+  get #rest(): number {
+    return Math.min(LONGEST_REST, Math.max(REST, REST_PAUSES * this.#pause));
   }
 
   /** Changes that went on meanwhile put it off. */
-  #rest(): void {
+  #lookForRest(): void {
     this.#waiting = undefined;
-    const wait = this.#changed + REST - performance.now();
-    if (wait > 0) this.#waiting = setTimeout(() => this.#rest(), wait);
+    const wait = this.#changed + this.#rest - performance.now();
+    if (wait > 0) this.#waiting = setTimeout(() => this.#lookForRest(), wait);
     else this.#render();
   }
 

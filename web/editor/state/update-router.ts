@@ -80,8 +80,10 @@ export class UpdateRouter {
   }
 
   #apply(update: TargetUpdate): void {
-    this.#viewer.applyUpdate(update);
-    if (update.material === this.#textureMaterial) this.#textureView?.applyUpdate(update);
+    const isFlat = update.material === this.#textureMaterial && this.#textureView !== null;
+    const isShown = this.#viewer.applyUpdate(update);
+    const isShownFlat = isFlat ? this.#textureView.applyUpdate(update) : true;
+    if (isShown && isShownFlat) free(update.bytes);
     const { material, revision, projectedTexels, compositedTexels, milliseconds } = update;
     this.#figures.set({
       update: { material, revision, projectedTexels, compositedTexels, milliseconds },
@@ -89,4 +91,12 @@ export class UpdateRouter {
       updates: this.#figures.state.updates + 1,
     });
   }
+}
+
+/**
+ * Gives the memory of bytes back now instead of when the browser next collects garbage: a drag at 2048 x 2048 brings 3.8 MB a move.
+ */
+function free({ buffer }: Uint8Array): void {
+  // Not in the types of ES2023, nor in browsers before 2024.
+  (buffer as ArrayBuffer & { transfer?: (length: number) => ArrayBuffer }).transfer?.(0);
 }
