@@ -168,10 +168,11 @@ const TxcRect* txc_target_update_rects(TxcSession session, TxcTarget id) {
     return status == TXC_STATUS_OK && !target->rects.empty() ? target->rects.data() : nullptr;
 }
 
-const uint8_t* txc_target_update_bytes(TxcSession session, TxcTarget id) {
+const uint8_t* txc_target_level(TxcSession session, TxcTarget id, uint32_t level) {
     Target* target = nullptr;
     const TxcStatus status = in_session(session, [&](Session& s) { return s.find_target(id, target); });
-    return status == TXC_STATUS_OK && !target->packed.empty() ? target->packed.data() : nullptr;
+    return status == TXC_STATUS_OK && level < target->output.levels.size() ? target->output.levels[level].rgba.data()
+                                                                           : nullptr;
 }
 
 TxcStatus txc_target_read(TxcSession session, TxcTarget target, uint32_t level, uint32_t x, uint32_t y, uint32_t width,

@@ -54,6 +54,10 @@ float largest_smooth_error(float across_x, float across_y, float down_x, float d
 
 // The same by the footprint's very place between the kinks. Less, because where an edge along x meets one along y their kinks
 // multiply, which the sum of both leaves out.
+//
+// Bounds of 2 (smooth), 5, 2 (chord) and 4 (tile) steps keep 50 dB and more of what these give, on checkers of 3 and 5 pixels
+// too, and a drag takes 0.92 to 0.97 of the time. But then a decal's quarters, each a picture of its own, no longer paint
+// what the whole one paints, and a round tip differs by 2 steps from itself turned.
 constexpr float kKinkError = 0.75f;
 
 // How far a colour interpolated between two samples may be from its own, in 8-bit steps. Rows begin anywhere, so twice this

@@ -9,6 +9,7 @@
 
 #include "local_space_map.h"
 #include "memory_budget.h"
+#include "raw_vector.h"
 #include "texel_bytes.h"
 
 namespace txc {
@@ -20,7 +21,7 @@ struct LayerTiles {
     explicit LayerTiles(MemoryBudget& budget) : share(budget) {}
 
     std::vector<std::uint32_t> indices;  // of the target's tile grid, ascending
-    std::vector<std::uint16_t> texels;   // kTileTexels * 4 a tile, in the order of `indices`
+    RawVector<std::uint16_t> texels;     // kTileTexels * 4 a tile, in the order of `indices`
     BudgetShare share;
 
     /// The tile's texels, or null where the layer paints none of them.

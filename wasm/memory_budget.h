@@ -107,12 +107,13 @@ TxcStatus reserve_counted(std::vector<T>& elements, std::size_t capacity, Budget
 
 /// Makes room for `needed` elements, where there is none, and for half as many more as there were. Other than above, the old
 /// array is counted too while it is copied into the new one. OUT_OF_BUDGET.
-template <typename T>
-TxcStatus grow_counted(std::vector<T>& elements, std::size_t needed, BudgetShare& share, const char* what) {
+template <typename Elements>
+TxcStatus grow_counted(Elements& elements, std::size_t needed, BudgetShare& share, const char* what) {
     if (needed <= elements.capacity()) return TXC_STATUS_OK;
     const std::size_t capacity = std::max(needed, elements.capacity() + elements.capacity() / 2);
-    const std::uint64_t old_bytes = std::uint64_t{elements.capacity()} * sizeof(T);
-    const std::uint64_t both = share.bytes() + std::uint64_t{capacity} * sizeof(T);
+    constexpr std::size_t kSize = sizeof(typename Elements::value_type);
+    const std::uint64_t old_bytes = std::uint64_t{elements.capacity()} * kSize;
+    const std::uint64_t both = share.bytes() + std::uint64_t{capacity} * kSize;
     if (const TxcStatus status = share.resize(both, what); status != TXC_STATUS_OK) return status;
     elements.reserve(capacity);
     return share.resize(both - old_bytes, what);

@@ -212,7 +212,7 @@ TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
     projected_texels_ = update.projected_texels;
     composited_texels_ = update.composited_texels;
     update.rect_count = static_cast<std::uint32_t>(target->rects.size());
-    update.byte_count = static_cast<std::uint32_t>(target->packed.size());
+    update.byte_count = target->rect_bytes;
     out_update = update;
     return TXC_STATUS_OK;
 }

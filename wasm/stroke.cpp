@@ -43,6 +43,7 @@ public:
             const std::size_t count = fresh_.indices.size() + 1;
             if (const TxcStatus status = make_room(fresh_, count); status != TXC_STATUS_OK) return status;
             fresh_.texels.resize(count * kTileValues);
+            clear_tile(fresh_.texels.data() + (count - 1) * kTileValues);
             fresh_.indices.push_back(tile);
             places_[tile] = kFresh | static_cast<std::uint32_t>(count - 1);
         }

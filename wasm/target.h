@@ -52,13 +52,13 @@ struct Target {
 
     // The newest update's report.
     std::vector<TxcRect> rects;
-    std::vector<std::uint8_t> packed;
+    std::uint32_t rect_bytes = 0;  // of all of them
 
     Bleed bleed;  // for exports
     BackdropCache backdrops;
 
     BudgetShare base_share;
-    BudgetShare output_share;  // output, packed bytes, tile marks
+    BudgetShare output_share;  // output, tile marks
 
     std::uint32_t tile_columns() const { return (def.width + kTileSize - 1) / kTileSize; }
     std::uint32_t tile_rows() const { return (def.height + kTileSize - 1) / kTileSize; }

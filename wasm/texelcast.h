@@ -35,7 +35,7 @@ extern "C" {
 #define TXC_API
 #endif
 
-#define TXC_ABI_VERSION 7u
+#define TXC_ABI_VERSION 8u
 #define TXC_MAX_SIZE 8192u          /* texels along one side of a target or an image */
 #define TXC_MAX_TEXTURE_SIZE 16384u /* texels along one side of a texture that is painted by windows */
 #define TXC_MAX_ZONES 100u
@@ -422,19 +422,19 @@ TXC_API TxcStatus txc_stroke_dabs(TxcSession session, TxcLayer layer, uint32_t f
 typedef struct TxcRect {
     uint32_t x, y, width, height; /* texels of its level */
     uint32_t level;               /* 0 is the texture itself */
-    uint32_t byte_offset;         /* of the rectangle's first row in the packed bytes; rows are width * 4 bytes */
+    uint32_t byte_offset; /* of its first row, with all rectangles packed one after another; rows are width * 4 */
 } TxcRect;
 
 typedef struct TxcUpdate {
     uint32_t rect_count;
-    uint32_t byte_count;
+    uint32_t byte_count;       /* of all rectangles, packed */
     uint32_t projected_layers; /* that this update projected */
     uint32_t projected_texels;
     uint32_t composited_texels;
 } TxcUpdate;
 
-/* Projects the layers that changed, composites where they were and are, and packs the rectangles that changed since the
- * update before (the first one: everything) for upload, RGBA, straight alpha. Rectangles of a level do not overlap. */
+/* Projects the layers that changed, composites where they were and are, and finds the rectangles that changed since the
+ * update before (the first one: everything). Rectangles of a level do not overlap. */
 TXC_API TxcStatus txc_target_update(TxcSession session, TxcTarget target, TxcUpdate* out_update);
 /* Gets ready for changes of a layer that are likely to come, a drag or a stroke, so that the first of them is as quick as those
  * after it: keeps what lies below it on the tiles that it paints and those around them, within a quarter of the budget at
@@ -452,7 +452,9 @@ TXC_API TxcStatus txc_layer_miniature(TxcSession session, TxcLayer layer, uint32
                                       uint8_t* out_rgba);
 /* Of the newest update; they live until the target's next update or end. Null where there are none. */
 TXC_API const TxcRect* txc_target_update_rects(TxcSession session, TxcTarget target);
-TXC_API const uint8_t* txc_target_update_bytes(TxcSession session, TxcTarget target);
+/* All texels of a level as of the newest update, from which the host packs the rectangles for upload: RGBA, straight alpha,
+ * row after row. They live until the target's next update or end. Null before the first update, or where there is no such level. */
+TXC_API const uint8_t* txc_target_level(TxcSession session, TxcTarget target, uint32_t level);
 
 /* Copies a rectangle of a level, as of the newest update. RGBA, straight alpha, rows packed. */
 TXC_API TxcStatus txc_target_read(TxcSession session, TxcTarget target, uint32_t level, uint32_t x, uint32_t y,

@@ -37,18 +37,22 @@ void TileTree::collect(const LocalSpaceMap& map, const MayTouch& may_touch, std:
     out.clear();
     const std::uint32_t columns = map.tile_columns();
     const std::uint32_t rows = map.tile_rows();
-    for (std::uint32_t g = 0; g < groups_.size(); ++g) {
-        if (groups_[g].empty || !may_touch(groups_[g].box)) continue;
-        const std::uint32_t first_row = g / group_columns_ * kGroupSize;
-        const std::uint32_t first_column = g % group_columns_ * kGroupSize;
-        for (std::uint32_t row = first_row; row < std::min(first_row + kGroupSize, rows); ++row) {
-            for (std::uint32_t column = first_column; column < std::min(first_column + kGroupSize, columns); ++column) {
+    std::vector<std::uint32_t> near;  // of a row of groups, their first columns
+    for (std::uint32_t row = 0; row < rows; ++row) {
+        if (row % kGroupSize == 0) {
+            near.clear();
+            const Group* groups = groups_.data() + row / kGroupSize * group_columns_;
+            for (std::uint32_t g = 0; g < group_columns_; ++g) {
+                if (!groups[g].empty && may_touch(groups[g].box)) near.push_back(g * kGroupSize);
+            }
+        }
+        for (const std::uint32_t first : near) {
+            for (std::uint32_t column = first; column < std::min(first + kGroupSize, columns); ++column) {
                 const std::uint32_t place = map.tile_of[row * columns + column];
                 if (place != kNoTile && may_touch(map.tiles[place].box)) out.push_back(place);
             }
         }
     }
-    std::sort(out.begin(), out.end());
 }
 
 void TileTree::find(const LocalSpaceMap& map, const ModelToDecal& to_decal, std::vector<std::uint32_t>& out) const {

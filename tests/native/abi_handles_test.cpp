@@ -181,7 +181,7 @@ TEST_CASE("Null and destroyed sessions are stale everywhere") {
         check_stale(calls_on_layer(1), session);
         CHECK(txc_image_destroy(session, 1) == TXC_STATUS_STALE_HANDLE);
         CHECK(txc_target_update_rects(session, 1) == nullptr);
-        CHECK(txc_target_update_bytes(session, 1) == nullptr);
+        CHECK(txc_target_level(session, 1, 0) == nullptr);
     }
 }
 

@@ -4,7 +4,7 @@
  */
 import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
 
-export const ABI_VERSION = 7;
+export const ABI_VERSION = 8;
 /** Texels along one side of a target or an image, at most. */
 export const MAX_SIZE = 8192;
 /** Texels along one side of a texture that is painted by windows, at most. */
@@ -294,7 +294,7 @@ export const CORE_FUNCTIONS = {
   txc_layer_prepare: 6,
   txc_layer_miniature: 5,
   txc_target_update_rects: 2,
-  txc_target_update_bytes: 2,
+  txc_target_level: 3,
   txc_target_read: 8,
   txc_target_read_bled: 5,
   txc_target_hash: 7,

@@ -252,14 +252,28 @@ export class Target {
     for (let i = 0; i < update.rectCount; i++) {
       rects.push(core.readStructAt(RectLayout, rectPointer + i * RectLayout.byteSize));
     }
-    const bytesPointer = core.call("txc_target_update_bytes", this.#session, this.#handle);
     return {
       rects,
-      bytes: core.copyOut(bytesPointer, update.byteCount, into),
+      bytes: this.#pack(rects, update.byteCount, into),
       projectedLayers: update.projectedLayers,
       projectedTexels: update.projectedTexels,
       compositedTexels: update.compositedTexels,
     };
+  }
+
+  /** Row by row from the levels, so that each texel is copied once on its way out. */
+  #pack(rects: readonly Rect[], byteCount: number, into?: ArrayBuffer): Uint8Array<ArrayBuffer> {
+    // Fresh memory of some megabytes costs more than the copy.
+    const packed =
+      into && into.byteLength >= byteCount ? new Uint8Array(into, 0, byteCount) : new Uint8Array(byteCount);
+    const { width } = this.info();
+    for (const rect of rects) {
+      const level = this.#core.call("txc_target_level", this.#session, this.#handle, rect.level);
+      const stride = Math.max(1, width >> rect.level) * 4;
+      const first = level + rect.y * stride + rect.x * 4;
+      this.#core.copyRows(first, stride, rect.width * 4, rect.height, packed, rect.byteOffset);
+    }
+    return packed;
   }
 
   /** Rows of a zone's cover (its place in the session's list; null: of any), bleed included: 0 to 255 a texel. */

@@ -178,17 +178,21 @@ export class CoreModule {
     });
   }
 
-  /**
-   * A copy of bytes of the module.
-   * @param into memory that may be written over, and is used where it is large enough: fresh memory of some megabytes
-   * costs more than the copy
-   */
-  copyOut(pointer: number, byteCount: number, into?: ArrayBuffer): Uint8Array<ArrayBuffer> {
-    const bytes = new Uint8Array(this.#memory.buffer, pointer, byteCount);
-    if (!into || into.byteLength < byteCount) return bytes.slice();
-    const copy = new Uint8Array(into, 0, byteCount);
-    copy.set(bytes);
-    return copy;
+  /** A copy of bytes of the module. */
+  copyOut(pointer: number, byteCount: number): Uint8Array<ArrayBuffer> {
+    return new Uint8Array(this.#memory.buffer, pointer, byteCount).slice();
+  }
+
+  /** Copies rows of the module's bytes, `stride` apart, to `to` from its byte `at` on, one after another. */
+  copyRows(pointer: number, stride: number, rowBytes: number, rowCount: number, to: Uint8Array, at: number): void {
+    const rows = new Uint8Array(this.#memory.buffer, pointer, (rowCount - 1) * stride + rowBytes);
+    if (rowBytes === stride) {
+      to.set(rows, at);
+      return;
+    }
+    for (let row = 0; row < rowCount; row++) {
+      to.set(rows.subarray(row * stride, row * stride + rowBytes), at + row * rowBytes);
+    }
   }
 
   /** Lets `fill` write `byteCount` bytes into the module, and returns a copy of them. */

@@ -169,9 +169,17 @@ public:
         UpdateReport report;
         report.update = update(target);
         const TxcRect* rects = txc_target_update_rects(id_, target);
-        const std::uint8_t* bytes = txc_target_update_bytes(id_, target);
         if (rects != nullptr) report.rects.assign(rects, rects + report.update.rect_count);
-        if (bytes != nullptr) report.bytes.assign(bytes, bytes + report.update.byte_count);
+        report.bytes.resize(report.update.byte_count);
+        const std::uint32_t width = map_info(target).width;
+        for (const TxcRect& rect : report.rects) {
+            const std::uint8_t* level = txc_target_level(id_, target, rect.level);
+            const std::size_t stride = std::size_t{std::max(1u, width >> rect.level)} * 4;
+            for (std::size_t y = 0; y < rect.height; ++y) {
+                std::copy_n(level + (rect.y + y) * stride + std::size_t{rect.x} * 4, std::size_t{rect.width} * 4,
+                            report.bytes.begin() + static_cast<std::ptrdiff_t>(rect.byte_offset + y * rect.width * 4));
+            }
+        }
         return report;
     }
     /// The texture as of the newest update.
