@@ -2,6 +2,7 @@
 // under the frame's affine map: a parallelogram, the same for every texel of a frame.
 #pragma once
 
+#include "bilinear.h"
 #include "footprint_kernel.h"
 #include "image_pyramid.h"
 
@@ -10,16 +11,43 @@ namespace txc {
 /// More parts than these cost more than a lattice does.
 inline constexpr std::int32_t kMostParts = 16;
 
+/// The least and the greatest of some texels' places, in fixed point on a level: x and y of the one, then of the other.
+using PlaceBounds = Int4;
+
+/// Where colours may be interpolated between the corners of squares of texels: where the level is no rougher than `limit` (-1:
+/// nowhere) over the rectangle that their footprints span. Four windows that meet or overlap make up the rectangle.
+struct SmoothTest {
+    const std::uint8_t* list = nullptr;  // as of the level's first pixel
+    std::int32_t limit = -1;
+    std::int32_t window = 0;
+    PlaceBounds to_windows{};  // to the outermost windows' places, in fixed point
+    Int4 last_window{};        // the last there are, pixels
+
+    /// `bounds`: of the centres of the squares' corners.
+    bool is_smooth(PlaceBounds bounds, std::int32_t stride) const {
+        const Int4 at = lesser((bounds + to_windows) >> kWeightBits, last_window);
+        const std::int32_t left = at[0];
+        const std::int32_t top = at[1];
+        const std::int32_t right = std::max(at[2] - left, 0);
+        const std::int32_t down = std::max(at[3] - top, 0);
+        if (right > window || down > window) return false;
+        const std::uint8_t* upper = list + (top * stride + left);
+        const std::uint8_t* lower = upper + down * stride;
+        return std::max(std::max(upper[0], upper[right]), std::max(lower[0], lower[right])) <= limit;
+    }
+};
+
 /// How a frame's texels sample a picture. Lengths in pixels of the picture unless said.
 struct Footprint {
     float across_x, across_y;  // along the texel's row
     float down_x, down_y;      // along the texel's column
     float reach_x, reach_y;    // half of its bounding box
 
-    // Footprints well inside the picture. Where the level is no rougher than smooth_limit (-1: never), one sample is the
-    // mean.
+    // Footprints well inside the picture. Where the level is no rougher than smooth_limit (-1: never) by smooth_list, one sample
+    // is the mean.
     std::uint32_t level;
-    std::int32_t smooth_reach;  // how far the footprint reaches, whole pixels of the level, 1 or 2
+    bool smooth_by_bends;             // which of the level's lists it is
+    const std::uint8_t* smooth_list;  // as of the level's first pixel
     std::int32_t smooth_limit;
     // Along each axis the footprint is a trapezoid: half of its base and of its top (pixels of the level), and 1 / (6 ab) of
     // its sides a and b. Where `knows_kinks`, they tell more closely how far one sample is from the mean.
@@ -49,24 +77,16 @@ struct Footprint {
 Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
                          bool repeat);
 
-/// Where the footprint's level is no rougher than this, the colours between samples of every `texels`-th texel of a row are
-/// as good as interpolated. Never above smooth_limit.
+/// Where the footprint's level is no rougher than this by its list, the colours between samples of every `texels`-th texel of a
+/// row are as good as interpolated. Never above smooth_limit.
 std::int32_t chord_limit(const ImagePyramid& image, const Footprint& footprint, float texels);
-
-/// Where colours may be interpolated between the corners of a square of texels: where none of the corners' pixels has more
-/// than `limit` in `list` (as of its level's first pixel; -1: nowhere).
-struct SmoothTest {
-    const std::uint8_t* list = nullptr;
-    std::int32_t limit = -1;
-};
 
 /// Where colours of a tile's texels may be interpolated.
 struct ChordLimits {
     std::int32_t three = -1;  // along its rows over three texels: the largest roughness at all four
     SmoothTest block;         // over three by three
-    SmoothTest tile;          // over five by five
+    SmoothTest tile;          // over five by five, throughout the tile
 };
-
 ChordLimits tile_chord_limits(const ImagePyramid& image, const Footprint& footprint);
 
 /// A texel whose footprint one sample does not stand for.

@@ -84,64 +84,80 @@ std::uint8_t to_steps(Int4 differences) {
     return static_cast<std::uint8_t>(std::min((largest + kByteStep - 1) / kByteStep, 255));
 }
 
-/// The largest of each value, the one after it, and with `before` the one before it, `stride` apart, along lines.
-void spread(std::uint8_t* values, std::uint32_t lines, std::size_t line_stride, std::uint32_t count, std::size_t stride,
-            bool with_before) {
-    for (std::uint32_t line = 0; line < lines; ++line) {
-        std::uint8_t* at = values + line * line_stride;
-        std::uint8_t before = 0;
-        for (std::uint32_t i = 0; i < count; ++i, at += stride) {
-            const std::uint8_t own = *at;
-            const std::uint8_t after = i + 1 < count ? at[stride] : std::uint8_t{0};
-            *at = std::max(own, std::max(before, after));
-            if (with_before) before = own;
-        }
-    }
+using List = std::vector<std::uint8_t>;
+
+/// Each value becomes the larger of those `before` and `after` its place.
+void widen_line(const List& from, std::size_t before, std::size_t after, List& out) {
+    const std::size_t count = from.size();
+    std::size_t i = 0;
+    for (; i < before; ++i) out[i] = i + after < count ? from[i + after] : std::uint8_t{0};
+    for (; i + after < count; ++i) out[i] = std::max(from[i - before], from[i + after]);
+    for (; i < count; ++i) out[i] = from[i - before];
+}
+
+/// Windows made of four. (Where a row ends in the padding the next one begins: there windows know too much, which is safe.)
+void widen(const List& from, std::size_t row, std::size_t before, std::size_t after, List& lines, List& out) {
+    widen_line(from, before, after, lines);
+    widen_line(lines, before * row, after * row, out);
 }
 
 void measure_roughness(PyramidLevel& level) {
-    const auto width = static_cast<std::uint32_t>(level.stride());
-    const std::uint32_t height = level.height + 2 * kPad;
-    const std::size_t row = std::size_t{width} * 4;
-    std::vector<std::uint8_t> values(level.padded_count());
-    level.kinks.assign(level.padded_count(), Kinks{});
-    level.bend.assign(level.padded_count(), 0);
+    const auto width = static_cast<std::size_t>(level.stride());
+    const std::size_t height = level.height + 2 * kPad;
+    const std::size_t row = width * 4;
+    const std::size_t count = level.padded_count();
+    List steps(count);
+    List lines(count);
+    for (List& list : level.peaks) list.resize(count);
+    for (List& list : level.bends) list.resize(count);
+    level.kinks.resize(count);
+    List& wide = level.bends[2];  // what is measured at the wider stride, until that list is made
     // What lies in the padding's outer half is transparent all around.
-    for (std::uint32_t y = 2; y + 2 < height; ++y) {
-        for (std::uint32_t x = 2; x + 2 < width; ++x) {
-            const std::size_t place = std::size_t{y} * width + x;
+    for (std::size_t y = 2; y + 2 < height; ++y) {
+        for (std::size_t x = 2; x + 2 < width; ++x) {
+            const std::size_t place = y * width + x;
             const std::uint16_t* at = level.rgba.data() + place * 4;
             const Differences near = second_differences(at, row, 1);
             level.kinks[place] = {to_steps(near.along_x), to_steps(near.along_y)};
-            values[place] = to_steps(near.largest());
-            level.bend[place] = to_steps(greater(near.largest() >> 1, second_differences(at, row, 2).largest()));
+            steps[place] = to_steps(near.largest());
+            wide[place] = to_steps(second_differences(at, row, 2).largest());
         }
     }
-    // A centre between two pixels' feels both up to a distance of 1, and one more on either side up to 2.
-    const auto widen = [&](std::uint8_t* of, std::size_t stride, bool with_before) {
-        spread(of, height, width * stride, width, stride, with_before);
-        spread(of, width, stride, height, width * stride, with_before);
-    };
-    for (int reach = 0; reach < kRoughnessReaches; ++reach) {
-        widen(values.data(), 1, reach > 0);
-        level.roughness[reach] = values;
+    widen(steps, width, 0, 1, lines, level.peaks[0]);
+    widen(level.peaks[0], width, 1, 1, lines, level.peaks[1]);
+    List& around = level.bends[0];
+    widen(level.peaks[0], width, 1, 0, lines, around);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto half = static_cast<std::uint8_t>((steps[i] + 1) / 2);
+        steps[i] = around[i] > 2 * kMostBend ? half : std::max(half, wide[i]);
     }
-    widen(&level.kinks.data()->x, sizeof(Kinks), false);
-    widen(&level.kinks.data()->y, sizeof(Kinks), false);
-    widen(level.bend.data(), 1, false);
-    for (int more = 1; more < static_cast<int>(kBendReach); ++more) widen(level.bend.data(), 1, true);
+    widen(steps, width, 0, 1, lines, level.bends[1]);
+    widen(level.bends[1], width, 1, 1, lines, level.bends[0]);
+    widen(level.bends[0], width, 2, 2, lines, level.bends[1]);
+    widen(level.bends[1], width, 4, 4, lines, level.bends[2]);
+    const auto widen_kinks = [&](std::size_t after) {
+        for (std::size_t i = 0; i + after < count; ++i) {
+            Kinks& own = level.kinks[i];
+            const Kinks& next = level.kinks[i + after];
+            own = {std::max(own.x, next.x), std::max(own.y, next.y)};
+        }
+    };
+    widen_kinks(1);
+    widen_kinks(width);
 }
 
 }  // namespace
 
 TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba) {
-    // Pixels, the lists of roughness, kinks and bends, and one to make them, of all levels.
+    // Pixels, and the lists of peaks, bends and kinks, of all levels; and two lists to make them.
     std::uint64_t bytes = 0;
     for (std::uint32_t w = width, h = height;; w = std::max(1u, w / 2), h = std::max(1u, h / 2)) {
-        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + kRoughnessReaches + 4);
+        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + 2 + 3 + 2);
         if (w == 1 && h == 1) break;
     }
-    if (const TxcStatus status = share.resize(bytes, "the decal's picture"); status != TXC_STATUS_OK) return status;
+    const std::uint64_t scratch = PyramidLevel::padded_count(width, height) * 2;
+    if (const TxcStatus status = share.resize(bytes + scratch, "the decal's picture"); status != TXC_STATUS_OK)
+        return status;
     levels.assign(1, PyramidLevel{});
     levels[0].width = width;
     levels[0].height = height;
@@ -166,7 +182,7 @@ TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const s
         levels.push_back(std::move(coarse));
     }
     for (PyramidLevel& level : levels) measure_roughness(level);
-    return TXC_STATUS_OK;
+    return share.resize(bytes, "the decal's picture");
 }
 
 Float4 sample_bilinear(const PyramidLevel& level, float x, float y, bool repeat) {

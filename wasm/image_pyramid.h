@@ -17,9 +17,8 @@ namespace txc {
 inline constexpr std::int32_t kByteStep = 255;
 inline constexpr float kFullScale = 255.0f * static_cast<float>(kByteStep);
 
-inline constexpr std::int32_t kRoughnessReaches = 2;
-/// How far PyramidLevel::bend looks, in pixels.
-inline constexpr float kBendReach = 3.0f;
+/// The largest bend (PyramidLevel::bends) of what counts as a plane: what rounding to bytes leaves of one comes to 2 at the most.
+inline constexpr std::int32_t kMostBend = 2;
 
 /// Transparent pixels around each level, so that footprints over a picture's edge are no case of their own: the picture
 /// fades out over half a pixel by itself. As many as let most runs of texels that leave it pass in one piece.
@@ -37,18 +36,17 @@ struct PyramidLevel {
     float scale_x = 1.0f;  // pixels of this level a pixel of the picture
     float scale_y = 1.0f;
     std::vector<std::uint16_t> rgba;  // padded
-    // Per pixel, padded likewise: the largest second difference of any channel, in 8-bit steps, rounded up, among the
-    // pixels where a footprint can feel it whose centre lies between this pixel's centre and those of its right and
-    // lower neighbours: up to 1 (first list) or 2 pixels away. Where it is small the picture is as good as linear, and
-    // the mean over the footprint is the value at its centre. (Blocks of 8 pixels would take less room, but on a picture
-    // with fine detail they spared an eighth of the texels their samples, where pixels spare three quarters.)
-    std::vector<std::uint8_t> roughness[kRoughnessReaches];
-    // Per pixel, as the first list of roughness: along x and along y apart, as an edge is rough across and not along.
+    // Per pixel, padded likewise: the largest second difference of any channel, in 8-bit steps, rounded up, in the window of
+    // pixels around it (first_of). Where it is small the picture is as good as linear, and the mean over a footprint is the
+    // value at its centre. (Blocks of 8 pixels would take less room, but on a picture with fine detail they spared an eighth of
+    // the texels their samples, where pixels spare three quarters.)
+    std::vector<std::uint8_t> peaks[2];  // windows of 2 and 4 pixels a side
+    // The same in windows of 4, 8 and 16: how far from a plane the picture is, as the largest second difference at a stride of two
+    // pixels, or half the largest at a stride of one. What rounding leaves of a plane does not add up over a stretch as it
+    // would by the differences from pixel to pixel. Beside a kink, which tells by itself, the wider stride does not count.
+    std::vector<std::uint8_t> bends[3];
+    // Per pixel, as in windows of 2: along x and along y apart, as an edge is rough across and not along.
     std::vector<Kinks> kinks;
-    // Per pixel: how far from a plane the picture is up to kBendReach pixels away, as the largest second difference at a
-    // stride of two pixels, or half the largest at a stride of one. What rounding to bytes leaves of a plane comes to 2 at
-    // the most, and does not add up over the stretch as it would by the roughness.
-    std::vector<std::uint8_t> bend;
 
     std::int32_t stride() const { return static_cast<std::int32_t>(width) + 2 * kPad; }
     std::size_t padded_count() const { return padded_count(width, height); }
@@ -58,13 +56,14 @@ struct PyramidLevel {
 
     /// The picture's first pixel; its neighbours lie up to kPad before it.
     const std::uint16_t* first_pixel() const { return pixel(0, 0); }
-    /// The same of the list for a reach of 1 to kRoughnessReaches.
-    const std::uint8_t* first_roughness(std::int32_t reach) const {
-        return roughness[reach - 1].data() + padded_place(0, 0);
+    /// The first pixel's place in `peaks` or `bends`. A window of 2n pixels reaches from n - 1 pixels before its own to n after it:
+    /// it knows what lies less than n from any place between its own pixel's centre and those of the neighbours on the right
+    /// and below.
+    const std::uint8_t* first_of(const std::vector<std::uint8_t>& list) const {
+        return list.data() + padded_place(0, 0);
     }
 
     const Kinks* first_kinks() const { return kinks.data() + padded_place(0, 0); }
-    const std::uint8_t* first_bend() const { return bend.data() + padded_place(0, 0); }
 
     const std::uint16_t* pixel(std::uint32_t x, std::uint32_t y) const { return rgba.data() + padded_place(x, y) * 4; }
     std::uint16_t* pixel(std::uint32_t x, std::uint32_t y) { return rgba.data() + padded_place(x, y) * 4; }

@@ -20,6 +20,24 @@ Int4 between(Int4 pairs) {
     return dot_halves(pairs, splat((kShare << 16) + (kWeightOne - kShare))) >> kWeightBits;
 }
 
+/// Of lists of places, of which each lane of one is the least of its kind and of the other the greatest.
+PlaceBounds bounds_of(Int4 least_x, Int4 least_y, Int4 most_x, Int4 most_y) {
+#if defined(__wasm_simd128__)
+    const auto v = [](Int4 lanes) { return reinterpret_cast<v128_t>(lanes); };
+    const v128_t least = wasm_i32x4_min(wasm_i32x4_shuffle(v(least_x), v(least_y), 0, 4, 1, 5),
+                                        wasm_i32x4_shuffle(v(least_x), v(least_y), 2, 6, 3, 7));
+    const v128_t most = wasm_i32x4_max(wasm_i32x4_shuffle(v(most_x), v(most_y), 0, 4, 1, 5),
+                                       wasm_i32x4_shuffle(v(most_x), v(most_y), 2, 6, 3, 7));
+    const v128_t low = wasm_i32x4_min(least, wasm_i64x2_shuffle(least, least, 1, 0));
+    const v128_t high = wasm_i32x4_max(most, wasm_i64x2_shuffle(most, most, 1, 0));
+    return reinterpret_cast<PlaceBounds>(wasm_i64x2_shuffle(low, high, 0, 2));
+#else
+    const auto low = [](Int4 v) { return std::min(std::min(v[0], v[1]), std::min(v[2], v[3])); };
+    const auto high = [](Int4 v) { return std::max(std::max(v[0], v[1]), std::max(v[2], v[3])); };
+    return PlaceBounds{low(least_x), low(least_y), high(most_x), high(most_y)};
+#endif
+}
+
 /// What the loops over a tile have at hand: in registers, since what lies behind a reference would be read anew after every
 /// store.
 struct Ground {
@@ -27,10 +45,9 @@ struct Ground {
     std::int32_t stride;
     PatchView view;
 
-    __attribute__((always_inline)) SamplePlaces find(Int4 xy, Int4 z, Int4& x, Int4& y) const {
+    __attribute__((always_inline)) void find(Int4 xy, Int4 z, Int4& x, Int4& y) const {
         x = turn(xy, z, view.xy_to_x, view.z_to_x, view.base_x, view.least_x, view.most_x);
         y = turn(xy, z, view.xy_to_y, view.z_to_y, view.base_y, view.least_y, view.most_y);
-        return place_samples(x, y, stride);
     }
     template <int kLane>
     __attribute__((always_inline)) Int4 sample(const SamplePlaces& places) const {
@@ -44,10 +61,6 @@ private:
         return lesser(greater(place, splat(least)), splat(most));
     }
 };
-
-std::int32_t most_of(const std::uint8_t* list, Int4 at) {
-    return std::max(std::max<std::int32_t>(list[at[0]], list[at[1]]), std::max<std::int32_t>(list[at[2]], list[at[3]]));
-}
 
 constexpr std::int16_t kFifth = (32768 + 2) / 5;
 constexpr std::int16_t kThird = (32768 + 1) / 3;
@@ -109,21 +122,24 @@ struct FiveChords {
 __attribute__((always_inline)) inline bool paint_squares(const Ground& ground, const PatchTexels& places,
                                                          std::uint16_t* texels) {
     const SmoothTest& test = ground.view.chords.tile;
-    SamplePlaces at[4];
+    Int4 x[4];
+    Int4 y[4];
     for (std::size_t r = 0; r < 4; ++r) {
         const std::int32_t* xy = places.xy + r * 5 * kTileSize;
         const std::int32_t* z = places.z + r * 5 * kTileSize;
-        Int4 x;
-        Int4 y;
-        at[r] = ground.find(Int4{xy[0], xy[5], xy[10], xy[15]}, Int4{z[0], z[5], z[10], z[15]}, x, y);
-        if (most_of(test.list, at[r].offset) > test.limit) return false;
+        ground.find(Int4{xy[0], xy[5], xy[10], xy[15]}, Int4{z[0], z[5], z[10], z[15]}, x[r], y[r]);
     }
+    const PlaceBounds bounds =
+        bounds_of(lesser(lesser(x[0], x[1]), lesser(x[2], x[3])), lesser(lesser(y[0], y[1]), lesser(y[2], y[3])),
+                  greater(greater(x[0], x[1]), greater(x[2], x[3])), greater(greater(y[0], y[1]), greater(y[2], y[3])));
+    if (!test.is_smooth(bounds, ground.stride)) return false;
     Short8 overflow{};
     FiveChords rows[4];
     FiveChords steps[3];
     for (std::size_t r = 0; r < 4; ++r) {
-        rows[r] = FiveChords(narrow(ground.sample<0>(at[r]), ground.sample<1>(at[r])),
-                             narrow(ground.sample<2>(at[r]), ground.sample<3>(at[r])), overflow);
+        const SamplePlaces at = place_samples(x[r], y[r], ground.stride);
+        rows[r] = FiveChords(narrow(ground.sample<0>(at), ground.sample<1>(at)),
+                             narrow(ground.sample<2>(at), ground.sample<3>(at)), overflow);
         if (r > 0) steps[r - 1] = rows[r - 1].step_to(rows[r], overflow);
     }
     if (any_lane(overflow)) return false;
@@ -147,9 +163,9 @@ __attribute__((always_inline)) inline bool paint_block(const Ground& ground, con
     constexpr std::size_t kLast = 3 * kTileSize;
     Int4 x;
     Int4 y;
-    const SamplePlaces place =
-        ground.find(Int4{xy[0], xy[3], xy[kLast], xy[kLast + 3]}, Int4{z[0], z[3], z[kLast], z[kLast + 3]}, x, y);
-    if (most_of(test.list, place.offset) > test.limit) return false;
+    ground.find(Int4{xy[0], xy[3], xy[kLast], xy[kLast + 3]}, Int4{z[0], z[3], z[kLast], z[kLast + 3]}, x, y);
+    if (!test.is_smooth(bounds_of(x, y, x, y), ground.stride)) return false;
+    const SamplePlaces place = place_samples(x, y, ground.stride);
     Short8 ends = narrow(ground.sample<0>(place), ground.sample<1>(place));
     const Short8 last_ends = narrow(ground.sample<2>(place), ground.sample<3>(place));
     Short8 overflow{};
@@ -184,18 +200,19 @@ struct RoughSearch {
     RoughTexel* next;
 };
 
-/// Four texels of a row.
+/// Four texels of a row. `are_there`: all four; of those that are not the place says nothing.
 __attribute__((always_inline)) inline void paint_four(const Ground& ground, const PatchTexels& places, std::size_t at,
-                                                      std::uint16_t* out, RoughSearch& search) {
+                                                      bool are_there, std::uint16_t* out, RoughSearch& search) {
     Int4 x;
     Int4 y;
-    const SamplePlaces place = ground.find(load_int4(places.xy + at), load_int4(places.z + at), x, y);
+    ground.find(load_int4(places.xy + at), load_int4(places.z + at), x, y);
+    const SamplePlaces place = place_samples(x, y, ground.stride);
     const Int4 steps = {search.roughness[place.offset[0]], search.roughness[place.offset[1]],
                         search.roughness[place.offset[2]], search.roughness[place.offset[3]]};
     const std::int32_t most = std::max(std::max(steps[0], steps[1]), std::max(steps[2], steps[3]));
     const Int4 first = ground.sample<0>(place);
     const Int4 fourth = ground.sample<3>(place);
-    if (most <= search.three) {
+    if (most <= search.three && are_there) {
         const Int4 pairs = pair_up(first, fourth);
         store_texels(out, narrow(first, between<1, 3>(pairs)));
         store_texels(out + 8, narrow(between<2, 3>(pairs), fourth));
@@ -223,9 +240,7 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
                         RoughTexel* rough) {
     const Ground ground{level.first_pixel(), level.stride(), view};
     if (patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
-    RoughSearch search{
-        &level, &footprint, level.first_roughness(footprint.smooth_reach), footprint.smooth_limit, view.chords.three,
-        rough};
+    RoughSearch search{&level, &footprint, footprint.smooth_list, footprint.smooth_limit, view.chords.three, rough};
     constexpr std::uint32_t kBlock = 4;
     for (std::uint32_t row = 0; row < kTileSize; row += kBlock) {
         const std::uint32_t covered = covered_blocks(patch, row);
@@ -235,9 +250,10 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
                 paint_block(ground, places, at, texels + at * 4))
                 continue;
             for (std::uint32_t i = 0; i < kBlock; ++i) {
-                if ((patch.coverage[row + i] >> column & 15u) == 0) continue;
+                const std::uint32_t there = patch.coverage[row + i] >> column & 15u;
+                if (there == 0) continue;
                 const std::size_t four = at + i * kTileSize;
-                paint_four(ground, places, four, texels + four * 4, search);
+                paint_four(ground, places, four, there == 15u, texels + four * 4, search);
             }
         }
     }

@@ -22,7 +22,7 @@ public:
           level_(d.level),
           footprint_(&d.footprint),
           pixels_(level_->first_pixel()),
-          roughness_(level_->first_roughness(footprint_->smooth_reach)),
+          roughness_(footprint_->smooth_list),
           stride_(level_->stride()),
           limit_(footprint_->smooth_limit),
           pair_limit_(d.pair_limit),

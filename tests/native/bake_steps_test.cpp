@@ -174,7 +174,7 @@ TEST_CASE("A bake that runs out of budget midway gives no half-baked map, even w
     const MapArrays expected = plenty.map(plenty.target(512, 512));
     TestSession session(16);
     session.add(sphere);
-    const TxcImage ballast = session.image(Picture(1024, 748));
+    const TxcImage ballast = session.image(Picture(1024, 640));
     const TxcTarget target = session.open_target(512, 512);
     TxcStatus status = TXC_STATUS_PENDING;
     while (status == TXC_STATUS_PENDING) status = txc_target_bake(session.id(), target, 20000, nullptr);

@@ -40,11 +40,11 @@ Picture make_smooth(int kind, Random& random) {
     return picture;
 }
 
-/// Around a place in pixels of the level.
-std::int32_t roughness_at(const txc::PyramidLevel& level, float x, float y, std::int32_t reach) {
+/// How rough the footprint's list calls the level around a place, which is in pixels of the level.
+std::int32_t roughness_at(const txc::PyramidLevel& level, const txc::Footprint& f, float x, float y) {
     const auto column = static_cast<std::int32_t>(std::floor(x - 0.5f));
     const auto row = static_cast<std::int32_t>(std::floor(y - 0.5f));
-    return level.first_roughness(reach)[std::ptrdiff_t{row} * level.stride() + column];
+    return f.smooth_list[std::ptrdiff_t{row} * level.stride() + column];
 }
 
 /// The mean of red over the footprint by 24 x 24 samples, 0 to 255.
@@ -91,7 +91,7 @@ TEST_CASE("One sample stands for a footprint only where it is within a step of t
             const auto y = static_cast<float>(centred ? middle : random.between(f.inset_y, kSize - f.inset_y));
             const txc::PyramidLevel& level = image.levels[0];
             if (f.level != 0) continue;
-            if (roughness_at(level, x, y, f.smooth_reach) > f.smooth_limit) continue;
+            if (roughness_at(level, f, x, y) > f.smooth_limit) continue;
             const double one = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep;
             worst = std::fmax(worst, std::fabs(one - dense_mean(level, f, x, y)));
             ++spared[kind];
@@ -133,7 +133,7 @@ TEST_CASE("On hard edges one sample stands for a footprint only where its very p
         for (int i = 0; i < 300; ++i) {
             const auto x = static_cast<float>(random.between(4.0, kSide - 4.0));
             const auto y = static_cast<float>(random.between(4.0, kSide - 4.0));
-            const std::int32_t steps = roughness_at(level, x, y, f.smooth_reach);
+            const std::int32_t steps = roughness_at(level, f, x, y);
             if (steps <= f.smooth_limit) continue;
             ++asked;
             const auto column = static_cast<std::int32_t>(std::floor(x - 0.5f));
@@ -178,22 +178,25 @@ TEST_CASE(
             const auto x = static_cast<float>(random.between(2.0, kSize - 2.0));
             const auto y = static_cast<float>(random.between(2.0, kSize - 2.0));
             double corners[4];
-            bool passes = true;
+            txc::PlaceBounds bounds{};
+            bool is_inside = true;
             for (int c = 0; c < 4; ++c) {
                 const auto i = static_cast<float>(c % 2 * texels);
                 const auto j = static_cast<float>(c / 2 * texels);
                 const float at_x = x + right_x * i - right_y * j;
                 const float at_y = y + right_y * i + right_x * j;
                 if (!(at_x > 1.0f && at_x < kSize - 1.0f && at_y > 1.0f && at_y < kSize - 1.0f)) {
-                    passes = false;
+                    is_inside = false;
                     break;
                 }
-                const auto column = static_cast<std::int32_t>(std::floor(at_x - 0.5f));
-                const auto row = static_cast<std::int32_t>(std::floor(at_y - 0.5f));
-                passes = passes && test.list[std::ptrdiff_t{row} * level.stride() + column] <= test.limit;
+                const txc::Int4 at = {txc::to_fixed(at_x - 0.5f), txc::to_fixed(at_y - 0.5f), 0, 0};
+                const txc::PlaceBounds own = {at[0], at[1], at[0], at[1]};
+                const txc::Int4 low = c == 0 ? own : txc::lesser(bounds, own);
+                const txc::Int4 high = c == 0 ? own : txc::greater(bounds, own);
+                bounds = txc::PlaceBounds{low[0], low[1], high[2], high[3]};
                 corners[c] = static_cast<double>(txc::sample_bilinear(level, at_x, at_y, false)[0]) / kByteStep;
             }
-            if (!passes) continue;
+            if (!is_inside || !test.is_smooth(bounds, level.stride())) continue;
             ++passed[k];
             for (int j = 0; j <= texels; ++j) {
                 for (int i = 0; i <= texels; ++i) {
@@ -235,7 +238,7 @@ TEST_CASE("A footprint that a speck touches takes all its samples, and one well 
                 const float x = static_cast<float>(column) / 16.0f;
                 const float y = static_cast<float>(row) / 16.0f;
                 const float away = std::fmax(std::fabs(x - kSpeck), std::fabs(y - kSpeck));
-                const bool spared = roughness_at(image.levels[0], x, y, f.smooth_reach) <= f.smooth_limit;
+                const bool spared = roughness_at(image.levels[0], f, x, y) <= f.smooth_limit;
                 // The speck's bilinear ramp is a pixel wide on either side.
                 lost += spared && away < width / 2 + 1 ? 1 : 0;
                 clear_but_not_spared += !spared && away > width / 2 + 2 ? 1 : 0;

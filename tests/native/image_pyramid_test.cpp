@@ -102,3 +102,58 @@ TEST_CASE("A picture that does not fit the budget is refused") {
     CHECK(image.build(64, 64, picture.rgba.data()) == TXC_STATUS_OUT_OF_BUDGET);
     CHECK(budget.used() == 0);
 }
+
+TEST_CASE("A window knows the roughest of its pixels, and of no other") {
+    // Single specks on plain ground: each makes itself and its neighbours rough.
+    constexpr std::int32_t kSide = 48;
+    Picture picture(kSide, kSide, {90, 90, 90, 255});
+    picture.set(20, 23, {200, 90, 90, 255});
+    const Built built(picture);
+    const txc::PyramidLevel& level = built.image.levels[0];
+    const auto is_rough = [&](const std::vector<std::uint8_t>& list, std::int32_t x, std::int32_t y) {
+        return level.first_of(list)[y * level.stride() + x] > 2 * txc::kMostBend;
+    };
+    const auto check = [&](const std::vector<std::uint8_t>& list, std::int32_t half) {
+        std::uint32_t wrong = 0;
+        // Windows that do not meet the picture's border, which is rough too.
+        for (std::int32_t y = half; y + half < kSide - 1; ++y) {
+            for (std::int32_t x = half; x + half < kSide - 1; ++x) {
+                const bool meets = x - half + 1 <= 21 && x + half >= 19 && y - half + 1 <= 24 && y + half >= 22;
+                wrong += is_rough(list, x, y) != meets ? 1 : 0;
+            }
+        }
+        CAPTURE(half);
+        CHECK(wrong == 0);
+    };
+    check(level.peaks[0], 1);
+    check(level.peaks[1], 2);
+    check(level.bends[0], 2);
+    check(level.bends[1], 4);
+    check(level.bends[2], 8);
+}
+
+TEST_CASE("What rounding to bytes leaves of a slope counts as a plane, and a curve does not") {
+    constexpr std::uint32_t kSide = 64;
+    Picture slope(kSide, kSide);
+    Picture curve(kSide, kSide);
+    for (std::uint32_t y = 0; y < kSide; ++y) {
+        for (std::uint32_t x = 0; x < kSide; ++x) {
+            const auto plane = static_cast<std::uint8_t>(std::lround(20 + 1.37 * x + 0.71 * y));
+            slope.set(x, y, {plane, plane, plane, 255});
+            const double away = static_cast<double>(x) - kSide / 2.0;
+            const auto bent = static_cast<std::uint8_t>(std::lround(0.2 * away * away));
+            curve.set(x, y, {bent, bent, bent, 255});
+        }
+    }
+    const Built flat(slope);
+    const Built bent(curve);
+    const auto most = [](const Built& built, std::uint32_t x) {
+        const txc::PyramidLevel& level = built.image.levels[0];
+        return level.first_of(level.bends[1])[32 * level.stride() + static_cast<std::int32_t>(x)];
+    };
+    for (std::uint32_t x = 8; x < kSide - 8; ++x) {
+        CHECK(most(flat, x) <= txc::kMostBend);
+        // 0.4 a pixel all along: 1.6 at the wider stride.
+        CHECK(most(bent, x) >= 1);
+    }
+}
