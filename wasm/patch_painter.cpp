@@ -200,9 +200,10 @@ struct RoughSearch {
     RoughTexel* next;
 };
 
-/// Four texels of a row. `are_there`: all four; of those that are not the place says nothing.
+/// Four texels of a row. `may_join`: colours may be interpolated between the first and the last (the place of one that is not
+/// there says nothing).
 __attribute__((always_inline)) inline void paint_four(const Ground& ground, const PatchTexels& places, std::size_t at,
-                                                      bool are_there, std::uint16_t* out, RoughSearch& search) {
+                                                      bool may_join, std::uint16_t* out, RoughSearch& search) {
     Int4 x;
     Int4 y;
     ground.find(load_int4(places.xy + at), load_int4(places.z + at), x, y);
@@ -212,7 +213,7 @@ __attribute__((always_inline)) inline void paint_four(const Ground& ground, cons
     const std::int32_t most = std::max(std::max(steps[0], steps[1]), std::max(steps[2], steps[3]));
     const Int4 first = ground.sample<0>(place);
     const Int4 fourth = ground.sample<3>(place);
-    if (most <= search.three && are_there) {
+    if (most <= search.three && may_join) {
         const Int4 pairs = pair_up(first, fourth);
         store_texels(out, narrow(first, between<1, 3>(pairs)));
         store_texels(out + 8, narrow(between<2, 3>(pairs), fourth));
@@ -239,21 +240,22 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
                         const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
                         RoughTexel* rough) {
     const Ground ground{level.first_pixel(), level.stride(), view};
-    if (patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
+    const bool chords = places.is_continuous;
+    if (chords && patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
     RoughSearch search{&level, &footprint, footprint.smooth_list, footprint.smooth_limit, view.chords.three, rough};
     constexpr std::uint32_t kBlock = 4;
     for (std::uint32_t row = 0; row < kTileSize; row += kBlock) {
         const std::uint32_t covered = covered_blocks(patch, row);
         for (std::uint32_t column = 0; column < kTileSize; column += kBlock) {
             const std::size_t at = row * kTileSize + column;
-            if ((covered >> column & 15u) == 15u && view.chords.block.limit >= 0 &&
+            if (chords && (covered >> column & 15u) == 15u && view.chords.block.limit >= 0 &&
                 paint_block(ground, places, at, texels + at * 4))
                 continue;
             for (std::uint32_t i = 0; i < kBlock; ++i) {
                 const std::uint32_t there = patch.coverage[row + i] >> column & 15u;
                 if (there == 0) continue;
                 const std::size_t four = at + i * kTileSize;
-                paint_four(ground, places, four, there == 15u, texels + four * 4, search);
+                paint_four(ground, places, four, chords && there == 15u, texels + four * 4, search);
             }
         }
     }

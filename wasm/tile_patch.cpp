@@ -120,6 +120,26 @@ void make_patch(const LocalSpaceMap& map, const MapTile& tile, TilePatch& out) {
     out.state = is_uniform ? TilePatch::State::kUniform : TilePatch::State::kBounds;
 }
 
+/// Charts are continued into their gutters triangle by triangle, which leaves small steps there: up to half a texel is none.
+bool is_continuous(const TilePatch& patch, const PatchTexels& texels, Float4 wholes) {
+    const float side = std::max(largest_lane(absolute(patch.across)), largest_lane(absolute(patch.down)));
+    const Float4 slack = splat(0.5f * side) * wholes + splat(2.0f);
+    const auto place = [&](std::size_t at) {
+        const auto half = [](std::int32_t low) { return static_cast<float>(static_cast<std::int16_t>(low)); };
+        return Float4{half(texels.xy[at]), half(texels.xy[at] >> 16), half(texels.z[at]), 0.0f};
+    };
+    const auto is_there = [&](std::size_t at) { return (patch.coverage[at / kTileSize] >> at % kTileSize & 1u) != 0; };
+    const auto joins = [&](std::size_t at, std::size_t next, Float4 step, Float4 spread) {
+        if (!is_there(at) || !is_there(next)) return true;
+        return !any_lane(absolute(place(next) - place(at) - step * wholes) > spread * wholes + slack);
+    };
+    for (std::size_t at = 0; at < 256; ++at) {
+        if ((at + 1) % kTileSize != 0 && !joins(at, at + 1, patch.across, patch.across_spread)) return false;
+        if (at + kTileSize < 256 && !joins(at, at + kTileSize, patch.down, patch.down_spread)) return false;
+    }
+    return true;
+}
+
 void make_texels(const LocalSpaceMap& map, const MapTile& tile, const TilePatch& patch, PatchTexels& out) {
     if (!patch.is_full) out = PatchTexels{};
     const TileCorner corner(map, tile);
@@ -142,6 +162,7 @@ void make_texels(const LocalSpaceMap& map, const MapTile& tile, const TilePatch&
             out.z[at + i] = whole[2] & 0xffff;
         }
     });
+    out.is_continuous = is_continuous(patch, out, wholes);
 }
 
 }  // namespace

@@ -43,6 +43,9 @@ struct TilePatch {
 struct PatchTexels {
     std::int32_t xy[256];  // x in the low half, y in the high one
     std::int32_t z[256];
+    // Neighbours are a texel apart on the surface too: no two charts meet here that lie apart on it. Only then may colours be
+    // interpolated between texels.
+    bool is_continuous;
 };
 
 /// The patches of a map's tiles.
