@@ -94,6 +94,14 @@ std::int32_t bends_within(float error, float error_a_bend) {
     return static_cast<std::int32_t>(std::min(static_cast<float>(kMostBend), error / std::max(error_a_bend, 1e-6f)));
 }
 
+/// A footprint's sides in pixels of the level.
+struct LevelSides {
+    float across_x, across_y, down_x, down_y;
+};
+LevelSides sides_on(const PyramidLevel& on, const Footprint& f) {
+    return {f.across_x * on.scale_x, f.across_y * on.scale_y, f.down_x * on.scale_x, f.down_y * on.scale_y};
+}
+
 /// The trapezoid of sides this long along an axis.
 void make_trapezoid(float side, float other_side, float& base, float& top, float& scale) {
     const float longer = std::max(std::max(std::fabs(side), std::fabs(other_side)), 1e-3f);
@@ -107,10 +115,7 @@ void make_trapezoid(float side, float other_side, float& base, float& top, float
 /// Of a footprint that reaches no further than a pixel, so that it meets the kinks before and behind its centre at the most.
 void find_kinks(const PyramidLevel& on, float reach, Footprint& f) {
     f.knows_kinks = reach <= 1.0f && !f.smooth_by_bends;
-    const float across_x = f.across_x * on.scale_x;
-    const float across_y = f.across_y * on.scale_y;
-    const float down_x = f.down_x * on.scale_x;
-    const float down_y = f.down_y * on.scale_y;
+    const auto [across_x, across_y, down_x, down_y] = sides_on(on, f);
     make_trapezoid(across_x, down_x, f.base_x, f.top_x, f.scale_x);
     make_trapezoid(across_y, down_y, f.base_y, f.top_y, f.scale_y);
     f.lean = std::fabs(across_x * across_y + down_x * down_y) * (1.0f / 12.0f);
@@ -204,10 +209,7 @@ void cover(const PyramidLevel& on, const std::vector<std::uint8_t>& list, std::i
 /// `reach`: of the footprint on the level, along the axis along which it reaches further. (A second look at texels that fail, with
 /// four windows that fit their footprints exactly, took 0.98 of the time at four pixels a texel and gained nothing below.)
 void find_smoothness(const PyramidLevel& on, float reach, Footprint& f) {
-    const float across_x = f.across_x * on.scale_x;
-    const float across_y = f.across_y * on.scale_y;
-    const float down_x = f.down_x * on.scale_x;
-    const float down_y = f.down_y * on.scale_y;
+    const auto [across_x, across_y, down_x, down_y] = sides_on(on, f);
     f.smooth_list = on.first_of(on.bends[2]);
     f.smooth_limit = -1;
     if (reach <= 2.0f) {
@@ -298,10 +300,7 @@ std::int32_t chord_limit_within(const ImagePyramid& image, const Footprint& f, f
 /// For squares of `side` texels anywhere among `span` x `span` texels.
 SmoothTest square_test(const ImagePyramid& image, const Footprint& f, float side, float span) {
     const PyramidLevel& on = image.levels[f.level];
-    const float across_x = f.across_x * on.scale_x;
-    const float across_y = f.across_y * on.scale_y;
-    const float down_x = f.down_x * on.scale_x;
-    const float down_y = f.down_y * on.scale_y;
+    const auto [across_x, across_y, down_x, down_y] = sides_on(on, f);
     const float reach_x = f.reach_x * on.scale_x;
     const float reach_y = f.reach_y * on.scale_y;
     SmoothTest test;

@@ -240,22 +240,22 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
                         const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
                         RoughTexel* rough) {
     const Ground ground{level.first_pixel(), level.stride(), view};
-    const bool chords = places.is_continuous;
-    if (chords && patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
+    const bool may_join = places.is_continuous;
+    if (may_join && patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
     RoughSearch search{&level, &footprint, footprint.smooth_list, footprint.smooth_limit, view.chords.three, rough};
     constexpr std::uint32_t kBlock = 4;
     for (std::uint32_t row = 0; row < kTileSize; row += kBlock) {
         const std::uint32_t covered = covered_blocks(patch, row);
         for (std::uint32_t column = 0; column < kTileSize; column += kBlock) {
             const std::size_t at = row * kTileSize + column;
-            if (chords && (covered >> column & 15u) == 15u && view.chords.block.limit >= 0 &&
+            if (may_join && (covered >> column & 15u) == 15u && view.chords.block.limit >= 0 &&
                 paint_block(ground, places, at, texels + at * 4))
                 continue;
             for (std::uint32_t i = 0; i < kBlock; ++i) {
                 const std::uint32_t there = patch.coverage[row + i] >> column & 15u;
                 if (there == 0) continue;
                 const std::size_t four = at + i * kTileSize;
-                paint_four(ground, places, four, chords && there == 15u, texels + four * 4, search);
+                paint_four(ground, places, four, may_join && there == 15u, texels + four * 4, search);
             }
         }
     }

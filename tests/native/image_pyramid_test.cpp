@@ -104,7 +104,7 @@ TEST_CASE("A picture that does not fit the budget is refused") {
 }
 
 TEST_CASE("A window knows the roughest of its pixels, and of no other") {
-    // Single specks on plain ground: each makes itself and its neighbours rough.
+    // A single speck on plain ground makes itself and its neighbours rough.
     constexpr std::int32_t kSide = 48;
     Picture picture(kSide, kSide, {90, 90, 90, 255});
     picture.set(20, 23, {200, 90, 90, 255});
@@ -140,8 +140,9 @@ TEST_CASE("What rounding to bytes leaves of a slope counts as a plane, and a cur
         for (std::uint32_t x = 0; x < kSide; ++x) {
             const auto plane = static_cast<std::uint8_t>(std::lround(20 + 1.37 * x + 0.71 * y));
             slope.set(x, y, {plane, plane, plane, 255});
-            const double away = static_cast<double>(x) - kSide / 2.0;
-            const auto bent = static_cast<std::uint8_t>(std::lround(0.2 * away * away));
+            // As far as bytes go; checked well within that.
+            const double away = std::fmin(std::fabs(static_cast<double>(x) - kSide / 2.0), 22.0);
+            const auto bent = static_cast<std::uint8_t>(std::lround(0.5 * away * away));
             curve.set(x, y, {bent, bent, bent, 255});
         }
     }
@@ -153,7 +154,7 @@ TEST_CASE("What rounding to bytes leaves of a slope counts as a plane, and a cur
     };
     for (std::uint32_t x = 8; x < kSide - 8; ++x) {
         CHECK(most(flat, x) <= txc::kMostBend);
-        // 0.4 a pixel all along: 1.6 at the wider stride.
-        CHECK(most(bent, x) >= 1);
+        // A step a pixel all along, which is no more than rounding makes of a slope: four at the wider stride.
+        if (x > 16 && x < kSide - 16) CHECK(most(bent, x) > txc::kMostBend);
     }
 }
