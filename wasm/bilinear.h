@@ -14,9 +14,6 @@ namespace txc {
 
 inline constexpr std::int32_t kWeightBits = 14;
 inline constexpr std::int32_t kWeightOne = 1 << kWeightBits;
-/// Channels stand on 0 to 65025; signed 16-bit factors need them around 0.
-inline constexpr std::int32_t kChannelBias = 32768;
-
 inline const Int4 kBias = {kChannelBias, kChannelBias, kChannelBias, kChannelBias};
 
 /// Places in fixed point: pixels times kWeightOne.
@@ -62,12 +59,11 @@ Int4 broadcast(Int4 v) {
 }
 
 /// One sample: channels around 0 (less kChannelBias). Each lane of the weights holds the same pair, as in SamplePlaces.
-inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, Int4 weights_x, Int4 weights_y) {
+inline Int4 sample_biased(const std::int16_t* pixels, std::size_t row_stride, Int4 weights_x, Int4 weights_y) {
 #if defined(__wasm_simd128__)
     // Only such shuffles as engines turn into one instruction: a mask of bytes costs V8 five.
-    const v128_t bias = wasm_i16x8_const_splat(static_cast<std::int16_t>(0x8000));
-    const v128_t upper = wasm_v128_xor(wasm_v128_load(pixels), bias);
-    const v128_t lower = wasm_v128_xor(wasm_v128_load(pixels + row_stride), bias);
+    const v128_t upper = wasm_v128_load(pixels);
+    const v128_t lower = wasm_v128_load(pixels + row_stride);
     // Each column's two channels side by side, as the multiplication of pairs wants them.
     const auto blend_column = [&](v128_t pairs) {
         return wasm_i32x4_shl(wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_y)), 16 - kWeightBits);
@@ -84,11 +80,9 @@ inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, I
     const std::int32_t lower = weights_y[0] >> 16;
     Int4 out{};
     for (int c = 0; c < 4; ++c) {
-        const std::uint16_t* below = pixels + row_stride + c;
-        const std::int32_t at_left =
-            ((pixels[c] - kChannelBias) * upper + (below[0] - kChannelBias) * lower) >> kWeightBits;
-        const std::int32_t at_right =
-            ((pixels[c + 4] - kChannelBias) * upper + (below[4] - kChannelBias) * lower) >> kWeightBits;
+        const std::int16_t* below = pixels + row_stride + c;
+        const std::int32_t at_left = (pixels[c] * upper + below[0] * lower) >> kWeightBits;
+        const std::int32_t at_right = (pixels[c + 4] * upper + below[4] * lower) >> kWeightBits;
         out[c] = (at_left * left + at_right * right) >> kWeightBits;
     }
     return out;
@@ -97,14 +91,14 @@ inline Int4 sample_biased(const std::uint16_t* pixels, std::size_t row_stride, I
 
 /// The sample at one of four places.
 template <int kLane>
-Int4 sample_lane(const std::uint16_t* pixels, std::int32_t stride, const SamplePlaces& places) {
+Int4 sample_lane(const std::int16_t* pixels, std::int32_t stride, const SamplePlaces& places) {
     return sample_biased(pixels + std::ptrdiff_t{places.offset[kLane]} * 4, std::size_t(stride) * 4,
                          broadcast<kLane>(places.weights_x), broadcast<kLane>(places.weights_y));
 }
 
 /// Adds up the first `count` of the four samples.
 inline Int4 sum_samples(const PyramidLevel& level, const SamplePlaces& places, std::int32_t count) {
-    const std::uint16_t* pixels = level.first_pixel();
+    const std::int16_t* pixels = level.first_pixel();
     const std::int32_t stride = level.stride();
     Int4 sum = sample_lane<0>(pixels, stride, places);
     if (count > 1) sum += sample_lane<1>(pixels, stride, places);

@@ -16,6 +16,7 @@ namespace txc {
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 using UShort4 = std::uint16_t __attribute__((vector_size(8)));
+using Short4 = std::int16_t __attribute__((vector_size(8)));
 
 inline Float4 splat(float value) { return Float4{value, value, value, value}; }
 inline Int4 splat(std::int32_t value) { return Int4{value, value, value, value}; }
@@ -137,6 +138,16 @@ inline Int4 load_int4(const std::int32_t* from) {
     Int4 values;
     std::memcpy(&values, from, sizeof values);
     return values;
+}
+
+inline Int4 load_short4(const std::int16_t* from) {
+#if defined(__wasm_simd128__)
+    return reinterpret_cast<Int4>(wasm_i32x4_load16x4(from));
+#else
+    Short4 values;
+    std::memcpy(&values, from, sizeof values);
+    return __builtin_convertvector(values, Int4);
+#endif
 }
 
 /// All lanes by as many bits. (Clang 14 takes it apart lane by lane, in sixty instructions, unless it sees in the same block

@@ -52,13 +52,12 @@ float largest_smooth_error(float across_x, float across_y, float down_x, float d
            (squares_x + squares_y) * (1.0f / 24.0f);
 }
 
-// The same by the footprint's very place between the kinks. Less, because where an edge along x meets one along y their kinks
-// multiply, which the sum of both leaves out.
+// The same by the twist alone, where the footprint meets no kink.
 //
-// Bounds of 2 (smooth), 5, 2 (chord) and 4 (tile) steps keep 50 dB and more of what these give, on checkers of 3 and 5 pixels
-// too, and a drag takes 0.92 to 0.97 of the time. But then a decal's quarters, each a picture of its own, no longer paint
-// what the whole one paints, and a round tip differs by 2 steps from itself turned.
-constexpr float kKinkError = 0.75f;
+// Bounds of 2 (smooth), 5 (by its very place), 2 (chord) and 4 (tile) steps keep 50 dB and more of what these give, on checkers of
+// 3 and 5 pixels too, and a drag takes 0.92 to 0.97 of the time. But then a decal's quarters, each a picture of its own, no longer
+// paint what the whole one paints, and a round tip differs by 2 steps from itself turned.
+constexpr float kTwistError = 0.75f;
 
 // How far a colour interpolated between two samples may be from its own, in 8-bit steps. Rows begin anywhere, so twice this
 // is what two texels may differ by that should be alike.
@@ -100,25 +99,6 @@ struct LevelSides {
 };
 LevelSides sides_on(const PyramidLevel& on, const Footprint& f) {
     return {f.across_x * on.scale_x, f.across_y * on.scale_y, f.down_x * on.scale_x, f.down_y * on.scale_y};
-}
-
-/// The trapezoid of sides this long along an axis.
-void make_trapezoid(float side, float other_side, float& base, float& top, float& scale) {
-    const float longer = std::max(std::max(std::fabs(side), std::fabs(other_side)), 1e-3f);
-    // A side that has no length along the axis would make it a box: as good as one.
-    const float shorter = std::max(std::min(std::fabs(side), std::fabs(other_side)), 0.125f * longer);
-    base = 0.5f * (longer + shorter);
-    top = 0.5f * (longer - shorter);
-    scale = 1.0f / (6.0f * longer * shorter);
-}
-
-/// Of a footprint that reaches no further than a pixel, so that it meets the kinks before and behind its centre at the most.
-void find_kinks(const PyramidLevel& on, float reach, Footprint& f) {
-    f.knows_kinks = reach <= 1.0f && !f.smooth_by_bends;
-    const auto [across_x, across_y, down_x, down_y] = sides_on(on, f);
-    make_trapezoid(across_x, down_x, f.base_x, f.top_x, f.scale_x);
-    make_trapezoid(across_y, down_y, f.base_y, f.top_y, f.scale_y);
-    f.lean = std::fabs(across_x * across_y + down_x * down_y) * (1.0f / 12.0f);
 }
 
 /// The largest roughness at which `error_a_step` times it stays within `error`.
@@ -222,6 +202,14 @@ void find_smoothness(const PyramidLevel& on, float reach, Footprint& f) {
     f.smooth_limit = bends_within(kSmoothError, (square(across_x, across_y) + square(down_x, down_y)) * kBendMean);
 }
 
+void find_room(const PyramidLevel& on, Footprint& f) {
+    const auto [across_x, across_y, down_x, down_y] = sides_on(on, f);
+    const auto room = [](float width) { return kWeightOne - to_fixed(std::min(width, 2.0f)); };
+    f.room_x = room(std::fabs(across_x) + std::fabs(down_x));
+    f.room_y = room(std::fabs(across_y) + std::fabs(down_y));
+    f.twist_limit = steps_within(kTwistError, std::fabs(across_x * across_y + down_x * down_y) * (1.0f / 12.0f));
+}
+
 /// `across`, `down`: lengths on the level, in its pixels.
 void make_lattice(const PyramidLevel& on, float across, float down, Footprint& f) {
     f.across_samples = sample_count(across);
@@ -275,7 +263,7 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     f.inset_y = f.reach_y + rim / on.scale_y;
     const float reach = std::max(f.reach_x * on.scale_x, f.reach_y * on.scale_y);
     find_smoothness(on, reach, f);
-    find_kinks(on, reach, f);
+    find_room(on, f);
     // At the edge a coarse level would fade over too wide a rim, and a repeated picture is cut hard: there the samples
     // are as many as the reference has. A level whose pixels are no larger than their distance is still fine enough.
     const bool dense = repeat || level > 0;
@@ -336,32 +324,6 @@ ChordLimits tile_chord_limits(const ImagePyramid& image, const Footprint& f) {
             square_test(image, f, 5.0f, 15.0f)};
 }
 
-Int4 are_rough(const PyramidLevel& level, const Footprint& f, Int4 steps, const FourPlaces& places) {
-    const Int4 exceeds = steps > splat(f.smooth_limit);
-    if (!f.knows_kinks) return exceeds;
-    const Kinks* const kinks = level.first_kinks();
-    const Kinks four[4] = {kinks[places.offset[0]], kinks[places.offset[1]], kinks[places.offset[2]],
-                           kinks[places.offset[3]]};
-    const Int4 kinks_x = {four[0].x, four[1].x, four[2].x, four[3].x};
-    const Int4 kinks_y = {four[0].y, four[1].y, four[2].y, four[3].y};
-    const Float4 zero = splat(0.0f);
-    // A kink at this distance from the centre takes the mean away by so much, for each step that it bends by.
-    const auto bend = [&](Float4 distance, float base, float top, float scale) {
-        const Float4 outer = greater(splat(base) - distance, zero);
-        const Float4 inner = greater(splat(top) - distance, zero);
-        return (outer * outer * outer - inner * inner * inner) * splat(scale);
-    };
-    const auto along = [&](Int4 place, float base, float top, float scale) {
-        const Float4 before = __builtin_convertvector(place & splat(kWeightOne - 1), Float4) *
-                              splat(1.0f / static_cast<float>(kWeightOne));
-        return bend(before, base, top, scale) + bend(splat(1.0f) - before, base, top, scale);
-    };
-    const Float4 error = along(places.x, f.base_x, f.top_x, f.scale_x) * __builtin_convertvector(kinks_x, Float4) +
-                         along(places.y, f.base_y, f.top_y, f.scale_y) * __builtin_convertvector(kinks_y, Float4) +
-                         __builtin_convertvector(steps, Float4) * splat(f.lean);
-    return exceeds & (error > splat(kKinkError));
-}
-
 namespace {
 
 /// Mean colour by the footprint's lattice of samples alone. `x`, `y`: in pixels of its level, less 1/2.
@@ -393,7 +355,7 @@ Int4 within_alpha(Int4 color) {
 /// Mean colour by the kernels of the footprint's parts. `x`, `y` as in RoughTexel.
 __attribute__((always_inline)) inline Int4 sample_parts(const PyramidLevel& level, const Footprint& f, std::int32_t x,
                                                         std::int32_t y) {
-    const std::uint16_t* pixels = level.first_pixel();
+    const std::int16_t* pixels = level.first_pixel();
     const std::int32_t stride = level.stride();
     Int4 sum = sample_kernel(pixels, stride, f.kernel, x + f.part_x[0], y + f.part_y[0]);
     for (std::int32_t i = 1; i < f.parts; ++i)
@@ -422,14 +384,6 @@ void paint_rough(const RoughTexel* texels, std::uint32_t count) {
     }
 }
 
-namespace {
-
-bool is_rough(const PyramidLevel& level, const Footprint& f, std::int32_t steps, const FourPlaces& places) {
-    return steps > f.smooth_limit && are_rough(level, f, splat(steps), places)[0] != 0;
-}
-
-}  // namespace
-
 Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, float y) {
     const PyramidLevel& level = image.levels[f.level];
     const float level_x = x * level.scale_x - 0.5f;
@@ -438,7 +392,7 @@ Float4 sample_inside(const ImagePyramid& image, const Footprint& f, float x, flo
     const std::int32_t steps = f.smooth_list[place.offset[0]];
     const std::int32_t fixed_x = to_fixed(level_x);
     const std::int32_t fixed_y = to_fixed(level_y);
-    if (is_rough(level, f, steps, {splat(fixed_x), splat(fixed_y), place.offset}))
+    if (are_rough(f, splat(steps), splat(fixed_x), splat(fixed_y))[0] != 0)
         return sample_rough(level, f, fixed_x, fixed_y);
     return __builtin_convertvector(sum_samples(level, place, 1), Float4) + splat(static_cast<float>(kChannelBias));
 }

@@ -71,22 +71,19 @@ inline v128_t weigh(const PixelPairs& pixels, v128_t rows, v128_t columns) {
 /// The mean around (x, y): as of place_samples, in fixed point. `pixels`, `stride`: of the level; all
 /// 4 x 4 must exist. Channels less kChannelBias;
 /// they may leave the range of colours by a little where the footprint leans.
-inline Int4 sample_kernel(const std::uint16_t* pixels, std::int32_t stride, const FootprintKernel& kernel,
+inline Int4 sample_kernel(const std::int16_t* pixels, std::int32_t stride, const FootprintKernel& kernel,
                           std::int32_t x, std::int32_t y) {
     constexpr std::int32_t kHalfPhase = 1 << (kWeightBits - kPhaseBits - 1);
     const std::int32_t phase_x = ((x & (kWeightOne - 1)) + kHalfPhase) >> (kWeightBits - kPhaseBits);
     const std::int32_t phase_y = ((y & (kWeightOne - 1)) + kHalfPhase) >> (kWeightBits - kPhaseBits);
-    const std::uint16_t* first =
-        pixels + std::ptrdiff_t{((y >> kWeightBits) - 1) * stride + (x >> kWeightBits) - 1} * 4;
+    const std::int16_t* first = pixels + std::ptrdiff_t{((y >> kWeightBits) - 1) * stride + (x >> kWeightBits) - 1} * 4;
     const std::size_t row = static_cast<std::size_t>(stride) * 4;
 #if defined(__wasm_simd128__)
-    const v128_t bias = wasm_i16x8_const_splat(static_cast<std::int16_t>(0x8000));
-    const auto load = [&](std::size_t at) { return wasm_v128_xor(wasm_v128_load(first + at), bias); };
     detail::PixelPairs pairs;
     const auto load_rows = [&](std::size_t at, v128_t(&out)[4]) {
         for (std::size_t half = 0; half < 2; ++half) {
-            const v128_t above = load(at + half * 8);
-            const v128_t below = load(at + row + half * 8);
+            const v128_t above = wasm_v128_load(first + at + half * 8);
+            const v128_t below = wasm_v128_load(first + at + row + half * 8);
             out[half * 2] = wasm_i16x8_shuffle(above, below, 0, 8, 1, 9, 2, 10, 3, 11);
             out[half * 2 + 1] = wasm_i16x8_shuffle(above, below, 4, 12, 5, 13, 6, 14, 7, 15);
         }
@@ -116,7 +113,7 @@ inline Int4 sample_kernel(const std::uint16_t* pixels, std::int32_t stride, cons
             std::int32_t column = 0;
             std::int32_t slope = 0;
             for (std::size_t j = 0; j < 4; ++j) {
-                const std::int32_t channel = first[j * row + i * 4 + static_cast<std::size_t>(c)] - kChannelBias;
+                const std::int32_t channel = first[j * row + i * 4 + static_cast<std::size_t>(c)];
                 column += channel * down.weights[j];
                 slope += channel * ((down_slope.weights[j] * kernel.covariance) >> kWeightBits);
             }

@@ -7,6 +7,8 @@
 namespace txc {
 namespace {
 
+std::int16_t to_biased(std::int32_t channel) { return static_cast<std::int16_t>(channel - kChannelBias); }
+
 std::int32_t wrap(std::int32_t index, std::int32_t size) {
     const std::int32_t rest = index % size;
     return rest < 0 ? rest + size : rest;
@@ -29,52 +31,38 @@ void reduce(const PyramidLevel& fine, PyramidLevel& coarse) {
                 const double high = std::min(bottom, fy + 1.0) - std::max(top, static_cast<double>(fy));
                 for (auto fx = static_cast<std::uint32_t>(left); fx < right; ++fx) {
                     const double weight = high * (std::min(right, fx + 1.0) - std::max(left, static_cast<double>(fx)));
-                    const std::uint16_t* pixel = fine.pixel(fx, fy);
-                    for (int c = 0; c < 4; ++c) sum[c] += weight * pixel[c];
+                    const Int4 color = fine.color_at(fx, fy);
+                    for (int c = 0; c < 4; ++c) sum[c] += weight * color[c];
                     area += weight;
                 }
             }
-            std::uint16_t* out = coarse.pixel(x, y);
-            for (int c = 0; c < 4; ++c) out[c] = static_cast<std::uint16_t>(sum[c] / area + 0.5);
+            std::int16_t* out = coarse.pixel(x, y);
+            for (int c = 0; c < 4; ++c) out[c] = to_biased(static_cast<std::int32_t>(sum[c] / area + 0.5));
         }
     }
 }
 
-Int4 load_pixel(const std::uint16_t* from) {
-    UShort4 channels;
-    std::memcpy(&channels, from, sizeof channels);
-    return __builtin_convertvector(channels, Int4);
-}
-
-/// The largest second differences around a pixel, by channels.
-struct Differences {
-    Int4 along_x;
-    Int4 along_y;
-    Int4 twist;  // how much the four pixels of a square at its corners depart from a plane
-
-    Int4 largest() const { return greater(greater(along_x, along_y), twist); }
-};
-
-/// Of the pixel at `at` and those `stride` away. `row`: values from row to row.
-Differences second_differences(const std::uint16_t* at, std::size_t row, std::size_t stride) {
+/// The largest second differences around the pixel at `at` and those `stride` away, by channels: along x, along y, and how much the
+/// four pixels of a square at its corners depart from a plane. `row`: values from row to row.
+Int4 second_differences(const std::int16_t* at, std::size_t row, std::size_t stride) {
     const std::size_t right = stride * 4;
     const std::size_t down = stride * row;
-    const Int4 middle = load_pixel(at);
-    const Int4 left_of = load_pixel(at - right);
-    const Int4 right_of = load_pixel(at + right);
-    const Int4 above = load_pixel(at - down);
-    const Int4 below = load_pixel(at + down);
+    const Int4 middle = load_short4(at);
+    const Int4 left_of = load_short4(at - right);
+    const Int4 right_of = load_short4(at + right);
+    const Int4 above = load_short4(at - down);
+    const Int4 below = load_short4(at + down);
     const Int4 twice = middle + middle;
     const auto magnitude = [](Int4 v) { return greater(v, -v); };
-    Differences of{magnitude(left_of - twice + right_of), magnitude(above - twice + below), splat(0)};
-    const auto twist = [&](Int4 along, Int4 across, const std::uint16_t* corner) {
-        of.twist = greater(of.twist, magnitude(middle - along - across + load_pixel(corner)));
+    Int4 largest = greater(magnitude(left_of - twice + right_of), magnitude(above - twice + below));
+    const auto twist = [&](Int4 along, Int4 across, const std::int16_t* corner) {
+        largest = greater(largest, magnitude(middle - along - across + load_short4(corner)));
     };
     twist(left_of, above, at - right - down);
     twist(right_of, above, at + right - down);
     twist(left_of, below, at - right + down);
     twist(right_of, below, at + right + down);
-    return of;
+    return largest;
 }
 
 /// On the scale of kFullScale to 8-bit steps, rounded up, at most 255.
@@ -110,17 +98,14 @@ void measure_roughness(PyramidLevel& level) {
     List lines(count);
     for (List& list : level.peaks) list.resize(count);
     for (List& list : level.bends) list.resize(count);
-    level.kinks.resize(count);
     List& wide = level.bends[2];  // what is measured at the wider stride, until that list is made
     // What lies in the padding's outer half is transparent all around.
     for (std::size_t y = 2; y + 2 < height; ++y) {
         for (std::size_t x = 2; x + 2 < width; ++x) {
             const std::size_t place = y * width + x;
-            const std::uint16_t* at = level.rgba.data() + place * 4;
-            const Differences near = second_differences(at, row, 1);
-            level.kinks[place] = {to_steps(near.along_x), to_steps(near.along_y)};
-            steps[place] = to_steps(near.largest());
-            wide[place] = to_steps(second_differences(at, row, 2).largest());
+            const std::int16_t* at = level.rgba.data() + place * 4;
+            steps[place] = to_steps(second_differences(at, row, 1));
+            wide[place] = to_steps(second_differences(at, row, 2));
         }
     }
     widen(steps, width, 0, 1, lines, level.peaks[0]);
@@ -135,24 +120,15 @@ void measure_roughness(PyramidLevel& level) {
     widen(level.bends[1], width, 1, 1, lines, level.bends[0]);
     widen(level.bends[0], width, 2, 2, lines, level.bends[1]);
     widen(level.bends[1], width, 4, 4, lines, level.bends[2]);
-    const auto widen_kinks = [&](std::size_t after) {
-        for (std::size_t i = 0; i + after < count; ++i) {
-            Kinks& own = level.kinks[i];
-            const Kinks& next = level.kinks[i + after];
-            own = {std::max(own.x, next.x), std::max(own.y, next.y)};
-        }
-    };
-    widen_kinks(1);
-    widen_kinks(width);
 }
 
 }  // namespace
 
 TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba) {
-    // Pixels, and the lists of peaks, bends and kinks, of all levels; and two lists to make them.
+    // Pixels, and the lists of peaks and bends, of all levels; and two lists to make them.
     std::uint64_t bytes = 0;
     for (std::uint32_t w = width, h = height;; w = std::max(1u, w / 2), h = std::max(1u, h / 2)) {
-        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + 2 + 3 + 2);
+        bytes += std::uint64_t{PyramidLevel::padded_count(w, h)} * (8 + 2 + 3);
         if (w == 1 && h == 1) break;
     }
     const std::uint64_t scratch = PyramidLevel::padded_count(width, height) * 2;
@@ -161,14 +137,14 @@ TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const s
     levels.assign(1, PyramidLevel{});
     levels[0].width = width;
     levels[0].height = height;
-    levels[0].rgba.resize(levels[0].padded_count() * 4);
+    levels[0].rgba.resize(levels[0].padded_count() * 4, to_biased(0));
     for (std::uint32_t y = 0; y < height; ++y) {
         const std::uint8_t* from = rgba + std::size_t{y} * width * 4;
-        std::uint16_t* to = levels[0].pixel(0, y);
+        std::int16_t* to = levels[0].pixel(0, y);
         for (std::uint32_t x = 0; x < width; ++x, from += 4, to += 4) {
-            const std::uint32_t alpha = from[3];
-            for (int c = 0; c < 3; ++c) to[c] = static_cast<std::uint16_t>(from[c] * alpha);
-            to[3] = static_cast<std::uint16_t>(alpha * 255);
+            const std::int32_t alpha = from[3];
+            for (int c = 0; c < 3; ++c) to[c] = to_biased(from[c] * alpha);
+            to[3] = to_biased(alpha * 255);
         }
     }
     while (levels.back().width > 1 || levels.back().height > 1) {
@@ -177,7 +153,7 @@ TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const s
         coarse.height = std::max(1u, levels.back().height / 2);
         coarse.scale_x = static_cast<float>(coarse.width) / static_cast<float>(width);
         coarse.scale_y = static_cast<float>(coarse.height) / static_cast<float>(height);
-        coarse.rgba.resize(coarse.padded_count() * 4);
+        coarse.rgba.resize(coarse.padded_count() * 4, to_biased(0));
         reduce(levels.back(), coarse);
         levels.push_back(std::move(coarse));
     }
@@ -186,7 +162,6 @@ TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const s
 }
 
 Float4 sample_bilinear(const PyramidLevel& level, float x, float y, bool repeat) {
-    static constexpr std::uint16_t kTransparent[4] = {0, 0, 0, 0};
     const float left = std::floor(x - 0.5f);
     const float top = std::floor(y - 0.5f);
     const auto w = static_cast<std::int32_t>(level.width);
@@ -194,9 +169,9 @@ Float4 sample_bilinear(const PyramidLevel& level, float x, float y, bool repeat)
     const auto column = static_cast<std::int32_t>(left);
     const auto row = static_cast<std::int32_t>(top);
     const auto pixel = [&](std::int32_t px, std::int32_t py) {
-        if (!repeat && (px < 0 || py < 0 || px >= w || py >= h)) return load_ushort4(kTransparent);
-        return load_ushort4(
-            level.pixel(static_cast<std::uint32_t>(wrap(px, w)), static_cast<std::uint32_t>(wrap(py, h))));
+        if (!repeat && (px < 0 || py < 0 || px >= w || py >= h)) return splat(0.0f);
+        return __builtin_convertvector(
+            level.color_at(static_cast<std::uint32_t>(wrap(px, w)), static_cast<std::uint32_t>(wrap(py, h))), Float4);
     };
     const Float4 fx = splat(x - 0.5f - left);
     const Float4 fy = splat(y - 0.5f - top);

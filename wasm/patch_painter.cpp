@@ -41,7 +41,7 @@ PlaceBounds bounds_of(Int4 least_x, Int4 least_y, Int4 most_x, Int4 most_y) {
 /// What the loops over a tile have at hand: in registers, since what lies behind a reference would be read anew after every
 /// store.
 struct Ground {
-    const std::uint16_t* pixels;
+    const std::int16_t* pixels;
     std::int32_t stride;
     PatchView view;
 
@@ -126,7 +126,7 @@ __attribute__((always_inline)) inline bool paint_squares(const Ground& ground, c
     Int4 y[4];
     for (std::size_t r = 0; r < 4; ++r) {
         const std::int32_t* xy = places.xy + r * 5 * kTileSize;
-        const std::int32_t* z = places.z + r * 5 * kTileSize;
+        const std::int16_t* z = places.z + r * 5 * kTileSize;
         ground.find(Int4{xy[0], xy[5], xy[10], xy[15]}, Int4{z[0], z[5], z[10], z[15]}, x[r], y[r]);
     }
     const PlaceBounds bounds =
@@ -159,7 +159,7 @@ __attribute__((always_inline)) inline bool paint_block(const Ground& ground, con
                                                        std::uint16_t* out) {
     const SmoothTest& test = ground.view.chords.block;
     const std::int32_t* xy = places.xy + at;
-    const std::int32_t* z = places.z + at;
+    const std::int16_t* z = places.z + at;
     constexpr std::size_t kLast = 3 * kTileSize;
     Int4 x;
     Int4 y;
@@ -198,6 +198,14 @@ struct RoughSearch {
     std::int32_t limit;
     std::int32_t three;
     RoughTexel* next;
+
+    /// Leaves one of four texels to its footprint where its lane says so. Writes in any case: no branch. (A loop over lanes goes
+    /// through memory.)
+    template <int kLane>
+    __attribute__((always_inline)) void leave(Int4 x, Int4 y, Int4 is_rough, std::uint16_t* out) {
+        *next = {level, footprint, x[kLane], y[kLane], out + kLane * 4};
+        next -= is_rough[kLane];
+    }
 };
 
 /// Four texels of a row. `may_join`: colours may be interpolated between the first and the last (the place of one that is not
@@ -206,7 +214,7 @@ __attribute__((always_inline)) inline void paint_four(const Ground& ground, cons
                                                       bool may_join, std::uint16_t* out, RoughSearch& search) {
     Int4 x;
     Int4 y;
-    ground.find(load_int4(places.xy + at), load_int4(places.z + at), x, y);
+    ground.find(load_int4(places.xy + at), load_short4(places.z + at), x, y);
     const SamplePlaces place = place_samples(x, y, ground.stride);
     const Int4 steps = {search.roughness[place.offset[0]], search.roughness[place.offset[1]],
                         search.roughness[place.offset[2]], search.roughness[place.offset[3]]};
@@ -222,11 +230,28 @@ __attribute__((always_inline)) inline void paint_four(const Ground& ground, cons
     store_texels(out, narrow(first, ground.sample<1>(place)));
     store_texels(out + 8, narrow(ground.sample<2>(place), fourth));
     if (most <= search.limit) return;
-    const Int4 rough = are_rough(*search.level, *search.footprint, steps, {x, y, place.offset});
-    for (std::size_t i = 0; i < 4; ++i) {
-        *search.next = {search.level, search.footprint, x[i], y[i], out + i * 4};
-        search.next -= rough[i];
+    const Int4 rough = are_rough(*search.footprint, steps, x, y);
+    search.leave<0>(x, y, rough, out);
+    search.leave<1>(x, y, rough, out);
+    search.leave<2>(x, y, rough, out);
+    search.leave<3>(x, y, rough, out);
+}
+
+/// Reads one number of each line of memory that the loops below are about to read here and there, behind branches that depend on
+/// what they have read: so the lines come side by side, and not one by one. (A drag takes 0.81 to 0.96 of the time. The tile's own
+/// texels, which are only written, are better left alone: 1.05. So are the next tile's bounds: 1.0.)
+inline void fetch_ahead(const Ground& ground, const PatchTexels& places, const std::uint8_t* roughness) {
+    constexpr std::size_t kLine = 64;
+    const PatchView& view = ground.view;
+    std::int32_t read = 0;
+    for (std::size_t i = 0; i < 256; i += kLine / sizeof(std::int32_t)) read ^= places.xy[i] ^ places.z[i];
+    for (std::int32_t y = view.first_row; y <= view.last_row; ++y) {
+        const std::int32_t row = y * ground.stride;
+        for (std::int32_t x = view.first_column; x <= view.last_column; x += 8) read ^= ground.pixels[(row + x) * 4];
+        read ^= roughness[row + view.first_column];
+        if (view.chords.block.limit >= 0) read ^= view.chords.block.list[row + view.first_column];
     }
+    asm volatile("" ::"r"(read));
 }
 
 /// The columns that have their texels in all four rows from `row` on.
@@ -240,9 +265,10 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
                         const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
                         RoughTexel* rough) {
     const Ground ground{level.first_pixel(), level.stride(), view};
-    const bool may_join = places.is_continuous;
+    const bool may_join = patch.continuity == TilePatch::Continuity::kWhole;
     if (may_join && patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
     RoughSearch search{&level, &footprint, footprint.smooth_list, footprint.smooth_limit, view.chords.three, rough};
+    fetch_ahead(ground, places, footprint.smooth_list);
     constexpr std::uint32_t kBlock = 4;
     for (std::uint32_t row = 0; row < kTileSize; row += kBlock) {
         const std::uint32_t covered = covered_blocks(patch, row);

@@ -18,6 +18,8 @@ struct PatchView {
     std::int32_t shift = 0;
     // Places are held within these: what lies beyond is as transparent as what lies there.
     std::int32_t least_x = 0, most_x = 0, least_y = 0, most_y = 0;
+    // The pixels that may lie around the texels' places.
+    std::int32_t first_column = 0, last_column = 0, first_row = 0, last_row = 0;
     ChordLimits chords;
 };
 

@@ -77,7 +77,7 @@ void PictureLanding::mark_at(double x, double y, const PictureSight& sight, Mark
 bool PictureLanding::is_clear_at(const PictureSight& sight) const {
     const double x = std::clamp((0.5 + (flip_x_ ? -sight.x : sight.x)) * level_->width, 0.0, level_->width - 1.0);
     const double y = std::clamp((0.5 - (flip_y_ ? -sight.y : sight.y)) * level_->height, 0.0, level_->height - 1.0);
-    return level_->pixel(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))[3] == 0;
+    return level_->color_at(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))[3] == 0;
 }
 
 }  // namespace txc

@@ -42,7 +42,7 @@ private:
         double some = 0.0;
         for (std::uint32_t row = 0; row < level_->height; ++row) {
             for (std::uint32_t column = 0; column < level_->width; ++column) {
-                const double alpha = level_->pixel(column, row)[3];
+                const double alpha = level_->color_at(column, row)[3];
                 all += alpha;
                 if (wanted(marks_[std::size_t{row} * level_->width + column])) some += alpha;
             }

@@ -144,7 +144,7 @@ private:
         // (Reading a number of each line of the next tile's patch here, ahead of its turn, made a drag 1.03 times as long.)
         const PatchView view = view_of(patch, level, footprint, middle, reach);
         RoughTexel* const rough =
-            paint_patch(patch, map_.patches->texels(map_, place, patch), view, level, footprint, texels, rough_);
+            paint_patch(patch, map_.patches->texels(map_, place), view, level, footprint, texels, rough_);
         paint_rough(rough_, static_cast<std::uint32_t>(rough - rough_));
         clear_uncovered(patch, texels);
         return Done::kPainted;
@@ -184,6 +184,13 @@ private:
         view.most_x = fixed(width_ - footprint.inset_x, scale_x);
         view.least_y = fixed(footprint.inset_y, scale_y);
         view.most_y = fixed(height_ - footprint.inset_y, scale_y);
+        const auto pixel = [](float place, std::int32_t least, std::int32_t most) {
+            return std::min(std::max(static_cast<std::int32_t>(place), least), most) >> kWeightBits;
+        };
+        view.first_column = pixel((middle[kX] - reach[kX]) * scale_x, view.least_x, view.most_x);
+        view.last_column = pixel((middle[kX] + reach[kX]) * scale_x, view.least_x, view.most_x);
+        view.first_row = pixel((middle[kY] - reach[kY]) * scale_y, view.least_y, view.most_y);
+        view.last_row = pixel((middle[kY] + reach[kY]) * scale_y, view.least_y, view.most_y);
         return view;
     }
 

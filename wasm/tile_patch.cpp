@@ -140,7 +140,7 @@ bool is_continuous(const TilePatch& patch, const PatchTexels& texels, Float4 who
     return true;
 }
 
-void make_texels(const LocalSpaceMap& map, const MapTile& tile, const TilePatch& patch, PatchTexels& out) {
+void make_texels(const LocalSpaceMap& map, const MapTile& tile, TilePatch& patch, PatchTexels& out) {
     if (!patch.is_full) out = PatchTexels{};
     const TileCorner corner(map, tile);
     const Float4 wholes = {1.0f / patch.step[0], 1.0f / patch.step[1], 1.0f / patch.step[2], 0.0f};
@@ -159,10 +159,12 @@ void make_texels(const LocalSpaceMap& map, const MapTile& tile, const TilePatch&
             const Int4 whole = round_to_int(greater(lesser(place, most), -most));
             out.xy[at + i] =
                 (whole[0] & 0xffff) | static_cast<std::int32_t>(static_cast<std::uint32_t>(whole[1]) << 16);
-            out.z[at + i] = whole[2] & 0xffff;
+            out.z[at + i] = static_cast<std::int16_t>(whole[2]);
         }
     });
-    out.is_continuous = is_continuous(patch, out, wholes);
+    using Continuity = TilePatch::Continuity;
+    if (patch.continuity == Continuity::kUnasked)
+        patch.continuity = is_continuous(patch, out, wholes) ? Continuity::kWhole : Continuity::kBroken;
 }
 
 }  // namespace
@@ -180,12 +182,12 @@ const TilePatch& TilePatches::find(const LocalSpaceMap& map, std::uint32_t place
     return patch;
 }
 
-const PatchTexels& TilePatches::texels(const LocalSpaceMap& map, std::uint32_t place, const TilePatch& patch) {
+const PatchTexels& TilePatches::texels(const LocalSpaceMap& map, std::uint32_t place) {
     if (!texels_.empty() && texels_[place] != nullptr) return *texels_[place];
     const bool keeps = !texels_.empty() && has_room(sizeof(PatchTexels));
     std::unique_ptr<PatchTexels>& made = keeps ? texels_[place] : unkept_texels_;
     if (made == nullptr) made = std::make_unique<PatchTexels>();
-    make_texels(map, map.tiles[place], patch, *made);
+    make_texels(map, map.tiles[place], patches_.empty() ? unkept_ : patches_[place], *made);
     return *made;
 }
 

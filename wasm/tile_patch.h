@@ -25,9 +25,14 @@ struct TilePatch {
         kUniform
     };
 
+    /// Whether neighbours are a texel apart on the surface too: no two charts meet in the tile that lie apart on it. Only then may
+    /// colours be interpolated between texels.
+    enum class Continuity : std::uint8_t { kUnasked, kBroken, kWhole };
+
     State state = State::kUnmade;
-    bool is_full = false;             // every texel of the tile is there
-    std::uint16_t coverage[16] = {};  // of each row, the first column in the lowest bit
+    Continuity continuity = Continuity::kUnasked;  // told by TilePatches::texels
+    bool is_full = false;                          // every texel of the tile is there
+    std::uint16_t coverage[16] = {};               // of each row, the first column in the lowest bit
     float longest_normal = 0.0f;
     Float4 middle{};  // of the positions, model space
     Float4 step{};    // of the positions' whole numbers
@@ -42,10 +47,7 @@ struct TilePatch {
 /// Positions in whole numbers from -32767 to 32767: (position - middle) / step. 0 where there is no texel.
 struct PatchTexels {
     std::int32_t xy[256];  // x in the low half, y in the high one
-    std::int32_t z[256];
-    // Neighbours are a texel apart on the surface too: no two charts meet here that lie apart on it. Only then may colours be
-    // interpolated between texels.
-    bool is_continuous;
+    std::int16_t z[256];
 };
 
 /// The patches of a map's tiles.
@@ -55,8 +57,8 @@ public:
 
     /// Of the tile at `place` of map.tiles.
     const TilePatch& find(const LocalSpaceMap& map, std::uint32_t place);
-    /// Its texels, where it is uniform.
-    const PatchTexels& texels(const LocalSpaceMap& map, std::uint32_t place, const TilePatch& patch);
+    /// Its texels, where it is uniform. Of the tile found last.
+    const PatchTexels& texels(const LocalSpaceMap& map, std::uint32_t place);
 
     std::uint64_t byte_count() const { return share_.bytes(); }
 

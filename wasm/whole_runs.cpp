@@ -128,7 +128,7 @@ private:
     RoughTexel* rough_;  // the next one
     const PyramidLevel* level_;
     const Footprint* footprint_;
-    const std::uint16_t* pixels_;
+    const std::int16_t* pixels_;
     const std::uint8_t* roughness_;
     std::int32_t stride_;
     std::int32_t limit_;

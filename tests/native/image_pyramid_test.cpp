@@ -20,7 +20,9 @@ struct Built {
     double mean_alpha(std::size_t level) const {
         const txc::PyramidLevel& on = image.levels[level];
         double sum = 0.0;
-        for (std::size_t i = 3; i < on.rgba.size(); i += 4) sum += on.rgba[i];
+        for (std::uint32_t y = 0; y < on.height; ++y) {
+            for (std::uint32_t x = 0; x < on.width; ++x) sum += on.color_at(x, y)[3];
+        }
         return sum / (static_cast<double>(on.width) * on.height);
     }
     /// Premultiplied, on 0 to 255.
@@ -38,7 +40,7 @@ TEST_CASE("The finest level holds colour times alpha exactly") {
     for (std::uint32_t y = 0; y < 7; ++y) {
         for (std::uint32_t x = 0; x < 9; ++x) {
             const Color color = picture.at(x, y);
-            const std::uint16_t* pixel = built.image.levels[0].pixel(x, y);
+            const txc::Int4 pixel = built.image.levels[0].color_at(x, y);
             CHECK_UNARY(pixel[0] == color.red * color.alpha);
             CHECK_UNARY(pixel[2] == color.blue * color.alpha);
             CHECK_UNARY(pixel[3] == color.alpha * 255);
@@ -65,8 +67,8 @@ TEST_CASE("A coarser level's pixel is the mean of the area that it stands for, a
     const double red[5] = {10, 20, 50, 100, 170};
     REQUIRE(row.at(4, 0).red == 170);
     const txc::PyramidLevel& half = built.image.levels[1];
-    CHECK(half.pixel(0, 0)[0] == doctest::Approx(255 * (red[0] + red[1] + red[2] / 2) / 2.5).epsilon(1e-4));
-    CHECK(half.pixel(1, 0)[0] == doctest::Approx(255 * (red[2] / 2 + red[3] + red[4]) / 2.5).epsilon(1e-4));
+    CHECK(half.color_at(0, 0)[0] == doctest::Approx(255 * (red[0] + red[1] + red[2] / 2) / 2.5).epsilon(1e-4));
+    CHECK(half.color_at(1, 0)[0] == doctest::Approx(255 * (red[2] / 2 + red[3] + red[4]) / 2.5).epsilon(1e-4));
     // So no level is lighter or darker than another.
     for (const std::uint32_t width : {16u, 15u, 13u, 3u}) {
         CAPTURE(width);
