@@ -1,6 +1,7 @@
 /** What the views' style sheet has for handles, tools and the flat view. */
 export const GIZMO_STYLE = /* css */ `
-.tcv-overlay { position: absolute; inset: 0; width: 100%; height: 100%; overflow: hidden; pointer-events: none; }
+/* A layer of its own: its lines change in each frame of a drag, and what stands beside it in a layer is painted anew with it (svg-overlay.ts). */
+.tcv-overlay { position: absolute; inset: 0; width: 100%; height: 100%; overflow: hidden; pointer-events: none; will-change: transform; contain: strict; }
 .tcv-overlay path { fill: none; stroke-linejoin: round; stroke-linecap: round; }
 .tcv-casing { stroke: var(--tcv-casing); stroke-width: 3.5; }
 .tcv-outline { stroke: var(--tcv-accent); stroke-width: 1.75; }
