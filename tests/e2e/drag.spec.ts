@@ -109,6 +109,45 @@ test("a drag is one step of the history, and Escape in its middle puts the decal
   await expect(page.locator("#undo")).toBeDisabled();
 });
 
+test("the outline follows a drag without new styles, on a layer of its own, and is a path again at its end", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  await editor.select(id);
+  const overlays = page.locator(".tcv-root:not(.tcv-texture) .tcv-overlay");
+  const overlay = overlays.filter({ has: page.locator("[data-handle]") });
+  const path = overlay.locator("path.tcv-outline");
+  const pieces = overlay.locator('polyline.tcv-outline:not([points=""])');
+  await expect(overlay).toHaveCSS("will-change", "transform");
+  await expect(path).toHaveAttribute("d", /^M/);
+  await expect(pieces).toHaveCount(0);
+  const rest = await path.boundingBox();
+
+  const from = await editor.pointOf(id);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 20, from.y, { steps: 4 });
+  await expect(pieces).not.toHaveCount(0);
+  await expect(path).toHaveAttribute("d", "");
+  expect(await pieces.first().evaluate((line) => getComputedStyle(line).stroke)).toBe(
+    await path.evaluate((line) => getComputedStyle(line).stroke),
+  );
+  expect(await pieces.first().evaluate((line) => getComputedStyle(line).fill)).toBe("none");
+  const seen = await overlay.evaluate((drawing) => {
+    const lines = [...drawing.querySelectorAll('polyline.tcv-outline:not([points=""])')];
+    return Math.min(...lines.map((line) => line.getBoundingClientRect().left));
+  });
+  expect(Math.abs(seen - (rest?.x ?? 0) - 20), "where the outline was, twenty pixels on").toBeLessThan(15);
+
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  await expect(path).toHaveAttribute("d", /^M/);
+  await expect(pieces).toHaveCount(0);
+  expect(await path.boundingBox()).toEqual(rest);
+});
+
 test("the handles rotate and scale the decal", async ({ editor, page }) => {
   await editor.open();
   const { id } = (await editor.design()).layers[0] ?? { id: "" };

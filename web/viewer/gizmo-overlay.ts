@@ -1,4 +1,5 @@
 /** Draws the gizmo: an SVG over the 3D view. Knows pixels only; what is where is decided in gizmo-picture.ts. */
+import { GizmoLine } from "./gizmo-line.ts";
 import { makeSvg as make, makeOverlay } from "./svg-overlay.ts";
 
 export const HANDLES = ["nw", "ne", "se", "sw", "n", "e", "s", "w", "rotate", "depth", "near", "far"] as const;
@@ -57,17 +58,19 @@ const PATHS: readonly { readonly data: PathName; readonly className: string }[] 
 
 export class GizmoOverlay {
   readonly element = makeOverlay();
-  readonly #paths: { readonly element: SVGPathElement; readonly data: PathName; drawn: string }[] = [];
+  readonly #paths: { readonly line: GizmoLine; readonly data: PathName }[] = [];
   readonly #handles = new Map<HandleName, SVGGElement>();
   readonly #readout = document.createElement("div");
   readonly #coarse = matchMedia("(pointer: coarse)");
   #gesture: { readonly handle: HandleName | null } | null = null;
+  /** Nothing is shown, no handle either: that is not said to the document again in each frame. */
+  #isEmpty = false;
 
   constructor(root: HTMLElement) {
     for (const { data, className } of PATHS) {
-      const element = make("path", { class: className });
-      this.#paths.push({ element, data, drawn: "" });
-      this.element.append(element);
+      const line = new GizmoLine(className);
+      this.#paths.push({ line, data });
+      this.element.append(line.element);
     }
     for (const name of HANDLES) {
       const handle = this.#makeHandle(name);
@@ -81,12 +84,13 @@ export class GizmoOverlay {
 
   /** Shows a picture; null shows nothing. */
   draw(picture: GizmoPicture | null): void {
-    for (const line of this.#paths) {
-      const path = picture?.[line.data] ?? "";
-      if (line.drawn !== path) {
-        line.drawn = path;
-        line.element.setAttribute("d", path);
-      }
+    if (picture === null && this.#isEmpty) {
+      return;
+    }
+    // In a gesture handles stay where they are.
+    this.#isEmpty = picture === null && this.#gesture === null;
+    for (const { line, data } of this.#paths) {
+      line.draw(picture?.[data] ?? "", this.#gesture !== null);
     }
     for (const [name, handle] of this.#handles) {
       // The others fade out where they were grabbed from, and need not be moved unseen.
