@@ -47,6 +47,11 @@ export class TexturePointer {
     );
   }
 
+  /** Whether it is over the view. */
+  get isHere(): boolean {
+    return this.#at !== null;
+  }
+
   dispose(): void {
     this.#abort.abort();
     this.#corner.dispose();
