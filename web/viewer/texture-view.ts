@@ -207,7 +207,7 @@ class GlTextureView implements TextureView {
 
   /**
    * While the hand is elsewhere, in the 3D view as a rule, every second frame will do: each costs the page's own thread a canvas more
-   * to hand on (the median frame of such a drag takes 3.5 ms instead of 4.1, a move of the pointer 6.8 instead of 7.7).
+   * to hand on (the median frame of such a drag takes 3.5 ms instead of 4.1).
    */
   #showSoon(): void {
     if (this.#pointer.isHere) {
