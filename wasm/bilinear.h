@@ -14,6 +14,7 @@ namespace txc {
 
 inline constexpr std::int32_t kWeightBits = 14;
 inline constexpr std::int32_t kWeightOne = 1 << kWeightBits;
+
 inline const Int4 kBias = {kChannelBias, kChannelBias, kChannelBias, kChannelBias};
 
 /// Places in fixed point: pixels times kWeightOne.

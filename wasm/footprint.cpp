@@ -202,12 +202,13 @@ void find_smoothness(const PyramidLevel& on, float reach, Footprint& f) {
     f.smooth_limit = bends_within(kSmoothError, (square(across_x, across_y) + square(down_x, down_y)) * kBendMean);
 }
 
+/// Where the footprint meets no kink. Its reach is bounded before it becomes a whole number.
 void find_room(const PyramidLevel& on, Footprint& f) {
     const auto [across_x, across_y, down_x, down_y] = sides_on(on, f);
-    const auto room = [](float width) { return kWeightOne - to_fixed(std::min(width, 2.0f)); };
-    f.room_x = room(std::fabs(across_x) + std::fabs(down_x));
-    f.room_y = room(std::fabs(across_y) + std::fabs(down_y));
-    f.twist_limit = steps_within(kTwistError, std::fabs(across_x * across_y + down_x * down_y) * (1.0f / 12.0f));
+    const auto room = [](float reach) { return kWeightOne - to_fixed(2.0f * std::min(reach, 1.0f)); };
+    f.room_x = room(f.reach_x * on.scale_x);
+    f.room_y = room(f.reach_y * on.scale_y);
+    f.twist_limit = steps_within(kTwistError, std::fabs(covariance_of(across_x, across_y, down_x, down_y)));
 }
 
 /// `across`, `down`: lengths on the level, in its pixels.

@@ -75,7 +75,7 @@ const KernelRow& row_for(float across, float down) {
 FootprintKernel make_footprint_kernel(float across_x, float across_y, float down_x, float down_y) {
     const KernelRow& along_x = row_for(across_x, down_x);
     const KernelRow& along_y = row_for(across_y, down_y);
-    const float covariance = (across_x * across_y + down_x * down_y) * (1.0f / 12.0f);
+    const float covariance = covariance_of(across_x, across_y, down_x, down_y);
     // Below this no picture shows it: the slopes' products are at most 1.
     constexpr float kLeast = 1.0f / 64.0f;
     return {along_x.kernels, along_y.kernels, along_x.slopes, along_y.slopes,

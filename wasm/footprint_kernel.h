@@ -36,6 +36,11 @@ struct FootprintKernel {
     std::int32_t covariance;  // of x and y, in squared pixels of the level, times kWeightOne; 0 leaves the slopes out
 };
 
+/// Of x and y over the parallelogram with these sides, in squares of their unit.
+inline float covariance_of(float across_x, float across_y, float down_x, float down_y) {
+    return (across_x * across_y + down_x * down_y) * (1.0f / 12.0f);
+}
+
 /// Of the parallelogram with these sides, in pixels of the level.
 FootprintKernel make_footprint_kernel(float across_x, float across_y, float down_x, float down_y);
 
