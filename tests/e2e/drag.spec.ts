@@ -91,7 +91,7 @@ test("texels change in the middle of a drag, the old place gets the base's bytes
 
 test("a drag is one step of the history, and Escape in its middle puts the decal back", async ({ editor, page }) => {
   await editor.open();
-  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const id = await editor.lowestLayer();
   const start = await editor.hash();
   const from = await editor.pointOf(id);
   await page.mouse.move(from.x, from.y);
@@ -114,7 +114,7 @@ test("the outline follows a drag without new styles, on a layer of its own, and 
   page,
 }) => {
   await editor.open();
-  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const id = await editor.lowestLayer();
   await editor.select(id);
   const overlays = page.locator(".tcv-root:not(.tcv-texture) .tcv-overlay");
   const overlay = overlays.filter({ has: page.locator("[data-handle]") });
@@ -150,7 +150,7 @@ test("the outline follows a drag without new styles, on a layer of its own, and 
 
 test("the handles rotate and scale the decal", async ({ editor, page }) => {
   await editor.open();
-  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const id = await editor.lowestLayer();
   const start = await editor.hash();
   const before = (await editor.decal(id)).projector;
 

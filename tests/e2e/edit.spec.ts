@@ -59,7 +59,7 @@ test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys s
 }) => {
   await editor.open();
   const start = await editor.hash();
-  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const id = await editor.lowestLayer();
   const { projector } = await editor.decal(id);
   const slider = page.locator("tc-layer-properties #opacity");
   await slider.focus();
@@ -77,7 +77,7 @@ test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys s
 
 test("arrow keys nudge the decal, Shift further; quick nudges are one step", async ({ editor, page }) => {
   await editor.open();
-  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const id = await editor.lowestLayer();
   const start = await editor.hash();
   const place = async () => {
     const { projector } = await editor.decal(id);

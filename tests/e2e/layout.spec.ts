@@ -16,7 +16,7 @@ test.describe("on a phone", () => {
       expect(stage.height).toBeGreaterThan(844 * 0.35);
       expect(stage.y + stage.height, "the sheet does not cover the view").toBeLessThanOrEqual(panel.y + 1);
     }
-    const { id } = (await editor.design()).layers[0] ?? { id: "" };
+    const id = await editor.lowestLayer();
     const at = await editor.pointOf(id);
     const stage = await editor.stage.boundingBox();
     expect(at.y, "the decal itself is in sight").toBeLessThan((stage?.y ?? 0) + (stage?.height ?? 0));

@@ -131,7 +131,7 @@ test("what the camera sees is stuck onto the model, scaled by a corner, and take
   page,
 }) => {
   await editor.open();
-  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const id = await editor.lowestLayer();
   await editor.select(id);
   const box = await editor.settledHash();
   const covered = await page.locator(".tcv-overlay .tcv-outline").first().boundingBox();
@@ -171,7 +171,7 @@ test("a decal is wrapped around the mug, its arc pulled by a handle, and made a 
   page,
 }) => {
   await editor.open();
-  const { id } = (await editor.design()).layers[0] ?? { id: "" };
+  const id = await editor.lowestLayer();
   await editor.select(id);
   const before = (await editor.decal(id)).projector;
   await page.locator("tc-layer-properties input[value=cylindrical]").check({ force: true });

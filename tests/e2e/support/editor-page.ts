@@ -133,6 +133,13 @@ export class EditorPage {
     return this.page.evaluate((layer) => window.texelcast.select(layer), id);
   }
 
+  /** The id of the design's lowest layer: of a demo, its decal. */
+  async lowestLayer(): Promise<string> {
+    const [layer] = (await this.design()).layers;
+    if (!layer) throw new Error("The design has no layer.");
+    return layer.id;
+  }
+
   async selectedName(): Promise<string> {
     return ((await this.page.locator("tc-layer-list [aria-current=true] .name").textContent()) ?? "").trim();
   }
