@@ -32,10 +32,18 @@ export async function seriousFaults(page: Page): Promise<string[]> {
   return faults;
 }
 
-/** Colours of the other scheme are there in the next frame, however short their transition is. */
+/**
+ * Waits until the other scheme's colours have come to rest: a control changes its background over 120 ms, and halfway
+ * there its contrast is that of neither scheme. Two frames first, as transitions begin with the first of them.
+ */
 function drawn(page: Page): Promise<void> {
   return page.evaluate(async () => {
+    const transitions = (root: Document | ShadowRoot): Animation[] => [
+      ...root.getAnimations().filter((animation) => animation instanceof CSSTransition),
+      ...[...root.querySelectorAll("*")].flatMap(({ shadowRoot }) => (shadowRoot ? transitions(shadowRoot) : [])),
+    ];
     for (let frame = 0; frame < 2; frame += 1) await new Promise((done) => requestAnimationFrame(done));
+    await Promise.allSettled(transitions(document).map(({ finished }) => finished));
   });
 }
 
