@@ -56,6 +56,17 @@ describe("a gradient's handles", () => {
     expect(calls).toEqual([["preview", "fill", patch], ["change", "fill", patch], ["cancel"]]);
   });
 
+  it("are a step of its own after each drag, however soon a key follows; keys alone may be one", () => {
+    const keys: (string | undefined)[] = [];
+    const layers = {
+      change: (_id: string, _patch: unknown, _label: string, mergeKey?: string) => keys.push(mergeKey),
+    } as unknown as LayerCommands;
+    const place = { kind: "linear", from: [0, 0, 0], to: [5, 0, 0] } as const;
+    for (const phase of ["end", "step", "step", "end"] as const)
+      followGradient(stateOf([fill]), layers, place, phase, "move");
+    expect(keys).toEqual([undefined, "gradient:fill", "gradient:fill", undefined]);
+  });
+
   it("of another kind than the fill is by now change nothing", () => {
     const layers = { change: () => expect.unreachable() } as unknown as LayerCommands;
     followGradient(stateOf([fill]), layers, { kind: "radial", center: [0, 0, 0], radius: 1 }, "end", "move");

@@ -11,7 +11,8 @@ export type GradientPlace =
   | { readonly kind: "linear"; readonly from: Vec3; readonly to: Vec3 }
   | { readonly kind: "radial"; readonly center: Vec3; readonly radius: number };
 
-export type GradientPhase = "move" | "end" | "cancel";
+/** Of a drag: it goes on, ends, or is given up. "step": a key moved a handle. */
+export type GradientPhase = "move" | "end" | "step" | "cancel";
 
 export interface GradientHandlesHooks {
   /** What lies under a point of the view. */
@@ -236,7 +237,7 @@ export class GradientHandles {
       ? [Math.cos(this.#rimAngle) * outward, -Math.sin(this.#rimAngle) * outward]
       : [arrow[0] * step, -arrow[1] * step];
     this.#move(handle, { x: spot.x + right, y: spot.y + down }, false);
-    if (this.#place !== null) this.#hooks.changed(this.#place, "end");
+    if (this.#place !== null) this.#hooks.changed(this.#place, "step");
   }
 
   /** To a point of the view, as far from the eye as before; `snap` takes it to the surface that is seen there. */

@@ -19,7 +19,7 @@ export function shownGradient({ design, selectedId }: EditorState): GradientPlac
     : { kind: "radial", center: gradient.center, radius: gradient.radius };
 }
 
-/** Keeps the colours; `step` is what the history says. Steps that follow each other closely, as keys make them, are one. */
+/** Keeps the colours; `step` is what the history says. A drag is a step of its own; keys that follow each other closely are one. */
 export function followGradient(
   { design, selectedId }: EditorState,
   layers: LayerCommands,
@@ -35,5 +35,5 @@ export function followGradient(
   }
   const gradient = { ...place, stops: layer.gradient.stops };
   if (phase === "move") layers.preview(layer.id, { gradient });
-  else layers.change(layer.id, { gradient }, step, `gradient:${layer.id}`);
+  else layers.change(layer.id, { gradient }, step, phase === "step" ? `gradient:${layer.id}` : undefined);
 }
