@@ -1,5 +1,5 @@
 /** The kinds of test, in the order in which they run: the quick and telling first. */
-import { rmSync } from "node:fs";
+import { readdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { nativeEnvironment, wasmEnvironment } from "../bootstrap/build-tools.mjs";
 import { findChromium } from "../bootstrap/chromium.mjs";
@@ -9,8 +9,9 @@ import { BUILD, inRoot } from "../bootstrap/paths.mjs";
 import { runVisibly } from "../bootstrap/run.mjs";
 import { CHECKS } from "../lint/checks.mjs";
 import { doctestCounts, playwrightCounts, vitestCounts } from "./counts.mjs";
+import { runInParts } from "./doctest-parts.mjs";
 import { freePort } from "./free-port.mjs";
-import { runAndShow } from "./run-and-show.mjs";
+import { runAndRead } from "./run-and-read.mjs";
 
 /** @typedef {import("./counts.mjs").Counts} Counts */
 /** @typedef {{key: string, title: string, run: (args: readonly string[]) => Promise<Counts>}} Stage */
@@ -43,14 +44,20 @@ async function lint() {
 /** @param {"native" | "native-asan"} preset @param {readonly string[]} args */
 async function nativeTests(preset, args) {
   await buildPreset(preset, preset, nativeEnvironment());
-  return doctestCounts(await runAndShow(inRoot("build", preset, EXECUTABLE), args));
+  return coreTests(inRoot("build", preset, EXECUTABLE), [], args);
 }
 
 /** @param {readonly string[]} args */
 async function wasmTests(args) {
   await buildPreset("wasm", "wasm-tests", wasmEnvironment());
-  const flags = ["--disable-warning=ExperimentalWarning", inRoot("scripts/run-core-tests.mjs")];
-  return doctestCounts(await runAndShow(process.execPath, [...flags, ...args]));
+  return coreTests(process.execPath, [inRoot("scripts/run-core-tests.mjs")], args);
+}
+
+/** In parts side by side, or as the arguments say. @param {string} program @param {readonly string[]} before @param {readonly string[]} args */
+async function coreTests(program, before, args) {
+  if (args.length > 0) return doctestCounts(await runAndRead(program, [...before, ...args], { show: true }));
+  const files = readdirSync(inRoot("tests", "native")).filter((name) => name.endsWith("_test.cpp"));
+  return runInParts(files, (part) => runAndRead(program, [...before, ...part]));
 }
 
 /** @param {readonly string[]} args @param {string} [report] its file's name */
