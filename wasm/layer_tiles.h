@@ -46,8 +46,11 @@ inline std::uint32_t count_painted(const std::uint16_t* texels) {
 inline void clear_tile(std::uint16_t* texels) { std::memset(texels, 0, kTileTexels * 4 * sizeof *texels); }
 
 /// Paints a layer anew: `painter.paint_tile(tile, texels)` for each candidate (a place in map.tiles, ascending), which
-/// writes all of the tile, whatever stood there, or says with false that it paints nothing. `out_texels`: how many texels took colour. Errors: OUT_OF_BUDGET;
-/// `out` is then empty.
+/// writes all of the tile, whatever stood there, or says with false that it paints nothing. `out_texels`: how many texels took
+/// colour. Errors: OUT_OF_BUDGET; `out` is then empty.
+///
+/// (A dragged layer that is composited tile by tile and not stored would at best take 0.96 of the time at 2048 x 2048 and 0.87 to
+/// 0.91 at 4096 x 4096, and would have to be projected again when the next layer moves.)
 template <typename Painter>
 TxcStatus paint_tiles(const LocalSpaceMap& map, const std::vector<std::uint32_t>& candidates, Painter&& painter,
                       LayerTiles& out, std::uint32_t& out_texels) {

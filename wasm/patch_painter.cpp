@@ -119,6 +119,9 @@ struct FiveChords {
 
 /// A whole tile from sixteen of its texels, three by three squares of five by five. False where the picture is not as smooth
 /// as that, or so steep that a square spans more than half of a channel.
+///
+/// (A layer that keeps such a tile as its sixteen texels, unfolded each time that it is composited, took 0.98 to 1.01 of the time and
+/// 1.1 kB more of the module: a tenth of the tiles of a decal at a pixel a texel are such, and two fifths at a third.)
 __attribute__((always_inline)) inline bool paint_squares(const Ground& ground, const PatchTexels& places,
                                                          std::uint16_t* texels) {
     const SmoothTest& test = ground.view.chords.tile;
