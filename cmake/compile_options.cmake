@@ -13,7 +13,7 @@ function(texelcast_compile_options target)
         target_compile_options(${target} PRIVATE -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -msimd128
                                                  -mbulk-memory -mnontrapping-fptoint -fno-exceptions -fno-rtti)
     elseif(TEXELCAST_SANITIZE)
-        target_compile_options(${target} PRIVATE -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined
+        target_compile_options(${target} PRIVATE -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined
                                                  -fno-sanitize-recover=all)
         target_link_options(${target} PRIVATE -fsanitize=address,undefined)
     else()
