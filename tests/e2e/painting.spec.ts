@@ -103,7 +103,7 @@ test("the clone tool copies what lies at its source to where it paints, and the 
   await expect(editor.notices).toHaveCount(0);
 });
 
-test("a gradient's end is dragged over the model as one step, given up by Escape, and moved by keys", async ({
+test("a gradient's end is dragged over the model as one step, given up by Escape, and moved by keys; its colours are added", async ({
   editor,
   page,
 }) => {
@@ -136,6 +136,13 @@ test("a gradient's end is dragged over the model as one step, given up by Escape
   await page.keyboard.press("Control+z");
   await page.keyboard.press("Control+z");
   expect(await ends()).toEqual(before);
+
+  const add = page.getByRole("button", { name: "Add a colour" });
+  await add.click();
+  await add.click();
+  expect((await ends())?.stops).toHaveLength(4);
+  await page.keyboard.press("Control+z");
+  expect((await ends())?.stops, "each colour is a step, however soon it follows").toHaveLength(3);
 });
 
 test("a stroke over the border of two materials paints both", async ({ editor, page }) => {

@@ -4,6 +4,7 @@ import { ArrowRightLeft, MousePointerClick } from "lucide";
 import type { Vec3 } from "../../engine/engine-api.ts";
 import { type FillLayer, type Gradient, type GradientStop, materialsOf } from "../document/index.ts";
 import { alignedGradient, type ModelAxis, roundGradient } from "../state/aligned-gradient.ts";
+import type { LayerPatch } from "../state/layer-commands.ts";
 import "../ui/gradient-stops.ts";
 import { icon } from "../ui/icon.ts";
 import { withAxis } from "./projector-fields.ts";
@@ -41,7 +42,9 @@ function gradientOfKind({ state }: PropertyContext, kind: FillKind, before: Grad
 function gradientFields(context: PropertyContext, gradient: Gradient): TemplateResult {
   const words = context.editor.strings.gradient;
   const { layers } = context.editor;
-  const stopsOf = (event: Event): readonly GradientStop[] => (event as CustomEvent<readonly GradientStop[]>).detail;
+  const withStopsOf = (event: Event): LayerPatch => ({
+    gradient: { ...gradient, stops: (event as CustomEvent<readonly GradientStop[]>).detail },
+  });
   const turn = (): void => {
     const stops = gradient.stops.map(({ offset, color }) => ({ offset: 1 - offset, color })).reverse();
     record(context, words.name, { gradient: { ...gradient, stops } });
@@ -52,8 +55,9 @@ function gradientFields(context: PropertyContext, gradient: Gradient): TemplateR
       .words=${words}
       .stops=${gradient.stops}
       .recent=${context.state.toolSettings.recent}
-      @stops-preview=${(event: Event) => layers.preview(context.ids, { gradient: { ...gradient, stops: stopsOf(event) } })}
-      @stops-change=${(event: Event) => record(context, words.name, { gradient: { ...gradient, stops: stopsOf(event) } }, "stops")}
+      @stops-preview=${(event: Event) => layers.preview(context.ids, withStopsOf(event))}
+      @stops-change=${(event: Event) => record(context, words.name, withStopsOf(event))}
+      @stops-step=${(event: Event) => record(context, words.name, withStopsOf(event), "stops")}
       @stops-cancel=${() => layers.cancelPreview()}
     ></tc-gradient-stops>
     <div class="field">

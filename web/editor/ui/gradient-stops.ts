@@ -1,7 +1,7 @@
 /**
  * The colours of a gradient: a bar with a handle for each, dragged or moved by key, and fields for the chosen one. Emits
- * `stops-preview` while a change goes on, `stops-change` when it is final, `stops-cancel` when it is taken back; `detail` is
- * the list of stops, in order.
+ * `stops-preview` while a change goes on, `stops-change` when it is final, `stops-cancel` when it is taken back, `stops-step`
+ * when a key moved a handle, as it may many times in a row; `detail` is the list of stops, in order.
  */
 import { css, html, LitElement, type TemplateResult } from "lit";
 import { styleMap } from "lit/directives/style-map.js";
@@ -227,7 +227,7 @@ export class GradientStops extends LitElement {
     ></tc-number>`;
   }
 
-  #tell(type: "stops-preview" | "stops-change" | "stops-cancel", stops: readonly GradientStop[]): void {
+  #tell(type: `stops-${"preview" | "change" | "cancel" | "step"}`, stops: readonly GradientStop[]): void {
     this.dispatchEvent(new CustomEvent(type, { detail: stops }));
   }
 
@@ -284,8 +284,7 @@ export class GradientStops extends LitElement {
     };
     const goal = goals[event.key];
     if (event.key === "Delete" || event.key === "Backspace") this.#remove(index);
-    else if (goal !== undefined)
-      this.#tell("stops-change", this.#moved(this.stops, index, Math.round(goal * 1e4) / 1e4));
+    else if (goal !== undefined) this.#tell("stops-step", this.#moved(this.stops, index, Math.round(goal * 1e4) / 1e4));
     else return;
     event.preventDefault();
     event.stopPropagation();
