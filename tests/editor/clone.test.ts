@@ -13,7 +13,7 @@ import {
 import { stringsIn } from "../../web/editor/strings.ts";
 import { type ClonePatch, cloneTargetOf, isCloneGroup, withClone } from "../../web/editor/tools/clone-layer.ts";
 import { areaOf, eyeOf, type Look, steppedLook } from "../../web/editor/tools/clone-look.ts";
-import { pictureOfSight, pieceOf } from "../../web/editor/tools/clone-picture.ts";
+import { areaAround, pictureOfSight, pieceOf } from "../../web/editor/tools/clone-picture.ts";
 
 /** From in front of the origin, two metres away. */
 const FRONT: Look = { at: [0, 0, 0], eye: [0, 0, 2], up: [0, 1, 0] };
@@ -76,6 +76,20 @@ describe("the clone tool's pictures", () => {
   it("mix neighbours by their alpha: what is clear lends no colour", () => {
     const { rgba } = pictureOfSight(sight(0.5, 0.5, 0, 0), new Map([[3, texture]]), all, false);
     expect([...rgba.subarray(0, 4)]).toEqual([255, 0, 0, 128]);
+  });
+
+  it("the texels around a source are always some of the texture's, wherever beyond it the source lies", () => {
+    expect(areaAround({ width: 100, height: 50 }, [0.5, 0.5], 10)).toEqual({
+      left: 40,
+      top: 15,
+      right: 60,
+      bottom: 35,
+    });
+    for (const u of [-30, -1, -1e-9, 0, 0.99, 1, 2.5, 1e9]) {
+      const { left, top, right, bottom } = areaAround({ width: 100, height: 50 }, [u, u], 10);
+      expect([left, top].every((first) => first >= 0)).toBe(true);
+      expect([right <= 100, bottom <= 50, left < right, top < bottom]).toEqual([true, true, true, true]);
+    }
   });
 
   it("a piece that reaches over the texture's border is clear there", () => {

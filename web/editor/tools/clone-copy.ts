@@ -3,7 +3,7 @@ import type { Picture } from "../../engine/engine-api.ts";
 import type { PerspectiveProjector, Projector, StrokeLayer, UvProjector } from "../document/index.ts";
 import { diagonalOf } from "../state/editor-state.ts";
 import { areaOf, eyeOf, joinedArea, type Look, type LookArea } from "./clone-look.ts";
-import { type PixelArea, pictureOfSight, pieceOf } from "./clone-picture.ts";
+import { areaAround, type PixelArea, pictureOfSight, pieceOf } from "./clone-picture.ts";
 import type { ToolContext } from "./tool-context.ts";
 
 /** A picture and where it is thrown from. */
@@ -125,15 +125,7 @@ export class TextureCopy implements CloneCopy {
   async begin(): Promise<ThrownPicture> {
     const { material, uv } = this.#from;
     this.#texture = (await textureOf(this.#context, material)) ?? { width: 1, height: 1, rgba: new Uint8Array(4) };
-    const { width, height } = this.#texture;
-    const [x, y] = [Math.floor(uv[0] * width), Math.floor(uv[1] * height)];
-    const reach = BEGIN_PICTURE / 2;
-    return this.#thrown(this.#texture, {
-      left: Math.max(0, x - reach),
-      right: Math.min(width, x + reach),
-      top: Math.max(0, y - reach),
-      bottom: Math.min(height, y + reach),
-    });
+    return this.#thrown(this.#texture, areaAround(this.#texture, uv, BEGIN_PICTURE / 2));
   }
 
   end({ dabs }: StrokeLayer): ThrownPicture | null {

@@ -31,6 +31,21 @@ export function pictureOfSight(
   return { width, height, rgba };
 }
 
+/** Up to `reach` texels to each side of a place, which may lie beyond the texture; then of the border's texel that is nearest to it. */
+export function areaAround(
+  { width, height }: Pick<Picture, "width" | "height">,
+  [u, v]: readonly [number, number],
+  reach: number,
+): PixelArea {
+  const span = (place: number, size: number): readonly [number, number] => {
+    const middle = Math.min(size - 1, Math.max(0, Math.floor(place * size)));
+    return [Math.max(0, middle - reach), Math.min(size, middle + reach)];
+  };
+  const [left, right] = span(u, width);
+  const [top, bottom] = span(v, height);
+  return { left, top, right, bottom };
+}
+
 /** The texels of an area, which may reach over the texture's borders; there it is clear. */
 export function pieceOf({ width, height, rgba }: Picture, { left, top, right, bottom }: PixelArea): Picture {
   const piece = new Uint8Array((right - left) * (bottom - top) * 4);
