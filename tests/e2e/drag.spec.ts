@@ -89,19 +89,24 @@ test("texels change in the middle of a drag, the old place gets the base's bytes
   expect(await editor.settledHash()).toBe(moved);
 });
 
-test("a drag is one step of the history, and Escape in its middle puts the decal back", async ({ editor, page }) => {
+test("a drag is one step of the history, and Escape or undo in its middle puts the decal back", async ({
+  editor,
+  page,
+}) => {
   await editor.open();
   const id = await editor.lowestLayer();
   const start = await editor.hash();
   const from = await editor.pointOf(id);
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
-  await page.mouse.move(from.x + 40, from.y, { steps: 4 });
-  await expect.poll(() => editor.hash()).not.toBe(start);
-  await page.keyboard.press("Escape");
-  await page.mouse.up();
-  expect(await editor.settledHash()).toBe(start);
-  await expect(page.locator("#undo")).toBeDisabled();
+  for (const keys of ["Escape", "Control+z"]) {
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x + 40, from.y, { steps: 4 });
+    await expect.poll(() => editor.hash()).not.toBe(start);
+    await page.keyboard.press(keys);
+    await page.mouse.up();
+    expect(await editor.settledHash(), keys).toBe(start);
+    await expect(page.locator("#undo")).toBeDisabled();
+  }
 
   await editor.drag(from, { x: from.x + 40, y: from.y - 20 }, 6);
   await page.locator("#undo").click();

@@ -27,7 +27,7 @@ async function paintLayers(editor: EditorPage): Promise<PaintLayer[]> {
   return (await editor.design()).layers.filter((layer) => layer.type === "paint");
 }
 
-test("a stroke over a seam paints both charts as one step, Escape gives one up, and the eraser takes it away", async ({
+test("a stroke over a seam paints both charts as one step, Escape or undo gives one up, and the eraser takes it away", async ({
   editor,
   page,
 }) => {
@@ -47,12 +47,17 @@ test("a stroke over a seam paints both charts as one step, Escape gives one up, 
   expect(layer?.strokes).toHaveLength(1);
 
   const whole = await editor.settledHash();
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
-  await page.mouse.move(from.x, from.y - 60, { steps: 4 });
-  await page.keyboard.press("Escape");
-  await page.mouse.up();
-  expect(await editor.settledHash(), "a stroke that was given up leaves nothing").toBe(whole);
+  for (const keys of ["Escape", "Control+z"]) {
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(from.x, from.y - 60, { steps: 4 });
+    await page.keyboard.press(keys);
+    await page.mouse.move(from.x, from.y - 90, { steps: 4 });
+    await page.mouse.up();
+    expect(await editor.settledHash(), `a stroke that was given up by ${keys} leaves nothing, and all before it`).toBe(
+      whole,
+    );
+  }
 
   await page.keyboard.press("e");
   await page.keyboard.press("Shift+BracketRight");

@@ -145,6 +145,16 @@ describe("what a clone stroke becomes", () => {
     expect(cloneTargetOf(design, "below")).toMatchObject({ kind: "new", place: { index: 1 } });
   });
 
+  it("in a new group on top where the one that it was for has gone since", () => {
+    const below = makeFillLayer({ id: "below", color: "#ffffff" });
+    const design = { ...emptyDesign(), layers: [below] };
+    const place = { parentId: "gone", list: "layers", index: 0 } as const;
+    for (const target of [{ kind: "group", groupId: "gone" } as const, { kind: "new", place } as const]) {
+      const placed = withClone(design, target, stroke, patch, stringsIn("en").clone);
+      expect(placed.design.layers).toMatchObject([{ id: "below" }, { id: placed.layerId, type: "group" }]);
+    }
+  });
+
   it("with a mirror its twin is a layer of its own, with the picture and the dabs mirrored", () => {
     const mirror = { axis: "x", offset: 0, readable: false } as const;
     const [group] = withClone(emptyDesign(), top, stroke, { ...patch, mirror }, stringsIn("en").clone).design

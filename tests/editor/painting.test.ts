@@ -212,8 +212,8 @@ describe("where a stroke goes", () => {
       expect(target).toEqual({ kind: "strokes", layerId: "paint" });
       if (target.kind === "refused") continue;
       const painted = withStroke(design, target, stroke, stringsIn("en"));
-      expect(painted.layerId).toBe("paint");
-      expect(painted.design.layers[1]).toMatchObject({ type: "paint", strokes: [{ id: "inside" }, { id: "new" }] });
+      expect(painted?.layerId).toBe("paint");
+      expect(painted?.design.layers[1]).toMatchObject({ type: "paint", strokes: [{ id: "inside" }, { id: "new" }] });
     }
   });
 
@@ -221,7 +221,9 @@ describe("where a stroke goes", () => {
     const design = designOf(makeGroupLayer({ id: "group", layers: [decal] }), paint);
     const target = paintTargetOf(design, "decal", false);
     if (target.kind === "refused") throw new Error("It was refused.");
-    const { design: painted, layerId } = withStroke(design, target, stroke, stringsIn("en"));
+    const placed = withStroke(design, target, stroke, stringsIn("en"));
+    if (placed === null) throw new Error("It has no place.");
+    const { design: painted, layerId } = placed;
     expect(painted.layers[0]).toMatchObject({
       layers: [{ id: "decal" }, { id: layerId, type: "paint", strokes: [{ id: "new" }] }],
     });
@@ -233,7 +235,7 @@ describe("where a stroke goes", () => {
     const target = paintTargetOf(design, "decal", true);
     expect(target).toEqual({ kind: "mask", layerId: "decal" });
     if (target.kind === "refused") return;
-    expect(withStroke(design, target, { ...stroke, blend: "erase" }, stringsIn("en")).design.layers[0]).toMatchObject({
+    expect(withStroke(design, target, { ...stroke, blend: "erase" }, stringsIn("en"))?.design.layers[0]).toMatchObject({
       type: "decal",
       mask: { layers: [{ id: "new", blend: "erase" }], invert: false },
     });
@@ -245,6 +247,18 @@ describe("where a stroke goes", () => {
     for (const erases of [false, true]) {
       expect(paintTargetOf(design, "paint", erases, "paint")).toEqual({ kind: "mask", layerId: "paint" });
     }
+  });
+
+  it("on top where the layer or the group that it was for has gone since; what hides or erases goes nowhere then", () => {
+    const design = designOf(decal);
+    const words = stringsIn("en");
+    const place = { parentId: "gone", list: "layers", index: 3 } as const;
+    for (const target of [{ kind: "strokes", layerId: "gone" } as const, { kind: "new", place } as const]) {
+      const placed = withStroke(design, target, stroke, words);
+      expect(placed?.design.layers).toMatchObject([{ id: "decal" }, { type: "paint", strokes: [{ id: "new" }] }]);
+    }
+    expect(withStroke(design, { kind: "strokes", layerId: "gone" }, { ...stroke, blend: "erase" }, words)).toBeNull();
+    expect(withStroke(design, { kind: "mask", layerId: "gone" }, stroke, words)).toBeNull();
   });
 
   it("not to what is locked or hidden, by itself or by its group", () => {

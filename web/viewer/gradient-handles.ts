@@ -5,6 +5,7 @@ import { tupleOf } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceSample } from "./surface-query.ts";
+import { takesBack } from "./take-back-key.ts";
 
 /** Where a gradient goes over the model: model space, metres. */
 export type GradientPlace =
@@ -88,7 +89,7 @@ export class GradientHandles {
     root.addEventListener("pointermove", (event) => this.#onMove(event), early);
     root.addEventListener("pointerup", (event) => this.#onEnd(event, "end"), early);
     root.addEventListener("pointercancel", (event) => this.#onEnd(event, "cancel"), early);
-    window.addEventListener("keydown", (event) => this.#onEscape(event), early);
+    window.addEventListener("keydown", (event) => this.#onKey(event), early);
   }
 
   /** Null shows none. */
@@ -210,9 +211,9 @@ export class GradientHandles {
     if (place !== null && (phase === "cancel" || place !== drag.start)) this.#hooks.changed(place, phase);
   }
 
-  #onEscape(event: KeyboardEvent): void {
+  #onKey(event: KeyboardEvent): void {
     const drag = this.#drag;
-    if (event.key !== "Escape" || drag === null) return;
+    if (drag === null || !takesBack(event)) return;
     event.preventDefault();
     event.stopImmediatePropagation();
     this.#stop();

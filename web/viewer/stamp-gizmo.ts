@@ -6,6 +6,7 @@ import { GizmoOverlay, type GizmoPicture, type HandleName, type HandlePlace } fr
 import { degreesOf, line, resizeCursor } from "./gizmo-picture.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import { movedStamp, scaledStamp, stampHolds, turnedStamp, type Uv, uvOfStamp } from "./stamp-drag.ts";
+import { takesBack } from "./take-back-key.ts";
 import type { DecalGesture, ViewerDecal } from "./viewer-api.ts";
 
 export interface StampGizmoHooks {
@@ -124,7 +125,7 @@ export class StampGizmo {
 
   #onKey(event: KeyboardEvent): void {
     const drag = this.#drag;
-    if (event.key !== "Escape" || drag === null) return;
+    if (drag === null || !takesBack(event)) return;
     event.preventDefault();
     event.stopImmediatePropagation();
     this.#stop();

@@ -10,6 +10,7 @@ import type { DragPointer } from "./gizmo-drag.ts";
 import type { HandleName } from "./gizmo-overlay.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceSample } from "./surface-query.ts";
+import { takesBack } from "./take-back-key.ts";
 import type { ViewerDecal } from "./viewer-api.ts";
 
 export interface ViewInputHooks {
@@ -227,7 +228,7 @@ export class ViewInput {
   }
 
   #onKey(event: KeyboardEvent, down: boolean): void {
-    if (event.key === "Escape" && down && this.#gizmo.cancel()) {
+    if (down && takesBack(event) && this.#gizmo.cancel()) {
       this.#dragPointer = null;
       event.preventDefault();
       event.stopImmediatePropagation();

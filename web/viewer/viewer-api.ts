@@ -97,7 +97,7 @@ export interface ViewerDecal {
   readonly aspect: number;
 }
 
-/** A gesture on the gizmo. `start` before the first change, `move` at most once a frame, `end` once; `cancel` (Escape) gives back the first projector. */
+/** A gesture on the gizmo. `start` before the first change, `move` at most once a frame, `end` once; `cancel` (Escape, or undo) gives back the first projector. */
 export interface DecalGesture {
   readonly id: string;
   readonly kind: "slide" | "rotate" | "scale" | "depth";
@@ -123,7 +123,7 @@ export interface SurfaceHit {
 }
 
 export interface ModelViewerEvents {
-  /** The gradient's handles were moved; `cancel` (Escape) gives back where they were. */
+  /** The gradient's handles were moved; `cancel` (Escape, or undo) gives back where they were. */
   gradient: { readonly place: GradientPlace; readonly phase: GradientPhase };
   gesture: DecalGesture;
   /** The user clicked a decal (its id) or nothing (null). */

@@ -59,7 +59,7 @@ export const germanKeys: readonly KeyGroup[] = [
   {
     name: "Seite",
     keys: [
-      ["Strg oder ⌘ Z", "Rückgängig; mit Umschalt, oder Strg Y, wiederholen"],
+      ["Strg oder ⌘ Z", "Rückgängig, auch mitten im Strich oder Ziehen; mit Umschalt, oder Strg Y, wiederholen"],
       ["Strg oder ⌘ S", "Das Design speichern"],
       ["Strg oder ⌘ O", "Ein Modell öffnen"],
       ["Esc", "Ein Ziehen beenden und den Aufkleber zurücklegen, oder die Auswahl aufheben"],

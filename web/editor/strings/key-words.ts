@@ -62,7 +62,7 @@ export const keyGroups: readonly KeyGroup[] = [
   {
     name: "Page",
     keys: [
-      ["Ctrl or ⌘ Z", "Undo; with Shift, or Ctrl Y, redo"],
+      ["Ctrl or ⌘ Z", "Undo, also a stroke or drag under way; with Shift, or Ctrl Y, redo"],
       ["Ctrl or ⌘ S", "Save the design"],
       ["Ctrl or ⌘ O", "Open a model"],
       ["Escape", "End a drag and put the decal back, or deselect"],

@@ -95,18 +95,23 @@ export class BrushTool implements Tool {
     this.#kind.activate?.();
   }
 
+  cancel(): boolean {
+    const gesture = this.#gesture;
+    this.#gesture = null;
+    this.#path = null;
+    gesture?.cancel();
+    return gesture !== null;
+  }
+
   deactivate(): void {
-    this.#cancel();
+    this.cancel();
     this.#cursor.hide();
     this.#show(null);
     this.#kind.deactivate?.();
   }
 
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
-    if (event.key === "Escape" && this.#gesture !== null) {
-      this.#cancel();
-      return true;
-    }
+    if (event.key === "Escape" && this.cancel()) return true;
     if (this.#cursor.key(event, view !== null) || this.#kind.key?.(event)) return true;
     const { tools } = this.#context;
     if (!handleBrushKey(event, tools)) return false;
@@ -167,7 +172,7 @@ export class BrushTool implements Tool {
     this.#picking = false;
     if (this.#gesture === null) return;
     // What was painted before the system took the pointer is the user's work.
-    if (reason === "pinch" && this.#wandered < PINCH_SLOP) this.#cancel();
+    if (reason === "pinch" && this.#wandered < PINCH_SLOP) this.cancel();
     else this.#finish();
   }
 
@@ -207,12 +212,6 @@ export class BrushTool implements Tool {
     this.#gesture = null;
     this.#path = null;
     gesture?.end();
-  }
-
-  #cancel(): void {
-    this.#gesture?.cancel();
-    this.#gesture = null;
-    this.#path = null;
   }
 
   #size(): number {

@@ -8,6 +8,7 @@ import {
   type Design,
   type DesignAsset,
   type DesignLayer,
+  findLayer,
   freeLayerId,
   type GroupLayer,
   insertAt,
@@ -26,7 +27,7 @@ import {
 import { isLocked } from "../document/layer-tree.ts";
 import { freeName, withAsset } from "../state/design-edits.ts";
 import type { Strings } from "../strings.ts";
-import type { PaintRefusal } from "./paint-target.ts";
+import { type PaintRefusal, placeOrTop } from "./paint-target.ts";
 
 export type CloneTarget =
   | { readonly kind: "group"; readonly groupId: string }
@@ -73,7 +74,7 @@ export function cloneTargetOf(design: Design, selectedId: string | null): CloneT
   return { kind: "new", place: { parentId: visit.parentId, list: "layers", index: visit.index + 1 } };
 }
 
-/** The design with the stroke in it, and the id of its group. With a mirror the stroke's twin is a layer of its own. */
+/** The design with the stroke in it, and the id of its group; a new one where the target's is no longer there. With a mirror the stroke's twin is a layer of its own. */
 export function withClone(
   design: Design,
   target: CloneTarget,
@@ -88,7 +89,8 @@ export function withClone(
     taken.add(id);
     return id;
   };
-  const groupId = target.kind === "group" ? target.groupId : nextId();
+  const joined = target.kind === "group" && findLayer(design, target.groupId)?.type === "group" ? target.groupId : null;
+  const groupId = joined ?? nextId();
   const layers: DecalLayer[] = [];
   const add = (projector: Projector, flipX: boolean, shown: StrokeLayer): void => {
     const { material, filter, opacity } = patch;
@@ -108,12 +110,13 @@ export function withClone(
     const dabs = stroke.dabs.map((dab) => twinOf(dab, mirror));
     add(twin, !mirror.readable, { ...stroke, id: nextId(), mirror: null, dabs });
   }
-  if (target.kind === "group") {
+  if (joined !== null) {
     const place = { parentId: groupId, list: "layers", index: Number.MAX_SAFE_INTEGER } as const;
     return { design: layers.reduce((before, layer) => insertAt(before, place, layer), more), layerId: groupId };
   }
   const group = makeGroupLayer({ id: groupId, name: freeName(more, words.name), layers });
-  return { design: insertAt(more, target.place, group), layerId: groupId };
+  const place = placeOrTop(more, target.kind === "new" ? target.place : null);
+  return { design: insertAt(more, place, group), layerId: groupId };
 }
 
 /** By dab: while a stroke grows, the engine knows the dabs that it has by their being the same objects. */

@@ -42,6 +42,11 @@ export class EraserTool implements Tool {
     return this.#fitting.options;
   }
 
+  cancel(): boolean {
+    const ended = [this.#ofPaint, this.#ofPixels].filter((tool) => tool.cancel?.());
+    return ended.length > 0;
+  }
+
   deactivate(): void {
     this.#ofPaint.deactivate?.();
     this.#ofPixels.deactivate?.();

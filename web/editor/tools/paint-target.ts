@@ -61,25 +61,39 @@ export function paintTargetOf(
   return { kind: "new", place: { parentId: visit.parentId, list: "layers", index: visit.index + 1 } };
 }
 
-/** The design with the stroke where the target says, and the id of the layer that it belongs to. */
+/**
+ * The design with the stroke where the target says, and the id of the layer that it belongs to. The design may have lost the
+ * target's layer since the press: then what paints goes into a new layer on top, and for what hides or erases it is null.
+ */
 export function withStroke(
   design: Design,
   target: PaintTarget,
   stroke: StrokeLayer,
   strings: Strings,
-): { readonly design: Design; readonly layerId: string } {
+): { readonly design: Design; readonly layerId: string } | null {
   if (target.kind !== "new") {
     const { layerId } = target;
-    const list = target.kind === "mask" ? "mask" : "strokes";
-    return { design: insertAt(design, { parentId: layerId, list, index: Number.MAX_SAFE_INTEGER }, stroke), layerId };
+    const holder = findLayer(design, layerId);
+    if (target.kind === "mask" ? holder !== undefined : holder?.type === "paint") {
+      const list = target.kind === "mask" ? "mask" : "strokes";
+      return { design: insertAt(design, { parentId: layerId, list, index: Number.MAX_SAFE_INTEGER }, stroke), layerId };
+    }
+    if (target.kind === "mask" || stroke.blend === "erase") return null;
   }
+  const place = placeOrTop(design, target.kind === "new" ? target.place : null);
   const id = freeIdIn({ layers: [...design.layers, stroke] });
   const name = freeName(design, strings.tools.paintLayer);
   const { material } = stroke;
   return {
-    design: insertAt(design, target.place, makePaintLayer({ id, name, material, strokes: [stroke] })),
+    design: insertAt(design, place, makePaintLayer({ id, name, material, strokes: [stroke] })),
     layerId: id,
   };
+}
+
+/** A place among layers, or the top of the design where its group is no longer there. */
+export function placeOrTop(design: Design, place: LayerPlace | null): LayerPlace {
+  const isThere = place !== null && (place.parentId === null || findLayer(design, place.parentId)?.type === "group");
+  return isThere ? place : { parentId: null, list: "layers", index: design.layers.length };
 }
 
 /** It, or a group that it is in. */

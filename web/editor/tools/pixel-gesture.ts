@@ -5,7 +5,7 @@
  */
 import type { Picture } from "../../engine/engine-api.ts";
 import { encodePng } from "../../engine/png-encoder.ts";
-import type { DecalLayer, Design } from "../document/index.ts";
+import { type DecalLayer, type Design, findLayer } from "../document/index.ts";
 import type { Strings } from "../strings.ts";
 import { PixelCanvas } from "./pixel-canvas.ts";
 import { addPixelLayer, withPixels } from "./pixel-layer.ts";
@@ -93,6 +93,7 @@ export class PixelGesture {
           asset.uri,
           this.#context.board.strings,
         );
+        if (placed === null) continue;
         design = placed.design;
         first ??= placed.id;
       }
@@ -160,14 +161,9 @@ export class PixelGesture {
     for (const sheet of new Set(this.#sheets.values())) {
       if (!sheet?.previewing) continue;
       const { layer, material } = sheet;
-      design = withSheet(
-        design,
-        store.state.selectedId,
-        layer,
-        material,
-        `live:${slotOf(sheet)}`,
-        this.#context.board.strings,
-      ).design;
+      const live = `live:${slotOf(sheet)}`;
+      const { strings } = this.#context.board;
+      design = withSheet(design, store.state.selectedId, layer, material, live, strings)?.design ?? design;
     }
     session.preview(design);
   }
@@ -175,6 +171,7 @@ export class PixelGesture {
 
 const slotOf = ({ material }: Sheet): string => `pixels-${material}`;
 
+/** Null where the layer is no longer there. */
 function withSheet(
   design: Design,
   selectedId: string | null,
@@ -182,8 +179,9 @@ function withSheet(
   material: number,
   uri: string,
   strings: Strings,
-): { readonly design: Design; readonly id: string } {
+): { readonly design: Design; readonly id: string } | null {
   const png = { type: "image/png", uri } as const;
   if (layer === null) return addPixelLayer(design, selectedId, material, png, strings);
+  if (findLayer(design, layer.id) === undefined) return null;
   return { design: withPixels(design, layer.id, png, strings), id: layer.id };
 }

@@ -86,24 +86,33 @@ export class PixelTool implements Tool {
       down: (sample) => this.#down(sample),
       move: (samples) => this.#move(samples),
       up: (sample) => this.#up(sample),
-      interrupted: (reason) => (reason === "pinch" ? this.#cancel() : this.#finish()),
+      interrupted: (reason) => {
+        if (reason === "pinch") this.cancel();
+        else this.#finish();
+      },
       hover: (sample) => this.#hover(sample),
     };
   }
 
   readonly offered = (): boolean => this.id === "eraser" || this.#context.tools.pixelMode;
 
+  cancel(): boolean {
+    const gesture = this.#stroke?.gesture ?? this.#keyed;
+    this.#stroke = null;
+    this.#keyed = null;
+    this.#picking = false;
+    gesture?.cancel();
+    return gesture !== null;
+  }
+
   deactivate(): void {
-    this.#cancel();
+    this.cancel();
     this.#cursor.hide();
     this.#showRing(null, null);
   }
 
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
-    if (event.key === "Escape" && this.#stroke !== null) {
-      this.#cancel();
-      return true;
-    }
+    if (event.key === "Escape" && this.cancel()) return true;
     if (this.#cursor.key(event, view !== null)) return true;
     const direction = { BracketLeft: -1, BracketRight: 1 }[event.code];
     if (direction === undefined || event.shiftKey) return false;
@@ -237,12 +246,6 @@ export class PixelTool implements Tool {
       if (store.state.selectedId !== id) session.select(id);
       board.announce(this.#context.board.strings.tools.painted[this.id]);
     });
-  }
-
-  #cancel(): void {
-    this.#stroke?.gesture.cancel();
-    this.#stroke = null;
-    this.#picking = false;
   }
 
   #beginByKey(hit: SurfaceHit): void {

@@ -2,6 +2,7 @@
 import {
   type Brush,
   type Design,
+  findLayer,
   freeIdIn,
   layerMaterials,
   type Mirror,
@@ -29,7 +30,10 @@ export interface StrokeGestureOptions extends DabChainOptions {
   readonly erases: boolean;
   readonly mirror: Mirror | null;
   readonly alphaLock: boolean;
-  /** The design with the stroke where it goes, and the id of the layer that it belongs to; null while that cannot be told. */
+  /**
+   * The design with the stroke where it goes, and the id of the layer that it belongs to; null while that cannot be told, and where
+   * the design no longer has a place for it.
+   */
   readonly put: (design: Design, stroke: StrokeLayer) => { readonly design: Design; readonly layerId: string } | null;
   readonly session: DesignSession;
   readonly reach: DecalReach;
@@ -38,7 +42,7 @@ export interface StrokeGestureOptions extends DabChainOptions {
 export class StrokeGesture {
   readonly #options: StrokeGestureOptions;
   readonly #chain: DabChain;
-  readonly #id: string;
+  #id: string;
   /** All that the stroke meets: over a border it paints both sides. */
   readonly #materials = new Set<number>();
   #firstMaterial: number | null = null;
@@ -68,17 +72,20 @@ export class StrokeGesture {
   /** Ends the stroke without recording it, and gives it; null when it painted nothing. */
   finish(): StrokeLayer | null {
     this.#stopFrame();
-    if (this.#chain.dabs.length > 0) return this.#stroke();
+    if (this.#chain.dabs.length > 0) return this.#stroke(this.#options.session.recordedDesign);
     this.#options.session.cancelPreview();
     return null;
   }
 
-  /** Records the stroke; the id of the layer that it became part of, null when it painted nothing. */
+  /** Records the stroke; the id of the layer that it became part of, null when it painted nothing or had no place to go. */
   end(label: string): string | null {
     const { session, put } = this.#options;
     const stroke = this.finish();
     const placed = stroke && put(session.recordedDesign, stroke);
-    if (placed === null) return null;
+    if (placed === null) {
+      session.cancelPreview();
+      return null;
+    }
     session.record(placed.design, label);
     return placed.layerId;
   }
@@ -96,11 +103,14 @@ export class StrokeGesture {
   #show(): void {
     const { session, put } = this.#options;
     if (this.#chain.dabs.length === 0) return;
-    const placed = put(session.recordedDesign, this.#stroke());
+    const design = session.recordedDesign;
+    const placed = put(design, this.#stroke(design));
     if (placed !== null) session.preview(placed.design);
   }
 
-  #stroke(): StrokeLayer {
+  /** For a design that may have changed since the press: by what another finger did, or by a stroke that took its time. */
+  #stroke(design: Design): StrokeLayer {
+    if (findLayer(design, this.#id) !== undefined) this.#id = freeIdIn(design);
     const { brush, name, opacity, erases, alphaLock, mirror } = this.#options;
     const materials = [...this.#materials].sort((a, b) => a - b);
     return makeStrokeLayer({

@@ -61,6 +61,8 @@ export interface Tool {
   /** Fields of its own in the options bar, before the common ones. */
   readonly renderOptions?: () => TemplateResult;
   readonly activate?: () => void;
+  /** Ends what the pointer has under way, without a trace; false where nothing is. */
+  readonly cancel?: () => boolean;
   /** Another tool was chosen; what is under way must end. */
   readonly deactivate?: () => void;
   /**

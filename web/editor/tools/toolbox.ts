@@ -96,6 +96,11 @@ export class Toolbox {
     this.configure(DEFAULT_COLORS);
   }
 
+  /** Takes back what the chosen tool has under way; false where nothing is. */
+  cancel(): boolean {
+    return this.active?.cancel?.() ?? false;
+  }
+
   /** Keys that choose tools and colours, and those of the chosen tool. True when the key was one. */
   handleKey(event: KeyboardEvent): boolean {
     if (event.altKey) return false;
