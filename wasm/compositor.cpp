@@ -57,7 +57,7 @@ void find_rects(Target& target, const std::vector<std::uint8_t>& changed_tiles) 
         // 24,000 texels of this level, in tiles of level 0 (see dirty_rects.h). From the fifth level on a tile is less
         // than a texel, so that rectangles could meet in one: a single one remains.
         const std::uint64_t rect_cost = level <= 4 ? std::uint64_t{94} << (2 * level) : ~std::uint64_t{0} >> 1;
-        cover_tiles(changed_tiles, target.tile_columns(), target.tile_rows(), rect_cost, tile_rects);
+        cover_tiles(changed_tiles, target.tile_columns(), rect_cost, tile_rects);
         for (const TileRect& tiles : tile_rects) {
             TxcRect rect = rect_on_level(target.output.levels[level], tiles, level);
             if (rect.width == 0 || rect.height == 0) continue;
@@ -87,20 +87,22 @@ TxcStatus composite_target(Target& target, const std::vector<LayerNode>& layers,
         if (target.def.mip_levels > 1) target.output.note_charts(charted_texels(target));
         target.all_dirty = true;
     }
-    std::vector<std::uint8_t> changed_tiles(target.tile_count(), 0);
+    // From here on a mark says that the tile changed.
+    std::vector<std::uint8_t>& marks = target.dirty_tiles;
+    if (target.all_dirty || marks.empty()) marks.assign(target.tile_count(), target.all_dirty ? 1 : 0);
     TileCompositor compositor(target, layers);
     // From the first on, though the last ones were painted last and may still be near: backwards takes 1.05 to 1.17 times as
     // long, since memory comes ahead of its use only forwards.
-    for (std::uint32_t tile = 0; tile < target.tile_count(); ++tile) {
-        if (!target.all_dirty && (target.dirty_tiles.empty() || target.dirty_tiles[tile] == 0)) continue;
+    for (std::size_t at = next_mark(marks, 0); at < marks.size(); at = next_mark(marks, at + 1)) {
+        const auto tile = static_cast<std::uint32_t>(at);
         const TileArea area = tile_area(target, tile);
         const bool changed = compositor.composite(tile, area);
-        changed_tiles[tile] = changed || first ? 1 : 0;
+        marks[tile] = changed || first ? 1 : 0;
         out_texels += area.width * area.height;
     }
     target.all_dirty = false;
-    target.dirty_tiles.assign(target.tile_count(), 0);
-    find_rects(target, changed_tiles);
+    find_rects(target, marks);
+    marks.assign(target.tile_count(), 0);
     return TXC_STATUS_OK;
 }
 

@@ -58,12 +58,16 @@ void find_cut(const Grid& grid, const TileRect& r, bool by_column, std::uint64_t
 
 }  // namespace
 
-void cover_tiles(const std::vector<std::uint8_t>& marked, std::uint32_t columns, std::uint32_t rows,
-                 std::uint64_t rect_cost, std::vector<TileRect>& out) {
+void cover_tiles(const std::vector<std::uint8_t>& marked, std::uint32_t columns, std::uint64_t rect_cost,
+                 std::vector<TileRect>& out) {
     out.clear();
     const Grid grid{marked, columns};
     TileRect all{1, 0, 0, 0};
-    for (const TileRect& slice : slice_bounds(grid, {0, 0, columns, rows}, false)) all = unite(all, slice);
+    for (std::size_t at = next_mark(marked, 0); at < marked.size(); at = next_mark(marked, at + 1)) {
+        const auto x = static_cast<std::uint32_t>(at % columns);
+        const auto y = static_cast<std::uint32_t>(at / columns);
+        all = unite(all, {x, y, x + 1, y + 1});
+    }
     if (is_empty(all)) return;
     std::vector<TileRect> open{all};
     while (!open.empty()) {

@@ -174,7 +174,7 @@ TEST_CASE("Rectangles cover every marked tile once, and are few") {
         for (const std::uint8_t mark : marked) marked_count += mark;
         const std::uint64_t cost = random.below(200);
         std::vector<txc::TileRect> rects;
-        txc::cover_tiles(marked, columns, rows, cost, rects);
+        txc::cover_tiles(marked, columns, cost, rects);
         std::vector<std::uint32_t> covered(columns * rows, 0);
         for (const txc::TileRect& r : rects) {
             REQUIRE(r.x0 < r.x1);
@@ -197,13 +197,31 @@ TEST_CASE("Rectangles cover every marked tile once, and are few") {
     }
 }
 
+TEST_CASE("From mark to mark all marks are met, each once and in order, in lists of any length") {
+    Random random(3);
+    for (std::size_t size = 0; size < 40; ++size) {
+        std::vector<std::uint8_t> marks(size, 0);
+        std::vector<std::size_t> places;
+        for (std::size_t at = 0; at < size; ++at) {
+            if (random.below(9) != 0) continue;
+            marks[at] = 1;
+            places.push_back(at);
+        }
+        std::vector<std::size_t> met;
+        for (std::size_t at = txc::next_mark(marks, 0); at < size; at = txc::next_mark(marks, at + 1))
+            met.push_back(at);
+        CHECK(met == places);
+        CHECK(txc::next_mark(marks, size) == size);
+    }
+}
+
 TEST_CASE("A cut is made only where it saves more than a rectangle costs") {
     // Two single tiles, ten apart: eleven tiles in one, two in two.
     std::vector<std::uint8_t> marked(11, 0);
     marked[0] = marked[10] = 1;
     std::vector<txc::TileRect> rects;
-    txc::cover_tiles(marked, 11, 1, 8, rects);
+    txc::cover_tiles(marked, 11, 8, rects);
     CHECK(rects.size() == 2);
-    txc::cover_tiles(marked, 11, 1, 9, rects);
+    txc::cover_tiles(marked, 11, 9, rects);
     CHECK(rects.size() == 1);
 }
