@@ -105,6 +105,22 @@ test("the clone tool copies what lies at its source to where it paints, and the 
   await page.keyboard.press("Control+z");
   await editor.idle();
   expect((await paintedAcross(editor, bare)).right).toBe(0);
+
+  // Right after its release a stroke is still being written: undo means it all the same, and no step before it.
+  const steps = async (): Promise<string[]> => (await editor.design()).layers.map(({ type }) => type);
+  expect(await steps()).toEqual(["paint"]);
+  const from = await clientPoint(page, 0.2, 0);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 30, from.y, { steps: 4 });
+  await page.mouse.up();
+  await page.keyboard.press("Control+z");
+  await editor.idle();
+  expect(await steps()).toEqual(["paint"]);
+  await expect(page.locator("#redo")).toBeEnabled();
+  await page.keyboard.press("Control+Shift+z");
+  await editor.idle();
+  expect(await steps()).toEqual(["paint", "group"]);
   await expect(editor.notices).toHaveCount(0);
 });
 

@@ -196,7 +196,7 @@ export class TopBar extends EditorElement {
         id="save-design"
         aria-label=${unsaved ? `${this.#words.saveDesign}. ${this.#words.unsaved}` : this.#words.saveDesign}
         title=${unsaved ? `${this.#words.saveDesign}. ${this.#words.unsaved}` : this.#words.saveDesign}
-        @click=${() => this.editor.files.saveDesign()}
+        @click=${() => void this.editor.files.saveDesign()}
       >
         ${icon(Save)}${unsaved ? html`<span class="unsaved"></span>` : nothing}
       </button>
@@ -290,7 +290,7 @@ export class TopBar extends EditorElement {
 
   #designItems(): MenuItem[] {
     const open = this.embedded ? [] : [this.#openItem()];
-    return [...open, { label: this.#words.saveDesign, icon: Save, run: () => this.editor.files.saveDesign() }];
+    return [...open, { label: this.#words.saveDesign, icon: Save, run: () => void this.editor.files.saveDesign() }];
   }
 
   #exportItems(headed: boolean): MenuItem[] {

@@ -31,6 +31,7 @@ export class DesignSession {
   #saved: Design = this.#history.present.design;
   #sent: Design | null = null;
   #revision = 0;
+  readonly #recording = new Set<Promise<unknown>>();
 
   constructor({ engine, viewer, library, store, later }: DesignSessionParts) {
     this.#engine = engine;
@@ -99,6 +100,18 @@ export class DesignSession {
     this.#history.record(unchanged ? this.#history.recorded : { ...this.#history.recorded, design }, label, mergeKey);
     this.#publish();
     this.#sweep();
+  }
+
+  /** Counts work as under way whose end records a step: a stroke was released, and its picture is still being written. */
+  recordsLater(work: Promise<unknown>): void {
+    this.#recording.add(work);
+    const ended = (): void => void this.#recording.delete(work);
+    work.then(ended, ended);
+  }
+
+  /** Resolves when all that the user has done is recorded, or has failed: what goes back, saves or exports waits for it. */
+  async settled(): Promise<void> {
+    while (this.#recording.size > 0) await Promise.allSettled(this.#recording);
   }
 
   /** A model took the place of another, with a design of its own: one step that brings both back when undone. */

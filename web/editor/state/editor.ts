@@ -255,6 +255,7 @@ export class Editor {
   /** Resolves when no task runs and the engine has reported everything. */
   async idle(): Promise<void> {
     do {
+      await this.session.settled();
       await this.engine.idle();
       // A frame, in which the views take up what was reported.
       await new Promise((resolve) => setTimeout(resolve, 0));

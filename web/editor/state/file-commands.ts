@@ -159,8 +159,9 @@ export class FileCommands {
     }
   }
 
-  saveDesign(): void {
+  async saveDesign(): Promise<void> {
     const { session, store, board } = this.#parts;
+    await session.settled();
     const name = `${fileNameOf(store.state.designName)}.design.json`;
     download(name, "application/json", serialiseDesign(session.recordedDesign));
     session.markSaved();
@@ -184,11 +185,12 @@ export class FileCommands {
   }
 
   /** One step back or forth. */
-  travel(direction: "undo" | "redo"): Promise<void> {
+  async travel(direction: "undo" | "redo"): Promise<void> {
     const { session, store, board } = this.#parts;
+    await session.settled();
     const label = direction === "undo" ? store.state.undoLabel : store.state.redoLabel;
     const position = session.position + (direction === "undo" ? -1 : 1);
-    return this.#travelTo(position, () =>
+    await this.#travelTo(position, () =>
       board.announce(
         direction === "undo"
           ? this.#parts.board.strings.announce.undone(label ?? "")
@@ -198,10 +200,11 @@ export class FileCommands {
   }
 
   /** To any step of the history: a place among its labels. */
-  travelTo(position: number): Promise<void> {
-    const { store, board } = this.#parts;
+  async travelTo(position: number): Promise<void> {
+    const { session, store, board } = this.#parts;
+    await session.settled();
     const label = store.state.history.labels[position];
-    return this.#travelTo(position, () =>
+    await this.#travelTo(position, () =>
       board.announce(this.#parts.board.strings.announce.travelled(this.#parts.board.strings.history.step(label ?? ""))),
     );
   }
@@ -325,7 +328,8 @@ export class FileCommands {
   }
 
   async #export(name: string, type: string, make: () => Promise<Uint8Array>): Promise<void> {
-    const { tasks, board } = this.#parts;
+    const { tasks, board, session } = this.#parts;
+    await session.settled();
     try {
       const bytes = await tasks.run(this.#parts.board.strings.tasks.exporting(name), make, { cancellable: false });
       download(name, type, bytes);

@@ -93,6 +93,7 @@ export class ProjectCommands {
   /** Hands the project to the browser's downloads, as one file. */
   async saveFile(withModel: boolean): Promise<void> {
     const { store, session, board, tasks } = this.#parts;
+    await session.settled();
     const { model, designName, targetSettings } = store.state;
     if (!model) return;
     const name = `${fileNameOf(designName)}${PROJECT_EXTENSION}`;

@@ -56,7 +56,7 @@ function handleCommand(
       layers.merge();
       return true;
     case "s":
-      files.saveDesign();
+      void files.saveDesign();
       return true;
     case "o":
       actions.openModel?.();

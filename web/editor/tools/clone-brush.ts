@@ -163,6 +163,7 @@ export class CloneBrush implements BrushKind {
         board.announce(this.#words.painted);
       })
       .catch((thrown: unknown) => board.error(this.#words.couldNot, thrown));
+    session.recordsLater(this.#line);
   }
 
   #modelCopy(source: ClonePlace, painted: ClonePlace): CloneCopy | null {

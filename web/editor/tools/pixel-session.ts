@@ -88,18 +88,14 @@ export class PixelSession {
 
   /** Ends a gesture as one step, before any later one begins. */
   finish(gesture: PixelGesture, label: string, done: (layerId: string) => void): void {
-    const { board } = this.#context;
+    const { board, session } = this.#context;
     this.#line = gesture
       .end(label)
       .then((id) => {
         if (id !== null) done(id);
       })
       .catch((thrown: unknown) => board.error(this.#context.board.strings.tools.couldNotPaint, thrown));
-  }
-
-  /** Resolves when every gesture that was finished is recorded. */
-  async settled(): Promise<void> {
-    await this.#line;
+    session.recordsLater(this.#line);
   }
 
   /**
