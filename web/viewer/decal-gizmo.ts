@@ -211,6 +211,8 @@ export class DecalGizmo {
     }
     this.#stopDrag();
     this.#emit(active, "cancel", active.decal.projector);
+    // The decals have come back by that: until the next frame the handles would stay where the drag had them.
+    this.drawNow();
     return true;
   }
 
