@@ -127,6 +127,13 @@ export function layersAt(
   return parent === undefined ? undefined : childLists(parent).find((child) => child.list === list)?.layers;
 }
 
+/** The place above all of a design's layers. */
+export const topOf = ({ layers }: Pick<Design, "layers">): LayerPlace => ({
+  parentId: null,
+  list: "layers",
+  index: layers.length,
+});
+
 /** All ids in use: a new layer needs another one, wherever it goes. */
 export const layerIds = (design: Pick<Design, "layers">): Set<string> =>
   new Set(flattenLayers(design).map(({ id }) => id));

@@ -10,6 +10,7 @@ import type { AssetLibrary } from "./asset-library.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState, HistorySteps, ModelRef, Snapshot } from "./editor-state.ts";
 import { History } from "./history.ts";
+import { OpenWork } from "./open-work.ts";
 import type { Store } from "./store.ts";
 
 export interface DesignSessionParts {
@@ -31,7 +32,7 @@ export class DesignSession {
   #saved: Design = this.#history.present.design;
   #sent: Design | null = null;
   #revision = 0;
-  readonly #recording = new Set<Promise<unknown>>();
+  readonly #recording = new OpenWork();
 
   constructor({ engine, viewer, library, store, later }: DesignSessionParts) {
     this.#engine = engine;
@@ -105,13 +106,11 @@ export class DesignSession {
   /** Counts work as under way whose end records a step: a stroke was released, and its picture is still being written. */
   recordsLater(work: Promise<unknown>): void {
     this.#recording.add(work);
-    const ended = (): void => void this.#recording.delete(work);
-    work.then(ended, ended);
   }
 
   /** Resolves when all that the user has done is recorded, or has failed: what goes back, saves or exports waits for it. */
-  async settled(): Promise<void> {
-    while (this.#recording.size > 0) await Promise.allSettled(this.#recording);
+  settled(): Promise<void> {
+    return this.#recording.settled();
   }
 
   /** A model took the place of another, with a design of its own: one step that brings both back when undone. */

@@ -111,7 +111,6 @@ export class BrushTool implements Tool {
   }
 
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
-    if (event.key === "Escape" && this.cancel()) return true;
     if (this.#cursor.key(event, view !== null) || this.#kind.key?.(event)) return true;
     const { tools } = this.#context;
     if (!handleBrushKey(event, tools)) return false;

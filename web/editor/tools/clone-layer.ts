@@ -12,6 +12,7 @@ import {
   freeLayerId,
   type GroupLayer,
   insertAt,
+  isLocked,
   type LayerMaterials,
   type LayerPlace,
   layerIds,
@@ -22,9 +23,9 @@ import {
   type Projector,
   type StrokeLayer,
   sameMirror,
+  topOf,
   visitOf,
 } from "../document/index.ts";
-import { isLocked } from "../document/layer-tree.ts";
 import { freeName, withAsset } from "../state/design-edits.ts";
 import type { Strings } from "../strings.ts";
 import { type PaintRefusal, placeOrTop } from "./paint-target.ts";
@@ -59,7 +60,7 @@ export function isClone(layer: DesignLayer): boolean {
 /** The selected group of clone strokes, or the one that the selected stroke is in; else a new one above the selection. */
 export function cloneTargetOf(design: Design, selectedId: string | null): CloneTarget | PaintRefusal {
   const visit = visitOf(design, selectedId);
-  const top = { kind: "new", place: { parentId: null, list: "layers", index: design.layers.length } } as const;
+  const top = { kind: "new", place: topOf(design) } as const;
   if (visit === undefined) return top;
   const group = [visit.layer, visit.parent].find(isCloneGroup);
   if (group !== undefined) {

@@ -5,9 +5,11 @@ import {
   findLayer,
   freeIdIn,
   insertAt,
+  isLocked,
   type LayerPlace,
   makePaintLayer,
   type StrokeLayer,
+  topOf,
   visitOf,
 } from "../document/index.ts";
 import { freeName } from "../state/design-edits.ts";
@@ -37,7 +39,7 @@ export function paintTargetOf(
   const visit = visitOf(design, selectedId);
   if (visit === undefined) {
     if (erases) return { kind: "refused", reason: "nothing-to-erase", name: "" };
-    return { kind: "new", place: { parentId: null, list: "layers", index: design.layers.length } };
+    return { kind: "new", place: topOf(design) };
   }
   const { layer, parent } = visit;
   const onMask = layer.id === editingMask;
@@ -56,7 +58,7 @@ export function paintTargetOf(
   }
   // A new layer goes beside layers, not into a mask.
   if (visit.list !== "layers") {
-    return { kind: "new", place: { parentId: null, list: "layers", index: design.layers.length } };
+    return { kind: "new", place: topOf(design) };
   }
   return { kind: "new", place: { parentId: visit.parentId, list: "layers", index: visit.index + 1 } };
 }
@@ -93,13 +95,5 @@ export function withStroke(
 /** A place among layers, or the top of the design where its group is no longer there. */
 export function placeOrTop(design: Design, place: LayerPlace | null): LayerPlace {
   const isThere = place !== null && (place.parentId === null || findLayer(design, place.parentId)?.type === "group");
-  return isThere ? place : { parentId: null, list: "layers", index: design.layers.length };
-}
-
-/** It, or a group that it is in. */
-function isLocked(design: Design, id: string): boolean {
-  for (let at = visitOf(design, id); at !== undefined; at = visitOf(design, at.parentId)) {
-    if (findLayer(design, at.layer.id)?.locked) return true;
-  }
-  return false;
+  return isThere ? place : topOf(design);
 }

@@ -8,6 +8,7 @@ import {
   makeDecalLayer,
   mapLayer,
   paintsMaterial,
+  topOf,
   visitOf,
   walkLayers,
 } from "../document/index.ts";
@@ -76,6 +77,6 @@ export function addPixelLayer(
   const place =
     visit?.list === "layers"
       ? { parentId: visit.parentId, list: "layers" as const, index: visit.index + 1 }
-      : { parentId: null, list: "layers" as const, index: design.layers.length };
+      : topOf(design);
   return { design: insertAt(more, place, layer), id };
 }

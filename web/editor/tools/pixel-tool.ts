@@ -112,7 +112,6 @@ export class PixelTool implements Tool {
   }
 
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
-    if (event.key === "Escape" && this.cancel()) return true;
     if (this.#cursor.key(event, view !== null)) return true;
     const direction = { BracketLeft: -1, BracketRight: 1 }[event.code];
     if (direction === undefined || event.shiftKey) return false;

@@ -101,9 +101,10 @@ export class Toolbox {
     return this.active?.cancel?.() ?? false;
   }
 
-  /** Keys that choose tools and colours, and those of the chosen tool. True when the key was one. */
+  /** Escape where something is under way, the chosen tool's keys, and those that choose tools and colours. True when the key was one. */
   handleKey(event: KeyboardEvent): boolean {
     if (event.altKey) return false;
+    if (event.key === "Escape" && this.cancel()) return true;
     if (this.active?.key?.(event, this.#viewOf(event))) return true;
     if (event.shiftKey) return false;
     const key = event.key.toUpperCase();

@@ -10,6 +10,7 @@ import { DecalReach, type PlacedLayer } from "../../editor/state/decal-reach.ts"
 import { layerById, patchLayer, placedCount, withoutUnusedAssets } from "../../editor/state/design-edits.ts";
 import type { DesignSession } from "../../editor/state/design-session.ts";
 import type { EditorState } from "../../editor/state/editor-state.ts";
+import { OpenWork } from "../../editor/state/open-work.ts";
 import type { Store } from "../../editor/state/store.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import type { PrintReport } from "../../engine/print-report.ts";
@@ -43,7 +44,7 @@ export class Desk {
   readonly #loadHands: () => Promise<DecalViewer>;
   #taking: Promise<DecalViewer> | null = null;
   /** What was begun and is not in the design yet. */
-  readonly #begun = new Set<Promise<unknown>>();
+  readonly #begun = new OpenWork();
   #hands: DecalViewer | null = null;
   /** Where the product may be printed; null: everywhere, and nobody asked how well. */
   zones: PrintZones | null = null;
@@ -124,14 +125,12 @@ export class Desk {
   /** Counts work that ends in a change of the design, or of what the engine shows of it, as under way. */
   during<T>(work: Promise<T>): Promise<T> {
     this.#begun.add(work);
-    const ended = (): void => void this.#begun.delete(work);
-    work.then(ended, ended);
     return work;
   }
 
   /** Resolves when all that was begun is in the design, or has failed. */
-  async settled(): Promise<void> {
-    while (this.#begun.size > 0) await Promise.allSettled(this.#begun);
+  settled(): Promise<void> {
+    return this.#begun.settled();
   }
 
   /** Whether what is shown is the design, and no gesture or typing is under way. */
