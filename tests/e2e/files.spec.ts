@@ -1,6 +1,6 @@
 import { expect, test } from "./support/editor-page.ts";
 import { readPng } from "./support/read-png.ts";
-import { boardPicture, file, ringPicture, squareGlb, squareGltf } from "./support/test-files.ts";
+import { boardPicture, file, ringPicture, squareGlb, squareGltf, twoSquaresGlb } from "./support/test-files.ts";
 
 test("a saved design opens again to the same texels", async ({ editor, page }) => {
   await editor.open();
@@ -68,6 +68,17 @@ test("the exported GLB opens again with the same texture as its own", async ({ e
   await expect(page.locator("tc-top-bar .models")).toContainText("Mug-painted.glb");
   expect((await editor.design()).layers).toEqual([]);
   expect(await editor.settledHash()).toBe(before);
+});
+
+test("an exported GLB has the model's own textures where no visible layer paints", async ({ editor }) => {
+  await editor.open();
+  const model = twoSquaresGlb();
+  await editor.openModel([model]);
+  expect((await editor.exported("Model as GLB")).bytes.equals(model.buffer)).toBe(true);
+  await editor.addDemoDecal("badge");
+  expect((await editor.exported("Model as GLB")).bytes.equals(model.buffer)).toBe(false);
+  await editor.row("Travel badge").locator("[data-action=visible]").click();
+  expect((await editor.exported("Model as GLB")).bytes.equals(model.buffer)).toBe(true);
 });
 
 test("work that was not saved stays with its model, and can be brought along to the next", async ({ editor }) => {

@@ -47,9 +47,12 @@ interface Gltf {
 }
 
 function write(glb: Uint8Array, ...edits: TextureEdit[]): Written {
-  const written = writeModel(readContainer({ name: "m.glb", bytes: glb }), edits);
-  const { json, binary } = readContainer({ name: "written.glb", bytes: written });
-  return { json: json as unknown as Gltf, binary: binary ?? new Uint8Array(), glb: written };
+  return readWritten(writeModel(readContainer({ name: "m.glb", bytes: glb }), edits));
+}
+
+function readWritten(glb: Uint8Array): Written {
+  const { json, binary } = readContainer({ name: "written.glb", bytes: glb });
+  return { json: json as unknown as Gltf, binary: binary ?? new Uint8Array(), glb };
 }
 
 function viewBytes({ json, binary }: Pick<Written, "json" | "binary">, view: number): Uint8Array {
@@ -375,6 +378,23 @@ describe("an exported model", () => {
     await engine.loadModel({ name: "again.glb", bytes: glb });
     await engine.openTarget({ material: 0 });
     expect(await engine.hash(0)).toBe(painted);
+    engine.dispose();
+  });
+
+  it("has the textures of those materials alone that are asked for", async () => {
+    const engine = createEngineHost();
+    const parts = { meshes: [plane(1, 0), plane(1, 1)], materials: [{}, base(0)], textures: [{ source: 0 }] };
+    const bytes = buildGlb({ ...parts, images: [png(OLD, "x")] });
+    await engine.loadModel({ name: "m.glb", bytes });
+    for (const material of [0, 1]) await engine.openTarget({ material, width: 4 });
+    expect(await engine.exportGlb([])).toEqual(bytes);
+    const first = readWritten(await engine.exportGlb([0]));
+    expect(pictureOf(first, 0)).not.toEqual(OLD);
+    expect(pictureOf(first, 1)).toEqual(OLD);
+    const second = readWritten(await engine.exportGlb([1]));
+    expect(second.json.materials[0]).toEqual({});
+    expect(pictureOf(second, 1)).not.toEqual(OLD);
+    expect(pictureOf(readWritten(await engine.exportGlb()), 0)).toEqual(pictureOf(first, 0));
     engine.dispose();
   });
 

@@ -216,7 +216,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   exportModel(): Promise<Uint8Array> {
     return this.#atDesk(async (mode) => {
       await mode.idle();
-      return await mode.desk.engine.exportGlb();
+      return await mode.desk.exportModel();
     });
   }
 

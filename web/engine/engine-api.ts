@@ -391,8 +391,11 @@ export interface Engine {
 
   /** The finished texture as PNG. */
   exportPng(material: number): Promise<Uint8Array>;
-  /** The model with every open target's texture inside; all else of the file stays as it was. */
-  exportGlb(): Promise<Uint8Array>;
+  /**
+   * The model with the textures of its open targets inside, or of those of them that paint `materials`; all else of the file
+   * stays as it was.
+   */
+  exportGlb(materials?: readonly number[]): Promise<Uint8Array>;
 
   /**
    * Where the product may be printed; null: everywhere. Layers are cut off at zones of the policy "clip" from now on, in

@@ -212,8 +212,8 @@ class EngineClient implements Engine {
     return this.#call("exportPng", [material]);
   }
 
-  exportGlb(): Promise<Uint8Array> {
-    return this.#call("exportGlb", []);
+  exportGlb(materials?: readonly number[]): Promise<Uint8Array> {
+    return this.#call("exportGlb", [materials]);
   }
 
   async setZones(zones: PrintZones | null): Promise<void> {

@@ -273,7 +273,7 @@ export class EngineHost implements Engine {
     });
   }
 
-  exportGlb(): Promise<Uint8Array> {
+  exportGlb(materials?: readonly number[]): Promise<Uint8Array> {
     return this.#enqueue(async (session) => {
       const model = this.#requireModel();
       const [{ encodePng }, { writeModel }] = await Promise.all([
@@ -283,6 +283,7 @@ export class EngineHost implements Engine {
       await this.#drawAll(session, true);
       const edits: TextureEdit[] = [];
       for (const [material, target] of this.#targets) {
+        if (materials?.includes(material) === false) continue;
         const png = await encodePng(target.exportedPicture());
         const { texCoord } = session.materialInfo(material);
         edits.push({ material, png, texCoord, factorBaked: target.factorBaked });

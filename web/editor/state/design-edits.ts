@@ -52,8 +52,13 @@ export function withAsset(design: Design, name: string, asset: DesignAsset): { d
 }
 
 /** A group paints nothing itself. */
-export function usedMaterials(design: Design): Set<number> {
+export function usedMaterials(design: Pick<Design, "layers">): Set<number> {
   return new Set(design.layers.flatMap(materialsIn));
+}
+
+/** Those whose textures are no longer the model's own: as used, but for what is hidden. */
+export function paintedMaterials({ layers }: Design): number[] {
+  return [...usedMaterials({ layers: layers.filter(({ visible }) => visible) })];
 }
 
 export function withoutUnusedAssets(design: Design): Design {

@@ -12,6 +12,7 @@ import type { ProjectContent } from "../storage/project.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
+import { paintedMaterials } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { EditorState, ModelRef } from "./editor-state.ts";
 import type { ModelSession } from "./model-session.ts";
@@ -177,10 +178,10 @@ export class FileCommands {
   }
 
   async exportGlb(): Promise<void> {
-    const { engine, store } = this.#parts;
+    const { engine, session, store } = this.#parts;
     if (!store.state.model) return;
     await this.#export(`${fileNameOf(store.state.designName)}-painted.glb`, "model/gltf-binary", () =>
-      engine.exportGlb(),
+      engine.exportGlb(paintedMaterials(session.recordedDesign)),
     );
   }
 

@@ -7,7 +7,13 @@ import type { Design, DesignLayer } from "../../editor/document/design.ts";
 import { removeById } from "../../editor/document/layer-tree.ts";
 import type { AssetLibrary } from "../../editor/state/asset-library.ts";
 import { DecalReach, type PlacedLayer } from "../../editor/state/decal-reach.ts";
-import { layerById, patchLayer, placedCount, withoutUnusedAssets } from "../../editor/state/design-edits.ts";
+import {
+  layerById,
+  paintedMaterials,
+  patchLayer,
+  placedCount,
+  withoutUnusedAssets,
+} from "../../editor/state/design-edits.ts";
 import type { DesignSession } from "../../editor/state/design-session.ts";
 import type { EditorState } from "../../editor/state/editor-state.ts";
 import { OpenWork } from "../../editor/state/open-work.ts";
@@ -120,6 +126,11 @@ export class Desk {
 
   get selected(): DesignLayer | undefined {
     return this.session.selected;
+  }
+
+  /** The model as GLB, with the design in the textures that it paints. */
+  exportModel(): Promise<Uint8Array> {
+    return this.engine.exportGlb(paintedMaterials(this.design));
   }
 
   /** Counts work that ends in a change of the design, or of what the engine shows of it, as under way. */
