@@ -2,14 +2,26 @@
  * How long an SVG's filters would take, told from the document and not by the clock, so that every machine draws the same:
  * a few bytes can ask for hours. Weights are about ten nanoseconds each, measured with resvg in WebAssembly.
  */
+import {
+  attribute,
+  type Bounds,
+  type FilteredGroup,
+  layoutOf,
+  moved,
+  numbersOf,
+  scaleOf,
+  sidesOf,
+} from "./svg-layout.ts";
 
-/** What the filters of a document come to. */
+/** What one filter of a document comes to. */
 export interface FilterUse {
   /** For each pixel, whatever its size. */
   readonly weight: number;
   /** How often it is drawn. */
   readonly times: number;
-  /** Radii of a "morphology", of the drawing's width: each pixel looks at all pixels within. */
+  /** The pixels that it goes over, in pictures: at least one, though for a small part they are fewer. */
+  readonly area: number;
+  /** Radii of a "morphology", of the picture's width: each pixel looks at all pixels within. */
   readonly windows: readonly (readonly [number, number])[];
 }
 
@@ -22,83 +34,96 @@ const OCTAVE = 80;
 const MATRIX_ENTRY = 4;
 const WINDOW_PIXEL = 3;
 
-/**
- * The filters that a document's parts ask for, each as often as it is asked for.
- *
- * @param simplified as resvg writes a document out: nothing reused, no styles, numbers for all
- * @param size the document's own width and height
- */
-export function filterUses(simplified: string, size: { readonly width: number; readonly height: number }): FilterUse[] {
-  const filters = new Map<string, FilterUse>();
-  for (const [, id = "", attributes = "", body = ""] of simplified.matchAll(
-    /<filter id="([^"]*)"([^>]*)>([\s\S]*?)<\/filter>/g,
-  )) {
-    filters.set(id, useOf(body, attributes.includes('primitiveUnits="objectBoundingBox"') ? 1 : 1 / size.width));
+/** The filters that a document's parts ask for, each as often as it is asked for. `simplified` as for layoutOf. */
+export function filterUses(simplified: string): FilterUse[] {
+  const filters = new Map<string, Filter>();
+  for (const [, attributes = "", body = ""] of simplified.matchAll(/<filter\b([^>]*)>([\s\S]*?)<\/filter>/g)) {
+    filters.set(attribute(attributes, "id"), filterOf(attributes, body));
   }
   if (filters.size === 0) return [];
-  const uses: FilterUse[] = [];
-  // Patterns and masks stand in the definitions, and are drawn wherever they are asked for.
-  const definitionsEnd = simplified.lastIndexOf("</defs>");
+  const layout = layoutOf(simplified);
+  // Patterns and masks stand in the definitions, and are drawn wherever they are asked for, as large as anything there.
   const references = 1 + (simplified.match(/(?:fill|stroke|mask|clip-path)="url\(#/g)?.length ?? 0);
-  const scales = [1];
-  for (const match of simplified.matchAll(/<(\/?)([\w-]+)([^>]*?)(\/?)>/g)) {
-    const [, closes, , attributes = "", empty] = match;
-    if (closes) {
-      scales.pop();
-      continue;
-    }
-    const scale = (scales.at(-1) ?? 1) * scaleOf(attributes);
-    if (!empty) scales.push(scale);
-    const asked = /\bfilter="([^"]*)"/.exec(attributes)?.[1] ?? "";
-    for (const [, id = ""] of asked.matchAll(/url\(#([^)]*)\)/g)) {
+  return layout.filtered.flatMap((group) => {
+    const enlarged = group.isDefinition ? layout.scaleOfDefinitions : 1;
+    const times = group.isDefinition ? references : 1;
+    return group.filters.flatMap((id) => {
       const filter = filters.get(id);
-      if (filter === undefined) continue;
-      const times = match.index < definitionsEnd ? references : 1;
-      const windows = filter.windows.map(([x, y]) => [x * scale, y * scale] as const);
-      uses.push({ weight: filter.weight, times, windows });
-    }
-  }
-  return uses;
+      if (filter === undefined) return [];
+      const [x0, y0, x1, y1] = moved(group.matrix, regionOf(filter, group, layout));
+      const area = ((x1 - x0) / layout.width) * ((y1 - y0) / layout.height) * enlarged ** 2;
+      const [unitX, unitY] = filter.unitsAreBounds ? sidesOf(boundsOrPicture(group, layout)) : [1, 1];
+      const scale = (scaleOf(group.matrix) * enlarged) / layout.width;
+      const windows = filter.radii.map(([x, y]) => [x * unitX * scale, y * unitY * scale] as const);
+      return [{ weight: filter.weight, times, area: Math.max(1, area), windows }];
+    });
+  });
 }
 
 /** Whether a drawing of so many pixels takes no longer than it may. */
 export function canFilter(uses: readonly FilterUse[], width: number, height: number): boolean {
   let weight = 0;
   for (const use of uses) {
-    weight += use.times * use.weight;
+    let each = use.weight;
     for (const [x, y] of use.windows) {
-      // A window reaches no further than the picture.
-      weight +=
-        use.times * WINDOW_PIXEL * Math.min(2 * x * width + 1, 2 * width) * Math.min(2 * y * width + 1, 2 * height);
+      // A window reaches no further than what the filter goes over.
+      const across = Math.min(2 * x * width + 1, 2 * width * use.area);
+      each += WINDOW_PIXEL * across * Math.min(2 * y * width + 1, 2 * height * use.area);
     }
+    weight += use.times * use.area * each;
   }
   return weight * width * height <= MOST_WEIGHT;
 }
 
-function useOf(body: string, unit: number): FilterUse {
+interface Filter {
+  readonly weight: number;
+  /** As written. */
+  readonly radii: readonly (readonly [number, number])[];
+  /** Lengths of its primitives are shares of what is filtered. */
+  readonly unitsAreBounds: boolean;
+  readonly region: Bounds;
+  /** The region is a share of what is filtered. */
+  readonly regionIsOfBounds: boolean;
+}
+
+function filterOf(attributes: string, body: string): Filter {
   let weight = 0;
-  const windows: [number, number][] = [];
-  for (const [, kind = "", attributes = ""] of body.matchAll(/<fe([A-Z]\w*)([^>]*)>/g)) {
-    const numbers = (name: string): number[] =>
-      (new RegExp(`\\b${name}="([^"]*)"`).exec(attributes)?.[1] ?? "").split(/[\s,]+/).map(Number);
+  const radii: [number, number][] = [];
+  for (const [, kind = "", of = ""] of body.matchAll(/<fe([A-Z]\w*)([^>]*)>/g)) {
+    const numbers = (name: string): number[] => numbersOf(attribute(of, name));
     if (kind === "Turbulence") weight += OCTAVE * (numbers("numOctaves")[0] ?? 1);
     else if (kind === "ConvolveMatrix")
       weight += MATRIX_ENTRY * numbers("order").reduce((area, side) => area * side, 1);
     else if (kind === "Morphology") {
       const [x = 0, y = x] = numbers("radius");
-      windows.push([x * unit, y * unit]);
+      radii.push([x, y]);
     } else weight += WEIGHTS[kind] ?? (kind.endsWith("Lighting") ? LIGHTING : PASS);
   }
-  return { weight, times: 1, windows };
+  const [x = 0, y = 0, width = 0, height = 0] = ["x", "y", "width", "height"].map((name) =>
+    Number(attribute(attributes, name)),
+  );
+  return {
+    weight,
+    radii,
+    unitsAreBounds: attribute(attributes, "primitiveUnits") === "objectBoundingBox",
+    region: [x, y, x + width, y + height],
+    regionIsOfBounds: attribute(attributes, "filterUnits") !== "userSpaceOnUse",
+  };
 }
 
-/** How much a transform enlarges at the most. */
-function scaleOf(attributes: string): number {
-  const transform = /\btransform="matrix\(([^)]*)\)"/.exec(attributes)?.[1];
-  if (transform === undefined) return 1;
-  const [a = 1, b = 0, c = 0, d = 1] = transform
-    .trim()
-    .split(/[\s,]+/)
-    .map(Number);
-  return Math.max(Math.hypot(a, b), Math.hypot(c, d));
+interface Picture {
+  readonly width: number;
+  readonly height: number;
 }
+
+/** What the filter goes over, in the group's units. */
+function regionOf({ region, regionIsOfBounds }: Filter, group: FilteredGroup, picture: Picture): Bounds {
+  if (!regionIsOfBounds) return region;
+  const bounds = boundsOrPicture(group, picture);
+  const [width, height] = sidesOf(bounds);
+  const [x0, y0, x1, y1] = region;
+  return [bounds[0] + x0 * width, bounds[1] + y0 * height, bounds[0] + x1 * width, bounds[1] + y1 * height];
+}
+
+const boundsOrPicture = ({ bounds }: FilteredGroup, { width, height }: Picture): Bounds =>
+  bounds ?? [0, 0, width, height];

@@ -5,9 +5,9 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { badPicture, readPictureHeader } from "./picture-header.ts";
 import { rasterSize } from "./raster-size.ts";
-import { type ShippedFontId, shippedFontAddress, standIn } from "./shipped-fonts.ts";
+import { readShippedFont, SHIPPED_FONTS, type ShippedFontId, shippedFontAddress, standIn } from "./shipped-fonts.ts";
 import { canFilter, type FilterUse, filterUses } from "./svg-cost.ts";
-import { simplifiedSvg, startSvgRenderer, svgSize } from "./svg-renderer.ts";
+import { type SvgFonts, simplifiedSvg, startSvgRenderer, svgSize } from "./svg-renderer.ts";
 import { encodingOf } from "./svg-start.ts";
 import { isInvisible, scriptOf } from "./text-script.ts";
 
@@ -29,6 +29,8 @@ const MAX_ENTITY_GROWTH = 2 ** 20;
 const MAX_INNER_PIXELS = 64 * 2 ** 20;
 /** Longer side by shorter. */
 const MAX_ASPECT = 1000;
+/** References may spell any word. */
+const MAY_FILTER = /filter|data:image\/svg|&#|<!ENTITY/i;
 const HINT = "Open it in a drawing program and save it again as plain SVG.";
 
 /**
@@ -48,12 +50,15 @@ export async function readSvgFile(bytes: Uint8Array, name: string): Promise<SvgF
   if (!(aspect <= MAX_ASPECT && aspect >= 1 / MAX_ASPECT)) {
     throw badPicture(name, `it is ${width} × ${height}, which is more than ${MAX_ASPECT} times as long as wide`, HINT);
   }
-  const filters = /filter/.test(svg) ? filterUses(simplifiedSvg(svg), { width, height }) : [];
+  const fonts = fontsOf(svg);
+  const simplified = MAY_FILTER.test(svg) ? simplifiedSvg(svg, await fontsFor(fonts)) : "";
+  checkInnerDrawings(simplified, name);
+  const filters = filterUses(simplified);
   const [leastWidth, leastHeight] = rasterSize(aspect, [1, 1]);
   if (!canFilter(filters, leastWidth, leastHeight)) {
     throw badPicture(name, "its filters would take too long to draw", "Make them simpler, or save it as PNG.");
   }
-  return { name, svg, width, height, fonts: fontsOf(svg), filters };
+  return { name, svg, width, height, fonts, filters };
 }
 
 function decode(bytes: Uint8Array, name: string): string {
@@ -83,6 +88,28 @@ function checkInnerPictures(svg: string, name: string): void {
     if (pixels > MAX_INNER_PIXELS) {
       throw badPicture(name, `the pictures inside have more than ${MAX_INNER_PIXELS} pixels`, "Make them smaller.");
     }
+  }
+}
+
+/** What filters inside a drawing inside would take is not told from outside, nor what it is where it is packed. */
+function checkInnerDrawings(simplified: string, name: string): void {
+  for (const [, data = ""] of simplified.matchAll(/data:image\/svg\+xml;base64,\s*([^"']*)/g)) {
+    const inner = atob(data);
+    if (inner.includes("<svg") && !hasFilters(inner)) continue;
+    throw badPicture(
+      name,
+      "a drawing inside it has filters, or is packed",
+      "Draw what is inside into the drawing itself.",
+    );
+  }
+}
+
+/** One that cannot be read is left out by the renderer. */
+function hasFilters(svg: string): boolean {
+  try {
+    return simplifiedSvg(svg).includes("<filter");
+  } catch {
+    return false;
   }
 }
 
@@ -132,6 +159,12 @@ function fontsOf(svg: string): ShippedFontId[] {
   const fonts = new Set<ShippedFontId>(["inter-400", "inter-700"]);
   for (const script of scripts) for (const weight of [400, 700] as const) fonts.add(standIn(script, weight));
   return [...fonts];
+}
+
+/** Filters go over words as well. */
+async function fontsFor(ids: readonly ShippedFontId[]): Promise<SvgFonts | null> {
+  if (ids.length === 0) return null;
+  return { buffers: await Promise.all(ids.map(readShippedFont)), family: SHIPPED_FONTS["inter-400"].name };
 }
 
 /** How the shipped fonts of a document are told apart from other assets. */

@@ -39,9 +39,9 @@ export function svgSize(svg: string): { readonly width: number; readonly height:
   return withDocument(svg, {}, null, ({ width, height }) => ({ width, height }));
 }
 
-/** The document with nothing reused, no styles, and numbers for all. Throws as `svgSize`. */
-export function simplifiedSvg(svg: string): string {
-  return withDocument(svg, {}, null, (document) => document.toString());
+/** The document with nothing reused, no styles, numbers for all, and its words as paths. Throws as `svgSize`. */
+export function simplifiedSvg(svg: string, fonts: SvgFonts | null = null): string {
+  return withDocument(svg, {}, fonts, (document) => document.toString());
 }
 
 /**
