@@ -115,6 +115,12 @@ describe("the filters of a drawing", () => {
     });
   });
 
+  it("are weighed beside any number of patterns", () => {
+    const patterns = '<pattern id="q"></pattern>'.repeat(200_000);
+    const document = `<svg viewBox="0 0 100 100"><defs><filter id="f"><feFlood/></filter>${patterns}</defs><g filter="url(#f)"></g></svg>`;
+    expect(filterUses(document)).toHaveLength(1);
+  });
+
   it("count as often as a pattern with them is used", () => {
     const of = (uses: number): string =>
       `<svg viewBox="0 0 100 100"><defs><filter id="f"><feFlood/></filter><pattern id="p"><g filter="url(#f)"></g></pattern></defs>${'<path fill="url(#p)"/>'.repeat(uses)}</svg>`;

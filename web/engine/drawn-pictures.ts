@@ -10,9 +10,9 @@ import { isShippedFontAddress } from "./font-address.ts";
 import { allPicturesOf, withPictures } from "./layer-picture.ts";
 import { badPicture } from "./picture-header.ts";
 import { footprintTexels, LEAST_RASTER_PIXELS, type RasterTarget, rasterSize } from "./raster-size.ts";
-import { readShippedFont, SHIPPED_FONTS, type ShippedFontId } from "./shipped-fonts.ts";
+import { readShippedFont, type ShippedFontId } from "./shipped-fonts.ts";
 import { canFilter } from "./svg-cost.ts";
-import { describeFault, readSvgFile, type SvgFile } from "./svg-file.ts";
+import { describeFault, readSvgFile, type SvgFile, svgFonts } from "./svg-file.ts";
 import { renderSvg, startSvgRenderer, svgRendererReady } from "./svg-renderer.ts";
 import { drawText, measureText } from "./text-drawing.ts";
 import { FontShelf } from "./text-fonts.ts";
@@ -42,8 +42,8 @@ export class DrawnPictures {
 
   /** Takes in an SVG file; replaces one of the same key. Rejects with "bad-picture". */
   async addSvg(key: string, bytes: Uint8Array, name: string): Promise<{ width: number; height: number }> {
-    const file = await readSvgFile(bytes, name);
-    for (const id of file.fonts) if (!this.#svgFonts.has(id)) this.#svgFonts.set(id, await readShippedFont(id));
+    const file = await readSvgFile(bytes, name, (id) => this.#readSvgFont(id));
+    for (const id of file.fonts) await this.#readSvgFont(id);
     this.#count += 1;
     this.#svgs.set(key, { ...file, number: this.#count });
     return { width: file.width, height: file.height };
@@ -178,7 +178,8 @@ export class DrawnPictures {
     }
     const draw = (): Picture => {
       try {
-        return renderSvg(file.svg, width, this.#fontsOf(file));
+        const buffers = file.fonts.map((id) => this.#svgFonts.get(id)).filter((bytes) => bytes !== undefined);
+        return renderSvg(file.svg, width, svgFonts(buffers));
       } catch (thrown) {
         throw badPicture(file.name, describeFault(thrown), undefined, thrown);
       }
@@ -186,10 +187,10 @@ export class DrawnPictures {
     return { what: `svg ${file.number} ${width} ${height}`, name: file.name, draw };
   }
 
-  #fontsOf({ fonts }: SvgFile): { buffers: Uint8Array[]; family: string } | null {
-    if (fonts.length === 0) return null;
-    const buffers = fonts.map((id) => this.#svgFonts.get(id)).filter((bytes) => bytes !== undefined);
-    return { buffers, family: SHIPPED_FONTS["inter-400"].name };
+  async #readSvgFont(id: ShippedFontId): Promise<Uint8Array> {
+    const bytes = this.#svgFonts.get(id) ?? (await readShippedFont(id));
+    this.#svgFonts.set(id, bytes);
+    return bytes;
   }
 
   #planText(text: EngineText, [wide, high]: readonly [number, number]): Plan | undefined {

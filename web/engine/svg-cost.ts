@@ -9,6 +9,7 @@ import {
   layoutOf,
   moved,
   numbersOf,
+  rectangleOf,
   scaleOf,
   sidesOf,
 } from "./svg-layout.ts";
@@ -50,9 +51,9 @@ export function filterUses(simplified: string): FilterUse[] {
     return group.filters.flatMap((id) => {
       const filter = filters.get(id);
       if (filter === undefined) return [];
-      const [x0, y0, x1, y1] = moved(group.matrix, regionOf(filter, group, layout));
+      const [x0, y0, x1, y1] = moved(group.matrix, regionOf(filter, group));
       const area = ((x1 - x0) / layout.width) * ((y1 - y0) / layout.height) * enlarged ** 2;
-      const [unitX, unitY] = filter.unitsAreBounds ? sidesOf(boundsOrPicture(group, layout)) : [1, 1];
+      const [unitX, unitY] = filter.unitsAreBounds ? sidesOf(group.bounds) : [1, 1];
       const scale = (scaleOf(group.matrix) * enlarged) / layout.width;
       const windows = filter.radii.map(([x, y]) => [x * unitX * scale, y * unitY * scale] as const);
       return [{ weight: filter.weight, times, area: Math.max(1, area), windows }];
@@ -99,31 +100,17 @@ function filterOf(attributes: string, body: string): Filter {
       radii.push([x, y]);
     } else weight += WEIGHTS[kind] ?? (kind.endsWith("Lighting") ? LIGHTING : PASS);
   }
-  const [x = 0, y = 0, width = 0, height = 0] = ["x", "y", "width", "height"].map((name) =>
-    Number(attribute(attributes, name)),
-  );
   return {
     weight,
     radii,
     unitsAreBounds: attribute(attributes, "primitiveUnits") === "objectBoundingBox",
-    region: [x, y, x + width, y + height],
+    region: rectangleOf(attributes),
     regionIsOfBounds: attribute(attributes, "filterUnits") !== "userSpaceOnUse",
   };
 }
 
-interface Picture {
-  readonly width: number;
-  readonly height: number;
-}
-
 /** What the filter goes over, in the group's units. */
-function regionOf({ region, regionIsOfBounds }: Filter, group: FilteredGroup, picture: Picture): Bounds {
-  if (!regionIsOfBounds) return region;
-  const bounds = boundsOrPicture(group, picture);
+function regionOf({ region, regionIsOfBounds }: Filter, { bounds }: FilteredGroup): Bounds {
   const [width, height] = sidesOf(bounds);
-  const [x0, y0, x1, y1] = region;
-  return [bounds[0] + x0 * width, bounds[1] + y0 * height, bounds[0] + x1 * width, bounds[1] + y1 * height];
+  return regionIsOfBounds ? moved([width, 0, 0, height, bounds[0], bounds[1]], region) : region;
 }
-
-const boundsOrPicture = ({ bounds }: FilteredGroup, { width, height }: Picture): Bounds =>
-  bounds ?? [0, 0, width, height];

@@ -5,7 +5,7 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { badPicture, readPictureHeader } from "./picture-header.ts";
 import { rasterSize } from "./raster-size.ts";
-import { readShippedFont, SHIPPED_FONTS, type ShippedFontId, shippedFontAddress, standIn } from "./shipped-fonts.ts";
+import { readShippedFont, SHIPPED_FONTS, type ShippedFontId, standIn } from "./shipped-fonts.ts";
 import { canFilter, type FilterUse, filterUses } from "./svg-cost.ts";
 import { type SvgFonts, simplifiedSvg, startSvgRenderer, svgSize } from "./svg-renderer.ts";
 import { encodingOf } from "./svg-start.ts";
@@ -36,8 +36,14 @@ const HINT = "Open it in a drawing program and save it again as plain SVG.";
 /**
  * Reads an SVG file. Rejects with "bad-picture" naming the file: too large, not UTF-8 or UTF-16, not well-formed, without a
  * size, with entities or pictures inside that grow beyond all measure, or with filters that take as long.
+ *
+ * @param readFont for words that filters go over; rejects with "missing-file"
  */
-export async function readSvgFile(bytes: Uint8Array, name: string): Promise<SvgFile> {
+export async function readSvgFile(
+  bytes: Uint8Array,
+  name: string,
+  readFont: (id: ShippedFontId) => Promise<Uint8Array> = readShippedFont,
+): Promise<SvgFile> {
   if (bytes.length > MAX_BYTES) {
     throw badPicture(name, `it has ${bytes.length} bytes, and ${MAX_BYTES} is the most for SVG`, "Make it simpler.");
   }
@@ -51,7 +57,9 @@ export async function readSvgFile(bytes: Uint8Array, name: string): Promise<SvgF
     throw badPicture(name, `it is ${width} × ${height}, which is more than ${MAX_ASPECT} times as long as wide`, HINT);
   }
   const fonts = fontsOf(svg);
-  const simplified = MAY_FILTER.test(svg) ? simplifiedSvg(svg, await fontsFor(fonts)) : "";
+  const simplified = MAY_FILTER.test(svg)
+    ? simplifiedSvg(svg, svgFonts(await Promise.all(fonts.map((id) => readFont(id)))))
+    : "";
   checkInnerDrawings(simplified, name);
   const filters = filterUses(simplified);
   const [leastWidth, leastHeight] = rasterSize(aspect, [1, 1]);
@@ -161,11 +169,6 @@ function fontsOf(svg: string): ShippedFontId[] {
   return [...fonts];
 }
 
-/** Filters go over words as well. */
-async function fontsFor(ids: readonly ShippedFontId[]): Promise<SvgFonts | null> {
-  if (ids.length === 0) return null;
-  return { buffers: await Promise.all(ids.map(readShippedFont)), family: SHIPPED_FONTS["inter-400"].name };
-}
-
-/** How the shipped fonts of a document are told apart from other assets. */
-export const svgFontKeys = (file: SvgFile): string[] => file.fonts.map(shippedFontAddress);
+/** What the renderer is given for the words of a document; null without any. */
+export const svgFonts = (buffers: readonly Uint8Array[]): SvgFonts | null =>
+  buffers.length === 0 ? null : { buffers, family: SHIPPED_FONTS["inter-400"].name };

@@ -3,8 +3,8 @@
 export interface FilteredGroup {
   /** The ids of its filters. */
   readonly filters: readonly string[];
-  /** Of what is in it, strokes left out, in its own units; null where that is nothing. */
-  readonly bounds: Bounds | null;
+  /** Of what is in it, strokes left out, in its own units; the picture's where that is nothing. */
+  readonly bounds: Bounds;
   /** From its own units to the document's. */
   readonly matrix: Matrix;
   /** It is part of a pattern or a mask, which is drawn in the units of what asks for it, wherever that is. */
@@ -43,10 +43,12 @@ export function layoutOf(simplified: string): SvgLayout {
   const open: OpenElement[] = [];
   let largestScale = 1;
   let longestSide = 1;
-  const definitionScales: ((longestSide: number) => number)[] = [() => 1];
+  // Of patterns and masks: as a number, and as a share of what asks for them.
+  let plainScale = 1;
+  let shareScale = 0;
   const end = ({ attributes, own, matrix, isDefinition, bounds }: OpenElement): void => {
     const filters = [...attribute(attributes, "filter").matchAll(/url\(#([^)]*)\)/g)].map(([, id = ""]) => id);
-    if (filters.length > 0) filtered.push({ filters, bounds, matrix, isDefinition });
+    if (filters.length > 0) filtered.push({ filters, bounds: bounds ?? [0, 0, width, height], matrix, isDefinition });
     if (bounds === null) return;
     longestSide = Math.max(longestSide, ...sidesOf(bounds));
     const around = open.at(-1);
@@ -62,18 +64,22 @@ export function layoutOf(simplified: string): SvgLayout {
     const own = matrixOf(attribute(attributes, "transform") || attribute(attributes, "patternTransform"));
     const matrix = product(around?.matrix ?? SAME, own);
     largestScale = Math.max(largestScale, scaleOf(matrix));
-    if (name === "pattern" || name === "mask") definitionScales.push(definitionScale(name, attributes));
+    if (name === "pattern" || name === "mask") {
+      const { scale, isShare } = definitionScale(name, attributes);
+      if (isShare) shareScale = Math.max(shareScale, scale);
+      else plainScale = Math.max(plainScale, scale);
+    }
     const isDefinition = name === "defs" || (around?.isDefinition ?? false);
     const element = { attributes, own, matrix, isDefinition, bounds: boundsOf(name, attributes) };
     if (isEmpty) end(element);
     else open.push(element);
   }
-  const scaleOfDefinitions = largestScale * Math.max(...definitionScales.map((scale) => scale(longestSide)));
+  const scaleOfDefinitions = largestScale * Math.max(plainScale, shareScale * longestSide);
   return { width, height, filtered, scaleOfDefinitions };
 }
 
-/** How much a pattern or mask enlarges what is in it, by the longest side of anything that may ask for it. */
-function definitionScale(name: string, attributes: string): (longestSide: number) => number {
+/** How much a pattern or mask enlarges what is in it; `isShare`: for each unit of length of what asks for it. */
+function definitionScale(name: string, attributes: string): { scale: number; isShare: boolean } {
   const [, , width = 0, height = 0] = numbersOf(attribute(attributes, "viewBox"));
   const fitted = width > 0 && height > 0 && name === "pattern";
   const scale = fitted
@@ -82,7 +88,7 @@ function definitionScale(name: string, attributes: string): (longestSide: number
   const isShare = fitted
     ? attribute(attributes, "patternUnits") !== "userSpaceOnUse"
     : attribute(attributes, `${name}ContentUnits`) === "objectBoundingBox";
-  return (longestSide) => scale * (isShare ? longestSide : 1);
+  return { scale, isShare };
 }
 
 /** The rectangle around a rectangle in other units. */
@@ -102,11 +108,16 @@ export const attribute = (attributes: string, name: string): string =>
 
 export const numbersOf = (list: string): number[] => (list.match(/[-+]?[\d.]+(?:e[-+]?\d+)?/gi) ?? []).map(Number);
 
+/** By an element's own x, y, width and height. */
+export function rectangleOf(attributes: string): Bounds {
+  const [x = 0, y = 0, width = 0, height = 0] = ["x", "y", "width", "height"].map((name) =>
+    Number(attribute(attributes, name)),
+  );
+  return [x, y, x + width, y + height];
+}
+
 function boundsOf(name: string, attributes: string): Bounds | null {
-  if (name === "image") {
-    const [x, y, width, height] = ["x", "y", "width", "height"].map((side) => Number(attribute(attributes, side)));
-    return [x ?? 0, y ?? 0, (x ?? 0) + (width ?? 0), (y ?? 0) + (height ?? 0)];
-  }
+  if (name === "image") return rectangleOf(attributes);
   if (name !== "path") return null;
   // A curve stays within its control points.
   const places = numbersOf(attribute(attributes, "d"));
