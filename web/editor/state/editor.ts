@@ -122,6 +122,7 @@ export class Editor {
       projects,
       admission,
       texts: () => this.texts,
+      giveUp: () => this.tools.cancel(),
     });
     const keeping = keepProjects({
       ...{ store, library, files: this.files, board, tasks, keeps },

@@ -34,6 +34,8 @@ export interface FileCommandsParts {
   /** Null: whatever can be opened may be. */
   readonly admission: Admission | null;
   readonly texts: () => TextCommands;
+  /** Takes back what a tool has under way; false where nothing is. */
+  readonly giveUp: () => boolean;
   /** A function, because the two need each other. */
   readonly projects: () => ProjectCommands;
 }
@@ -185,9 +187,10 @@ export class FileCommands {
     );
   }
 
-  /** One step back or forth. */
+  /** One step back or forth. To undo in the middle of a stroke means the stroke, and not the step before it. */
   async travel(direction: "undo" | "redo"): Promise<void> {
-    const { session, store, board } = this.#parts;
+    const { session, store, board, giveUp } = this.#parts;
+    if (giveUp() && direction === "undo") return;
     await session.settled();
     const label = direction === "undo" ? store.state.undoLabel : store.state.redoLabel;
     const position = session.position + (direction === "undo" ? -1 : 1);
@@ -202,7 +205,8 @@ export class FileCommands {
 
   /** To any step of the history: a place among its labels. */
   async travelTo(position: number): Promise<void> {
-    const { session, store, board } = this.#parts;
+    const { session, store, board, giveUp } = this.#parts;
+    giveUp();
     await session.settled();
     const label = store.state.history.labels[position];
     await this.#travelTo(position, () =>

@@ -27,11 +27,7 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
   return editor.tools.handleKey(event) || (event.altKey ? handleAlt : handlePlain)(event, editor);
 }
 
-function handleCommand(
-  event: KeyboardEvent,
-  { files, layers, store, tools }: Editor,
-  actions: ShortcutActions,
-): boolean {
+function handleCommand(event: KeyboardEvent, { files, layers, store }: Editor, actions: ShortcutActions): boolean {
   if (event.altKey) return false;
   if (store.state.readonly && event.key.toLowerCase() !== "s") return false;
   // By place on the keyboard: where a layout has these characters on another level, Ctrl means another one.
@@ -39,8 +35,7 @@ function handleCommand(
   if (event.code === "BracketLeft") return arrange(layers, -1, event.shiftKey);
   switch (event.key.toLowerCase()) {
     case "z":
-      // In the middle of a stroke that is what is meant, and not the step before it.
-      if (event.shiftKey || !tools.cancel()) void files.travel(event.shiftKey ? "redo" : "undo");
+      void files.travel(event.shiftKey ? "redo" : "undo");
       return true;
     case "y":
       void files.travel("redo");
