@@ -1,7 +1,8 @@
 import { gzipSync } from "node:zlib";
 import { afterEach, describe, expect, it } from "vitest";
-import { canFilter, filterUses } from "../../web/engine/svg-cost.ts";
+import { canFilter, costOf, type SvgCost } from "../../web/engine/svg-cost.ts";
 import { readSvgFile } from "../../web/engine/svg-file.ts";
+import { NO_SHAPES } from "../../web/engine/svg-shapes.ts";
 import { decal } from "../support/layers.ts";
 import { allTexels, endHosts, paintablePlane } from "../support/painted-plane.ts";
 
@@ -22,6 +23,8 @@ const drawingInside = (drawing: Uint8Array): Uint8Array =>
   svgOf(`<image width="9" height="9" href="data:image/svg+xml;base64,${Buffer.from(drawing).toString("base64")}"/>`);
 const SHADOW =
   '<feGaussianBlur stdDeviation="2"/><feOffset dx="1" dy="1"/><feMerge><feMergeNode/><feMergeNode in="SourceGraphic"/></feMerge>';
+
+const filtersOf = (simplified: string): SvgCost["filters"] => costOf(simplified, () => NO_SHAPES).filters;
 
 describe("the filters of a drawing", () => {
   it.each([
@@ -66,20 +69,19 @@ describe("the filters of a drawing", () => {
 
   it("that drawings have pass, and the more they are the fewer pixels they get", async () => {
     const one = await readSvgFile(filtered(SHADOW), "one.svg");
-    expect(canFilter(one.filters, 2048, 2048)).toBe(true);
-    const many = await readSvgFile(
-      filtered(SHADOW, '<rect width="9" height="9" filter="url(#f)"/>'.repeat(50)),
-      "many",
-    );
-    expect(canFilter(many.filters, 2048, 2048)).toBe(false);
-    expect(canFilter(many.filters, 256, 256)).toBe(true);
-    expect((await readSvgFile(svgOf('<rect width="9" height="9"/>'), "plain.svg")).filters).toEqual([]);
+    expect(canFilter(one.cost, 2048, 2048)).toBe(true);
+    const many = await readSvgFile(filtered(SHADOW, FILTERED_RECT.repeat(50)), "many");
+    expect(canFilter(many.cost, 2048, 2048)).toBe(false);
+    expect(canFilter(many.cost, 256, 256)).toBe(true);
+    expect((await readSvgFile(svgOf('<rect width="9" height="9"/>'), "plain.svg")).cost.filters).toEqual([]);
   });
 
-  it("count by the pixels that they go over, from one picture on", async () => {
+  it("count by the pixels that they go over, in the picture and beside it", async () => {
     const areas = async (body: string): Promise<number[]> =>
-      (await readSvgFile(svgOf(`<filter id="f">${NOISE}</filter>${FAR}${body}`), "a")).filters.map(({ area }) => area);
-    expect(await areas('<rect width="9" height="9" filter="url(#f)"/>')).toEqual([1]);
+      (await readSvgFile(svgOf(`<filter id="f">${NOISE}</filter>${FAR}${body}`), "a")).cost.filters.map(
+        ({ area }) => area,
+      );
+    expect(await areas('<rect width="9" height="9" filter="url(#f)"/>')).toEqual([expect.closeTo(0.09 * 0.09 * 1.44)]);
     expect(await areas('<rect width="900" height="500" filter="url(#f)"/>')).toEqual([expect.closeTo(9 * 5 * 1.44)]);
     expect(await areas('<path d="M8 8l2 1-1 2z" filter="url(#far)"/>')).toEqual([expect.closeTo(4.02 * 6.03)]);
     expect(
@@ -90,11 +92,11 @@ describe("the filters of a drawing", () => {
   });
 
   it("are found however they are spelled", async () => {
-    const { filters } = await readSvgFile(
+    const { cost } = await readSvgFile(
       svgOf('<g style="f&#105;lter:blur(4px)"><path d="M0 0h9v9z"/></g>'),
       "spelled.svg",
     );
-    expect(filters).toHaveLength(1);
+    expect(cost.filters).toHaveLength(1);
   });
 
   it.each([
@@ -109,7 +111,7 @@ describe("the filters of a drawing", () => {
 
   it("are not taken for granted in a drawing inside, but where it is packed", async () => {
     const plain = svgOf('<rect width="9" height="9"/>');
-    expect((await readSvgFile(drawingInside(plain), "outer.svg")).filters).toEqual([]);
+    expect((await readSvgFile(drawingInside(plain), "outer.svg")).cost.filters).toEqual([]);
     await expect(readSvgFile(drawingInside(gzipSync(plain)), "outer.svg")).rejects.toMatchObject({
       code: "bad-picture",
     });
@@ -118,15 +120,15 @@ describe("the filters of a drawing", () => {
   it("are weighed beside any number of patterns", () => {
     const patterns = '<pattern id="q"></pattern>'.repeat(200_000);
     const document = `<svg viewBox="0 0 100 100"><defs><filter id="f"><feFlood/></filter>${patterns}</defs><g filter="url(#f)"></g></svg>`;
-    expect(filterUses(document)).toHaveLength(1);
+    expect(filtersOf(document)).toHaveLength(1);
   });
 
   it("count as often as a pattern with them is used", () => {
     const of = (uses: number): string =>
       `<svg viewBox="0 0 100 100"><defs><filter id="f"><feFlood/></filter><pattern id="p"><g filter="url(#f)"></g></pattern></defs>${'<path fill="url(#p)"/>'.repeat(uses)}</svg>`;
     const weigh = (uses: number): number =>
-      filterUses(of(uses)).reduce((sum, { weight, times }) => sum + weight * times, 0);
-    expect(weigh(9) / weigh(1)).toBe(5);
+      filtersOf(of(uses)).reduce((sum, { weight, times }) => sum + weight * times, 0);
+    expect(weigh(9) / weigh(1)).toBe(9);
   });
 
   it("are drawn smaller where the full size would take too long", async () => {

@@ -11,7 +11,7 @@ import { allPicturesOf, withPictures } from "./layer-picture.ts";
 import { badPicture } from "./picture-header.ts";
 import { footprintTexels, LEAST_RASTER_PIXELS, type RasterTarget, rasterSize } from "./raster-size.ts";
 import { readShippedFont, type ShippedFontId } from "./shipped-fonts.ts";
-import { canFilter } from "./svg-cost.ts";
+import { canDraw } from "./svg-cost.ts";
 import { describeFault, readSvgFile, type SvgFile, svgFonts } from "./svg-file.ts";
 import { renderSvg, startSvgRenderer, svgRendererReady } from "./svg-renderer.ts";
 import { drawText, measureText } from "./text-drawing.ts";
@@ -173,7 +173,7 @@ export class DrawnPictures {
     const aspect = file.width / file.height;
     let [width, height] = rasterSize(aspect, footprint);
     // Less sharp rather than not at all; at the least size the file was checked when it came.
-    while (!canFilter(file.filters, width, height) && Math.max(width, height) > LEAST_RASTER_PIXELS) {
+    while (!canDraw(file.cost, width, height) && Math.max(width, height) > LEAST_RASTER_PIXELS) {
       [width, height] = [Math.max(1, width >> 1), Math.max(1, height >> 1)];
     }
     const draw = (): Picture => {

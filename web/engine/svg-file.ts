@@ -2,12 +2,13 @@
  * An SVG file before it is drawn: told by its content, decoded, and checked against what a hostile one would do. Scripts
  * and addresses need no check: the renderer runs nothing and fetches nothing.
  */
-import { TexelcastError } from "../core/texelcast-error.ts";
 import { badPicture, readPictureHeader } from "./picture-header.ts";
 import { rasterSize } from "./raster-size.ts";
 import { readShippedFont, SHIPPED_FONTS, type ShippedFontId, standIn } from "./shipped-fonts.ts";
-import { canFilter, type FilterUse, filterUses } from "./svg-cost.ts";
-import { type SvgFonts, simplifiedSvg, startSvgRenderer, svgSize } from "./svg-renderer.ts";
+import { canDraw, canFilter, costOf, type SvgCost } from "./svg-cost.ts";
+import { growthOf } from "./svg-growth.ts";
+import { readSvg, type SvgDocument, type SvgFonts, startSvgRenderer } from "./svg-renderer.ts";
+import { NO_SHAPES, type ShapeCost } from "./svg-shapes.ts";
 import { encodingOf } from "./svg-start.ts";
 import { isInvisible, scriptOf } from "./text-script.ts";
 
@@ -19,25 +20,33 @@ export interface SvgFile {
   readonly height: number;
   /** Fonts for the words in it; none without. */
   readonly fonts: readonly ShippedFontId[];
-  readonly filters: readonly FilterUse[];
+  readonly cost: SvgCost;
 }
 
 const MAX_BYTES = 16 * 2 ** 20;
 /** Characters that entities may grow to; drawing programs name a few namespaces with them. */
 const MAX_ENTITY_GROWTH = 2 ** 20;
+/** What stands before the comma is short; without an end to it, many would each be looked for in all that follows. */
+const INNER_PICTURE = /data:image\/(png|jpe?g|webp|gif)[^,"']{0,200},([^"']*)/i;
 /** Of all pictures inside it. */
 const MAX_INNER_PIXELS = 64 * 2 ** 20;
+/** Characters that it may grow to by what it reuses, and by its words. */
+const MAX_LENGTH = 32 * 2 ** 20;
+/** Elements, by all that asks for them. */
+const MAX_VISITS = 1e7;
+/** Of rules of style with elements, and the like. */
+const MAX_COMPARISONS = 1e9;
 /** Longer side by shorter. */
 const MAX_ASPECT = 1000;
-/** References may spell any word. */
-const MAY_FILTER = /filter|data:image\/svg|&#|<!ENTITY/i;
+/** Of pictures inside, for each of their pixels: as of svg-cost.ts. */
+const INNER_PIXEL = 5;
 const HINT = "Open it in a drawing program and save it again as plain SVG.";
 
 /**
  * Reads an SVG file. Rejects with "bad-picture" naming the file: too large, not UTF-8 or UTF-16, not well-formed, without a
- * size, with entities or pictures inside that grow beyond all measure, or with filters that take as long.
+ * size, growing beyond all measure by what it reuses, entities or pictures inside, or taking as long to draw.
  *
- * @param readFont for words that filters go over; rejects with "missing-file"
+ * @param readFont for its words; rejects with "missing-file"
  */
 export async function readSvgFile(
   bytes: Uint8Array,
@@ -48,25 +57,23 @@ export async function readSvgFile(
     throw badPicture(name, `it has ${bytes.length} bytes, and ${MAX_BYTES} is the most for SVG`, "Make it simpler.");
   }
   const svg = decode(bytes, name);
-  checkEntities(svg, name);
+  checkGrowth(withEntities(svg, name), name);
   checkInnerPictures(svg, name);
   await startSvgRenderer();
-  const { width, height } = readSize(svg, name);
+  const fonts = fontsOf(svg);
+  const buffers = await Promise.all(fonts.map((id) => readFont(id)));
+  const { width, height, simplified } = readDocument(svg, svgFonts(buffers), name);
   const aspect = width / height;
   if (!(aspect <= MAX_ASPECT && aspect >= 1 / MAX_ASPECT)) {
     throw badPicture(name, `it is ${width} × ${height}, which is more than ${MAX_ASPECT} times as long as wide`, HINT);
   }
-  const fonts = fontsOf(svg);
-  const simplified = MAY_FILTER.test(svg)
-    ? simplifiedSvg(svg, svgFonts(await Promise.all(fonts.map((id) => readFont(id)))))
-    : "";
-  checkInnerDrawings(simplified, name);
-  const filters = filterUses(simplified);
+  const cost = costOf(simplified, (data) => costOfInner(data, name));
   const [leastWidth, leastHeight] = rasterSize(aspect, [1, 1]);
-  if (!canFilter(filters, leastWidth, leastHeight)) {
-    throw badPicture(name, "its filters would take too long to draw", "Make them simpler, or save it as PNG.");
+  if (!canDraw(cost, leastWidth, leastHeight)) {
+    const what = canFilter(cost, leastWidth, leastHeight) ? "it" : "its filters";
+    throw badPicture(name, `${what} would take too long to draw`, "Make it simpler, or save it as PNG.");
   }
-  return { name, svg, width, height, fonts, filters };
+  return { name, svg, width, height, fonts, cost };
 }
 
 function decode(bytes: Uint8Array, name: string): string {
@@ -77,18 +84,36 @@ function decode(bytes: Uint8Array, name: string): string {
   }
 }
 
-function checkEntities(svg: string, name: string): void {
-  let growth = 0;
+/** The document with what its entities stand for in their places. */
+function withEntities(svg: string, name: string): string {
+  const entities = new Map<string, string>();
   for (const [, entity = "", , value = ""] of svg.matchAll(/<!ENTITY\s+([^\s"'>]+)\s+(["'])(.*?)\2/gs)) {
     if (/&[^#]/.test(value)) throw badPicture(name, `its entity “${entity}” is made of other entities`, HINT);
-    growth += value.length * (svg.split(`&${entity};`).length - 1);
+    if (!entities.has(entity)) entities.set(entity, value);
+  }
+  if (entities.size === 0) return svg;
+  let growth = 0;
+  return svg.replace(/&([^\s&;#]+);/g, (reference, entity: string) => {
+    const value = entities.get(entity) ?? reference;
+    growth += value.length;
     if (growth > MAX_ENTITY_GROWTH) throw badPicture(name, "its entities grow beyond all measure", HINT);
+    return value;
+  });
+}
+
+function checkGrowth(svg: string, name: string): void {
+  const { length, visits, comparisons } = growthOf(svg);
+  if (length > MAX_LENGTH || visits > MAX_VISITS) {
+    throw badPicture(name, "with all that it reuses, and its words, it grows beyond all measure", "Make it simpler.");
+  }
+  if (comparisons > MAX_COMPARISONS) {
+    throw badPicture(name, "it would take too long to read: too much in it is styled or reused", HINT);
   }
 }
 
 function checkInnerPictures(svg: string, name: string): void {
   let pixels = 0;
-  for (const [, type = "", data = ""] of svg.matchAll(/data:image\/(png|jpe?g|webp|gif)[^,"']*,([^"']*)/gi)) {
+  for (const [, type = "", data = ""] of svg.matchAll(new RegExp(INNER_PICTURE, "gi"))) {
     const inner = `${name}, picture inside`;
     // Its header, with the room that an EXIF block may take before it.
     const { width, height } = readHeaderLeniently(data, inner, type);
@@ -99,26 +124,35 @@ function checkInnerPictures(svg: string, name: string): void {
   }
 }
 
-/** What filters inside a drawing inside would take is not told from outside, nor what it is where it is packed. */
-function checkInnerDrawings(simplified: string, name: string): void {
-  for (const [, data = ""] of simplified.matchAll(/data:image\/svg\+xml;base64,\s*([^"']*)/g)) {
-    const inner = atob(data);
-    if (inner.includes("<svg") && !hasFilters(inner)) continue;
-    throw badPicture(
-      name,
-      "a drawing inside it has filters, or is packed",
-      "Draw what is inside into the drawing itself.",
-    );
+/**
+ * Of a picture or drawing inside. One that cannot be read is left out by the renderer. What filters inside a drawing inside
+ * would take is not told from outside, nor what it is where it is packed: rejected.
+ */
+function costOfInner(data: string, name: string): ShapeCost {
+  const [, drawing] = /^data:image\/svg\+xml;base64,\s*([^"']*)/.exec(data) ?? [];
+  if (drawing === undefined) {
+    const [, type = "", picture = ""] = INNER_PICTURE.exec(data) ?? [];
+    if (picture === "") return NO_SHAPES;
+    const { width, height } = readHeaderLeniently(picture, `${name}, picture inside`, type);
+    return { ...NO_SHAPES, once: INNER_PIXEL * width * height };
   }
+  const inner = atob(drawing);
+  const cost = inner.includes("<svg") ? costOfDrawing(inner, name) : null;
+  if (cost?.filters.length === 0) return cost.shapes;
+  throw badPicture(
+    name,
+    "a drawing inside it has filters, or is packed",
+    "Draw what is inside into the drawing itself.",
+  );
 }
 
-/** One that cannot be read is left out by the renderer. */
-function hasFilters(svg: string): boolean {
+function costOfDrawing(svg: string, name: string): SvgCost {
+  checkGrowth(withEntities(svg, name), name);
+  let simplified = "";
   try {
-    return simplifiedSvg(svg).includes("<filter");
-  } catch {
-    return false;
-  }
+    ({ simplified } = readSvg(svg));
+  } catch {}
+  return costOf(simplified, () => NO_SHAPES);
 }
 
 /** A picture that cannot be read is left out by the renderer, so that only sizes matter here. */
@@ -136,11 +170,10 @@ function readHeaderLeniently(data: string, name: string, type: string): { width:
   return readPictureHeader(bytes, name);
 }
 
-function readSize(svg: string, name: string): { width: number; height: number } {
+function readDocument(svg: string, fonts: SvgFonts | null, name: string): SvgDocument {
   try {
-    return svgSize(svg);
+    return readSvg(svg, fonts);
   } catch (thrown) {
-    if (thrown instanceof TexelcastError) throw thrown;
     throw badPicture(name, describeFault(thrown), HINT, thrown);
   }
 }

@@ -34,14 +34,20 @@ async function start(): Promise<void> {
 
 export const svgRendererReady = (): boolean => resvg !== undefined;
 
-/** Width and height as the document gives them, CSS pixels. Throws what resvg says of a document that it cannot read. */
-export function svgSize(svg: string): { readonly width: number; readonly height: number } {
-  return withDocument(svg, {}, null, ({ width, height }) => ({ width, height }));
+export interface SvgDocument {
+  /** As the document gives them, CSS pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** With nothing reused, no styles, numbers for all, and its words as paths. */
+  readonly simplified: string;
 }
 
-/** The document with nothing reused, no styles, numbers for all, and its words as paths. Throws as `svgSize`. */
-export function simplifiedSvg(svg: string, fonts: SvgFonts | null = null): string {
-  return withDocument(svg, {}, fonts, (document) => document.toString());
+/** Throws what resvg says of a document that it cannot read. */
+export function readSvg(svg: string, fonts: SvgFonts | null = null): SvgDocument {
+  return withDocument(svg, {}, fonts, (document) => {
+    const { width, height } = document;
+    return { width, height, simplified: document.toString() };
+  });
 }
 
 /**

@@ -18,8 +18,8 @@ const MARKUP: readonly Rule[] = [
   [/[\s"'/]on[a-z]{3,}\s*=\s*["']/i, "an event handler"],
   [/\battributeName\s*=\s*["']?\s*on/i, "an event handler"],
   [/<\?xml-stylesheet\b/i, "a style sheet of its own"],
-  [/<!ENTITY\s[^>]*(?:SYSTEM|PUBLIC|["'][^"'>]*<)/i, "an entity that stands for markup or another file"],
 ];
+const ENTITY = /SYSTEM|PUBLIC|["'][^"'>]*</i;
 /** Browsers pass over blanks in these. */
 const ADDRESSES: readonly Rule[] = [
   [/(?:javascript|vbscript|livescript):/i, "an address that runs a script"],
@@ -35,13 +35,67 @@ export function cleanSvg(bytes: Uint8Array, name: string): Uint8Array<ArrayBuffe
   // A scanner is misled by what it leaves out: nothing is looked at before it is read as a browser would read it.
   const read = withoutReferences(svg);
   for (const [pattern, what] of MARKUP) if (pattern.test(svg) || pattern.test(read)) throw unsafe(name, what);
+  if (hasUnsafeEntity(svg) || hasUnsafeEntity(read))
+    throw unsafe(name, "an entity that stands for markup or another file");
   const addresses = read.replace(/[\s\0]+/g, "");
   for (const [pattern, what] of ADDRESSES) if (pattern.test(addresses)) throw unsafe(name, what);
-  const clean = svg
-    .replace(/^\ufeff/, "")
-    .replace(/^(<\?xml[^>]*?)\sencoding\s*=\s*(["'])[^"']*\2/, "$1")
-    .replace(/<metadata\b[^>]*\/>|<metadata\b[^>]*>[\s\S]*?<\/metadata\s*>/g, "");
-  return new TextEncoder().encode(clean.includes("<![CDATA[") ? clean : clean.replace(/<!--[\s\S]*?-->/g, ""));
+  const plain = svg.replace(/^\ufeff/, "").replace(/^(<\?xml[^>]*?)\sencoding\s*=\s*(["'])[^"']*\2/, "$1");
+  const clean = withoutMetadata(plain);
+  return new TextEncoder().encode(clean.includes("<![CDATA[") ? clean : withoutComments(clean));
+}
+
+type Search = (from: number) => RegExpExecArray | null;
+
+/** Looks for a pattern from places that only grow: a hostile text takes no longer than another one of its length. */
+function forward(text: string, pattern: RegExp): Search {
+  let found: RegExpExecArray | null | undefined;
+  return (from) => {
+    if (found === undefined || (found !== null && found.index < from)) {
+      pattern.lastIndex = from;
+      found = pattern.exec(text);
+    }
+    return found;
+  };
+}
+
+const endOf = (found: RegExpExecArray | null): number => (found === null ? -1 : found.index + found[0].length);
+
+function hasUnsafeEntity(text: string): boolean {
+  const nextEntity = forward(text, /<!ENTITY\s/gi);
+  const nextEnd = forward(text, />/g);
+  for (let entity = nextEntity(0); entity !== null; ) {
+    const end = nextEnd(entity.index)?.index ?? text.length;
+    if (ENTITY.test(text.slice(entity.index, end))) return true;
+    entity = nextEntity(end);
+  }
+  return false;
+}
+
+function withoutMetadata(svg: string): string {
+  const nextEnd = forward(svg, />/g);
+  const nextClose = forward(svg, /<\/metadata\s*>/g);
+  return without(svg, /<metadata\b/g, (start) => {
+    const end = endOf(nextEnd(start));
+    return end < 0 || svg[end - 2] === "/" ? end : endOf(nextClose(end));
+  });
+}
+
+function withoutComments(svg: string): string {
+  const nextClose = forward(svg, /-->/g);
+  return without(svg, /<!--/g, (start) => endOf(nextClose(start)));
+}
+
+/** @param endFrom where what begins at a place ends; -1 where it does not */
+function without(text: string, pattern: RegExp, endFrom: (start: number) => number): string {
+  let kept = "";
+  let from = 0;
+  for (const { index } of text.matchAll(pattern)) {
+    const end = index < from ? -1 : endFrom(index);
+    if (end < 0) continue;
+    kept += text.slice(from, index);
+    from = end;
+  }
+  return kept + text.slice(from);
 }
 
 function decode(bytes: Uint8Array, name: string): string {
