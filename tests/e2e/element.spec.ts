@@ -63,7 +63,13 @@ test("a customer personalises a product, and the hash that is approved is that o
   await expect(editor.getByRole("button", { name: "flower Picture" })).toHaveAttribute("aria-pressed", "true");
 
   // By number and by keyboard.
-  await editor.getByRole("spinbutton", { name: "Width, cm" }).fill("3");
+  const wide = editor.getByRole("spinbutton", { name: "Width, cm" });
+  await wide.fill("1000000000");
+  await page.keyboard.press("Enter");
+  const widest = Number(await wide.getAttribute("aria-valuemax"));
+  expect(widest, "ten times the mug, in centimetres").toBeLessThan(1000);
+  await expect(wide).toHaveAttribute("aria-valuenow", String(widest));
+  await wide.fill("3");
   await page.keyboard.press("Enter");
   await editor.getByRole("application").focus();
   await page.keyboard.press("Shift+ArrowLeft");

@@ -1,6 +1,7 @@
 /** The fields of what is chosen: its words, its size, its turn. */
 import { html, nothing, type TemplateResult } from "lit";
 import type { DesignLayer, TextLayer } from "../../editor/document/design.ts";
+import { diagonalOf } from "../../editor/state/editor-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import { orientationOf } from "../../editor/state/rotation.ts";
 import "../../editor/ui/number-field.ts";
@@ -10,6 +11,9 @@ import { SHIPPED_FONTS, type ShippedFontId, shippedFontOf } from "../../engine/s
 import type { Desk } from "../desk/desk.ts";
 import { shippedFont, type Texts } from "../desk/texts.ts";
 import type { ModeHost } from "../mode.ts";
+
+/** Of the model's diagonal: what is wider by far is a slip of the keys, and shows one colour. */
+const MOST_SIZE = 10;
 
 export interface FieldsHost {
   readonly host: ModeHost;
@@ -76,6 +80,7 @@ function sizeFields(view: FieldsHost, id: string, projector: Projector): Templat
   const { words } = view.host;
   const size = sizeOf(projector);
   const scale = view.printScale * 100;
+  const most = diagonalOf(view.desk.store.state.model) * MOST_SIZE;
   return html`
     ${
       size === null
@@ -87,6 +92,7 @@ function sizeFields(view: FieldsHost, id: string, projector: Projector): Templat
               value: size[side] * scale,
               step: 0.1,
               min: 0.01,
+              max: Math.max(most, size[side]) * scale,
               set: (value) => scaledProjector(projector, value / (size[side] * scale)),
             }),
           )
