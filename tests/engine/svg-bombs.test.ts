@@ -98,7 +98,21 @@ describe("a drawing that would take for ever", () => {
       "dashes that many paths inherit",
       documentOf(`<g stroke-dasharray="${"1 ".repeat(50_000)}">${'<path d="M0 0h9"/>'.repeat(5000)}</g>`),
     ],
-    ["a book's words", documentOf(`<text>${"word ".repeat(20_000)}</text>`)],
+    [
+      "a drawing inside it, packed as bytes",
+      documentOf(`<image href="data:image/svg+xml;base64,${btoa(nested("mask", 20))}"/>`),
+    ],
+    [
+      "a drawing inside it, as text",
+      documentOf(`<image href="data:text/plain,${encodeURIComponent(nested("mask", 20))}"/>`),
+    ],
+    [
+      "a drawing inside it, with references",
+      documentOf(
+        `<image href='data:image/svg+xml,${nested("mask", 20).replaceAll("<", "&lt;").replaceAll('"', "&#34;")}'/>`,
+      ),
+    ],
+    ["a book's words", documentOf(`<text>${"word ".repeat(40_000)}</text>`)],
     [
       "stops of a gradient that many others take",
       documentOf(

@@ -12,6 +12,8 @@ export interface SvgGrowth {
   readonly visits: number;
   /** Of one thing with another, as the reader of SVG makes them: of rules of style with elements, and others. */
   readonly comparisons: number;
+  /** Addresses with data that are none of a picture's, and may be drawings inside. */
+  readonly inside: readonly string[];
 }
 
 interface OpenTag {
@@ -33,6 +35,7 @@ const ADDRESS = /url\(\s*["']?#([^"')]*)/g;
 const MARKER = /\bmarker(-\w+)?\s*[:=]\s*["']?\s*url\(\s*["']?#([^"')]*)/g;
 /** Characters that the outline of one takes. */
 const GLYPH = 600;
+const PICTURE = /^data:image\/(?!svg)/i;
 const PATHS: ReadonlySet<string> = new Set(["path", "line", "polyline", "polygon", "rect", "circle", "ellipse"]);
 /** Characters of a path for each of its points, at the least. */
 const POINT = 4;
@@ -60,6 +63,7 @@ export function growthOf(svg: string): SvgGrowth {
   }
   const open: OpenTag[] = [];
   const stops = new Map<string, number>();
+  const inside: string[] = [];
   let [rules, elements, reuses, squares] = [0, 0, 0, 0];
   for (const tag of tagsOf(text)) {
     const around = open.at(-1);
@@ -83,7 +87,8 @@ export function growthOf(svg: string): SvgGrowth {
       if (part !== outer) parts.ask(outer, part, 1);
       if (reused?.startsWith("#")) parts.ask(part, reused, 1);
     }
-    if (reused !== undefined) reuses += 1;
+    if (reused?.startsWith("#")) reuses += 1;
+    else if (reused?.startsWith("data:") && !PICTURE.test(reused)) inside.push(reused);
     if (tag.name === "stop") stops.set(part, (stops.get(part) ?? 0) + 1);
     const { asked, declarations } = styleOf(tag, styles);
     for (const id of asked) visited.ask(part, id, 1);
@@ -96,7 +101,7 @@ export function growthOf(svg: string): SvgGrowth {
   }
   for (const count of stops.values()) squares += STOP * count ** 2;
   const comparisons = (RULE * rules + reuses) * elements + squares;
-  return { length: copied.total(), visits: visited.total(), comparisons };
+  return { length: copied.total(), visits: visited.total(), comparisons, inside };
 }
 
 function openTag({ name, attributes }: XmlTag, around: OpenTag | undefined): OpenTag {
