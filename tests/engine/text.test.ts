@@ -7,6 +7,7 @@ import { drawText, measureText } from "../../web/engine/text-drawing.ts";
 import { FontShelf } from "../../web/engine/text-fonts.ts";
 import { layOutText } from "../../web/engine/text-layout.ts";
 import { fontsFor } from "../../web/engine/text-runs.ts";
+import { compositeFont } from "../support/composite-font.ts";
 
 const shelf = new FontShelf();
 
@@ -213,6 +214,18 @@ describe("fonts of the user's", () => {
     const at = new TextDecoder("latin1").decode(renamed.subarray(0, 400)).indexOf("cmap");
     renamed.set([0x78], at);
     expect(await refusal(renamed)).toMatchObject({ code: "bad-font", message: expect.stringContaining("cmap") });
+  });
+
+  it("whose letters are made of very many parts do not bring the engine down", async () => {
+    const own = new FontShelf();
+    await own.add("f", compositeFont(4, 10), "parts.ttf");
+    await own.load("texelcast:fonts/inter-400");
+    expect(layOutText(words("A", { font: "f" }), own).path.length).toBeGreaterThan(100_000);
+    for (const measured of [layOutText, measureText]) {
+      const tooMany = (): unknown => measured(words("A".repeat(10_000), { font: "f" }), own);
+      expect(tooMany).toThrow(expect.objectContaining({ code: "bad-font" }));
+      expect(tooMany).toThrow(/^“A{40}…” cannot be drawn: its letters have too many points/);
+    }
   });
 
   it("that are damaged inside do not bring the engine down", async () => {

@@ -5,7 +5,7 @@
 import { definitionUses } from "./svg-definitions.ts";
 import { elementsOf } from "./svg-elements.ts";
 import { type FilterUse, filterUses, weightOfFilters } from "./svg-filters.ts";
-import { costOfShapes, type ShapeCost, weightOfShapes } from "./svg-shapes.ts";
+import { costOfShapes, type ShapeCost, weightOfOutline, weightOfShapes } from "./svg-shapes.ts";
 
 export interface SvgCost {
   readonly filters: readonly FilterUse[];
@@ -35,3 +35,6 @@ export const canFilter = ({ filters }: SvgCost, width: number, height: number): 
 /** Whether the whole drawing does. */
 export const canDraw = ({ filters, shapes }: SvgCost, width: number, height: number): boolean =>
   weightOfFilters(filters, width, height) + weightOfShapes(shapes, width, height) <= MOST_WEIGHT;
+
+/** Whether an outline does, filled and stroked at any size. `heights`: its length, in heights of the picture. */
+export const canOutline = (points: number, heights: number): boolean => weightOfOutline(points, heights) <= MOST_WEIGHT;

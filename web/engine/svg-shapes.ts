@@ -63,7 +63,7 @@ export function costOfShapes(
         perPixel += use.times * share * weightOfPaint(attributes, paint, definitions);
       }
       perRow += use.times * EDGE_ROW * edges.heights;
-      once += use.times * (SHAPE + edges.count * (EDGE + EDGE_PAIR * edges.heights));
+      once += use.times * (SHAPE + weightOfEdges(edges.count, edges.heights));
     } else if (name === "image") {
       const picture = costOfPicture(attributes.get("href") ?? "");
       perPixel += use.times * share * (IMAGE + picture.perPixel);
@@ -74,6 +74,12 @@ export function costOfShapes(
   }
   return { perPixel, perRow, once };
 }
+
+/** Of an outline that is filled and stroked. `heights`: its length, in heights of the picture. */
+export const weightOfOutline = (points: number, heights: number): number =>
+  weightOfEdges(points * (1 + STROKE_EDGES), heights * 3);
+
+const weightOfEdges = (count: number, heights: number): number => count * (EDGE + EDGE_PAIR * heights);
 
 export const weightOfShapes = ({ perPixel, perRow, once }: ShapeCost, width: number, height: number): number =>
   perPixel * width * height + perRow * height + once;

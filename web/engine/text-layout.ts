@@ -4,8 +4,10 @@
  * roots, so that every engine sets a text alike (spec.md, 7).
  */
 import type { Buffer as HarfBuzzBuffer } from "harfbuzzjs";
+import { TexelcastError } from "../core/texelcast-error.ts";
 import type { EngineText } from "./engine-api.ts";
 import { type Turn, turnBy } from "./exact-turn.ts";
+import { canOutline } from "./svg-cost.ts";
 import { type FontShelf, loadedHarfBuzz, type TextFont } from "./text-fonts.ts";
 import { cleanText, missingCharacters, runsOf, type TextRun } from "./text-runs.ts";
 import { takesSpacing } from "./text-script.ts";
@@ -51,7 +53,13 @@ const UNITS = 1000;
 /** Lines of a bent text must not meet the middle of their circle. */
 const LEAST_RADIUS = 0.5;
 
-/** Sets a text. The fonts that `fontsFor` names must be on the shelf. */
+/** Of one text's letters: ten thousand of any script have fewer. */
+const MOST_POINTS = 2e6;
+
+/**
+ * Sets a text. The fonts that `fontsFor` names must be on the shelf. Throws "bad-font" naming the text where its letters have
+ * so many points that they would take minutes to draw.
+ */
 export function layOutText(style: TextStyle, shelf: FontShelf): TextLayout {
   const { font: key, letterSpacing } = style;
   const text = cleanText(style.text);
@@ -60,6 +68,9 @@ export function layOutText(style: TextStyle, shelf: FontShelf): TextLayout {
   const lines = runsByLine.map((runs) => setLine(runs, letterSpacing));
   const width = Math.max(0, ...lines.map((line) => line.width));
   const pen = new PathPen();
+  let points = 0;
+  for (const glyph of lines.flatMap((line) => line.glyphs)) points += pen.pointsOf(glyph);
+  if (points > MOST_POINTS) throw tooManyPoints(text);
   lines.forEach((line, index) => {
     const start = style.align === "left" ? 0 : (width - line.width) * (style.align === "center" ? 0.5 : 1);
     const baseline = index * metrics.lineHeight;
@@ -73,7 +84,17 @@ export function layOutText(style: TextStyle, shelf: FontShelf): TextLayout {
   const box: TextBounds | null = isStraight
     ? { left: -width / 2, top: -metrics.ascender, right: width / 2, bottom: depth - metrics.descender }
     : null;
-  return { path: pen.path, bounds: union(box, pen.bounds), missing: missingCharacters(text, key, shelf) };
+  const bounds = union(box, pen.bounds);
+  if (!canOutline(points, pen.length / (bounds.bottom - bounds.top || 1))) throw tooManyPoints(text);
+  return { path: pen.path, bounds, missing: missingCharacters(text, key, shelf) };
+}
+
+function tooManyPoints(text: string): TexelcastError {
+  const subject = text.length > 40 ? `${text.slice(0, 40)}…` : text;
+  return new TexelcastError("bad-font", `“${subject}” cannot be drawn: its letters have too many points.`, {
+    subject,
+    hint: "Use another font, or fewer words.",
+  });
 }
 
 interface Metrics {
@@ -174,9 +195,22 @@ function placementOf(glyph: PlacedGlyph, left: number, baseline: number, curve: 
   };
 }
 
+interface Glyph {
+  readonly outline: ReturnType<TextFont["font"]["glyphToJson"]>;
+  readonly points: number;
+}
+
+function glyphOf({ font }: TextFont, index: number): Glyph {
+  const outline = font.glyphToJson(index);
+  return { outline, points: outline.reduce((sum, { values }) => sum + values.length / 2, 0) };
+}
+
 /** Collects outlines and what they reach. */
 class PathPen {
   readonly #parts: string[] = [];
+  readonly #glyphs = new Map<TextFont, Map<number, Glyph>>();
+  /** Along all points of each glyph; em. */
+  length = 0;
   #left = Number.POSITIVE_INFINITY;
   #top = Number.POSITIVE_INFINITY;
   #right = Number.NEGATIVE_INFINITY;
@@ -194,13 +228,29 @@ class PathPen {
 
   draw({ font, glyph }: PlacedGlyph, { turn, x, y }: Placement): void {
     const scale = 1 / font.unitsPerEm;
-    for (const { type, values } of font.font.glyphToJson(glyph)) {
+    let before: readonly [x: number, y: number] | null = null;
+    for (const { type, values } of this.#glyph(font, glyph).outline) {
       this.#parts.push(type);
       for (let index = 0; index + 1 < values.length; index += 2) {
         const [along, up] = [(values[index] ?? 0) * scale, (values[index + 1] ?? 0) * scale];
+        if (before) this.length += Math.hypot(along - before[0], up - before[1]);
+        before = [along, up];
         this.#point(x + along * turn.cos + up * turn.sin, y + along * turn.sin - up * turn.cos);
       }
     }
+  }
+
+  /** With those that control curves. */
+  pointsOf({ font, glyph }: PlacedGlyph): number {
+    return this.#glyph(font, glyph).points;
+  }
+
+  #glyph(font: TextFont, index: number): Glyph {
+    const known = this.#glyphs.get(font) ?? new Map<number, Glyph>();
+    this.#glyphs.set(font, known);
+    const glyph = known.get(index) ?? glyphOf(font, index);
+    known.set(index, glyph);
+    return glyph;
   }
 
   /** Control points lie outside the outline, if anywhere: what they reach holds all of it. */
