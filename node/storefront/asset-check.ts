@@ -1,5 +1,7 @@
 /** What a file that arrives is, told by its content and never by what its sender says, and whether the shop takes it. */
+
 import { readFontHeader, sniffFont } from "../../web/engine/font-file.ts";
+import { checkJpegScans } from "../../web/engine/jpeg-scans.ts";
 import { readPictureHeader, sniffPicture } from "../../web/engine/picture-header.ts";
 import { readSvgFile } from "../../web/engine/svg-file.ts";
 import { isSvg } from "../../web/engine/svg-start.ts";
@@ -20,6 +22,7 @@ export async function checkAsset(bytes: Uint8Array, name: string): Promise<Store
     return "image/svg+xml";
   }
   const { format, width, height } = readPictureHeader(bytes, name);
+  if (format === "jpeg") checkJpegScans(bytes, name);
   if (width * height > SHOP_LIMITS.assetPixels) {
     throw shopError("too-large", `the picture has ${width} × ${height} pixels`, {
       subject: name,

@@ -13,6 +13,7 @@ import { imageBytes } from "../../web/engine/model-textures.ts";
 import { decodePicture, readPictureHeader } from "../../web/engine/picture-decoder.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
 import { makePng, paintPng, pngChunk, solidPng } from "../support/png-file.ts";
+import { jpegOfScans } from "../support/scanned-jpeg.ts";
 import { haveSharedModels, noteSkipped, sharedModel } from "../support/shared-models.ts";
 
 const require = createRequire(import.meta.url);
@@ -258,6 +259,14 @@ describe("a picture that cannot be used", () => {
     await expect(attempt).rejects.toMatchObject({ code: "bad-picture", subject: "shop/logo.png" });
     await expect(attempt).rejects.toThrow(message);
     await expect(attempt).rejects.toThrow(/logo\.png/);
+  });
+
+  it("is a JPEG of very many scans: each goes over the whole picture, however few bytes it has", async () => {
+    expect((await decodePicture(jpegOfScans(64, 100), "some.jpg")).width).toBe(64);
+    await expect(decodePicture(jpegOfScans(64, 101), "many.jpg")).rejects.toMatchObject({
+      code: "bad-picture",
+      message: expect.stringMatching(/“many\.jpg”.*it has more than 100 scans/),
+    });
   });
 
   it("does not use the decoder up, however many come", async () => {

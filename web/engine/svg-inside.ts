@@ -1,5 +1,6 @@
 /** Pictures and drawings inside an SVG. */
 import type { TexelcastError } from "../core/texelcast-error.ts";
+import { checkJpegScans } from "./jpeg-scans.ts";
 import { badPicture, readPictureHeader } from "./picture-header.ts";
 import { costOf, type SvgCost } from "./svg-cost.ts";
 import { readSvg } from "./svg-renderer.ts";
@@ -92,5 +93,7 @@ function readHeaderLeniently(data: string, name: string, type: string): { width:
     const [a = 0, b = 0, c = 0, d = 0] = bytes.subarray(6, 10);
     return { width: a + 256 * b, height: c + 256 * d };
   }
-  return readPictureHeader(bytes, name);
+  const header = readPictureHeader(bytes, name);
+  if (header.format === "jpeg") checkJpegScans(bytes, name);
+  return header;
 }

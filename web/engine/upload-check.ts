@@ -2,7 +2,9 @@
  * A picture before anything is made of it: what it is by its content, how large by its header, and safe to keep and to hand on.
  * The same in the page and in a shop's server.
  */
+
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { checkJpegScans } from "./jpeg-scans.ts";
 import { readPictureHeader } from "./picture-header.ts";
 import { withoutMetadata } from "./picture-metadata.ts";
 import { cleanSvg } from "./svg-safety.ts";
@@ -43,6 +45,7 @@ export function checkUpload(name: string, bytes: Uint8Array, limits: UploadLimit
     return { type: "image/svg+xml", bytes: clean, ...drawingSize(clean) };
   }
   const { format, width, height, orientation } = readPictureHeader(bytes, name);
+  if (format === "jpeg") checkJpegScans(bytes, name);
   if (width * height > megapixels * 1e6) {
     const has = `it has ${width} × ${height} pixels (${((width * height) / 1e6).toFixed(1)} megapixels), and ${megapixels} megapixels is the most`;
     throw tooLarge(name, has, `${width} × ${height}`);
