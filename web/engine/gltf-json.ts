@@ -77,11 +77,16 @@ export function listOf(json: JsonObject, key: string, name: string): JsonObject[
   const list = json[key];
   if (list === undefined) return [];
   if (!Array.isArray(list)) throw badContainer(name, `“${key}” is not a list`, key, list);
+  if (CHECKED.has(list)) return list as JsonObject[];
   for (const [i, item] of list.entries()) {
     if (!isObject(item)) throw badContainer(name, `“${key}[${i}]” is not an object`, `${key}[${i}]`, item);
   }
+  CHECKED.add(list);
   return list as JsonObject[];
 }
+
+/** Lists are asked for item by item: to check all of a list each time would take very many materials minutes. */
+const CHECKED = new WeakSet<object>();
 
 /** A list for writing: made when absent. */
 export function listForWriting(json: JsonObject, key: string, name: string): JsonObject[] {
