@@ -9,8 +9,8 @@ const MAX_ENTITY_GROWTH = 2 ** 20;
 const MAX_LENGTH = 64 * 2 ** 20;
 /** Elements, by all that asks for them. */
 const MAX_VISITS = 1e7;
-/** Of rules of style with elements, and the like. */
-const MAX_COMPARISONS = 1e9;
+/** Of rules of style with elements, and the like: some five seconds each time that it is read. */
+const MAX_COMPARISONS = 2e9;
 const HINT = "Open it in a drawing program and save it again as plain SVG.";
 
 /**
