@@ -47,6 +47,7 @@ function styled(svg: string): string {
 describe("a drawing that would take for ever", () => {
   it.each([
     ["a circle of half a million dashes", documentOf(`${CIRCLE} stroke-dasharray="0.0002"/>`)],
+    ["a circle of more dashes than are drawn at all", documentOf(`${CIRCLE} stroke-dasharray="0.00002"/>`)],
     ["masks in masks", nested("mask", 6)],
     ["patterns in patterns", nested("pattern", 6)],
     ["clip paths in clip paths", nested("clipPath", 6)],

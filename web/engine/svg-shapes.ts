@@ -41,8 +41,6 @@ const EDGE_ROW = 1.2;
 const EDGE_PAIR = 0.01;
 /** A stroke's outline goes along both sides, with joins. */
 const STROKE_EDGES = 6;
-/** With more, nothing is dashed. */
-const MOST_DASHES = 1e6;
 
 /** @param costOfPicture what a picture's or a drawing's data comes to by itself, where it fills the picture */
 export function costOfShapes(
@@ -135,8 +133,9 @@ function edgesOf(
   if (strokeWidth > 0) {
     const dashes = numbersOf(attributes.get("stroke-dasharray") ?? "");
     const period = dashes.reduce((sum, dash) => sum + dash, 0);
+    // Of more than a million dashes the renderer draws none, and does not say so: they count too, and are refused.
     const dashed = period > 0 ? ((length / period) * dashes.length) / 2 : 0;
-    const parts = points + (dashed <= MOST_DASHES ? dashed : 0);
+    const parts = points + dashed;
     const edges = parts * STROKE_EDGES;
     count += edges;
     heights += heightsOf(edges, 2 * (length + parts * strokeWidth));
