@@ -59,21 +59,30 @@ Int4 broadcast(Int4 v) {
 #endif
 }
 
+#if defined(__wasm_simd128__)
+namespace detail {
+/// Two columns' weighed sums, channel by channel side by side without their weights' scale, as the multiplication of pairs wants
+/// them. (With masks in place of the shuffle it is five or six instructions instead of three.)
+inline v128_t pair_columns(v128_t left, v128_t right) {
+    return wasm_i16x8_shuffle(wasm_u32x4_shr(left, kWeightBits), wasm_i32x4_shl(right, 16 - kWeightBits), 0, 9, 2, 11, 4,
+                              13, 6, 15);
+}
+}  // namespace detail
+#endif
+
 /// One sample: channels around 0 (less kChannelBias). Each lane of the weights holds the same pair, as in SamplePlaces.
 inline Int4 sample_biased(const std::int16_t* pixels, std::size_t row_stride, Int4 weights_x, Int4 weights_y) {
 #if defined(__wasm_simd128__)
     // Only such shuffles as engines turn into one instruction: a mask of bytes costs V8 five.
     const v128_t upper = wasm_v128_load(pixels);
     const v128_t lower = wasm_v128_load(pixels + row_stride);
-    // Each column's two channels side by side, as the multiplication of pairs wants them.
     const auto blend_column = [&](v128_t pairs) {
-        return wasm_i32x4_shl(wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_y)), 16 - kWeightBits);
+        return wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_y));
     };
     const v128_t left = blend_column(wasm_i16x8_shuffle(upper, lower, 0, 8, 1, 9, 2, 10, 3, 11));
     const v128_t right = blend_column(wasm_i16x8_shuffle(upper, lower, 4, 12, 5, 13, 6, 14, 7, 15));
-    const v128_t pairs = wasm_v128_or(wasm_u32x4_shr(left, 16), wasm_v128_and(right, wasm_i32x4_const_splat(~0xffff)));
-    return reinterpret_cast<Int4>(
-        wasm_i32x4_shr(wasm_i32x4_dot_i16x8(pairs, reinterpret_cast<v128_t>(weights_x)), kWeightBits));
+    return reinterpret_cast<Int4>(wasm_i32x4_shr(
+        wasm_i32x4_dot_i16x8(detail::pair_columns(left, right), reinterpret_cast<v128_t>(weights_x)), kWeightBits));
 #else
     const std::int32_t left = weights_x[0] & 0xffff;
     const std::int32_t right = weights_x[0] >> 16;

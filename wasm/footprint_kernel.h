@@ -60,12 +60,8 @@ inline v128_t weigh(const PixelPairs& pixels, v128_t rows, v128_t columns) {
         return wasm_i32x4_add(wasm_i32x4_dot_i16x8(pixels.upper[i], upper),
                               wasm_i32x4_dot_i16x8(pixels.lower[i], lower));
     };
-    const auto pair = [&](v128_t left, v128_t right) {
-        return wasm_v128_or(wasm_u32x4_shr(wasm_i32x4_shl(left, 16 - kWeightBits), 16),
-                            wasm_v128_and(wasm_i32x4_shl(right, 16 - kWeightBits), wasm_i32x4_const_splat(~0xffff)));
-    };
-    const v128_t left = pair(column(0), column(1));
-    const v128_t right = pair(column(2), column(3));
+    const v128_t left = pair_columns(column(0), column(1));
+    const v128_t right = pair_columns(column(2), column(3));
     return wasm_i32x4_add(wasm_i32x4_dot_i16x8(left, wasm_i32x4_shuffle(columns, columns, 0, 0, 0, 0)),
                           wasm_i32x4_dot_i16x8(right, wasm_i32x4_shuffle(columns, columns, 1, 1, 1, 1)));
 }
