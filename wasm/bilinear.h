@@ -64,8 +64,8 @@ namespace detail {
 /// Two columns' weighed sums, channel by channel side by side without their weights' scale, as the multiplication of pairs wants
 /// them. (With masks in place of the shuffle it is five or six instructions instead of three.)
 inline v128_t pair_columns(v128_t left, v128_t right) {
-    return wasm_i16x8_shuffle(wasm_u32x4_shr(left, kWeightBits), wasm_i32x4_shl(right, 16 - kWeightBits), 0, 9, 2, 11, 4,
-                              13, 6, 15);
+    return wasm_i16x8_shuffle(wasm_u32x4_shr(left, kWeightBits), wasm_i32x4_shl(right, 16 - kWeightBits), 0, 9, 2, 11,
+                              4, 13, 6, 15);
 }
 }  // namespace detail
 #endif

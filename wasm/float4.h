@@ -150,17 +150,6 @@ inline Int4 load_short4(const std::int16_t* from) {
 #endif
 }
 
-/// All lanes by as many bits. (Clang 14 takes it apart lane by lane, in sixty instructions, unless it sees in the same block
-/// that the bits are the same: so the number must not be made into a vector ahead of a loop.)
-inline Int4 shift_right(Int4 a, std::int32_t bits) {
-#if defined(__wasm_simd128__)
-    asm("" : "+r"(bits));
-    return reinterpret_cast<Int4>(wasm_i32x4_shr(reinterpret_cast<v128_t>(a), static_cast<std::uint32_t>(bits)));
-#else
-    return a >> bits;
-#endif
-}
-
 /// The two signed halves of each lane multiplied, and the products added up.
 inline Int4 dot_halves(Int4 a, Int4 b) {
 #if defined(__wasm_simd128__)

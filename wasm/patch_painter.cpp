@@ -57,7 +57,7 @@ struct Ground {
 private:
     __attribute__((always_inline)) Int4 turn(Int4 xy, Int4 z, Int4 by_xy, Int4 by_z, std::int32_t base,
                                              std::int32_t least, std::int32_t most) const {
-        const Int4 place = shift_right(dot_halves(xy, by_xy) + dot_halves(z, by_z), view.shift) + splat(base);
+        const Int4 place = ((dot_halves(xy, by_xy) + dot_halves(z, by_z)) >> kSlopeBits) + splat(base);
         return lesser(greater(place, splat(least)), splat(most));
     }
 };

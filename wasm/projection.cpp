@@ -17,8 +17,8 @@ constexpr float kAny = std::numeric_limits<float>::max();
 // much again for each pixel of the longest. (On a torus of 20,000 triangles, whose facets are as large as its tiles, 0.06 leaves
 // 524 of the 1,450 tiles of a decal to the frames, and 0.1 fewer than 130.)
 constexpr float kFootprintSpread = 0.1f;
-// Half a tile may be this many pixels wide: of places 16 bits are kept.
-constexpr float kMostReach = 128.0f;
+// Half a tile may be this many pixels wide: slopes are 16 bits (kSlopeBits).
+constexpr float kMostReach = 127.0f;
 
 /// Bounds of what a frame's texels show to the tests, lane by lane.
 struct LaneBounds {
@@ -155,18 +155,13 @@ private:
         constexpr float kOne = static_cast<float>(kWeightOne);
         const float scale_x = level.scale_x * kOne;
         const float scale_y = level.scale_y * kOne;
-        const float most = std::max(reach[kX] * scale_x, reach[kY] * scale_y) * (1.0f / 32767.0f);
         PatchView view;
         view.chords = tile_chord_limits(image_, footprint);
-        // The sum of a place's slopes times the whole numbers stays below 2^30.
-        float up = 1.0f;
-        while (view.shift < 16 && most * up < 16384.0f) {
-            ++view.shift;
-            up *= 2.0f;
-        }
+        // Sums of slopes times whole numbers stay within 2^30, up to kMostReach.
+        constexpr float kFiner = static_cast<float>(1 << kSlopeBits);
         const auto slope = [&](int row, int axis, float scale) {
             return static_cast<std::int32_t>(
-                std::nearbyint(projector_.rows[row][axis][0] * patch.step[axis] * scale * up));
+                std::nearbyint(projector_.rows[row][axis][0] * patch.step[axis] * scale * kFiner));
         };
         const auto halves = [](std::int32_t low, std::int32_t high) {
             return splat((low & 0xffff) | static_cast<std::int32_t>(static_cast<std::uint32_t>(high) << 16));
