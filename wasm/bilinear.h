@@ -21,9 +21,6 @@ inline const Int4 kBias = {kChannelBias, kChannelBias, kChannelBias, kChannelBia
 inline std::int32_t to_fixed(float pixels) {
     return static_cast<std::int32_t>(pixels * static_cast<float>(kWeightOne));
 }
-inline float to_float(std::int32_t fixed) {
-    return static_cast<float>(fixed) * (1.0f / static_cast<float>(kWeightOne));
-}
 
 /// Where four samples lie on a level: the upper left of each one's four pixels, counted from the picture's first, and the
 /// weights, (1 - w) in the low half and w in the high half of each lane.

@@ -37,6 +37,15 @@ struct SmoothTest {
     }
 };
 
+/// Samples that stand evenly over a footprint. Lengths in fixed point on its level.
+struct SampleLattice {
+    std::int32_t across_samples;
+    std::int32_t down_samples;
+    Int4 x, y;  // from the centre to four neighbouring samples: as many of a row as it has, then down
+    std::int32_t across_step_x, across_step_y;
+    std::int32_t down_step_x, down_step_y;
+};
+
 /// How a frame's texels sample a picture. Lengths in pixels of the picture unless said.
 struct Footprint {
     float across_x, across_y;  // along the texel's row
@@ -59,12 +68,11 @@ struct Footprint {
     std::int32_t parts;
     std::int32_t part_x[kMostParts], part_y[kMostParts];
     FootprintKernel kernel;
-    // Of the others: a lattice of samples.
-    std::int32_t across_samples;
-    std::int32_t down_samples;
-    Float4 lattice_x, lattice_y;  // from the centre to four neighbouring samples: as many of a row as it has, then down
-    float across_step_x, across_step_y;
-    float down_step_x, down_step_y;
+    SampleLattice lattice;  // of the others
+    // Large ones are done with fewer samples where the level is no rougher than calm_limit (-1: nowhere) by calm_list.
+    std::int32_t calm_limit;
+    const std::uint8_t* calm_list;  // as of the level's first pixel
+    SampleLattice calm_lattice;
 
     // Footprints that the picture's edge cuts.
     std::uint32_t edge_level;

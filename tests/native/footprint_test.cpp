@@ -295,6 +295,93 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
     CHECK(worst >= 38.5);
 }
 
+TEST_CASE(
+    "Large footprints take fewer samples where the picture is calm, and keep 40 dB on the hardest that count as calm") {
+    constexpr std::uint32_t kSide = 64;
+    txc::MemoryBudget plain_budget(1u << 22);
+    txc::ImagePyramid plain(plain_budget);
+    REQUIRE(plain.build(kSide, kSide, Picture(kSide, kSide, {9, 9, 9, 255}).rgba.data()) == TXC_STATUS_OK);
+    const std::int32_t limit = txc::make_footprint(plain, 5.0f, 0.0f, 0.0f, 5.0f, false).calm_limit;
+    REQUIRE(limit > 0);
+    Random random(51);
+    double worst = 1e9;
+    std::uint32_t calm = 0;
+    for (int round = 0; round < 160; ++round) {
+        // Noise, upright and slanted stripes, checkers of 2 to 11 pixels; as large a step as counts as calm, in noise half of it.
+        const int kind = round % 8;
+        const std::uint32_t cell = kind == 7 ? 12 : static_cast<std::uint32_t>(kind);
+        const std::int32_t step = kind == 0 ? limit : limit * 2;
+        Picture picture(kSide, kSide);
+        for (std::uint32_t y = 0; y < kSide; ++y) {
+            for (std::uint32_t x = 0; x < kSide; ++x) {
+                const bool lit = kind == 0   ? random.coin()
+                                 : kind == 1 ? (x + y) / 4 % 2 == 0
+                                 : kind == 2 ? x / 2 % 2 == 0
+                                             : (x / (cell - 1) + y / (cell - 1)) % 2 == 0;
+                const std::uint8_t byte = static_cast<std::uint8_t>(100 + (lit ? step : 0));
+                picture.set(x, y, {byte, byte, byte, 255});
+            }
+        }
+        txc::MemoryBudget budget(1u << 22);
+        txc::ImagePyramid image(budget);
+        REQUIRE(image.build(kSide, kSide, picture.rgba.data()) == TXC_STATUS_OK);
+        const double across = random.between(3.1, 8.0);
+        const double down = std::fmax(3.1, across * random.between(0.5, 1.0));
+        const double turned = random.below(4) == 0 ? 0.0 : random.between(0.0, 2 * kPi);
+        const double corner = kPi / 2 + random.between(-0.3, 0.3);
+        const txc::Footprint f = txc::make_footprint(image, static_cast<float>(across * std::cos(turned)),
+                                                     static_cast<float>(across * std::sin(turned)),
+                                                     static_cast<float>(down * std::cos(turned + corner)),
+                                                     static_cast<float>(down * std::sin(turned + corner)), false);
+        if (f.level != 0 || f.calm_limit < 0) continue;
+        const std::int32_t samples = f.calm_lattice.across_samples * f.calm_lattice.down_samples;
+        if (f.parts > 0) CHECK(samples <= f.parts * 2);  // a part's kernel is the work of three samples
+        if (f.parts == 0) CHECK(samples * 3 <= f.lattice.across_samples * f.lattice.down_samples * 2);
+        double squares = 0.0;
+        constexpr int kPlaces = 100;
+        for (int i = 0; i < kPlaces; ++i) {
+            const auto x = static_cast<float>(random.between(18.0, kSide - 18.0));
+            const auto y = static_cast<float>(random.between(18.0, kSide - 18.0));
+            const auto place = static_cast<std::ptrdiff_t>(y - 0.5f) * image.levels[0].stride() +
+                               static_cast<std::ptrdiff_t>(x - 0.5f);
+            calm += f.calm_list[place] <= f.calm_limit ? 1 : 0;
+            const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep -
+                                 dense_mean(image.levels[0], f, x, y);
+            squares += error * error;
+        }
+        worst = std::fmin(worst, 10.0 * std::log10(255.0 * 255.0 * kPlaces / squares));
+    }
+    CAPTURE(calm);
+    CHECK(calm > 5000);
+    CAPTURE(worst);
+    CHECK(worst >= 40.0);
+    // The limit is not stricter than it need be.
+    CHECK(worst <= 43.0);
+}
+
+TEST_CASE("A large footprint that may meet a hard edge takes all its samples") {
+    Picture picture(64, 64, {100, 100, 100, 255});
+    constexpr float kEdge = 32.0f;
+    for (std::uint32_t y = 0; y < 64; ++y) {
+        for (std::uint32_t x = 32; x < 64; ++x) picture.set(x, y, {255, 100, 100, 255});
+    }
+    txc::MemoryBudget budget(1u << 22);
+    txc::ImagePyramid image(budget);
+    REQUIRE(image.build(64, 64, picture.rgba.data()) == TXC_STATUS_OK);
+    const txc::Footprint f = txc::make_footprint(image, 6.0f, 3.0f, -3.0f, 6.0f, false);
+    REQUIRE(f.level == 0);
+    REQUIRE(f.calm_limit >= 0);
+    for (std::int32_t column = 16; column < 48; ++column) {
+        const float x = static_cast<float>(column) + 0.999f;
+        const float away = std::fabs(x + 0.5f - kEdge);
+        const bool is_calm = f.calm_list[std::ptrdiff_t{32} * image.levels[0].stride() + column] <= f.calm_limit;
+        // The bilinear edge is a pixel wide.
+        if (away < f.reach_x + 0.5f) CHECK_UNARY(!is_calm);
+
+        if (away > 12.0f) CHECK_UNARY(is_calm);
+    }
+}
+
 TEST_CASE("A footprint over a plain stretch gives its very colour, whatever its shape") {
     const Picture picture(16, 16, {37, 201, 94, 255});
     txc::MemoryBudget budget(1u << 22);
