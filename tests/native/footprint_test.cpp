@@ -40,6 +40,13 @@ Picture make_smooth(int kind, Random& random) {
     return picture;
 }
 
+/// A footprint whose sides have these lengths: the one at this angle, the other by `corner` further on.
+txc::Footprint make_turned(const txc::ImagePyramid& image, double across, double down, double turned, double corner) {
+    const auto part = [](double of) { return static_cast<float>(of); };
+    return txc::make_footprint(image, part(across * std::cos(turned)), part(across * std::sin(turned)),
+                               part(down * std::cos(turned + corner)), part(down * std::sin(turned + corner)), false);
+}
+
 /// How rough the footprint's list calls the level around a place, which is in pixels of the level.
 std::int32_t roughness_at(const txc::PyramidLevel& level, const txc::Footprint& f, float x, float y) {
     const auto column = static_cast<std::int32_t>(std::floor(x - 0.5f));
@@ -80,10 +87,7 @@ TEST_CASE("One sample stands for a footprint only where it is within a step of t
             const double down = across * random.between(0.1, 1.0);
             const double turned = random.below(3) * kPi / 4;
             const double corner = random.between(0.3, 1.0) * kPi / 2;
-            const txc::Footprint f = txc::make_footprint(image, static_cast<float>(across * std::cos(turned)),
-                                                         static_cast<float>(across * std::sin(turned)),
-                                                         static_cast<float>(down * std::cos(turned + corner)),
-                                                         static_cast<float>(down * std::sin(turned + corner)), false);
+            const txc::Footprint f = make_turned(image, across, down, turned, corner);
             // Half of them stand on a pixel's centre, where a kink counts most.
             const bool centred = random.coin();
             const double middle = kSize / 2 + 0.5;
@@ -126,10 +130,7 @@ TEST_CASE("On hard edges one sample stands for a footprint only where it lies be
         const double down = across * random.between(0.4, 1.0);
         const double turned = random.between(0.0, 2 * kPi);
         const double corner = kPi / 2 + random.between(-0.2, 0.2);
-        const txc::Footprint f = txc::make_footprint(image, static_cast<float>(across * std::cos(turned)),
-                                                     static_cast<float>(across * std::sin(turned)),
-                                                     static_cast<float>(down * std::cos(turned + corner)),
-                                                     static_cast<float>(down * std::sin(turned + corner)), false);
+        const txc::Footprint f = make_turned(image, across, down, turned, corner);
         for (int i = 0; i < 300; ++i) {
             const auto x = static_cast<float>(random.between(4.0, kSide - 4.0));
             const auto y = static_cast<float>(random.between(4.0, kSide - 4.0));
@@ -276,10 +277,7 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
         const double down = across * random.between(0.3, 1.0);
         const double turned = random.below(4) == 0 ? 0.0 : random.between(0.0, 2 * kPi);
         const double corner = kPi / 2 + random.between(-0.3, 0.3);
-        const txc::Footprint f = txc::make_footprint(image, static_cast<float>(across * std::cos(turned)),
-                                                     static_cast<float>(across * std::sin(turned)),
-                                                     static_cast<float>(down * std::cos(turned + corner)),
-                                                     static_cast<float>(down * std::sin(turned + corner)), false);
+        const txc::Footprint f = make_turned(image, across, down, turned, corner);
         REQUIRE(f.parts > 0);
         double squares = 0.0;
         constexpr int kPlaces = 300;
@@ -329,10 +327,7 @@ TEST_CASE(
         const double down = std::fmax(3.1, across * random.between(0.5, 1.0));
         const double turned = random.below(4) == 0 ? 0.0 : random.between(0.0, 2 * kPi);
         const double corner = kPi / 2 + random.between(-0.3, 0.3);
-        const txc::Footprint f = txc::make_footprint(image, static_cast<float>(across * std::cos(turned)),
-                                                     static_cast<float>(across * std::sin(turned)),
-                                                     static_cast<float>(down * std::cos(turned + corner)),
-                                                     static_cast<float>(down * std::sin(turned + corner)), false);
+        const txc::Footprint f = make_turned(image, across, down, turned, corner);
         if (f.level != 0 || f.calm_limit < 0) continue;
         const std::int32_t samples = f.calm_lattice.across_samples * f.calm_lattice.down_samples;
         if (f.parts > 0) CHECK(samples <= f.parts * 2);  // a part's kernel is the work of three samples
@@ -377,7 +372,6 @@ TEST_CASE("A large footprint that may meet a hard edge takes all its samples") {
         const bool is_calm = f.calm_list[std::ptrdiff_t{32} * image.levels[0].stride() + column] <= f.calm_limit;
         // The bilinear edge is a pixel wide.
         if (away < f.reach_x + 0.5f) CHECK_UNARY(!is_calm);
-
         if (away > 12.0f) CHECK_UNARY(is_calm);
     }
 }
