@@ -365,8 +365,8 @@ ChordLimits tile_chord_limits(const ImagePyramid& image, const Footprint& f) {
 namespace {
 
 /// Mean colour by a lattice of samples, to the nearest. `x`, `y` as in RoughTexel.
-__attribute__((always_inline)) inline Int4 sample_lattice(const PyramidLevel& level, const SampleLattice& lattice,
-                                                          std::int32_t x, std::int32_t y) {
+__attribute__((noinline)) Int4 sample_lattice(const PyramidLevel& level, const SampleLattice& lattice, std::int32_t x,
+                                              std::int32_t y) {
     const LatticeGroup& group = lattice_group(lattice.across_samples);
     const std::int32_t stride = level.stride();
     Int4 sum{};
@@ -405,11 +405,17 @@ __attribute__((always_inline)) inline Int4 sample_parts(const PyramidLevel& leve
     return within_alpha(sum + kBias);
 }
 
-Int4 sample_rough(const PyramidLevel& level, const Footprint& f, std::int32_t x, std::int32_t y) {
-    const std::int32_t place = (y >> kWeightBits) * level.stride() + (x >> kWeightBits);
-    const bool is_calm = f.calm_limit >= 0 && f.calm_list[place] <= f.calm_limit;
-    if (!is_calm && f.parts > 0) return sample_parts(level, f, x, y);
-    return sample_lattice(level, is_calm ? f.calm_lattice : f.lattice, x, y);
+/// The lattice that a footprint's mean takes at a place (as of RoughTexel), or null where its parts do.
+const SampleLattice* lattice_at(const PyramidLevel& level, const Footprint& f, std::int32_t x, std::int32_t y) {
+    if (f.calm_limit >= 0 && f.calm_list[(y >> kWeightBits) * level.stride() + (x >> kWeightBits)] <= f.calm_limit)
+        return &f.calm_lattice;
+    return f.parts > 0 ? nullptr : &f.lattice;
+}
+
+__attribute__((always_inline)) inline Int4 sample_rough(const PyramidLevel& level, const Footprint& f, std::int32_t x,
+                                                        std::int32_t y) {
+    const SampleLattice* lattice = lattice_at(level, f, x, y);
+    return lattice == nullptr ? sample_parts(level, f, x, y) : sample_lattice(level, *lattice, x, y);
 }
 
 }  // namespace

@@ -47,11 +47,11 @@ txc::Footprint make_turned(const txc::ImagePyramid& image, double across, double
                                part(down * std::cos(turned + corner)), part(down * std::sin(turned + corner)), false);
 }
 
-/// How rough the footprint's list calls the level around a place, which is in pixels of the level.
-std::int32_t roughness_at(const txc::PyramidLevel& level, const txc::Footprint& f, float x, float y) {
+/// How rough a footprint's list calls the level around a place, which is in pixels of the level.
+std::int32_t roughness_at(const txc::PyramidLevel& level, const std::uint8_t* list, float x, float y) {
     const auto column = static_cast<std::int32_t>(std::floor(x - 0.5f));
     const auto row = static_cast<std::int32_t>(std::floor(y - 0.5f));
-    return f.smooth_list[std::ptrdiff_t{row} * level.stride() + column];
+    return list[std::ptrdiff_t{row} * level.stride() + column];
 }
 
 /// The mean of red over the footprint by 24 x 24 samples, 0 to 255.
@@ -95,7 +95,7 @@ TEST_CASE("One sample stands for a footprint only where it is within a step of t
             const auto y = static_cast<float>(centred ? middle : random.between(f.inset_y, kSize - f.inset_y));
             const txc::PyramidLevel& level = image.levels[0];
             if (f.level != 0) continue;
-            if (roughness_at(level, f, x, y) > f.smooth_limit) continue;
+            if (roughness_at(level, f.smooth_list, x, y) > f.smooth_limit) continue;
             const double one = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep;
             worst = std::fmax(worst, std::fabs(one - dense_mean(level, f, x, y)));
             ++spared[kind];
@@ -134,7 +134,7 @@ TEST_CASE("On hard edges one sample stands for a footprint only where it lies be
         for (int i = 0; i < 300; ++i) {
             const auto x = static_cast<float>(random.between(4.0, kSide - 4.0));
             const auto y = static_cast<float>(random.between(4.0, kSide - 4.0));
-            const std::int32_t steps = roughness_at(level, f, x, y);
+            const std::int32_t steps = roughness_at(level, f.smooth_list, x, y);
             if (steps <= f.smooth_limit) continue;
             ++asked;
             const auto fixed = [](float pixels) { return txc::splat(txc::to_fixed(pixels - 0.5f)); };
@@ -240,7 +240,7 @@ TEST_CASE("A footprint that a speck touches takes all its samples, and one well 
                 const float x = static_cast<float>(column) / 16.0f;
                 const float y = static_cast<float>(row) / 16.0f;
                 const float away = std::fmax(std::fabs(x - kSpeck), std::fabs(y - kSpeck));
-                const bool spared = roughness_at(image.levels[0], f, x, y) <= f.smooth_limit;
+                const bool spared = roughness_at(image.levels[0], f.smooth_list, x, y) <= f.smooth_limit;
                 // The speck's bilinear ramp is a pixel wide on either side.
                 lost += spared && away < width / 2 + 1 ? 1 : 0;
                 clear_but_not_spared += !spared && away > width / 2 + 2 ? 1 : 0;
@@ -337,9 +337,7 @@ TEST_CASE(
         for (int i = 0; i < kPlaces; ++i) {
             const auto x = static_cast<float>(random.between(18.0, kSide - 18.0));
             const auto y = static_cast<float>(random.between(18.0, kSide - 18.0));
-            const auto place = static_cast<std::ptrdiff_t>(y - 0.5f) * image.levels[0].stride() +
-                               static_cast<std::ptrdiff_t>(x - 0.5f);
-            calm += f.calm_list[place] <= f.calm_limit ? 1 : 0;
+            calm += roughness_at(image.levels[0], f.calm_list, x, y) <= f.calm_limit ? 1 : 0;
             const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep -
                                  dense_mean(image.levels[0], f, x, y);
             squares += error * error;
@@ -367,9 +365,10 @@ TEST_CASE("A large footprint that may meet a hard edge takes all its samples") {
     REQUIRE(f.level == 0);
     REQUIRE(f.calm_limit >= 0);
     for (std::int32_t column = 16; column < 48; ++column) {
-        const float x = static_cast<float>(column) + 0.999f;
-        const float away = std::fabs(x + 0.5f - kEdge);
-        const bool is_calm = f.calm_list[std::ptrdiff_t{32} * image.levels[0].stride() + column] <= f.calm_limit;
+        // The last place of which the column's pixel tells.
+        const float x = static_cast<float>(column) + 1.499f;
+        const float away = std::fabs(x - kEdge);
+        const bool is_calm = roughness_at(image.levels[0], f.calm_list, x, 32.5f) <= f.calm_limit;
         // The bilinear edge is a pixel wide.
         if (away < f.reach_x + 0.5f) CHECK_UNARY(!is_calm);
         if (away > 12.0f) CHECK_UNARY(is_calm);
