@@ -50,6 +50,15 @@ inline bool any_lane(Int4 mask) { return wasm_v128_any_true(reinterpret_cast<v12
 inline bool any_lane(Int4 mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 #endif
 
+/// A bit for each lane of a comparison's mask, the first in the lowest.
+inline std::uint32_t lane_bits(Int4 mask) {
+#if defined(__wasm_simd128__)
+    return wasm_i32x4_bitmask(reinterpret_cast<v128_t>(mask));
+#else
+    return static_cast<std::uint32_t>((mask[0] & 1) | (mask[1] & 2) | (mask[2] & 4) | (mask[3] & 8));
+#endif
+}
+
 inline Float4 absolute(Float4 a) { return greater(a, -a); }
 
 /// Lanes of `yes` where the mask (of a comparison) is set, of `no` elsewhere.

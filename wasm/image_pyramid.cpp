@@ -124,6 +124,31 @@ void measure_roughness(PyramidLevel& level) {
 
 }  // namespace
 
+bool PyramidLevel::is_clear(std::int32_t left, std::int32_t top, std::int32_t right, std::int32_t bottom) const {
+    const std::int32_t last_x = static_cast<std::int32_t>(width) + kPad - 1;
+    const std::int32_t last_y = static_cast<std::int32_t>(height) + kPad - 1;
+    left = std::max(left, -kPad);
+    top = std::max(top, -kPad);
+    right = std::min(right, last_x);
+    bottom = std::min(bottom, last_y);
+    if (left > right || top > bottom) return true;
+    const auto has_paint = [&](std::int32_t x, std::int32_t y) {
+        return first_pixel()[(y * stride() + x) * 4 + 3] != to_biased(0);
+    };
+    if (has_paint(left, top) || has_paint(right, bottom) || has_paint(right, top) || has_paint(left, bottom))
+        return false;
+    constexpr std::int32_t kBefore = 7;  // see first_of
+    constexpr std::int32_t kWindow = 16;
+    const std::uint8_t* list = first_of(bends[2]);
+    for (std::int32_t y = top; y <= bottom; y += kWindow) {
+        const std::uint8_t* row = list + std::min(y + kBefore, last_y) * stride();
+        for (std::int32_t x = left; x <= right; x += kWindow) {
+            if (row[std::min(x + kBefore, last_x)] != 0) return false;
+        }
+    }
+    return true;
+}
+
 TxcStatus ImagePyramid::build(std::uint32_t width, std::uint32_t height, const std::uint8_t* rgba) {
     // Pixels, and the lists of peaks and bends, of all levels; and two lists to make them.
     std::uint64_t bytes = 0;

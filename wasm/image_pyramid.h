@@ -63,6 +63,10 @@ struct PyramidLevel {
     /// On the scale of kFullScale.
     Int4 color_at(std::uint32_t x, std::uint32_t y) const { return load_short4(pixel(x, y)) + splat(kChannelBias); }
 
+    /// Whether nothing is painted in these pixels, of which the padding may be some: without any second difference a picture is a
+    /// plane, and a plane is 0 where it is 0 at its corners.
+    bool is_clear(std::int32_t left, std::int32_t top, std::int32_t right, std::int32_t bottom) const;
+
 private:
     std::size_t padded_place(std::uint32_t x, std::uint32_t y) const {
         return std::size_t{y + kPad} * (width + 2 * kPad) + x + kPad;

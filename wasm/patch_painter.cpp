@@ -259,31 +259,26 @@ inline void fetch_ahead(const Ground& ground, const PatchTexels& places, const s
     asm volatile("" ::"r"(read));
 }
 
-/// The columns that have their texels in all four rows from `row` on.
-std::uint32_t covered_blocks(const TilePatch& patch, std::uint32_t row) {
-    return patch.coverage[row] & patch.coverage[row + 1] & patch.coverage[row + 2] & patch.coverage[row + 3];
-}
-
 }  // namespace
 
-RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const PatchView& view,
+RoughTexel* paint_patch(const TileCoverage& painted, bool may_join, const PatchTexels& places, const PatchView& view,
                         const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
                         RoughTexel* rough) {
     const Ground ground{level.first_pixel(), level.stride(), view};
-    const bool may_join = patch.continuity == TilePatch::Continuity::kWhole;
-    if (may_join && patch.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels)) return rough;
+    if (may_join && painted.is_full && view.chords.tile.limit >= 0 && paint_squares(ground, places, texels))
+        return rough;
     RoughSearch search{&level, &footprint, footprint.smooth_list, footprint.smooth_limit, view.chords.three, rough};
     fetch_ahead(ground, places, footprint.smooth_list);
     constexpr std::uint32_t kBlock = 4;
     for (std::uint32_t row = 0; row < kTileSize; row += kBlock) {
-        const std::uint32_t covered = covered_blocks(patch, row);
+        const std::uint32_t blocks = painted.columns_of_four(row);
         for (std::uint32_t column = 0; column < kTileSize; column += kBlock) {
             const std::size_t at = row * kTileSize + column;
-            if (may_join && (covered >> column & 15u) == 15u && view.chords.block.limit >= 0 &&
+            if (may_join && (blocks >> column & 15u) == 15u && view.chords.block.limit >= 0 &&
                 paint_block(ground, places, at, texels + at * 4))
                 continue;
             for (std::uint32_t i = 0; i < kBlock; ++i) {
-                const std::uint32_t there = patch.coverage[row + i] >> column & 15u;
+                const std::uint32_t there = painted.rows[row + i] >> column & 15u;
                 if (there == 0) continue;
                 const std::size_t four = at + i * kTileSize;
                 paint_four(ground, places, four, may_join && there == 15u, texels + four * 4, search);
@@ -293,10 +288,10 @@ RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const
     return search.next;
 }
 
-void clear_uncovered(const TilePatch& patch, std::uint16_t* texels) {
-    if (patch.is_full) return;
+void clear_uncovered(const TileCoverage& covered, std::uint16_t* texels) {
+    if (covered.is_full) return;
     for (std::uint32_t row = 0; row < kTileSize; ++row) {
-        const std::uint32_t coverage = patch.coverage[row];
+        const std::uint32_t coverage = covered.rows[row];
         if (coverage == 0xffffu) continue;
         std::uint16_t* const first = texels + row * kTileSize * 4;
         if (coverage == 0) {

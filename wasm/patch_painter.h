@@ -27,13 +27,14 @@ struct PatchView {
     ChordLimits chords;
 };
 
-/// Paints the patch's texels into the tile's `texels`. Those for which one sample does not stand are left to `rough`; returns
-/// what follows the last of them. May paint beside the patch's coverage: see clear_uncovered.
-RoughTexel* paint_patch(const TilePatch& patch, const PatchTexels& places, const PatchView& view,
+/// Paints texels of a patch into the tile's `texels`. Those for which one sample does not stand are left to `rough`; returns
+/// what follows the last of them. May paint beside `painted`: see clear_uncovered.
+/// `painted`: which, of those that there are. `may_join`: the patch is whole, as TilePatch::Continuity says.
+RoughTexel* paint_patch(const TileCoverage& painted, bool may_join, const PatchTexels& places, const PatchView& view,
                         const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
                         RoughTexel* rough);
 
-/// Clears what the tile holds where the patch has no texel: painted there, or from before.
-void clear_uncovered(const TilePatch& patch, std::uint16_t* texels);
+/// Clears what the tile holds beside these texels: painted there, or from before.
+void clear_uncovered(const TileCoverage& covered, std::uint16_t* texels);
 
 }  // namespace txc

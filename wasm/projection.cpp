@@ -122,10 +122,12 @@ private:
             return Done::kMissed;
         if (patch.state != TilePatch::State::kUniform) return Done::kNot;
         // Written so that what is no number is not as one.
-        if (!(low[kDepth] >= -0.5f && high[kDepth] <= 0.5f)) return Done::kNot;
+        const bool is_deep = low[kDepth] >= -0.5f && high[kDepth] <= 0.5f;
         const float least_facing = settings_.backfaces ? std::fabs(facing) - facing_spread : facing - facing_spread;
-        if (!(least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal))
-            return Done::kNot;
+        const bool is_facing =
+            least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal;
+        // Where the angle decides between all and nothing, texels are asked one by one and painted in one loop all the same.
+        if (!is_facing && settings_.fade_start_cosine > 0.0f) return Done::kNot;
         const Float4 spread = greater(turn_extent(patch.across_spread), turn_extent(patch.down_spread));
         const Float4 sides = greater(absolute(across), absolute(down));
         const float most_spread = kFootprintSpread * (1.0f + std::max(sides[kX], sides[kY]));
@@ -140,14 +142,77 @@ private:
         const bool is_padded =
             footprint.inset_x <= -footprint.reach_x - 1.0f && footprint.inset_y <= -footprint.reach_y - 1.0f;
         if (!is_inside && !is_padded) return Done::kNot;
+        TileCoverage met;
+        if (!is_deep || !is_facing) {
+            met = met_texels(tile);
+            if (met.is_empty()) return Done::kMissed;
+        }
+        const TileCoverage& painted = is_deep && is_facing ? patch.there : met;
         const PyramidLevel& level = image_.levels[footprint.level];
         // (Reading a number of each line of the next tile's patch here, ahead of its turn, made a drag 1.03 times as long.)
         const PatchView view = view_of(patch, level, footprint, middle, reach);
-        RoughTexel* const rough =
-            paint_patch(patch, map_.patches->texels(map_, place), view, level, footprint, texels, rough_);
+        if (is_clear_around(level, footprint, view)) return Done::kMissed;
+        const PatchTexels& places = map_.patches->texels(map_, place);
+        const bool may_join = patch.continuity == TilePatch::Continuity::kWhole;
+        RoughTexel* const rough = paint_patch(painted, may_join, places, view, level, footprint, texels, rough_);
         paint_rough(rough_, static_cast<std::uint32_t>(rough - rough_));
-        clear_uncovered(patch, texels);
+        clear_uncovered(painted, texels);
         return Done::kPainted;
+    }
+
+    /// Whether the picture has nothing that footprints of these texels reach.
+    static bool is_clear_around(const PyramidLevel& level, const Footprint& footprint, const PatchView& view) {
+        // The pixels around a place are the one before it and the one after it.
+        const std::int32_t x = static_cast<std::int32_t>(footprint.reach_x * level.scale_x) + 1;
+        const std::int32_t y = static_cast<std::int32_t>(footprint.reach_y * level.scale_y) + 1;
+        return level.is_clear(view.first_column - x, view.first_row - y, view.last_column + 1 + x,
+                              view.last_row + 1 + y);
+    }
+
+    /// The texels of a tile that are deep enough in the box and face the right way. Those beside the picture may be among them.
+    TileCoverage met_texels(const MapTile& tile) {
+        const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
+        const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
+        TileCoverage met;
+        const auto add = [&met](const TexelRun& run, std::uint32_t texels) {
+            met.rows[run.y] = static_cast<std::uint16_t>(met.rows[run.y] | texels << run.x);
+        };
+        const std::uint32_t count = see_frames(tile, tile_x, tile_y);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const TileFrame& listed = tile_frames_[i];
+            const LaneBounds& bounds = listed.bounds;
+            const bool all = bounds.low[kDepth] >= -0.5f && bounds.high[kDepth] <= 0.5f && bounds.low[kFacing] > 1e-6f;
+            const TexelFrame& frame = map_.frames[listed.first->frame];
+            for (const TexelRun* run = listed.first; run != listed.end; ++run)
+                add(*run, all ? (1u << run->length) - 1
+                              : met_in_run(*run, listed.seen, tile_x - frame.x0, tile_y - frame.y0));
+        }
+        for (std::uint32_t r = 0; r < tile.gutter_run_count; ++r) {
+            const TexelRun& gutter = map_.gutter_runs[tile.first_gutter_run + r];
+            const DecalFrame& d = decal_frame(gutter.frame, nullptr);
+            add(gutter, met_in_run(gutter, d.seen, tile_x - d.x0, tile_y - d.y0));
+        }
+        return met;
+    }
+
+    /// Tests 2 and 3 on a run's texels: a bit for each that passes them, the first in the lowest. `right`, `below`: from the
+    /// frame's own texel to the tile's first.
+    std::uint32_t met_in_run(const TexelRun& run, const ProjectedFrame& seen, std::int32_t right,
+                             std::int32_t below) const {
+        const Float4 first = seen.at + seen.dx * splat(static_cast<float>(right + run.x)) +
+                             seen.dy * splat(static_cast<float>(below + run.y));
+        const bool hold = (run.flags & kRunHoldNormal) != 0;
+        const float facing = hold ? seen.at[kFacing] : first[kFacing];
+        const float facing_dx = hold ? 0.0f : seen.dx[kFacing];
+        std::uint32_t met = 0;
+        Float4 step = {0.0f, 1.0f, 2.0f, 3.0f};
+        for (std::uint32_t i = 0; i < run.length; i += 4, step += splat(4.0f)) {
+            const Float4 depths = splat(first[kDepth]) + splat(seen.dx[kDepth]) * step;
+            const Float4 facings = splat(facing) + splat(facing_dx) * step;
+            const Float4 towards = settings_.backfaces ? absolute(facings) : facings;
+            met |= lane_bits((depths >= splat(-0.5f)) & (depths <= splat(0.5f)) & (towards > splat(0.0f))) << i;
+        }
+        return met & ((1u << run.length) - 1);
     }
 
     PatchView view_of(const TilePatch& patch, const PyramidLevel& level, const Footprint& footprint, Float4 middle,

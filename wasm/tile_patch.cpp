@@ -100,10 +100,10 @@ void make_patch(const LocalSpaceMap& map, const MapTile& tile, TilePatch& out) {
             add_normal(normal + frame.normal_dx * length);
         }
         const std::uint32_t bits = (1u << run.length) - 1;
-        out.coverage[run.y] = static_cast<std::uint16_t>(out.coverage[run.y] | bits << run.x);
+        out.there.rows[run.y] = static_cast<std::uint16_t>(out.there.rows[run.y] | bits << run.x);
         count += run.length;
     });
-    out.is_full = count == kTileSize * kTileSize;
+    out.there.is_full = count == kTileSize * kTileSize;
     out.longest_normal = std::sqrt(longest);
     out.middle = positions.middle();
     // A flat tile has no extent along one axis: any step does for it.
@@ -128,7 +128,9 @@ bool is_continuous(const TilePatch& patch, const PatchTexels& texels, Float4 who
         const auto half = [](std::int32_t low) { return static_cast<float>(static_cast<std::int16_t>(low)); };
         return Float4{half(texels.xy[at]), half(texels.xy[at] >> 16), half(texels.z[at]), 0.0f};
     };
-    const auto is_there = [&](std::size_t at) { return (patch.coverage[at / kTileSize] >> at % kTileSize & 1u) != 0; };
+    const auto is_there = [&](std::size_t at) {
+        return (patch.there.rows[at / kTileSize] >> at % kTileSize & 1u) != 0;
+    };
     const auto joins = [&](std::size_t at, std::size_t next, Float4 step, Float4 spread) {
         if (!is_there(at) || !is_there(next)) return true;
         return !any_lane(absolute(place(next) - place(at) - step * wholes) > spread * wholes + slack);
@@ -141,7 +143,7 @@ bool is_continuous(const TilePatch& patch, const PatchTexels& texels, Float4 who
 }
 
 void make_texels(const LocalSpaceMap& map, const MapTile& tile, TilePatch& patch, PatchTexels& out) {
-    if (!patch.is_full) out = PatchTexels{};
+    if (!patch.there.is_full) out = PatchTexels{};
     const TileCorner corner(map, tile);
     const Float4 wholes = {1.0f / patch.step[0], 1.0f / patch.step[1], 1.0f / patch.step[2], 0.0f};
     const Float4 most = splat(kLargestWhole);

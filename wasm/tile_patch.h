@@ -17,6 +17,22 @@ namespace txc {
 struct LocalSpaceMap;
 struct MapTile;
 
+/// Which texels of a tile.
+struct TileCoverage {
+    std::uint16_t rows[16] = {};  // the first column in the lowest bit
+    bool is_full = false;         // all of them
+
+    bool is_empty() const {
+        std::uint32_t any = 0;
+        for (const std::uint16_t row : rows) any |= row;
+        return any == 0;
+    }
+    /// The columns that have their texels in all four rows from `row` on.
+    std::uint32_t columns_of_four(std::uint32_t row) const {
+        return rows[row] & rows[row + 1] & rows[row + 2] & rows[row + 3];
+    }
+};
+
 /// What is known of a tile as a whole; covered and gutter texels alike. Vectors in the first three lanes.
 struct TilePatch {
     enum class State : std::uint8_t {
@@ -31,8 +47,7 @@ struct TilePatch {
 
     State state = State::kUnmade;
     Continuity continuity = Continuity::kUnasked;  // told by TilePatches::texels
-    bool is_full = false;                          // every texel of the tile is there
-    std::uint16_t coverage[16] = {};               // of each row, the first column in the lowest bit
+    TileCoverage there;                            // the texels that there are
     float longest_normal = 0.0f;
     Float4 middle{};  // of the positions, model space
     Float4 step{};    // of the positions' whole numbers

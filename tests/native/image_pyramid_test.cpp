@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/picture.h"
+#include "support/random.h"
 
 using namespace support;
 
@@ -132,6 +134,45 @@ TEST_CASE("A window knows the roughest of its pixels, and of no other") {
     check(level.bends[0], 2);
     check(level.bends[1], 4);
     check(level.bends[2], 8);
+}
+
+TEST_CASE("Pixels are called clear only where nothing is painted, and always where nothing is near") {
+    constexpr std::int32_t kSide = 128;
+    constexpr std::int32_t kNear =
+        18;  // windows reach up to 16 pixels beyond, and know what lies two pixels from their own
+    Picture picture(kSide, kSide, {0, 0, 0, 0});
+    Random random(71);
+    for (int i = 0; i < 7; ++i) picture.set(random.below(kSide), random.below(kSide), {9, 9, 9, 1});
+    const Built built(picture);
+    const txc::PyramidLevel& level = built.image.levels[0];
+    const auto is_painted = [&](std::int32_t left, std::int32_t top, std::int32_t right, std::int32_t bottom) {
+        for (std::int32_t y = std::max(top, 0); y <= std::min(bottom, kSide - 1); ++y) {
+            for (std::int32_t x = std::max(left, 0); x <= std::min(right, kSide - 1); ++x) {
+                if (level.color_at(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y))[3] != 0) return true;
+            }
+        }
+        return false;
+    };
+    const auto place = [&] { return static_cast<std::int32_t>(random.below(kSide + 40)) - 20; };
+    std::uint32_t wrong = 0;
+    std::uint32_t missed = 0;
+    std::uint32_t clear = 0;
+    for (int round = 0; round < 4000; ++round) {
+        const std::int32_t left = place();
+        const std::int32_t top = place();
+        const std::int32_t right = left + static_cast<std::int32_t>(random.below(40));
+        const std::int32_t bottom = top + static_cast<std::int32_t>(random.below(40));
+        const bool is_clear = level.is_clear(left, top, right, bottom);
+        clear += is_clear ? 1 : 0;
+        wrong += is_clear && is_painted(left, top, right, bottom) ? 1 : 0;
+        const bool is_amid = left >= kNear && top >= kNear && right < kSide - kNear && bottom < kSide - kNear;
+        const bool is_lonely = !is_painted(left - kNear, top - kNear, right + kNear, bottom + kNear);
+        missed += is_amid && is_lonely && !is_clear ? 1 : 0;
+    }
+    CHECK(wrong == 0);
+    CHECK(missed == 0);
+    CHECK(clear > 500);
+    CHECK(clear < 3500);
 }
 
 TEST_CASE("What rounding to bytes leaves of a slope counts as a plane, and a curve does not") {

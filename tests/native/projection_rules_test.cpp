@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "support/random.h"
 #include "support/reference_map.h"
+#include "support/reference_projector.h"
 #include "support/test_session.h"
 
 using namespace support;
@@ -204,6 +206,48 @@ TEST_CASE("On a sphere back faces are painted by the size of their angle, whiche
     }
     CHECK(differences == 0);
     CHECK(count_color(front, kPaint) > 800);
+}
+
+TEST_CASE("On a sphere just those texels are painted that lie in the box's depth and face the viewer, gutters too") {
+    // Horizons and both ends of the box cut tiles of coarse and of fine meshes anywhere.
+    constexpr std::uint32_t kSize = 192;
+    Random random(34);
+    for (const int segments : {12, 48, 160}) {
+        CAPTURE(segments);
+        Easel easel(make_sphere(1.0, segments, segments / 2, {0.1, 0.1, 0.9, 0.9}), kSize);
+        const MapArrays map = easel.session.map(easel.target);
+        std::uint32_t wrong = 0;
+        std::uint32_t painted = 0;
+        std::uint32_t left = 0;
+        for (int round = 0; round < 8; ++round) {
+            TxcLayerDef def = easel.solid();
+            def.angle_fade_start = def.angle_fade_end = 90.0f;
+            random.rotation(def.rotation);
+            place(def, 0, 0, random.between(-0.3, 0.3));
+            resize(def, 5, 5, random.between(0.7, 2.2));
+            def.backfaces = round % 4 == 3 ? 1 : 0;
+            const Vec3 towards = out_of_box(def, {0.0, 0.0, 1.0});
+            const Vec3 middle{def.position_model[0], def.position_model[1], def.position_model[2]};
+            const Picture picture = easel.paint(def);
+            for (std::uint32_t y = 0; y < kSize; ++y) {
+                for (std::uint32_t x = 0; x < kSize; ++x) {
+                    if (map.coverage_at(x, y) == 0) continue;
+                    const float* p = map.position(x, y);
+                    const float* n = map.normal(x, y);
+                    const double depth = dot(towards, Vec3{p[0], p[1], p[2]} - middle) / def.size[2];
+                    const double facing = dot(towards, Vec3{n[0], n[1], n[2]});
+                    // What lies on the very limit may fall on either side of it.
+                    if (std::fabs(std::fabs(depth) - 0.5) < 1e-5 || std::fabs(facing) < 1e-5) continue;
+                    const bool is_met = std::fabs(depth) < 0.5 && (facing > 0.0 || def.backfaces != 0);
+                    wrong += picture.at(x, y) != (is_met ? kPaint : kBase) ? 1 : 0;
+                    (is_met ? painted : left) += 1;
+                }
+            }
+        }
+        CHECK(wrong == 0);
+        CHECK(painted > kSize * kSize);
+        CHECK(left > kSize * kSize);
+    }
 }
 
 TEST_CASE("The angle fade is linear in the cosine between its two angles") {
