@@ -179,6 +179,16 @@ inline Int4 round_to_int(Float4 values) {
 #endif
 }
 
+/// Downwards.
+inline Int4 floor_to_int(Float4 values) {
+#if defined(__wasm_simd128__)
+    return reinterpret_cast<Int4>(wasm_i32x4_trunc_sat_f32x4(wasm_f32x4_floor(reinterpret_cast<v128_t>(values))));
+#else
+    return __builtin_convertvector(
+        Float4{std::floor(values[0]), std::floor(values[1]), std::floor(values[2]), std::floor(values[3])}, Int4);
+#endif
+}
+
 /// Stores lanes of 0 to 65535; what lies outside is clamped.
 inline void store_ushort4(std::uint16_t* to, Int4 values) {
 #if defined(__wasm_simd128__)

@@ -266,7 +266,9 @@ void find_calm(const PyramidLevel& on, float across, float down, float reach, Fo
 
 Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
                          bool repeat) {
-    Footprint f{};
+    // Not cleared: most of it is lists, of which few entries are used.
+    Footprint f;
+    f.parts = 0;
     f.across_x = across_x;
     f.across_y = across_y;
     f.down_x = down_x;

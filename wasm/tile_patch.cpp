@@ -11,7 +11,7 @@ namespace {
 static_assert(kTileSize == 16, "a row's coverage is 16 bits");
 
 // Fewer texels are painted as soon run by run.
-constexpr std::uint32_t kFewestTexels = 48;
+constexpr std::uint32_t kFewestTexels = 8;
 // Frames that differ by more than this share of the longest side differ too much from any side.
 constexpr float kMostSpread = 0.3f;
 constexpr float kLargestWhole = 32767.0f;
