@@ -106,12 +106,12 @@ private:
     Done paint_as_one(const MapTile& tile, std::uint16_t* texels) {
         const std::uint32_t place = map_.tile_of[tile.index];
         const TilePatch& patch = map_.patches->find(map_, place);
-        const Float4 from = patch.middle - centre_;
-        const Float4 middle = turn(from) + Float4{0.5f * width_, 0.5f * height_, 0.0f, 0.0f};
-        const Float4 reach = turn_extent(patch.step) * splat(32767.0f);
+        // First, since it is all that most tiles on a model's far side are asked.
         const float facing = turn_normal(patch.normal);
         const float facing_spread = turn_normal_extent(patch.normal_spread);
         if (!settings_.backfaces && facing + facing_spread <= 0.0f) return Done::kMissed;
+        const Float4 middle = turn(patch.middle - centre_) + Float4{0.5f * width_, 0.5f * height_, 0.0f, 0.0f};
+        const Float4 reach = turn_extent(patch.step) * splat(32767.0f);
         const Float4 across = turn(patch.across);
         const Float4 down = turn(patch.down);
         const Float4 margin =

@@ -77,17 +77,19 @@ FourTexels load_four(const std::uint16_t* from) {
     return four;
 }
 
-/// Full alpha in all of a tile's row.
-bool is_full(const std::uint16_t* texels, std::uint32_t row) {
-    const std::uint16_t* from = texels + std::size_t{row} * kTileSize * 4;
-    FourTexels all = load_four(from);
-    for (std::uint32_t x = 4; x < kTileSize; x += 4) {
-        const FourTexels four = load_four(from + x * 4);
-        all.left &= four.left;
-        all.right &= four.right;
+/// A row of a tile, read once.
+struct TexelRow {
+    FourTexels fours[4];
+
+    explicit TexelRow(const std::uint16_t* from)
+        : fours{load_four(from), load_four(from + 16), load_four(from + 32), load_four(from + 48)} {}
+
+    bool is_full() const {
+        const UShort8 left = fours[0].left & fours[1].left & fours[2].left & fours[3].left;
+        const UShort8 right = fours[0].right & fours[1].right & fours[2].right & fours[3].right;
+        return FourTexels{left, right}.is_full();
     }
-    return all.is_full();
-}
+};
 
 void blend_four(const TilePaint& paint, std::size_t texel, Float4 (&backdrops)[4]) {
     for (std::size_t t = 0; t < 4; ++t) {
@@ -133,28 +135,30 @@ Byte16 paint_four(Byte16 base, const TilePaint* paints, std::size_t count, std::
 // as a whole two thirds of that. Touching
 // the tile's rows of the output ahead of the loop brought nothing; whole numbers for the rest would round otherwise than
 // the floats that a second layer needs.
-template <typename PaintFour, typename IsFullRow>
+template <typename PaintFour>
 bool paint_rows(const TexelRows& base, const TilePaint& top, std::uint8_t* out, std::size_t out_stride,
-                PaintFour&& paint_four_at, IsFullRow&& is_full_row) {
+                PaintFour&& paint_four_at) {
     const Byte16 opaque = {0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255, 0, 0, 0, 255};
     Byte16 difference{};
+    const auto put = [&difference](Byte16 bytes, std::uint8_t* to) {
+        difference |= bytes ^ load_byte16(to);
+        store_byte16(to, bytes);
+    };
     for (std::uint32_t y = 0; y < kTileSize; ++y) {
         const std::uint8_t* from = base.first + y * base.stride;
         std::uint8_t* to = out + y * out_stride;
-        if (is_full_row(y)) {
-            const std::uint16_t* texels = top.texels + std::size_t{y} * kTileSize * 4;
-            for (std::uint32_t x = 0; x < kTileSize; x += 4) {
-                const Byte16 bytes = load_four(texels + x * 4).to_bytes();
-                difference |= bytes ^ load_byte16(to + x * 4);
-                store_byte16(to + x * 4, bytes);
+        if (top.is_unfaded) {
+            const TexelRow row(top.texels + std::size_t{y} * kTileSize * 4);
+            if (row.is_full()) {
+                put(row.fours[0].to_bytes(), to);
+                put(row.fours[1].to_bytes(), to + 16);
+                put(row.fours[2].to_bytes(), to + 32);
+                put(row.fours[3].to_bytes(), to + 48);
+                continue;
             }
-            continue;
         }
-        for (std::uint32_t x = 0; x < kTileSize; x += 4) {
-            const Byte16 bytes = paint_four_at(load_byte16(from + x * 4), y * kTileSize + x) | opaque;
-            difference |= bytes ^ load_byte16(to + x * 4);
-            store_byte16(to + x * 4, bytes);
-        }
+        for (std::uint32_t x = 0; x < kTileSize; x += 4)
+            put(paint_four_at(load_byte16(from + x * 4), y * kTileSize + x) | opaque, to + x * 4);
     }
     return any_byte(difference);
 }
@@ -259,13 +263,12 @@ bool paint_opaque_tile(const TexelRows& base, const TilePaint* paints, std::size
                        std::size_t out_stride) {
     // Copies, which the bytes written cannot be part of: their fields stay in registers (a sixth of the time).
     const TilePaint top = paints[count - 1];
-    const auto is_full_row = [top](std::uint32_t y) { return top.is_unfaded && is_full(top.texels, y); };
     if (count == 1 && top.texels != nullptr) {
         const auto paint = [top](Byte16 below, std::size_t texel) { return paint_four(below, top, texel); };
-        return paint_rows(base, top, out, out_stride, paint, is_full_row);
+        return paint_rows(base, top, out, out_stride, paint);
     }
     const auto paint = [=](Byte16 below, std::size_t texel) { return paint_four(below, paints, count, texel); };
-    return paint_rows(base, top, out, out_stride, paint, is_full_row);
+    return paint_rows(base, top, out, out_stride, paint);
 }
 
 }  // namespace txc

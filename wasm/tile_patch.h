@@ -49,14 +49,14 @@ struct TilePatch {
     Continuity continuity = Continuity::kUnasked;  // told by TilePatches::texels
     TileCoverage there;                            // the texels that there are
     float longest_normal = 0.0f;
+    Float4 normal{};  // of the normals, which are not of unit length
+    Float4 normal_spread{};
     Float4 middle{};  // of the positions, model space
     Float4 step{};    // of the positions' whole numbers
     Float4 across{};  // middle and half width of the change from a texel to the next of its row, over the frames
     Float4 across_spread{};
     Float4 down{};  // of its column
     Float4 down_spread{};
-    Float4 normal{};  // of the normals, which are not of unit length
-    Float4 normal_spread{};
 };
 
 /// Positions in whole numbers from -32767 to 32767: (position - middle) / step. 0 where there is no texel.
