@@ -264,10 +264,9 @@ void find_calm(const PyramidLevel& on, float across, float down, float reach, Fo
 
 }  // namespace
 
-Footprint make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y,
-                         bool repeat) {
-    // Not cleared: most of it is lists, of which few entries are used.
-    Footprint f;
+// Not cleared first: most of a footprint is lists, of which few entries are used.
+void make_footprint(const ImagePyramid& image, float across_x, float across_y, float down_x, float down_y, bool repeat,
+                    Footprint& f) {
     f.parts = 0;
     f.across_x = across_x;
     f.across_y = across_y;
@@ -312,7 +311,6 @@ Footprint make_footprint(const ImagePyramid& image, float across_x, float across
     f.edge_level = 0;
     while (f.edge_level + 1 < image.levels.size() && longer >= static_cast<float>((2 * kEdgeSamples) << f.edge_level))
         ++f.edge_level;
-    return f;
 }
 
 namespace {

@@ -340,11 +340,12 @@ private:
         rough_count_ = 0;
     }
 
-    /// Only frames that paint need one.
+    /// Only frames that paint need one. (Of 200,000 triangles at 1024 x 1024 they are a quarter of a drag. But few are alike: shared
+    /// between frames whose sides agree to a 32nd of the longest they made it 1.05 to 1.08 times as long, to an 8th 0.89 to 0.95.)
     void ensure_footprint(DecalFrame& d) const {
         if (d.has_footprint) return;
-        d.footprint =
-            make_footprint(image_, d.seen.dx[kX], d.seen.dx[kY], d.seen.dy[kX], d.seen.dy[kY], settings_.repeat);
+        make_footprint(image_, d.seen.dx[kX], d.seen.dx[kY], d.seen.dy[kX], d.seen.dy[kY], settings_.repeat,
+                       d.footprint);
         d.level = &image_.levels[d.footprint.level];
         d.pair_limit = chord_limit(image_, d.footprint, 2.0f);
         d.four_limit = chord_limit(image_, d.footprint, 4.0f);
