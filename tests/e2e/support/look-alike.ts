@@ -2,9 +2,8 @@
 import { readPng } from "./read-png.ts";
 
 /**
- * Steps of 255 that the browser's own drawing moves between two screenshots of one page: it dithers gradients, and not always the
- * same way. Chromium 156 under load, ten runs
- * of one story: two pictures in turn, up to 3 apart in a sixteenth of their pixels.
+ * Steps of 255 that the browser's own drawing may move between two screenshots of one page: it dithers gradients, and not always the
+ * same way. Chromium 156 under load, ten runs of one story: two pictures in turn, up to 3 apart in a sixteenth of their pixels.
  */
 const DITHER = 6;
 
