@@ -99,8 +99,7 @@ void make_patch(const LocalSpaceMap& map, const MapTile& tile, TilePatch& out) {
             add_normal(normal);
             add_normal(normal + frame.normal_dx * length);
         }
-        const std::uint32_t bits = (1u << run.length) - 1;
-        out.there.rows[run.y] = static_cast<std::uint16_t>(out.there.rows[run.y] | bits << run.x);
+        out.there.add(run.x, run.y, (1u << run.length) - 1);
         count += run.length;
     });
     out.there.is_full = count == kTileSize * kTileSize;

@@ -22,6 +22,10 @@ struct TileCoverage {
     std::uint16_t rows[16] = {};  // the first column in the lowest bit
     bool is_full = false;         // all of them
 
+    /// Adds texels of a row: `bits`, of which the lowest is the one in column `x`.
+    void add(std::uint32_t x, std::uint32_t y, std::uint32_t bits) {
+        rows[y] = static_cast<std::uint16_t>(rows[y] | bits << x);
+    }
     bool is_empty() const {
         std::uint32_t any = 0;
         for (const std::uint16_t row : rows) any |= row;
