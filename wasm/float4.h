@@ -159,6 +159,16 @@ inline Int4 load_short4(const std::int16_t* from) {
 #endif
 }
 
+/// Subtracts lanes that fit.
+inline void subtract_short4(std::int16_t* from, Int4 values) {
+#if defined(__wasm_simd128__)
+    const v128_t wide = reinterpret_cast<v128_t>(values);
+    wasm_v128_store64_lane(from, wasm_i16x8_sub(wasm_v128_load64_zero(from), wasm_i16x8_narrow_i32x4(wide, wide)), 0);
+#else
+    for (int c = 0; c < 4; ++c) from[c] = static_cast<std::int16_t>(from[c] - values[c]);
+#endif
+}
+
 /// The two signed halves of each lane multiplied, and the products added up.
 inline Int4 dot_halves(Int4 a, Int4 b) {
 #if defined(__wasm_simd128__)

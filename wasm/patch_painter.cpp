@@ -288,6 +288,16 @@ RoughTexel* paint_patch(const TileCoverage& painted, bool may_join, const PatchT
     return search.next;
 }
 
+void fade_texels(const std::int16_t* weights, std::uint16_t* texels) {
+    for (std::uint32_t i = 0; i < kTileTexels; i += 2) {
+        if (weights[i] == kFullWeight && weights[i + 1] == kFullWeight) continue;
+        const Short8 share = narrow(splat(std::int32_t{weights[i]}), splat(std::int32_t{weights[i + 1]}));
+        std::uint16_t* const two = texels + std::size_t{i} * 4;
+        // Colours around 0 are colours less a half, and of that the share is half the weight.
+        store_texels(two, share + std::numeric_limits<std::int16_t>::min() + part_of(load_texels(two), share));
+    }
+}
+
 void clear_uncovered(const TileCoverage& covered, std::uint16_t* texels) {
     if (covered.is_full) return;
     for (std::uint32_t row = 0; row < kTileSize; ++row) {

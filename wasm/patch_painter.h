@@ -34,6 +34,12 @@ RoughTexel* paint_patch(const TileCoverage& painted, bool may_join, const PatchT
                         const PyramidLevel& level, const Footprint& footprint, std::uint16_t* texels,
                         RoughTexel* rough);
 
+/// What stands for a weight of 1.
+inline constexpr std::int16_t kFullWeight = 32767;
+
+/// Multiplies a tile's texels, whatever stands there, by their weights: from 0 to kFullWeight.
+void fade_texels(const std::int16_t* weights, std::uint16_t* texels);
+
 /// Clears what the tile holds beside these texels: painted there, or from before.
 void clear_uncovered(const TileCoverage& covered, std::uint16_t* texels);
 

@@ -129,8 +129,6 @@ private:
         const float least_facing = settings_.backfaces ? std::fabs(facing) - facing_spread : facing - facing_spread;
         const bool is_facing =
             least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal;
-        // Where the angle decides between all and nothing, texels are asked one by one and painted in one loop all the same.
-        if (!is_facing && settings_.fade_start_cosine > 0.0f) return Done::kNot;
         const Float4 spread = greater(turn_extent(patch.across_spread), turn_extent(patch.down_spread));
         const Float4 sides = greater(absolute(across), absolute(down));
         const float most_spread = kFootprintSpread * (1.0f + std::max(sides[kX], sides[kY]));
@@ -149,12 +147,13 @@ private:
         // (Reading a number of each line of the next tile's patch here, ahead of its turn, made a drag 1.03 times as long.)
         const PatchView view = view_of(patch, level, footprint, middle, reach);
         if (is_clear_around(level, footprint, view)) return Done::kMissed;
-        const TileCoverage painted = is_deep && is_facing ? patch.there : met_texels(tile);
+        const TileCoverage painted = is_deep && is_facing ? patch.there : weigh_texels(tile);
         if (painted.is_empty()) return Done::kMissed;
         const PatchTexels& places = map_.patches->texels(map_, place);
         const bool may_join = patch.continuity == TilePatch::Continuity::kWhole;
         RoughTexel* const rough = paint_patch(painted, may_join, places, view, level, footprint, texels, rough_);
         paint_rough(rough_, static_cast<std::uint32_t>(rough - rough_));
+        if (!is_facing && settings_.fades()) fade_texels(weights_, texels);
         clear_uncovered(painted, texels);
         return Done::kPainted;
     }
@@ -168,46 +167,58 @@ private:
                               view.last_row + 1 + y);
     }
 
-    /// The texels of a tile that are deep enough in the box and face the right way. Those beside the picture may be among them.
-    TileCoverage met_texels(const MapTile& tile) {
+    /// The texels of a tile that are deep enough in the box and face the right way, and where the decal fades by the angle their
+    /// weights (of others, anything). Those beside the picture may be among them.
+    TileCoverage weigh_texels(const MapTile& tile) {
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
+        std::fill_n(weights_, kTileTexels, kFullWeight);
         TileCoverage met;
-        const std::uint32_t count = see_frames(tile, tile_x, tile_y);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const TileFrame& listed = tile_frames_[i];
-            const LaneBounds& bounds = listed.bounds;
-            const bool all = bounds.low[kDepth] >= -0.5f && bounds.high[kDepth] <= 0.5f && bounds.low[kFacing] > 1e-6f;
-            const TexelFrame& frame = map_.frames[listed.first->frame];
-            for (const TexelRun* run = listed.first; run != listed.end; ++run)
-                met.add(run->x, run->y,
-                        all ? (1u << run->length) - 1
-                            : met_in_run(*run, listed.seen, tile_x - frame.x0, tile_y - frame.y0));
-        }
-        for (std::uint32_t r = 0; r < tile.gutter_run_count; ++r) {
-            const TexelRun& gutter = map_.gutter_runs[tile.first_gutter_run + r];
-            const DecalFrame& d = decal_frame(gutter.frame, nullptr);
-            met.add(gutter.x, gutter.y, met_in_run(gutter, d.seen, tile_x - d.x0, tile_y - d.y0));
-        }
+        map_.for_each_run_of(tile, [&](const TexelRun& run) {
+            met.add(run.x, run.y, weigh_run(run, decal_frame(run.frame, nullptr).seen, tile_x, tile_y));
+        });
         return met;
     }
 
-    /// Tests 2 and 3 on a run's texels: a bit for each that passes them, the first in the lowest. `right`, `below`: from the
-    /// frame's own texel to the tile's first. (Inlined where it is called, it and decal_frame are 0.4 kB of the module, and no quicker.)
-    __attribute__((noinline)) std::uint32_t met_in_run(const TexelRun& run, const ProjectedFrame& seen,
-                                                       std::int32_t right, std::int32_t below) const {
-        const Float4 first = seen.at + seen.dx * splat(static_cast<float>(right + run.x)) +
-                             seen.dy * splat(static_cast<float>(below + run.y));
+    /// Tests 2 and 3 on a run's texels, to the weights that facing_weight gives: a bit for each that passes them, the first in the
+    /// lowest. (Inlined where it is called, it and decal_frame are 0.4 kB of the module, and no quicker.)
+    __attribute__((noinline)) std::uint32_t weigh_run(const TexelRun& run, const ProjectedFrame& seen,
+                                                      std::int32_t tile_x, std::int32_t tile_y) {
+        const TexelFrame& frame = map_.frames[run.frame];
+        const std::int32_t x = tile_x + run.x;
+        const std::int32_t y = tile_y + run.y;
+        const Float4 first = seen.at + seen.dx * splat(static_cast<float>(x - frame.x0)) +
+                             seen.dy * splat(static_cast<float>(y - frame.y0));
         const bool hold = (run.flags & kRunHoldNormal) != 0;
         const float facing = hold ? seen.at[kFacing] : first[kFacing];
         const float facing_dx = hold ? 0.0f : seen.dx[kFacing];
+        glm::vec3 normal(0.0f);
+        glm::vec3 normal_dx(0.0f);
+        if (settings_.fades()) {
+            normal = hold ? frame.normal_at(frame.x0, frame.y0) : frame.normal_at(x, y);
+            if (!hold) normal_dx = TexelFrame::part(frame.normal, &TexelFrame::Coordinate::dx);
+        }
+        std::int16_t* const weights = weights_ + run.y * kTileSize + run.x;
+        const auto length = static_cast<float>(run.length);
         std::uint32_t met = 0;
         Float4 step = {0.0f, 1.0f, 2.0f, 3.0f};
         for (std::uint32_t i = 0; i < run.length; i += 4, step += splat(4.0f)) {
             const Float4 depths = splat(first[kDepth]) + splat(seen.dx[kDepth]) * step;
             const Float4 facings = splat(facing) + splat(facing_dx) * step;
             const Float4 towards = settings_.backfaces ? absolute(facings) : facings;
-            met |= lane_bits((depths >= splat(-0.5f)) & (depths <= splat(0.5f)) & (towards > splat(0.0f))) << i;
+            Int4 pass = (depths >= splat(-0.5f)) & (depths <= splat(0.5f)) & (towards > splat(0.0f));
+            if (settings_.fades()) {
+                Float4 squares = splat(0.0f);
+                for (int axis = 0; axis < 3; ++axis) {
+                    const Float4 along = splat(normal[axis]) + splat(normal_dx[axis]) * step;
+                    squares += along * along;
+                }
+                const Float4 weight = settings_.fade_weights(towards / square_root(squares));
+                pass &= weight > splat(0.0f);
+                const Float4 lost = (splat(1.0f) - weight) * splat(static_cast<float>(kFullWeight));
+                subtract_short4(weights + i, round_to_int(select(step < splat(length), lost, splat(0.0f))));
+            }
+            met |= lane_bits(pass) << i;
         }
         return met & ((1u << run.length) - 1);
     }
@@ -370,7 +381,7 @@ private:
         ensure_footprint(d);
         // Covered texels' normals are means of unit ones, so no longer than 1: where n . ray is beyond the fade's start
         // the cosine is all the more. A continued normal may be longer, so of that only the sign is known.
-        const bool fades_in_gutter = (flags & kRunGutter) != 0 && settings_.fade_start_cosine > 0.0f;
+        const bool fades_in_gutter = (flags & kRunGutter) != 0 && settings_.fades();
         if (settings_.nearest || (flags & kRunHoldNormal) != 0 || fades_in_gutter) return Fate::kSome;
         const Float4 least = {d.footprint.inset_x, d.footprint.inset_y, -0.5f,
                               std::max(settings_.fade_start_cosine, 1e-6f)};
@@ -447,7 +458,7 @@ private:
         if (hold) facing = d.seen.at[kFacing];
         if (settings_.backfaces) facing = std::fabs(facing);
         if (!(facing > 0.0f)) return 0.0f;
-        if (settings_.fade_start_cosine <= 0.0f) return 1.0f;  // a hard angle of 90 degrees needs no cosine
+        if (!settings_.fades()) return 1.0f;  // a hard angle of 90 degrees needs no cosine
         const glm::vec3 n = hold ? frame.normal_at(frame.x0, frame.y0) : frame.normal_at(x, y);
         return settings_.fade_weight(facing / std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z));
     }
@@ -476,6 +487,7 @@ private:
     std::vector<std::uint8_t> known_clear_;  // per frame: 1 where nothing hides it (the cache below forgets)
     RoughTexel rough_[kTileTexels + 1];      // of the tile under way: they are painted in one go
     std::uint32_t rough_count_ = 0;
+    std::int16_t weights_[kTileTexels + 3];  // of the tile under way, where weigh_texels has met them
     std::uint32_t tile_ = kNoTile;
     std::vector<DecalFrame> cache_ = std::vector<DecalFrame>(256);
 };

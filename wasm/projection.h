@@ -21,11 +21,21 @@ struct DecalSettings {
     float fade_start_cosine = 0.0f;  // weight 1 from here up
     float fade_end_cosine = 0.0f;    // weight 0 from here down
 
+    /// Whether the angle decides otherwise than between front and back.
+    bool fades() const { return fade_start_cosine > 0.0f; }
+
     /// Test 3: the weight of a texel whose normal and ray meet at this cosine.
     float fade_weight(float cosine) const {
         if (cosine >= fade_start_cosine) return 1.0f;
         if (cosine <= fade_end_cosine) return 0.0f;
         return (cosine - fade_end_cosine) / (fade_start_cosine - fade_end_cosine);
+    }
+    /// The same of four.
+    Float4 fade_weights(Float4 cosines) const {
+        const Float4 start = splat(fade_start_cosine);
+        const Float4 end = splat(fade_end_cosine);
+        const Float4 between = select(cosines <= end, splat(0.0f), (cosines - end) / (start - end));
+        return select(cosines >= start, splat(1.0f), between);
     }
 };
 

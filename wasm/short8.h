@@ -52,6 +52,17 @@ inline Short8 part_of(Short8 values, std::int16_t share) {
 #endif
 }
 
+/// The same with a share for each lane, from 0 on.
+inline Short8 part_of(Short8 values, Short8 shares) {
+#if defined(__wasm_simd128__)
+    return reinterpret_cast<Short8>(
+        wasm_i16x8_q15mulr_sat(reinterpret_cast<v128_t>(values), reinterpret_cast<v128_t>(shares)));
+#else
+    for (int c = 0; c < 8; ++c) values[c] = static_cast<std::int16_t>((values[c] * shares[c] + 0x4000) >> 15);
+    return values;
+#endif
+}
+
 /// Sums that stop at the ends of the range.
 inline Short8 add_clamped(Short8 a, Short8 b) {
 #if defined(__wasm_simd128__)
@@ -83,6 +94,12 @@ inline bool any_lane(Short8 values) { return any_lane(reinterpret_cast<Int4>(val
 inline void store_texels(std::uint16_t* to, Short8 values) {
     values ^= std::numeric_limits<std::int16_t>::min();
     std::memcpy(to, &values, sizeof values);
+}
+
+inline Short8 load_texels(const std::uint16_t* from) {
+    Short8 values;
+    std::memcpy(&values, from, sizeof values);
+    return values ^ std::numeric_limits<std::int16_t>::min();
 }
 
 }  // namespace txc

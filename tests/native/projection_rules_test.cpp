@@ -273,6 +273,47 @@ TEST_CASE("The angle fade is linear in the cosine between its two angles") {
     }
 }
 
+TEST_CASE("On a sphere every texel fades by its own angle, gutters too") {
+    constexpr std::uint32_t kSize = 192;
+    Random random(35);
+    const float fades[][2] = {{70, 90}, {10, 80}, {45, 45}};
+    for (const int segments : {12, 48, 160}) {
+        CAPTURE(segments);
+        Easel easel(make_sphere(1.0, segments, segments / 2, {0.1, 0.1, 0.9, 0.9}), kSize);
+        const MapArrays map = easel.session.map(easel.target);
+        double worst = 0.0;
+        std::uint32_t fading = 0;
+        for (int round = 0; round < 9; ++round) {
+            TxcLayerDef def = easel.solid();
+            def.angle_fade_start = fades[round % 3][0];
+            def.angle_fade_end = fades[round % 3][1];
+            random.rotation(def.rotation);
+            resize(def, 5, 5, 5);
+            def.backfaces = round % 4 == 3 ? 1 : 0;
+            const double start = std::cos(def.angle_fade_start * kPi / 180.0);
+            const double end = std::cos(def.angle_fade_end * kPi / 180.0);
+            const Vec3 towards = out_of_box(def, {0.0, 0.0, 1.0});
+            const Picture picture = easel.paint(def);
+            for (std::uint32_t y = 0; y < kSize; ++y) {
+                for (std::uint32_t x = 0; x < kSize; ++x) {
+                    if (map.coverage_at(x, y) == 0) continue;
+                    const float* n = map.normal(x, y);
+                    const Vec3 normal{n[0], n[1], n[2]};
+                    double cosine = dot(towards, normal) / std::sqrt(dot(normal, normal));
+                    if (def.backfaces != 0) cosine = std::fabs(cosine);
+                    // Where one angle decides, what lies on it may fall on either side.
+                    if (start == end && std::fabs(cosine - end) < 1e-5) continue;
+                    const double weight = cosine >= start ? 1.0 : cosine <= end ? 0.0 : (cosine - end) / (start - end);
+                    worst = std::fmax(worst, std::fabs(share(picture, x, y) - weight));
+                    fading += weight > 0.0 && weight < 1.0 ? 1 : 0;
+                }
+            }
+        }
+        CHECK(worst < 0.006);
+        CHECK(fading > kSize * kSize / 2);
+    }
+}
+
 TEST_CASE("A fade of 90 to 90 degrees paints everything that faces the viewer fully") {
     Easel easel(make_tilted_plane(89.5), 16);
     TxcLayerDef def = easel.solid();
