@@ -146,6 +146,14 @@ const LatticeGroup& lattice_group(std::int32_t across_samples) {
 // are so many of them that their tables leave the cache.)
 bool kernel_serves(float longer, float shorter) { return longer <= 0.85f + 0.42f * shorter; }
 
+// How far a part may lean, as the covariance of its x and y, and how wide its box may be along an axis: what a kernel makes of larger
+// ones fails on the finest pictures first. Of 200 parallelograms, 0.3 to 3 pixels wide and up to six times as long, the worst has
+// 37.5 dB on a checker of one pixel, 41.6 on stripes of one and 43.9 on black and white noise. With 0.02 more than three times as many fall
+// below 40 on that checker; with neither bound the worst have 24 to 33, on checkers of two pixels too. Parts are 1.4 times as many as without;
+// as many where footprints are squares, turned or not.
+constexpr float kMostLean = 0.015f;
+constexpr float kWidestBox = 1.5f;
+
 /// Cuts a footprint on the finest level, whose sides have these lengths, into parts that a kernel serves. False where they
 /// are too many.
 bool cut_into_parts(float across, float down, Footprint& f) {
@@ -153,7 +161,17 @@ bool cut_into_parts(float across, float down, Footprint& f) {
     std::int32_t rows = 1;
     float part_across = across;
     float part_down = down;
-    while (!kernel_serves(std::max(part_across, part_down), std::min(part_across, part_down))) {
+    const auto leans = [&] {
+        const float u = 1.0f / static_cast<float>(columns);
+        const float v = 1.0f / static_cast<float>(rows);
+        const float right = f.across_x * u;
+        const float below = f.across_y * u;
+        const float down_right = f.down_x * v;
+        const float down_below = f.down_y * v;
+        return std::fabs(covariance_of(right, below, down_right, down_below)) > kMostLean ||
+               std::max(square(right, down_right), square(below, down_below)) > kWidestBox * kWidestBox;
+    };
+    while (!kernel_serves(std::max(part_across, part_down), std::min(part_across, part_down)) || leans()) {
         if (part_across >= part_down) {
             part_across = across / static_cast<float>(++columns);
         } else {

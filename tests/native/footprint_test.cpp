@@ -256,15 +256,16 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
     constexpr std::uint32_t kSide = 48;
     Random random(47);
     double worst = 1e9;
-    for (int round = 0; round < 240; ++round) {
-        // Checkers of 2 to 6 pixels, stripes, noise: black and white, and every texel on an edge.
-        const std::uint32_t cell = 2 + static_cast<std::uint32_t>(round % 5);
-        const int kind = round % 8;
+    std::uint32_t cut = 0;
+    for (int round = 0; round < 480; ++round) {
+        // Checkers of 1 to 6 pixels, stripes, noise: black and white, and every texel on an edge.
+        const std::uint32_t cell = 1 + static_cast<std::uint32_t>(round % 6);
+        const int kind = round % 7;
         Picture picture(kSide, kSide);
         for (std::uint32_t y = 0; y < kSide; ++y) {
             for (std::uint32_t x = 0; x < kSide; ++x) {
                 const bool lit = kind == 0   ? random.coin()
-                                 : kind == 1 ? x / 3 % 2 == 0
+                                 : kind == 1 ? x / (1 + cell % 3) % 2 == 0
                                              : (x / cell + y / cell) % 2 == 0;
                 const std::uint8_t byte = lit ? 255 : 0;
                 picture.set(x, y, {byte, byte, byte, 255});
@@ -276,9 +277,11 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
         const double across = random.between(0.1, 3.0);
         const double down = across * random.between(0.3, 1.0);
         const double turned = random.below(4) == 0 ? 0.0 : random.between(0.0, 2 * kPi);
-        const double corner = kPi / 2 + random.between(-0.3, 0.3);
+        const double corner = kPi / 2 + random.between(-0.9, 0.9);
         const txc::Footprint f = make_turned(image, across, down, turned, corner);
-        REQUIRE(f.parts > 0);
+        // Those that lean so much that they would be cut into too many parts take samples.
+        if (f.parts == 0) continue;
+        ++cut;
         double squares = 0.0;
         constexpr int kPlaces = 300;
         for (int i = 0; i < kPlaces; ++i) {
@@ -290,7 +293,8 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
         }
         worst = std::fmin(worst, 10.0 * std::log10(255.0 * 255.0 * kPlaces / squares));
     }
-    CHECK(worst >= 38.5);
+    CHECK(worst >= 37.5);
+    CHECK(cut > 400);
 }
 
 TEST_CASE(
