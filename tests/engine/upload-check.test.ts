@@ -8,6 +8,9 @@ import { checkUpload } from "../../web/engine/upload-check.ts";
 const text = (value: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(value);
 const svg = (inner: string, attributes = ""): Uint8Array<ArrayBuffer> =>
   text(`<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 30 20" ${attributes}>${inner}</svg>`);
+/** With declarations in the document's type. */
+const typed = (declared: string, inner = "", before = "<!DOCTYPE svg"): Uint8Array<ArrayBuffer> =>
+  text(`${before} [${declared}]>${new TextDecoder().decode(svg(inner))}`);
 const codeOf = (run: () => unknown): string => {
   try {
     run();
@@ -86,6 +89,43 @@ describe("an upload", () => {
         new TextDecoder().decode(bytes),
       ).toBe("unsafe-file");
     }
+  });
+
+  const cut = ["<metadata/>", "<metadata>a</metadata>", "<!-- -->"];
+  it.each([
+    ...cut.map((aside) => svg(`<scr${aside}ipt>alert(1)</scr${aside}ipt>`)),
+    ...cut.map((aside) => svg("", `on${aside}load="alert(1)"`)),
+    ...cut.map((aside) => svg(`<a href="java${aside}script:alert(1)"><rect/></a>`)),
+    svg("<meta<metadata/>data/><script/>"),
+    svg("<a.b:script xmlns:a.b='http://www.w3.org/2000/svg'>alert(1)</a.b:script>"),
+    typed('<!ATTLIST svg onload CDATA "alert(1)">'),
+    typed("<!ENTITY % a ''>%a;"),
+    typed('<!ENTITY j "javascript">', '<a href="&j;:alert(1)"><rect/></a>'),
+    typed('<!ENTITY j "j&#97;va">', '<a href="&j;script:alert(1)"><rect/></a>'),
+    typed('<!ENTITY j "]>"><!ENTITY k "javascript">', '<a href="&k;:alert(1)"><rect/></a>'),
+    typed("<!ENTITY j 'no'><!ENTITY o 'on'>", '<set attributeName="&o;load" to="alert(1)"/>'),
+    typed(`<!ENTITY a "${"a".repeat(10_000)}">`, "&a;".repeat(10_000)),
+    text(`<?xml version='1.0' encoding='iso-2022-jp'?><svg><scr\x1b(Bipt>alert(1)</scr\x1b(Bipt></svg>`),
+  ])("is no drawing that would run something once it is cleaned, or read by a browser: %#", (bytes) => {
+    expect(
+      codeOf(() => checkUpload("x.svg", bytes)),
+      new TextDecoder().decode(bytes),
+    ).toBe("unsafe-file");
+  });
+
+  it("is a drawing as drawing programs write them, and the same when it is looked at again", () => {
+    const illustrator = typed(
+      `<!-- Generator --><!ENTITY ns_svg "http://www.w3.org/2000/svg">
+       <!ENTITY ns_ai 'http://ns.adobe.com/AdobeIllustrator/10.0/'><!ENTITY st0 "fill:none;stroke:#000000;"><!ENTITY nbsp "&#160;">
+       <!ELEMENT svg ANY>`,
+      '<metadata><metadata/>&nbsp;</metadata><g xmlns:i="&ns_ai;" style="&st0;" x="a>b"><![CDATA[<!-- kept -->]]></g>',
+      `<?xml version="1.0" encoding="utf-8"?><!-- Jane --><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "svg11.dtd"`,
+    );
+    const { bytes } = checkUpload("x.svg", illustrator);
+    const kept = new TextDecoder().decode(bytes);
+    expect(kept).not.toMatch(/Jane|Generator|metadata|encoding/);
+    expect(kept).toContain('<g xmlns:i="&ns_ai;" style="&st0;" x="a>b"><![CDATA[<!-- kept -->]]></g>');
+    expect(checkUpload("x.svg", bytes).bytes).toEqual(bytes);
   });
 
   it("is a drawing without its comments and its author", () => {

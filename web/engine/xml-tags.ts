@@ -49,7 +49,7 @@ export function* tagsOf(xml: string): Iterable<XmlTag> {
 const NONE: ReadonlyMap<string, string> = new Map();
 
 /** Of a comment, CDATA, an instruction or the document's type; null for a tag. The text's length where it has no end. */
-function endOfOther(xml: string, start: number): number | null {
+export function endOfOther(xml: string, start: number): number | null {
   const after = (end: string): number => {
     const found = xml.indexOf(end, start);
     return found < 0 ? xml.length : found + end.length;
@@ -68,7 +68,7 @@ function endOfOther(xml: string, start: number): number | null {
 }
 
 /** Where one of these characters is first, outside of quotes; -1 where none is. */
-function unquoted(xml: string, start: number, characters: string): number {
+export function unquoted(xml: string, start: number, characters: string): number {
   let quote = "";
   for (let at = start; at < xml.length; at++) {
     const character = xml[at] as string;
