@@ -183,6 +183,17 @@ test("elements come, move and go, and leave no worker, graphics or picture behin
   expect(await codes(page)).toEqual([]);
 });
 
+test("the page's address gives the element its own attributes, and nothing that runs", async ({ page }) => {
+  const run = encodeURIComponent("document.title = 'run'");
+  await page.goto(`element.html?loading=eager&max-decals=3&onprogress=${run}&onload=${run}&id=x&style=color:red`);
+  const editor = page.locator("texelcast-editor");
+  await expect(editor.getByRole("application")).toBeVisible();
+  // The mode is one that the element tells itself.
+  const names = await editor.evaluate((element) => element.getAttributeNames());
+  expect(names).toEqual(["src", "loading", "max-decals", "mode"]);
+  expect(await page.title()).toBe("Texelcast in a shop");
+});
+
 test("hostile designs and files are refused by name, run nothing and fetch nothing", async ({ page, baseURL }) => {
   const alarms: string[] = [];
   page.on("dialog", (dialog) => {

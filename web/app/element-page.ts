@@ -1,9 +1,13 @@
 /** The element on a page of its own: attributes may be given in the address, `?src=demo/avatar.glb&mode=full`. */
-import "../element/define.ts";
+import { TexelcastEditor } from "../element/define.ts";
 
 const editor = document.querySelector("texelcast-editor");
 const output = document.querySelector("output");
-for (const [name, value] of new URLSearchParams(location.search)) editor?.setAttribute(name, value);
+// Its own, and no others: a link must not bring an "onload".
+const attributes = new Set(TexelcastEditor.observedAttributes);
+for (const [name, value] of new URLSearchParams(location.search)) {
+  if (attributes.has(name)) editor?.setAttribute(name, value);
+}
 
 editor?.addEventListener("submit", ({ detail: { texture, assets } }) => {
   if (output) {
