@@ -25,6 +25,7 @@ Object.assign(editor, {
     editor.dispatchEvent(new CustomEvent("change", { detail: { counts: { decals: accepted ? 1 : 0 } } }));
     return accepted ? name + bytes.length : "refused";
   },
+  addText: (text) => Promise.resolve(editor.beforeAccept?.({ name: text }) ?? "not asked").catch((error) => error.message),
 });
 document.body.append(editor);
 globalThis.host = hostEditor(editor, { shops: [new URL(location.href).searchParams.get("shop")] });
@@ -134,6 +135,44 @@ test("the shop drives the element of another origin, is asked about pictures and
   const [, frame] = opened.page.frames();
   expect(await frame?.evaluate("editor.maxDecals")).toBe(3);
   expect(opened.complaints).toEqual([]);
+});
+
+test("what the shop's hook answers reaches the element as it is, and without a hook nothing is asked", async () => {
+  const answers =
+    "{ yes: true, no: false, nothing: null, plain: { accept: true }, told: { accept: false, reason: 'Not here.' } }";
+  const told = await inShop(
+    "stub",
+    `const said = {};
+     for (const name of ["yes", "no", "forgotten", "nothing", "plain", "told", "broken"]) said[name] = await frame.addText(name);
+     return said;`,
+    `{ beforeAccept: async ({ name }) => { if (name === "broken") throw new Error("down"); return (${answers})[name]; } }`,
+  );
+  expect(told).toEqual({
+    yes: true,
+    no: false,
+    forgotten: undefined,
+    nothing: null,
+    plain: { accept: true },
+    told: { accept: false, reason: "Not here." },
+    broken: expect.stringContaining("down"),
+  });
+  for (const none of ["{}", "{ beforeAccept: null }"]) {
+    expect(await inShop("stub", `return await frame.addText("any");`, none)).toBe("not asked");
+  }
+});
+
+test("a picture and words may wait for the shop's people as long as their answer may take", async () => {
+  const { page: shopPage } = opened;
+  await shopPage.clock.install();
+  await inShop(
+    "stub",
+    `frame.all = Promise.all([frame.addDecal(new Uint8Array(3), { name: "logo" }), frame.addText("Moin")]);`,
+    `{ beforeAccept: () => new Promise((resolve) => { setTimeout(resolve, 100_000, true); (globalThis.asked ??= []).push(1); }) }`,
+  );
+  await shopPage.waitForFunction("asked.length === 2");
+  const all = shopPage.evaluate("frame.all.catch((error) => error.code)");
+  await shopPage.clock.runFor(110_000);
+  expect(await all).toEqual(["logo3", true]);
 });
 
 test("an error of the element comes over with its words, silence is given up, and what ends says so", async () => {

@@ -34,9 +34,12 @@ export interface MountOptions extends FrameProperties {
   readonly page: string | URL;
   /** The iframe's name for screen readers; default "Product designer". */
   readonly title?: string;
-  /** Asked for each picture before it is taken; runs in the shop's page. */
-  readonly beforeAccept?: BeforeAccept;
-  /** How long an answer may take, milliseconds; default 30 000, for the first word of the page and for exports 120 000. */
+  /** As the element's: asked for each picture and font before it is taken. Runs in the shop's page; its answer must be plain data. */
+  readonly beforeAccept?: BeforeAccept | null;
+  /**
+   * How long an answer may take, milliseconds; default 30 000; 120 000 for the first word of the page, for exports, and for what
+   * `beforeAccept` may be asked about.
+   */
   readonly timeoutMs?: number;
 }
 

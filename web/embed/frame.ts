@@ -13,7 +13,10 @@ import { PortCalls } from "./port-calls.ts";
 
 const PATIENCE_MS = 30_000;
 const LONG_PATIENCE_MS = 120_000;
+/** What loads or prints, and what the shop itself is asked about meanwhile. */
 const LONG: ReadonlySet<FrameMethod> = new Set([
+  "addDecal",
+  "addText",
   "start",
   "exportModel",
   "exportTexture",
@@ -34,7 +37,8 @@ const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
  * version; the iframe is then taken away again.
  */
 export async function mountTexelcast(container: Element, options: MountOptions): Promise<TexelcastFrame> {
-  const { page, title = "Product designer", beforeAccept, timeoutMs } = options;
+  const { page, title = "Product designer", timeoutMs } = options;
+  const beforeAccept = options.beforeAccept ?? null;
   const address = pageAddress(page);
   const iframe = container.ownerDocument.createElement("iframe");
   iframe.title = title;
@@ -49,7 +53,8 @@ export async function mountTexelcast(container: Element, options: MountOptions):
   const events = new EventTarget();
   const answer = async (method: string, args: readonly unknown[]): Promise<unknown> => {
     if (method !== "beforeAccept") throw new TexelcastError("bad-argument", `The shop's page has no “${method}”.`);
-    return (await beforeAccept?.(args[0] as never)) ?? true;
+    // Whatever it is, the element judges it: what is no answer refuses.
+    return beforeAccept === null || (await beforeAccept(args[0] as never));
   };
   const onEvent = (name: string, detail: unknown): void => {
     events.dispatchEvent(new CustomEvent(name, { detail }));
@@ -93,7 +98,7 @@ export async function mountTexelcast(container: Element, options: MountOptions):
   let calls: PortCalls;
   try {
     calls = await connected;
-    await calls.call("set", [propertiesOf(options), beforeAccept !== undefined], timeoutMs ?? PATIENCE_MS);
+    await calls.call("set", [propertiesOf(options), beforeAccept !== null], timeoutMs ?? PATIENCE_MS);
   } catch (error) {
     greeting.abort();
     iframe.remove();
@@ -110,7 +115,7 @@ export async function mountTexelcast(container: Element, options: MountOptions):
   const frame = Object.assign(events, methods, {
     iframe,
     set: async (properties: FrameProperties): Promise<void> => {
-      await calls.call("set", [propertiesOf(properties), beforeAccept !== undefined], timeoutMs ?? PATIENCE_MS);
+      await calls.call("set", [propertiesOf(properties), beforeAccept !== null], timeoutMs ?? PATIENCE_MS);
     },
     unmount: (): void => {
       greeting.abort();

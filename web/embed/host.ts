@@ -1,6 +1,6 @@
 /** The editor's side of the iframe: lets one shop, of one exact origin, drive one element. */
 import { TexelcastError } from "../core/texelcast-error.ts";
-import type { BeforeAccept, TexelcastEditorApi } from "../element/element-api.ts";
+import type { Acceptance, BeforeAccept, TexelcastEditorApi } from "../element/element-api.ts";
 import { FRAME_EVENTS, FRAME_METHODS, FRAME_PROPERTIES } from "./frame-api.ts";
 import { EMBED_VERSION, makeNonce, readGreeting, SHOP_PARAMETER } from "./messages.ts";
 import { PortCalls } from "./port-calls.ts";
@@ -34,7 +34,7 @@ export function hostEditor(editor: HTMLElement & TexelcastEditorApi, { shops }: 
   };
 
   const beforeAccept: BeforeAccept = async (asset) =>
-    (await calls?.call("beforeAccept", [asset], ACCEPTANCE_PATIENCE_MS)) === true;
+    (await calls?.call("beforeAccept", [asset], ACCEPTANCE_PATIENCE_MS)) as Acceptance;
   const answer = (method: string, args: readonly unknown[]): unknown => {
     if (method === "set") return setProperties(editor, args[0], args[1] === true ? beforeAccept : null);
     const known = FRAME_METHODS.find((name) => name === method);
