@@ -88,7 +88,10 @@ type Answer<Method> = Method extends (...args: infer Args) => infer Result
   ? (...args: Args) => Promise<Awaited<Result>>
   : never;
 
-/** The editor in its iframe. Events are the element's own, as CustomEvents of this object. */
+/**
+ * The editor in its iframe. Events have the element's names and details, as CustomEvents of this object that tell of what was:
+ * `preventDefault()` of "submit" does nothing, and the editor says that the design is ready.
+ */
 export interface TexelcastFrame {
   readonly iframe: HTMLIFrameElement;
   /** Messages from a wrong origin or window, repeated or malformed; none of them did anything. */
