@@ -27,7 +27,7 @@ export class PendingFiles {
   async create(target: string): Promise<PendingFile> {
     const file = await writing(target, async () => {
       if (this.#pending.size === 0) process.on("SIGINT", this.#onSignal).on("SIGTERM", this.#onSignal);
-      await mkdir(path.dirname(target), { recursive: true });
+      await makeFolder(path.dirname(target));
       const temporary = path.join(path.dirname(target), `.texelcast-${randomUUID()}.tmp`);
       // Made and listed in one go: a signal between the two would leave it behind.
       const pending: { readonly temporary: string; file?: FileHandle } = { temporary };
@@ -89,6 +89,25 @@ export async function checkOutputFolder(folder: string): Promise<void> {
     if (found !== null) throw cannotWrite(folder, `${JSON.stringify(place)} is a file, not a folder`);
     if (place === path.dirname(place)) return;
   }
+}
+
+/**
+ * Makes a folder and those above it that are missing. Node's own recursive mkdir takes ENOENT to mean that the folder above
+ * is missing, and never ends where that one is there and the system says ENOENT all the same, as below /proc.
+ */
+async function makeFolder(folder: string): Promise<void> {
+  if (await isFolder(folder)) return;
+  const above = path.dirname(folder);
+  if (above !== folder) await makeFolder(above);
+  await mkdir(folder).catch(async (cause: unknown) => {
+    // Another process may have been quicker.
+    if (!(await isFolder(folder))) throw cause;
+  });
+}
+
+async function isFolder(place: string): Promise<boolean> {
+  const found = await stat(place).catch(() => null);
+  return found?.isDirectory() ?? false;
 }
 
 async function writing<Result>(target: string, action: () => Promise<Result>): Promise<Result> {

@@ -20,12 +20,19 @@ export interface RunOptions {
   readonly cwd?: string;
   /** Called with the process's id once it has begun to write into this folder. */
   readonly onStart?: (pid: number) => void;
+  /** Ends the process, for a test of one that might not end by itself. */
+  readonly signal?: AbortSignal;
 }
 
-export function texelcast(args: readonly string[], { cwd, onStart }: RunOptions = {}): Promise<Run> {
+export function texelcast(args: readonly string[], { cwd, onStart, signal: abort }: RunOptions = {}): Promise<Run> {
   const begin = performance.now();
   return new Promise((resolve, reject) => {
-    const child = spawn(process.execPath, [BUNDLE, ...args], { cwd, stdio: ["ignore", "pipe", "pipe"] });
+    const child = spawn(process.execPath, [BUNDLE, ...args], {
+      cwd,
+      signal: abort,
+      killSignal: "SIGKILL",
+      stdio: ["ignore", "pipe", "pipe"],
+    });
     const out: Buffer[] = [];
     const err: Buffer[] = [];
     child.stdout.on("data", (chunk: Buffer) => out.push(chunk));

@@ -1,0 +1,34 @@
+import { existsSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { describe, expect, it } from "vitest";
+import { planeGlb } from "./plane-model.ts";
+import { temporaryFolder, texelcast } from "./run-cli.ts";
+
+function folderWithPlane(): string {
+  const folder = temporaryFolder();
+  writeFileSync(path.join(folder, "plane.glb"), planeGlb());
+  writeFileSync(path.join(folder, "design.json"), '{"format":"texelcast-design","version":1,"layers":[]}');
+  return folder;
+}
+
+/** Linux's folder of processes is there, and yet it says ENOENT to whoever makes a folder in it, root or not. */
+describe.runIf(existsSync("/proc/self"))("a folder in which none can be made", () => {
+  it.for([
+    ["bake", ["bake", "plane.glb", "--out", "/proc/no-such/maps", "--size", "8"], "/proc/no-such/maps/positions.npy"],
+    ["render", ["render", "plane.glb", "design.json", "--out", "/proc/no-such/x.glb"], "/proc/no-such/x.glb"],
+    [
+      "print",
+      ["print", "plane.glb", "design.json", "--out", "/proc/no-such/x.png", "--size", "8"],
+      "/proc/no-such/x.png",
+    ],
+  ] as const)("ends %s with exit code 3, in words that name the file", async ([, args, target], { signal }) => {
+    const { code, stdout, stderr } = await texelcast(args, { cwd: folderWithPlane(), signal });
+    expect(code).toBe(3);
+    expect(stdout).toBe("");
+    const [wrong, hint, ...rest] = stderr.split("\n");
+    expect(wrong).toContain(`texelcast: ${target}: cannot be written: `);
+    expect(wrong).toContain("mkdir '/proc/no-such'");
+    expect(hint).toMatch(/^ {2}Give --out another place/);
+    expect(rest).toEqual([""]);
+  });
+});
