@@ -1,13 +1,19 @@
 /** The command line tool: one run, one command, one exit code (docs/command-line.md). */
 import { CommanderError } from "commander";
+import { TexelcastError } from "../web/core/texelcast-error.ts";
 import { EXIT_OK, EXIT_USAGE } from "./exit-codes.ts";
 import { createProgram } from "./program.ts";
 import { reportError } from "./report-error.ts";
 
-// A reader such as `head` that has seen enough is no fault.
-process.stdout.on("error", (error: NodeJS.ErrnoException) => {
-  if (error.code !== "EPIPE") throw error;
-  process.exit(EXIT_OK);
+process.stdout.on("error", (cause: NodeJS.ErrnoException) => {
+  // A reader such as `head` that has seen enough is no fault.
+  if (cause.code === "EPIPE") process.exit(EXIT_OK);
+  const error = new TexelcastError("cannot-write", `cannot be written: ${cause.message}`, {
+    subject: "stdout",
+    hint: "Send it to another place, or make room there.",
+    cause,
+  });
+  process.exit(reportError(error));
 });
 
 try {

@@ -22,21 +22,27 @@ export interface RunOptions {
   readonly onStart?: (pid: number) => void;
   /** Ends the process, for a test of one that might not end by itself. */
   readonly signal?: AbortSignal;
+  /** Written to instead of `Run.stdout`: an open file's number, or a pipe that its reader closes before a word is in it. */
+  readonly stdout?: number | "closed pipe";
 }
 
-export function texelcast(args: readonly string[], { cwd, onStart, signal: abort }: RunOptions = {}): Promise<Run> {
+export function texelcast(
+  args: readonly string[],
+  { cwd, onStart, signal: abort, stdout: sink }: RunOptions = {},
+): Promise<Run> {
   const begin = performance.now();
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [BUNDLE, ...args], {
       cwd,
       signal: abort,
       killSignal: "SIGKILL",
-      stdio: ["ignore", "pipe", "pipe"],
+      stdio: ["ignore", typeof sink === "number" ? sink : "pipe", "pipe"],
     });
     const out: Buffer[] = [];
     const err: Buffer[] = [];
-    child.stdout.on("data", (chunk: Buffer) => out.push(chunk));
-    child.stderr.on("data", (chunk: Buffer) => err.push(chunk));
+    child.stdout?.on("data", (chunk: Buffer) => out.push(chunk));
+    if (sink === "closed pipe") child.stdout?.destroy();
+    child.stderr?.on("data", (chunk: Buffer) => err.push(chunk));
     child.on("error", reject);
     child.on("close", (code, signal) => {
       const [stdout, stderr] = [out, err].map((chunks) => Buffer.concat(chunks).toString());

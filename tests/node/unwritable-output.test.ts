@@ -1,6 +1,6 @@
-import { existsSync, writeFileSync } from "node:fs";
+import { closeSync, existsSync, openSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, onTestFinished } from "vitest";
 import { planeGlb } from "./plane-model.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
@@ -30,5 +30,32 @@ describe.runIf(existsSync("/proc/self"))("a folder in which none can be made", (
     expect(wrong).toContain("mkdir '/proc/no-such'");
     expect(hint).toMatch(/^ {2}Give --out another place/);
     expect(rest).toEqual([""]);
+  });
+});
+
+const WRITERS: [string, string[]][] = [
+  ["inspect", ["inspect", "plane.glb"]],
+  ["inspect --json", ["inspect", "plane.glb", "--json"]],
+  ["check", ["check", "plane.glb", "design.json"]],
+  ["render", ["render", "plane.glb", "design.json", "--out", "x.png", "--size", "8"]],
+  ["schema", ["schema"]],
+  ["--help", ["--help"]],
+];
+
+/** Linux's device that takes not a byte. */
+describe.runIf(existsSync("/dev/full"))("a standard output without room", () => {
+  it.each(WRITERS)("ends %s with exit code 3, one line of what is wrong and one of what to do", async (_what, args) => {
+    const full = openSync("/dev/full", "w");
+    onTestFinished(() => closeSync(full));
+    const { code, stderr } = await texelcast(args, { cwd: folderWithPlane(), stdout: full });
+    expect(stderr).toMatch(/^texelcast: stdout: cannot be written: ENOSPC: [^\n]+\n {2}[A-Z][^\n]+\.\n$/);
+    expect(code).toBe(3);
+  });
+});
+
+describe("a reader that has seen enough", () => {
+  it.each(WRITERS)("ends %s with exit code 0 and without a word", async (_what, args) => {
+    const run = await texelcast(args, { cwd: folderWithPlane(), stdout: "closed pipe" });
+    expect(run).toMatchObject({ code: 0, stderr: "" });
   });
 });
