@@ -1,4 +1,5 @@
 /** `texelcast print`: a design on a model as a file for the printer. */
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { PrintFileOptions } from "../../web/engine/print-report.ts";
 import { withPrintJob } from "../print-job.ts";
 import { Progress } from "../progress.ts";
@@ -33,7 +34,9 @@ export async function print(modelFile: string, designFile: string, options: Prin
   try {
     const file = await withPrintJob(job, (engine) =>
       engine.exportPrint(wanted, (share) => progress.report("Printing", share)),
-    );
+    ).catch((error: unknown) => {
+      throw zonesFile === undefined ? error : namingZones(error, zonesFile);
+    });
     await files.write(out, file.bytes);
     await files.commit();
     progress.end();
@@ -44,4 +47,20 @@ export async function print(modelFile: string, designFile: string, options: Prin
     progress.end();
     await files.discard();
   }
+}
+
+/** The engine knows no files and no options: those that a zone was asked for by are named here. */
+function namingZones(error: unknown, file: string): unknown {
+  if (!(error instanceof TexelcastError) || error.code !== "bad-argument") return error;
+  const details = { ...error.toJSON(), subject: file, cause: error };
+  if (error.field === "zone") {
+    const hint = "Check the id; upper and lower case differ.";
+    return new TexelcastError(error.code, `--zone: ${error.message}`, { ...details, hint });
+  }
+  if (error.field === "material") {
+    // No wrong usage: which material the zone is on stands in the file.
+    const hint = "Leave --material out: the zone's own is taken.";
+    return new TexelcastError("no-material", `--material: ${error.message}`, { ...details, hint });
+  }
+  return error;
 }

@@ -1,5 +1,5 @@
 import { createHash } from "node:crypto";
-import { readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, it } from "vitest";
 import { checkPrint, renderPrint } from "../../node/print.ts";
@@ -104,11 +104,43 @@ describe("texelcast print", () => {
     expect(stdout).toContain(`sha256 ${createHash("sha256").update(bytes).digest("hex")}`);
   });
 
-  it("refuses a zone that is not there as wrong usage", async () => {
+  it("refuses a zone that is not there as wrong usage, and names the zones file and the option", async () => {
     const { run } = await workbench([decal()]);
     const { code, stderr } = await run("print", "--zones", "zones.json", "--zone", "right", "--out", "x.png");
     expect(code).toBe(2);
-    expect(stderr).toContain("There is no zone “right”: there are “left”.");
+    expect(stderr).toBe(
+      "texelcast: zones.json: --zone: There is no zone “right”: there are “left”.\n" +
+        "  Check the id; upper and lower case differ.\n",
+    );
+  });
+
+  it("refuses a material that the zones file says the zone is not on with exit code 3, and names the file and the option", async () => {
+    const { folder, run } = await workbench([decal()]);
+    const args = ["--zones", "zones.json", "--zone", "left", "--material", "1", "--out", "x.png"];
+    const { code, stdout, stderr } = await run("print", ...args);
+    expect(stderr).toBe(
+      "texelcast: zones.json: --material: The zone “left” is one of material 0, not of 1.\n" +
+        "  Leave --material out: the zone's own is taken.\n",
+    );
+    expect(code).toBe(3);
+    expect(stdout).toBe("");
+    expect(existsSync(path.join(folder, "x.png"))).toBe(false);
+  });
+
+  it("prints a zone whose own material is named beside it", async () => {
+    const { run } = await workbench([decal()]);
+    const args = ["--zones", "zones.json", "--zone", "left", "--material", "0", "--size", "16", "--out", "x.png"];
+    expect(await run("print", ...args)).toMatchObject({ code: 0, stderr: "" });
+  });
+
+  it("refuses a zone or flat art as wrong usage where no file or no zone is named", async () => {
+    const { run } = await workbench([decal()]);
+    const withoutFile = await run("print", "--zone", "left", "--out", "x.png");
+    expect(withoutFile).toMatchObject({ code: 2, stdout: "" });
+    expect(withoutFile.stderr).toContain("There is no zone “left”: there are none.");
+    const withoutZone = await run("print", "--zones", "zones.json", "--flattened", "--out", "x.png");
+    expect(withoutZone).toMatchObject({ code: 2, stdout: "" });
+    expect(withoutZone.stderr).toContain("Only a zone can be laid out flat: name one.");
   });
 });
 
