@@ -63,9 +63,10 @@ export class Run {
       const loading = loadMode(kind);
       loading.catch(() => undefined);
       const source = typeof src === "string" ? await fetchModel(src, base, fetching) : src;
+      const openMode = await loading;
       this.#check();
       progress(FETCHED);
-      const mode = (await loading)(host);
+      const mode = openMode(host);
       this.#made = mode;
       await host.made(mode);
       await mode.open(source, this.#hasDesign ? (library) => this.readDesign(library) : null);

@@ -31,6 +31,8 @@ export class Work {
   #share = 0;
   #run: Run | null = null;
   #starting: Promise<void> | null = null;
+  /** How often it was closed: a start that finds another count than it began with is given up. */
+  #closings = 0;
   /** What was worked on when the mode was closed last. */
   #kept: Design | null = null;
   #view: HTMLElement | null = null;
@@ -91,6 +93,7 @@ export class Work {
   /** Ends what runs; what was designed stays. */
   close(): void {
     clearTimeout(this.#changeTimer);
+    this.#closings++;
     const { mode } = this;
     if (mode?.desk) this.#kept = mode.desk.design;
     this.#run?.close();
@@ -144,23 +147,25 @@ export class Work {
     const began = performance.now();
     const element = this.#element;
     const voice = this.#voice;
+    const closings = this.#closings;
     this.#phase = "loading";
     voice.dismiss();
     this.#progress(0);
     this.#view ??= makeView();
-    await voice.speak();
-    await element.updateComplete;
-    const { mode: kind, src, zones, design } = element;
-    const run = new Run({
-      ...{ kind, src, zones: zones === "" ? null : zones, words: voice.words, limits: this.settings.limits },
-      design: this.#kept === null ? { given: design } : { kept: this.#kept },
-      base: document.baseURI,
-      host: this.#modeHost(this.#view),
-      progress: (share) => this.#progress(share),
-    });
-    this.#run = run;
     try {
-      const mode = await run.open();
+      await voice.speak();
+      await element.updateComplete;
+      // Closed before there was a run that could have been closed.
+      if (closings !== this.#closings) throw new TexelcastError("cancelled", voice.words.errors.notReady);
+      const { mode: kind, src, zones, design } = element;
+      this.#run = new Run({
+        ...{ kind, src, zones: zones === "" ? null : zones, words: voice.words, limits: this.settings.limits },
+        design: this.#kept === null ? { given: design } : { kept: this.#kept },
+        base: document.baseURI,
+        host: this.#modeHost(this.#view),
+        progress: (share) => this.#progress(share),
+      });
+      const mode = await this.#run.open();
       const { orbit, settings } = readSettings(element, voice.words);
       if (orbit !== null) mode.viewer.setCamera(orbit, settings.camera);
       this.#phase = "ready";
@@ -176,7 +181,7 @@ export class Work {
       }));
       sendEvent(element, "load", { materials, milliseconds: Math.round(performance.now() - began) });
     } catch (thrown) {
-      if (this.#run === run) {
+      if (closings === this.#closings) {
         this.#run = null;
         this.#phase = "failed";
         voice.show(thrown);
