@@ -15,6 +15,8 @@ export class ShopDesk extends Desk {
   readonly #product: ShopProduct;
   readonly #held: { readonly view: HeldView | null };
   #shown: Pick<EditorState, "design" | "selectedId">;
+  /** Materials whose targets were asked for and are not open yet: a drag asks with every move. */
+  readonly #coming = new Set<number>();
 
   constructor(product: ShopProduct) {
     const { engine, viewer, hooks } = product;
@@ -101,7 +103,9 @@ export class ShopDesk extends Desk {
   #ensureTargets(design: Design): void {
     const product = this.#product;
     for (const material of usedMaterials(design)) {
-      if (!product.targets.has(material) && product.canPaint(material)) product.attempt(product.openTarget(material));
+      if (product.targets.has(material) || this.#coming.has(material) || !product.canPaint(material)) continue;
+      this.#coming.add(material);
+      product.attempt(product.openTarget(material).finally(() => this.#coming.delete(material)));
     }
   }
 }
