@@ -8,27 +8,30 @@ import type { ShopFault } from "../../web/storefront/api/shop-api.ts";
 import type { AssetStore } from "./asset-store.ts";
 import type { ShopDatabase, StoredOrderLine } from "./shop-database.ts";
 
+/** What became of a line: what is printed of it, or why it is not. */
+type Outcome = Pick<StoredOrderLine, "status"> & Partial<Pick<StoredOrderLine, "printed" | "fault">>;
+
 export type RenderLine = (line: StoredOrderLine) => Promise<PrintFile>;
 
 export class PrintQueue {
   readonly #database: ShopDatabase;
   readonly #store: AssetStore;
   readonly #render: RenderLine;
+  readonly #report: (error: unknown) => void;
   #work: Promise<void> | null = null;
   #ended = false;
 
-  constructor(database: ShopDatabase, store: AssetStore, render: RenderLine) {
+  /** `report` is told of what nobody expected. */
+  constructor(database: ShopDatabase, store: AssetStore, render: RenderLine, report: (error: unknown) => void) {
     this.#database = database;
     this.#store = store;
     this.#render = render;
+    this.#report = report;
   }
 
-  /** Looks whether something waits. */
+  /** Looks whether something waits. Where the database fails, the lines wait until this is called again, and that is reported. */
   wake(): void {
-    if (this.#ended) return;
-    this.#work ??= this.#printAll().finally(() => {
-      this.#work = null;
-    });
+    if (!this.#ended) this.#work ??= Promise.resolve().then(() => this.#printAll());
   }
 
   /** Resolves when nothing waits any more. */
@@ -43,7 +46,15 @@ export class PrintQueue {
   }
 
   async #printAll(): Promise<void> {
-    for (let line = this.#next(); line !== null; line = this.#next()) await this.#print(line);
+    try {
+      this.#database.waitAgain();
+      for (let line = this.#next(); line !== null; line = this.#next()) await this.#print(line);
+    } catch (thrown) {
+      // The database's own: to go on at once might ask it for the same line for ever.
+      this.#report(thrown);
+    } finally {
+      this.#work = null;
+    }
   }
 
   #next(): StoredOrderLine | null {
@@ -52,17 +63,23 @@ export class PrintQueue {
 
   async #print(line: StoredOrderLine): Promise<void> {
     this.#database.setPrint(line.id, "rendering");
+    const { status, ...told } = await this.#outcomeOf(line);
+    this.#database.setPrint(line.id, status, told);
+  }
+
+  async #outcomeOf(line: StoredOrderLine): Promise<Outcome> {
     try {
       const { bytes, width, height } = await this.#render(line);
       const sha256 = await this.#store.put(bytes);
       const printed = { sha256, width, height, bytes: bytes.length };
-      if (sha256 === line.approved.sha256) this.#database.setPrint(line.id, "ready", { printed });
-      else this.#database.setPrint(line.id, "held", { printed, fault: notApproved(line.approved.sha256) });
+      if (sha256 === line.approved.sha256) return { status: "ready", printed };
+      return { status: "held", printed, fault: notApproved(line.approved.sha256) };
     } catch (thrown) {
+      if (!(thrown instanceof TexelcastError)) this.#report(thrown);
       const error = TexelcastError.wrap(thrown, "server-fault", "the print file could not be made", {
         hint: "Nothing was printed. Ask the shop, with the order's number.",
       });
-      this.#database.setPrint(line.id, "held", { fault: error.toJSON() });
+      return { status: "held", fault: error.toJSON() };
     }
   }
 }

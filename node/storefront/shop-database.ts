@@ -62,8 +62,6 @@ export class ShopDatabase {
   constructor(file: string) {
     this.#db = new sqlite.Database(file);
     this.#db.exec(SCHEMA);
-    // A server that ended meanwhile left it so.
-    this.#db.run("UPDATE order_lines SET status = 'waiting' WHERE status = 'rendering'");
   }
 
   close(): void {
@@ -127,6 +125,11 @@ export class ShopDatabase {
     if (row === null) return null;
     const lines = this.#all("SELECT * FROM order_lines WHERE order_id = ? ORDER BY place", [id]).map(readOrderLine);
     return { id, number: Number(row.number), name: String(row.name), created: String(row.created), lines };
+  }
+
+  /** Lets lines wait again whose printing was broken off: by a server that ended, or by a fault of the database. */
+  waitAgain(): void {
+    this.#db.run("UPDATE order_lines SET status = 'waiting' WHERE status = 'rendering'");
   }
 
   /** The line that has waited longest for its print file. */

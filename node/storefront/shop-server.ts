@@ -13,7 +13,7 @@ import { editorPageOf, type ShopOrigins } from "./editor-server.ts";
 import { addFileRoutes } from "./file-routes.ts";
 import { addOrderRoutes } from "./order-routes.ts";
 import { Press, type PressOptions } from "./press.ts";
-import { PrintQueue } from "./print-queue.ts";
+import { PrintQueue, type RenderLine } from "./print-queue.ts";
 import { ShopDatabase } from "./shop-database.ts";
 import { answerNoAddress, notFound, replyTo, tooManyRequests } from "./shop-error.ts";
 
@@ -67,15 +67,16 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
   const store = await AssetStore.open(options.store, options.storedBytes ?? SHOP_LIMITS.storedBytes);
   const database = new ShopDatabase(options.database);
   const press = new Press(catalogue, store, options.press);
-  const queue = new PrintQueue(database, store, async (line) => {
+  const report = options.report ?? ((error) => console.error(error));
+  const print: RenderLine = async (line) => {
     const product = catalogue.products.get(line.product);
     if (product === undefined) throw notFound("product", line.product);
     return press.print(product, line.design as Design);
-  });
+  };
+  const queue = new PrintQueue(database, store, print, report);
   const { linesPerMinute = SHOP_LIMITS.linesPerMinute } = options;
   const shop: Shop = { catalogue, store, database, press, queue, linesPerMinute };
   const { origins } = options;
-  const report = options.report ?? ((error) => console.error(error));
 
   const app = Fastify({
     bodyLimit: SHOP_LIMITS.jsonBytes,
