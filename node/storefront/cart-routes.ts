@@ -19,6 +19,13 @@ export function addCartRoutes(app: FastifyInstance, shop: Shop): void {
     const lines = database.linesOf(id);
     return { id, lines: lines.map(withoutName), currency: catalogue.currency, total: totalOf(lines) };
   };
+  const checkRoom = (cart: string): void => {
+    if (cartOf(cart).lines.length < SHOP_LIMITS.linesPerCart) return;
+    throw shopError("too-large", `a cart holds ${SHOP_LIMITS.linesPerCart} lines`, {
+      field: "cart",
+      hint: "Order what is in it first.",
+    });
+  };
   const itemOf = async (body: unknown): Promise<Item> => {
     const line = await readLine(body, catalogue.products, store);
     const product = catalogue.products.get(line.product) as Product;
@@ -39,13 +46,11 @@ export function addCartRoutes(app: FastifyInstance, shop: Shop): void {
 
   app.post<OfCart>("/api/carts/:cart/lines", forThePress, async (request, reply) => {
     const { cart } = request.params;
-    if (cartOf(cart).lines.length >= SHOP_LIMITS.linesPerCart) {
-      throw shopError("too-large", `a cart holds ${SHOP_LIMITS.linesPerCart} lines`, {
-        field: "cart",
-        hint: "Order what is in it first.",
-      });
-    }
-    const line = database.addLine(cart, await itemOf(request.body));
+    checkRoom(cart);
+    const item = await itemOf(request.body);
+    // Others may have been put in while this one was measured.
+    checkRoom(cart);
+    const line = database.addLine(cart, item);
     return reply.code(201).send({ line, cart: cartOf(cart) });
   });
 

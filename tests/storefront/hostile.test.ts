@@ -171,6 +171,16 @@ describe("a request is refused", () => {
     for (let count = 0; count < SHOP_LIMITS.linesPerCart; count++) await shop.addLine(full, line);
     expect((await shop.addLine(full, line)).json().error.code).toBe("too-large");
   });
+
+  it("of two that come at once for the last place in a cart", async () => {
+    const almostFull = await shop.cart();
+    const line = await shop.line();
+    for (let count = 1; count < SHOP_LIMITS.linesPerCart; count++) await shop.addLine(almostFull, line);
+    const replies = await Promise.all([line, line].map((each) => shop.addLine(almostFull, each)));
+    expect(replies.map(({ statusCode }) => statusCode).sort()).toEqual([201, 413]);
+    const { lines } = (await shop.app.inject(`/api/carts/${almostFull}`)).json();
+    expect(lines).toHaveLength(SHOP_LIMITS.linesPerCart);
+  });
 });
 
 describe("what the server sends", () => {
