@@ -30,7 +30,11 @@ const ROOMS = [
   { folder: "node", uses: ["web/editor/document", "web/engine", "web/core"], runs: "node" },
 ];
 const PAGE_PACKAGES = ["three", "three-mesh-bvh", "camera-controls", "lit", "lucide"];
-const IMPORTS = /(?:\bfrom\s*|\bimport\s*\(?\s*|\bnew\s+URL\(\s*)(["'])([^"'\n]+)\1/g;
+/** What is no room and may be imported from everywhere: what is built, what is installed, the version. */
+const OUTSIDE = /^(build\/|node_modules\/|package\.json$)/;
+/** Where a call takes an address, it may be a template's. */
+const IMPORTS =
+  /(?:\bfrom\s*|\bimport\s*)(["'])([^"'\n]+)\1|(?:\bimport\s*\(\s*|\bnew\s+URL\(\s*)(["'`])([^"'`\n]+)\3/g;
 
 /**
  * Every import that goes where its room may not, one sentence each.
@@ -53,7 +57,8 @@ export function layerFaults(root) {
 export function faultsOf(path, source) {
   const room = roomOf(path);
   if (!room) return [`${path} is in no room: name its folder in scripts/lint/layers.mjs`];
-  return [...source.matchAll(IMPORTS)].flatMap(([, , specifier]) => {
+  return [...source.matchAll(IMPORTS)].flatMap(([, , named, , called]) => {
+    const specifier = named ?? called ?? "";
     if (!specifier.startsWith(".")) {
       const { folder, runs } = room;
       const fromPage = PAGE_PACKAGES.find((name) => specifier === name || specifier.startsWith(`${name}/`));
@@ -65,7 +70,8 @@ export function faultsOf(path, source) {
     }
     const target = posix.normalize(posix.join(posix.dirname(path), specifier));
     const other = roomOf(target);
-    if (!other || other === room || room.uses.includes(other.folder)) return [];
+    if (!other) return OUTSIDE.test(target) ? [] : [`${path} imports ${target}, which lies in no room`];
+    if (other === room || room.uses.includes(other.folder)) return [];
     return [`${path} imports ${target}: ${room.folder} may not use ${other.folder}`];
   });
 }

@@ -12,17 +12,37 @@ describe("the arrows between rooms", () => {
     'import "../editor/panel.ts";',
     'export { a } from "../editor/panel.ts";',
     'const later = await import("../editor/panel.ts");',
+    "const later = await import(`../editor/panel.ts`);",
+    // biome-ignore lint/suspicious/noTemplateCurlyInString: it is the source's own.
+    "const later = await import(`../editor/${name}.ts`);",
+    // biome-ignore lint/suspicious/noTemplateCurlyInString: it is the source's own.
+    "const later = await import(`../${folder}/panel.ts`);",
     'new Worker(new URL("../editor/panel.ts", import.meta.url));',
     'import {\n  a,\n  type B,\n} from "../editor/panel.ts";',
   ])("no kind of import escapes: %s", (source) => {
     expect(faultsOf("web/core/session.ts", source)).toHaveLength(1);
   });
 
-  test("an import downward, within a room, or of build products is free", () => {
+  test.each(["../../tests/support/psnr.ts", "../../scripts/demo/main.ts", "../../bench/models.ts", "../attic.ts"])(
+    "what lies in no room is not imported from one: %s",
+    (specifier) => {
+      expect(faultsOf("web/core/session.ts", `import { a } from "${specifier}";`)).toEqual([
+        expect.stringMatching(/, which lies in no room$/),
+      ]);
+    },
+  );
+
+  test("what a comment says of an import is none", () => {
+    expect(faultsOf("web/core/session.ts", "/** Rows from `../editor` to `../viewer`. */")).toEqual([]);
+  });
+
+  test("an import downward, within a room, of build products, of a package or of the version is free", () => {
     const source = `
       import { Engine } from "../engine/engine-api.ts";
       import { parse } from "./document/parse-design.ts";
       import { thing } from "./panels/thing.ts";
+      import licence from "../../node_modules/lucide/LICENSE?raw";
+      import { version } from "../../package.json";
       new URL("../../build/wasm/texelcast.wasm", import.meta.url);`;
     expect(faultsOf("web/editor/store.ts", source)).toEqual([]);
   });
