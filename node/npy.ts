@@ -7,6 +7,7 @@ const DESCRIPTORS: Readonly<Record<NpyType, string>> = { float32: "<f4", uint8: 
 /** The header is padded so that the values begin at a multiple of this, which lets them be mapped into memory. */
 const ALIGNMENT = 64;
 
+/** What comes before the values of an array of that shape, slowest axis first; its length is a multiple of 64 bytes. */
 export function npyHeader(type: NpyType, shape: readonly number[]): Uint8Array {
   const sizes = shape.length === 1 ? `${shape[0]},` : shape.join(", ");
   const description = `{'descr': '${DESCRIPTORS[type]}', 'fortran_order': False, 'shape': (${sizes}), }`;

@@ -26,6 +26,7 @@ function wholeNumber(text: string, min: number, max: number): number {
   return value;
 }
 
+/** Texels: one number, or two as in "2048x1024". */
 export const parseSize = (text: string): Size => sizeWithin(text, MAX_SIZE);
 /** Of a texture that is only printed. */
 export const parsePrintSize = (text: string): Size => sizeWithin(text, MAX_PRINT_SIZE);
@@ -36,16 +37,21 @@ function sizeWithin(text: string, max: number): Size {
   return { width: wholeNumber(width, 1, max), height: wholeNumber(height, 1, max) };
 }
 
+/** A glTF material index. */
 export const parseMaterial = (text: string): number => wholeNumber(text, 0, 65_535);
+/** Texels. */
 export const parseGutter = (text: string): number => wholeNumber(text, 0, MAX_GUTTER);
 
+/** Pixels an inch of print. */
 export const parseDpi = (text: string): number => wholeNumber(text, 1, MAX_DPI);
 
+/** A path that ends in .png. */
 export function parsePrintOutput(text: string): string {
   if (/\.png$/i.test(text)) return text;
   throw new InvalidArgumentError("It must end in .png.");
 }
 
+/** "white", a hex colour (channels from 0 to 1), or else the path of a picture. */
 export function parseBase(text: string): BaseOption {
   if (text === "white") return [1, 1, 1, 1];
   if (isHexColor(text)) return parseHexColor(text);
@@ -63,6 +69,7 @@ export interface RenderOutput {
   readonly kind: "png" | "pngs" | "glb";
 }
 
+/** What is written is told by the path: by its ending, and by `{material}` in the file's name. */
 export function parseRenderOutput(text: string): RenderOutput {
   const kind = /\.(png|glb)$/i.exec(text)?.[1]?.toLowerCase();
   if (kind !== "png" && kind !== "glb") {
@@ -79,6 +86,7 @@ export function fileOfMaterial(file: string, material: number): string {
   return path.join(path.dirname(file), path.basename(file).replaceAll(MATERIAL_IN_NAME, String(material)));
 }
 
+/** A path that is not empty. */
 export function parseFolder(text: string): string {
   if (text === "") throw new InvalidArgumentError("It must not be empty.");
   return text;

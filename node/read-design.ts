@@ -23,6 +23,7 @@ export interface LoadedDesign {
   readonly project: ProjectFile | null;
 }
 
+/** By its name's ending alone. */
 export const isProjectFile = (file: string): boolean => file.toLowerCase().endsWith(PROJECT_EXTENSION);
 
 /**

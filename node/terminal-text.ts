@@ -25,6 +25,7 @@ export function formatBounds(min: readonly number[], max: readonly number[]): st
   return `${format(min)} to ${format(max)} m`;
 }
 
+/** “1 layer”, “2 layers”: for nouns that take an s. */
 export const plural = (count: number, noun: string): string => `${formatCount(count)} ${noun}${count === 1 ? "" : "s"}`;
 
 /** Columns two spaces apart; those of numbers flush right. The first row is the heading. */

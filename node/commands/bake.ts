@@ -48,6 +48,7 @@ const counts = (name: "coverage" | "overlap"): MapArray => ({
 
 const ARRAYS = [vectors("positions"), vectors("normals"), counts("coverage"), counts("overlap")];
 
+/** Writes all of its files, or none. @throws TexelcastError for what cannot be read, painted or written */
 export async function bake(file: string, options: BakeOptions): Promise<void> {
   const { out, gutter } = options;
   const pathOf = (name: MapView, extension: "npy" | "png"): string => path.join(out, `${name}.${extension}`);

@@ -10,6 +10,7 @@ export interface InspectOptions {
   readonly json?: boolean;
 }
 
+/** Prints the table or the JSON. @throws TexelcastError for a model that cannot be read */
 export async function inspect(file: string, { json = false }: InspectOptions): Promise<void> {
   const model = await readModel(file);
   const engine = openEngine();

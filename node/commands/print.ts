@@ -17,6 +17,7 @@ export interface PrintOptions extends Omit<PrintFileOptions, "size" | "base"> {
   readonly base: boolean;
 }
 
+/** Writes the file and prints its hash. @throws TexelcastError for what cannot be read, printed or written */
 export async function print(modelFile: string, designFile: string, options: PrintOptions): Promise<void> {
   const { out, zones: zonesFile, size, base, ...rest } = options;
   await checkOutputFile(out);

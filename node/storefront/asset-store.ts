@@ -10,7 +10,9 @@ import { notFound, shopError } from "./shop-error.ts";
 
 const HASH = /^[0-9a-f]{64}$/;
 
+/** 64 digits in lower case, as the store writes them. */
 export const isSha256 = (value: string): boolean => HASH.test(value);
+/** The name under which the store keeps these bytes. */
 export const sha256Of = (bytes: Uint8Array): Sha256 => createHash("sha256").update(bytes).digest("hex");
 
 export class AssetStore {

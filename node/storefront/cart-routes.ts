@@ -10,6 +10,7 @@ import type { Shop } from "./shop-server.ts";
 type OfCart = { Params: { cart: string } };
 type OfLine = { Params: { cart: string; line: string } };
 
+/** `/api/carts` and below: makes carts, puts lines in, changes them and takes them out. */
 export function addCartRoutes(app: FastifyInstance, shop: Shop): void {
   const { catalogue, store, database, press } = shop;
   // One count for all that it works for.
@@ -77,6 +78,7 @@ export function addCartRoutes(app: FastifyInstance, shop: Shop): void {
   });
 }
 
+/** In the currency's smallest unit. */
 export const totalOf = (lines: readonly Pick<StoredLine, "unitPrice" | "quantity">[]): number =>
   lines.reduce((sum, { unitPrice, quantity }) => sum + unitPrice * quantity, 0);
 

@@ -18,6 +18,7 @@ export interface ShopOrigins {
 const LISTED = 'name="texelcast-shops" content=""';
 const PAGE = "/editor.html";
 
+/** The address of the page that product pages frame; null until the editor's server listens. */
 export const editorPageOf = (origins: ShopOrigins): string | null =>
   origins.editor === null ? null : `${origins.editor}${PAGE}`;
 

@@ -9,6 +9,7 @@ import type { Shop } from "./shop-server.ts";
 /** What a file is sent as: its content is what counts, so that no sender's word about it is asked for. */
 const BYTES = "application/octet-stream";
 
+/** `/api/files/SHA256`: takes a file in under the name of its bytes, and gives it out. */
 export function addFileRoutes(app: FastifyInstance, { store }: Shop): void {
   app.addContentTypeParser(BYTES, { parseAs: "buffer", bodyLimit: SHOP_LIMITS.assetBytes }, (_request, body, done) => {
     done(null, body);

@@ -35,7 +35,9 @@ const orderRequest = strict({
 });
 const quantityRequest = strict({ quantity: whole(1, SHOP_LIMITS.quantity) });
 
+/** @throws TexelcastError "bad-request" */
 export const readOrderRequest = (body: unknown) => read(orderRequest, body);
+/** @throws TexelcastError "bad-request" */
 export const readQuantityRequest = (body: unknown) => read(quantityRequest, body);
 
 /** A line that can be kept. */

@@ -6,6 +6,7 @@ import { readOrderRequest } from "./line-intake.ts";
 import { notFound, shopError } from "./shop-error.ts";
 import type { Shop } from "./shop-server.ts";
 
+/** `/api/carts/CART/order` and `/api/orders`: makes an order of a cart, tells its state, and gives out its print files. */
 export function addOrderRoutes(app: FastifyInstance, { catalogue, store, database, queue }: Shop): void {
   const orderOf = (id: string): Order => {
     const order = database.orderOf(id);

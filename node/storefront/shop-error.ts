@@ -33,9 +33,11 @@ const STATUS_OF_CODE: Readonly<Record<string, number>> = {
   "out-of-budget": 413,
 };
 
+/** A refusal in the shop's own words; its status goes by the code. */
 export const shopError = (code: ShopErrorCode, message: string, details?: TexelcastErrorDetails): TexelcastError =>
   new TexelcastError(code, message, details);
 
+/** @param id as it was asked for; cut after 80 characters */
 export const notFound = (what: string, id: string): TexelcastError =>
   shopError("not-found", `there is no such ${what}`, {
     field: what,

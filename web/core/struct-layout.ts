@@ -30,6 +30,7 @@ export function f32Array<Length extends number>(length: Length) {
   return { type: "f32", length } as const satisfies FieldLayout;
 }
 
+/** A struct's layout: its fields in the order of the C struct, 4 bytes each number. */
 export function defineStruct<const Fields extends StructFields>(fields: Fields): StructLayout<Fields> {
   let byteSize = 0;
   for (const field of Object.values<FieldLayout>(fields)) byteSize += 4 * (field.length ?? 1);

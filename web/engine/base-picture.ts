@@ -87,6 +87,7 @@ async function loadModelBase(model: LoadedModel, material: number): Promise<Base
   return { picture, color: null, filter: texture.nearest ? Filters.nearest : Filters.linear, factorBaked: false };
 }
 
+/** Gives the core's target a picture or a colour to lie on; the core keeps copies. */
 export function applyBase(target: Target, base: BasePicture): void {
   if (base.picture !== null) target.setBase(base.picture.width, base.picture.height, base.picture.rgba, base.filter);
   if (base.color !== null) target.setBaseColor(...base.color);

@@ -78,6 +78,7 @@ export function coreGradient(gradient: EngineGradient): Partial<CoreGradient> {
   return { ...shared, fromModel: gradient.from, toModel: gradient.to };
 }
 
+/** A dab as the core takes it. */
 export const coreDab = (dab: EngineDab): Partial<Dab> => ({
   flow: dab.flow,
   flipX: Number(dab.flipX ?? false),

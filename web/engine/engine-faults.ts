@@ -16,12 +16,16 @@ export function haltError(crash: TexelcastError, times: number): TexelcastError 
   });
 }
 
+/** Whoever called has called it off. */
 export const cancelled = (): TexelcastError => new TexelcastError("cancelled", "The call was cancelled.");
 
+/** Whatever is asked of an engine after `dispose`. */
 export const disposed = (): TexelcastError => new TexelcastError("disposed", "The engine was ended.");
 
+/** Whatever needs a model, before `loadModel`. */
 export const noModel = (): TexelcastError => new TexelcastError("no-model", "No model is loaded yet.");
 
+/** Whatever needs a material's target, before `openTarget`. */
 export const notOpen = (material: number): TexelcastError =>
   new TexelcastError("bad-argument", `Material ${material} is not open for painting.`, {
     field: "material",

@@ -2,6 +2,7 @@
 import type { Session } from "../core/session.ts";
 import type { EngineStats } from "./engine-api.ts";
 
+/** The core counts memory in KiB; here it is bytes. */
 export function engineStats(session: Session): EngineStats {
   const stats = session.stats();
   return {

@@ -23,6 +23,7 @@ export function callLater(callback: Callback): void {
   channel.port2.postMessage(null);
 }
 
+/** Resolves in a later turn, after messages that are already waiting. */
 export function nextTurn(): Promise<void> {
   return new Promise((resolve) => callLater(resolve));
 }

@@ -12,6 +12,7 @@ const OUTLINE_TABLES = ["glyf", "CFF ", "CFF2"];
 const DIRECTORY_START = 12;
 const DIRECTORY_ENTRY = 16;
 
+/** @param problem the end of the sentence “The font … cannot be used: …” */
 export function badFont(name: string, problem: string, hint?: string, cause?: unknown): TexelcastError {
   return new TexelcastError("bad-font", `The font “${name}” cannot be used: ${problem}.`, {
     subject: name,

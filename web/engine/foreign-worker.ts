@@ -9,6 +9,7 @@ const SCRIPT = "engine-worker.js";
 /** Whether this script is of another origin than its page. */
 export const isForeign = (): boolean => new URL(import.meta.url).origin !== location.origin;
 
+/** The engine's worker, whose script lies beside this one. */
 export function foreignWorker(options: WorkerOptions): Worker {
   const { href } = new URL(SCRIPT, import.meta.url);
   const own = URL.createObjectURL(new Blob([`import ${JSON.stringify(href)}`], { type: "text/javascript" }));

@@ -129,6 +129,7 @@ export function writeGlb(
   return glb;
 }
 
+/** The least multiple of `alignment` bytes, usually GLB's four, that holds `byteCount`. */
 export function padded(byteCount: number, alignment = 4): number {
   return Math.ceil(byteCount / alignment) * alignment;
 }

@@ -13,6 +13,7 @@ export interface JsonObject {
 /** Deeper JSON would overflow the stack of whoever walks it next, and no real model comes near. */
 const MAX_DEPTH = 512;
 
+/** @param problem the end of the sentence “… is not a sound glTF file: …”; `value` is cut short. */
 export function badContainer(name: string, problem: string, field?: string, value?: unknown): TexelcastError {
   return new TexelcastError("bad-container", `“${name}” is not a sound glTF file: ${problem}.`, {
     subject: name,
@@ -68,6 +69,7 @@ function nestingDepth(text: string): number {
   return deepest;
 }
 
+/** Neither null nor a list. */
 export function isObject(value: unknown): value is JsonObject {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
@@ -107,6 +109,7 @@ export function indexAt(parent: JsonObject | undefined, key: string): number | u
   return typeof value === "number" && Number.isSafeInteger(value) && value >= 0 ? value : undefined;
 }
 
+/** A string, or undefined when it is absent or of another type. */
 export function textAt(parent: JsonObject | undefined, key: string): string | undefined {
   const value = parent?.[key];
   return typeof value === "string" ? value : undefined;

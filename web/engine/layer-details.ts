@@ -25,6 +25,7 @@ export function syncDetails(target: Target, layer: LayerHandle, had: LayerDetail
   if (kept < wanted.dabs.length) target.addDabs(layer, wanted.dabs.slice(kept).map(coreDab));
 }
 
+/** Whether the core need not be told of the change. */
 export const sameDetails = (a: LayerDetails, b: LayerDetails): boolean =>
   a.dabs.length === b.dabs.length &&
   commonDabs(a.dabs, b.dabs) === a.dabs.length &&
@@ -51,6 +52,7 @@ const sameTriangles = (a: Uint32Array | null, b: Uint32Array | null): boolean =>
 
 type Numbers = Readonly<Record<string, number | readonly number[] | undefined>>;
 
+/** Whether two structs have the same numbers in all fields; NaN is the same as NaN, and −0 is not 0. */
 export function sameNumbersOf(a: Numbers, b: Numbers): boolean {
   const keys = new Set([...Object.keys(a), ...Object.keys(b)]);
   return [...keys].every((key) => sameNumbers(a[key], b[key]));

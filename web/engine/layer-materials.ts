@@ -2,9 +2,11 @@
 
 export type LayerMaterials = number | readonly number[];
 
+/** The glTF material indices that a layer names, as a list. */
 export const materialsOf = ({ material }: { readonly material: LayerMaterials }): readonly number[] =>
   typeof material === "number" ? [material] : material;
 
+/** Whether a layer names that glTF material index. */
 export const paintsMaterial = ({ material: own }: { readonly material: LayerMaterials }, material: number): boolean =>
   typeof own === "number" ? own === material : own.includes(material);
 

@@ -5,6 +5,7 @@ import { listOf, textAt } from "./gltf-json.ts";
 import { baseTextureSize, type LoadedModel } from "./model-loader.ts";
 import { vec3 } from "./open-target.ts";
 
+/** Of the model that the session holds; lengths are metres in model space, and `glb` is a copy. */
 export function modelInfo(session: Session, model: LoadedModel): ModelInfo {
   const info = session.modelInfo();
   return {
@@ -14,7 +15,7 @@ export function modelInfo(session: Session, model: LoadedModel): ModelInfo {
     boundsMin: vec3(info.boundsMinModel),
     boundsMax: vec3(info.boundsMaxModel),
     materials: Array.from({ length: info.materialCount }, (_, index) => materialInfo(session, model, index)),
-    // A copy: the receiver may hand it on to another thread.
+    // The receiver may hand it on to another thread.
     glb: model.glb.slice(),
   };
 }

@@ -321,6 +321,7 @@ function targetInfo(material: number, map: MapInfo): TargetInfo {
   };
 }
 
+/** The first three numbers, 0 for what is missing. */
 export function vec3(numbers: readonly number[]): Vec3 {
   return [numbers[0] ?? 0, numbers[1] ?? 0, numbers[2] ?? 0];
 }

@@ -16,6 +16,7 @@ export interface PictureHeader extends RawHeader {
   readonly format: PictureFormat;
 }
 
+/** @param problem the end of the sentence “The picture … cannot be used: …” */
 export function badPicture(name: string, problem: string, hint?: string, cause?: unknown): TexelcastError {
   return new TexelcastError("bad-picture", `The picture “${name}” cannot be used: ${problem}.`, {
     subject: name,
@@ -46,6 +47,7 @@ export function mediaTypeOf(bytes: Uint8Array): string | undefined {
   return isKtx2(bytes) ? "image/ktx2" : undefined;
 }
 
+/** By the eight bytes that a KTX 2.0 file begins with. */
 export function isKtx2(bytes: Uint8Array): boolean {
   return String.fromCharCode(...bytes.subarray(0, 8)) === "\xabKTX 20\xbb";
 }

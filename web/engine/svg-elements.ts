@@ -90,11 +90,13 @@ export function moved([a, b, c, d, e, f]: Matrix, [x0, y0, x1, y1]: Bounds): Bou
   return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 
+/** Width and height of a box. */
 export const sidesOf = ([x0, y0, x1, y1]: Bounds): [width: number, height: number] => [x1 - x0, y1 - y0];
 
 /** How much a matrix enlarges a unit of length at the most. */
 export const scaleOf = ([a, b, c, d]: Matrix): number => Math.max(Math.hypot(a, b), Math.hypot(c, d));
 
+/** The numbers in an attribute's list, whatever stands between them. */
 export const numbersOf = (list: string): number[] => (list.match(/[-+]?[\d.]+(?:e[-+]?\d+)?/gi) ?? []).map(Number);
 
 /** By an element's own x, y, width and height. */

@@ -32,6 +32,7 @@ async function start(): Promise<void> {
   resvg = loaded;
 }
 
+/** Whether a drawing can be drawn at once, without the renderer being loaded first. */
 export const svgRendererReady = (): boolean => resvg !== undefined;
 
 export interface SvgDocument {

@@ -79,6 +79,7 @@ export const weightOfOutline = (points: number, heights: number): number =>
 
 const weightOfEdges = (count: number, heights: number): number => count * (EDGE + EDGE_PAIR * heights);
 
+/** What a cost comes to in a picture of that many pixels. */
 export const weightOfShapes = ({ perPixel, perRow, once }: ShapeCost, width: number, height: number): number =>
   perPixel * width * height + perRow * height + once;
 

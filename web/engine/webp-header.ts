@@ -4,6 +4,7 @@ import { PictureFault, type RawHeader } from "./picture-fault.ts";
 
 const VP8X_ANIMATED = 0x02;
 
+/** Throws a PictureFault where the picture cannot be used, a RangeError where the file ends too early. */
 export function readWebpHeader(bytes: Uint8Array): RawHeader {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const end = 8 + view.getUint32(4, true);
