@@ -166,6 +166,18 @@ describe("autosave", () => {
     expect(saves).toHaveLength(2);
   });
 
+  it("has one save under way at a time, however many ask for one meanwhile", async () => {
+    const { open, step, settle, saves, autosave } = page();
+    open(modelRef("Cup", null));
+    await settle(1);
+    step();
+    const first = autosave.flush();
+    step();
+    await Promise.all([first, autosave.flush(), autosave.flush()]);
+    expect(saves.map(({ seen }) => seen)).toEqual([0, 1, 2]);
+    expect(autosave.pending).toBe(false);
+  });
+
   it("says once that the browser refuses, tries again by itself, and says when it works again", async () => {
     const { open, step, settle, saves, told, refuse, store } = page();
     refuse(new TexelcastError("storage-full", "full"));

@@ -100,7 +100,8 @@ export class Autosave {
   async flush(): Promise<void> {
     clearTimeout(this.#timer);
     this.#timer = undefined;
-    await this.#running;
+    // Of several that waited, one has begun the next save: a second from the same revision would look like another tab's.
+    while (this.#running) await this.#running;
     if (this.pending) await this.#start();
   }
 
