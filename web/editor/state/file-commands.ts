@@ -180,11 +180,14 @@ export class FileCommands {
   }
 
   async exportGlb(): Promise<void> {
-    const { engine, session, store } = this.#parts;
+    const { engine, session, models, store } = this.#parts;
     if (!store.state.model) return;
-    await this.#export(`${fileNameOf(store.state.designName)}-painted.glb`, "model/gltf-binary", () =>
-      engine.exportGlb(paintedMaterials(session.recordedDesign)),
-    );
+    await this.#export(`${fileNameOf(store.state.designName)}-painted.glb`, "model/gltf-binary", async () => {
+      const design = session.recordedDesign;
+      // The preparation of one may have been cancelled: its paint must not be lacking without a word.
+      await models.ensureTargets(design);
+      return engine.exportGlb(paintedMaterials(design));
+    });
   }
 
   /** One step back or forth. To undo in the middle of a stroke means the stroke, and not the step before it. */

@@ -23,6 +23,13 @@ export interface ModelSessionParts {
   readonly send: (design: Design) => void;
 }
 
+/** Work that waits in line or is under way. */
+interface Turn {
+  /** Whose target it opens; null for that of a whole model. */
+  readonly material: number | null;
+  readonly end: AbortController;
+}
+
 export class ModelSession {
   readonly #engine: Engine;
   readonly #viewer: ModelViewer;
@@ -34,7 +41,7 @@ export class ModelSession {
   readonly #settings = new WeakMap<ModelRef, ReadonlyMap<number, TargetSettings>>();
   #uvTriangles = new Map<number, Float32Array>();
   #line: Promise<unknown> = Promise.resolve();
-  #aborts = new AbortController();
+  readonly #turns = new Set<Turn>();
 
   constructor({ engine, viewer, router, store, tasks, send }: ModelSessionParts) {
     this.#engine = engine;
@@ -69,7 +76,8 @@ export class ModelSession {
       }
       onOpen();
     };
-    return this.#inLine(this.#strings.tasks.opening(ref.title), work, { replaces: true });
+    for (const { end } of this.#turns) end.abort();
+    return this.#inLine(null, this.#strings.tasks.opening(ref.title), work);
   }
 
   /** Sizes and gutters that a model is to be opened with. */
@@ -87,8 +95,10 @@ export class ModelSession {
       this.#store.set({ targetSettings: map });
     };
     change(settings);
+    // Nobody waits for this target in another size any more; the others are still wanted.
+    for (const turn of this.#turns) if (turn.material === material) turn.end.abort();
     try {
-      await this.#inLine(this.#strings.tasks.baking, (task) => this.#openTarget(material, task), { replaces: true });
+      await this.#openInLine(material, () => model === this.#store.state.model);
     } catch (thrown) {
       // Back to what is still open, unless a newer wish is already on its way.
       const newest = this.#store.state.targetSettings.get(material) === settings;
@@ -99,7 +109,7 @@ export class ModelSession {
 
   /** Opens a target again as it is, for its first update: the whole picture, with all its mip levels. */
   reopen(material: number): Promise<void> {
-    return this.#inLine(this.#strings.tasks.baking, (task) => this.#openTarget(material, task));
+    return this.#openInLine(material);
   }
 
   /** Makes a material the one that the texture view shows. */
@@ -108,18 +118,21 @@ export class ModelSession {
     this.#store.set({ material });
     const target = this.#store.state.targets.get(material);
     if (target) await this.#router.showInTextureView(target, await this.#uvTrianglesOf(material));
-    else await this.#inLine(this.#strings.tasks.baking, (task) => this.#openTarget(material, task));
+    else await this.#openInLine(material);
   }
 
   /** Opens the targets that a design's layers need and that are not open yet. */
   async ensureTargets(design: Design): Promise<void> {
-    for (const material of usedMaterials(design)) {
-      if (this.#store.state.targets.has(material) || !this.#paintable(material)) continue;
-      const { model } = this.#store.state;
-      await this.#inLine(this.#strings.tasks.baking, async (task) => {
-        const wanted = model === this.#store.state.model && !this.#store.state.targets.has(material);
-        if (wanted) await this.#openTarget(material, task);
-      });
+    const { model } = this.#store.state;
+    const isLacking = (material: number): boolean =>
+      model === this.#store.state.model && !this.#store.state.targets.has(material);
+    const lacking = [...usedMaterials(design)].filter((material) => isLacking(material) && this.#paintable(material));
+    const turns = lacking.map((material) => this.#openInLine(material, () => isLacking(material)));
+    const ends = await Promise.allSettled(turns);
+    // One that was ended for another size is opened by what wished for that.
+    await this.#line;
+    for (const [index, end] of ends.entries()) {
+      if (end.status === "rejected" && isLacking(lacking[index] as number)) throw end.reason;
     }
   }
 
@@ -186,25 +199,30 @@ export class ModelSession {
     return model?.info.materials.some((info) => info.index === material && info.refusal === null) ?? false;
   }
 
-  /** One after another. Work that `replaces` ends what is under way: nobody waits for that result any more. */
-  #inLine(label: string, work: (task: TaskHandle) => Promise<void>, { replaces = false } = {}): Promise<void> {
-    if (replaces) this.#abortEarlier();
-    const aborts = this.#aborts;
-    const turn = this.#line.then(() =>
-      this.#tasks.run(label, async (task) => {
-        aborts.signal.addEventListener("abort", task.abort);
-        if (aborts.signal.aborted) task.abort();
-        task.checkCancelled();
-        await work(task);
-      }),
-    );
-    this.#line = turn.catch(() => undefined);
-    return turn;
+  /** @param isWanted asked when its turn has come */
+  #openInLine(material: number, isWanted: () => boolean = () => true): Promise<void> {
+    return this.#inLine(material, this.#strings.tasks.baking, async (task) => {
+      if (isWanted()) await this.#openTarget(material, task);
+    });
   }
 
-  #abortEarlier(): void {
-    this.#aborts.abort();
-    this.#aborts = new AbortController();
+  /** One after another. */
+  #inLine(material: number | null, label: string, work: (task: TaskHandle) => Promise<void>): Promise<void> {
+    const turn: Turn = { material, end: new AbortController() };
+    const { signal } = turn.end;
+    this.#turns.add(turn);
+    const done = this.#line
+      .then(() =>
+        this.#tasks.run(label, async (task) => {
+          signal.addEventListener("abort", task.abort);
+          if (signal.aborted) task.abort();
+          task.checkCancelled();
+          await work(task);
+        }),
+      )
+      .finally(() => this.#turns.delete(turn));
+    this.#line = done.catch(() => undefined);
+    return done;
   }
 }
 

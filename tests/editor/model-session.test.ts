@@ -1,0 +1,150 @@
+import { describe, expect, it } from "vitest";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { type Design, emptyDesign, makeDecalLayer } from "../../web/editor/document/index.ts";
+import { type EditorState, INITIAL_STATE } from "../../web/editor/state/editor-state.ts";
+import { ModelSession } from "../../web/editor/state/model-session.ts";
+import { Store } from "../../web/editor/state/store.ts";
+import { Tasks } from "../../web/editor/state/tasks.ts";
+import type { UpdateRouter } from "../../web/editor/state/update-router.ts";
+import type { Engine, TargetInfo, TargetOptions } from "../../web/engine/engine-api.ts";
+import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
+import { FRONT } from "../support/layers.ts";
+
+const USUAL_SIDE = 1024;
+
+interface Baking {
+  readonly material: number;
+  finish(): void;
+}
+
+/** An open model of three materials, of which the first has a target, and an engine whose bakes end when they are told to. */
+function session({ showFlat = async () => undefined }: { showFlat?: () => Promise<void> } = {}) {
+  const store = new Store<EditorState>(INITIAL_STATE);
+  const tasks = new Tasks(store);
+  const baked: [material: number, side: number][] = [];
+  const bakes: Baking[] = [];
+  let begun = (): void => undefined;
+  const engine = {
+    uvTriangles: async () => new Float32Array(),
+    openTarget: ({ material, width = USUAL_SIDE }: TargetOptions, _: unknown, signal: AbortSignal) =>
+      new Promise((resolve, reject) => {
+        signal.addEventListener("abort", () => reject(new TexelcastError("cancelled", "Cancelled.")));
+        const finish = (): void => {
+          baked.push([material, width]);
+          resolve({ material, width, height: width });
+        };
+        bakes.push({ material, finish });
+        begun();
+      }),
+  } as unknown as Engine;
+  const router = { bind: () => undefined, clear: () => undefined, showInTextureView: showFlat };
+  const models = new ModelSession({
+    engine,
+    viewer: {} as ModelViewer,
+    router: router as unknown as UpdateRouter,
+    store,
+    tasks,
+    send: () => undefined,
+  });
+  const ref = { source: { name: "a.glb", bytes: new Uint8Array() }, title: "a", demoId: null };
+  const materials = [0, 1, 2].map((index) => ({ index, refusal: null }));
+  store.set({
+    model: { ref, info: { materials } as never },
+    material: 0,
+    targets: new Map([[0, { material: 0, width: USUAL_SIDE } as TargetInfo]]),
+  });
+  /** The next bake that the engine is asked for. */
+  const nextBake = async (): Promise<Baking> => {
+    while (bakes.length === 0) {
+      await new Promise<void>((resolve) => {
+        begun = resolve;
+      });
+    }
+    return bakes.shift() as Baking;
+  };
+  const finish = async (material: number): Promise<void> => {
+    const bake = await nextBake();
+    expect(bake.material).toBe(material);
+    bake.finish();
+  };
+  return { store, models, baked, nextBake, finish };
+}
+
+function designOn(...materials: number[]): Design {
+  const layers = materials.map((material) =>
+    makeDecalLayer({ id: `on ${material}`, asset: "picture", projector: FRONT, material }),
+  );
+  return { ...emptyDesign(), layers };
+}
+
+const HALF = { size: USUAL_SIDE / 2, gutter: null };
+
+describe("the targets of the open model", () => {
+  it("are prepared for a design also where another texture gets its size meanwhile", async () => {
+    const { store, models, baked, nextBake, finish } = session();
+    const ensured = models.ensureTargets(designOn(1, 2));
+    const first = await nextBake();
+    const configured = models.configure(0, HALF);
+    first.finish();
+    await finish(2);
+    await finish(0);
+    await Promise.all([ensured, configured]);
+    expect(baked).toEqual([
+      [1, USUAL_SIDE],
+      [2, USUAL_SIDE],
+      [0, HALF.size],
+    ]);
+    expect([...store.state.targets.keys()]).toEqual([0, 1, 2]);
+  });
+
+  it("are prepared once, in the newest size, where one of them gets its size while it is prepared", async () => {
+    const { store, models, baked, nextBake, finish } = session();
+    const ensured = models.ensureTargets(designOn(1, 2));
+    await nextBake();
+    const configured = models.configure(1, HALF);
+    await finish(2);
+    await finish(1);
+    await Promise.all([ensured, configured]);
+    expect(baked).toEqual([
+      [2, USUAL_SIDE],
+      [1, HALF.size],
+    ]);
+    expect(store.state.targets.get(1)).toMatchObject({ width: HALF.size });
+  });
+
+  it("follow the newest of several sizes alone", async () => {
+    const { models, baked, nextBake, finish } = session();
+    const older = models.configure(0, HALF);
+    await nextBake();
+    const newer = models.configure(0, { size: 256, gutter: null });
+    await expect(older).rejects.toMatchObject({ code: "cancelled" });
+    await finish(0);
+    await newer;
+    expect(baked).toEqual([[0, 256]]);
+  });
+
+  it("are all opened anew in another usual size, but for one that gets its own meanwhile", async () => {
+    const { store, models, baked, nextBake, finish } = session();
+    store.set({ usualTarget: { size: 256, gutter: null } });
+    const reopened = [0, 1].map((material) => models.reopen(material));
+    await nextBake();
+    const configured = models.configure(0, HALF);
+    await expect(reopened[0]).rejects.toMatchObject({ code: "cancelled" });
+    await finish(1);
+    await finish(0);
+    await Promise.all([reopened[1], configured]);
+    expect(baked).toEqual([
+      [1, 256],
+      [0, HALF.size],
+    ]);
+  });
+
+  it("say so where the user cancels what a design needs", async () => {
+    const { store, models, nextBake } = session();
+    const ensured = models.ensureTargets(designOn(1));
+    await nextBake();
+    store.state.tasks[0]?.cancel?.();
+    await expect(ensured).rejects.toMatchObject({ code: "cancelled" });
+    expect(store.state.targets.has(1)).toBe(false);
+  });
+});
