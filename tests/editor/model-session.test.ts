@@ -139,6 +139,18 @@ describe("the targets of the open model", () => {
     ]);
   });
 
+  it("are opened anew for the flat view where their texels cannot be had, so that it gets a whole picture in the end", async () => {
+    const { store, models, baked, finish } = session({
+      showFlat: () => Promise.reject(new TexelcastError("out-of-budget", "Too large.")),
+    });
+    store.set({ material: 1 });
+    const shown = models.showMaterial(0);
+    await finish(0);
+    await shown;
+    expect(store.state.material).toBe(0);
+    expect(baked).toEqual([[0, USUAL_SIDE]]);
+  });
+
   it("say so where the user cancels what a design needs", async () => {
     const { store, models, nextBake } = session();
     const ensured = models.ensureTargets(designOn(1));

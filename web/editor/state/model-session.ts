@@ -117,8 +117,16 @@ export class ModelSession {
     if (material === this.#store.state.material) return;
     this.#store.set({ material });
     const target = this.#store.state.targets.get(material);
-    if (target) await this.#router.showInTextureView(target, await this.#uvTrianglesOf(material));
-    else await this.#openInLine(material);
+    if (target) {
+      const uvTriangles = await this.#uvTrianglesOf(material);
+      try {
+        await this.#router.showInTextureView(target, uvTriangles);
+        return;
+      } catch {
+        // One that cannot be drawn gives no texels. Opened anew, it tells all of them once it can.
+      }
+    }
+    await this.#openInLine(material);
   }
 
   /** Opens the targets that a design's layers need and that are not open yet. */
