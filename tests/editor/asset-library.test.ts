@@ -1,4 +1,5 @@
-import { describe, expect, it, vi } from "vitest";
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { type Design, emptyDesign, makeDecalLayer } from "../../web/editor/document/index.ts";
 import { AssetLibrary, type LibraryPicture } from "../../web/editor/state/asset-library.ts";
 import { DesignSession } from "../../web/editor/state/design-session.ts";
@@ -10,12 +11,21 @@ import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
 import { FRONT } from "../support/layers.ts";
 import { solidPng } from "../support/png-file.ts";
 
+afterEach(() => {
+  vi.restoreAllMocks();
+});
+
 /** An engine that knows which pictures it has, and takes each for one of that many pixels along a side. */
 function keepingEngine(side: number) {
   const has = new Set<string>();
   let layers: readonly EngineLayer[] = [];
+  let refuses = false;
   const engine = {
     setAsset: async (key: string) => {
+      if (refuses) {
+        refuses = false;
+        throw new TexelcastError("out-of-budget", "Too large.");
+      }
       has.add(key);
       return { width: side, height: side };
     },
@@ -25,12 +35,16 @@ function keepingEngine(side: number) {
     },
     expect: () => undefined,
   } as unknown as Engine;
-  return { engine, has, layers: () => layers };
+  /** The next picture. */
+  const refuse = (): void => {
+    refuses = true;
+  };
+  return { engine, has, refuse, layers: () => layers };
 }
 
 /** A session whose every step puts another picture in the place of the one before, as a pixel tool does. */
 function painting(side: number) {
-  const { engine, has, layers } = keepingEngine(side);
+  const { engine, has, refuse, layers } = keepingEngine(side);
   const library = new AssetLibrary(engine);
   const viewer = { setDecals: () => undefined } as unknown as ModelViewer;
   const store = new Store<EditorState>(INITIAL_STATE);
@@ -38,7 +52,7 @@ function painting(side: number) {
   const session = new DesignSession({ engine, viewer, library, store, later: (each) => void work.push(each) });
   const layer = makeDecalLayer({ id: "pixels", asset: "picture", projector: FRONT });
   return {
-    ...{ session, library, has, layers },
+    ...{ session, library, has, refuse, layers },
     settled: () => Promise.all(work),
     async paint(shade: number): Promise<LibraryPicture> {
       const picture = await library.add("picture.png", solidPng(2, 2, [shade, 0, 0, 255]));
@@ -75,6 +89,68 @@ describe("the pictures of designs", () => {
     await paint(1);
     await paint(2);
     expect(has.has(coming.engineKey)).toBe(true);
+  });
+
+  it("are taken in once where they are added twice at once", async () => {
+    const { library, has } = painting(64);
+    const png = solidPng(2, 2, [9, 9, 9, 255]);
+    const show = vi.spyOn(URL, "createObjectURL");
+    const [one, other] = await Promise.all([library.add("one.png", png), library.add("other.png", png)]);
+    expect(other).toBe(one);
+    expect([...has]).toEqual(["picture-1"]);
+    expect(show).toHaveBeenCalledOnce();
+  });
+
+  it("can be added again where the engine refused them", async () => {
+    const { library, refuse } = painting(64);
+    const png = solidPng(2, 2, [9, 9, 9, 255]);
+    refuse();
+    await expect(library.add("one.png", png)).rejects.toMatchObject({ code: "out-of-budget" });
+    await expect(library.add("one.png", png)).resolves.toMatchObject({ width: 64 });
+  });
+
+  it("go when what they were added for came to nothing, unless somebody else is about to use them", async () => {
+    const { library, has } = painting(64);
+    const revoke = vi.spyOn(URL, "revokeObjectURL");
+    const png = solidPng(2, 2, [9, 9, 9, 255]);
+    const { asset, url } = await library.add("one.png", png);
+    await library.add("other.png", png);
+    library.release([asset]);
+    expect(library.get(asset)?.url).toBe(url);
+    library.release([asset]);
+    expect(library.get(asset)).toBeUndefined();
+    expect([...has]).toEqual([]);
+    expect(revoke).toHaveBeenCalledWith(url);
+  });
+
+  it("stay where a design has them, whoever gives them up", async () => {
+    const { paint, library, has } = painting(64);
+    const { asset } = await paint(1);
+    library.release([asset]);
+    library.release([asset]);
+    expect([...has]).toEqual(["picture-1"]);
+    expect(library.get(asset)).toBeDefined();
+  });
+
+  it("of a design that is only shown for a while go with it, also those that came back by their address", async () => {
+    const { library, session, has, settled, paint } = painting(64);
+    const { asset } = await library.add("one.png", solidPng(2, 2, [9, 9, 9, 255]));
+    library.release([asset]);
+    const shown = makeDecalLayer({ id: "shown", asset: "one", projector: FRONT });
+    session.send({ ...emptyDesign(), assets: { one: asset }, layers: [shown] });
+    await settled();
+    expect([...has]).toEqual(["picture-2"]);
+    await paint(1);
+    expect([...has]).toEqual(["picture-3"]);
+  });
+
+  it("of a design whose files are not all to be had go again", async () => {
+    const { library, has } = painting(64);
+    const png = `data:image/png;base64,${Buffer.from(solidPng(2, 2, [9, 9, 9, 255])).toString("base64")}`;
+    const assets = { here: { type: "image/png", uri: png }, gone: { type: "image/png", uri: "gone.png" } } as const;
+    const adopted = library.adopt({ ...emptyDesign(), assets }, { path: "a.design.json" });
+    await expect(adopted).rejects.toMatchObject({ code: "missing-file" });
+    expect([...has]).toEqual([]);
   });
 
   it("leave the engine, the oldest first, where the history's alone would fill it, and come back by an undo", async () => {

@@ -144,7 +144,7 @@ describe("a change of the layers of two materials", () => {
         preview: () => {},
         cancelPreview: () => {},
       },
-      library: { add: picture, setLive: (bytes: Uint8Array) => picture(null, bytes) },
+      library: { add: picture, release: () => undefined, setLive: (bytes: Uint8Array) => picture(null, bytes) },
       store: { state: { selectedId: null } },
       board: { strings: stringsIn("en") },
     } as unknown as ToolContext;

@@ -9,16 +9,21 @@ import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 /** `AssetLibrary.adopt`. */
 export async function adoptAssets(library: AssetLibrary, design: Design, place: DesignPlace): Promise<Design> {
   const assets: Record<string, DesignAsset> = {};
-  for (const [key, asset] of Object.entries(design.assets)) {
-    const field = `assets.${key}.uri`;
-    if (isShippedFontAddress(asset.uri) || library.engineKey(asset) !== undefined) {
-      assets[key] = asset;
-      continue;
+  try {
+    for (const [key, asset] of Object.entries(design.assets)) {
+      const field = `assets.${key}.uri`;
+      if (isShippedFontAddress(asset.uri) || library.claim(asset)) {
+        assets[key] = asset;
+        continue;
+      }
+      const bytes = await readAsset(asset.uri, field, place);
+      const name = asset.uri.startsWith("data:") ? key : asset.uri;
+      const kept = asset.type.startsWith("font/") ? await library.addFont(name, bytes) : await library.add(name, bytes);
+      assets[key] = kept.asset;
     }
-    const bytes = await readAsset(asset.uri, field, place);
-    const name = asset.uri.startsWith("data:") ? key : asset.uri;
-    const kept = asset.type.startsWith("font/") ? await library.addFont(name, bytes) : await library.add(name, bytes);
-    assets[key] = kept.asset;
+  } catch (thrown) {
+    library.release(Object.values(assets));
+    throw thrown;
   }
   return { ...design, assets };
 }

@@ -54,8 +54,10 @@ interface Kept {
   readonly bytes: number;
   /** The engine has it. */
   given: boolean;
-  /** A recorded design had it: before that, somebody is about to use it. */
+  /** A recorded design had it. Before that, it stays for those who are about to use it. */
   used: boolean;
+  /** How many those are. */
+  claims: number;
 }
 
 export class AssetLibrary {
@@ -63,6 +65,8 @@ export class AssetLibrary {
   /** By URI, those used last at the end. */
   readonly #kept = new Map<string, Kept>();
   readonly #returning = new Map<string, Promise<void>>();
+  /** What is being taken in. */
+  readonly #coming = new Map<string, Promise<void>>();
   #count = 0;
 
   constructor(engine: Engine) {
@@ -85,44 +89,91 @@ export class AssetLibrary {
     return asset && this.#kept.get(asset.uri)?.held.engineKey;
   }
 
-  /** Checks a font file and gives it to the engine. Rejects with a TexelcastError ("bad-font"). */
+  /** Checks a font file and gives it to the engine, until it is released. Rejects with a TexelcastError ("bad-font"). */
   async addFont(fileName: string, bytes: Uint8Array): Promise<LibraryFont> {
     const { readFontHeader } = await import("../../engine/font-file.ts");
     const type = `font/${readFontHeader(bytes, fileName).format}` as const;
     const { encodeDataUri } = await import("../files/data-uri.ts");
     const uri = encodeDataUri(type, bytes);
-    const known = this.font({ type, uri });
-    if (known) {
-      await this.#giveBack(uri);
-      return known;
-    }
-    this.#count += 1;
-    const engineKey = `font-${this.#count}`;
-    const { name } = await this.#engine.setFont(engineKey, { name: fileName, bytes });
-    const font: LibraryFont = { engineKey, asset: { type, uri }, name: name || fileStem(fileName), bytes };
-    this.#kept.set(uri, { held: font, bytes: 2 * bytes.length, given: true, used: false });
-    return font;
+    return await this.#take(uri, async (count) => {
+      const engineKey = `font-${count}`;
+      const { name } = await this.#engine.setFont(engineKey, { name: fileName, bytes });
+      const held: LibraryFont = { engineKey, asset: { type, uri }, name: name || fileStem(fileName), bytes };
+      return { held, bytes: 2 * bytes.length };
+    });
   }
 
-  /** Decodes a picture and gives it to the engine. Rejects with a TexelcastError ("bad-picture", "out-of-budget"). */
+  /**
+   * Decodes a picture and gives it to the engine, until it is released. Rejects with a TexelcastError ("bad-picture",
+   * "out-of-budget").
+   */
   async add(name: string, bytes: Uint8Array): Promise<LibraryPicture> {
     const { readPictureHeader } = await import("../../engine/picture-header.ts");
     const type = isSvg(bytes) ? "image/svg+xml" : TYPES[readPictureHeader(bytes, name).format];
     const { encodeDataUri } = await import("../files/data-uri.ts");
     const uri = encodeDataUri(type, bytes);
-    const known = this.get({ type, uri });
-    if (known) {
-      await this.#giveBack(uri);
-      return known;
+    return await this.#take(uri, async (count) => {
+      const engineKey = `picture-${count}`;
+      const { width, height } = await this.#engine.setAsset(engineKey, { name, bytes });
+      const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
+      const held: LibraryPicture = { engineKey, asset: { type, uri }, width, height, url };
+      const decoded = type === "image/svg+xml" ? 0 : width * height * DECODED_PIXEL_BYTES;
+      return { held, bytes: decoded + 2 * bytes.length };
+    });
+  }
+
+  /** Makes what an address stands for, once however many ask for it at a time. */
+  async #take<Held extends Kept["held"]>(
+    uri: string,
+    make: (count: number) => Promise<Pick<Kept, "bytes"> & { readonly held: Held }>,
+  ): Promise<Held> {
+    while (!this.claim({ uri })) {
+      let coming = this.#coming.get(uri);
+      if (coming === undefined) {
+        this.#count += 1;
+        coming = make(this.#count)
+          .then((made) => void this.#kept.set(uri, { ...made, given: true, used: false, claims: 0 }))
+          .finally(() => this.#coming.delete(uri));
+        this.#coming.set(uri, coming);
+      }
+      await coming;
     }
-    this.#count += 1;
-    const engineKey = `picture-${this.#count}`;
-    const { width, height } = await this.#engine.setAsset(engineKey, { name, bytes });
-    const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type }));
-    const picture: LibraryPicture = { engineKey, asset: { type, uri }, width, height, url };
-    const decoded = type === "image/svg+xml" ? 0 : width * height * DECODED_PIXEL_BYTES;
-    this.#kept.set(uri, { held: picture, bytes: decoded + 2 * bytes.length, given: true, used: false });
-    return picture;
+    const { held } = this.#kept.get(uri) as Kept;
+    await this.#giveBack(uri);
+    return held as Held;
+  }
+
+  /** As `add`, of what is there already; false where it is not. */
+  claim({ uri }: Pick<DesignAsset, "uri">): boolean {
+    const kept = this.#kept.get(uri);
+    if (kept !== undefined) kept.claims += 1;
+    return kept !== undefined;
+  }
+
+  /**
+   * To be called once for each that was added, when it has been used, or will not be: what no recorded design has had by then,
+   * and nobody else is about to use, goes.
+   */
+  release(assets: Iterable<DesignAsset>): void {
+    for (const { uri } of assets) {
+      const kept = this.#kept.get(uri);
+      if (kept === undefined) continue;
+      kept.claims = Math.max(0, kept.claims - 1);
+      if (!kept.used && kept.claims === 0) this.#drop(uri, kept);
+    }
+  }
+
+  #drop(uri: string, kept: Kept): void {
+    this.#takeAway(kept);
+    this.#kept.delete(uri);
+    if ("url" in kept.held) URL.revokeObjectURL(kept.held.url);
+  }
+
+  #takeAway(kept: Kept): void {
+    if (!kept.given) return;
+    kept.given = false;
+    // An engine that was ended, or that crashes over it, has nothing of it any more.
+    this.#engine.removeAsset(kept.held.engineKey).catch(() => undefined);
   }
 
   /** Whether the engine lacks something that a design uses and that `giveBack` can give it. */
@@ -148,7 +199,10 @@ export class AssetLibrary {
     const { decodeDataUri } = await import("../files/data-uri.ts");
     const bytes = decodeDataUri(uri, name);
     if (kept === undefined) {
-      await (type.startsWith("font/") ? this.addFont(name, bytes) : this.add(name, bytes));
+      const { asset } = await (type.startsWith("font/") ? this.addFont(name, bytes) : this.add(name, bytes));
+      // For as long as a design shows it: nobody else waits for it.
+      const added = this.#kept.get(asset.uri);
+      if (added) added.claims -= 1;
       return;
     }
     const { held } = kept;
@@ -173,22 +227,18 @@ export class AssetLibrary {
       this.#kept.delete(uri);
       this.#kept.set(uri, kept);
     }
-    const idle = [...this.#kept].filter(([uri, { used }]) => used && !inUse.has(uri));
+    const idle = [...this.#kept].filter(([uri, { used, claims }]) => (used || claims === 0) && !inUse.has(uri));
     if (idle.length === 0) return;
     const wanted = urisOf(reachable());
     let spare = 0;
     for (const [uri, kept] of idle.reverse()) {
       const isWanted = wanted.has(uri);
       if (isWanted && kept.given) spare += kept.bytes;
-      if (kept.given && (!isWanted || spare > SPARE_BYTES)) {
-        if (isWanted) spare -= kept.bytes;
-        kept.given = false;
-        // An engine that was ended, or that crashes over it, has nothing of it any more.
-        this.#engine.removeAsset(kept.held.engineKey).catch(() => undefined);
+      if (!isWanted) this.#drop(uri, kept);
+      else if (kept.given && spare > SPARE_BYTES) {
+        spare -= kept.bytes;
+        this.#takeAway(kept);
       }
-      if (isWanted) continue;
-      this.#kept.delete(uri);
-      if ("url" in kept.held) URL.revokeObjectURL(kept.held.url);
     }
   }
 
@@ -209,13 +259,13 @@ export class AssetLibrary {
     URL.revokeObjectURL(this.get(asset)?.url ?? "");
     const url = URL.createObjectURL(new Blob([bytes as BlobPart], { type: asset.type }));
     const picture: LibraryPicture = { engineKey, asset, width, height, url };
-    this.#kept.set(asset.uri, { held: picture, bytes: 0, given: true, used: false });
+    this.#kept.set(asset.uri, { held: picture, bytes: 0, given: true, used: false, claims: 1 });
     return picture;
   }
 
   /**
-   * Fetches every asset of a design that was read from a file, and gives the design with `data:` URIs in their place.
-   * Rejects with a TexelcastError that names the asset.
+   * Fetches every asset of a design that was read from a file, and gives the design with `data:` URIs in their place; all are
+   * to be released as those that were added. Rejects with a TexelcastError that names the asset.
    */
   async adopt(design: Design, place: DesignPlace): Promise<Design> {
     const { adoptAssets } = await import("./asset-adoption.ts");

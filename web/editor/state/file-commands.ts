@@ -101,8 +101,12 @@ export class FileCommands {
       }
       if (model && design) name = model.name;
       const opened = design && (await this.#readDesign(design, companions));
-      if (model) await this.#openModel({ source: model, title: model.name, demoId: null }, opened ?? emptyDesign());
-      else if (opened && design) this.#takeDesign(opened, design.file.name);
+      try {
+        if (model) await this.#openModel({ source: model, title: model.name, demoId: null }, opened ?? emptyDesign());
+        else if (opened && design) this.#takeDesign(opened, design.file.name);
+      } finally {
+        this.#parts.library.release(Object.values(opened?.assets ?? {}));
+      }
       for (const font of fonts) {
         name = font.file.name;
         await this.#useFont(font, hit);
@@ -127,7 +131,11 @@ export class FileCommands {
       const { named } = board.strings;
       const layers = parsed.layers.map((layer) => ({ ...layer, name: named(layer.name) }));
       const design = await library.adopt({ ...parsed, layers }, { path: demo.name, baseUrl: demos.url });
-      await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
+      try {
+        await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
+      } finally {
+        library.release(Object.values(design.assets));
+      }
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotOpen(demo.name), thrown);
     }
@@ -156,7 +164,9 @@ export class FileCommands {
     if (!store.state.demos || !store.state.model) return;
     try {
       const bytes = await fetchBytes(decal.picture, store.state.demos.page);
-      decals.add(decal.name, await library.add(decal.picture, bytes), hit);
+      const picture = await library.add(decal.picture, bytes);
+      decals.add(decal.name, picture, hit);
+      library.release([picture.asset]);
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotOpen(decal.name), thrown);
     }
@@ -321,9 +331,13 @@ export class FileCommands {
     admission?.checkRoom(1);
     const bytes = await bytesOf(file);
     const picture = await library.add(file.name, (await admission?.admit("picture", file.name, bytes)) ?? bytes);
-    // Somebody may have added another one meanwhile.
-    admission?.checkRoom(1);
-    decals.add(fileStem(file.name), picture, hit);
+    try {
+      // Somebody may have added another one meanwhile.
+      admission?.checkRoom(1);
+      decals.add(fileStem(file.name), picture, hit);
+    } finally {
+      library.release([picture.asset]);
+    }
   }
 
   async #useFont({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {

@@ -80,14 +80,19 @@ export class ProjectCommands {
       const { name, targets } = file;
       const ref = await this.#modelOf(file, model ?? store.state.model?.ref, model !== undefined);
       const design = await library.adopt(file.design, { path: fileName, read: (uri) => file.assets.get(uri) });
+      if (signal.aborted) library.release(Object.values(design.assets));
       checkCancelled();
       const settings = targets.map(({ material, size, gutter }) => [material, { size, gutter }] as const);
       return { name, design, model: ref, targets: new Map(settings) };
     };
     const content = await tasks.run(this.#parts.board.strings.tasks.opening(fileName), open);
-    await autosave.flush();
-    autosave.begin(content.model);
-    await files.openProject(content);
+    try {
+      await autosave.flush();
+      autosave.begin(content.model);
+      await files.openProject(content);
+    } finally {
+      library.release(Object.values(content.design.assets));
+    }
   }
 
   /** Hands the project to the browser's downloads, as one file. */
@@ -197,7 +202,11 @@ export class ProjectCommands {
       const free = await lock.take(id);
       const content = await this.#contentOf(loaded, free ? name : this.#words.copyOf(name));
       autosave.adopt(content, free ? id : randomId(), free ? loaded.summary.revision : 0);
-      await files.openProject(content);
+      try {
+        await files.openProject(content);
+      } finally {
+        this.#parts.library.release(Object.values(content.design.assets));
+      }
       this.#tell(loaded, content, free, title);
       return true;
     } catch (thrown) {

@@ -95,13 +95,17 @@ export class TextCommands {
   async useFontFile(fileName: string, bytes: Uint8Array, hit: SurfaceHit | null): Promise<void> {
     const { name, asset } = await this.#parts.library.addFont(fileName, bytes);
     const { selected } = this;
-    if (selected)
-      await this.change(
-        selected.id,
-        { fontAsset: { name, asset } },
-        this.#parts.board.strings.steps.change(this.#parts.board.strings.text.font),
-      );
-    else await this.add(hit, { name, asset });
+    try {
+      if (selected)
+        await this.change(
+          selected.id,
+          { fontAsset: { name, asset } },
+          this.#parts.board.strings.steps.change(this.#parts.board.strings.text.font),
+        );
+      else await this.add(hit, { name, asset });
+    } finally {
+      this.#parts.library.release([asset]);
+    }
   }
 
   /** Lays the box close about the words again, its height as it is. */

@@ -97,6 +97,7 @@ export class CloneGesture implements PaintGesture {
         this.#context.board.strings.clone,
       );
       session.record(design, this.#context.board.strings.clone.step);
+      library.release([asset]);
       return layerId;
     } catch (thrown) {
       session.cancelPreview();

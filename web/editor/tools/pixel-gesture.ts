@@ -5,7 +5,7 @@
  */
 import type { Picture } from "../../engine/engine-api.ts";
 import { encodePng } from "../../engine/png-encoder.ts";
-import { type DecalLayer, type Design, findLayer } from "../document/index.ts";
+import { type DecalLayer, type Design, type DesignAsset, findLayer } from "../document/index.ts";
 import type { Strings } from "../strings.ts";
 import { PixelCanvas } from "./pixel-canvas.ts";
 import { addPixelLayer, withPixels } from "./pixel-layer.ts";
@@ -79,12 +79,14 @@ export class PixelGesture {
   async end(label: string): Promise<string | null> {
     this.#over = true;
     const { session, library, store } = this.#context;
+    const added: DesignAsset[] = [];
     try {
       while (this.#work !== null || this.#changes.length > 0) await (this.#work ?? this.#workOff());
       let design = session.recordedDesign;
       let first: string | null = null;
       for (const { canvas, layer, material } of this.#drawn()) {
         const { asset } = await library.add(this.#context.board.strings.tools.pixelLayer, await encodePng(canvas));
+        added.push(asset);
         const placed = withSheet(
           design,
           store.state.selectedId,
@@ -103,6 +105,8 @@ export class PixelGesture {
     } catch (thrown) {
       session.cancelPreview();
       throw thrown;
+    } finally {
+      library.release(added);
     }
   }
 

@@ -70,18 +70,22 @@ async function putPicture(
   at: SurfaceHit | null,
 ): Promise<string> {
   const picture = await desk.library.add(name, bytes);
-  const viewer = await desk.takeHands();
-  // Somebody may have added another one meanwhile.
-  desk.checkRoom();
-  const label = options.name ?? fileStem(name);
-  const { projector, material } = placeFor(desk, viewer, picture.width / picture.height, options, at);
-  const { design, key } = withAsset(desk.design, label, picture.asset);
-  const layer = makeDecalLayer({ id: freeIdIn(design), name: label, material, asset: key, projector });
-  const { words } = desk.settings;
-  desk.record(addOnTop(design, layer), words.steps.add);
-  desk.select(layer.id);
-  desk.hooks.announce(words.announce.added(label));
-  return layer.id;
+  try {
+    const viewer = await desk.takeHands();
+    // Somebody may have added another one meanwhile.
+    desk.checkRoom();
+    const label = options.name ?? fileStem(name);
+    const { projector, material } = placeFor(desk, viewer, picture.width / picture.height, options, at);
+    const { design, key } = withAsset(desk.design, label, picture.asset);
+    const layer = makeDecalLayer({ id: freeIdIn(design), name: label, material, asset: key, projector });
+    const { words } = desk.settings;
+    desk.record(addOnTop(design, layer), words.steps.add);
+    desk.select(layer.id);
+    desk.hooks.announce(words.announce.added(label));
+    return layer.id;
+  } finally {
+    desk.library.release([picture.asset]);
+  }
 }
 
 async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; bytes: Uint8Array }> {

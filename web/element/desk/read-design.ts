@@ -25,17 +25,22 @@ export async function readDesign(input: DesignInput, reading: DesignReading): Pr
   const { checkAsset, checkAssetAddress } = await import("../../editor/document/asset-check.ts");
   const design = parseDesign(data, name);
   const assets: Record<string, DesignAsset> = {};
-  for (const [key, asset] of Object.entries(design.assets)) {
-    if (isShippedFontAddress(asset.uri)) {
-      assets[key] = asset;
-      continue;
+  try {
+    for (const [key, asset] of Object.entries(design.assets)) {
+      if (isShippedFontAddress(asset.uri)) {
+        assets[key] = asset;
+        continue;
+      }
+      const bytes = files?.get(asset.uri) ?? (await bytesOf(key, asset, base, reading, checkAssetAddress));
+      const clean = checkAsset(key, asset, bytes, reading.limits);
+      const taken = asset.type.startsWith("font/")
+        ? await reading.library.addFont(key, clean)
+        : await reading.library.add(key, clean);
+      assets[key] = taken.asset;
     }
-    const bytes = files?.get(asset.uri) ?? (await bytesOf(key, asset, base, reading, checkAssetAddress));
-    const clean = checkAsset(key, asset, bytes, reading.limits);
-    const taken = asset.type.startsWith("font/")
-      ? await reading.library.addFont(key, clean)
-      : await reading.library.add(key, clean);
-    assets[key] = taken.asset;
+  } catch (thrown) {
+    reading.library.release(Object.values(assets));
+    throw thrown;
   }
   return { ...design, assets };
 }
