@@ -293,6 +293,22 @@ describe("a worker that crashes", () => {
     expect(await engine.hash(0)).toMatch(/^[0-9a-f]{16}$/);
   });
 
+  it("leaves the model that it had where the other one that shall cure it cannot be loaded", async () => {
+    let broken = false;
+    const { engine, workers } = start(() => new ThreadWorker(!broken));
+    await openPlane(engine);
+    engine.setLayers([decal("d", "logo")], 1);
+    const before = await engine.hash(0);
+    broken = true;
+    for (let i = 0; i < 3; i++) workers.at(-1)?.fail("again");
+    broken = false;
+    const other = engine.loadModel({ name: "broken.glb", bytes: new TextEncoder().encode("glTF?") });
+    await expect(other).rejects.toMatchObject({ code: "bad-container" });
+    expect(await engine.hash(0)).toBe(before);
+    workers.at(-1)?.fail("once more");
+    expect(await engine.hash(0)).toBe(before);
+  });
+
   it("says no more once it was replaced", async () => {
     const { engine, workers } = start();
     const errors: Error[] = [];

@@ -96,16 +96,28 @@ class EngineClient implements Engine {
       bytes: source.bytes.slice(),
       resources: new Map([...(source.resources ?? [])].map(([uri, bytes]) => [uri, bytes.slice()] as const)),
     };
-    if (this.#halted !== null) {
-      // Another model: nothing of the old one is told again.
+    const halted = this.#halted !== null;
+    const model = this.#model;
+    const layers = this.#layers;
+    if (halted) {
+      // Another model: nothing of the old one is told again, unless the other cannot be loaded.
       this.#model = null;
       this.#layers = null;
       this.#restart();
     }
-    const info = await this.#call("loadModel", [kept]);
-    this.#model = kept;
-    this.#targets.clear();
-    return info;
+    try {
+      const info = await this.#call("loadModel", [kept]);
+      this.#model = kept;
+      this.#targets.clear();
+      return info;
+    } catch (error) {
+      if (halted) {
+        this.#model = model;
+        this.#layers ??= layers;
+        this.#replay();
+      }
+      throw error;
+    }
   }
 
   async setAsset(
@@ -413,14 +425,15 @@ class EngineClient implements Engine {
   /** Tells a new worker everything. Calls made meanwhile come after it, because messages keep their order. */
   #replay(): void {
     this.#layersUnderWay = false;
-    if (this.#model === null) this.#targets.clear();
     const replay = { replay: true };
     const steps: Promise<unknown>[] = [];
     if (this.#model !== null) steps.push(this.#call("loadModel", [this.#model], replay));
     if (this.#zones !== null) steps.push(this.#call("setZones", [this.#zones], replay));
     for (const [key, asset] of this.#assets) steps.push(this.#call("setAsset", [key, asset], replay));
     for (const [key, font] of this.#fonts) steps.push(this.#call("setFont", [key, font], replay));
-    for (const target of this.#targets.values()) steps.push(this.#call("openTarget", [target], replay));
+    // While another model is tried, those of the one before are kept for it.
+    const targets = this.#model === null ? [] : this.#targets.values();
+    for (const target of targets) steps.push(this.#call("openTarget", [target], replay));
     if (this.#layers !== null) this.#sendLayers();
     this.#send({ type: "expect", change: this.#expected });
     const drawn = this.#call("idle", [], replay).then(() => {
