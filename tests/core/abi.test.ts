@@ -83,8 +83,6 @@ describe("the tables of the C ABI", () => {
     expect(code).toContain(`#define TXC_ABI_VERSION ${abi.ABI_VERSION}u`);
     expect(code).toContain(`#define TXC_MAX_SIZE ${abi.MAX_SIZE}u`);
     expect(code).toContain(`#define TXC_MAX_TEXTURE_SIZE ${abi.MAX_TEXTURE_SIZE}u`);
-    expect(code).toContain(`#define TXC_MAX_ZONES ${abi.MAX_ZONES}u`);
-    expect(code).toContain(`#define TXC_MAX_DABS ${abi.MAX_DABS}u`);
     expect(code).toContain(`#define TXC_NONE 0x${abi.NONE.toString(16)}u`);
   });
 });

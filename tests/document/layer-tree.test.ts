@@ -16,7 +16,6 @@ import {
   mapLayer,
   materialsIn,
   moveTo,
-  parentOf,
   removeById,
   walkLayers,
   withFreeIds,
@@ -49,8 +48,8 @@ describe("the tree of layers", () => {
     expect(visits.get("m")).toMatchObject({ parentId: "b", list: "mask", index: 0, depth: 3, inMask: true });
     expect(visits.get("m")?.path).toEqual(["layers", 1, "layers", 0, "mask", "layers", 0]);
     expect(visits.get("s")).toMatchObject({ parentId: "p", list: "strokes", depth: 3, inMask: false });
-    expect(parentOf(tree(), "b")?.id).toBe("g");
-    expect(parentOf(tree(), "a")).toBeNull();
+    expect(visits.get("b")?.parent?.id).toBe("g");
+    expect(visits.get("a")?.parent).toBeNull();
   });
 
   it("tells what is shown: a layer in a hidden group is not", () => {

@@ -3,8 +3,8 @@ import { describe, expect, it } from "vitest";
 import type { CylindricalProjector, PerspectiveProjector } from "../../web/engine/engine-api.ts";
 import { pictureRay } from "../../web/viewer/picture-ray.ts";
 import { thrownHandleDrag } from "../../web/viewer/projector-handles.ts";
-import { slideSpot, toView } from "../../web/viewer/projector-sight.ts";
-import { expectVector, radians } from "./pose-helpers.ts";
+import { toView } from "../../web/viewer/projector-sight.ts";
+import { expectVector, radians, slideSpot } from "./pose-helpers.ts";
 
 const LIMITS = { least: 0.001, most: 10 };
 const slide: PerspectiveProjector = {

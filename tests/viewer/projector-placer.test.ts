@@ -9,9 +9,8 @@ import type {
 } from "../../web/engine/engine-api.ts";
 import { placeOfPicture } from "../../web/viewer/picture-place.ts";
 import { ProjectorPlacer } from "../../web/viewer/projector-placer.ts";
-import { slideSpot } from "../../web/viewer/projector-sight.ts";
 import type { SurfaceQuery } from "../../web/viewer/surface-query.ts";
-import { expectVector, radians } from "./pose-helpers.ts";
+import { expectVector, radians, slideSpot } from "./pose-helpers.ts";
 import { cube, cylinder, queryOf, sheet, sphere } from "./surface-helpers.ts";
 
 const FRONT: PlanarProjector = {

@@ -9,10 +9,6 @@ export const ABI_VERSION = 8;
 export const MAX_SIZE = 8192;
 /** Texels along one side of a texture that is painted by windows, at most. */
 export const MAX_TEXTURE_SIZE = 16384;
-/** Zones of a session, at most. */
-export const MAX_ZONES = 100;
-/** Dabs of one stroke, at most. */
-export const MAX_DABS = 1_000_000;
 /** How deep layers may lie in each other; 1 is in none. */
 export const MAX_DEPTH = 17;
 /** Stops of a gradient, at most. */
@@ -231,14 +227,12 @@ export type SessionDef = ValueOf<typeof SessionDefLayout>;
 export type SessionStats = ValueOf<typeof SessionStatsLayout>;
 export type CoreModelInfo = ValueOf<typeof ModelInfoLayout>;
 export type CoreMaterialInfo = ValueOf<typeof MaterialInfoLayout>;
-export type MeshDef = ValueOf<typeof MeshDefLayout>;
 export type TargetDef = ValueOf<typeof TargetDefLayout>;
 export type MapInfo = ValueOf<typeof MapInfoLayout>;
 export type LayerDef = ValueOf<typeof LayerDefLayout>;
 export type CoreGradient = ValueOf<typeof GradientLayout>;
 export type Dab = ValueOf<typeof DabLayout>;
 export type Rect = ValueOf<typeof RectLayout>;
-export type Update = ValueOf<typeof UpdateLayout>;
 export type CoreZone = ValueOf<typeof ZoneLayout>;
 export type ZoneSurface = ValueOf<typeof ZoneSurfaceLayout>;
 export type LayerMetrics = ValueOf<typeof LayerMetricsLayout>;

@@ -11,21 +11,6 @@ export const EMBED_VERSION = 1;
 /** Where the editor's page finds the origin of the shop that framed it. */
 export const SHOP_PARAMETER = "shop";
 
-/** From the editor's page to its parent: it runs, and waits for a channel. */
-export interface HelloMessage {
-  readonly texelcast: "hello";
-  readonly version: number;
-  /** Used once: the answer that repeats it belongs to this load of the page. */
-  readonly nonce: string;
-}
-
-/** The shop's answer; the channel's port comes with it. */
-export interface ConnectMessage {
-  readonly texelcast: "connect";
-  readonly version: number;
-  readonly nonce: string;
-}
-
 /** Through the channel, either way. */
 export type ChannelMessage =
   | { readonly kind: "request"; readonly id: number; readonly method: string; readonly args: readonly unknown[] }
@@ -36,7 +21,10 @@ export type ChannelMessage =
 const isRecord = (value: unknown): value is Record<string, unknown> =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 
-/** A hello or its answer, of whatever version; null: something else. */
+/**
+ * A hello (the editor's page runs, and waits for a channel) or the shop's answer "connect", with which the channel's port comes;
+ * of whatever version. The nonce is used once: the answer that repeats it belongs to this load of the page. Null: something else.
+ */
 export function readGreeting<Kind extends "hello" | "connect">(
   data: unknown,
   kind: Kind,

@@ -48,12 +48,6 @@ export function rotationOf(projector: Exclude<Projector, UvProjector>): Quaterni
   return new Quaternion(...projector.rotation).normalize();
 }
 
-/** Where a slide's picture shows a point of model space, decal space; null behind its eye. */
-export function slideSpot(slide: PerspectiveProjector, point: Vector3): { x: number; y: number } | null {
-  const local = toView(slide, point);
-  return local.z < 0 ? slidePoint(slide, local) : null;
-}
-
 function isInside({ x, y }: { readonly x: number; readonly y: number }): boolean {
   return Math.abs(x) <= 0.5 && Math.abs(y) <= 0.5;
 }

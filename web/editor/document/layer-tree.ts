@@ -113,10 +113,6 @@ function walkTo(design: Pick<Design, "layers">, id: string): LayerVisit | undefi
   return undefined;
 }
 
-/** The layer that holds that one, in whichever of its lists; null for those of the design's own list. */
-export const parentOf = (design: Pick<Design, "layers">, id: string): DesignLayer | null =>
-  visitOf(design, id)?.parent ?? null;
-
 /** The list that `place` names, as it is. */
 export function layersAt(
   design: Pick<Design, "layers">,
