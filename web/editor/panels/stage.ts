@@ -56,10 +56,14 @@ export class Stage extends EditorElement {
       }
       tc-tool-rail {
         position: absolute;
-        inset-block: 50% auto;
+        inset-block: 4rem;
         inset-inline-start: var(--space-2);
-        max-height: calc(100% - 8rem);
-        translate: 0 -50%;
+      }
+      /* Below it nothing stands, so where the height is dear the tools have it. */
+      @container (max-height: 32rem) {
+        tc-tool-rail {
+          inset-block-end: var(--space-2);
+        }
       }
       tc-animation-bar {
         position: absolute;
@@ -88,7 +92,6 @@ export class Stage extends EditorElement {
         tc-tool-rail {
           inset-block: auto var(--space-2);
           inset-inline: var(--space-2);
-          translate: none;
         }
         tc-animation-bar {
           inset-block-end: calc(var(--target) + 3 * var(--space-2));

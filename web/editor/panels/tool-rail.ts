@@ -5,6 +5,7 @@ import type { Strings } from "../strings.ts";
 import type { Tool } from "../tools/tool.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
+import { fadeOverflow } from "../ui/overflow-fade.ts";
 import { controls } from "../ui/theme.ts";
 
 const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 };
@@ -12,13 +13,16 @@ const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, A
 export class ToolRail extends EditorElement {
   /** The tool that was scrolled into sight last. */
   #shown: string | null = null;
-  readonly #resized = new ResizeObserver(() => this.#fade());
+  /** Ends the watch over what scrolls. */
+  #faded = new AbortController();
 
   static override styles = [
     controls,
     css`
       :host {
-        display: block;
+        display: flex;
+        flex-direction: column;
+        justify-content: center;
         pointer-events: none;
       }
       [role="radiogroup"] {
@@ -26,13 +30,16 @@ export class ToolRail extends EditorElement {
         display: flex;
         flex-direction: column;
         gap: 2px;
-        max-height: 100%;
+        width: fit-content;
         padding: 3px;
         overflow: auto;
         border: 1px solid var(--line);
         border-radius: var(--radius-large);
         background: var(--surface);
         box-shadow: 0 1px 3px rgb(20 24 32 / 8%);
+        overscroll-behavior: contain;
+        /* What is scrolled into sight is not in the fade. */
+        scroll-padding: 2.5rem;
         scrollbar-width: none;
       }
       button {
@@ -51,16 +58,8 @@ export class ToolRail extends EditorElement {
       @media (max-width: 720px) {
         [role="radiogroup"] {
           flex-direction: row;
-          width: fit-content;
           max-width: 100%;
           margin-inline: auto;
-          overscroll-behavior: contain;
-        }
-        :host([fades]) [role="radiogroup"] {
-          mask-image: linear-gradient(to right, #000 calc(100% - 3rem), transparent);
-        }
-        :host([fades]):dir(rtl) [role="radiogroup"] {
-          mask-image: linear-gradient(to left, #000 calc(100% - 3rem), transparent);
         }
       }
     `,
@@ -101,35 +100,21 @@ export class ToolRail extends EditorElement {
   }
 
   override firstUpdated(): void {
-    const group = this.#group;
-    if (!group) return;
-    group.addEventListener("scroll", this.#fade, { passive: true });
-    this.#resized.observe(group);
+    const group = this.renderRoot.querySelector<HTMLElement>("[role=radiogroup]");
+    if (group) fadeOverflow(group, this.#faded.signal);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#resized.disconnect();
+    this.#faded.abort();
   }
 
   override updated(): void {
-    this.#fade();
     const { tool } = this.state;
     if (tool === this.#shown) return;
     this.#shown = tool;
     this.renderRoot.querySelector(`#tool-${tool}`)?.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
-
-  get #group(): HTMLElement | null {
-    return this.renderRoot.querySelector<HTMLElement>("[role=radiogroup]");
-  }
-
-  /** Where a narrow screen cuts the row off, it fades out: there is more. */
-  readonly #fade = (): void => {
-    const group = this.#group;
-    const hidden = group ? group.scrollWidth - group.clientWidth - Math.abs(group.scrollLeft) : 0;
-    this.toggleAttribute("fades", hidden > 2);
-  };
 
   #key(event: KeyboardEvent): void {
     const step = STEPS[event.key];
