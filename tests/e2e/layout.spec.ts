@@ -34,6 +34,29 @@ test.describe("on a phone", () => {
   });
 });
 
+test.describe("on a phone held sideways", () => {
+  test.use({ viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true });
+
+  test("every tool is reached by scrolling, and the view's panel keeps within the page", async ({ editor, page }) => {
+    await editor.open();
+    const text = page.locator("#tool-text");
+    await text.scrollIntoViewIfNeeded();
+    await text.tap();
+    await expect(text).toHaveAttribute("aria-checked", "true");
+    const [tool, stage] = [await text.boundingBox(), await editor.stage.boundingBox()];
+    if (!tool || !stage) throw new Error("A part of the page has no place.");
+    expect(Math.min(tool.width, tool.height)).toBeGreaterThanOrEqual(43.5);
+    expect(tool.y + tool.height).toBeLessThanOrEqual(stage.y + stage.height);
+    await page.locator("#view-menu").tap();
+    const panel = await page.locator("#view-panel").boundingBox();
+    const opener = await page.locator("#view-menu").boundingBox();
+    if (!panel || !opener) throw new Error("A part of the page has no place.");
+    expect(panel.x).toBeGreaterThanOrEqual(opener.x + opener.width);
+    expect(panel.x + panel.width).toBeLessThanOrEqual(844);
+    expect(panel.y + panel.height).toBeLessThanOrEqual(390);
+  });
+});
+
 test("every control has a name, and the keyboard reaches the views and the panels", async ({ editor, page }) => {
   await editor.open();
   const nameless = await page.evaluate(() => {
@@ -61,7 +84,8 @@ test("the splitter is moved by pointer and by keyboard", async ({ editor, page }
   const bar = page.locator("tc-splitter [role=separator]");
   const box = await bar.boundingBox();
   if (!box) throw new Error("There is no splitter.");
-  await editor.drag({ x: box.x + 5, y: 300 }, { x: box.x - 95, y: 300 }, 4);
+  // By its last pixel, which lies over the texture.
+  await editor.drag({ x: box.x + box.width - 1, y: 300 }, { x: box.x - 95, y: 300 }, 4);
   const dragged = await width();
   expect(before - dragged).toBeGreaterThan(80);
   await bar.focus();

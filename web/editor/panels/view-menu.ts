@@ -10,9 +10,14 @@ import { controls } from "../ui/theme.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
+/** Pixels between the panel and its button, and between it and the page's edges. */
+const GAP = 4;
+
 export class ViewMenu extends EditorElement {
   static override properties = { open: { state: true } };
   declare open: boolean;
+  /** The stage that its button stands in, which the splitter makes narrower. */
+  readonly #moves = new ResizeObserver(() => this.#place());
 
   static override styles = [
     controls,
@@ -25,23 +30,30 @@ export class ViewMenu extends EditorElement {
       .opener {
         background: color-mix(in oklab, var(--surface), transparent 15%);
       }
+      /* In the top layer, as a stage may be narrower than it is; placed by its button. */
       .panel {
-        position: absolute;
-        z-index: 6;
-        inset-block-start: 0;
-        inset-inline-end: calc(100% + var(--space-1));
+        position: fixed;
+        inset: auto;
+        margin: 0;
         display: grid;
         gap: var(--space-2);
         width: 18.5rem;
         max-width: calc(100vw - 5rem);
-        max-height: calc(100cqh - 4.5rem);
+        max-height: calc(100dvh - 2 * var(--space-2));
         padding: var(--space-3) var(--space-4);
         overflow: auto;
         overscroll-behavior: contain;
         border: 1px solid var(--line);
         border-radius: var(--radius-large);
         background: var(--surface-high);
+        color: inherit;
         box-shadow: var(--shadow);
+      }
+      /* Where a sheet stands below the stage, that stays in sight. */
+      @media (max-width: 720px) {
+        .panel {
+          max-height: calc(100cqh - 4.5rem);
+        }
       }
       @media (pointer: coarse) {
         .panel {
@@ -80,6 +92,26 @@ export class ViewMenu extends EditorElement {
   constructor() {
     super();
     this.open = false;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    addEventListener("resize", this.#place);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    removeEventListener("resize", this.#place);
+    this.#moves.disconnect();
+  }
+
+  override firstUpdated(): void {
+    const stage = this.getRootNode();
+    if (stage instanceof ShadowRoot) this.#moves.observe(stage.host);
+  }
+
+  override updated(): void {
+    this.#place();
   }
 
   get #words(): Strings["views"] {
@@ -121,7 +153,7 @@ export class ViewMenu extends EditorElement {
       ([key, value]) => key !== "layout" && key !== "guide" && view[key as keyof typeof view] !== value,
     );
     return html`
-      <div class="panel" id="view-panel" role="group" aria-label=${this.#words.menu} @keydown=${this.#key}>
+      <div class="panel" id="view-panel" popover="manual" role="group" aria-label=${this.#words.menu} @keydown=${this.#key}>
         <div class="titled">
           <h2>${this.#words.menu}</h2>
           <button
@@ -201,11 +233,27 @@ export class ViewMenu extends EditorElement {
     `;
   }
 
-  #key(event: KeyboardEvent): void {
-    if (event.key !== "Escape") return;
+  /** Beside its button, where there is room: towards the model, else to the other side; and within the page. */
+  readonly #place = (): void => {
+    const panel = this.renderRoot.querySelector<HTMLElement>("#view-panel");
+    const opener = this.renderRoot.querySelector("#view-menu")?.getBoundingClientRect();
+    if (!panel || !opener) return;
+    panel.showPopover();
+    const { offsetWidth: width, offsetHeight: height } = panel;
+    const [before, after] = [opener.left - GAP - width, opener.right + GAP];
+    const rightToLeft = getComputedStyle(this).direction === "rtl";
+    const [fitsBefore, fitsAfter] = [before >= GAP, after + width + GAP <= innerWidth];
+    const left = fitsAfter && (rightToLeft || !fitsBefore) ? after : Math.max(GAP, before);
+    panel.style.left = `${left}px`;
+    panel.style.top = `${Math.max(GAP, Math.min(opener.top, innerHeight - height - GAP))}px`;
+  };
+
+  /** Its button too: where the focus stays when it is opened by the pointer. */
+  readonly #key = (event: KeyboardEvent): void => {
+    if (event.key !== "Escape" || !this.open) return;
     event.stopPropagation();
     this.open = false;
     this.renderRoot.querySelector<HTMLElement>("#view-menu")?.focus();
-  }
+  };
 }
 customElements.define("tc-view-menu", ViewMenu);
