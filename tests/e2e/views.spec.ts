@@ -56,6 +56,10 @@ test("unlit, the model shows its texels' own colours", async ({ editor, page }) 
   await page.locator("#view-menu").click();
   await page.locator("tc-view-menu input[value=unlit]").check();
   await page.locator("#view-menu").click();
+  await page.locator("#view-menu").click();
+  await page.keyboard.press("Escape");
+  await expect(page.locator("#view-panel"), "Escape closes it from its button, too").toHaveCount(0);
+  await expect(page.locator("#view-menu")).toBeFocused();
   await page.mouse.move(4, 300);
   const [red, green, blue] = await editor.texels({ x: 23, y: 26, width: 1, height: 1 });
   const chest = await page.evaluate((at) => window.texelcast.project(...at), [0, px(17.5), px(2)] as const);

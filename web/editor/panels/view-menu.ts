@@ -92,6 +92,7 @@ export class ViewMenu extends EditorElement {
   constructor() {
     super();
     this.open = false;
+    this.addEventListener("keydown", this.#key);
   }
 
   override connectedCallback(): void {
@@ -153,7 +154,7 @@ export class ViewMenu extends EditorElement {
       ([key, value]) => key !== "layout" && key !== "guide" && view[key as keyof typeof view] !== value,
     );
     return html`
-      <div class="panel" id="view-panel" popover="manual" role="group" aria-label=${this.#words.menu} @keydown=${this.#key}>
+      <div class="panel" id="view-panel" popover="manual" role="group" aria-label=${this.#words.menu}>
         <div class="titled">
           <h2>${this.#words.menu}</h2>
           <button
