@@ -116,6 +116,10 @@ export class Workbench extends EditorElement {
       tc-bottom-sheet {
         grid-area: panel;
       }
+      /* What it is grabbed by reaches over the pane after it. */
+      .views tc-splitter {
+        z-index: 1;
+      }
       tc-status-line {
         grid-area: status;
       }
