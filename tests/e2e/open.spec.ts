@@ -42,7 +42,10 @@ test("undo brings back the model that another one replaced, with its design", as
 
 test("opens a GLB that is dropped anywhere on the page", async ({ editor, page }) => {
   await editor.open();
+  const panel = page.locator("tc-side-panel .lower");
+  await panel.evaluate((element) => element.scrollTo(0, 200));
   await editor.drop([squareGlb()], { x: 1200, y: 700 });
+  expect(await panel.evaluate((element) => element.scrollTop), "the panel begins at its top again").toBe(0);
   await expect(page.locator("tc-top-bar .models")).toContainText("square.glb");
   await expect(page.locator("tc-layer-list")).toContainText("None yet");
   expect(await editor.textureSize()).toEqual({ width: 1024, height: 1024 });

@@ -3,7 +3,7 @@
  * one of these at a time.
  */
 import { css, html, nothing, type TemplateResult } from "lit";
-import type { EditorState } from "../state/editor-state.ts";
+import type { EditorState, ModelRef } from "../state/editor-state.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { controls } from "../ui/theme.ts";
 import "./parts-list.ts";
@@ -20,6 +20,7 @@ const FEW_PARTS = 24;
 export class SidePanel extends EditorElement {
   /** Of the tool, as it was shown last. */
   #laidOpen: EditorState["toolPanel"] = null;
+  #model: ModelRef | undefined;
 
   static override properties = { only: { attribute: false }, tab: { state: true } };
   /** Shows one section; null shows all. */
@@ -163,7 +164,7 @@ export class SidePanel extends EditorElement {
   }
 
   protected watched({ model, shown, tool, toolPanel }: EditorState): readonly unknown[] {
-    return [model === null, shown.parts, tool, toolPanel];
+    return [model?.ref, shown.parts, tool, toolPanel];
   }
 
   override render(): TemplateResult {
@@ -237,11 +238,13 @@ export class SidePanel extends EditorElement {
     return html`<tc-layer-list .editor=${editor}></tc-layer-list>`;
   }
 
-  /** What is laid open is seen, wherever the panel was scrolled to. */
+  /** What is laid open is seen, wherever the panel was scrolled to; and of another model what stands first. */
   override updated(): void {
-    const { toolPanel } = this.state;
-    if (toolPanel !== null && toolPanel !== this.#laidOpen) this.renderRoot.querySelector(".lower")?.scrollTo(0, 0);
+    const { toolPanel, model } = this.state;
+    const opened = toolPanel !== null && toolPanel !== this.#laidOpen;
+    if (opened || model?.ref !== this.#model) this.renderRoot.querySelector(".lower")?.scrollTo(0, 0);
     this.#laidOpen = toolPanel;
+    this.#model = model?.ref;
   }
 
   /** Where a finger is the pointer it would cover the model if it hung at its bar. */
