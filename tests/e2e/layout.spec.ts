@@ -77,6 +77,28 @@ test("every control has a name, and the keyboard reaches the views and the panel
   expect(nameless).toEqual([]);
 });
 
+test("where the system forces its colours, what is chosen is marked, and what shows a colour keeps it", async ({
+  editor,
+  page,
+}) => {
+  await page.emulateMedia({ forcedColors: "active", reducedMotion: "reduce" });
+  await editor.open();
+  await page.locator("#tool-brush").click();
+  await page.locator("#show-palette").click();
+  const back = (selector: string): Promise<string> =>
+    page
+      .locator(selector)
+      .first()
+      .evaluate((element) => getComputedStyle(element).backgroundColor);
+  const plain = await back("#tool-eraser");
+  for (const chosen of ["#tool-brush", "#show-palette", "#layout-both", "#tab-texture", "#tab-layers"]) {
+    expect.soft(await back(chosen), chosen).not.toBe(plain);
+  }
+  const swatch = page.locator("[data-color]").nth(9);
+  const [, ...hex] = /^#(..)(..)(..)$/.exec((await swatch.getAttribute("data-color")) ?? "") ?? [];
+  await expect(swatch).toHaveCSS("background-color", `rgb(${hex.map((pair) => Number.parseInt(pair, 16)).join(", ")})`);
+});
+
 test("the splitter is moved by pointer and by keyboard", async ({ editor, page }) => {
   await editor.open();
   const width = async () => (await editor.stage.boundingBox())?.width ?? 0;

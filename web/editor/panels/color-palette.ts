@@ -41,8 +41,9 @@ export class ColorPalette extends EditorElement {
         padding: 0;
         aspect-ratio: 1;
         border-radius: 4px;
-        background: var(--color);
+        background: var(--color) !important;
         box-shadow: inset 0 0 0 1px rgb(128 128 128 / 35%);
+        forced-color-adjust: none;
       }
       .colors button[aria-pressed="true"] {
         box-shadow:

@@ -84,6 +84,7 @@ export class NoticeStack extends EditorElement {
         background: var(--line);
         accent-color: var(--accent);
         appearance: none;
+        forced-color-adjust: none;
       }
       progress::-webkit-progress-bar {
         background: var(--line);

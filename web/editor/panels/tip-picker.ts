@@ -55,6 +55,7 @@ export class TipPicker extends EditorElement {
         aspect-ratio: 1;
         border-radius: 50%;
         background: currentColor;
+        forced-color-adjust: none;
       }
     `,
   ];

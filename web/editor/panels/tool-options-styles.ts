@@ -67,6 +67,7 @@ export const toolOptionsStyles = css`
     margin: 3px;
     border-radius: 50%;
     background: currentColor;
+    forced-color-adjust: none;
   }
   .often .mirror {
     width: auto;
@@ -92,6 +93,7 @@ export const toolOptionsStyles = css`
     border-radius: 2px;
     background: var(--second);
     box-shadow: 0 0 0 1px var(--line);
+    forced-color-adjust: none;
   }
   /* On a phone there is no room for both; the palette's recent colours bring the other one back. */
   @media (max-width: 430px) {

@@ -79,6 +79,7 @@ export class TopBar extends EditorElement {
         height: 6px;
         border-radius: 50%;
         background: var(--accent);
+        forced-color-adjust: none;
       }
       @media (max-width: 900px) {
         h1 {

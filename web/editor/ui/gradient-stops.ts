@@ -58,6 +58,7 @@ export class GradientStops extends LitElement {
         border-radius: var(--radius);
         background: repeating-conic-gradient(var(--tile-checker) 0 25%, var(--tile) 0 50%) 0 0 / 10px 10px;
         cursor: copy;
+        forced-color-adjust: none;
       }
       .ink {
         position: absolute;

@@ -28,6 +28,7 @@ export const miniatureStyles = css`
     inset: 0;
     display: none;
     background: repeating-conic-gradient(var(--tile-checker) 0 25%, var(--tile) 0 50%) 0 0 / 10px 10px;
+    forced-color-adjust: none;
   }
   tc-miniature[drawn] {
     display: block;

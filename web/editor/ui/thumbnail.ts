@@ -48,6 +48,7 @@ export const thumbnailStyles = css`
   .thumbnail .ink {
     position: absolute;
     inset: 0;
+    forced-color-adjust: none;
   }
   .thumbnail .mark {
     position: relative;
