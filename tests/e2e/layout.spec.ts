@@ -113,6 +113,16 @@ test("the splitter is moved by pointer and by keyboard", async ({ editor, page }
   await bar.focus();
   await page.keyboard.press("ArrowRight");
   expect(await width()).toBeGreaterThan(dragged);
+  await page.locator("#tool-brush").click();
+  await bar.press("Home");
+  await page.locator("#more-options").click();
+  const options = page.locator("tc-stage tc-tool-options");
+  for (const part of await options.locator(".often > *, .drop > *").all()) {
+    const inside = await part.boundingBox();
+    expect(inside?.x, "nothing of the brush is cut off where the model has little room").toBeGreaterThanOrEqual(0);
+    expect((inside?.x ?? 0) + (inside?.width ?? 0)).toBeLessThanOrEqual(await width());
+  }
+  await expect(options.locator(".drop [data-field=tool-size]")).toBeVisible();
 });
 
 test("long work shows its progress and can be cancelled, which leaves everything as it was", async ({

@@ -12,7 +12,9 @@ test("a skin made from a template outlives its closed tab, and the command line 
 
   // A mirrored brush on the chest.
   await page.keyboard.press("b");
+  await page.locator("#more-options").click();
   await page.locator("#tool-mirror").selectOption("x");
+  await page.locator("#more-options").click();
   const middle = await editor.middleOfStage();
   await editor.drag({ x: middle.x - 12, y: middle.y - 10 }, { x: middle.x - 40, y: middle.y + 25 }, 8);
   const brushed = await editor.settledHash();

@@ -87,8 +87,8 @@ export class BottomSheet extends EditorElement {
     this.open = true;
   }
 
-  protected watched({ view, textToType, tool, toolPanel }: EditorState): readonly unknown[] {
-    return [view.layout, textToType, tool, toolPanel];
+  protected watched({ view, textToType, tool, toolPanel, optionsGivenWay }: EditorState): readonly unknown[] {
+    return [view.layout, textToType, tool, toolPanel, optionsGivenWay];
   }
 
   /** Words that were put on the model just now are typed; and the texture is no panel while it has the place of the model. */

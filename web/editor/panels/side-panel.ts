@@ -163,8 +163,8 @@ export class SidePanel extends EditorElement {
     this.tab = "layers";
   }
 
-  protected watched({ model, shown, tool, toolPanel }: EditorState): readonly unknown[] {
-    return [model?.ref, shown.parts, tool, toolPanel];
+  protected watched({ model, shown, tool, toolPanel, optionsGivenWay }: EditorState): readonly unknown[] {
+    return [model?.ref, shown.parts, tool, toolPanel, optionsGivenWay];
   }
 
   override render(): TemplateResult {

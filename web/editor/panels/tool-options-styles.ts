@@ -101,6 +101,11 @@ export const toolOptionsStyles = css`
       display: none;
     }
   }
+  @container (max-width: 20rem) {
+    .second {
+      display: none;
+    }
+  }
   .drop {
     position: absolute;
     z-index: 5;
@@ -109,7 +114,7 @@ export const toolOptionsStyles = css`
     display: grid;
     gap: var(--space-2);
     width: 17rem;
-    max-width: calc(100vw - 2rem);
+    max-width: calc(100cqw - 1rem);
     padding: var(--space-3);
     border: 1px solid var(--line);
     border-radius: var(--radius-large);
@@ -117,7 +122,8 @@ export const toolOptionsStyles = css`
     box-shadow: var(--shadow);
   }
   .drop.end {
-    inset-inline: auto 0;
+    /* At the bar's end, where it is not wider than the bar. */
+    inset-inline-start: max(0px, 100% - 17rem);
   }
   :host([sheet]) {
     overflow: hidden auto;

@@ -4,6 +4,7 @@
  */
 import { html, nothing, type TemplateResult } from "lit";
 import { ArrowLeftRight, ChevronDown, Palette, SlidersHorizontal } from "lucide";
+import type { Editor } from "../state/editor.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
 import { stepFor, unitFor } from "../tools/length-unit.ts";
@@ -12,6 +13,7 @@ import { LEAST_SIZE, MOST_PIXEL_SIZE, MOST_SIZE, type ToolSettings } from "../to
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
+import { fadeOverflow } from "../ui/overflow-fade.ts";
 import { recentColors } from "../ui/recent-colors.ts";
 import { controls } from "../ui/theme.ts";
 import "./color-palette.ts";
@@ -25,10 +27,11 @@ const LONG_LABEL = 7;
 
 /** Options that stand behind the button "More": set once and left alone. */
 const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressure", "alphaLock", "aligned"];
-/** Where the bar has room for a colour and a size, besides those. */
-const SELDOM_IF_NARROW: readonly ToolOption[] = [...SELDOM, "hardness", "opacity", "mirror", "contiguous", "filled"];
-/** Where the bar has room for a few fields only. */
-const NARROW = "(max-width: 1200px)";
+/** What goes there besides, in this order, until the rest fits into the bar. */
+const GIVES_WAY: readonly ToolOption[] = [
+  ...(["mirror", "filled", "contiguous", "opacity", "hardness", "tolerance"] as const),
+  ...(["size", "pixelSize"] as const),
+];
 /** Where what is laid open would cover the model: it stands in the sheet or in the side's panel. */
 const BESIDE = "(pointer: coarse), (max-width: 720px)";
 
@@ -37,7 +40,12 @@ export class ToolOptions extends EditorElement {
   declare beside: boolean;
   /** Shows only what is laid open, as a panel of the sheet. */
   declare sheet: boolean;
-  readonly #narrow = matchMedia(NARROW);
+  /** What the bar's width follows from, as it was measured last. */
+  #measured = "";
+  /** Scrolls where even the last of its options have no room; with it ends the watch over that. */
+  #bar: HTMLElement | null = null;
+  #barGone = new AbortController();
+  readonly #width = new ResizeObserver(() => this.requestUpdate());
   readonly #beside = matchMedia(BESIDE);
 
   static override styles = [controls, propertyStyles, toolOptionsStyles];
@@ -54,21 +62,22 @@ export class ToolOptions extends EditorElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#narrow.addEventListener("change", this.#resize);
     this.#beside.addEventListener("change", this.#resize);
-    if (!this.sheet) addEventListener("pointerdown", this.#pressed, { capture: true });
+    if (this.sheet) return;
+    addEventListener("pointerdown", this.#pressed, { capture: true });
+    this.#width.observe(this);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#narrow.removeEventListener("change", this.#resize);
     this.#beside.removeEventListener("change", this.#resize);
     removeEventListener("pointerdown", this.#pressed, { capture: true });
+    this.#width.disconnect();
+    this.#barGone.abort();
   }
 
   readonly #resize = (): void => {
     this.beside = this.#beside.matches;
-    this.requestUpdate();
   };
 
   /** A press elsewhere closes the seldom used fields; the palette stays while one paints. */
@@ -77,22 +86,22 @@ export class ToolOptions extends EditorElement {
     this.editor.store.set({ toolPanel: null });
   };
 
-  protected watched({ tool, toolSettings, model, design, selectedId, toolPanel }: EditorState): readonly unknown[] {
-    return [tool, toolSettings, model, design.assets, selectedId, toolPanel];
+  protected watched(state: EditorState): readonly unknown[] {
+    const { tool, toolSettings, model, design, selectedId, toolPanel, optionsGivenWay } = state;
+    return [tool, toolSettings, model, design.assets, selectedId, toolPanel, optionsGivenWay];
   }
 
   override render(): TemplateResult | typeof nothing {
     const tool = this.editor.tools.active;
     if (!tool || (tool.options.length === 0 && !tool.renderOptions)) return nothing;
-    const { toolPanel } = this.state;
-    const behind = this.#narrow.matches ? SELDOM_IF_NARROW : SELDOM;
-    const seldom = tool.options.filter((option) => behind.includes(option));
+    const { toolPanel, optionsGivenWay } = this.state;
+    const seldom = behind(tool, optionsGivenWay);
     if (this.sheet) return this.#laidOpen(tool, seldom);
     return html`
       <div class="bar" role="toolbar" aria-label=${this.#words.options}>
         <div class="often">
           ${tool.renderOptions?.() ?? nothing}
-          ${tool.options.map((option) => (behind.includes(option) ? nothing : this.#field(option, tool)))}
+          ${tool.options.map((option) => (seldom.includes(option) ? nothing : this.#field(option, tool)))}
         </div>
         ${
           seldom.length > 0
@@ -114,9 +123,31 @@ export class ToolOptions extends EditorElement {
     `;
   }
 
+  /** All may stand in the bar again where its room has changed or its content; and then one by one gives way. */
+  override updated(): void {
+    const bar = this.renderRoot.querySelector<HTMLElement>(".often");
+    if (bar !== this.#bar) this.#watch(bar);
+    const tool = this.editor.tools.active;
+    if (!bar || !tool) return;
+    const { language, toolSettings, model, optionsGivenWay } = this.state;
+    const now = [this.clientWidth, tool.id, language, toolSettings.tip === null, model?.ref.title].join();
+    const anew = now !== this.#measured;
+    this.#measured = now;
+    const full = bar.scrollWidth > bar.clientWidth && optionsGivenWay < givingWay(tool).length;
+    if (anew && optionsGivenWay > 0) this.editor.store.set({ optionsGivenWay: 0 });
+    else if (full) this.editor.store.set({ optionsGivenWay: optionsGivenWay + 1 });
+  }
+
+  #watch(bar: HTMLElement | null): void {
+    this.#bar = bar;
+    this.#barGone.abort();
+    this.#barGone = new AbortController();
+    if (bar) fadeOverflow(bar, this.#barGone.signal);
+  }
+
   #laidOpen(tool: Tool, seldom: readonly ToolOption[]): TemplateResult | typeof nothing {
     const { toolPanel } = this.state;
-    if (toolPanel === null || !offersToolPanel(tool, toolPanel)) return nothing;
+    if (toolPanel === null || !offersToolPanel(this.editor, toolPanel)) return nothing;
     return html`<div class=${toolPanel === "more" ? "drop end" : "drop"} @keydown=${this.#closeByKey}>
       ${
         toolPanel === "more"
@@ -338,9 +369,20 @@ export class ToolOptions extends EditorElement {
 }
 customElements.define("tc-tool-options", ToolOptions);
 
-/** Whether a tool has something for a panel to show. */
-export function offersToolPanel(tool: Tool | undefined, panel: ToolPanel): boolean {
+function givingWay(tool: Tool): ToolOption[] {
+  return GIVES_WAY.filter((option) => tool.options.includes(option));
+}
+
+/** What stands behind the button "More", in the tool's own order. */
+function behind(tool: Tool, givenWay: number): ToolOption[] {
+  const given = givingWay(tool).slice(0, givenWay);
+  return tool.options.filter((option) => SELDOM.includes(option) || given.includes(option));
+}
+
+/** Whether the chosen tool has something for a panel to show. */
+export function offersToolPanel({ tools, store }: Editor, panel: ToolPanel): boolean {
+  const tool = tools.active;
   if (!tool) return false;
-  if (panel === "more") return tool.options.some((option) => SELDOM_IF_NARROW.includes(option));
+  if (panel === "more") return behind(tool, store.state.optionsGivenWay).length > 0;
   return tool.options.includes(panel === "tips" ? "tip" : "color");
 }

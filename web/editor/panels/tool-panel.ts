@@ -9,7 +9,7 @@ import { offersToolPanel } from "./tool-options.ts";
 /** Null where nothing is laid open, or the chosen tool has nothing to show there. */
 export function openToolPanel(editor: Editor): ToolPanel | null {
   const { toolPanel } = editor.store.state;
-  return toolPanel !== null && offersToolPanel(editor.tools.active, toolPanel) ? toolPanel : null;
+  return toolPanel !== null && offersToolPanel(editor, toolPanel) ? toolPanel : null;
 }
 
 export function toolPanel(editor: Editor, panel: ToolPanel): TemplateResult {

@@ -126,6 +126,8 @@ export interface EditorState {
   readonly tool: ToolId;
   /** What of the tool is laid open: fields that are seldom used, or the palette. */
   readonly toolPanel: ToolPanel | null;
+  /** How many of the chosen tool's options its bar has no room for. */
+  readonly optionsGivenWay: number;
   readonly toolSettings: ToolSettings;
 }
 
@@ -163,6 +165,7 @@ export const INITIAL_STATE: EditorState = {
   outlines: true,
   tool: "move",
   toolPanel: null,
+  optionsGivenWay: 0,
   toolSettings: INITIAL_TOOL_SETTINGS,
 };
 
