@@ -101,6 +101,7 @@ test("where the system forces its colours, what is chosen is marked, and what sh
 
 test("the splitter is moved by pointer and by keyboard", async ({ editor, page }) => {
   await editor.open();
+  await expect(page.locator("#tab-overlap"), "the texture's maps are all in sight").toBeInViewport({ ratio: 1 });
   const width = async () => (await editor.stage.boundingBox())?.width ?? 0;
   const before = await width();
   const bar = page.locator("tc-splitter [role=separator]");

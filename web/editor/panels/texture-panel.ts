@@ -7,14 +7,21 @@ import { TEXTURE_MODES, type TextureMode } from "../state/view-state.ts";
 import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
+import { fadeOverflow } from "../ui/overflow-fade.ts";
 import { controls } from "../ui/theme.ts";
 
 export class TexturePanel extends EditorElement {
+  /** The tab that was scrolled into sight last. */
+  #shown: TextureMode = "texture";
+  /** Ends the watch over what scrolls. */
+  #gone = new AbortController();
+
   static override styles = [
     controls,
     css`
       :host {
         display: grid;
+        container-type: inline-size;
         grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
         min-width: 0;
         min-height: 0;
@@ -25,6 +32,7 @@ export class TexturePanel extends EditorElement {
         gap: 2px;
         padding: var(--space-1) var(--space-2);
         overflow-x: auto;
+        scroll-padding: 2.5rem;
         scrollbar-width: none;
         border-bottom: 1px solid var(--line);
       }
@@ -38,9 +46,10 @@ export class TexturePanel extends EditorElement {
         color: var(--text);
         font-weight: 550;
       }
-      @media (max-width: 400px) {
+      @container (max-width: 25rem) {
         [role="tab"] {
-          padding-inline: 6px;
+          padding-inline: 5px;
+          font-size: var(--text-small);
         }
       }
       .view {
@@ -99,6 +108,23 @@ export class TexturePanel extends EditorElement {
       () => this.editor?.figures,
       ({ texel }) => [texel],
     );
+  }
+
+  override firstUpdated(): void {
+    const tabs = this.renderRoot.querySelector<HTMLElement>("[role=tablist]");
+    if (tabs) fadeOverflow(tabs, this.#gone.signal);
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#gone.abort();
+  }
+
+  override updated(): void {
+    const { textureMode } = this.state;
+    if (textureMode === this.#shown) return;
+    this.#shown = textureMode;
+    this.renderRoot.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
 
   get #words(): Strings["texture"] {
