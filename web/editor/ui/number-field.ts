@@ -4,6 +4,7 @@
  */
 import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { controls } from "./theme.ts";
+import { typedNumber } from "./typed-number.ts";
 
 export interface NumberFieldEvent {
   readonly value: number;
@@ -15,6 +16,8 @@ export interface NumberFieldEvent {
 const SCRUB_START = 3;
 const COARSE = 10;
 const FINE = 0.1;
+/** Milliseconds that a field is marked whose number was not understood. */
+const REFUSAL = 1500;
 
 export class NumberField extends LitElement {
   /** A fieldset around it that is disabled disables it. */
@@ -52,6 +55,7 @@ export class NumberField extends LitElement {
     value: number;
   } | null = null;
   #typing = false;
+  #refusal: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
     super();
@@ -128,6 +132,10 @@ export class NumberField extends LitElement {
       }
       input[aria-invalid="true"] {
         color: var(--danger);
+      }
+      .box:has(input[aria-invalid="true"]) {
+        border-radius: inherit;
+        box-shadow: inset 0 0 0 1px var(--danger);
       }
       .unit {
         padding-inline-end: var(--space-2);
@@ -235,14 +243,24 @@ export class NumberField extends LitElement {
     if (!this.#typing) return;
     this.#typing = false;
     const value = this.#typed();
+    const refused = value === undefined && this.#input?.value.trim() !== "";
     if (value !== undefined && value !== this.value) this.#emit("field-change", value, false);
     this.#show();
+    if (refused) this.#refuse();
+  }
+
+  /** What stood there before is back, and for a moment marked: what was typed was not understood. */
+  #refuse(): void {
+    const input = this.#input;
+    input?.setAttribute("aria-invalid", "true");
+    clearTimeout(this.#refusal);
+    this.#refusal = setTimeout(() => {
+      if (!this.#typing) input?.setAttribute("aria-invalid", "false");
+    }, REFUSAL);
   }
 
   #typed(): number | undefined {
-    const text = this.#input?.value.trim().replace(",", ".").replace("−", "-") ?? "";
-    const value = Number(text);
-    return text !== "" && Number.isFinite(value) ? value : undefined;
+    return typedNumber(this.#input?.value ?? "", this.unit);
   }
 
   #press(event: PointerEvent): void {
