@@ -29,7 +29,7 @@ export const germanKeys: readonly KeyGroup[] = [
   {
     name: "Werkzeuge",
     keys: [
-      ["V, B, E, I, S", "Verschieben, Pinsel, Radierer, Pipette, Klonen"],
+      ["V, B, E, I, S, T", "Verschieben, Pinsel, Radierer, Pipette, Klonen, Text"],
       ["Alt oder S, und Klick", "Mit dem Klonwerkzeug: sagen, woher es kopiert"],
       ["N, G, U", "Stift, Farbeimer, Linie und Rechteck, im Pixelmodus"],
       ["[ und ] mit einem Pinsel", "Ihn kleiner oder größer machen; mit Umschalt weicher oder härter"],

@@ -35,7 +35,7 @@ export const keyGroups: readonly KeyGroup[] = [
   {
     name: "Tools",
     keys: [
-      ["V, B, E, I, S", "Move, brush, eraser, colour picker, clone"],
+      ["V, B, E, I, S, T", "Move, brush, eraser, colour picker, clone, text"],
       ["Alt or S, and a press", "With the clone tool: say where it copies from"],
       ["N, G, U", "Pencil, fill bucket, line and rectangle, in pixel mode"],
       ["[ and ] with a brush", "Make it smaller or larger; with Shift softer or harder"],
