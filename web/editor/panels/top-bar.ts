@@ -55,9 +55,12 @@ export class TopBar extends EditorElement {
         align-items: center;
         gap: 2px;
       }
+      /* A long name leaves the other one its half; what both leave is the gap's. */
+      .projects,
       .models {
+        flex: 1000 1 0;
         min-width: 0;
-        flex: 0 1 auto;
+        max-width: max-content;
       }
       .gap {
         flex: 1;
