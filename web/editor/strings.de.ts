@@ -670,6 +670,7 @@ export const german: Strings = {
     close: "Schließen",
     keys: "Tasten",
     language: "Sprache",
+    languageHint: "Die Seite öffnet sich neu, und der Verlauf der Schritte beginnt von vorn.",
     keyGroups: germanKeys,
     licences: "Lizenzen",
     icons: "Symbole von Lucide",

@@ -666,6 +666,7 @@ const english = {
     close: "Close",
     keys: "Keys",
     language: "Language",
+    languageHint: "The page opens anew, and the history of steps begins again.",
     keyGroups,
     licences: "Licences",
     icons: "Icons by Lucide",

@@ -57,8 +57,14 @@ export class HelpDialog extends LitElement {
       .language {
         display: flex;
         align-items: center;
-        gap: var(--space-3);
+        gap: var(--space-2) var(--space-3);
+        flex-wrap: wrap;
+      }
+      .language label {
         font-weight: 550;
+      }
+      .language select {
+        width: auto;
       }
       summary {
         min-height: var(--target);
@@ -85,15 +91,16 @@ export class HelpDialog extends LitElement {
 
   #languages(): TemplateResult {
     return html`
-      <label class="language">
-        ${this.words.language}
-        <select id="language" @change=${(event: Event) => speak((event.target as HTMLSelectElement).value as Language)}>
+      <div class="language">
+        <label for="language">${this.words.language}</label>
+        <select id="language" aria-describedby="language-hint" @change=${(event: Event) => speak((event.target as HTMLSelectElement).value as Language)}>
           ${Object.entries(LANGUAGES).map(
             ([code, name]) =>
               html`<option value=${code} lang=${code} ?selected=${code === pageLanguage}>${name}</option>`,
           )}
         </select>
-      </label>
+        <p class="quiet" id="language-hint">${this.words.languageHint}</p>
+      </div>
     `;
   }
 
