@@ -99,6 +99,10 @@ export class NumberField extends LitElement {
         outline-offset: -1px;
         background: var(--surface);
       }
+      :host([refused]) {
+        outline: 2px solid var(--danger);
+        outline-offset: -1px;
+      }
       :host(:disabled) {
         opacity: 0.5;
       }
@@ -132,10 +136,6 @@ export class NumberField extends LitElement {
       }
       input[aria-invalid="true"] {
         color: var(--danger);
-      }
-      .box:has(input[aria-invalid="true"]) {
-        border-radius: inherit;
-        box-shadow: inset 0 0 0 1px var(--danger);
       }
       .unit {
         padding-inline-end: var(--space-2);
@@ -253,8 +253,10 @@ export class NumberField extends LitElement {
   #refuse(): void {
     const input = this.#input;
     input?.setAttribute("aria-invalid", "true");
+    this.toggleAttribute("refused", true);
     clearTimeout(this.#refusal);
     this.#refusal = setTimeout(() => {
+      this.toggleAttribute("refused", false);
       if (!this.#typing) input?.setAttribute("aria-invalid", "false");
     }, REFUSAL);
   }
