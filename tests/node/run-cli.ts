@@ -13,7 +13,6 @@ export interface Run {
   readonly signal: NodeJS.Signals | null;
   readonly stdout: string;
   readonly stderr: string;
-  readonly milliseconds: number;
 }
 
 export interface RunOptions {
@@ -30,7 +29,6 @@ export function texelcast(
   args: readonly string[],
   { cwd, onStart, signal: abort, stdout: sink }: RunOptions = {},
 ): Promise<Run> {
-  const begin = performance.now();
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [BUNDLE, ...args], {
       cwd,
@@ -46,7 +44,7 @@ export function texelcast(
     child.on("error", reject);
     child.on("close", (code, signal) => {
       const [stdout, stderr] = [out, err].map((chunks) => Buffer.concat(chunks).toString());
-      resolve({ code, signal, stdout: stdout ?? "", stderr: stderr ?? "", milliseconds: performance.now() - begin });
+      resolve({ code, signal, stdout: stdout ?? "", stderr: stderr ?? "" });
     });
     if (child.pid !== undefined) onStart?.(child.pid);
   });

@@ -108,15 +108,11 @@ export interface OrderLine extends CartLine {
   readonly fault: ShopFault | null;
 }
 
-export interface OrderRequest {
-  /** Who ordered, as written on the parcel. */
-  readonly name: string;
-}
-
 export interface Order {
   readonly id: string;
   /** For people: rises by one an order. */
   readonly number: number;
+  /** Who ordered, as written on the parcel. */
   readonly name: string;
   /** ISO 8601. */
   readonly created: string;
