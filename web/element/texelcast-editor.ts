@@ -223,7 +223,8 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   exportDesign(): Promise<ExportedDesign> {
     return this.#atDesk(async (mode) => {
       const { DesignExport } = await import("./desk/export-design.ts");
-      await mode.idle();
+      // A design can be kept also where it cannot be drawn.
+      await mode.idle().catch(() => undefined);
       return await new DesignExport().whole(mode.desk.design);
     });
   }

@@ -368,10 +368,13 @@ export interface Engine {
   expect(change: ExpectedChange | null): void;
   /** Called after each change, one call per changed target. Returns an unsubscribe function. */
   onUpdate(listener: (update: TargetUpdate) => void): () => void;
-  /** Faults outside a call of the user's (the engine crashed, a layer was refused). */
+  /** Faults outside a call of the user's (the engine crashed, a layer was refused, a target could not be drawn). */
   onError(listener: (error: Error) => void): () => void;
 
-  /** Resolves when everything asked so far has been computed and reported. */
+  /**
+   * Resolves when everything asked so far has been computed and reported. Rejects while a target cannot be drawn as its layers
+   * ask ("out-of-budget"), as does all that would show that target; the others are not concerned.
+   */
   idle(): Promise<void>;
 
   /** A map's view as a picture, for people to look at. */

@@ -436,10 +436,14 @@ class EngineClient implements Engine {
     for (const target of targets) steps.push(this.#call("openTarget", [target], replay));
     if (this.#layers !== null) this.#sendLayers();
     this.#send({ type: "expect", change: this.#expected });
-    const drawn = this.#call("idle", [], replay).then(() => {
-      this.#crashes = [];
-    });
-    for (const step of [...steps, drawn]) {
+    this.#call("idle", [], replay).then(
+      () => {
+        this.#crashes = [];
+      },
+      // What cannot be drawn, the worker tells by itself.
+      () => undefined,
+    );
+    for (const step of steps) {
       step.catch((error: TexelcastError) => {
         // A crash or an end reports itself, once for all that waited.
         if (!ENDS.has(error.code)) this.#report(error);

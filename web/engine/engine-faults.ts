@@ -25,6 +25,10 @@ export const disposed = (): TexelcastError => new TexelcastError("disposed", "Th
 /** Whatever needs a model, before `loadModel`. */
 export const noModel = (): TexelcastError => new TexelcastError("no-model", "No model is loaded yet.");
 
+/** Whatever asks for the texels of a target whose layers could not be drawn: why they could not. */
+export const notDrawn = (thrown: unknown): TexelcastError =>
+  TexelcastError.wrap(thrown, "internal", "A texture could not be drawn.");
+
 /** Whatever needs a material's target, before `openTarget`. */
 export const notOpen = (material: number): TexelcastError =>
   new TexelcastError("bad-argument", `Material ${material} is not open for painting.`, {

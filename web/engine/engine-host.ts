@@ -26,7 +26,7 @@ import type {
   TargetUpdate,
   TextMeasure,
 } from "./engine-api.ts";
-import { cancelled, disposed, noModel, notOpen } from "./engine-faults.ts";
+import { cancelled, disposed, noModel, notDrawn, notOpen } from "./engine-faults.ts";
 import { EnginePrints } from "./engine-prints.ts";
 import { engineStats } from "./engine-stats.ts";
 import { callLater } from "./event-loop.ts";
@@ -199,6 +199,8 @@ export class EngineHost implements Engine {
     return this.#enqueue(() => {
       this.#targets.get(material)?.destroy();
       this.#targets.delete(material);
+      // Another may have lacked the memory.
+      this.#markStale();
     });
   }
 
@@ -224,7 +226,10 @@ export class EngineHost implements Engine {
   }
 
   idle(): Promise<void> {
-    return this.#enqueue((session) => this.#drawAll(session));
+    return this.#enqueue(async (session) => {
+      await this.#drawAll(session);
+      for (const target of this.#targets.values()) target.checkDrawn();
+    });
   }
 
   viewMap(material: number, view: MapView): Promise<Picture> {
@@ -387,7 +392,7 @@ export class EngineHost implements Engine {
       try {
         this.#draw(this.#session);
       } catch (error) {
-        this.#report(TexelcastError.wrap(error, "internal", "A texture could not be drawn."));
+        this.#report(notDrawn(error));
       }
     });
   }
@@ -427,7 +432,7 @@ export class EngineHost implements Engine {
     );
   }
 
-  /** Draws the newest layers on every open target and reports what changed. */
+  /** Draws the newest layers on every open target and reports what changed, and which could not be drawn; a crash is thrown. */
   #draw(session: Session): void {
     if (!this.#stale) return;
     this.#stale = false;
@@ -435,7 +440,15 @@ export class EngineHost implements Engine {
     const report = (error: Error): void => this.#report(error);
     const pictures = this.#pictures(session, report);
     for (const target of this.#targets.values()) {
-      const update = target.draw(this.#layers, this.#revision, pictures, report);
+      let update: TargetUpdate | null = null;
+      target.fault = null;
+      try {
+        update = target.draw(this.#layers, this.#revision, pictures, report);
+      } catch (error) {
+        if (session.core.crashed) throw error;
+        target.fault = notDrawn(error);
+        report(target.fault);
+      }
       if (update === null) continue;
       for (const listener of this.#updateListeners) listener(update);
       // A listener may have disposed of the engine.

@@ -72,6 +72,8 @@ export class OpenTarget {
   readonly info: TargetInfo;
   /** The base holds the material's base colour factor. */
   readonly factorBaked: boolean;
+  /** Why the newest layers could not be drawn: what is asked for is refused with it, as it would show older ones. */
+  fault: TexelcastError | null = null;
   readonly #target: Target;
   readonly #layers: LayerSync;
   readonly #makeClip: (Clip: typeof ZoneClip) => ZoneClip;
@@ -209,6 +211,7 @@ export class OpenTarget {
   miniature(id: string, of: "layer" | "mask", side: number): Uint8Array<ArrayBuffer> | null {
     const layer = this.#layers.handleOf(id);
     if (layer === undefined) return null;
+    this.checkDrawn();
     const rgba = this.#target.layerMiniature(layer, of === "mask", side);
     return rgba.some((value) => value > 0) ? rgba : null;
   }
@@ -218,23 +221,30 @@ export class OpenTarget {
     return this.#layers.handleOf(id);
   }
 
+  checkDrawn(): void {
+    if (this.fault !== null) throw this.fault;
+  }
+
   /** For measurements of the surface and the print. */
   get core(): Target {
     return this.#target;
   }
 
   read(x: number, y: number, width: number, height: number): Uint8Array<ArrayBuffer> {
+    this.checkDrawn();
     this.#checkRegion(x, y, width, height);
     return this.#target.read(0, x, y, width, height);
   }
 
   /** The whole texture as of the newest `draw`, as it is exported: with colour bled beyond the gutter. */
   exportedPicture(): Picture {
+    this.checkDrawn();
     const { width, height } = this.info;
     return { width, height, rgba: this.#copyRows(4, (row, count) => this.#target.readBled(row, count, width)) };
   }
 
   hash(x: number, y: number, width: number, height: number): string {
+    this.checkDrawn();
     this.#checkRegion(x, y, width, height);
     return this.#target.hash(x, y, width, height);
   }

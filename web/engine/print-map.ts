@@ -21,6 +21,7 @@ const GREEN: Rgb = [32, 150, 96];
 /** RGBA, straight alpha: clear where no decal lies. */
 export async function drawPrintMap(context: PrintContext, material: number, kind: PrintMapKind): Promise<Picture> {
   const shown = context.targets.get(material);
+  shown?.checkDrawn();
   if (shown !== undefined) return draw(context, shown, kind);
   return withTarget(context, { material }, null, (target) => {
     drawWhole(context, target);

@@ -20,6 +20,7 @@ export async function measurePrint(context: PrintContext): Promise<PrintReport> 
   const layers = [...printedLayers(context.layers)];
   const opened: OpenTarget[] = [];
   const targets = new Map(context.targets);
+  for (const target of targets.values()) target.checkDrawn();
   const unpaintable = new Map<number, string>();
   try {
     for (const material of new Set(layers.flatMap(materialsOf))) {

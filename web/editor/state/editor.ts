@@ -253,14 +253,17 @@ export class Editor {
     this.textureView.setOutlinesVisible(visible);
   }
 
-  /** Resolves when no task runs and the engine has reported everything. */
+  /** Settles when no task runs and the engine has reported everything. Rejects where not all of it could be drawn. */
   async idle(): Promise<void> {
+    let drawn: Promise<void>;
     do {
       await this.session.settled();
-      await this.engine.idle();
+      drawn = this.engine.idle();
+      await drawn.catch(() => undefined);
       // A frame, in which the views take up what was reported.
       await new Promise((resolve) => setTimeout(resolve, 0));
     } while (this.tasks.running);
+    await drawn;
   }
 
   #connect(): void {

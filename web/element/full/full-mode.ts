@@ -110,7 +110,7 @@ class FullMode implements Mode {
     this.desk.store.set({ starting: false });
     this.desk.opened();
     this.configure();
-    await this.idle();
+    await this.#settled();
   }
 
   render(): TemplateResult {
@@ -180,7 +180,7 @@ class FullMode implements Mode {
     this.#chooseMaterial();
     const { size } = this.desk.settings;
     if (size !== this.desk.store.state.usualTarget.size) this.#editor.resizeTargets(size);
-    await this.idle();
+    await this.#settled();
   }
 
   #chooseMaterial(): void {
@@ -189,6 +189,11 @@ class FullMode implements Mode {
     if (model === null) return;
     desk.printed = paintableMaterial(model.info, desk.settings);
     this.#editor.showMaterial(desk.printed);
+  }
+
+  /** What could not be drawn was told, and does not keep the model from being shown; an engine that ended does. */
+  async #settled(): Promise<void> {
+    await this.idle().catch(() => this.#editor.engine.stats());
   }
 
   async idle(): Promise<void> {

@@ -60,7 +60,8 @@ class ShopMode implements Mode {
     begun?.desk.begin(open, begun.design);
     this.#view.opened();
     this.configure();
-    await product.engine.idle();
+    // What could not be drawn was told, and does not keep the product from being shown; an engine that ended does.
+    await product.engine.idle().catch(() => product.engine.stats());
   }
 
   /** Gives the engine a design before the model is shown, so that it is never shown without. */
