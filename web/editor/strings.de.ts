@@ -636,6 +636,7 @@ export const german: Strings = {
 
   errors: {
     couldNotOpen: (name) => (name ? `${name} ließ sich nicht öffnen` : "Die Datei ließ sich nicht öffnen"),
+    couldNotOpenThese: (names) => `Nicht zu öffnen waren ${names.join(", ")}`,
     couldNotExport: (name) => `${name} ließ sich nicht exportieren`,
     couldNotBake: "Die Textur ließ sich nicht vorbereiten",
     couldNotShow: "Die Textur ließ sich nicht zeigen",

@@ -632,6 +632,7 @@ const english = {
 
   errors: {
     couldNotOpen: (name: string): string => (name ? `Could not open ${name}` : "Could not open the file"),
+    couldNotOpenThese: (names: readonly string[]): string => `Could not open ${names.join(", ")}`,
     couldNotExport: (name: string): string => `Could not export ${name}`,
     couldNotBake: "Could not prepare the texture",
     couldNotShow: "Could not show the texture",

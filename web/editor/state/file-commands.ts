@@ -16,7 +16,7 @@ import { paintedMaterials } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { EditorState, ModelRef } from "./editor-state.ts";
 import type { ModelSession } from "./model-session.ts";
-import type { NoticeBoard } from "./notice-board.ts";
+import { MAX_NOTICES, type NoticeBoard } from "./notice-board.ts";
 import type { ProjectCommands } from "./project-commands.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
@@ -107,14 +107,9 @@ export class FileCommands {
       } finally {
         this.#parts.library.release(Object.values(opened?.assets ?? {}));
       }
-      for (const font of fonts) {
-        name = font.file.name;
-        await this.#useFont(font, hit);
-      }
-      for (const picture of pictures) {
-        name = picture.file.name;
-        await this.#addPicture(picture, pictures.length === 1 ? hit : null);
-      }
+      this.#checkModel(pictures, fonts);
+      await this.#useEach(fonts, (font) => this.#useFont(font, hit));
+      await this.#useEach(pictures, (picture) => this.#addPicture(picture, pictures.length === 1 ? hit : null));
     } catch (thrown) {
       this.#parts.board.error(this.#parts.board.strings.errors.couldNotOpen(name), thrown);
     }
@@ -323,11 +318,31 @@ export class FileCommands {
     return new TexelcastError("unsupported", notHere(subject), { subject, hint: notHereHint });
   }
 
-  async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
-    const { library, decals, store, admission } = this.#parts;
-    if (!store.state.model) {
-      throw new TexelcastError("bad-argument", this.#parts.board.strings.errors.noModelYet, { subject: file.name });
+  /** Said once, and not for each of the files. */
+  #checkModel(pictures: readonly CollectedFile[], fonts: readonly CollectedFile[]): void {
+    const { store, board } = this.#parts;
+    const [first] = [...pictures, ...fonts];
+    if (!first || store.state.model) return;
+    const { noModelYet, noModelForText } = board.strings.errors;
+    const message = pictures.length > 0 ? noModelYet : noModelForText;
+    throw new TexelcastError("bad-argument", message, { subject: first.file.name });
+  }
+
+  /** What cannot be used is named, and keeps none of the others out. */
+  async #useEach(files: readonly CollectedFile[], use: (file: CollectedFile) => Promise<void>): Promise<void> {
+    const { board } = this.#parts;
+    const refused: { readonly name: string; readonly thrown: unknown }[] = [];
+    for (const each of files) {
+      await use(each).catch((thrown: unknown) => refused.push({ name: each.file.name, thrown }));
     }
+    const { couldNotOpen, couldNotOpenThese } = board.strings.errors;
+    const names = refused.map(({ name }) => name);
+    if (names.length > MAX_NOTICES) board.error(couldNotOpenThese(names), refused[0]?.thrown);
+    else for (const { name, thrown } of refused) board.error(couldNotOpen(name), thrown);
+  }
+
+  async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
+    const { library, decals, admission } = this.#parts;
     admission?.checkRoom(1);
     const bytes = await bytesOf(file);
     const picture = await library.add(file.name, (await admission?.admit("picture", file.name, bytes)) ?? bytes);
@@ -341,9 +356,6 @@ export class FileCommands {
   }
 
   async #useFont({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
-    if (!this.#parts.store.state.model) {
-      throw new TexelcastError("bad-argument", this.#parts.board.strings.errors.noModelForText, { subject: file.name });
-    }
     const bytes = await bytesOf(file);
     const admitted = await this.#parts.admission?.admit("font", file.name, bytes);
     await this.#parts.texts().useFontFile(file.name, admitted ?? bytes, hit);

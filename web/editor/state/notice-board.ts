@@ -5,7 +5,7 @@ import { isCancelled, type Notice, type NoticeAction, noticeOf } from "./notices
 import type { Store } from "./store.ts";
 
 /** More would hide the page that they are about. */
-const MAX_NOTICES = 3;
+export const MAX_NOTICES = 3;
 
 export class NoticeBoard {
   readonly #store: Store<EditorState>;
