@@ -11,8 +11,9 @@ export interface Intake {
   readonly design?: CollectedFile;
   /** A project in one file, which has its design and mostly its model inside. */
   readonly project?: CollectedFile;
+  /** For decals: pictures that came alone, or loose beside a model that does not name them. A design's are its own. */
   readonly pictures: readonly CollectedFile[];
-  /** For texts. Web fonts are among them: what is wrong with them is told when they are read. */
+  /** For texts, as the pictures are for decals. Web fonts are among them: what is wrong with them is told when they are read. */
   readonly fonts: readonly CollectedFile[];
   /** Everything that came along: a design's relative addresses are looked up here. */
   readonly companions: readonly CollectedFile[];
@@ -36,10 +37,10 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
   const designs = files.filter(({ path }) => DESIGN.test(path));
   const design = designs.find(({ path }) => path.endsWith(".design.json")) ?? designs[0];
   const project = files.find(({ path }) => PROJECT.test(path));
-  // Pictures and fonts that come with a model, a design or a project are its own; alone they are for decals.
-  const alone = modelFile || design || project ? [] : files;
-  const pictures = alone.filter(({ path }) => PICTURE.test(path));
-  const fonts = alone.filter(({ path }) => FONT.test(path));
+  const read = modelFile && (await readModel(modelFile, files));
+  const spare = design || project ? [] : read ? files.filter((file) => isBeside(file, read.own)) : files;
+  const pictures = spare.filter(({ path }) => PICTURE.test(path));
+  const fonts = spare.filter(({ path }) => FONT.test(path));
   if (!modelFile && !design && !project && pictures.length + fonts.length === 0) {
     const first = files[0];
     throw new TexelcastError("unsupported", strings.errors.unknownFile(first?.path ?? ""), {
@@ -47,9 +48,8 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
       hint: strings.errors.unknownFileHint,
     });
   }
-  const model = modelFile && (await readModel(modelFile, files));
   return {
-    ...(model && { model }),
+    ...(read && { model: read.model }),
     ...(design && { design }),
     ...(project && { project }),
     pictures,
@@ -58,16 +58,30 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
   };
 }
 
-async function readModel(modelFile: CollectedFile, files: readonly CollectedFile[]): Promise<ModelSource> {
+/** Beside a model, and not its own: in a folder lie previews and sources of its textures that it does not name either. */
+function isBeside(file: CollectedFile, own: ReadonlySet<CollectedFile>): boolean {
+  return !own.has(file) && !file.path.includes("/");
+}
+
+interface ReadModel {
+  readonly model: ModelSource;
+  /** The files that it names. */
+  readonly own: ReadonlySet<CollectedFile>;
+}
+
+async function readModel(modelFile: CollectedFile, files: readonly CollectedFile[]): Promise<ReadModel> {
   const name = modelFile.file.name;
   const bytes = await bytesOf(modelFile.file);
   const resources = new Map<string, Uint8Array>();
+  const own = new Set<CollectedFile>();
   for (const address of sideFilesOf(name, bytes)) {
     const companion = findCompanion(address, modelFile.path, files);
     // A missing one is the engine's to report: it knows what the file is for.
-    if (companion) resources.set(address, await bytesOf(companion.file));
+    if (!companion) continue;
+    own.add(companion);
+    resources.set(address, await bytesOf(companion.file));
   }
-  return { name, bytes, resources };
+  return { model: { name, bytes, resources }, own };
 }
 
 function sideFilesOf(name: string, bytes: Uint8Array): string[] {

@@ -108,8 +108,10 @@ export class FileCommands {
         this.#parts.library.release(Object.values(opened?.assets ?? {}));
       }
       this.#checkModel(pictures, fonts);
-      await this.#useEach(fonts, (font) => this.#useFont(font, hit));
-      await this.#useEach(pictures, (picture) => this.#addPicture(picture, pictures.length === 1 ? hit : null));
+      // A place on the surface is one of the model that was there before.
+      const place = model ? null : hit;
+      await this.#useEach(fonts, (font) => this.#useFont(font, place));
+      await this.#useEach(pictures, (picture) => this.#addPicture(picture, pictures.length === 1 ? place : null));
     } catch (thrown) {
       this.#parts.board.error(this.#parts.board.strings.errors.couldNotOpen(name), thrown);
     }

@@ -1,0 +1,37 @@
+import { describe, expect, it } from "vitest";
+import { sortFiles } from "../../web/editor/files/file-intake.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
+import { writeGlb } from "../../web/engine/gltf-container.ts";
+import { buildModel } from "../support/model-builder.ts";
+
+const { json, binary } = buildModel({ meshes: [], materials: [] });
+const WHOLE = writeGlb(json, binary);
+const NAMING = writeGlb({ ...json, images: [{ uri: "textures/skin%20a.png" }] }, binary);
+
+/** The paths of what would be added to the design, of files that came together with that model. */
+async function added(model: Uint8Array, ...paths: readonly string[]): Promise<string[]> {
+  const files = ["model.glb", ...paths].map((path) => {
+    const name = path.slice(path.lastIndexOf("/") + 1);
+    return { path, file: new File([path.endsWith(".glb") ? new Uint8Array(model) : "bytes"], name) };
+  });
+  const { pictures, fonts } = await sortFiles(files, stringsIn("en"));
+  return [...pictures, ...fonts].map(({ path }) => path);
+}
+
+describe("what comes together with a model", () => {
+  it("is for decals and texts where the model does not name it", async () => {
+    expect(await added(WHOLE, "logo.png", "Hand.ttf")).toEqual(["logo.png", "Hand.ttf"]);
+  });
+
+  it("is the model's own where it names it", async () => {
+    expect(await added(NAMING, "logo.png", "skin a.png")).toEqual(["logo.png"]);
+  });
+
+  it("is left alone in a folder, where pictures of the model lie beside it", async () => {
+    expect(await added(WHOLE, "model/preview.png")).toEqual([]);
+  });
+
+  it("is the design's where one came, too", async () => {
+    expect(await added(WHOLE, "work.design.json", "logo.png")).toEqual([]);
+  });
+});
