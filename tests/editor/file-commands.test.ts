@@ -16,6 +16,7 @@ function chosen(...names: readonly string[]) {
       if (name.startsWith("broken")) throw new Error(`${name} is no picture.`);
       return {};
     },
+    release: () => {},
   } as unknown as AssetLibrary;
   const decals = { add: (name: string) => void added.push(name) } as unknown as DecalCommands;
   const board = new NoticeBoard(store);

@@ -4,9 +4,9 @@ import { Eye, RotateCcw } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { BACKGROUND_TONES, TEXTURE_MODES, type TextureMode, USUAL_VIEW } from "../state/view-state.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
@@ -239,7 +239,7 @@ export class ViewMenu extends EditorElement {
     const panel = this.renderRoot.querySelector<HTMLElement>("#view-panel");
     const opener = this.renderRoot.querySelector("#view-menu")?.getBoundingClientRect();
     if (!panel || !opener) return;
-    panel.showPopover();
+    if (!panel.matches(":popover-open")) panel.showPopover();
     const { offsetWidth: width, offsetHeight: height } = panel;
     const [before, after] = [opener.left - GAP - width, opener.right + GAP];
     const rightToLeft = getComputedStyle(this).direction === "rtl";

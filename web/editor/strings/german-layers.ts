@@ -17,7 +17,8 @@ export const germanLayers: Strings["layers"] = {
   title: "Ebenen",
   tabs: "Ebenen und Verlauf",
   list: "Ebenen, die oberste zuerst",
-  emptyBody: "Noch keine. Füge ein Bild hinzu, wähle unten eines oder zieh ein PNG, JPEG, WebP oder SVG auf das Modell.",
+  emptyBody:
+    "Noch keine. Füge ein Bild hinzu, wähle unten eines oder zieh ein PNG, JPEG, WebP oder SVG auf das Modell.",
   emptyWithoutModel: "Erst das Modell, dann die Ebenen: Öffne eines.",
   emptyGroup: "Leere Gruppe",
   kinds: {
