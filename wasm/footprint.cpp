@@ -159,29 +159,29 @@ constexpr float kWidestBox = 1.5f;
 bool cut_into_parts(float across, float down, Footprint& f) {
     std::int32_t columns = 1;
     std::int32_t rows = 1;
-    float part_across = across;
-    float part_down = down;
-    const auto leans = [&] {
-        const float u = 1.0f / static_cast<float>(columns);
-        const float v = 1.0f / static_cast<float>(rows);
+    float u = 1.0f;
+    float v = 1.0f;
+    for (;;) {
         const float right = f.across_x * u;
         const float below = f.across_y * u;
         const float down_right = f.down_x * v;
         const float down_below = f.down_y * v;
-        return std::fabs(covariance_of(right, below, down_right, down_below)) > kMostLean ||
-               std::max(square(right, down_right), square(below, down_below)) > kWidestBox * kWidestBox;
-    };
-    while (!kernel_serves(std::max(part_across, part_down), std::min(part_across, part_down)) || leans()) {
+        const float part_across = across * u;
+        const float part_down = down * v;
+        const bool leans = std::fabs(covariance_of(right, below, down_right, down_below)) > kMostLean;
+        const float widest = std::max(square(right, down_right), square(below, down_below));
+        if (kernel_serves(std::max(part_across, part_down), std::min(part_across, part_down)) && !leans &&
+            widest <= kWidestBox * kWidestBox) {
+            f.kernel = make_footprint_kernel(right, below, down_right, down_below);
+            break;
+        }
         if (part_across >= part_down) {
-            part_across = across / static_cast<float>(++columns);
+            u = 1.0f / static_cast<float>(++columns);
         } else {
-            part_down = down / static_cast<float>(++rows);
+            v = 1.0f / static_cast<float>(++rows);
         }
         if (columns * rows > kMostParts) return false;
     }
-    const float u = 1.0f / static_cast<float>(columns);
-    const float v = 1.0f / static_cast<float>(rows);
-    f.kernel = make_footprint_kernel(f.across_x * u, f.across_y * u, f.down_x * v, f.down_y * v);
     f.parts = columns * rows;
     for (std::int32_t i = 0; i < f.parts; ++i) {
         const float right = (static_cast<float>(i % columns) + 0.5f) * u - 0.5f;

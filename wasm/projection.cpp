@@ -192,12 +192,9 @@ private:
         const bool hold = (run.flags & kRunHoldNormal) != 0;
         const float facing = hold ? seen.at[kFacing] : first[kFacing];
         const float facing_dx = hold ? 0.0f : seen.dx[kFacing];
-        glm::vec3 normal(0.0f);
-        glm::vec3 normal_dx(0.0f);
-        if (settings_.fades()) {
-            normal = hold ? frame.normal_at(frame.x0, frame.y0) : frame.normal_at(x, y);
-            if (!hold) normal_dx = TexelFrame::part(frame.normal, &TexelFrame::Coordinate::dx);
-        }
+        const glm::vec3 normal = hold ? frame.normal_at(frame.x0, frame.y0) : frame.normal_at(x, y);
+        const glm::vec3 normal_dx =
+            hold ? glm::vec3(0.0f) : TexelFrame::part(frame.normal, &TexelFrame::Coordinate::dx);
         std::int16_t* const weights = weights_ + run.y * kTileSize + run.x;
         const auto length = static_cast<float>(run.length);
         std::uint32_t met = 0;
