@@ -28,7 +28,8 @@ import { ACCEPT, pickFiles } from "./ui/file-picker.ts";
 import "./ui/menu.ts";
 import "./ui/number-field.ts";
 import "./ui/splitter.ts";
-import { controls, theme } from "./ui/theme.ts";
+import { controls } from "./ui/controls.ts";
+import { theme } from "./ui/theme.ts";
 
 const PHONE_WIDTH = 720;
 const TABLET_WIDTH = 1000;

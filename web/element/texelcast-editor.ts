@@ -3,7 +3,7 @@
  * page asks for, and opens the page's model and design in it. Importing this file registers nothing and runs in bare Node.
  */
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { controls } from "../editor/ui/theme.ts";
+import { plainControls } from "../editor/ui/theme.ts";
 import type {
   DecalSource,
   ExportedDesign,
@@ -116,7 +116,7 @@ export interface TexelcastEditor {
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: only overloads of what every element has.
 export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   static override properties = PROPERTIES;
-  static override styles = [tokens, controls, elementStyles];
+  static override styles = [tokens, plainControls, elementStyles];
 
   declare src: TexelcastEditorProperties["src"];
   declare design: TexelcastEditorProperties["design"];

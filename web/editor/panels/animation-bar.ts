@@ -3,9 +3,9 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { Pause, Play, Square } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2];
 /** Steps that a scrubbed clip is divided into. */

@@ -5,9 +5,9 @@
 import { css, html, type TemplateResult } from "lit";
 import { Grid2x2, History, Layers, Settings2, SlidersHorizontal } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 import { openToolPanel, toolPanel } from "./tool-panel.ts";
 
 export type SheetTab = "layers" | "properties" | "history" | "texture" | "target";

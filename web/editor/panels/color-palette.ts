@@ -3,10 +3,10 @@ import { css, html, type TemplateResult } from "lit";
 import { Download, ImagePlus, RotateCcw, Upload } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 
 export class ColorPalette extends EditorElement {
   static override styles = [

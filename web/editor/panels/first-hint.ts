@@ -3,7 +3,7 @@ import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import { X } from "lucide";
 import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
+import { plainControls } from "../ui/theme.ts";
 
 const SEEN = "texelcast-hint-seen";
 
@@ -14,7 +14,7 @@ export class FirstHint extends LitElement {
   declare seen: boolean;
 
   static override styles = [
-    controls,
+    plainControls,
     css`
       :host {
         pointer-events: none;

@@ -4,9 +4,9 @@ import { X } from "lucide";
 import lucideLicence from "../../../node_modules/lucide/LICENSE?raw";
 import { LANGUAGES, type Language, pageLanguage, speak } from "../strings/language.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { dialogFrame } from "../ui/dialog-frame.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 
 export class HelpDialog extends LitElement {
   static override properties = { words: { attribute: false }, embedded: { type: Boolean } };

@@ -7,8 +7,8 @@ import type { EditorState } from "../state/editor-state.ts";
 import { HISTORY_BUDGETS } from "../state/history-budget.ts";
 import { megabytes } from "../state/megabytes.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
-import { controls } from "../ui/theme.ts";
 
 /** Rows above and below what is in sight, so that a scroll does not show bare ground. */
 const SPARE_ROWS = 8;

@@ -4,9 +4,9 @@ import { Box, Columns2, Grid2x2, type IconNode } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import { VIEW_LAYOUTS, type ViewLayout } from "../state/view-state.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 
 const DRAWINGS: Readonly<Record<ViewLayout, IconNode>> = { model: Box, both: Columns2, texture: Grid2x2 };
 const STEPS: Readonly<Record<string, number>> = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 };

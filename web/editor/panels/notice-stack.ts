@@ -6,11 +6,11 @@ import type { EditorState, Task } from "../state/editor-state.ts";
 import type { Notice } from "../state/notices.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
+import { plainControls } from "../ui/theme.ts";
 
 export class NoticeStack extends EditorElement {
   static override styles = [
-    controls,
+    plainControls,
     css`
       :host {
         display: grid;

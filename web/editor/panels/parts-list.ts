@@ -4,9 +4,9 @@ import { Eye, EyeOff, Focus } from "lucide";
 import type { ModelPart } from "../../viewer/viewer-api.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 
 export class PartsList extends EditorElement {
   static override styles = [

@@ -5,10 +5,10 @@ import { Copy, Image, Pencil, Plus, Trash2, Undo2, X } from "lucide";
 import type { EditorState, ListedProject } from "../state/editor-state.ts";
 import { megabytes } from "../state/megabytes.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { dialogFrame } from "../ui/dialog-frame.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 
 export class ProjectsDialog extends EditorElement {
   static override properties = { shown: { state: true }, renaming: { state: true } };

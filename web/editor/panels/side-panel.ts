@@ -4,8 +4,8 @@
  */
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { EditorState, ModelRef } from "../state/editor-state.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
-import { controls } from "../ui/theme.ts";
 import "./parts-list.ts";
 import { openToolPanel, toolPanel } from "./tool-panel.ts";
 

@@ -2,9 +2,9 @@
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { EditorState, TargetSettings as Settings } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
-import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
 
 const SIZES = [256, 512, 1024, 2048, 4096, 8192];

@@ -4,10 +4,10 @@ import { X } from "lucide";
 import type { DemoTemplate } from "../files/demo-catalogue.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { dialogFrame } from "../ui/dialog-frame.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 
 export class TemplateDialog extends EditorElement {
   static override styles = [

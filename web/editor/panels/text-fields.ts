@@ -14,11 +14,11 @@ import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { loadOwnPreview, loadShippedPreviews, shippedFamily } from "../ui/font-previews.ts";
 import { icon } from "../ui/icon.ts";
 import "../ui/menu.ts";
+import { controls } from "../ui/controls.ts";
 import type { MenuItem } from "../ui/menu.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
 import { recentColors } from "../ui/recent-colors.ts";
-import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 

@@ -5,10 +5,10 @@ import type { EditorState, Figures } from "../state/editor-state.ts";
 import { StoreController } from "../state/store.ts";
 import { TEXTURE_MODES, type TextureMode } from "../state/view-state.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { fadeOverflow } from "../ui/overflow-fade.ts";
-import { controls } from "../ui/theme.ts";
 
 export class TexturePanel extends EditorElement {
   /** The tab that was scrolled into sight last. */

@@ -4,10 +4,10 @@ import { ImagePlus } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
 import { type BrushTip, tipsOf } from "../tools/brush-tips.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
-import { controls } from "../ui/theme.ts";
 import { checkField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 

@@ -3,10 +3,10 @@ import { css, html, type TemplateResult } from "lit";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
 import type { Tool } from "../tools/tool.ts";
+import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { fadeOverflow } from "../ui/overflow-fade.ts";
-import { controls } from "../ui/theme.ts";
 
 const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 };
 

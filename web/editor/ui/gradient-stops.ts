@@ -8,10 +8,10 @@ import { styleMap } from "lit/directives/style-map.js";
 import { Minus, Plus } from "lucide";
 import type { GradientStop } from "../document/index.ts";
 import type { Strings } from "../strings.ts";
+import { controls } from "./controls.ts";
 import { icon } from "./icon.ts";
 import type { NumberFieldEvent } from "./number-field.ts";
 import { recentColors } from "./recent-colors.ts";
-import { controls } from "./theme.ts";
 
 const LEAST = 2;
 const MOST = 16;

@@ -1,8 +1,8 @@
 /** A button with a menu of actions (WAI-ARIA menu button): arrows, Home, End, Escape, and typing the first letter. */
 import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import { Check, ChevronDown, type IconNode } from "lucide";
+import { controls } from "./controls.ts";
 import { icon } from "./icon.ts";
-import { controls } from "./theme.ts";
 
 /** Pixels between the menu and its opener, and between it and the page's edges. */
 const GAP = 4;

@@ -3,7 +3,7 @@
  * on, `field-change` when a value is final, `field-cancel` when Escape ends a scrub; `detail` is a NumberFieldEvent.
  */
 import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { controls } from "./theme.ts";
+import { plainControls } from "./theme.ts";
 import { typedNumber } from "./typed-number.ts";
 
 export interface NumberFieldEvent {
@@ -72,7 +72,7 @@ export class NumberField extends LitElement {
   }
 
   static override styles = [
-    controls,
+    plainControls,
     css`
       :host {
         display: block;

@@ -1,6 +1,6 @@
 /** A bar between two panes (WAI-ARIA window splitter). Emits `split` with the share of the second pane, 0 to 1. */
 import { css, html, LitElement, type TemplateResult } from "lit";
-import { controls } from "./theme.ts";
+import { plainControls } from "./theme.ts";
 
 const KEY_STEP = 0.02;
 
@@ -25,7 +25,7 @@ export class Splitter extends LitElement {
   }
 
   static override styles = [
-    controls,
+    plainControls,
     css`
       :host {
         position: relative;

@@ -81,7 +81,7 @@ export const theme = css`
 `;
 
 /** What every element of the page shares: box sizes, focus rings, buttons, fields. */
-export const controls = css`
+export const plainControls = css`
   *,
   *::before,
   *::after {
@@ -227,27 +227,6 @@ export const controls = css`
     overflow: hidden;
     clip-path: inset(50%);
     white-space: nowrap;
-  }
-  /* There the system's colours take the place of the page's: what is chosen says so by them. What shows a colour of the
-     design keeps it, where it stands. */
-  @media (forced-colors: active) {
-    button:is([aria-pressed="true"], [aria-selected="true"], [aria-checked="true"]),
-    nav button[aria-expanded="true"],
-    .segments input:checked + span {
-      forced-color-adjust: none;
-      background: Highlight !important;
-      color: HighlightText !important;
-      transition: none;
-    }
-    :not(button)[aria-selected="true"],
-    [aria-current="true"] {
-      outline: 2px solid Highlight;
-      outline-offset: -2px;
-    }
-    button:disabled,
-    button[aria-disabled="true"] {
-      opacity: 1;
-    }
   }
   @media (prefers-reduced-motion: reduce) {
     *,

@@ -1,0 +1,30 @@
+/** The controls of panels and dialogs, where the system forces its colours, too. */
+import { css } from "lit";
+import { plainControls } from "./theme.ts";
+
+// Apart from the others: a product can be shown before anything in it can be chosen.
+const forcedColors = css`
+  /* There the system's colours take the place of the page's: what is chosen says so by them. What shows a colour of the
+     design keeps it, where it stands. */
+  @media (forced-colors: active) {
+    button:is([aria-pressed="true"], [aria-selected="true"], [aria-checked="true"]),
+    nav button[aria-expanded="true"],
+    .segments input:checked + span {
+      forced-color-adjust: none;
+      background: Highlight !important;
+      color: HighlightText !important;
+      transition: none;
+    }
+    :not(button)[aria-selected="true"],
+    [aria-current="true"] {
+      outline: 2px solid Highlight;
+      outline-offset: -2px;
+    }
+    button:disabled,
+    button[aria-disabled="true"] {
+      opacity: 1;
+    }
+  }
+`;
+
+export const controls = [plainControls, forcedColors];
