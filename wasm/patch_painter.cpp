@@ -293,8 +293,8 @@ void fade_texels(const std::int16_t* weights, std::uint16_t* texels) {
         if (weights[i] == kFullWeight && weights[i + 1] == kFullWeight) continue;
         const Short8 share = narrow(splat(std::int32_t{weights[i]}), splat(std::int32_t{weights[i + 1]}));
         std::uint16_t* const two = texels + std::size_t{i} * 4;
-        // Colours around 0 are colours less a half, and of that the share is half the weight.
-        store_texels(two, share + std::numeric_limits<std::int16_t>::min() + part_of(load_texels(two), share));
+        // Colours around 0 are colours less a half, and of that the share is half the weight: the weight less a half, added.
+        store_texels(two, (share ^ std::numeric_limits<std::int16_t>::min()) + part_of(load_texels(two), share));
     }
 }
 

@@ -181,7 +181,7 @@ private:
     }
 
     /// Tests 2 and 3 on a run's texels, to the weights that facing_weight gives: a bit for each that passes them, the first in the
-    /// lowest. (Inlined where it is called, it and decal_frame are 0.4 kB of the module, and no quicker.)
+    /// lowest. (Inlined, it and decal_frame make the module larger, and nothing quicker.)
     __attribute__((noinline)) std::uint32_t weigh_run(const TexelRun& run, const ProjectedFrame& seen,
                                                       std::int32_t tile_x, std::int32_t tile_y) {
         const TexelFrame& frame = map_.frames[run.frame];
