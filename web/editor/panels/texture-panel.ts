@@ -8,13 +8,11 @@ import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { fadeOverflow } from "../ui/overflow-fade.ts";
+import { OverflowFade } from "../ui/overflow-fade.ts";
 
 export class TexturePanel extends EditorElement {
   /** The tab that was scrolled into sight last. */
   #shown: TextureMode = "texture";
-  /** Ends the watch over what scrolls. */
-  #gone = new AbortController();
 
   static override styles = [
     controls,
@@ -103,21 +101,12 @@ export class TexturePanel extends EditorElement {
 
   constructor() {
     super();
+    new OverflowFade(this, "[role=tablist]");
     new StoreController<Figures>(
       this,
       () => this.editor?.figures,
       ({ texel }) => [texel],
     );
-  }
-
-  override firstUpdated(): void {
-    const tabs = this.renderRoot.querySelector<HTMLElement>("[role=tablist]");
-    if (tabs) fadeOverflow(tabs, this.#gone.signal);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#gone.abort();
   }
 
   override updated(): void {

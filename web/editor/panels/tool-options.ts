@@ -14,7 +14,7 @@ import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
-import { fadeOverflow } from "../ui/overflow-fade.ts";
+import { OverflowFade } from "../ui/overflow-fade.ts";
 import { recentColors } from "../ui/recent-colors.ts";
 import "./color-palette.ts";
 import { checkField, choiceField } from "./property-fields.ts";
@@ -42,9 +42,6 @@ export class ToolOptions extends EditorElement {
   declare sheet: boolean;
   /** What the bar's width follows from, as it was measured last. */
   #measured = "";
-  /** Scrolls where even the last of its options have no room; with it ends the watch over that. */
-  #bar: HTMLElement | null = null;
-  #barGone = new AbortController();
   readonly #width = new ResizeObserver(() => this.requestUpdate());
   readonly #beside = matchMedia(BESIDE);
 
@@ -52,6 +49,8 @@ export class ToolOptions extends EditorElement {
 
   constructor() {
     super();
+    // Where even the last of its options have no room.
+    new OverflowFade(this, ".often");
     this.sheet = false;
     this.beside = this.#beside.matches;
   }
@@ -73,7 +72,6 @@ export class ToolOptions extends EditorElement {
     this.#beside.removeEventListener("change", this.#resize);
     removeEventListener("pointerdown", this.#pressed, { capture: true });
     this.#width.disconnect();
-    this.#barGone.abort();
   }
 
   readonly #resize = (): void => {
@@ -126,7 +124,6 @@ export class ToolOptions extends EditorElement {
   /** All may stand in the bar again where its room has changed or its content; and then one by one gives way. */
   override updated(): void {
     const bar = this.renderRoot.querySelector<HTMLElement>(".often");
-    if (bar !== this.#bar) this.#watch(bar);
     const tool = this.editor.tools.active;
     if (!bar || !tool) return;
     const { language, toolSettings, model, optionsGivenWay } = this.state;
@@ -136,13 +133,6 @@ export class ToolOptions extends EditorElement {
     const full = bar.scrollWidth > bar.clientWidth && optionsGivenWay < givingWay(tool).length;
     if (anew && optionsGivenWay > 0) this.editor.store.set({ optionsGivenWay: 0 });
     else if (full) this.editor.store.set({ optionsGivenWay: optionsGivenWay + 1 });
-  }
-
-  #watch(bar: HTMLElement | null): void {
-    this.#bar = bar;
-    this.#barGone.abort();
-    this.#barGone = new AbortController();
-    if (bar) fadeOverflow(bar, this.#barGone.signal);
   }
 
   #laidOpen(tool: Tool, seldom: readonly ToolOption[]): TemplateResult | typeof nothing {

@@ -6,15 +6,18 @@ import type { Tool } from "../tools/tool.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { fadeOverflow } from "../ui/overflow-fade.ts";
+import { OverflowFade } from "../ui/overflow-fade.ts";
 
 const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 };
 
 export class ToolRail extends EditorElement {
   /** The tool that was scrolled into sight last. */
   #shown: string | null = null;
-  /** Ends the watch over what scrolls. */
-  #faded = new AbortController();
+
+  constructor() {
+    super();
+    new OverflowFade(this, "[role=radiogroup]");
+  }
 
   static override styles = [
     controls,
@@ -97,16 +100,6 @@ export class ToolRail extends EditorElement {
         )}
       </div>
     `;
-  }
-
-  override firstUpdated(): void {
-    const group = this.renderRoot.querySelector<HTMLElement>("[role=radiogroup]");
-    if (group) fadeOverflow(group, this.#faded.signal);
-  }
-
-  override disconnectedCallback(): void {
-    super.disconnectedCallback();
-    this.#faded.abort();
   }
 
   override updated(): void {

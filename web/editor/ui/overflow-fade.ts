@@ -1,12 +1,50 @@
 /** Where a row or a column that scrolls goes on, it fades out; and a plain wheel moves a row, too. */
+import type { ReactiveController, ReactiveControllerHost } from "lit";
 
 /** How far the fade reaches in, CSS length. */
 const REACH = "2.5rem";
 /** Pixels that rounding may hide. */
 const SLACK = 2;
 
-/** Watches `list` until the signal: the children of one that scrolls only, not what they hold. */
-export function fadeOverflow(list: HTMLElement, signal: AbortSignal): void {
+type Host = ReactiveControllerHost & { readonly renderRoot: HTMLElement | DocumentFragment };
+
+/** Watches what a selector finds in its host, as long as that stands in the page. */
+export class OverflowFade implements ReactiveController {
+  readonly #host: Host;
+  readonly #selector: string;
+  #list: HTMLElement | null = null;
+  #end = new AbortController();
+
+  constructor(host: Host, selector: string) {
+    this.#host = host;
+    this.#selector = selector;
+    host.addController(this);
+  }
+
+  /** Put back into the page, it is watched anew. */
+  hostConnected(): void {
+    this.#host.requestUpdate();
+  }
+
+  hostUpdated(): void {
+    const list = this.#host.renderRoot.querySelector<HTMLElement>(this.#selector);
+    if (list !== this.#list) this.#watch(list);
+  }
+
+  hostDisconnected(): void {
+    this.#watch(null);
+  }
+
+  #watch(list: HTMLElement | null): void {
+    this.#list = list;
+    this.#end.abort();
+    this.#end = new AbortController();
+    if (list) fadeOverflow(list, this.#end.signal);
+  }
+}
+
+/** The children of one that scrolls only, not what they hold. */
+function fadeOverflow(list: HTMLElement, signal: AbortSignal): void {
   const update = (): void => {
     list.style.maskImage = maskOf(list);
   };
