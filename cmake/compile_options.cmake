@@ -11,7 +11,7 @@ function(texelcast_compile_options target)
         # Loops as they are written: what is worth four lanes says so (float4.h, short8.h). Unrolled and vectorised beyond
         # that the module is a twelfth larger to download, and no quicker.
         target_compile_options(${target} PRIVATE -O2 -fno-unroll-loops -fno-vectorize -fno-slp-vectorize -msimd128
-                                                 -mbulk-memory -mnontrapping-fptoint -fno-exceptions -fno-rtti)
+                                                 -mbulk-memory -msign-ext -mnontrapping-fptoint -fno-exceptions -fno-rtti)
     elseif(TEXELCAST_SANITIZE)
         target_compile_options(${target} PRIVATE -O1 -g1 -fno-omit-frame-pointer -fsanitize=address,undefined
                                                  -fno-sanitize-recover=all)

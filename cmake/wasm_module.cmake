@@ -16,6 +16,22 @@ function(texelcast_standalone target)
                                           -sMAXIMUM_MEMORY=4GB -s${TEXELCAST_STACK_SETTING}=1048576)
 endfunction()
 
+# emcc strips names after it has optimised, and Binaryen forgets then how it would have written the functions most tightly: once
+# more through it is 0.5 kB less to download. (Alignment hints, which no engine looks at, are 0.15 kB of that.) Where
+# it is not found beside emcc the module is that much larger, and does the same.
+find_program(TEXELCAST_WASM_OPT wasm-opt HINTS ${EMSCRIPTEN_ROOT_PATH}/../bin)
+
+function(texelcast_tighten target)
+    if(TEXELCAST_WASM_OPT)
+        add_custom_command(
+            TARGET ${target} POST_BUILD
+            COMMAND ${TEXELCAST_WASM_OPT} --enable-simd --enable-bulk-memory --enable-sign-ext
+                    --enable-nontrapping-float-to-int --dealign -Oz --converge $<TARGET_FILE:${target}> -o
+                    $<TARGET_FILE:${target}>
+            VERBATIM)
+    endif()
+endfunction()
+
 # A library: `_initialize` and every function that the header declares with TXC_API.
 function(texelcast_wasm_module target)
     texelcast_standalone(${target})
@@ -30,6 +46,7 @@ function(texelcast_wasm_module target)
     endforeach()
     list(JOIN exports "," exports)
     target_link_options(${target} PRIVATE --no-entry "-sEXPORTED_FUNCTIONS=${exports}")
+    texelcast_tighten(${target})
 endfunction()
 
 # A command with `_start`, for node:wasi.

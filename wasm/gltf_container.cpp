@@ -1,9 +1,11 @@
 #include "gltf_container.h"
 
-#include <set>
+#include <cstring>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "detail_words.h"
 #include "json_reader.h"
 
 namespace txc {
@@ -11,8 +13,9 @@ namespace {
 
 constexpr std::uint32_t kGlbMagic = 0x46546C67u;   // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4E4F534Au;  // "JSON"
-constexpr std::uint64_t kMaxBytes = 0xffffffffu;   // of a GLB; a count or size above it can only be a lie
+constexpr double kMostBytes = 4294967295.0;        // of a GLB; a count or size above it can only be a lie
 constexpr std::size_t kMaxJsonDepth = 256;         // parsers of nested values recurse; no real model is so deep
+constexpr std::uint64_t kMostIndex = 0x7fffffffu;  // as an int has it
 constexpr std::uint64_t kBudgetStep = 64u << 10;   // the share grows by so much at a time
 
 // What one JSON value becomes in tinygltf's model, bytes, with room for its arrays' growth. Measured on 64-bit: a material
@@ -62,6 +65,68 @@ TxcStatus find_chunks(const std::uint8_t* bytes, std::uint32_t byte_count, Chunk
     return TXC_STATUS_OK;
 }
 
+// Kinds of values; for numbers, those that the higher ones include.
+constexpr char kIndex = '1';   // a whole number from 0 that an int holds
+constexpr char kSize = '2';    // any whole number from 0
+constexpr char kNumber = '3';  // any
+constexpr char kBool = 'b';
+constexpr char kText = 's';
+constexpr char kList = 'l';
+constexpr char kObject = 'o';
+constexpr char kNull = 'z';
+
+/// The members that say which triangles there are, where they lie and what they wear, and what glTF 2.0 asks of them:
+/// tinygltf passes over one of another kind as if it were not there. Each as its kind, or its elements'; how many elements
+/// its list has (blank: it is no list; '.': any number; else counted from '0'); and its name.
+constexpr char kMemberRules[] =
+    "1 bufferView\0"
+    "1 buffer\0"
+    "2 byteOffset\0"
+    "2 byteLength\0"
+    "2 byteStride\0"
+    "1 componentType\0"
+    "2 count\0"
+    "b normalized\0"
+    "1 mesh\0"
+    "1 skin\0"
+    "1 material\0"
+    "1 indices\0"
+    "1 mode\0"
+    "1 index\0"
+    "1 texCoord\0"
+    "1 source\0"
+    "1 scene\0"
+    "1 inverseBindMatrices\0"
+    "1.children\0"
+    "1.nodes\0"
+    "1.joints\0"
+    "3.weights\0"
+    "33translation\0"
+    "34rotation\0"
+    "33scale\0"
+    "3@matrix\0"
+    "s.extensionsRequired\0";
+
+const char* words_for(char kind) {
+    switch (kind) {
+        case kIndex:
+        case kSize:
+            return "a whole number from 0";
+        case kNumber:
+            return "a number";
+        case kBool:
+            return "true or false";
+        case kText:
+            return "a text";
+        case kList:
+            return "a list";
+        case kObject:
+            return "an object";
+        default:
+            return "null";
+    }
+}
+
 /// Follows the JSON text from value to value without keeping it.
 class DocumentCheck final : public JsonEvents {
 public:
@@ -69,20 +134,19 @@ public:
 
     TxcStatus status() const { return status_; }
 
-    bool Null() override { return take_value(); }
-    bool Bool(bool) override { return take_value(); }
+    bool Null() override { return take_value(kNull); }
+    bool Bool(bool) override { return take_value(kBool); }
     bool Int(int value) override { return Int64(value); }
     bool Uint(unsigned value) override { return Uint64(value); }
     bool Int64(std::int64_t value) override {
-        const WholeNumber number{static_cast<std::uint64_t>(value), value < 0};
-        return take_value(&number);
+        if (value < 0) return Double(static_cast<double>(value));
+        return Uint64(static_cast<std::uint64_t>(value));
     }
     bool Uint64(std::uint64_t value) override {
-        const WholeNumber number{value, false};
-        return take_value(&number);
+        return take_value(value <= kMostIndex ? kIndex : kSize, nullptr, static_cast<double>(value), value);
     }
-    bool Double(double) override { return take_value(); }
-    bool String(const char* letters, unsigned, bool) override { return take_value(nullptr, letters); }
+    bool Double(double value) override { return take_value(kNumber, nullptr, value); }
+    bool String(const char* letters, unsigned, bool) override { return take_value(kText, letters); }
     bool StartObject() override { return open(false); }
     bool EndObject(unsigned) override { return close(); }
     bool StartArray() override { return open(true); }
@@ -91,7 +155,7 @@ public:
         Level& object = levels_.back();
         object.key.assign(letters, length);
         // glTF forbids it, and of two values one parser takes the first, another the last.
-        if (!object.keys.insert(object.key).second) {
+        if (object.keys[object.key]++ > 0) {
             return stop(fail(TXC_STATUS_BAD_MODEL, "the JSON has the member %.40s twice in one object", letters));
         }
         return true;
@@ -120,13 +184,10 @@ public:
 private:
     struct Level {
         bool is_array;
-        std::string key;             // of the member under way, in an object
-        std::set<std::string> keys;  // of all its members so far
-        std::uint32_t index = 0;     // of the element under way, in an array
-    };
-    struct WholeNumber {
-        std::uint64_t bits;
-        bool is_negative;
+        std::string key;                  // of the member under way, in an object
+        std::map<std::string, int> keys;  // of all its members so far
+        std::uint32_t index = 0;          // of the element under way, in an array
+        const char* rule = nullptr;       // of an array, from kMemberRules
     };
     struct Buffer {
         std::uint64_t byte_length = 0;
@@ -152,11 +213,60 @@ private:
     /// In an element of one of the file's lists: nodes[3] or buffers[0], say.
     bool in_element() const { return levels_.size() == 3 && levels_[1].is_array && !levels_[2].is_array; }
 
+    /// Stops: the value under way, "meshes[0].primitives[2].indices", say, is not what glTF asks for.
+    bool refuse(const char* seen, const char* asked) {
+        char path[120];
+        std::size_t length = 0;
+        for (const Level& level : levels_) {
+            char* const end = path + length;
+            if (level.is_array)
+                write_words(end, sizeof path - length, "[%u]", level.index);
+            else
+                write_words(end, sizeof path - length, length == 0 ? "%s" : ".%s", level.key.c_str());
+            length += std::strlen(end);
+        }
+        return stop(fail(TXC_STATUS_BAD_MODEL, "%s %s; glTF asks for %s", path, seen, asked));
+    }
+
+    const char* find_rule() const {
+        const Level& object = levels_.back();
+        const std::size_t depth = levels_.size();
+        // All of its members are accessors.
+        if (depth >= 2 && !levels_[depth - 2].is_array && levels_[depth - 2].key == "attributes") return kMemberRules;
+        for (const char* rule = kMemberRules; *rule != 0; rule += std::strlen(rule) + 1) {
+            // The root's lists hold objects, and a normal texture has a scale too.
+            if (object.key == rule + 2 && (rule[1] == ' ' || depth == 3 || rule[0] == kText)) return rule;
+        }
+        return nullptr;
+    }
+
+    /// Whether the value under way is what glTF asks for; finds `rule_`.
+    bool check_kind(char kind, const char* letters, double number) {
+        rule_ = nullptr;
+        if (levels_.empty() || free_depth_ > 0) return true;
+        const Level& level = levels_.back();
+        rule_ = level.is_array ? level.rule : find_rule();
+        if (rule_ == nullptr) return true;
+        const char asked = level.is_array || rule_[1] == ' ' ? rule_[0] : kList;
+        const char* words = words_for(asked);
+        if (kind == asked || (kind < asked && asked <= kNumber) || (kind == kObject && level.key == "indices")) {
+            if (kind != kSize || number <= kMostBytes) return true;
+            words = "less than 4 GiB";
+        }
+        char seen[48];
+        if (kind <= kNumber)
+            write_words(seen, sizeof seen, "is %g", number);
+        else
+            write_words(seen, sizeof seen, letters != nullptr ? "is \"%.40s\"" : "is %s",
+                        letters != nullptr ? letters : words_for(kind));
+        return refuse(seen, words);
+    }
+
     bool open(bool is_array) {
         if (levels_.size() >= kMaxJsonDepth) {
             return stop(fail(TXC_STATUS_BAD_MODEL, "the JSON is nested deeper than %zu levels", kMaxJsonDepth));
         }
-        if (in_element() && !note_member(nullptr, nullptr)) return false;
+        if (!check_kind(is_array ? kList : kObject, nullptr, 0.0)) return false;
         const bool is_element = levels_.size() == 2 && levels_[1].is_array && !is_array;
         const std::string& list = levels_.empty() ? std::string() : levels_[0].key;
         const bool is_free =
@@ -164,7 +274,7 @@ private:
                                 (levels_.back().key == "extras" || levels_.back().key == "extensions"));
         if (is_free) ++free_depth_;
         if (is_element) begin_element(list);
-        levels_.push_back({is_array, {}, {}, 0});
+        levels_.push_back({is_array, {}, {}, 0, rule_});
         return charge(is_element && list == "materials" ? kMaterialBytes
                       : is_array && is_free             ? kFreeValueBytes
                       : is_array                        ? kValueBytes
@@ -172,14 +282,24 @@ private:
     }
 
     bool close() {
+        const char* rule = levels_.back().rule;
+        const std::uint32_t count = levels_.back().index;
         levels_.pop_back();
+        if (rule != nullptr && rule[1] > '0' && count != static_cast<std::uint32_t>(rule[1] - '0')) {
+            char seen[32];
+            char asked[8];
+            write_words(seen, sizeof seen, "has %u elements", count);
+            write_words(asked, sizeof asked, "%d", rule[1] - '0');
+            return refuse(seen, asked);
+        }
         if (free_depth_ > 0) --free_depth_;
         step();
         return true;
     }
 
-    bool take_value(const WholeNumber* number = nullptr, const char* letters = nullptr) {
-        if (in_element() && !note_member(number, letters)) return false;
+    bool take_value(char kind, const char* letters = nullptr, double number = 0.0, std::uint64_t size = 0) {
+        if (!check_kind(kind, letters, number)) return false;
+        if (in_element() && !note_member(size, letters)) return false;
         step();
         return charge(free_depth_ > 0 ? kFreeValueBytes : kValueBytes);
     }
@@ -194,25 +314,17 @@ private:
         if (list == "images") images_.push_back(-1);
     }
 
-    bool note_member(const WholeNumber* number, const char* letters) {
+    bool note_member(std::uint64_t size, const char* letters) {
         const std::string& list = levels_[0].key;
         const std::string& member = levels_[2].key;
-        const bool is_size = member == "byteLength" || member == "byteOffset" || member == "count";
-        const std::uint64_t size = number != nullptr && !number->is_negative ? number->bits : 0;
-        if (is_size && size > kMaxBytes) {
-            return stop(fail(TXC_STATUS_BAD_MODEL, "%s[%u].%s is %llu, more than any file holds", list.c_str(),
-                             levels_[1].index, member.c_str(), static_cast<unsigned long long>(size)));
-        }
-        // tinygltf cuts other numbers down to an int.
-        const int index = number != nullptr ? static_cast<int>(number->bits) : -1;
         if (list == "buffers") {
             if (member == "byteLength") buffers_.back().byte_length = size;
             if (member == "uri") buffers_.back().has_uri = letters != nullptr && letters[0] != 0;
         } else if (list == "bufferViews") {
-            if (member == "buffer") views_.back().buffer = index;
+            if (member == "buffer") views_.back().buffer = static_cast<int>(size);
             if (member == "byteOffset") views_.back().byte_offset = size;
         } else if (list == "images" && member == "bufferView") {
-            images_.back() = index;
+            images_.back() = static_cast<int>(size);
         }
         return true;
     }
@@ -222,6 +334,7 @@ private:
     std::uint64_t charged_;
     TxcStatus status_ = TXC_STATUS_OK;
     std::vector<Level> levels_;
+    const char* rule_ = nullptr;    // of the value under way
     std::uint32_t free_depth_ = 0;  // levels since extras or extensions began
     std::vector<Buffer> buffers_;
     std::vector<View> views_;

@@ -60,9 +60,11 @@ TxcStatus parse(const std::uint8_t* bytes, std::uint32_t byte_count, Model& mode
         while (!error.empty() && (error.back() == '\n' || error.back() == ' ')) error.pop_back();
         return fail(TXC_STATUS_BAD_MODEL, "%s", error.empty() ? "the glTF document cannot be read" : error.c_str());
     }
-    if (model.asset.version.rfind("2.", 0) != 0) {
-        return fail(TXC_STATUS_BAD_MODEL, "asset.version is \"%.20s\"; only glTF 2.0 is read",
-                    model.asset.version.c_str());
+    const tinygltf::Asset& asset = model.asset;
+    const bool is_later = !asset.minVersion.empty() && asset.minVersion != "2.0";
+    if (is_later || asset.version.rfind("2.", 0) != 0) {
+        return fail(TXC_STATUS_BAD_MODEL, "asset.%s is \"%.20s\"; only glTF 2.0 is read",
+                    is_later ? "minVersion" : "version", (is_later ? asset.minVersion : asset.version).c_str());
     }
     for (const std::string& extension : model.extensionsRequired) {
         // Extensions of looks and pictures change no triangle. Geometry is another matter: not to know it is to paint it wrongly.

@@ -274,3 +274,77 @@ TEST_CASE("An image that points outside every buffer is refused or unused, never
     glb.add("images", R"({"bufferView":-5,"mimeType":"image/png"})");
     CHECK(try_read(glb.glb()).status == TXC_STATUS_BAD_MODEL);
 }
+
+TEST_CASE("A member that says where triangles lie is refused by its path where glTF asks for another kind of value") {
+    GlbBuilder glb = make_everything();
+    const std::string json = glb.json();
+    struct Fault {
+        const char* member;
+        const char* instead;
+        const char* said;
+    };
+    const Fault faults[] = {
+        {R"("byteOffset":0)", R"("byteOffset":-4)", ".byteOffset is -4; glTF asks for a whole number from 0"},
+        {R"("byteOffset":0)", R"("byteOffset":"4")", R"(.byteOffset is "4"; glTF asks for a whole number from 0)"},
+        {R"("byteOffset":0)", R"("byteOffset":0.5)", ".byteOffset is 0.5; glTF asks for a whole number from 0"},
+        {R"("normalized":false)", R"("normalized":"yes")", R"(.normalized is "yes"; glTF asks for true or false)"},
+        {R"("normalized":false)", R"("normalized":0)", ".normalized is 0; glTF asks for true or false"},
+        {R"("count":2)", R"("count":null)", ".sparse.count is null; glTF asks for a whole number from 0"},
+        {R"("count":2)", R"("count":4294967296)", ".sparse.count is 4.29497e+09; glTF asks for less than 4 GiB"},
+        {R"("mesh":0)", R"("mesh":"0")", R"(nodes[0].mesh is "0"; glTF asks for a whole number from 0)"},
+        {R"("mesh":0)", R"("mesh":4294967296)", "nodes[0].mesh is 4.29497e+09; glTF asks for a whole number from 0"},
+        {R"("skin":0)", R"("skin":-1)", "nodes[0].skin is -1; glTF asks for a whole number from 0"},
+        {R"("children":[1])", R"("children":"1")", R"(nodes[0].children is "1"; glTF asks for a list)"},
+        {R"("children":[1])", R"("children":[true])",
+         "nodes[0].children[0] is true or false; glTF asks for a whole number from 0"},
+        {R"("weights":[0.25])", R"("weights":[0.25,{}])", "nodes[0].weights[1] is an object; glTF asks for a number"},
+        {R"("translation":[1,2,3])", R"("translation":[1,2])", "nodes[1].translation has 2 elements; glTF asks for 3"},
+        {R"("translation":[1,2,3])", R"("translation":[1,2,"3"])",
+         R"(nodes[1].translation[2] is "3"; glTF asks for a number)"},
+        {R"("rotation":[0,0,0,1])", R"("rotation":[0,0,0,1,0])", "nodes[1].rotation has 5 elements; glTF asks for 4"},
+        {R"("scale":[1,1,1])", R"("scale":2)", "nodes[1].scale is 2; glTF asks for a list"},
+        {R"("matrix":[1,)", R"("matrix":[1,0,)", "nodes[2].matrix has 17 elements; glTF asks for 16"},
+        {R"("joints":[1])", R"("joints":[-1])", "skins[0].joints[0] is -1; glTF asks for a whole number from 0"},
+        {R"("mode":4)", R"("mode":"TRIANGLES")",
+         R"(meshes[0].primitives[0].mode is "TRIANGLES"; glTF asks for a whole number from 0)"},
+        {R"("POSITION":0)", R"("POSITION":[0])",
+         "meshes[0].primitives[0].attributes.POSITION is a list; glTF asks for a whole number from 0"},
+        {R"("source":0)", R"("source":-1)", "textures[0].source is -1; glTF asks for a whole number from 0"},
+        {R"("scene":0)", R"("scene":"first")", R"(scene is "first"; glTF asks for a whole number from 0)"},
+    };
+    for (const Fault& fault : faults) {
+        CAPTURE(fault.instead);
+        const std::size_t at = json.find(fault.member);
+        REQUIRE(at != std::string::npos);
+        const std::string changed =
+            json.substr(0, at) + fault.instead + json.substr(at + std::string(fault.member).size());
+        const ReadModel model = try_read(GlbBuilder::pack(changed, glb.binary()));
+        CHECK(model.status == TXC_STATUS_BAD_MODEL);
+        CAPTURE(model.detail);
+        CHECK_UNARY(model.detail.find(fault.said) != std::string::npos);
+    }
+}
+
+TEST_CASE("What extras and extensions hold may be of any kind, whatever it is called") {
+    GlbBuilder glb = make_model(make_plane());
+    const std::string odd = R"({"mesh":"none","byteOffset":-4,"children":7,"scale":[1],"attributes":{"POSITION":"x"}})";
+    glb.set("extras", odd);
+    glb.set("extensions", "{\"ANY_one\":" + odd + "}");
+    glb.add("textures", "{\"extras\":" + odd + "}");
+    CHECK(try_read(glb.glb()).status == TXC_STATUS_OK);
+}
+
+TEST_CASE("A model that needs a later version of glTF is refused by that version") {
+    GlbBuilder glb = make_model(make_plane());
+    const std::string json = glb.json();
+    const std::string version = R"("version":"2.0")";
+    const std::size_t at = json.find(version);
+    REQUIRE(at != std::string::npos);
+    const auto with = [&](const char* instead) {
+        return GlbBuilder::pack(json.substr(0, at) + instead + json.substr(at + version.size()), glb.binary());
+    };
+    CHECK(try_read(with(R"("version":"2.1","minVersion":"2.0")")).status == TXC_STATUS_OK);
+    const ReadModel model = try_read(with(R"("version":"2.1","minVersion":"2.1")"));
+    CHECK(model.status == TXC_STATUS_BAD_MODEL);
+    CHECK_UNARY(model.detail.find("asset.minVersion is \"2.1\"; only glTF 2.0 is read") != std::string::npos);
+}
