@@ -20,6 +20,11 @@ constexpr float kAny = std::numeric_limits<float>::max();
 // those tiles comes to 35 dB against their own footprints where it has 37, on a checker of 3 pixels. A patch painted frame by frame
 // there, each with its own footprint, took 1.02 to 1.06 of the time: loops that paint some of four texels are slower ones.)
 constexpr float kFootprintSpread = 0.1f;
+// The same where there are so few tiles that a drag takes half a millisecond, and each of them is large on the model: on a
+// sphere at 256 x 128 stripes and checkers of a pixel keep 42 dB, and have 36 with 0.1. (At 2048 x 2048 it would take 1.15
+// to 1.26 of the time.)
+constexpr float kFineFootprintSpread = 0.04f;
+constexpr std::uint32_t kFewTiles = 1024;
 // Half a tile may be this many pixels wide: slopes are 16 bits (kSlopeBits).
 constexpr float kMostReach = 127.0f;
 
@@ -51,6 +56,7 @@ public:
           occluders_(occluders),
           width_(static_cast<float>(image.levels[0].width)),
           height_(static_cast<float>(image.levels[0].height)),
+          footprint_spread_(map.tiles.size() <= kFewTiles ? kFineFootprintSpread : kFootprintSpread),
           fade_(settings.repeat ? 0.0f : 0.5f),
           projector_(settings.projector) {
         // Left to right is x from -1/2 to 1/2; bottom to top is y, and picture rows run down (spec section 1).
@@ -131,7 +137,7 @@ private:
             least_facing > 1e-6f && least_facing >= settings_.fade_start_cosine * patch.longest_normal;
         const Float4 spread = greater(turn_extent(patch.across_spread), turn_extent(patch.down_spread));
         const Float4 sides = greater(absolute(across), absolute(down));
-        const float most_spread = kFootprintSpread * (1.0f + std::max(sides[kX], sides[kY]));
+        const float most_spread = footprint_spread_ * (1.0f + std::max(sides[kX], sides[kY]));
         if (!(spread[kX] <= most_spread && spread[kY] <= most_spread)) return Done::kNot;
         if (!(reach[kX] <= kMostReach && reach[kY] <= kMostReach)) return Done::kNot;
         if (occluders_ != nullptr && !is_clear(tile)) return Done::kNot;
@@ -476,6 +482,7 @@ private:
     OccluderGrid* occluders_;
     float width_;
     float height_;
+    float footprint_spread_;
     float fade_;                             // pixels on either side of the picture's edge
     PlanarProjector projector_;              // into pixels of the picture, from its middle
     Float4 centre_{};                        // the projector's

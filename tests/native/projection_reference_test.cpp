@@ -78,6 +78,27 @@ TEST_CASE("A decal from the front agrees on a sphere and on a cylinder") {
     check(cylinder.paint(def, make_gradient(300, 300)), 1000);
 }
 
+TEST_CASE("The finest pictures agree on a sphere, of which a tile sees more than one facet, at any angle") {
+    Comparison sphere(make_sphere(1.0, 48, 24), 256, 128);
+    Random random(43);
+    for (int round = 0; round < 24; ++round) {
+        CAPTURE(round);
+        TxcLayerDef def = decal_def(0);
+        random.rotation(def.rotation);
+        resize(def, random.between(0.5, 1.2), random.between(0.5, 1.2), 3.0);
+        const auto size = static_cast<std::uint32_t>(random.between(20, 100));
+        const Color black{0, 0, 0, 255};
+        const Color white{255, 255, 255, 255};
+        Picture stripes(size, size, black);
+        for (std::uint32_t y = 0; y < size; ++y) {
+            for (std::uint32_t x = 1; x < size; x += 2) stripes.set(x, y, white);
+        }
+        check(sphere.paint(def, stripes));
+        check(sphere.paint(def, make_checker(size, size, 1, black, white)));
+        check(sphere.paint(def, make_checker(size, size, 2, black, white)));
+    }
+}
+
 TEST_CASE("A box turned about every axis agrees where the surface slants through it") {
     Comparison plane(make_plane(), 128, 128);
     for (const double tilt : {15.0, 40.0, 60.0, 75.0}) {
