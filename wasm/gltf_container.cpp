@@ -77,35 +77,40 @@ constexpr char kNull = 'z';
 
 /// The members that say which triangles there are, where they lie and what they wear, and what glTF 2.0 asks of them:
 /// tinygltf passes over one of another kind as if it were not there. Each as its kind, or its elements'; how many elements
-/// its list has (blank: it is no list; '.': any number; else counted from '0'); and its name.
+/// its list has (blank: it is no list; '.': any number; else counted from '0'); the depth at which it stands, from 1 for the
+/// file's own members ('0': wherever it does); and its name.
 constexpr char kMemberRules[] =
-    "1 bufferView\0"
-    "1 buffer\0"
-    "2 byteOffset\0"
-    "2 byteLength\0"
-    "2 byteStride\0"
-    "1 componentType\0"
-    "2 count\0"
-    "b normalized\0"
-    "1 mesh\0"
-    "1 skin\0"
-    "1 material\0"
-    "1 indices\0"
-    "1 mode\0"
-    "1 index\0"
-    "1 texCoord\0"
-    "1 source\0"
-    "1 scene\0"
-    "1 inverseBindMatrices\0"
-    "1.children\0"
-    "1.nodes\0"
-    "1.joints\0"
-    "3.weights\0"
-    "33translation\0"
-    "34rotation\0"
-    "33scale\0"
-    "3@matrix\0"
-    "s.extensionsRequired\0";
+    "1 0bufferView\0"
+    "1 0buffer\0"
+    "2 0byteOffset\0"
+    "2 0byteLength\0"
+    "2 0byteStride\0"
+    "1 0componentType\0"
+    "2 0count\0"
+    "b 0normalized\0"
+    "1 0mesh\0"
+    "1 0skin\0"
+    "1 0material\0"
+    "1 5indices\0"
+    "1 0mode\0"
+    "1 0index\0"
+    "1 0texCoord\0"
+    "1 0source\0"
+    "1 0scene\0"
+    "1 0inverseBindMatrices\0"
+    "o.1scenes\0"
+    "1.3nodes\0"
+    "1.3children\0"
+    "1.3joints\0"
+    "3.3weights\0"
+    "333translation\0"
+    "343rotation\0"
+    "333scale\0"
+    "3@3matrix\0"
+    "o.3primitives\0"
+    "o.5targets\0"
+    "344baseColorFactor\0"
+    "s.1extensionsRequired\0";
 
 const char* words_for(char kind) {
     switch (kind) {
@@ -231,11 +236,14 @@ private:
     const char* find_rule() const {
         const Level& object = levels_.back();
         const std::size_t depth = levels_.size();
-        // All of its members are accessors.
-        if (depth >= 2 && !levels_[depth - 2].is_array && levels_[depth - 2].key == "attributes") return kMemberRules;
+        if (depth >= 3) {
+            const Level& holder = levels_[depth - 2];
+            const std::string& name = holder.is_array ? levels_[depth - 3].key : holder.key;
+            // All of their members are accessors.
+            if (name == "attributes" || name == "targets") return kMemberRules;
+        }
         for (const char* rule = kMemberRules; *rule != 0; rule += std::strlen(rule) + 1) {
-            // The root's lists hold objects, and a normal texture has a scale too.
-            if (object.key == rule + 2 && (rule[1] == ' ' || depth == 3 || rule[0] == kText)) return rule;
+            if (object.key == rule + 3 && (rule[2] == '0' || rule[2] == static_cast<char>('0' + depth))) return rule;
         }
         return nullptr;
     }
@@ -249,7 +257,7 @@ private:
         if (rule_ == nullptr) return true;
         const char asked = level.is_array || rule_[1] == ' ' ? rule_[0] : kList;
         const char* words = words_for(asked);
-        if (kind == asked || (kind < asked && asked <= kNumber) || (kind == kObject && level.key == "indices")) {
+        if (kind == asked || (kind < asked && asked <= kNumber)) {
             if (kind != kSize || number <= kMostBytes) return true;
             words = "less than 4 GiB";
         }

@@ -310,6 +310,13 @@ TEST_CASE("A member that says where triangles lie is refused by its path where g
         {R"("POSITION":0)", R"("POSITION":[0])",
          "meshes[0].primitives[0].attributes.POSITION is a list; glTF asks for a whole number from 0"},
         {R"("source":0)", R"("source":-1)", "textures[0].source is -1; glTF asks for a whole number from 0"},
+        {R"("targets":[{"POSITION":)", R"("targets":[{"NORMAL":"x","POSITION":)",
+         R"(meshes[0].primitives[0].targets[0].NORMAL is "x"; glTF asks for a whole number from 0)"},
+        {R"("targets":[{)", R"("targets":[1,{)", "meshes[0].primitives[0].targets[0] is 1; glTF asks for an object"},
+        {R"("indices":3,"material")", R"("indices":{},"material")",
+         "meshes[0].primitives[0].indices is an object; glTF asks for a whole number from 0"},
+        {R"("baseColorFactor":[1,1,1,1])", R"("baseColorFactor":[1,1])",
+         "materials[0].pbrMetallicRoughness.baseColorFactor has 2 elements; glTF asks for 4"},
         {R"("scene":0)", R"("scene":"first")", R"(scene is "first"; glTF asks for a whole number from 0)"},
     };
     for (const Fault& fault : faults) {
