@@ -22,11 +22,13 @@ endfunction()
 find_program(TEXELCAST_WASM_OPT wasm-opt HINTS ${EMSCRIPTEN_ROOT_PATH}/../bin)
 
 function(texelcast_tighten target)
+    # What compile_options.cmake asks for, and what newer releases of emcc take for granted.
+    set(features --enable-simd --enable-bulk-memory --enable-sign-ext --enable-nontrapping-float-to-int
+                 --enable-mutable-globals --enable-multivalue --enable-reference-types)
     if(TEXELCAST_WASM_OPT)
         add_custom_command(
             TARGET ${target} POST_BUILD
-            COMMAND ${TEXELCAST_WASM_OPT} --enable-simd --enable-bulk-memory --enable-sign-ext
-                    --enable-nontrapping-float-to-int --dealign -Oz --converge $<TARGET_FILE:${target}> -o
+            COMMAND ${TEXELCAST_WASM_OPT} ${features} --dealign -Oz --converge $<TARGET_FILE:${target}> -o
                     $<TARGET_FILE:${target}>
             VERBATIM)
     endif()
