@@ -115,20 +115,19 @@ struct EdgePairs {
     }
 
     /// True where all corners of `other` lie on the right of one of the edges, or on it. Corners that both triangles
-    /// share lie on it exactly. All edges are asked: which of them parts, no processor foresees.
+    /// share lie on it exactly. All edges are asked: which of them parts, no processor foresees. (As loops, which the
+    /// module's build leaves as they are, a drag over 200,000 triangles takes 1.05 of the time, over 20,000 1.01.)
     template <typename Triangle>
     bool part(const Triangle& other) const {
-        Mask2 parts[2];
-        for (int c = 0; c < 3; ++c) {
-            const Double2 at_x = splat2(other.x[c]);
-            const Double2 at_y = splat2(other.y[c]);
-            for (int pair = 0; pair < 2; ++pair) {
-                const Mask2 on_the_right =
-                    along_x[pair] * (at_y - from_y[pair]) - along_y[pair] * (at_x - from_x[pair]) <= splat2(0.0);
-                parts[pair] = c == 0 ? on_the_right : parts[pair] & on_the_right;
-            }
-        }
-        return any_lane(parts[0] | parts[1]);
+        const auto on_the_right = [&](int pair, int c) {
+            return along_x[pair] * (splat2(other.y[c]) - from_y[pair]) -
+                       along_y[pair] * (splat2(other.x[c]) - from_x[pair]) <=
+                   splat2(0.0);
+        };
+        const auto by_pair = [&](int pair) {
+            return on_the_right(pair, 0) & on_the_right(pair, 1) & on_the_right(pair, 2);
+        };
+        return any_lane(by_pair(0) | by_pair(1));
     }
 };
 
