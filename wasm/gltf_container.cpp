@@ -148,7 +148,7 @@ public:
         return Uint64(static_cast<std::uint64_t>(value));
     }
     bool Uint64(std::uint64_t value) override {
-        return take_value(value <= kMostIndex ? kIndex : kSize, nullptr, static_cast<double>(value), value);
+        return take_value(value <= kMostIndex ? kIndex : kSize, nullptr, static_cast<double>(value));
     }
     bool Double(double value) override { return take_value(kNumber, nullptr, value); }
     bool String(const char* letters, unsigned, bool) override { return take_value(kText, letters); }
@@ -305,9 +305,9 @@ private:
         return true;
     }
 
-    bool take_value(char kind, const char* letters = nullptr, double number = 0.0, std::uint64_t size = 0) {
+    bool take_value(char kind, const char* letters = nullptr, double number = 0.0) {
         if (!check_kind(kind, letters, number)) return false;
-        if (in_element() && !note_member(size, letters)) return false;
+        if (in_element()) note_member(letters, number);
         step();
         return charge(free_depth_ > 0 ? kFreeValueBytes : kValueBytes);
     }
@@ -322,19 +322,19 @@ private:
         if (list == "images") images_.push_back(-1);
     }
 
-    bool note_member(std::uint64_t size, const char* letters) {
+    /// Numbers of these names are whole and below 4 GiB: their rules have been asked.
+    void note_member(const char* letters, double number) {
         const std::string& list = levels_[0].key;
         const std::string& member = levels_[2].key;
         if (list == "buffers") {
-            if (member == "byteLength") buffers_.back().byte_length = size;
+            if (member == "byteLength") buffers_.back().byte_length = static_cast<std::uint64_t>(number);
             if (member == "uri") buffers_.back().has_uri = letters != nullptr && letters[0] != 0;
         } else if (list == "bufferViews") {
-            if (member == "buffer") views_.back().buffer = static_cast<int>(size);
-            if (member == "byteOffset") views_.back().byte_offset = size;
+            if (member == "buffer") views_.back().buffer = static_cast<int>(number);
+            if (member == "byteOffset") views_.back().byte_offset = static_cast<std::uint64_t>(number);
         } else if (list == "images" && member == "bufferView") {
-            images_.back() = static_cast<int>(size);
+            images_.back() = static_cast<int>(number);
         }
-        return true;
     }
 
     bool glb_;

@@ -68,6 +68,13 @@ GlbBuilder make_everything() {
     return glb;
 }
 
+/// The text with another in place of what it has once or first.
+std::string with_other(const std::string& text, const std::string& part, const std::string& other) {
+    const std::size_t at = text.find(part);
+    REQUIRE(at != std::string::npos);
+    return text.substr(0, at) + other + text.substr(at + part.size());
+}
+
 /// Any status will do as long as it is one; a model that was read must be whole.
 void check_survived(const ReadModel& model) {
     if (model.status != TXC_STATUS_OK) {
@@ -321,10 +328,7 @@ TEST_CASE("A member that says where triangles lie is refused by its path where g
     };
     for (const Fault& fault : faults) {
         CAPTURE(fault.instead);
-        const std::size_t at = json.find(fault.member);
-        REQUIRE(at != std::string::npos);
-        const std::string changed =
-            json.substr(0, at) + fault.instead + json.substr(at + std::string(fault.member).size());
+        const std::string changed = with_other(json, fault.member, fault.instead);
         const ReadModel model = try_read(GlbBuilder::pack(changed, glb.binary()));
         CHECK(model.status == TXC_STATUS_BAD_MODEL);
         CAPTURE(model.detail);
@@ -343,12 +347,8 @@ TEST_CASE("What extras and extensions hold may be of any kind, whatever it is ca
 
 TEST_CASE("A model that needs a later version of glTF is refused by that version") {
     GlbBuilder glb = make_model(make_plane());
-    const std::string json = glb.json();
-    const std::string version = R"("version":"2.0")";
-    const std::size_t at = json.find(version);
-    REQUIRE(at != std::string::npos);
-    const auto with = [&](const char* instead) {
-        return GlbBuilder::pack(json.substr(0, at) + instead + json.substr(at + version.size()), glb.binary());
+    const auto with = [&](const char* version) {
+        return GlbBuilder::pack(with_other(glb.json(), R"("version":"2.0")", version), glb.binary());
     };
     CHECK(try_read(with(R"("version":"2.1","minVersion":"2.0")")).status == TXC_STATUS_OK);
     const ReadModel model = try_read(with(R"("version":"2.1","minVersion":"2.1")"));
