@@ -174,12 +174,8 @@ void MapBaker::sort_spans(std::uint64_t count) {
         bounds.look_at(map_->frames, span.frame);
         for (std::uint32_t x = span.x; x < last; ++tile) {
             const std::uint32_t end = std::min(x / kTileSize * kTileSize + kTileSize, last);
-            TexelRun& run = runs[ends[tile]++];
-            run.frame = span.frame;
-            run.x = static_cast<std::uint8_t>(x % kTileSize);
-            run.y = row;
-            run.length = static_cast<std::uint8_t>(end - x);
-            run.flags = 0;
+            runs[ends[tile]++] = {span.frame, static_cast<std::uint8_t>(x % kTileSize), row,
+                                  static_cast<std::uint8_t>(end - x), 0};
             bounds.add_to(boxes_[tile], x, end, span.y);
             x = end;
         }

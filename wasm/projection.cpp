@@ -140,7 +140,6 @@ private:
         const float most_spread = footprint_spread_ * (1.0f + std::max(sides[kX], sides[kY]));
         if (!(spread[kX] <= most_spread && spread[kY] <= most_spread)) return Done::kNot;
         if (!(reach[kX] <= kMostReach && reach[kY] <= kMostReach)) return Done::kNot;
-        if (occluders_ != nullptr && !is_clear(tile)) return Done::kNot;
         const Footprint footprint =
             make_footprint(image_, across[kX], across[kY], down[kX], down[kY], settings_.repeat);
         const bool is_inside = low[kX] >= footprint.inset_x && high[kX] <= width_ - footprint.inset_x &&
@@ -153,6 +152,8 @@ private:
         // (Reading a number of each line of the next tile's patch here, ahead of its turn, made a drag 1.03 times as long.)
         const PatchView view = view_of(patch, level, footprint, middle, reach);
         if (is_clear_around(level, footprint, view)) return Done::kMissed;
+        // Not before: where the picture is transparent, nothing need be asked. (Of 200,000 triangles a drag takes 0.95 of the time.)
+        if (!is_clear(tile)) return Done::kNot;
         const TileCoverage painted = is_deep && is_facing ? patch.there : weigh_texels(tile);
         if (painted.is_empty()) return Done::kMissed;
         const PatchTexels& places = map_.patches->texels(map_, place);
@@ -269,10 +270,11 @@ private:
 
     /// Whether nothing hides any texel of a tile.
     bool is_clear(const MapTile& tile) {
+        if (occluders_ == nullptr) return true;
         bool clear = true;
         map_.for_each_run_of(tile, [&](const TexelRun& run) {
-            if (clear && known_clear_[run.frame] == 0)
-                clear = hiding_of(decal_frame(run.frame, nullptr)) == Hiding::kNone;
+            clear =
+                clear && (known_clear_[run.frame] != 0 || hiding_of(decal_frame(run.frame, nullptr)) == Hiding::kNone);
         });
         return clear;
     }
