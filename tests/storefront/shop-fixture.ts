@@ -73,6 +73,12 @@ export interface TestShop extends ShopServer {
   addLine(cart: string, body: unknown): Promise<LightMyRequestResponse>;
 }
 
+/** How each shop is ended: said here, as a shop opened inside a test is too late for a hook of its own. */
+const opened: (() => Promise<void>)[] = [];
+afterAll(async () => {
+  for (const end of opened) await end();
+});
+
 /** Opens a shop on a folder (a new one without), and ends it after the file's tests. */
 export async function openShop({
   folder = mkdtempSync(path.join(tmpdir(), "texelcast-shop-")),
@@ -96,7 +102,7 @@ export async function openShop({
     linesPerMinute: 10_000,
     ...options,
   });
-  afterAll(async () => {
+  opened.push(async () => {
     await server.app.close();
     rmSync(folder, { recursive: true, force: true });
   });
