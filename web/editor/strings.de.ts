@@ -602,7 +602,8 @@ export const german: Strings = {
   },
 
   files: {
-    several: (count) => plural(count, "Datei", "Dateien"),
+    // One thing, as what follows it is said of one: "ließ sich nicht öffnen".
+    several: (count) => `Die Auswahl von ${plural(count, "Datei", "Dateien")}`,
   },
 
   steps: {

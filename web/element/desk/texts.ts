@@ -44,8 +44,12 @@ export class Texts {
       throw new TexelcastError("bad-argument", words.errors.emptyText, { field: "text" });
     }
     const font = await this.#font(options.font ?? FIRST_FONT);
-    // Not before: the shop may ask for the design while it makes up its mind about a font.
-    return await desk.during(this.#put(text, font, options));
+    try {
+      // Not before: the shop may ask for the design while it makes up its mind about a font.
+      return await desk.during(this.#put(text, font, options));
+    } finally {
+      desk.library.release([font.asset]);
+    }
   }
 
   async #put(text: string, font: NamedFont, options: TextOptions): Promise<string> {
