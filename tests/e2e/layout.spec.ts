@@ -55,6 +55,24 @@ test.describe("on a phone held sideways", () => {
     expect(panel.x + panel.width).toBeLessThanOrEqual(844);
     expect(panel.y + panel.height).toBeLessThanOrEqual(390);
   });
+
+  test("the layers are in sight, what is below them is scrolled to, and the texture's foot too", async ({
+    editor,
+    page,
+  }) => {
+    await editor.open();
+    for (const name of ["Smiley", "Texelcast mark"]) {
+      await expect(editor.row(name)).toBeInViewport({ ratio: 1 });
+    }
+    const fit = page.locator("tc-texture-panel footer button");
+    await fit.scrollIntoViewIfNeeded();
+    await expect(fit).toBeInViewport({ ratio: 1 });
+    await page.locator("#tool-brush").tap();
+    await page.locator("#more-options").tap();
+    const side = page.locator("tc-side-panel");
+    await expect.poll(() => side.evaluate((panel) => panel.scrollTop)).toBeGreaterThan(0);
+    await expect(side.locator(".tool header")).toBeInViewport({ ratio: 1 });
+  });
 });
 
 test("every control has a name, and the keyboard reaches the views and the panels", async ({ editor, page }) => {
@@ -135,7 +153,8 @@ test("long work shows its progress and can be cancelled, which leaves everything
   await page.locator("tc-target-settings #size").selectOption("8192");
   const cancel = page.getByRole("button", { name: "Cancel" });
   await expect(cancel).toBeVisible();
-  await cancel.click();
+  // By its key: a click waits until the notice has come to rest, and the work may be over by then.
+  await cancel.press("Enter");
   await expect(cancel).toHaveCount(0);
   await editor.idle();
   expect(await editor.textureSize()).toEqual(before);

@@ -154,6 +154,25 @@ export class SidePanel extends EditorElement {
         padding: var(--space-1) var(--space-2);
         border-block-start: 1px solid var(--line);
       }
+      /* A phone on its side: halves would be slits, so the whole panel scrolls, the list as high as it may be. */
+      @media (max-height: 560px) {
+        :host(:not([single])) {
+          display: block;
+          overflow: hidden auto;
+          overscroll-behavior: contain;
+          scrollbar-width: thin;
+          scrollbar-color: var(--line-strong) transparent;
+        }
+        :host(:not([single])) .upper {
+          max-height: calc(100dvh - 7rem);
+        }
+        :host(:not([single])) .upper.history {
+          height: calc(100dvh - 7rem);
+        }
+        :host(:not([single])) .lower {
+          overflow: visible;
+        }
+      }
     `,
   ];
 
@@ -242,7 +261,12 @@ export class SidePanel extends EditorElement {
   override updated(): void {
     const { toolPanel, model } = this.state;
     const opened = toolPanel !== null && toolPanel !== this.#laidOpen;
-    if (opened || model?.ref !== this.#model) this.renderRoot.querySelector(".lower")?.scrollTo(0, 0);
+    const lower = this.renderRoot.querySelector(".lower");
+    if (lower && (opened || model?.ref !== this.#model)) {
+      lower.scrollTo(0, 0);
+      // Where the panel is low it is the panel that scrolls, and the list stands first.
+      this.scrollTop += opened ? lower.getBoundingClientRect().top - this.getBoundingClientRect().top : -this.scrollTop;
+    }
     this.#laidOpen = toolPanel;
     this.#model = model?.ref;
   }

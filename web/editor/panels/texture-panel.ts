@@ -72,6 +72,11 @@ export class TexturePanel extends EditorElement {
         min-height: 36px;
         padding: 2px var(--space-2) 2px var(--space-3);
         border-top: 1px solid var(--line);
+        overflow-x: auto;
+        scrollbar-width: none;
+      }
+      footer > * {
+        flex: none;
       }
       footer p {
         flex: 1;
@@ -102,6 +107,7 @@ export class TexturePanel extends EditorElement {
   constructor() {
     super();
     new OverflowFade(this, "[role=tablist]");
+    new OverflowFade(this, "footer");
     new StoreController<Figures>(
       this,
       () => this.editor?.figures,
