@@ -11,6 +11,7 @@ import { elementManifest } from "./element-manifest.mjs";
 import { licenceText } from "./licences.mjs";
 import { ENTRIES, manifestOf } from "./manifest.mjs";
 import { mergeChunks } from "./merge-chunks.mjs";
+import { shrinkScripts } from "./shrink.mjs";
 import { NamedFiles, urlFiles } from "./url-files.mjs";
 
 const PACKAGE = inRoot("build/package");
@@ -84,6 +85,8 @@ export async function buildPackage() {
       [relative(inRoot(), source)],
     );
   }
+  // Before a server's scripts come to them, which nobody downloads by the visit.
+  await shrinkScripts(DIST);
   const servers = entries.flatMap(({ name, server }) => (server ? [{ source: server, name: `${name}-server` }] : []));
   await bundle({
     entryPoints: [
