@@ -96,4 +96,18 @@ describe("edits of a design", () => {
     expect(Object.hasOwn(design.assets, key)).toBe(true);
     expect(parseDesign(serialiseDesign(design)).assets[key]).toEqual(STAR);
   });
+
+  it.each(["prototype.png", "constructor", `${"x".repeat(250)}.png`, "\u{1d538}".repeat(700), "?.png"])(
+    "make a document that is read again, whatever a file is called: %.24s",
+    (name) => {
+      let design = emptyDesign();
+      for (const asset of [STAR, MOON]) {
+        const added = withAsset(design, name, asset);
+        design = addOnTop(added.design, decal(added.design, name, added.key));
+      }
+      const read = parseDesign(serialiseDesign(design));
+      expect(Object.values(read.assets)).toEqual([STAR, MOON]);
+      expect(new Set(read.layers.map((layer) => layer.name)).size).toBe(2);
+    },
+  );
 });

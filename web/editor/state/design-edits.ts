@@ -1,10 +1,14 @@
 /** The edits of a design: each takes a design and gives a new one that shares all that did not change. */
 import type { Design, DesignAsset, DesignLayer } from "../document/design.ts";
+import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import { assetsOf, findLayer, flattenLayers, insertAt, mapLayer, materialsIn } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
 import { countedName } from "../files/counted-name.ts";
 
 export const layerById = findLayer;
+
+/** Characters of the number behind a name that is taken, with what stands between. */
+const LONGEST_NUMBER = 7;
 
 /** How many pictures and texts a design puts on its model. */
 export function placedCount(design: Design): number {
@@ -40,13 +44,14 @@ export function withAsset(design: Design, name: string, asset: DesignAsset): { d
   for (const [key, present] of Object.entries(design.assets)) {
     if (present.uri === asset.uri) return { design, key };
   }
-  const stem =
-    name
-      .replace(/\.[^.]*$/, "")
-      .replace(/[^\p{L}\p{N}_-]+/gu, "-")
-      .replace(/^-+|-+$/g, "") || "picture";
+  const words = name
+    .replace(/\.[^.]*$/, "")
+    .replace(/[^\p{L}\p{N}_-]+/gu, "-")
+    .replace(/^-+|-+$/g, "");
+  const stem = shortened(words, DESIGN_LIMITS.idLength) || "picture";
   let key = stem;
-  for (let number = 2; Object.hasOwn(design.assets, key) || key in Object.prototype; number += 1)
+  // A document refuses "prototype" too, which no object has.
+  for (let number = 2; Object.hasOwn(design.assets, key) || key in Object.prototype || key === "prototype"; number += 1)
     key = `${stem}-${number}`;
   return { design: { ...design, assets: { ...design.assets, [key]: asset } }, key };
 }
@@ -69,7 +74,16 @@ export function withoutUnusedAssets(design: Design): Design {
 
 /** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. */
 export function freeName(design: Design, name: string): string {
-  return countedName(name, new Set(flattenLayers(design, { masks: false, strokes: false }).map((layer) => layer.name)));
+  const short = shortened(name, DESIGN_LIMITS.nameLength);
+  return countedName(
+    short,
+    new Set(flattenLayers(design, { masks: false, strokes: false }).map((layer) => layer.name)),
+  );
+}
+
+/** As much of a name as a document takes, with room for a number that tells it from others, and no character cut in two. */
+function shortened(name: string, most: number): string {
+  return name.slice(0, most - LONGEST_NUMBER).replace(/[\ud800-\udbff]$/, "");
 }
 
 function sameValue(a: unknown, b: unknown): boolean {
