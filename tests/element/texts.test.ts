@@ -31,7 +31,10 @@ function deskWithFonts({ refuses }: { refuses: boolean }) {
     },
   } as unknown as Engine;
   const viewer = { setDecals: () => undefined, surfaceAtCentre: () => null } as unknown as ModelViewer;
-  const store = new Store<EditorState>(INITIAL_STATE);
+  const model = {
+    info: { materials: [{ index: 0 }], boundsMin: [0, 0, 0], boundsMax: [1, 1, 1] },
+  } as unknown as EditorState["model"];
+  const store = new Store<EditorState>({ ...INITIAL_STATE, model });
   const library = new AssetLibrary(engine);
   const session = new DesignSession({ engine, viewer, library, store, later: () => undefined });
   const hooks = {
@@ -61,3 +64,36 @@ it("a font brought with words stays as long as they can be brought back, and no 
   desk.record({ ...desk.design, layers: [] }, "another way");
   expect([...has]).toEqual([]);
 });
+
+const planar = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] } as const;
+
+it.each<[string, object]>([
+  ["projector.kind", { projector: { kind: "x" } }],
+  ["projector.kind", { projector: {} }],
+  ["projector", { projector: 5 }],
+  ["projector.position", { projector: { kind: "planar" } }],
+  ["projector.position[0]", { projector: { ...planar, position: [Number.NaN, 0, 0] } }],
+  ["projector.rotation", { projector: { ...planar, rotation: [0, 0, 0, 0] } }],
+  ["projector.size[1]", { projector: { ...planar, size: [1, -1, 1] } }],
+  ["projector.size[0]", { projector: { ...planar, size: [1e20, 1, 1] } }],
+  ["material", { material: "0" }],
+  ["material", { material: 0.5 }],
+  ["material", { material: 9 }],
+  ["position", { position: [0, 0] }],
+  ["width", { width: 1e10 }],
+  ["width", { width: Number.NaN }],
+  ["curve", { curve: 1000 }],
+  ["curve", { curve: Number.NaN }],
+  ["name", { name: 5 }],
+  ["color", { color: "red" }],
+])(
+  "what a page says wrongly of new words is refused by its name, and nothing is put on: %s, %j",
+  async (field, options) => {
+    const { desk, texts, has } = deskWithFonts({ refuses: false });
+    const before = desk.design;
+    const refusal = await texts.add("Hello", { ...WORDS, ...options } as object).catch((thrown: unknown) => thrown);
+    expect(refusal).toMatchObject({ code: "bad-argument", field });
+    expect(desk.design).toBe(before);
+    expect(has.size).toBe(0);
+  },
+);

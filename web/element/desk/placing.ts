@@ -10,6 +10,7 @@ import { contentHash } from "../../editor/storage/content-hash.ts";
 import type { Projector } from "../../engine/engine-api.ts";
 import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions } from "../element-api.ts";
+import { checkOptions } from "./check-options.ts";
 import type { Desk } from "./desk.ts";
 import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
 import { startingPlace } from "./zone-place.ts";
@@ -56,6 +57,7 @@ export async function addPicture(
   at: SurfaceHit | null = null,
 ): Promise<string> {
   desk.checkRoom();
+  await checkOptions(desk, options);
   const { name, bytes } = await fileOf(desk, source);
   const admitted = await admitPicture(desk, name, bytes);
   // Not before: the shop may ask for the design while it makes up its mind.

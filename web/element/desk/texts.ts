@@ -10,6 +10,7 @@ import { contentHash } from "../../editor/storage/content-hash.ts";
 import type { EngineText, TextMeasure } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { TextOptions } from "../element-api.ts";
+import { checkOptions } from "./check-options.ts";
 import type { Desk } from "./desk.ts";
 import { askShop, placeFor } from "./placing.ts";
 
@@ -40,9 +41,14 @@ export class Texts {
     const desk = this.#desk;
     const { words } = desk.settings;
     desk.checkRoom();
-    if (typeof text !== "string" || text.trim() === "" || text.length > MOST_CHARACTERS) {
+    if (typeof text !== "string" || text.trim() === "") {
       throw new TexelcastError("bad-argument", words.errors.emptyText, { field: "text" });
     }
+    if (text.length > MOST_CHARACTERS) {
+      const details = { field: "text", value: shortened(text), hint: `1 – ${MOST_CHARACTERS}` };
+      throw new TexelcastError("bad-argument", words.errors.badOption("text"), details);
+    }
+    await checkOptions(desk, options);
     const font = await this.#font(options.font ?? FIRST_FONT);
     try {
       // Not before: the shop may ask for the design while it makes up its mind about a font.
