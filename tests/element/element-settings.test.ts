@@ -29,6 +29,19 @@ describe("the element's settings", () => {
     expect([...faults.values()].map(({ code }) => code)).toEqual(Array(4).fill("bad-argument"));
   });
 
+  it("name a word that is none of the property's, and limits that cross", () => {
+    const wrong = { ...DEFAULTS, mode: "ful", loading: "soon", minCameraOrbit: "90deg", maxCameraOrbit: "10deg" };
+    const { settings, faults } = readSettings(wrong as typeof DEFAULTS, english);
+    expect([...faults].map(([name, { value }]) => [name, value])).toEqual([
+      ["mode", "ful"],
+      ["loading", "soon"],
+      ["minCameraOrbit", "90deg"],
+    ]);
+    expect(settings.camera.min).toEqual(settings.camera.max);
+    const apart = { ...DEFAULTS, minCameraOrbit: "auto auto 50%", maxCameraOrbit: "auto auto 0.4m" };
+    expect(readSettings(apart, english).faults.size).toBe(0);
+  });
+
   it("read orbits as angles and a distance", () => {
     const { orbit, settings } = readSettings(
       { ...DEFAULTS, cameraOrbit: "30deg 1.5rad 40cm", maxCameraOrbit: "auto 90deg 150%" },

@@ -71,8 +71,7 @@ export class Run {
       await host.made(mode);
       await mode.open(source, this.#hasDesign ? (library) => this.readDesign(library) : null);
       if (zones !== null) {
-        const [desk, read] = await Promise.all([mode.takeDesk(), this.readZones(zones)]);
-        await desk.useZones(read);
+        await this.#useZones(mode, zones);
       }
       this.#check();
       this.#open = true;
@@ -89,12 +88,23 @@ export class Run {
     return "kept" in design || design.given !== null;
   }
 
-  /** Reads a design with the engine's help: its files are taken in. */
-  async readDesign(library: AssetLibrary, given?: DesignInput): Promise<Design> {
+  /** Zones that cannot be used are told to the page, which can correct them: the product is shown without. */
+  async #useZones(mode: Mode, zones: string | object): Promise<void> {
+    const desk = await mode.takeDesk();
+    try {
+      await desk.useZones(await this.readZones(zones));
+    } catch (thrown) {
+      this.#check();
+      this.#parts.host.hooks.warn(TexelcastError.wrap(thrown, "bad-zones", "The zones could not be used."));
+    }
+  }
+
+  /** Reads a design with the engine's help: its files are taken in. Null is an empty one; without one, it is that of the start. */
+  async readDesign(library: AssetLibrary, given?: DesignInput | null): Promise<Design> {
     const { design, words, base, limits } = this.#parts;
     if (given === undefined && "kept" in design) return design.kept;
-    const input = given ?? ("given" in design ? design.given : null);
-    if (input === null) {
+    const input = given === undefined && "given" in design ? design.given : given;
+    if (!input) {
       const { emptyDesign } = await import("../editor/document/design.ts");
       return emptyDesign();
     }

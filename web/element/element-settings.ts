@@ -15,18 +15,24 @@ export interface ReadSettings {
 }
 
 type Numbers = "material" | "size" | "maxDecals" | "maxMegapixels" | "maxFileSize";
+/** What the words of some properties may be, the default first. */
+const CHOICES = { mode: ["shop", "full"], loading: ["auto", "lazy", "eager"] } as const;
+
 type Orbits = "cameraOrbit" | "minCameraOrbit" | "maxCameraOrbit";
 
 /** Throws nothing: a page that writes a wrong number has an element that works, and is told. */
 export function readSettings(element: TexelcastEditorProperties, words: Words): ReadSettings {
   const faults = new Map<keyof TexelcastEditorProperties, TexelcastError>();
+  const wrong = (name: keyof TexelcastEditorProperties, hint: string): void => {
+    const details = { field: name, value: String(element[name]), hint };
+    faults.set(name, new TexelcastError("bad-argument", words.errors.badOption(name), details));
+  };
   const number = (name: Numbers, least: number, most: number, whole = true): number | null => {
     const value: unknown = element[name];
     if (value === null || value === undefined || value === "") return DEFAULTS[name];
     const given = Number(value);
     if (given >= least && given <= most && (!whole || Number.isInteger(given))) return given;
-    const details = { field: name, value: String(value), hint: `${least} – ${most}` };
-    faults.set(name, new TexelcastError("bad-argument", words.errors.badOption(name), details));
+    wrong(name, `${least} – ${most}`);
     return DEFAULTS[name];
   };
   const orbit = (name: Orbits): Orbit => {
@@ -36,6 +42,15 @@ export function readSettings(element: TexelcastEditorProperties, words: Words): 
       faults.set(name, TexelcastError.wrap(thrown, "bad-argument", words.errors.badOption(name)));
       return ANY_ORBIT;
     }
+  };
+  for (const [name, allowed] of Object.entries(CHOICES) as [keyof typeof CHOICES, readonly string[]][]) {
+    if (element[name] && !allowed.includes(element[name])) wrong(name, allowed.join(", "));
+  }
+  const camera = (): DeskSettings["camera"] => {
+    const [min, max] = [orbit("minCameraOrbit"), orbit("maxCameraOrbit")];
+    if (!isCrossed(min, max)) return { min, max };
+    wrong("minCameraOrbit", `– ${element.maxCameraOrbit}`);
+    return { min: ANY_ORBIT, max: ANY_ORBIT };
   };
   const settings: DeskSettings = {
     words,
@@ -47,9 +62,21 @@ export function readSettings(element: TexelcastEditorProperties, words: Words): 
       megapixels: number("maxMegapixels", 1e-6, 1e6, false) ?? DEFAULTS.maxMegapixels,
       bytes: number("maxFileSize", 1, 2 ** 40) ?? DEFAULTS.maxFileSize,
     },
-    camera: { min: orbit("minCameraOrbit"), max: orbit("maxCameraOrbit") },
+    camera: camera(),
     beforeAccept: element.beforeAccept,
   };
   const start = orbit("cameraOrbit");
   return { settings, orbit: start === ANY_ORBIT ? null : start, faults };
+}
+
+/** Whether nothing lies between two limits; distances in shares and in metres are known to lie apart only with a model. */
+function isCrossed(min: Orbit, max: Orbit): boolean {
+  const above = (low: number | null | undefined, high: number | null | undefined): boolean =>
+    low != null && high != null && low > high;
+  const sameUnit = min.distance?.unit === max.distance?.unit;
+  return (
+    above(min.theta, max.theta) ||
+    above(min.phi, max.phi) ||
+    (sameUnit && above(min.distance?.value, max.distance?.value))
+  );
 }

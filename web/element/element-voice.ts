@@ -3,11 +3,12 @@ import type { LitElement } from "lit";
 import type { TexelcastEditorProperties } from "./element-api.ts";
 import { errorDetail, isCancelled, type ShownError, typedError } from "./element-errors.ts";
 import { sendEvent } from "./element-events.ts";
-import { english, languageOf, type Words, wordsIn } from "./words/words.ts";
+import { english, languageOf, type Words, type WordsLanguage, wordsIn } from "./words/words.ts";
 
 export class Voice {
   readonly #element: LitElement & Pick<TexelcastEditorProperties, "locale">;
   #words: Words = english;
+  #language: WordsLanguage = "en";
   #announcement = "";
   #shownError: ShownError | null = null;
 
@@ -29,8 +30,12 @@ export class Voice {
   /** Takes up the element's language, which may have to be loaded. */
   async speak(): Promise<void> {
     const { locale } = this.#element;
-    const around = this.#element.closest("[lang]")?.getAttribute("lang");
-    this.#words = await wordsIn(languageOf([locale, around, ...navigator.languages]));
+    const language = languageOf([locale, languageAround(this.#element), ...navigator.languages]);
+    this.#language = language;
+    const words = await wordsIn(language);
+    // Another one may have been asked for meanwhile, and have come first.
+    if (this.#language !== language) return;
+    this.#words = words;
     this.#element.requestUpdate();
   }
 
@@ -80,5 +85,16 @@ export class Voice {
     // A live region speaks only when its text changes, which a space at the end does without being heard.
     this.#announcement = this.#announcement === text ? `${text}\u00a0` : text;
     this.#element.requestUpdate();
+  }
+}
+
+/** The nearest language that is said around an element, out of the shadow trees that it stands in. */
+function languageAround(element: Element): string | null {
+  for (let node = element; ; ) {
+    const said = node.closest("[lang]");
+    if (said) return said.getAttribute("lang");
+    const root = node.getRootNode();
+    if (!(root instanceof ShadowRoot)) return null;
+    node = root.host;
   }
 }

@@ -35,6 +35,8 @@ export class Work {
   #closings = 0;
   /** What was worked on when the mode was closed last. */
   #kept: Design | null = null;
+  /** The newest design that the page has set meanwhile and that is being read. */
+  #coming: object | null = null;
   #view: HTMLElement | null = null;
   #changeTimer: ReturnType<typeof setTimeout> | undefined;
   #exports: DesignExport | null = null;
@@ -95,7 +97,9 @@ export class Work {
     clearTimeout(this.#changeTimer);
     this.#closings++;
     const { mode } = this;
-    if (mode?.desk) this.#kept = mode.desk.design;
+    // What the page has set since then is opened in its place, which nobody has seen yet.
+    if (mode?.desk) this.#kept = this.#coming === null ? mode.desk.design : null;
+    this.#coming = null;
     this.#run?.close();
     this.#run = null;
     this.#starting = null;
@@ -194,9 +198,17 @@ export class Work {
 
   async #takeDesign(mode: Mode): Promise<void> {
     const run = this.#run;
-    const desk = await mode.takeDesk();
-    const design = await run?.readDesign(desk.library, this.#element.design ?? undefined);
-    if (design && this.#run === run) desk.takeDesign(design);
+    const coming = {};
+    this.#coming = coming;
+    try {
+      const desk = await mode.takeDesk();
+      const design = await run?.readDesign(desk.library, this.#element.design ?? null);
+      if (!design) return;
+      if (this.#coming === coming) desk.takeDesign(design);
+      desk.library.release(Object.values(design.assets));
+    } finally {
+      if (this.#coming === coming) this.#coming = null;
+    }
   }
 
   async #useZones(mode: Mode): Promise<void> {

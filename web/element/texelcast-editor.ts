@@ -139,6 +139,10 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
 
   readonly #voice = new Voice(this);
   readonly #work = new Work({ element: this, voice: this.#voice, idle: () => this.#watchSight() });
+  /** Taken out of the page; one that never was in it stays open until it has been. */
+  #gone = false;
+  /** Methods that are at work. */
+  #calls = 0;
   readonly #sight = new Sight(this, () => void this.start());
 
   constructor() {
@@ -161,6 +165,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    this.#gone = false;
     this.addEventListener("pointerdown", this.#touched);
     this.addEventListener("focusin", this.#touched);
     this.#watchSight();
@@ -173,7 +178,8 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     this.#sight.end();
     // What is only moved to another place of the page goes on as it is.
     setTimeout(() => {
-      if (!this.isConnected) this.#work.close();
+      this.#gone = !this.isConnected;
+      if (this.#gone) this.#work.close();
     });
   }
 
@@ -252,7 +258,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   }
 
   submit(): Promise<SubmitDetail> {
-    return this.#voice.told(this.#work.submit());
+    return this.#called(this.#work.submit());
   }
 
   async restart(): Promise<void> {
@@ -276,19 +282,35 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
 
   protected override updated(changed: PropertyValues<this>): void {
     const has = (...names: (keyof TexelcastEditorProperties)[]): boolean => names.some((name) => changed.has(name));
-    for (const [name, fault] of readSettings(this, this.#voice.words).faults) if (has(name)) this.#voice.report(fault);
+    const speaking = has("locale") ? this.#voice.speak() : Promise.resolve();
+    // In the language that was just asked for.
+    void speaking.then(() => {
+      if (has("locale")) this.#work.configure();
+      for (const [name, fault] of readSettings(this, this.#voice.words).faults)
+        if (has(name)) this.#voice.report(fault);
+    });
     if (has("loading", "src")) this.#watchSight();
-    if (has("locale")) void this.#voice.speak().then(() => this.#work.configure());
     if (changed.size > 0) this.#work.follow(has);
   }
 
   /** Does something with what is open, which is begun where it is not; the page is told where it fails. */
   #with<T>(act: (mode: Mode) => Promise<T>): Promise<T> {
-    return this.#voice.told(this.#work.ready().then(act));
+    return this.#called(this.#work.ready().then(act));
   }
 
   #atDesk<T>(act: (mode: AtDesk) => Promise<T>): Promise<T> {
-    return this.#voice.told(this.#work.atDesk().then(act));
+    return this.#called(this.#work.atDesk().then(act));
+  }
+
+  #called<T>(work: Promise<T>): Promise<T> {
+    this.#calls += 1;
+    const ended = (): void => {
+      this.#calls -= 1;
+      // What a page asks of an element that it has taken out brings its worker back.
+      if (this.#gone && this.#calls === 0) this.#work.close();
+    };
+    work.then(ended, ended);
+    return this.#voice.told(work);
   }
 
   readonly #touched = (): void => {

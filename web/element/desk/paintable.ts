@@ -1,15 +1,26 @@
 /** Which of a model's materials a desk works on. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { ModelInfo } from "../../engine/engine-api.ts";
-import type { DeskSettings } from "./desk-settings.ts";
+import type { DeskHooks } from "./desk-settings.ts";
 
-/** The material that the page asks for, else the paintable one with the most triangles. Throws why there is none. */
-export function paintableMaterial({ name, materials }: ModelInfo, { material, words }: DeskSettings): number {
+/**
+ * The material that the page asks for, else the paintable one with the most triangles; of one that the model does not have the
+ * page is told. Throws why there is none.
+ */
+export function paintableMaterial({ name, materials }: ModelInfo, hooks: Pick<DeskHooks, "settings" | "warn">): number {
+  const { material, words } = hooks.settings();
   const open = materials.filter(({ refusal }) => refusal === null);
   const [largest] = open.toSorted((a, b) => b.triangles - a.triangles);
   if (open.some(({ index }) => index === material)) return material ?? 0;
   const asked = material === null ? undefined : materials.find(({ index }) => index === material);
-  if (material === null && largest) return largest.index;
+  if (asked === undefined && largest) {
+    if (material !== null) {
+      const hint = words.errors.zoneMaterialHint(open.map(({ index }) => index).join(", "));
+      const details = { field: "material", value: String(material), hint };
+      hooks.warn(new TexelcastError("bad-argument", words.errors.badOption("material"), details));
+    }
+    return largest.index;
+  }
   const refusal = asked?.refusal ?? materials.find((each) => each.refusal !== null)?.refusal;
   throw new TexelcastError(
     refusal?.code.toLowerCase().replaceAll("_", "-") ?? "bad-argument",

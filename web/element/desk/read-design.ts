@@ -62,6 +62,9 @@ async function dataOf(input: DesignInput, reading: DesignReading): Promise<Given
     if (bytes.length > MOST_BYTES) throw new TexelcastError("too-large", `${url.href} is too large for a design.`);
     return { data: new TextDecoder().decode(bytes), name: nameOf(url), base: url.href };
   }
+  if (typeof input !== "object") {
+    throw new TexelcastError("bad-design", "The design is not plain data.", { field: "design", value: String(input) });
+  }
   if ("design" in input && "assets" in input && Array.isArray(input.assets)) {
     const files = new Map<string, Uint8Array>();
     for (const { name, bytes } of input.assets as readonly Pick<ExportedAsset, "name" | "bytes">[]) {

@@ -187,7 +187,7 @@ class FullMode implements Mode {
     const { desk } = this;
     const { model } = desk.store.state;
     if (model === null) return;
-    desk.printed = paintableMaterial(model.info, desk.settings);
+    desk.printed = paintableMaterial(model.info, desk.hooks);
     this.#editor.showMaterial(desk.printed);
   }
 

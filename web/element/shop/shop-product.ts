@@ -53,7 +53,7 @@ export class ShopProduct {
   /** Shows a model that the engine has loaded, bare so far. Rejects where it has no material that can be painted. */
   async show(source: ModelSource, info: ModelInfo): Promise<OpenProduct> {
     await this.viewer.setModel(info);
-    this.open = { source, info, material: paintableMaterial(info, this.hooks.settings()) };
+    this.open = { source, info, material: paintableMaterial(info, this.hooks) };
     return this.open;
   }
 
@@ -74,7 +74,7 @@ export class ShopProduct {
   /** Takes up the settings' material, and gives what is open the settings' size. */
   async resize(): Promise<void> {
     if (this.open === null) return;
-    const material = paintableMaterial(this.open.info, this.hooks.settings());
+    const material = paintableMaterial(this.open.info, this.hooks);
     this.open = { ...this.open, material };
     for (const each of new Set([material, ...this.targets.keys()])) await this.openTarget(each);
   }

@@ -1,0 +1,120 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import type { AssetLibrary } from "../../web/editor/state/asset-library.ts";
+import { DEFAULTS } from "../../web/element/element-properties.ts";
+import { Voice } from "../../web/element/element-voice.ts";
+import { Work, type WorkParts } from "../../web/element/element-work.ts";
+
+/** Designs as they were taken, the newest last: what each mode was opened with, and what came later. */
+const taken: unknown[] = [];
+/** By address: what ends the fetch of a design. */
+const coming = new Map<string, () => void>();
+vi.mock("../../web/element/desk/read-design.ts", () => ({
+  readDesign: (uri: string) =>
+    new Promise((resolve) => coming.set(uri, () => resolve({ uri, assets: {}, layers: [] }))),
+}));
+vi.mock("../../web/element/shop/shop-mode.ts", () => ({
+  openShop: () => {
+    const desk = {
+      design: null as unknown,
+      library: { release: () => undefined },
+      zones: null,
+      takeDesign: (design: unknown) => {
+        desk.design = design;
+        taken.push(design);
+      },
+    };
+    return {
+      ...{ desk, materials: [], viewer: {}, styles: [] },
+      takeDesk: async () => desk,
+      open: async (_: unknown, readDesign: ((library: AssetLibrary) => Promise<unknown>) | null) => {
+        desk.takeDesign(await readDesign?.(desk.library as unknown as AssetLibrary));
+      },
+      close: () => undefined,
+    };
+  },
+}));
+
+function workOn(properties: object) {
+  const element = Object.assign(new EventTarget(), DEFAULTS, {
+    src: { name: "mug.glb", bytes: new Uint8Array(1) },
+    updateComplete: Promise.resolve(true),
+    requestUpdate: () => undefined,
+    renderRoot: null,
+    closest: () => null,
+    getRootNode: () => null,
+    ...properties,
+  }) as unknown as WorkParts["element"];
+  const work = new Work({ element, voice: new Voice(element), idle: () => undefined });
+  /** As when the page sets it. */
+  const set = (design: string | null): void => {
+    Object.assign(element, { design });
+    work.follow((...names) => names.includes("design"));
+  };
+  return { work, set };
+}
+
+const come = async (uri: string): Promise<void> => {
+  await expect.poll(() => coming.has(uri)).toBe(true);
+  coming.get(uri)?.();
+  await new Promise((resolve) => setTimeout(resolve));
+};
+const newest = (): unknown => (taken.at(-1) as { uri?: string }).uri ?? taken.at(-1);
+
+beforeEach(() => {
+  taken.length = 0;
+  coming.clear();
+  vi.stubGlobal("ShadowRoot", class {});
+  vi.stubGlobal("navigator", { languages: ["en"] });
+  vi.stubGlobal("document", { baseURI: "http://shop/", createElement: () => ({ replaceChildren: () => undefined }) });
+});
+afterEach(() => vi.unstubAllGlobals());
+
+async function opened() {
+  const { work, set } = workOn({ design: "first" });
+  const started = work.start();
+  await come("first");
+  await started;
+  expect(newest()).toBe("first");
+  return { work, set };
+}
+
+it("of two designs that a page sets the newer one stays, whichever comes first", async () => {
+  const { set } = await opened();
+  set("slow");
+  await expect.poll(() => coming.has("slow")).toBe(true);
+  set("quick");
+  await come("quick");
+  await come("slow");
+  expect(newest()).toBe("quick");
+});
+
+it("a design that was still being read when all was closed is opened the next time", async () => {
+  const { work, set } = await opened();
+  set("slow");
+  await expect.poll(() => coming.has("slow")).toBe(true);
+  work.close();
+  coming.clear();
+  const started = work.start();
+  await come("slow");
+  await started;
+  expect(newest()).toBe("slow");
+});
+
+it("what was worked on is opened the next time where nothing else was being read", async () => {
+  const { work, set } = await opened();
+  set("second");
+  await come("second");
+  work.close();
+  await work.start();
+  expect(newest()).toBe("second");
+});
+
+it("no design empties the product, and does not bring the first one back", async () => {
+  const { set } = await opened();
+  set("second");
+  await come("second");
+  set(null);
+  await expect.poll(() => taken.length).toBe(3);
+  expect(taken.at(-1)).toMatchObject({ layers: [] });
+  expect(newest()).not.toBe("first");
+});
