@@ -180,7 +180,73 @@ test("elements come, move and go, and leave no worker, graphics or picture behin
   expect(await held()).toEqual({ workers: 1, contexts: 1, addresses: 1 });
   await page.evaluate(() => document.querySelector("texelcast-editor")?.remove());
   await expect.poll(held).toEqual({ workers: 0, contexts: 0, addresses: 0 });
+
+  // What is asked of one that is away is answered, and leaves nothing behind either.
+  const asked = await page.evaluate(async () => {
+    const editor = document.createElement("texelcast-editor");
+    editor.src = "demo/mug.glb";
+    document.body.append(editor);
+    editor.remove();
+    await new Promise((done) => setTimeout(done, 50));
+    return (await editor.exportDesign()).design.layers.length;
+  });
+  expect(asked).toBe(0);
+  await expect.poll(held).toEqual({ workers: 0, contexts: 0, addresses: 0 });
   expect(await codes(page)).toEqual([]);
+});
+
+test("zones that cannot be read are told and hide no product, and hold once they are corrected", async ({ page }) => {
+  await openShop(page, "?loading=lazy");
+  const loaded = await page.evaluate(async () => {
+    const editor = document.querySelector("texelcast-editor") as HTMLElementTagNameMap["texelcast-editor"];
+    editor.zones = "{}";
+    await editor.start();
+    return editor.loaded;
+  });
+  expect(loaded).toBe(true);
+  expect(await codes(page)).toEqual(["bad-zones"]);
+  await page.evaluate((zones) => {
+    const editor = document.querySelector("texelcast-editor");
+    if (editor) editor.zones = zones;
+  }, ZONES);
+  const zone = { zone: "wrap" };
+  const width = await page.evaluate(
+    async (options) => (await document.querySelector("texelcast-editor")?.exportTexture(options))?.width,
+    zone,
+  );
+  expect(width).toBeGreaterThan(0);
+  expect(await codes(page)).toEqual(["bad-zones"]);
+});
+
+test("an element speaks the language around its shadow tree, and the one that was asked for last", async ({ page }) => {
+  await openShop(page);
+  const words = await page.evaluate(async () => {
+    const around = document.createElement("div");
+    around.lang = "de";
+    const inside = document.createElement("div");
+    around.append(inside);
+    document.body.append(around);
+    const editor = document.createElement("texelcast-editor");
+    editor.src = "demo/mug.glb";
+    editor.loading = "lazy";
+    inside.attachShadow({ mode: "open" }).append(editor);
+    const shown = async (): Promise<string> => {
+      await new Promise((done) => setTimeout(done, 500));
+      return editor.shadowRoot?.textContent ?? "";
+    };
+    const found = [await shown()];
+    const other = document.createElement("texelcast-editor");
+    other.src = "demo/mug.glb";
+    other.loading = "lazy";
+    document.body.append(other);
+    other.locale = "de";
+    await other.updateComplete;
+    other.locale = "en";
+    await new Promise((done) => setTimeout(done, 500));
+    return [...found, other.shadowRoot?.textContent ?? ""];
+  });
+  expect(words[0]).toContain("gestalten");
+  expect(words[1]).not.toContain("gestalten");
 });
 
 test("the page's address gives the element its own attributes, and nothing that runs", async ({ page }) => {
