@@ -55,7 +55,14 @@ export function manifestOf(checkout) {
       "./zones.schema.json": "./zones.schema.json",
       "./package.json": "./package.json",
     },
-    sideEffects: ["./dist/define.js", "./dist/standalone.js", "./dist/cli.js", "./dist/*-worker.js"],
+    sideEffects: [
+      "./dist/define.js",
+      "./dist/standalone.js",
+      "./dist/cli.js",
+      "./dist/*-worker.js",
+      // What those of them consist of that only import.
+      "./dist/*-shared.js",
+    ],
     customElements: "custom-elements.json",
     files: ["dist", "types", "custom-elements.json", "*.schema.json", "THIRD-PARTY-LICENCES.txt", "CHANGELOG.md"],
     peerDependencies: { three: THREE_RANGE },

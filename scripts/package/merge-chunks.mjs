@@ -11,6 +11,9 @@ import { build } from "esbuild";
 /** What a file takes from another: `import{a as b}from"./x.js"`, and the same with `export`. */
 const NAMED = /(?:import|export)\s*\{([^}]*)\}\s*from\s*"\.\/([\w-]+\.js)"/g;
 
+/** A script that is loaded together with the one that names it. */
+const AT_ONCE = /(?:\bfrom|\bimport)\s*"\.\/([\w-]+\.js)"/g;
+
 /**
  * Merges the scripts of one build in place.
  *
@@ -18,27 +21,36 @@ const NAMED = /(?:import|export)\s*\{([^}]*)\}\s*from\s*"\.\/([\w-]+\.js)"/g;
  * @param {string} parts.dist where the build was written
  * @param {import("esbuild").Metafile} parts.metafile
  * @param {readonly string[]} parts.roots sources of the scripts that are loaded with all they import: what the same roots
- *   need is merged. The root's own file keeps its name and its exports.
+ *   need is merged. A root that a page or a worker begins with is merged into a file of its own, `…-shared.js`, which its own
+ *   file only imports. Nothing else imports that file: the same script under a second address (Vite's development server
+ *   begins a worker as `engine-worker.js?worker_file&type=module`) would run a second time.
  * @param {import("esbuild").BuildOptions} parts.options of the build
  */
 export async function mergeChunks({ dist, metafile, roots, options }) {
   const graph = new Graph(metafile);
   const rootNames = roots.map((source) => graph.named(source));
-  const groups = groupsOf(graph, rootNames);
+  /** Roots that keep a file of their own name. @type {readonly string[]} */
+  const begun = rootNames.filter((name) => graph.entries.includes(name));
+  const groups = groupsOf(graph, rootNames).filter((members) => members.length > 1 || begun.includes(members[0] ?? ""));
   /** Merged script to the one it is now part of. @type {Map<string, string>} */
   const partOf = new Map();
+  /** Of each merged file the script that it is made from first. @type {Map<string, string>} */
+  const firstOf = new Map();
   for (const members of groups) {
-    const name = members.find((member) => rootNames.includes(member)) ?? members[0] ?? "";
+    const first = members.find((member) => rootNames.includes(member)) ?? members[0] ?? "";
+    const name = begun.includes(first) ? `${basename(first, ".js")}-shared.js` : first;
+    firstOf.set(name, first);
     for (const member of members) partOf.set(member, name);
   }
   const read = (/** @type {string} */ name) => readFileSync(join(dist, name), "utf8");
   const wanted = wantedNames(graph.names, partOf, read);
   /** @type {import("esbuild").OutputFile[]} */
   const written = [];
-  for (const name of graph.names) {
-    const own = partOf.get(name) ?? name;
-    // Of a group the one that gives it its name stands for all; what takes nothing from a merged script stays as it is.
-    if (own !== name || !(partOf.has(name) || graph.importsOf(name).some((each) => partOf.has(each)))) continue;
+  for (const first of graph.names) {
+    const name = partOf.get(first) ?? first;
+    // Of a group the first stands for all; what takes nothing from a merged script stays as it is.
+    if ((firstOf.get(name) ?? first) !== first) continue;
+    if (!(partOf.has(first) || graph.importsOf(first).some((each) => partOf.has(each)))) continue;
     const members = [...partOf].filter(([, group]) => group === name).map(([member]) => member);
     const lines = members.flatMap((member) => {
       const names = [...(wanted.get(member) ?? [])].map((each) => `${each} as ${alias(member, each)}`);
@@ -51,8 +63,12 @@ export async function mergeChunks({ dist, metafile, roots, options }) {
       write: false,
       outdir: dist,
       entryPoints: undefined,
-      stdin: { contents: [`export * from "./${name}";`, ...lines].join("\n"), resolveDir: dist, sourcefile: "merged" },
-      plugins: [chunkPlugin(dist, partOf, new Set([name, ...members]), wanted)],
+      stdin: {
+        contents: [`${name === first ? "export * from" : "import"} "./${first}";`, ...lines].join("\n"),
+        resolveDir: dist,
+        sourcefile: "merged",
+      },
+      plugins: [chunkPlugin(dist, partOf, new Set([first, ...members]), wanted)],
     });
     for (const file of outputFiles) {
       const isMap = file.path.endsWith(".map");
@@ -64,10 +80,16 @@ export async function mergeChunks({ dist, metafile, roots, options }) {
     if (member === name) continue;
     rmSync(join(dist, member));
     rmSync(join(dist, `${member}.map`), { force: true });
-    // Whoever asks for it by `import()` finds it where it was.
-    if (!graph.isAskedFor(member)) continue;
+    // Whoever asks for it by `import()`, or begins with it, finds it where it was.
+    if (!graph.isAskedFor(member) && !begun.includes(member)) continue;
     const names = [...(wanted.get(member) ?? [])].map((each) => `${alias(member, each)} as ${each}`);
-    writeFileSync(join(dist, member), `export{${names.join(",")}}from"./${name}";\n`);
+    const lines = [names.length > 0 ? `export{${names.join(",")}}from"./${name}";` : `import"./${name}";`];
+    if (begun.includes(member)) {
+      // What the merged file will import is named here too, so that a page asks for it in the same moment.
+      const text = written.find(({ path }) => path === join(dist, name))?.text ?? "";
+      lines.push(...[...new Set([...text.matchAll(AT_ONCE)].map(([, each]) => `import"./${each}";`))]);
+    }
+    writeFileSync(join(dist, member), `${lines.join("")}\n`);
   }
   for (const { path, text } of written) writeFileSync(path, text);
 
@@ -85,7 +107,7 @@ export async function mergeChunks({ dist, metafile, roots, options }) {
       }
     }
     for (const member of merged.keys()) {
-      if (graph.isAskedFor(member) && merged.get(member) !== member)
+      if ((graph.isAskedFor(member) || begun.includes(member)) && merged.get(member) !== member)
         for (const each of graph.exportsOf(member)) add(member, each);
     }
     return found;
@@ -182,7 +204,7 @@ class Graph {
  * file for a part of it. What needs a script is needed by no more than what the script is needed by, so no two files need
  * each other.
  *
- * @param {Graph} graph @param {readonly string[]} roots @returns {string[][]} of more than one script each
+ * @param {Graph} graph @param {readonly string[]} roots @returns {string[][]}
  */
 function groupsOf(graph, roots) {
   const atOnce = roots.map((root) => graph.reach(root));
@@ -194,5 +216,5 @@ function groupsOf(graph, roots) {
     const key = [...atOnce, ...sometime].map((names) => Number(names.has(name))).join("");
     groups.set(key, [...(groups.get(key) ?? []), name]);
   }
-  return [...groups.values()].filter((members) => members.length > 1);
+  return [...groups.values()];
 }

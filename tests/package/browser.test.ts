@@ -1,12 +1,12 @@
 /** The installed package in a real Chromium: by a static server under a strict policy, and through Vite. */
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser } from "@playwright/test";
 import { build, createServer } from "vite";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { THREE_RANGE } from "../../scripts/package/manifest.mjs";
 import { readPictureHeader } from "../../web/engine/picture-header.ts";
-import { STORY_FILES, storyHash, storyScript } from "./support/engine-story.ts";
+import { STORY_FILES, storyHash, storyScript, wordsScript } from "./support/engine-story.ts";
 import { guideFile } from "./support/guide.ts";
 import { addShopFiles, CHECKOUT, type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
 import { openBrowser, openPage, STRICT_POLICY, serveFolder } from "./support/serve.ts";
@@ -37,6 +37,8 @@ beforeAll(async () => {
     ),
     "element.html": page("/element.js"),
     "element.js": elementScript(DIST),
+    "words.html": page("/words.js"),
+    "words.js": wordsScript(`${DIST}/standalone.js`),
     "index.html": page("/main.js"),
     "vite.config.js": guideFile("vite.config.js"),
     "main.js": `import { TexelcastError } from "texelcast";\n${storyScript("texelcast/core")}globalThis.root = TexelcastError.name;`,
@@ -118,7 +120,7 @@ test("a plain page under a strict policy opens the element; Node prints the very
   expect(complaints).toEqual([]);
   const { sha256, design } = story as { sha256: string; design: string };
   const script = `
-    import { readFileSync } from "node:fs";
+    import { readdirSync, readFileSync } from "node:fs";
     import { renderPrint } from "texelcast/node";
     const assets = () => readFileSync("logo.png");
     const print = await renderPrint({ model: "mug.glb", design: ${JSON.stringify(design)}, assets, size: 256 });
@@ -152,6 +154,26 @@ test("Vite serves a shop for development with the guide's two settings", async (
   await server.listen();
   expect(await tell(server.resolvedUrls?.local[0] ?? "")).toEqual({ story: expected, complaints: [] });
   await server.close();
+});
+
+test("in Vite's development server the element writes words and exports them, with the bytes of a plain page", async () => {
+  const plain = await serveFolder(installed.folder);
+  const told = await tell(`${plain.origin}/words.html`);
+  await plain.stop();
+  expect(told).toMatchObject({ story: expect.stringMatching(/^[0-9a-f]{64}$/), complaints: [] });
+  addShopFiles(installed.folder, { "dev.html": page("/dev.js"), "dev.js": wordsScript("texelcast/define") });
+  const server = await createServer({ ...viteOptions(), server: { port: 0 } });
+  await server.listen();
+  expect(await tell(`${server.resolvedUrls?.local[0]}dev.html`)).toEqual(told);
+  await server.close();
+});
+
+test("no script of the package imports one that a page or a worker begins with", () => {
+  // Under a second address such a script would run twice, and make a second engine.
+  const dist = join(installed.folder, "node_modules/texelcast/dist");
+  const begun = /(?:\bfrom|\bimport)\s*"\.\/(define|standalone|core|three|host|embed|[\w-]+-worker)\.js"/;
+  const scripts = readdirSync(dist).filter((name) => name.endsWith(".js"));
+  expect(scripts.filter((name) => begun.test(readFileSync(join(dist, name), "utf8")))).toEqual([]);
 });
 
 test("the guide's lines for Node write the print file", async () => {

@@ -44,6 +44,26 @@ async function story() {
 story().then((hash) => { globalThis.story = hash; }, (error) => { globalThis.story = String(error?.stack ?? error); });
 `;
 
+/**
+ * A script that opens the element, puts words and then a picture on a mug, and tells the hash of its texture as the other does:
+ * the engine loads parts of itself on the way.
+ * @param define what the script imports
+ */
+export const wordsScript = (define: string): string => `
+import ${JSON.stringify(define)};
+const editor = document.createElement("texelcast-editor");
+editor.style.cssText = "display: block; inline-size: 600px; block-size: 500px";
+Object.assign(editor, { src: "/mug.glb", loading: "eager", size: ${SIZE} });
+async function story() {
+  document.body.append(editor);
+  await editor.start();
+  await editor.addText("Hi");
+  await editor.addDecal("/logo.png");
+  return (await editor.exportTexture()).sha256;
+}
+story().then((hash) => { globalThis.story = hash; }, (error) => { globalThis.story = String(error?.stack ?? error); });
+`;
+
 export const STORY_FILES = {
   "logo.png": readFileSync(`${CHECKOUT}build/public/demo/decals/badge.png`),
   "design.json": JSON.stringify(DESIGN),
