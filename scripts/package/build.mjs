@@ -11,14 +11,12 @@ import { elementManifest } from "./element-manifest.mjs";
 import { licenceText } from "./licences.mjs";
 import { ENTRIES, manifestOf } from "./manifest.mjs";
 import { mergeChunks } from "./merge-chunks.mjs";
+import { noNode } from "./no-node.mjs";
 import { shrinkScripts } from "./shrink.mjs";
 import { NamedFiles, urlFiles } from "./url-files.mjs";
 
 const PACKAGE = inRoot("build/package");
 const DIST = join(PACKAGE, "dist");
-
-/** A branch for Node in packages for both; no page takes it. */
-const NODE_MODULES = ["fs", "path", "url", "module", "node:*"];
 
 /** What shows a product in the shop's mode. */
 const SHOWN_AT_ONCE = ["web/element/define.ts", "web/element/shop/shop-mode.ts"];
@@ -36,6 +34,15 @@ const SHARED = {
   logLevel: "warning",
 };
 
+/** What runs in a page or in its workers. @type {import("esbuild").BuildOptions} */
+const FOR_PAGES = {
+  platform: "browser",
+  splitting: true,
+  minify: true,
+  // Packages for both ask for Node's `process` before they take its branch: a page's scripts have none, whatever a bundler lays there.
+  define: { process: "undefined" },
+};
+
 export async function buildPackage() {
   rmSync(PACKAGE, { recursive: true, force: true });
   mkdirSync(join(DIST, "assets"), { recursive: true });
@@ -46,7 +53,8 @@ export async function buildPackage() {
   /** @param {import("esbuild").BuildOptions} own @param {readonly string[]} roots sources that are loaded as a whole */
   const bundle = async (own, roots = []) => {
     const options = { ...SHARED, ...own };
-    const { metafile } = await build({ ...options, metafile: true, plugins: [urlFiles(files)] });
+    const plugins = own.platform === "browser" ? [urlFiles(files), noNode()] : [urlFiles(files)];
+    const { metafile } = await build({ ...options, metafile: true, plugins });
     for (const input of Object.keys(metafile.inputs)) inputs.add(inRoot(input));
     if (roots.length > 0) await mergeChunks({ dist: DIST, metafile, roots, options });
   };
@@ -54,33 +62,25 @@ export async function buildPackage() {
   await bundle(
     {
       entryPoints: entriesOf(entries.filter(({ runs }) => runs === "page")),
-      platform: "browser",
-      splitting: true,
-      minify: true,
+      ...FOR_PAGES,
       chunkNames: "page-[hash]",
-      external: ["three", "three/*", ...NODE_MODULES],
+      external: ["three", "three/*"],
     },
     SHOWN_AT_ONCE,
   );
   // For pages without a bundler and without import maps, which a strict policy refuses: three.js is inside.
   await bundle({
     entryPoints: [{ in: "web/element/define.ts", out: "standalone" }],
-    platform: "browser",
-    splitting: true,
-    minify: true,
+    ...FOR_PAGES,
     chunkNames: "standalone-[hash]",
-    external: NODE_MODULES,
   });
   // Bundles of their own: a worker sees no import map, and must not load the page's half.
   for (const [name, source] of files.workers) {
     await bundle(
       {
         entryPoints: [{ in: source, out: name.replace(/\.js$/, "") }],
-        platform: "browser",
-        splitting: true,
-        minify: true,
+        ...FOR_PAGES,
         chunkNames: "worker-[hash]",
-        external: NODE_MODULES,
       },
       [relative(inRoot(), source)],
     );

@@ -11,6 +11,12 @@ import { inRoot } from "../bootstrap/paths.mjs";
 
 const PATTERN = /new\s+URL\(\s*(["'])([^"'\n]+)\1\s*,\s*import\.meta\.url\s*,?\s*\)/g;
 
+/**
+ * For old Cloudflare workers, in the pictures' decoders. It never runs elsewhere, and webpack, which writes a module's address in
+ * place of `import.meta.url`, refuses a string that something is assigned to.
+ */
+const ASSIGNED = /\bif\s*\(import\.meta\.url\s*===\s*undefined\)\s*\{\s*import\.meta\.url\s*=\s*[^;}]+;?\s*\}/g;
+
 /** What the bundles name: assets by file name in the package, workers by script name in the package. */
 export class NamedFiles {
   /** @type {Map<string, string>} */
@@ -44,7 +50,7 @@ export function urlFiles(files) {
       build.onLoad({ filter: /\.(ts|m?js)$/ }, async ({ path }) => {
         const source = await readFile(path, "utf8");
         if (!source.includes("import.meta.url")) return undefined;
-        const contents = source.replace(PATTERN, (whole, _quote, specifier) => {
+        const contents = source.replace(ASSIGNED, "").replace(PATTERN, (whole, _quote, specifier) => {
           const file = locate(specifier, path);
           return file === null ? whole : `new URL(${JSON.stringify(files.addressOf(file))}, import.meta.url)`;
         });
