@@ -8,7 +8,14 @@ import { readStruct, type StructFields, type StructLayout, type StructValue, wri
 import { TexelcastError, type TexelcastErrorDetails } from "./texelcast-error.ts";
 import { type MemoryHolder, makeImports } from "./wasm-imports.ts";
 
-export type CoreSource = URL | string | BufferSource | WebAssembly.Module;
+declare global {
+  namespace WebAssembly {
+    /** Known to the DOM's types alone, which a server's project does not have. */
+    interface Module {}
+  }
+}
+
+export type CoreSource = URL | string | ArrayBuffer | ArrayBufferView<ArrayBuffer> | WebAssembly.Module;
 
 const NEEDS_SIMD = "WebAssembly with SIMD is needed: Chrome 91, Firefox 89, Safari 16.4, Node 20 or newer.";
 
@@ -63,7 +70,7 @@ export class CoreModule {
   readonly #pending: number;
   #crash: TexelcastError | null = null;
 
-  /** For `loadCore`: `holder` is where the module's imports look for its memory. */
+  /** For `loadCore`: `holder` is where the module's imports look for its memory. @internal */
   constructor(instance: WebAssembly.Instance, holder: MemoryHolder) {
     const { memory } = instance.exports;
     if (!(memory instanceof WebAssembly.Memory)) throw notACore("memory");

@@ -115,7 +115,9 @@ export interface TexelcastEditor {
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: only overloads of what every element has.
 export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
+  /** @internal */
   static override properties = PROPERTIES;
+  /** @internal */
   static override styles = [tokens, plainControls, elementStyles];
 
   declare src: TexelcastEditorProperties["src"];
@@ -266,6 +268,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     await this.start();
   }
 
+  /** @internal */
   override render(): TemplateResult {
     const { words, shownError, announcement } = this.#voice;
     const { phase, share, made, view } = this.#work;
@@ -280,6 +283,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     `;
   }
 
+  /** @internal */
   protected override updated(changed: PropertyValues<this>): void {
     const has = (...names: (keyof TexelcastEditorProperties)[]): boolean => names.some((name) => changed.has(name));
     const speaking = has("locale") ? this.#voice.speak() : Promise.resolve();

@@ -71,6 +71,7 @@ const zone = strict({
   policy: v.optional(oneOf(["clip", "warn"]), "clip"),
 });
 
+/** For the published JSON Schema. @internal */
 export const zonesSchema = strict({
   texelcastZones: v.literal(ZONES_VERSION, `must be ${ZONES_VERSION}`),
   printScale: v.optional(length, NO_ZONES.printScale),
@@ -87,7 +88,7 @@ export const zonesSchema = strict({
   ),
 });
 
-/** The parts of the schema that the published JSON Schema gives definitions of their own. */
+/** The parts of the schema that the published JSON Schema gives definitions of their own. @internal */
 export const zonesParts = { zone, shape, polygon, point, rotation, length };
 
 const MAX_REPORTED = 20;

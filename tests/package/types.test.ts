@@ -1,0 +1,92 @@
+/** The package's types, read by the real compiler in a project of its own, as strictly as it can. */
+import { spawnSync } from "node:child_process";
+import { join } from "node:path";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { addShopFiles, CHECKOUT, type InstalledPackage, installPackage } from "./support/installed.ts";
+
+const TSC = join(CHECKOUT, "node_modules/typescript/bin/tsc");
+
+const PAGE_FILES = {
+  "define.ts": `
+    import { TexelcastEditor } from "texelcast/define";
+    const editor = new TexelcastEditor();
+    editor.src = "mug.glb";
+    editor.style.height = "30rem";
+    editor.addEventListener("submit", ({ detail }) => console.log(detail.texture.sha256.length));
+    document.body.append(editor);
+    document.querySelector("texelcast-editor")?.classList.add("shown");
+    // @ts-expect-error There is no such property.
+    editor.colour = "red";`,
+  "react.tsx": `
+    import type {} from "texelcast/react";
+    import type { TexelcastEditor } from "texelcast/define";
+    import { useRef } from "react";
+    export function Designer() {
+      const editor = useRef<TexelcastEditor>(null);
+      return <texelcast-editor ref={editor} src="/mug.glb" maxDecals={5} onchange={({ detail }) => console.log(detail.counts.decals)} />;
+    }`,
+  "vue.ts": `
+    import type {} from "texelcast/vue";
+    import type { GlobalComponents } from "vue";
+    export const tag: keyof GlobalComponents = "texelcast-editor";`,
+  "core.ts": `
+    import { EDITOR_TAG, TexelcastError } from "texelcast";
+    import { createEngine, parseDesign } from "texelcast/core";
+    import { mountTexelcast } from "texelcast/embed";
+    import { hostEditor } from "texelcast/host";
+    const { hash } = createEngine({ wasm: "/texelcast.wasm" });
+    export const all = [EDITOR_TAG, TexelcastError, parseDesign, mountTexelcast, hostEditor, hash];`,
+  "three.ts": `
+    import { Mesh, WebGLRenderer } from "three";
+    import { PaintedMesh } from "texelcast/three";
+    export const painted = await PaintedMesh.create(new WebGLRenderer(), new Mesh(), { size: 512 });`,
+};
+
+const NODE_FILES = {
+  "print.ts": `
+    import { parseZones, renderPrint } from "texelcast/node";
+    const { sha256 } = await renderPrint({ model: "mug.glb", design: "{}", size: 512 });
+    export const zones: number = parseZones("{}").zones.length + sha256.length;
+    // @ts-expect-error A zones file's content is no number.
+    export const wrong: number = parseZones("{}");`,
+};
+
+let installed: InstalledPackage;
+beforeAll(async () => {
+  installed = await installPackage();
+  for (const name of ["react", "vue", "three", "@types/react", "@types/three", "@types/node"]) installed.provide(name);
+});
+afterAll(() => installed?.remove());
+
+/** What the compiler says of these files. */
+function complaints(files: Readonly<Record<string, string>>, options: object): string {
+  const project = {
+    compilerOptions: {
+      strict: true,
+      skipLibCheck: false,
+      noEmit: true,
+      target: "es2022",
+      jsx: "react-jsx",
+      types: [],
+      ...options,
+    },
+    files: Object.keys(files),
+  };
+  addShopFiles(installed.folder, { ...files, "tsconfig.json": JSON.stringify(project) });
+  const { stdout } = spawnSync(process.execPath, [TSC, "--project", installed.folder], { encoding: "utf8" });
+  return stdout;
+}
+
+const DOM = ["es2022", "dom", "dom.iterable"];
+
+test.each([
+  ["a bundler", { module: "esnext", moduleResolution: "bundler", lib: DOM }],
+  ["Node", { module: "nodenext", moduleResolution: "nodenext", lib: DOM }],
+])("a strict project of pages finds all types, resolved as %s does", (_, options) => {
+  expect(complaints(PAGE_FILES, options)).toBe("");
+});
+
+test("a strict project of a server's finds all types, without those of a page", () => {
+  const options = { module: "nodenext", moduleResolution: "nodenext", lib: ["es2022"], types: ["node"] };
+  expect(complaints(NODE_FILES, options)).toBe("");
+});
