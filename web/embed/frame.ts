@@ -18,12 +18,17 @@ const LONG: ReadonlySet<FrameMethod> = new Set([
   "addDecal",
   "addText",
   "start",
+  "restart",
+  "exportDesign",
   "exportModel",
   "exportTexture",
   "snapshot",
   "submit",
   "validate",
 ]);
+
+/** How long an answer to this may take, milliseconds, where the shop does not say. */
+export const patienceFor = (method: FrameMethod): number => (LONG.has(method) ? LONG_PATIENCE_MS : PATIENCE_MS);
 
 /**
  * Scripts, because the editor is one; its own origin, because exact origins are what both sides check, and an opaque one has
@@ -105,11 +110,10 @@ export async function mountTexelcast(container: Element, options: MountOptions):
     throw error;
   }
 
-  const patienceFor = (method: FrameMethod): number => timeoutMs ?? (LONG.has(method) ? LONG_PATIENCE_MS : PATIENCE_MS);
   const methods = Object.fromEntries(
     FRAME_METHODS.map((method) => [
       method,
-      (...args: unknown[]): Promise<unknown> => calls.call(method, args, patienceFor(method)),
+      (...args: unknown[]): Promise<unknown> => calls.call(method, args, timeoutMs ?? patienceFor(method)),
     ]),
   );
   const frame = Object.assign(events, methods, {
