@@ -7,6 +7,7 @@ import { join, relative } from "node:path";
 import { build } from "esbuild";
 import { inRoot } from "../bootstrap/paths.mjs";
 import { declarations } from "./declarations.mjs";
+import { writeDocuments } from "./documents.mjs";
 import { elementManifest } from "./element-manifest.mjs";
 import { licenceText } from "./licences.mjs";
 import { ENTRIES, manifestOf } from "./manifest.mjs";
@@ -107,7 +108,7 @@ export async function buildPackage() {
   chmodSync(cli, 0o755);
 
   for (const [name, file] of files.assets) cpSync(file, join(DIST, "assets", name));
-  for (const file of ["LICENSE", "README.md", "CHANGELOG.md"]) cpSync(inRoot(file), join(PACKAGE, file));
+  cpSync(inRoot("LICENSE"), join(PACKAGE, "LICENSE"));
   for (const schema of ["design", "zones"]) {
     cpSync(inRoot(`build/${schema}.schema.json`), join(PACKAGE, `${schema}.schema.json`));
   }
@@ -122,6 +123,7 @@ export async function buildPackage() {
     entries.map(({ source }) => source),
     join(PACKAGE, "types"),
   );
+  writeDocuments(PACKAGE);
 }
 
 /** @param {readonly {source: string, name: string}[]} entries */

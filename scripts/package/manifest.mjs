@@ -64,7 +64,15 @@ export function manifestOf(checkout) {
       "./dist/*-shared.js",
     ],
     customElements: "custom-elements.json",
-    files: ["dist", "types", "custom-elements.json", "*.schema.json", "THIRD-PARTY-LICENCES.txt", "CHANGELOG.md"],
+    files: [
+      "dist",
+      "types",
+      "docs",
+      "custom-elements.json",
+      "*.schema.json",
+      "THIRD-PARTY-LICENCES.txt",
+      "CHANGELOG.md",
+    ],
     peerDependencies: { three: THREE_RANGE },
     peerDependenciesMeta: { three: { optional: true } },
   };

@@ -1,5 +1,5 @@
 /** The npm package, packed and installed into an empty folder; `npm run package` makes it. */
-import { readFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
 import { publint } from "publint";
@@ -35,6 +35,25 @@ test("it brings no other package along", () => {
     packages: Record<string, unknown>;
   };
   expect(Object.keys(lock.packages)).toEqual(["", "node_modules/texelcast"]);
+});
+
+test("its documents are with it, and lead to no file that is not", () => {
+  const folder = join(installed.folder, "node_modules/texelcast");
+  const pages = ["", "docs", "docs/guides"].flatMap((under) =>
+    readdirSync(join(folder, under))
+      .filter((name) => name.endsWith(".md"))
+      .map((name) => join(under, name)),
+  );
+  // Errors name these two.
+  expect(pages).toEqual(
+    expect.arrayContaining(["docs/design-document.md", "docs/print-truth.md", "docs/guides/webpack.md"]),
+  );
+  const lost = pages.flatMap((page) =>
+    [...readFileSync(join(folder, page), "utf8").matchAll(/\]\((?!https?:|#)([^)#]*)/g)]
+      .filter(([, target = ""]) => !existsSync(join(folder, page, "..", target)))
+      .map(([, target]) => `${page}: ${target}`),
+  );
+  expect(lost).toEqual([]);
 });
 
 /** They tell a framework's compiler of the element, and run nothing. */
