@@ -182,6 +182,7 @@ describe("refusing a design", () => {
     ["a newer version", { format: "texelcast-design", version: 2 }, "version: must be 1, is 2"],
     ["a version as text", { format: "texelcast-design", version: "1" }, 'version: must be 1, is "1"'],
     ["an unknown field", { ...decal(), author: "me" }, "author: is not a known field (known here: format, version, "],
+    ["a list in the place of a brush", stroke({ brush: [] }), "layers[0].brush: must be an object, is []"],
     ["an unknown layer field", decal({ blur: 3 }), "layers[0].blur: is not a known field (known here: type, id, "],
     [
       "an unknown projector field",
@@ -253,7 +254,7 @@ describe("refusing a design", () => {
           far: 2,
         },
       }),
-      "layers[0].projector.fov: must be below 180 degrees, is 179.9999999999",
+      "layers[0].projector.fov: must be at most 179.99999 degrees, is 179.9999999999",
     ],
     [
       "an arc that 32 bits cannot hold",
@@ -372,6 +373,12 @@ describe("hostile designs", () => {
     expect(refusal(text).message).toContain('must not name an asset "__proto__"');
     const layer = `{"format":"texelcast-design","version":1,"layers":[{"type":"fill","color":"#000000","__proto__":{"polluted":1}}]}`;
     expect(refusal(layer).message).toContain("layers[0].__proto__: is not a known field");
+  });
+
+  it("names every unknown field, in one object too", () => {
+    const { message } = refusal({ ...decal({ blur: 3, glow: 1 }), author: "me", year: 2026 });
+    for (const field of ["layers[0].blur", "layers[0].glow", "author", "year"])
+      expect(message).toContain(`${field}: is not a known field`);
     expect(({} as Record<string, unknown>).polluted).toBeUndefined();
   });
 

@@ -51,6 +51,16 @@ test("a field is scrubbed by its label, live, as one step; what is no number is 
   await editor.field("spin").press("Tab");
   expect(await editor.settledHash()).toBe(start);
   await expect(editor.field("spin")).toHaveValue("0");
+
+  const width = editor.field("size-width");
+  const before = await width.inputValue();
+  for (const nothing of ["0", "-3"]) {
+    await width.fill(nothing);
+    await expect(width, "what nothing can be left of is marked").toHaveAttribute("aria-invalid", "true");
+    await width.press("Tab");
+    await expect(width).toHaveValue(before);
+  }
+  expect(await editor.settledHash()).toBe(start);
 });
 
 test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys stay its own", async ({

@@ -19,6 +19,10 @@ describe("the page's language", () => {
     expect(languageFor(wishes)).toBe("en");
   });
 
+  it("German writes sizes with a comma", () => {
+    expect([german.history.megabytes("0.2"), german.projects.megabytes("12")]).toEqual(["0,2 MB", "12 MB"]);
+  });
+
   it("German lists as many keys and first steps as English, and leaves no text empty that English has", () => {
     const counts = ({ help }: typeof strings): number[] => help.keyGroups.map(({ keys }) => keys.length);
     expect(counts(german)).toEqual(counts(strings));

@@ -380,7 +380,7 @@ export const german: Strings = {
     held: (size) => `${size} von`,
     heldHint: "Was die Schritte über das jetzige Design hinaus belegen. Wird es mehr, fallen die ältesten weg.",
     budget: "Speicher für den Verlauf",
-    megabytes: (count) => `${count} MB`,
+    megabytes: (count) => `${count.replace(".", ",")} MB`,
     droppedTitle: "Die ältesten Schritte sind weggefallen",
     dropped: (budget) =>
       `Der Verlauf fasst bis zu ${budget}. Das Design selbst ist vollständig. Mehr Platz gibt es im Reiter „Verlauf“.`,
@@ -553,7 +553,7 @@ export const german: Strings = {
     undoRemove: "Rückgängig",
     undoRemoveOf: (name) => `${name} zurückholen`,
     layers: (count) => plural(count, "Ebene", "Ebenen"),
-    megabytes: (size) => `${size} MB`,
+    megabytes: (size) => `${size.replace(".", ",")} MB`,
     copyOf: (name) => `${name} (Kopie)`,
     packerFailed: (reason) => `Die Projektdatei ließ sich nicht packen. ${reason}`,
     unpackerFailed: (reason) => `Die Projektdatei ließ sich nicht entpacken. ${reason}`,

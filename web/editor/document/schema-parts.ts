@@ -13,13 +13,47 @@ export const RESERVED_KEYS = ["__proto__", "prototype", "constructor"];
 
 const quoted = (values: readonly string[]): string => values.map((value) => `"${value}"`).join(", ");
 
-/** An object that refuses what it does not know, and says what it does. */
+type Run = v.GenericSchema["~run"];
+
+/** An object that refuses what it does not know, all of it by name, and says what it does. */
 export function strict<const Entries extends v.ObjectEntries>(entries: Entries) {
   const names = Object.keys(entries).join(", ");
-  return v.strictObject(entries, (issue) => {
+  const schema = v.strictObject(entries, (issue) => {
     if (issue.expected === "never") return `is not a known field (known here: ${names})`;
     return issue.expected === "Object" ? "must be an object" : "is missing";
   });
+  return Object.assign(schema, {
+    "~run": strictly(schema as unknown as v.GenericSchema, new Set(Object.keys(entries))),
+  });
+}
+
+/** The library takes a list for an object, and names the first unknown field only. */
+function strictly(schema: v.GenericSchema, known: ReadonlySet<string>): Run {
+  const run = schema["~run"].bind(schema);
+  return (dataset, config) => {
+    const { value: input } = dataset;
+    if (Array.isArray(input)) {
+      // Refused as null is, but for what is said to stand there.
+      const refused = run({ ...dataset, value: null }, config);
+      for (const issue of refused.issues ?? []) Object.assign(issue, { input });
+      return refused;
+    }
+    const result = run(dataset, config);
+    if (typeof input !== "object" || input === null) return result;
+    const [, ...others] = Object.keys(input).filter((key) => !known.has(key));
+    for (const key of others) {
+      const value = (input as Record<string, unknown>)[key];
+      const path = [{ type: "object", origin: "key", input, key, value }] as const;
+      v._addIssue(
+        schema as never,
+        "key",
+        result as never,
+        config as never,
+        { input: key, expected: "never", path } as never,
+      );
+    }
+    return result;
+  };
 }
 
 export const oneOf = <const Values extends readonly [string, ...string[]]>(values: Values) =>
@@ -85,7 +119,8 @@ export const perspective = v.pipe(
       v.gtValue(0, "must be above 0 degrees"),
       v.ltValue(180, "must be below 180 degrees"),
       v.check(isAbove0, "must be above 0 degrees"),
-      v.check(isBelow180, "must be below 180 degrees"),
+      // 179.99999 is left below 180 there, and 179.999999 is not.
+      v.check(isBelow180, "must be at most 179.99999 degrees"),
     ),
     aspect: length,
     near: length,

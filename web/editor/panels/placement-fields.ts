@@ -102,7 +102,8 @@ function size(
       hint,
       value: projector.size[axis],
       step,
-      min: step / 100,
+      // The least that the field shows as something.
+      min: step / 10,
       patch: (value) => resized(axis, value),
     });
   const own = aspect ?? projector.size[0] / projector.size[1];

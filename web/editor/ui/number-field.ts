@@ -261,8 +261,10 @@ export class NumberField extends LitElement {
     }, REFUSAL);
   }
 
+  /** Undefined where it is none, and where nothing can be so small: what is left of a size of 0 could not be seen. */
   #typed(): number | undefined {
-    return typedNumber(this.#input?.value ?? "", this.unit);
+    const value = typedNumber(this.#input?.value ?? "", this.unit);
+    return value !== undefined && value <= 0 && this.min > 0 ? undefined : value;
   }
 
   #press(event: PointerEvent): void {
