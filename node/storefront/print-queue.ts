@@ -5,7 +5,7 @@
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { PrintFile } from "../../web/engine/print-report.ts";
 import type { ShopFault } from "../../web/storefront/api/shop-api.ts";
-import type { AssetStore } from "./asset-store.ts";
+import { type AssetStore, sha256Of } from "./asset-store.ts";
 import type { ShopDatabase, StoredOrderLine } from "./shop-database.ts";
 
 /** What became of a line: what is printed of it, or why it is not. */
@@ -70,10 +70,14 @@ export class PrintQueue {
   async #outcomeOf(line: StoredOrderLine): Promise<Outcome> {
     try {
       const { bytes, width, height } = await this.#render(line);
-      const sha256 = await this.#store.put(bytes);
+      const sha256 = sha256Of(bytes);
       const printed = { sha256, width, height, bytes: bytes.length };
-      if (sha256 === line.approved.sha256) return { status: "ready", printed };
-      return { status: "held", printed, fault: notApproved(line.approved.sha256) };
+      // What was not approved is not stored: the order tells its hash, and a stored file can be had by that.
+      if (sha256 !== line.approved.sha256) {
+        return { status: "held", printed, fault: notApproved(line.approved.sha256) };
+      }
+      await this.#store.put(bytes);
+      return { status: "ready", printed };
     } catch (thrown) {
       if (!(thrown instanceof TexelcastError)) this.#report(thrown);
       const error = TexelcastError.wrap(thrown, "server-fault", "the print file could not be made", {

@@ -2,6 +2,7 @@
 import { randomBytes } from "node:crypto";
 import sqlite from "node-sqlite3-wasm";
 import type { CartLine, OrderLine, PrintStatus, ShopFault } from "../../web/storefront/api/shop-api.ts";
+import { claimDatabase } from "./data-lock.ts";
 
 const SCHEMA = `
 CREATE TABLE IF NOT EXISTS carts (
@@ -58,14 +59,26 @@ const newId = (): string => randomBytes(18).toString("base64url");
 export class ShopDatabase {
   readonly #db: InstanceType<typeof sqlite.Database>;
 
-  /** @param file ":memory:" for one that is not kept */
+  readonly #release: () => void;
+
+  /**
+   * @param file ":memory:" for one that is not kept
+   * @throws TexelcastError "database-taken" while another server is at work on it.
+   */
   constructor(file: string) {
-    this.#db = new sqlite.Database(file);
-    this.#db.exec(SCHEMA);
+    this.#release = file === ":memory:" ? () => {} : claimDatabase(file);
+    try {
+      this.#db = new sqlite.Database(file);
+      this.#db.exec(SCHEMA);
+    } catch (error) {
+      this.#release();
+      throw error;
+    }
   }
 
   close(): void {
     this.#db.close();
+    this.#release();
   }
 
   makeCart(): string {
@@ -146,7 +159,8 @@ export class ShopDatabase {
   /** Every file that a line of a cart or an order names: pictures, fonts, snapshots, print files. */
   filesInUse(): Set<string> {
     const rows = this.#all(
-      "SELECT item, NULL AS printed FROM cart_lines UNION ALL SELECT item, printed FROM order_lines",
+      `SELECT item, NULL AS printed FROM cart_lines
+       UNION ALL SELECT item, CASE status WHEN 'ready' THEN printed END FROM order_lines`,
       [],
     );
     return new Set(rows.flatMap(({ item, printed }) => `${item} ${printed ?? ""}`.match(/\b[0-9a-f]{64}\b/g) ?? []));

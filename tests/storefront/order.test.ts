@@ -59,6 +59,8 @@ describe("an order", () => {
     expect(line).toMatchObject({ status: "held", fault: { code: "hash-mismatch", field: "approved.sha256" } });
     const file = await shop.app.inject(`/api/orders/${id}/lines/${line?.id}/print.png`);
     expect(file).toMatchObject({ statusCode: 404 });
+    const byItsHash = await shop.app.inject(`/api/files/${line?.printed?.sha256}`);
+    expect(byItsHash).toMatchObject({ statusCode: 404 });
   });
 
   it("is held with its reason when a stored picture was damaged on the disk", async () => {
