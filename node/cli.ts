@@ -6,8 +6,8 @@ import { createProgram } from "./program.ts";
 import { reportError } from "./report-error.ts";
 
 process.stdout.on("error", (cause: NodeJS.ErrnoException) => {
-  // A reader such as `head` that has seen enough is no fault.
-  if (cause.code === "EPIPE") process.exit(EXIT_OK);
+  // A reader such as `head` that has seen enough is no fault, and no reason to answer what `check` did not find.
+  if (cause.code === "EPIPE") return;
   const error = new TexelcastError("cannot-write", `cannot be written: ${cause.message}`, {
     subject: "stdout",
     hint: "Send it to another place, or make room there.",
@@ -15,6 +15,8 @@ process.stdout.on("error", (cause: NodeJS.ErrnoException) => {
   });
   process.exit(reportError(error));
 });
+// Where not even an error can be told, the exit code alone tells it.
+process.stderr.on("error", () => {});
 
 try {
   await createProgram().parseAsync();

@@ -1,12 +1,18 @@
 /** A design on a model, ready in an engine to be printed or measured: what the command line and the package share. */
-import type { EngineLayer, ModelSource } from "../web/engine/engine-api.ts";
+import type { Design } from "../web/editor/document/index.ts";
+import type { EngineLayer, ModelInfo, ModelSource } from "../web/engine/engine-api.ts";
 import type { EngineHost } from "../web/engine/engine-host.ts";
 import { fontsOf, picturesOf } from "../web/engine/layer-picture.ts";
 import type { PrintZones } from "../web/engine/print-zones.ts";
+import { checkFit } from "./check-fit.ts";
 import { openEngine } from "./open-engine.ts";
 
 export interface PrintJob {
   readonly model: ModelSource;
+  readonly design: Design;
+  /** What errors call the design. */
+  readonly file: string;
+  /** The design's. */
   readonly layers: readonly EngineLayer[];
   /** Bytes of one of the design's pictures or fonts. */
   readonly readAsset: (key: string) => Promise<{ readonly name: string; readonly bytes: Uint8Array }>;
@@ -16,19 +22,20 @@ export interface PrintJob {
 /** Runs `use` on an engine that has the model, the pictures, the layers and the zones; what it reports is thrown. */
 export async function withPrintJob<Result>(
   job: PrintJob,
-  use: (engine: EngineHost) => Promise<Result>,
+  use: (engine: EngineHost, model: ModelInfo) => Promise<Result>,
 ): Promise<Result> {
   const engine = openEngine();
   try {
     const errors: Error[] = [];
     engine.onError((error) => errors.push(error));
-    await engine.loadModel(job.model);
+    const model = await engine.loadModel(job.model);
+    checkFit(model, job.design, job.file);
     const layers: readonly EngineLayer[] = job.layers.filter((layer) => layer.visible);
     for (const key of picturesOf(layers)) await engine.setAsset(key, await job.readAsset(key));
     for (const key of fontsOf(layers)) await engine.setFont(key, await job.readAsset(key));
     await engine.setZones(job.zones);
     engine.setLayers(layers, 1);
-    const result = await use(engine);
+    const result = await use(engine, model);
     if (errors[0] !== undefined) throw errors[0];
     return result;
   } finally {

@@ -71,6 +71,8 @@ async function printJob({ model, design, assets = [], zones }: PrintSubject): Pr
   const document = parseDesign(design);
   return {
     model: await modelSource(model),
+    design: document,
+    file: "design",
     layers: resolveLayers(document),
     readAsset: (key) => readAsset(document, key, assets),
     zones: zones === undefined || zones === null ? null : parseZones(zones),

@@ -5,6 +5,10 @@ import { type FileHandle, mkdir, open, rename, stat } from "node:fs/promises";
 import path from "node:path";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 
+const SIGNALS = ["SIGINT", "SIGTERM", "SIGHUP"] as const;
+/** Who may read, write and run a file. */
+const PERMISSIONS = 0o777;
+
 export interface PendingFile {
   append(bytes: Uint8Array): Promise<void>;
 }
@@ -16,17 +20,17 @@ export interface PendingFile {
 export class PendingFiles {
   readonly #pending = new Map<string, { readonly temporary: string; file?: FileHandle }>();
 
-  /** Ctrl-C and kill must not leave what is half written; at any other time the system's own way of ending is fine. */
+  /** Ctrl-C, kill and a terminal that is closed must not leave what is half written; at any other time the system's own way of ending is fine. */
   readonly #onSignal = (signal: NodeJS.Signals): void => {
     this.#removeTemporaries();
-    process.removeListener("SIGINT", this.#onSignal).removeListener("SIGTERM", this.#onSignal);
+    this.#release();
     process.kill(process.pid, signal);
   };
 
   /** Opens a file for writing; its folder is made where there is none. */
   async create(target: string): Promise<PendingFile> {
     const file = await writing(target, async () => {
-      if (this.#pending.size === 0) process.on("SIGINT", this.#onSignal).on("SIGTERM", this.#onSignal);
+      if (this.#pending.size === 0) for (const signal of SIGNALS) process.on(signal, this.#onSignal);
       await makeFolder(path.dirname(target));
       const temporary = path.join(path.dirname(target), `.texelcast-${randomUUID()}.tmp`);
       // Made and listed in one go: a signal between the two would leave it behind.
@@ -34,6 +38,8 @@ export class PendingFiles {
       closeSync(openSync(temporary, "wx"));
       this.#pending.set(target, pending);
       pending.file = await open(temporary, "a");
+      // Before a byte is in it: what nobody else might read must not become readable by being written anew.
+      await keepMode(pending.file, target);
       return pending.file;
     });
     return { append: (bytes) => writing(target, () => file.appendFile(bytes)) };
@@ -66,19 +72,21 @@ export class PendingFiles {
   }
 
   #release(): void {
-    process.removeListener("SIGINT", this.#onSignal).removeListener("SIGTERM", this.#onSignal);
+    for (const signal of SIGNALS) process.removeListener(signal, this.#onSignal);
   }
 }
 
 /**
  * Tells of an output that cannot be before the work is done that would be lost.
  *
- * @throws TexelcastError "cannot-write" where a folder stands in the file's place, or a file in that of its folder.
+ * @throws TexelcastError "cannot-write" where something that is no file stands in the file's place, or a file in that of its folder.
  */
 export async function checkOutputFile(target: string): Promise<void> {
   await checkOutputFolder(path.dirname(target));
   const found = await stat(target).catch(() => null);
-  if (found !== null && !found.isFile()) throw cannotWrite(target, "there is a folder of that name");
+  if (found === null || found.isFile()) return;
+  if (found.isDirectory()) throw cannotWrite(target, "there is a folder of that name");
+  throw cannotWrite(target, "it is a pipe or a device, and a result takes the place of what has its name");
 }
 
 /** As `checkOutputFile`, for a folder. */
@@ -103,6 +111,13 @@ async function makeFolder(folder: string): Promise<void> {
     // Another process may have been quicker.
     if (!(await isFolder(folder))) throw cause;
   });
+}
+
+/** Gives a file that takes another's place the permissions of that one. */
+async function keepMode(file: FileHandle, target: string): Promise<void> {
+  const replaced = await stat(target).catch(() => null);
+  // Some file systems know no permissions.
+  if (replaced?.isFile()) await file.chmod(replaced.mode & PERMISSIONS).catch(() => {});
 }
 
 async function isFolder(place: string): Promise<boolean> {

@@ -19,7 +19,7 @@ export async function check(modelFile: string, designFile: string, options: Chec
   const zones = options.zones === undefined ? null : await readZones(options.zones);
   const design = await readDesign(designFile);
   const model = await readModel(modelFile);
-  const job = { model, layers: design.layers, readAsset: (key: string) => readAsset(design, key), zones };
+  const job = { ...design, model, readAsset: (key: string) => readAsset(design, key), zones };
   const report = await withPrintJob(job, (engine) => engine.printReport());
   process.stdout.write(options.json ? printJson(report) : describe(report));
   return report.violations.length === 0;

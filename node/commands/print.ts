@@ -1,6 +1,7 @@
 /** `texelcast print`: a design on a model as a file for the printer. */
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { PrintFileOptions } from "../../web/engine/print-report.ts";
+import { findMaterial } from "../find-material.ts";
 import { withPrintJob } from "../print-job.ts";
 import { Progress } from "../progress.ts";
 import { readAsset, readDesign } from "../read-design.ts";
@@ -17,14 +18,17 @@ export interface PrintOptions extends Omit<PrintFileOptions, "size" | "base"> {
   readonly base: boolean;
 }
 
+const DEFAULT_MATERIAL = 0;
+
 /** Writes the file and prints its hash. @throws TexelcastError for what cannot be read, printed or written */
 export async function print(modelFile: string, designFile: string, options: PrintOptions): Promise<void> {
   const { out, zones: zonesFile, size, base, ...rest } = options;
+  checkZoneOptions(options);
   await checkOutputFile(out);
   const zones = zonesFile === undefined ? null : await readZones(zonesFile);
   const design = await readDesign(designFile);
   const model = await readModel(modelFile);
-  const job = { model, layers: design.layers, readAsset: (key: string) => readAsset(design, key), zones };
+  const job = { ...design, model, readAsset: (key: string) => readAsset(design, key), zones };
   const wanted: PrintFileOptions = {
     ...rest,
     ...(size && { size: [size.width, size.height] }),
@@ -33,9 +37,11 @@ export async function print(modelFile: string, designFile: string, options: Prin
   const progress = new Progress();
   const files = new PendingFiles();
   try {
-    const file = await withPrintJob(job, (engine) =>
-      engine.exportPrint(wanted, (share) => progress.report("Printing", share)),
-    ).catch((error: unknown) => {
+    const file = await withPrintJob(job, (engine, info) => {
+      // With a zone, it is that which says the material.
+      if (rest.zone === undefined) findMaterial(info, rest.material ?? DEFAULT_MATERIAL);
+      return engine.exportPrint(wanted, (share) => progress.report("Printing", share));
+    }).catch((error: unknown) => {
       throw zonesFile === undefined ? error : namingZones(error, zonesFile);
     });
     await files.write(out, file.bytes);
@@ -47,6 +53,26 @@ export async function print(modelFile: string, designFile: string, options: Prin
   } finally {
     progress.end();
     await files.discard();
+  }
+}
+
+/** What is asked of a zone asks for one. @throws TexelcastError "bad-argument" */
+function checkZoneOptions({ zones, zone, flattened }: PrintOptions): void {
+  const wrong = (option: string, why: string, hint: string) =>
+    new TexelcastError("bad-argument", `--${option}: ${why}`, { field: option, hint });
+  if (zone !== undefined && zones === undefined) {
+    throw wrong(
+      "zone",
+      `there is no zone ${JSON.stringify(zone)} without a zones file`,
+      "Name that file with --zones.",
+    );
+  }
+  if (flattened && zone === undefined) {
+    throw wrong(
+      "flattened",
+      "only a zone can be laid out flat",
+      "Name the zones file with --zones and one of its zones with --zone.",
+    );
   }
 }
 

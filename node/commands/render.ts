@@ -1,11 +1,10 @@
 /** `texelcast render`: a design replayed on a model, as the finished texture or as the model with it inside. */
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
-import { formatPath } from "../../web/editor/document/design-problem.ts";
-import { materialsOf, walkLayers } from "../../web/editor/document/index.ts";
 import type { EngineLayer, ModelInfo, ModelSource, TargetOptions } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
 import { allPicturesOf, fontsOf, picturesOf } from "../../web/engine/layer-picture.ts";
 import { materialsIn } from "../../web/engine/layer-tree.ts";
+import { checkFit, checkPaintable } from "../check-fit.ts";
 import { findMaterial } from "../find-material.ts";
 import { openEngine } from "../open-engine.ts";
 import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from "../options.ts";
@@ -41,6 +40,8 @@ export async function render(modelFile: string | null, designFile: string, optio
     progress.report("Reading the model");
     const info = await engine.loadModel(model);
     const materials = chooseMaterials(info, design, options);
+    for (const result of resultsOf(out, materials)) await checkOutputFile(result.file);
+    checkPaintable(info, design.design, design.file, materials);
     const layers = design.layers.filter(
       (layer) => layer.visible && materialsIn(layer).some((material) => materials.includes(material)),
     );
@@ -95,15 +96,8 @@ async function readBase(base: BaseOption | undefined): Promise<NonNullable<Targe
   return { name: base.file, bytes: await readFileBytes(base.file, { code: "bad-picture" }) };
 }
 
-/** Every material that a layer names must be there, even one that this run leaves out: the design is for another model. */
 function chooseMaterials(model: ModelInfo, design: LoadedDesign, options: RenderOptions): number[] {
-  for (const { layer, path } of walkLayers(design.design)) {
-    if (layer.type === "group" || layer.type === "paint") continue;
-    materialsOf(layer).forEach((material, place) => {
-      const at = typeof layer.material === "number" ? [] : [place];
-      findMaterial(model, material, { file: design.file, field: formatPath([...path, "material", ...at]) });
-    });
-  }
+  checkFit(model, design.design, design.file);
   if (options.material !== undefined) return [findMaterial(model, options.material).index];
   if (options.out.kind === "png") return [findMaterial(model, DEFAULT_MATERIAL).index];
   const painted = design.layers.filter((layer) => layer.visible).flatMap(materialsIn);

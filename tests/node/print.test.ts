@@ -74,6 +74,12 @@ describe("texelcast check", () => {
     ]);
   });
 
+  it("exits with 3 where something must not be printed, though its reader has gone", async () => {
+    const { folder } = await workbench([decal()], zones([zone({ policy: "warn" })]));
+    const args = ["check", "plane.glb", "design.json", "--zones", "zones.json"];
+    expect(await texelcast(args, { cwd: folder, stdout: "closed pipe" })).toMatchObject({ code: 3, stderr: "" });
+  });
+
   it("exits with 3 for a zone on a material that the model lacks, and names both and the materials there are", async () => {
     const { run } = await workbench([decal()], zones([zone({ material: 7 })]));
     const { code, stdout } = await run("check", "--zones", "zones.json");
@@ -133,14 +139,89 @@ describe("texelcast print", () => {
     expect(await run("print", ...args)).toMatchObject({ code: 0, stderr: "" });
   });
 
+  it("names the model and the option where it has no such material", async () => {
+    const { run } = await workbench([decal()]);
+    expect(await run("print", "--material", "2", "--out", "x.png")).toMatchObject({
+      code: 3,
+      stdout: "",
+      stderr:
+        "texelcast: plane.glb: --material: the model has no material 2, it has materials 0 to 1\n" +
+        "  `texelcast inspect` lists the materials of a model.\n",
+    });
+  });
+
   it("refuses a zone or flat art as wrong usage where no file or no zone is named", async () => {
     const { run } = await workbench([decal()]);
     const withoutFile = await run("print", "--zone", "left", "--out", "x.png");
     expect(withoutFile).toMatchObject({ code: 2, stdout: "" });
-    expect(withoutFile.stderr).toContain("There is no zone “left”: there are none.");
+    expect(withoutFile.stderr).toBe(
+      'texelcast: --zone: there is no zone "left" without a zones file\n  Name that file with --zones.\n',
+    );
     const withoutZone = await run("print", "--zones", "zones.json", "--flattened", "--out", "x.png");
     expect(withoutZone).toMatchObject({ code: 2, stdout: "" });
-    expect(withoutZone.stderr).toContain("Only a zone can be laid out flat: name one.");
+    expect(withoutZone.stderr).toBe(
+      "texelcast: --flattened: only a zone can be laid out flat\n" +
+        "  Name the zones file with --zones and one of its zones with --zone.\n",
+    );
+  });
+});
+
+describe("a design for another model", () => {
+  const fill = (fields: object) => ({ type: "fill", color: "#ff0000", ...fields });
+  const there = decal();
+  const OTHERS: [string, object[], string][] = [
+    ["a layer", [there, decal({ id: "b", material: 7 })], "layers[1].material"],
+    ["a hidden layer", [decal({ visible: false, material: 7 })], "layers[0].material"],
+    ["one of a layer's materials", [decal({ material: [0, 7] })], "layers[0].material[1]"],
+    ["a layer in a group", [{ type: "group", layers: [decal({ material: 7 })] }], "layers[0].layers[0].material"],
+    ["a layer of a mask", [decal({ mask: { layers: [fill({ material: 7 })] } })], "layers[0].mask.layers[0].material"],
+  ];
+
+  it.each(OTHERS)(
+    "is refused by print and check where %s is on a material that is not there",
+    async (_what, layers, field) => {
+      const { folder, run } = await workbench(layers);
+      for (const args of [["print", "--out", "x.png"], ["check"]] as const) {
+        const [command, ...rest] = args;
+        const { code, stdout, stderr } = await run(command, ...rest);
+        expect(stderr).toBe(
+          `texelcast: design.json: ${field}: the model has no material 7, it has materials 0 to 1\n` +
+            "  `texelcast inspect` lists the materials of a model.\n",
+        );
+        expect(code).toBe(3);
+        expect(stdout).toBe("");
+      }
+      expect(existsSync(path.join(folder, "x.png"))).toBe(false);
+    },
+  );
+
+  it.each(OTHERS)(
+    "is refused by renderPrint where %s is on a material that is not there",
+    async (_what, layers, field) => {
+      const subject = { model: planeGlb(), design: design(layers), assets: [{ name: "logo.png", bytes: LOGO }] };
+      await expect(renderPrint({ ...subject, size: 16 })).rejects.toMatchObject({
+        code: "no-material",
+        field,
+        value: "7",
+      });
+    },
+  );
+
+  it.each([
+    ["faces", { kind: "faces", faces: [0, 99] }, "layers[0].parts.faces[1]", 99],
+    ["charts", { kind: "charts", charts: [2] }, "layers[0].parts.charts[0]", 2],
+  ] as const)("is refused as a bad design where a fill's %s are not there", async (_what, parts, field, value) => {
+    const { folder, run } = await workbench([fill({ parts })]);
+    for (const [command, ...rest] of [["render", "--out", "x.png"], ["print", "--out", "x.png"], ["check"]] as const) {
+      const { code, stdout, stderr } = await run(command, ...rest);
+      expect(stderr).toBe(
+        `texelcast: design.json: ${field}: is ${value}, but material 0 has 2 triangles, counted from 0\n` +
+          "  The fill was made for another model, or for another material: choose its parts anew.\n",
+      );
+      expect(code).toBe(3);
+      expect(stdout).toBe("");
+    }
+    expect(existsSync(path.join(folder, "x.png"))).toBe(false);
   });
 });
 

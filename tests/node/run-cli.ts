@@ -23,23 +23,26 @@ export interface RunOptions {
   readonly signal?: AbortSignal;
   /** Written to instead of `Run.stdout`: an open file's number, or a pipe that its reader closes before a word is in it. */
   readonly stdout?: number | "closed pipe";
+  /** As `stdout`, in place of `Run.stderr`. */
+  readonly stderr?: number | "closed pipe";
 }
 
 export function texelcast(
   args: readonly string[],
-  { cwd, onStart, signal: abort, stdout: sink }: RunOptions = {},
+  { cwd, onStart, signal: abort, stdout: sink, stderr: errorSink }: RunOptions = {},
 ): Promise<Run> {
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [BUNDLE, ...args], {
       cwd,
       signal: abort,
       killSignal: "SIGKILL",
-      stdio: ["ignore", typeof sink === "number" ? sink : "pipe", "pipe"],
+      stdio: ["ignore", ...[sink, errorSink].map((to) => (typeof to === "number" ? to : "pipe"))],
     });
     const out: Buffer[] = [];
     const err: Buffer[] = [];
     child.stdout?.on("data", (chunk: Buffer) => out.push(chunk));
     if (sink === "closed pipe") child.stdout?.destroy();
+    if (errorSink === "closed pipe") child.stderr?.destroy();
     child.stderr?.on("data", (chunk: Buffer) => err.push(chunk));
     child.on("error", reject);
     child.on("close", (code, signal) => {

@@ -59,3 +59,24 @@ describe("a reader that has seen enough", () => {
     expect(run).toMatchObject({ code: 0, stderr: "" });
   });
 });
+
+const UNREADABLE: [string, string[], number][] = [
+  ["a model that is not there", ["inspect", "nope.glb"], 3],
+  ["an unknown command", ["nope"], 2],
+];
+
+describe("a standard error that takes not a byte", () => {
+  it.each(UNREADABLE)("leaves %s its exit code when its reader has gone", async (_what, args, code) => {
+    const run = await texelcast(args, { cwd: folderWithPlane(), stderr: "closed pipe" });
+    expect(run).toMatchObject({ code, stdout: "" });
+  });
+
+  it.runIf(existsSync("/dev/full")).each(UNREADABLE)(
+    "leaves %s its exit code without room",
+    async (_what, args, code) => {
+      const full = openSync("/dev/full", "w");
+      onTestFinished(() => closeSync(full));
+      expect(await texelcast(args, { cwd: folderWithPlane(), stderr: full })).toMatchObject({ code, stdout: "" });
+    },
+  );
+});

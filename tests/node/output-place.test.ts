@@ -1,0 +1,75 @@
+/** Where results go: what may be replaced, what it keeps, and what is told before any work is done. */
+import { spawnSync } from "node:child_process";
+import { chmodSync, existsSync, mkdirSync, readdirSync, statSync, symlinkSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { describe, expect, it } from "vitest";
+import { planeGlb } from "./plane-model.ts";
+import { temporaryFolder, texelcast } from "./run-cli.ts";
+
+const fill = (material: number) => ({ type: "fill", color: "#ff0000", material });
+
+function folderWith(layers: readonly object[]): string {
+  const folder = temporaryFolder();
+  const design = { format: "texelcast-design", version: 1, layers };
+  writeFileSync(path.join(folder, "plane.glb"), planeGlb());
+  writeFileSync(path.join(folder, "design.json"), JSON.stringify(design));
+  return folder;
+}
+
+const render = (cwd: string, out: string) =>
+  texelcast(["render", "plane.glb", "design.json", "--size", "8", "--out", out], { cwd });
+
+describe.skipIf(process.platform === "win32")("an output that is no file", () => {
+  const wrong =
+    "texelcast: x.png: cannot be written: it is a pipe or a device, and a result takes the place of what has its name\n";
+
+  it("is told as what it is where it leads to a device", async () => {
+    const folder = folderWith([]);
+    symlinkSync("/dev/null", path.join(folder, "x.png"));
+    const { code, stderr } = await render(folder, "x.png");
+    expect(code).toBe(3);
+    expect(stderr.startsWith(wrong)).toBe(true);
+  });
+
+  it("is told as what it is where it is a pipe, and nothing waits for its reader", async () => {
+    const folder = folderWith([]);
+    expect(spawnSync("mkfifo", [path.join(folder, "x.png")]).status).toBe(0);
+    const { code, stderr } = await render(folder, "x.png");
+    expect(code).toBe(3);
+    expect(stderr.startsWith(wrong)).toBe(true);
+  });
+});
+
+describe("an output that was there before", () => {
+  it.skipIf(process.platform === "win32")("keeps its permissions when it is replaced", async () => {
+    const folder = folderWith([]);
+    const file = path.join(folder, "x.png");
+    writeFileSync(file, "old");
+    chmodSync(file, 0o600);
+    expect(await render(folder, "x.png")).toMatchObject({ code: 0 });
+    expect(statSync(file).size).toBeGreaterThan(3);
+    expect(statSync(file).mode & 0o777).toBe(0o600);
+  });
+});
+
+describe("one picture for each material", () => {
+  it("is not begun where a folder has the name of a later one", async () => {
+    const folder = folderWith([fill(0), fill(1)]);
+    mkdirSync(path.join(folder, "m-1.png"));
+    const { code, stdout, stderr } = await render(folder, "m-{material}.png");
+    expect(stderr).toMatch(/^texelcast: m-1\.png: cannot be written: there is a folder of that name\n {2}[^\n]+\n$/);
+    expect(code).toBe(3);
+    expect(stdout).toBe("");
+    expect(existsSync(path.join(folder, "m-0.png"))).toBe(false);
+    expect(readdirSync(folder).filter((name) => name.startsWith(".texelcast"))).toEqual([]);
+  });
+
+  it("names the layer and the material where that cannot be painted", async () => {
+    const folder = folderWith([fill(0), fill(1)]);
+    const { code, stderr } = await render(folder, "m-{material}.png");
+    expect(stderr).toMatch(
+      /^texelcast: design\.json: layers\[1\]\.material: material 1[^\n]* cannot be painted: [^\n]+\n {2}[^\n]+\n$/,
+    );
+    expect(code).toBe(3);
+  });
+});
