@@ -2,12 +2,16 @@
  * Printing and checking designs on a server: `renderPrint` gives the bytes that the page's `exportPrint` gives for the same
  * design, files, model and options, so that what a customer approved is what is printed.
  */
+import { types } from "node:util";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
+import { formatPath } from "../web/editor/document/design-problem.ts";
 import { type Design, parseDesign, parseZones, resolveLayers } from "../web/editor/document/index.ts";
 import type { ModelSource } from "../web/engine/engine-api.ts";
 import { materialsIn } from "../web/engine/layer-tree.ts";
 import type { PrintFile, PrintFileOptions, PrintReport } from "../web/engine/print-report.ts";
+import { checkAssetBytes, checkCheckArguments, checkRenderArguments } from "./print-arguments.ts";
 import { type PrintJob, withPrintJob } from "./print-job.ts";
+import { readDataUri } from "./read-design.ts";
 import { readModel } from "./read-model.ts";
 
 export type { PrintFile, PrintFileOptions, PrintReport } from "../web/engine/print-report.ts";
@@ -21,6 +25,9 @@ export interface PrintAsset {
 
 /** Bytes of a file by the `uri` that the design names it with, and by the asset's key; null: there is no such file. */
 export type AssetReader = (uri: string, key: string) => Uint8Array | null | Promise<Uint8Array | null>;
+
+/** What errors call a design that has no file. */
+const DESIGN_NAME = "design";
 
 export interface PrintSubject {
   /** A path, the bytes of a .glb, or a model with its side files. */
@@ -51,13 +58,16 @@ export interface CheckPrintOptions extends PrintSubject {
  * "bad-size", "out-of-budget", "cancelled".
  */
 export async function renderPrint(options: RenderPrintOptions): Promise<PrintFile> {
+  checkRenderArguments(options);
   const { model, design, assets, zones, signal, onProgress, ...print } = options;
   const job = await printJob({ model, design, ...(assets && { assets }), zones });
   return withPrintJob(job, (engine) => engine.exportPrint(print, onProgress, signal));
 }
 
 /** Measures what becomes of each layer on the surface (docs/print-truth.md). Throws as `renderPrint` does. */
-export async function checkPrint({ size, ...subject }: CheckPrintOptions): Promise<PrintReport> {
+export async function checkPrint(options: CheckPrintOptions): Promise<PrintReport> {
+  checkCheckArguments(options);
+  const { size, ...subject } = options;
   const job = await printJob(subject);
   return withPrintJob(job, async (engine) => {
     if (size === undefined) return engine.printReport();
@@ -67,21 +77,21 @@ export async function checkPrint({ size, ...subject }: CheckPrintOptions): Promi
   });
 }
 
-async function printJob({ model, design, assets = [], zones }: PrintSubject): Promise<PrintJob> {
+async function printJob({ model, design, assets, zones }: PrintSubject): Promise<PrintJob> {
   const document = parseDesign(design);
   return {
     model: await modelSource(model),
     design: document,
-    file: "design",
+    file: DESIGN_NAME,
     layers: resolveLayers(document),
-    readAsset: (key) => readAsset(document, key, assets),
+    readAsset: (key) => readAsset(document, key, assets ?? []),
     zones: zones === undefined || zones === null ? null : parseZones(zones),
   };
 }
 
 async function modelSource(model: PrintSubject["model"]): Promise<ModelSource> {
   if (typeof model === "string") return readModel(model);
-  return model instanceof Uint8Array ? { name: "model.glb", bytes: model } : model;
+  return types.isUint8Array(model) ? { name: "model.glb", bytes: model } : model;
 }
 
 async function readAsset(
@@ -90,10 +100,11 @@ async function readAsset(
   assets: NonNullable<PrintSubject["assets"]>,
 ): Promise<{ name: string; bytes: Uint8Array }> {
   const uri = design.assets[key]?.uri ?? "";
-  // Node's own fetch knows the format of data: addresses to the letter, and asks no network for them.
-  if (/^data:/i.test(uri)) return { name: key, bytes: new Uint8Array(await (await fetch(uri)).arrayBuffer()) };
-  const bytes =
+  const field = formatPath(["assets", key, "uri"]);
+  if (/^data:/i.test(uri)) return { name: key, bytes: await readDataUri(uri, DESIGN_NAME, field) };
+  const given =
     typeof assets === "function" ? await assets(uri, key) : assets.find((asset) => asset.name === uri)?.bytes;
+  const bytes = checkAssetBytes(given, uri);
   if (bytes) return { name: uri, bytes };
   throw new TexelcastError("missing-file", `The file “${uri}” of the asset “${key}” was not given.`, {
     subject: uri,

@@ -61,7 +61,8 @@ export async function readAsset(
   return { name: target, bytes: await readFileBytes(target, { code, namedBy: { file, field } }) };
 }
 
-async function readDataUri(uri: string, file: string, field: string): Promise<Uint8Array> {
+/** @throws TexelcastError "bad-design" for an address that is broken. */
+export async function readDataUri(uri: string, file: string, field: string): Promise<Uint8Array> {
   try {
     // Node's own fetch knows the format to the letter, and asks no network for it.
     return new Uint8Array(await (await fetch(uri)).arrayBuffer());

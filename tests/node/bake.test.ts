@@ -138,7 +138,7 @@ describe("texelcast bake", () => {
     expect(readdirSync(path.join(folder, "maps"))).toEqual(["overlap.png"]);
   });
 
-  it("leaves nothing behind when it is interrupted while it writes", async () => {
+  it.each(["SIGINT", "SIGTERM", "SIGHUP"] as const)("leaves nothing behind when %s ends it while it writes", async (signal) => {
     const folder = temporaryFolder();
     const maps = path.join(folder, "maps");
     writeFileSync(path.join(folder, "plane.glb"), planeGlb());
@@ -148,11 +148,11 @@ describe("texelcast bake", () => {
         const timer = setInterval(() => {
           if (!existsSync(maps) || readdirSync(maps).length === 0) return;
           clearInterval(timer);
-          process.kill(pid, "SIGINT");
+          process.kill(pid, signal);
         }, 2);
       },
     });
-    expect(run).toMatchObject({ code: null, signal: "SIGINT", stdout: "", stderr: "" });
+    expect(run).toMatchObject({ code: null, signal, stdout: "", stderr: "" });
     expect(readdirSync(maps)).toEqual([]);
   });
 });

@@ -259,6 +259,51 @@ describe("renderPrint and checkPrint", () => {
     });
   });
 
+  const usual = { ...subject, assets, size: 16 };
+  const NO_MODEL: [string, object, string][] = [null, 3, {}, new ArrayBuffer(4), new URL("file:///x"), { name: "x.glb", bytes: "x" }].map(
+    (model) => [`a model that is ${JSON.stringify(model)}`, { model }, "model"],
+  );
+
+  it.each<[string, object, string]>([
+    ...NO_MODEL,
+    ["assets that are an object", { assets: {} }, "assets"],
+    ["assets that are a map", { assets: new Map() }, "assets"],
+    ["an asset without bytes", { assets: [{ name: "logo.png" }] }, "assets[0].bytes"],
+    ["an asset that is null", { assets: [null] }, "assets[0]"],
+    ["assets read as text", { assets: () => "text" }, "assets"],
+    ["assets read as an ArrayBuffer", { assets: () => new ArrayBuffer(3) }, "assets"],
+    ["assets read as a list", { assets: async () => [1, 2] }, "assets"],
+    ["a size of null", { size: null }, "size"],
+    ["a size that is text", { size: "64" }, "size"],
+    ["progress that is a number", { onProgress: 3 }, "onProgress"],
+    ["a signal that is none", { signal: 3 }, "signal"],
+    ["a zone that is a number", { zone: 3 }, "zone"],
+    ["a base that is unknown", { base: "white" }, "base"],
+  ])("refuse %s by argument and value", async (_what, fields, field) => {
+    const error = await renderPrint({ ...usual, ...fields } as never).catch((thrown: unknown) => thrown);
+    expect(error).toMatchObject({ name: "TexelcastError", code: "bad-argument", field });
+    expect((error as { value: string }).value).toMatch(/./);
+  });
+
+  it("refuse to be called without anything", async () => {
+    for (const call of [renderPrint, checkPrint] as const) {
+      const nothing = call as (options?: unknown) => Promise<unknown>;
+      await expect(nothing()).rejects.toMatchObject({ code: "bad-argument", field: "options" });
+      await expect(nothing({})).rejects.toMatchObject({ code: "bad-argument", field: "model" });
+    }
+    const broken = { ...usual, size: null } as never;
+    await expect(checkPrint(broken)).rejects.toMatchObject({ code: "bad-argument", field: "size", value: "null" });
+  });
+
+  it("take a customer's broken data: address for a fault of the design", async () => {
+    const broken = { ...design([decal()]), assets: { logo: { type: "image/png", uri: "data:image/png;base64,@@@@" } } };
+    await expect(renderPrint({ ...usual, design: broken })).rejects.toMatchObject({
+      code: "bad-design",
+      subject: "design",
+      field: "assets.logo.uri",
+    });
+  });
+
   it("measures what the command line measures", async () => {
     const report = await checkPrint({ ...subject, assets, size: 256 });
     expect(report.layers[0]?.dpi?.mean).toBeCloseTo(254, 1);

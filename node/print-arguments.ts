@@ -1,0 +1,86 @@
+/** What `renderPrint` and `checkPrint` are given, looked at once at the door: callers in plain JavaScript have no types. */
+import { types } from "node:util";
+import * as v from "valibot";
+import { TexelcastError } from "../web/core/texelcast-error.ts";
+import { describeValue, formatPath } from "../web/editor/document/design-problem.ts";
+
+const optional = <Schema extends v.GenericSchema>(schema: Schema) => v.optional(schema);
+const numeric = v.number("must be a number");
+/** Of any realm: test runners give each file its own Uint8Array. */
+const isBytes = (value: unknown): boolean => types.isUint8Array(value);
+const isObject = (value: unknown): value is object => typeof value === "object" && value !== null;
+
+const MODEL = "must be a path, the bytes of a .glb (a Uint8Array), or { name, bytes, resources }";
+const isModel = (value: unknown): boolean => {
+  if (typeof value === "string" || isBytes(value)) return true;
+  if (!isObject(value)) return false;
+  const { name, bytes, resources } = value as Record<string, unknown>;
+  return typeof name === "string" && isBytes(bytes) && (resources === undefined || types.isMap(resources));
+};
+
+const asset = v.looseObject(
+  {
+    name: v.string("must be the design's address of the file"),
+    bytes: v.custom(isBytes, "must be a Uint8Array"),
+  },
+  (issue) => (issue.expected === "Object" ? "must be { name, bytes }" : "is missing"),
+);
+const isFunction = (value: unknown): boolean => typeof value === "function";
+const ASSETS = "must be a list of { name, bytes }, or a function from an address to bytes";
+const SIZE = "must be a number of texels, or two as in [2048, 1024]";
+
+const subject = {
+  model: v.custom(isModel, MODEL),
+  assets: v.nullish(
+    v.lazy((input) => (isFunction(input) ? v.unknown() : v.array(asset, ASSETS))),
+  ),
+};
+const checkOptions = v.looseObject({ ...subject, size: optional(numeric) }, told);
+const renderOptions = v.looseObject(
+  {
+    ...subject,
+    material: optional(numeric),
+    size: optional(v.union([v.number(), v.tuple([v.number(), v.number()])], SIZE)),
+    dpi: optional(numeric),
+    zone: optional(v.string("must be a zone's id")),
+    flattened: optional(v.boolean("must be true or false")),
+    base: optional(v.picklist(["model", "none"], 'must be "model" or "none"')),
+    signal: optional(v.custom((value) => isObject(value) && "aborted" in value, "must be an AbortSignal")),
+    onProgress: optional(v.custom(isFunction, "must be a function")),
+  },
+  told,
+);
+
+function told(issue: v.BaseIssue<unknown>): string {
+  return issue.expected === "Object" ? "must be an object with `model` and `design`" : "is missing";
+}
+
+/** @throws TexelcastError "bad-argument" */
+export const checkRenderArguments = (options: unknown): void => check(renderOptions, options);
+/** @throws TexelcastError "bad-argument" */
+export const checkCheckArguments = (options: unknown): void => check(checkOptions, options);
+
+function check(schema: v.GenericSchema, options: unknown): void {
+  const result = v.safeParse(schema, options, { abortEarly: true });
+  if (result.success) return;
+  const [issue] = result.issues;
+  const path = (issue.path ?? []).map(({ key }) => key as string | number);
+  throw badArgument(path.length === 0 ? "options" : formatPath(path), issue.message, issue.input);
+}
+
+/** Bytes that a reader of assets gave; null: it has no such file. @throws TexelcastError "bad-argument" */
+export function checkAssetBytes(given: unknown, uri: string): Uint8Array | null {
+  if (given === null || given === undefined) return null;
+  if (types.isUint8Array(given)) return given;
+  throw badArgument("assets", `must give a Uint8Array or null for ${describeValue(uri)}`, given);
+}
+
+function badArgument(field: string, message: string, value: unknown): TexelcastError {
+  const kind = isObject(value) && !Array.isArray(value) ? value.constructor?.name : "Object";
+  const found = kind === undefined || kind === "Object" ? describeValue(value) : kind;
+  return new TexelcastError("bad-argument", `${field}: ${message}, is ${found}`, {
+    field,
+    value: found,
+    hint: "docs/guides/server.md and the types of texelcast/node say what is taken.",
+  });
+}
