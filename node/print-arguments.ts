@@ -31,9 +31,7 @@ const SIZE = "must be a number of texels, or two as in [2048, 1024]";
 
 const subject = {
   model: v.custom(isModel, MODEL),
-  assets: v.nullish(
-    v.lazy((input) => (isFunction(input) ? v.unknown() : v.array(asset, ASSETS))),
-  ),
+  assets: v.nullish(v.lazy((input) => (isFunction(input) ? v.unknown() : v.array(asset, ASSETS)))),
 };
 const checkOptions = v.looseObject({ ...subject, size: optional(numeric) }, told);
 const renderOptions = v.looseObject(

@@ -16,6 +16,8 @@ const hash = v.pipe(
 );
 const whole = (least: number, most: number) => v.pipe(numberBetween(least, most), v.integer("must be a whole number"));
 const KEY_LENGTH = 1000;
+/** SQLite ends a text at its first NUL, and what prints a name shows no other control character as it is. */
+const noControl = v.check((name: string) => !/\p{Cc}/u.test(name), "must not hold control characters");
 
 const lineRequest = strict({
   product: filledText(KEY_LENGTH),
@@ -31,7 +33,7 @@ const lineRequest = strict({
 });
 
 const orderRequest = strict({
-  name: v.pipe(v.string("must be a string"), v.trim(), filledText(SHOP_LIMITS.nameLength)),
+  name: v.pipe(v.string("must be a string"), v.trim(), filledText(SHOP_LIMITS.nameLength), noControl),
 });
 const quantityRequest = strict({ quantity: whole(1, SHOP_LIMITS.quantity) });
 
@@ -161,8 +163,9 @@ function read<const Schema extends v.GenericSchema>(schema: Schema, body: unknow
   if (result.success) return result.output;
   const [issue] = result.issues;
   const path = (issue.path ?? []).map((item) => item.key as string | number);
-  throw shopError("bad-request", `${formatPath(path)}: ${issue.message}`, {
-    field: formatPath(path),
+  const field = path.length === 0 ? "body" : formatPath(path);
+  throw shopError("bad-request", `${field}: ${issue.message}`, {
+    field,
     hint: "docs/storefront.md says what the server takes.",
   });
 }

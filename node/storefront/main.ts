@@ -4,11 +4,12 @@
  *     [--keep-days 14]   of files that no cart and no order uses
  *     [--origin https://shop.example] [--editor-origin https://editor.example]   where a proxy stands before them
  */
-import { mkdir } from "node:fs/promises";
+import { mkdirSync, statSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import type { FastifyInstance } from "fastify";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { createEditorServer, originOf, type ShopOrigins } from "./editor-server.ts";
 import { createShopServer } from "./shop-server.ts";
@@ -19,33 +20,41 @@ const MOST_PORT = 65_535;
 /** Seen from the bundle, in build/node. */
 const beside = (folder: string): string => fileURLToPath(new URL(`../${folder}`, import.meta.url));
 
-const { values } = parseArgs({
-  options: {
-    port: { type: "string", default: process.env.PORT ?? String(DEFAULT_PORT) },
-    "editor-port": { type: "string" },
-    "keep-days": { type: "string", default: String(SHOP_LIMITS.unusedDays) },
-    origin: { type: "string" },
-    "editor-origin": { type: "string" },
-    host: { type: "string", default: "localhost" },
-    site: { type: "string", default: beside("storefront") },
-    data: { type: "string", default: beside("storefront-data") },
-  },
-});
-const { host, site, data } = values;
+const USAGE = `Usage: npm run storefront -- [options]
+  --port PORT            of the shop (default: PORT, else ${DEFAULT_PORT})
+  --editor-port PORT     of the editor's page (default: the next one)
+  --host NAME            to listen on (default: localhost)
+  --data FOLDER          for carts, orders and files
+  --site FOLDER          with the built pages
+  --keep-days DAYS       of files that no cart and no order uses (default: ${SHOP_LIMITS.unusedDays})
+  --origin, --editor-origin ADDRESS   what browsers call the two behind a proxy
+`;
+
+const values = readOptions();
+if (values.help) {
+  process.stdout.write(USAGE);
+  process.exit(0);
+}
+const { host } = values;
+const [site, data] = [folderOf(values.site), folderOf(values.data)];
 const port = portOf(values.port, "--port");
 const editorPort = portOf(values["editor-port"] ?? String(port === 0 ? 0 : port + 1), "--editor-port");
 
-await mkdir(data, { recursive: true });
+if (!isFolder(site)) refuse(`--site must be a folder with the shop's built pages, is "${site}".`);
+makeDataFolder(data);
 const origins: ShopOrigins = { shop: null, editor: null };
 const { app } = await createShopServer({
-  site: path.resolve(site),
+  site,
   store: path.join(data, "files"),
   database: path.join(data, "shop.sqlite"),
   origins,
   behindProxy: values.origin !== undefined,
   unusedDays: daysOf(values["keep-days"]),
+}).catch((error: unknown) => {
+  if (!(error instanceof TexelcastError)) throw error;
+  return refuse(`${error.subject ?? ""}: ${error.message}. ${error.hint ?? ""}`);
 });
-const editor = await createEditorServer(path.resolve(site), origins);
+const editor = await createEditorServer(site, origins);
 const close = async (): Promise<void> => {
   await Promise.all([app.close(), editor.close()]);
 };
@@ -55,6 +64,50 @@ const shopAt = await listen(app, port, "--port");
 origins.editor = values["editor-origin"] ?? editorAt;
 origins.shop = values.origin ?? shopAt;
 process.stdout.write(`The shop is open: ${origins.shop}\n`);
+
+function readOptions() {
+  try {
+    return parseArgs({
+      options: {
+        port: { type: "string", default: process.env.PORT ?? String(DEFAULT_PORT) },
+        "editor-port": { type: "string" },
+        "keep-days": { type: "string", default: String(SHOP_LIMITS.unusedDays) },
+        origin: { type: "string" },
+        "editor-origin": { type: "string" },
+        host: { type: "string", default: "localhost" },
+        site: { type: "string", default: beside("storefront") },
+        data: { type: "string", default: beside("storefront-data") },
+        help: { type: "boolean", short: "h", default: false },
+      },
+    }).values;
+  } catch (error) {
+    return refuse(`${(error as Error).message}\n${USAGE}`);
+  }
+}
+
+/** As seen from where the command was typed: npm runs it in the checkout, and says so. */
+function folderOf(given: string): string {
+  return path.resolve(process.env.INIT_CWD ?? "", given);
+}
+
+function isFolder(place: string): boolean {
+  return statSync(place, { throwIfNoEntry: false })?.isDirectory() ?? false;
+}
+
+function makeDataFolder(folder: string): void {
+  try {
+    makeFolder(folder);
+  } catch (error) {
+    refuse(`--data: ${JSON.stringify(folder)} cannot be made: ${(error as Error).message}`);
+  }
+}
+
+/** Not `recursive`: that never ends below /proc, which says ENOENT though the folder above is there (node/write-files.ts). */
+function makeFolder(folder: string): void {
+  if (isFolder(folder)) return;
+  if (path.dirname(folder) !== folder) makeFolder(path.dirname(folder));
+  mkdirSync(folder);
+}
 
 function daysOf(given: string): number {
   const days = Number(given);
@@ -75,8 +128,13 @@ async function listen(server: FastifyInstance, at: number, option: string): Prom
     return originOf(server, host);
   } catch (error) {
     await close();
-    if ((error as NodeJS.ErrnoException).code !== "EADDRINUSE") throw error;
-    return refuse(`Port ${at} is taken: name another with ${option}.`);
+    const { code, message } = error as NodeJS.ErrnoException;
+    if (code === "EADDRINUSE") return refuse(`Port ${at} is taken: name another with ${option}.`);
+    if (code === "EACCES") return refuse(`Port ${at} may not be used: name another with ${option}.`);
+    if (["ENOTFOUND", "EADDRNOTAVAIL", "EAI_AGAIN"].includes(code ?? "")) {
+      return refuse(`--host must be a name or an address of this machine, is "${host}": ${message}`);
+    }
+    throw error;
   }
 }
 

@@ -30,6 +30,7 @@ export class Press {
   readonly #script: URL;
   readonly #patience: number;
   #worker: Worker | null = null;
+  #ended = false;
   #last: Promise<unknown> = Promise.resolve();
 
   constructor(catalogue: Catalogue, store: AssetStore, { script, patience = PATIENCE_MS }: PressOptions = {}) {
@@ -52,8 +53,9 @@ export class Press {
     return (await this.#inTurn("measure", product, design)) as PrintReport;
   }
 
-  /** Ends the thread; what it works on fails. */
+  /** Ends the thread; what it works on fails, and so does what waits for it: nobody is there to take it. */
   async end(): Promise<void> {
+    this.#ended = true;
     await this.#worker?.terminate();
   }
 
@@ -79,6 +81,7 @@ export class Press {
   }
 
   #run(job: PressJob): Promise<PrintFile | PrintReport> {
+    if (this.#ended) return Promise.reject(pressFailed("the press was ended with the server"));
     this.#worker ??= this.#start();
     const worker = this.#worker;
     return new Promise((resolve, reject) => {

@@ -2,7 +2,7 @@
 import helmet from "@fastify/helmet";
 import rateLimit from "@fastify/rate-limit";
 import serveStatic from "@fastify/static";
-import Fastify, { type FastifyInstance } from "fastify";
+import Fastify, { type FastifyInstance, type FastifyReply } from "fastify";
 import type { Design } from "../../web/editor/document/index.ts";
 import { type EditorReply, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { AssetStore } from "./asset-store.ts";
@@ -82,10 +82,17 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     bodyLimit: SHOP_LIMITS.jsonBytes,
     forceCloseConnections: true,
     trustProxy: options.behindProxy ?? false,
+    // An address that cannot be decoded, which is refused before any route is asked.
+    frameworkErrors: (error, _request, reply: FastifyReply) => {
+      const { status, body } = replyTo(error);
+      void reply.code(status).send(body);
+    },
   });
+  let isEnding = false;
   app.setErrorHandler((error, _request, reply) => {
     const { status, body, unexpected } = replyTo(error);
-    if (unexpected) report(error);
+    // Who is still answered while the server ends may find the database closed: that is expected.
+    if (unexpected && !isEnding) report(error);
     return reply.code(status).send(body);
   });
   app.setNotFoundHandler(answerNoAddress);
@@ -126,6 +133,7 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
   await tidyUp();
   const tidying = setInterval(tidyUp, DAY / 4).unref();
   app.addHook("onClose", async () => {
+    isEnding = true;
     clearInterval(tidying);
     await shop.queue.end();
     await press.end();

@@ -138,21 +138,24 @@ describe("texelcast bake", () => {
     expect(readdirSync(path.join(folder, "maps"))).toEqual(["overlap.png"]);
   });
 
-  it.each(["SIGINT", "SIGTERM", "SIGHUP"] as const)("leaves nothing behind when %s ends it while it writes", async (signal) => {
-    const folder = temporaryFolder();
-    const maps = path.join(folder, "maps");
-    writeFileSync(path.join(folder, "plane.glb"), planeGlb());
-    const run = await texelcast(["bake", "plane.glb", "--out", "maps", "--size", "2048"], {
-      cwd: folder,
-      onStart: (pid) => {
-        const timer = setInterval(() => {
-          if (!existsSync(maps) || readdirSync(maps).length === 0) return;
-          clearInterval(timer);
-          process.kill(pid, signal);
-        }, 2);
-      },
-    });
-    expect(run).toMatchObject({ code: null, signal, stdout: "", stderr: "" });
-    expect(readdirSync(maps)).toEqual([]);
-  });
+  it.each(["SIGINT", "SIGTERM", "SIGHUP"] as const)(
+    "leaves nothing behind when %s ends it while it writes",
+    async (signal) => {
+      const folder = temporaryFolder();
+      const maps = path.join(folder, "maps");
+      writeFileSync(path.join(folder, "plane.glb"), planeGlb());
+      const run = await texelcast(["bake", "plane.glb", "--out", "maps", "--size", "2048"], {
+        cwd: folder,
+        onStart: (pid) => {
+          const timer = setInterval(() => {
+            if (!existsSync(maps) || readdirSync(maps).length === 0) return;
+            clearInterval(timer);
+            process.kill(pid, signal);
+          }, 2);
+        },
+      });
+      expect(run).toMatchObject({ code: null, signal, stdout: "", stderr: "" });
+      expect(readdirSync(maps)).toEqual([]);
+    },
+  );
 });

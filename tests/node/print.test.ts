@@ -260,9 +260,14 @@ describe("renderPrint and checkPrint", () => {
   });
 
   const usual = { ...subject, assets, size: 16 };
-  const NO_MODEL: [string, object, string][] = [null, 3, {}, new ArrayBuffer(4), new URL("file:///x"), { name: "x.glb", bytes: "x" }].map(
-    (model) => [`a model that is ${JSON.stringify(model)}`, { model }, "model"],
-  );
+  const NO_MODEL: [string, object, string][] = [
+    null,
+    3,
+    {},
+    new ArrayBuffer(4),
+    new URL("file:///x"),
+    { name: "x.glb", bytes: "x" },
+  ].map((model) => [`a model that is ${JSON.stringify(model)}`, { model }, "model"]);
 
   it.each<[string, object, string]>([
     ...NO_MODEL,

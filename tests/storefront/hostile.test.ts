@@ -21,6 +21,18 @@ function pngOfSize(width: number, height: number): Uint8Array {
   return new Uint8Array(Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), ...chunks]));
 }
 
+it.each([
+  ["a missing body is told as the body", undefined, "body"],
+  ["a name with a control character is refused", { name: "Ada\u0000Lovelace" }, "name"],
+])("%s", async (_what, payload, field) => {
+  const url = `/api/carts/${cart}/order`;
+  const reply = await shop.app.inject({ method: "POST", url, ...(payload && { payload }) });
+  expect(reply.statusCode).toBe(400);
+  const { error } = reply.json();
+  expect(error).toMatchObject({ code: "bad-request", field });
+  expect(error.message.startsWith(`${field}: must`)).toBe(true);
+});
+
 describe("a file is refused", () => {
   it.each<[string, Uint8Array, string]>([
     ["that is a page", text("<!doctype html><script>alert(1)</script>"), "bad-picture"],
@@ -35,6 +47,12 @@ describe("a file is refused", () => {
     expect(reply.json().error.code).toBe(code);
     expect(reply.statusCode).toBeGreaterThanOrEqual(400);
     expect((await shop.app.inject(`/api/files/${sha256(bytes)}`)).statusCode).toBe(404);
+  });
+
+  it("whose address cannot be decoded, in the form of every refusal", async () => {
+    const reply = await shop.app.inject("/api/files/%");
+    expect(reply.statusCode).toBe(400);
+    expect(reply.json().error).toMatchObject({ code: "bad-request", message: expect.stringMatching(/./) });
   });
 
   it("whose bytes are not those that its name says", async () => {

@@ -54,6 +54,16 @@ describe("the press", () => {
   });
 });
 
+it("a server that is ended while lines wait to be measured says nothing in its log", async () => {
+  const shop = await openShop();
+  const cart = await shop.cart();
+  const line = await shop.line();
+  const replies = [1, 2, 3].map(() => shop.addLine(cart, line).catch(() => null));
+  await shop.app.close();
+  await Promise.all(replies);
+  expect(shop.reported).toEqual([]);
+});
+
 describe("files that are too old", () => {
   const age = (shop: TestShop): void => {
     const old = new Date(Date.now() - 15 * 24 * 60 * 60 * 1000);

@@ -1,0 +1,42 @@
+/** Starting the shop's server: options that cannot be meant are told in words, and it ends with 2. */
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { expect, it, onTestFinished } from "vitest";
+
+const SERVER = fileURLToPath(new URL("../../build/node/storefront.mjs", import.meta.url));
+
+const start = (...args: string[]) =>
+  spawnSync(process.execPath, [SERVER, ...args], { encoding: "utf8", timeout: 20_000 });
+
+it("tells its usage on stdout when it is asked for", () => {
+  const { status, stdout, stderr } = start("--help");
+  expect(stdout).toMatch(/^Usage: npm run storefront/);
+  expect({ status, stderr }).toEqual({ status: 0, stderr: "" });
+});
+
+it.each([
+  ["an unknown option", ["--nope"], "Unknown option '--nope'"],
+  ["a port without a number", ["--port"], "Option '--port <value>' argument missing"],
+  ["a site that is not there", ["--site", "/no-such"], "--site must be a folder"],
+])("refuses %s in words", (_what, args, told) => {
+  const { status, stderr } = start(...args);
+  expect(stderr).toContain(told);
+  expect(stderr).not.toMatch(/^ {4}at /m);
+  expect(status).toBe(2);
+});
+
+it("refuses a data folder that is a file, or that can never be made", () => {
+  const folder = mkdtempSync(path.join(tmpdir(), "texelcast-start-"));
+  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
+  const file = path.join(folder, "file");
+  writeFileSync(file, "");
+  const unmakable = existsSync("/proc/self") ? [file, "/proc/no-such"] : [file];
+  for (const data of unmakable) {
+    const { status, stderr } = start("--site", folder, "--data", data);
+    expect(stderr).toContain(`--data: ${JSON.stringify(data)} cannot be made: `);
+    expect(status).toBe(2);
+  }
+});
