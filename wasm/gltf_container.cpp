@@ -366,8 +366,7 @@ TxcStatus check_gltf_container(const std::uint8_t* bytes, std::uint32_t byte_cou
                (bytes[first] == ' ' || bytes[first] == '\n' || bytes[first] == '\r' || bytes[first] == '\t'))
             ++first;
         if (first == byte_count || bytes[first] != '{') {
-            return fail(TXC_STATUS_BAD_MODEL,
-                        "the file begins neither with the letters glTF (a GLB) nor with a JSON object");
+            return fail(TXC_STATUS_BAD_MODEL, "the file begins neither with glTF (a GLB) nor with a JSON object");
         }
         chunks.json = bytes;
         chunks.json_length = byte_count;

@@ -152,7 +152,9 @@ void OcclusionTree::split(std::uint32_t node_index, bool in_halves, const std::v
 bool OcclusionTree::is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double length,
                                std::uint32_t own) const {
     if (!(length > least_distance_) || nodes_.empty()) return false;
-    const glm::dvec3 inverse(1.0 / direction.x, 1.0 / direction.y, 1.0 / direction.z);
+    // Bounded: along an axis that the ray does not move on, a box that begins at the ray would give NaN, and be passed by.
+    const auto inverse_of = [](double part) { return std::clamp(1.0 / part, -1e300, 1e300); };
+    const glm::dvec3 inverse(inverse_of(direction.x), inverse_of(direction.y), inverse_of(direction.z));
     std::uint32_t stack[kMaxSahDepth + 34];  // one a level, and halving 2^32 triangles takes 32 levels
     int depth = 0;
     stack[depth++] = 0;
@@ -163,8 +165,7 @@ bool OcclusionTree::is_blocked(const glm::dvec3& origin, const glm::dvec3& direc
         for (int axis = 0; axis < 3; ++axis) {
             const double near = (static_cast<double>(node.min[axis]) - origin[axis]) * inverse[axis];
             const double far = (static_cast<double>(node.max[axis]) - origin[axis]) * inverse[axis];
-            // Written so that the NaN of a ray that runs inside a flat box changes nothing. (fmin and fmax do the same, but
-            // are calls: a third of a ray's time.)
+            // (fmin and fmax do the same, but are calls: a third of a ray's time.)
             const bool ascends = near < far;
             const double first = ascends ? near : far;
             const double last = ascends ? far : near;

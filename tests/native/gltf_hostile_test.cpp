@@ -132,8 +132,8 @@ TEST_CASE("Random words in the binary chunk are survived, through bake and paint
 }
 
 TEST_CASE("Files that are no model are told apart from broken ones") {
-    check_refused(bytes_of("These are only some words.\n"), TXC_STATUS_BAD_MODEL, "neither with the letters glTF");
-    check_refused(bytes_of("\x89PNG\r\n\x1a\n"), TXC_STATUS_BAD_MODEL, "neither with the letters glTF");
+    check_refused(bytes_of("These are only some words.\n"), TXC_STATUS_BAD_MODEL, "neither with glTF (a GLB)");
+    check_refused(bytes_of("\x89PNG\r\n\x1a\n"), TXC_STATUS_BAD_MODEL, "neither with glTF (a GLB)");
     check_refused(bytes_of("{ \"asset\": "), TXC_STATUS_BAD_MODEL);
     check_refused(bytes_of("{}"), TXC_STATUS_BAD_MODEL);
     check_refused(bytes_of("glTF"), TXC_STATUS_BAD_MODEL, "ends inside the GLB header");

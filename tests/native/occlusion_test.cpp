@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <glm/gtc/quaternion.hpp>
 
 #include "occluder_grid.h"
 #include "support/brute_force_rays.h"
@@ -72,6 +73,27 @@ TEST_CASE("Flat and axis-aligned triangles do not fall between the boxes") {
         const glm::dvec3 origin(0.01, 0.02, i * 0.125);
         CHECK_UNARY(tree.is_blocked(origin, {0, 0, 1}, 0.2, 0xffffffffu));
         CHECK_UNARY(!tree.is_blocked(origin, {0, 0, 1}, 0.1, 0xffffffffu));
+    }
+}
+
+TEST_CASE("A wall hides along its joints from rays that do not move along an axis") {
+    // Four plates that meet in the middle, enough of them for boxes that end there.
+    Shape wall;
+    for (const double x : {-1.0, 1.0}) {
+        for (const double y : {-1.0, 1.0}) wall.append(moved(make_plane(2.0, 0.5), x, y, 0));
+    }
+    for (int i = 0; i < 60; ++i) wall.append(moved(make_plane(0.1, 3.0), 5.0 + i, 5.0, 0));
+    const txc::Mesh mesh = make_core_mesh(wall);
+    txc::MemoryBudget budget(1u << 28);
+    txc::OcclusionTree tree(budget);
+    must(tree.build(mesh));
+    const double slant = 0.6;
+    for (int i = -8; i <= 8; ++i) {
+        const double at = i * 0.1;
+        for (const glm::dvec3& direction : {glm::dvec3(0, 0, 1), glm::dvec3(slant, 0, 0.8), glm::dvec3(-slant, 0, 0.8)})
+            CHECK_UNARY(tree.is_blocked({at, 0, 0}, direction, 2.0, 0xffffffffu));
+        for (const glm::dvec3& direction : {glm::dvec3(0, 0, 1), glm::dvec3(0, slant, 0.8), glm::dvec3(0, -slant, 0.8)})
+            CHECK_UNARY(tree.is_blocked({0, at, 0}, direction, 2.0, 0xffffffffu));
     }
 }
 
@@ -182,6 +204,38 @@ TEST_CASE("A plate before another hides it, and paint goes through it where that
     through.add(make_plane(0.5, 0.3), 1);
     const TxcTarget all = through.target(64, 64);
     CHECK(paint_front(through, all, 1.0, TXC_OCCLUSION_NONE) == Picture(64, 64, kPaint));
+}
+
+/// A shape turned by a layer's rotation, about the origin.
+Shape turned_by(Shape shape, const float (&rotation)[4]) {
+    const glm::dquat turn(rotation[3], rotation[0], rotation[1], rotation[2]);
+    for (std::vector<float>* list : {&shape.positions, &shape.normals}) {
+        for (std::size_t i = 0; i < list->size(); i += 3) {
+            const glm::dvec3 to = turn * glm::dvec3((*list)[i], (*list)[i + 1], (*list)[i + 2]);
+            for (int axis = 0; axis < 3; ++axis) (*list)[i + axis] = static_cast<float>(to[axis]);
+        }
+    }
+    return shape;
+}
+
+TEST_CASE(
+    "A copy before a surface hides it along the edges too, which lie upon one another, whichever way all is turned") {
+    Random random(71);
+    for (int round = 0; round < 24; ++round) {
+        TxcLayerDef def = decal_def(0);
+        random.rotation(def.rotation);
+        TestSession session;
+        session.add(turned_by(make_plane(1.0, 0.0), def.rotation), 0);
+        session.add(turned_by(make_plane(1.2, 0.1), def.rotation), 1);
+        const TxcTarget target = session.target(64, 64);
+        session.set_base(target, kBase);
+        def.image = session.image(Picture(1, 1, kPaint));
+        def.filter = TXC_FILTER_NEAREST;
+        def.occlusion = TXC_OCCLUSION_SELF;
+        resize(def, 4, 4, 1);
+        session.layer(target, def);
+        CHECK(session.paint(target) == Picture(64, 64, kBase));
+    }
 }
 
 TEST_CASE("A plate behind hides nothing") {
