@@ -116,3 +116,22 @@ test("a font of one's own and an SVG file are dropped on the model; what cannot 
   await expect(editor.notices).toContainText("broken.svg");
   await expect(editor.notices).toContainText("not well-formed");
 });
+
+test("what is typed is a step after a moment's rest, and is in what is saved before that", async ({ editor, page }) => {
+  await editor.open();
+  await page.getByRole("button", { name: "Add text" }).click();
+  const words = page.locator("tc-text-fields textarea");
+  await expect(words).toBeFocused();
+  const { text } = await textLayer(editor);
+  await page.keyboard.insertText("Rest");
+  await expect(page.getByRole("button", { name: "Undo change text" })).toBeVisible();
+  await expect(words).toBeFocused();
+  await page.keyboard.insertText("!");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+  const saved = JSON.parse(readFileSync(await download.path(), "utf8")) as { layers: TextLayer[] };
+  expect(saved.layers.at(-1)?.text).toBe("Rest!");
+  await expect(words).toBeFocused();
+  await page.locator("#undo").click();
+  await page.locator("#undo").click();
+  expect((await textLayer(editor)).text).toBe(text);
+});

@@ -24,6 +24,8 @@ import { propertyStyles } from "./property-styles.ts";
 
 const ALIGN_ICONS = { left: AlignLeft, center: AlignCenter, right: AlignRight } as const;
 const FIRST_OUTLINE = { color: "#ffffff", width: 0.06 } as const;
+/** Milliseconds of rest after which what was typed is a step: a page that is closed then keeps it. */
+const REST = 1000;
 
 interface NumberOptions {
   readonly id: string;
@@ -92,6 +94,9 @@ export class TextFields extends EditorElement {
       }
     `,
   ];
+
+  /** Until what was typed is recorded. */
+  #rest: ReturnType<typeof setTimeout> | undefined;
 
   constructor() {
     super();
@@ -178,6 +183,17 @@ export class TextFields extends EditorElement {
       (event.target as HTMLTextAreaElement).blur();
       event.stopPropagation();
     };
+    const label = this.strings.steps.change(this.#words.name);
+    const record = (event: Event): void => {
+      clearTimeout(this.#rest);
+      void texts.change(layer.id, { text: value(event) }, label);
+    };
+    const type = (event: Event): void => {
+      const text = value(event);
+      void texts.preview(layer.id, { text });
+      clearTimeout(this.#rest);
+      this.#rest = setTimeout(() => void texts.change(layer.id, { text }, label), REST);
+    };
     return html`<textarea
       id="text"
       dir="auto"
@@ -186,8 +202,8 @@ export class TextFields extends EditorElement {
       spellcheck="false"
       aria-label=${this.#words.words}
       @keydown=${keys}
-      @input=${(event: Event) => void texts.preview(layer.id, { text: value(event) })}
-      @change=${(event: Event) => void texts.change(layer.id, { text: value(event) }, this.strings.steps.change(this.#words.name))}
+      @input=${type}
+      @change=${record}
     ></textarea>`;
   }
 

@@ -14,8 +14,11 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
   if (event.defaultPrevented || event.isComposing) return false;
   const focus = focusOf(event);
   if (event.ctrlKey || event.metaKey) {
-    const ofTheText = focus === "text" && !["s", "o"].includes(event.key.toLowerCase());
-    return !ofTheText && handleCommand(event, editor, actions);
+    if (focus === "text") {
+      if (!["s", "o"].includes(event.key.toLowerCase())) return false;
+      takeTyped(event);
+    }
+    return handleCommand(event, editor, actions);
   }
   if (focus !== "page") return false;
   if (event.key === "?") {
@@ -161,6 +164,14 @@ function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Ed
 }
 
 /** What the focused element does with keys: takes them as text, chooses with them, or leaves them to the page. */
+/** What stands in a field is recorded when it is left: what is saved must hold it. */
+function takeTyped(event: KeyboardEvent): void {
+  const [field] = event.composedPath();
+  if (!(field instanceof HTMLElement)) return;
+  field.blur();
+  field.focus();
+}
+
 function focusOf(event: KeyboardEvent): "text" | "choice" | "page" {
   const [target] = event.composedPath();
   if (!(target instanceof HTMLElement)) return "page";

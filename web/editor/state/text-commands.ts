@@ -86,9 +86,18 @@ export class TextCommands {
     this.#parts.session.cancelPreview();
   }
 
-  /** One step of the history. */
-  change(id: string, patch: TextPatch, label: string, mergeKey?: string): Promise<void> {
-    return this.#apply(id, patch, (design) => this.#parts.session.record(design, label, mergeKey));
+  /** One step of the history; none where the layer is so already. */
+  async change(id: string, patch: TextPatch, label: string, mergeKey?: string): Promise<void> {
+    const layer = layerById(this.#parts.session.recordedDesign, id);
+    const fields = Object.entries(patch) as [keyof TextLayer, unknown][];
+    if (layer?.type === "text" && fields.every(([name, value]) => Object.is(layer[name], value))) {
+      this.cancelPreview();
+      return;
+    }
+    const work = this.#apply(id, patch, (design) => this.#parts.session.record(design, label, mergeKey));
+    // What is saved meanwhile waits until the words are measured.
+    this.#parts.session.recordsLater(work);
+    await work;
   }
 
   /** A font of the user's: taken into the design, and given to the text. Rejects with "bad-font". */
