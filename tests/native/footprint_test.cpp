@@ -54,20 +54,19 @@ std::int32_t roughness_at(const txc::PyramidLevel& level, const std::uint8_t* li
     return list[std::ptrdiff_t{row} * level.stride() + column];
 }
 
-/// The mean of red over the footprint by 24 x 24 samples, 0 to 255.
-double dense_mean(const txc::PyramidLevel& level, const txc::Footprint& f, float x, float y) {
-    constexpr int kSamples = 24;
+/// The mean of red over the footprint by `samples` x `samples` of them, 0 to 255.
+double dense_mean(const txc::PyramidLevel& level, const txc::Footprint& f, float x, float y, int samples = 24) {
     double sum = 0.0;
-    for (int j = 0; j < kSamples; ++j) {
-        for (int i = 0; i < kSamples; ++i) {
-            const float u = (static_cast<float>(i) + 0.5f) / kSamples - 0.5f;
-            const float v = (static_cast<float>(j) + 0.5f) / kSamples - 0.5f;
+    for (int j = 0; j < samples; ++j) {
+        for (int i = 0; i < samples; ++i) {
+            const float u = (static_cast<float>(i) + 0.5f) / static_cast<float>(samples) - 0.5f;
+            const float v = (static_cast<float>(j) + 0.5f) / static_cast<float>(samples) - 0.5f;
             const float sample_x = x + f.across_x * u + f.down_x * v;
             const float sample_y = y + f.across_y * u + f.down_y * v;
             sum += static_cast<double>(txc::sample_bilinear(level, sample_x, sample_y, false)[0]);
         }
     }
-    return sum / (kSamples * kSamples) / kByteStep;
+    return sum / (samples * samples) / kByteStep;
 }
 
 }  // namespace
@@ -295,6 +294,46 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
     }
     CHECK(worst >= 39.0);
     CHECK(cut > 400);
+}
+
+TEST_CASE("Long footprints keep close to the reference of 8 x 8 samples on the finest stripes and checkers") {
+    constexpr std::uint32_t kSide = 64;
+    Random random(53);
+    double worst = 1e9;
+    for (int round = 0; round < 800; ++round) {
+        const std::uint32_t cell = 1 + static_cast<std::uint32_t>(round % 3);
+        const int kind = round % 4;
+        Picture picture(kSide, kSide);
+        for (std::uint32_t y = 0; y < kSide; ++y) {
+            for (std::uint32_t x = 0; x < kSide; ++x) {
+                const bool lit = kind == 0   ? random.coin()
+                                 : kind == 1 ? x / cell % 2 == 0
+                                 : kind == 2 ? y / cell % 2 == 0
+                                             : (x / cell + y / cell) % 2 == 0;
+                const std::uint8_t byte = lit ? 255 : 0;
+                picture.set(x, y, {byte, byte, byte, 255});
+            }
+        }
+        txc::MemoryBudget budget(1u << 22);
+        txc::ImagePyramid image(budget);
+        REQUIRE(image.build(kSide, kSide, picture.rgba.data()) == TXC_STATUS_OK);
+        const double across = random.between(0.5, 8.0);
+        const double down = random.between(0.5, 8.0);
+        const double turned = random.coin() ? 0.0 : random.between(0.0, 2 * kPi);
+        const double corner = kPi / 2 + (random.coin() ? 0.0 : random.between(-0.3, 0.3));
+        const txc::Footprint f = make_turned(image, across, down, turned, corner);
+        double squares = 0.0;
+        constexpr int kPlaces = 100;
+        for (int i = 0; i < kPlaces; ++i) {
+            const auto x = static_cast<float>(random.between(10.0, kSide - 10.0));
+            const auto y = static_cast<float>(random.between(10.0, kSide - 10.0));
+            const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep -
+                                 dense_mean(image.levels[0], f, x, y, 8);
+            squares += error * error;
+        }
+        worst = std::fmin(worst, 10.0 * std::log10(255.0 * 255.0 * kPlaces / squares));
+    }
+    CHECK(worst >= 40.0);
 }
 
 TEST_CASE(
