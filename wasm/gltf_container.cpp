@@ -258,7 +258,7 @@ private:
         const char asked = level.is_array || rule_[1] == ' ' ? rule_[0] : kList;
         const char* words = words_for(asked);
         if (kind == asked || (kind < asked && asked <= kNumber)) {
-            if (kind != kSize || number <= kMostBytes) return true;
+            if (asked != kSize || number <= kMostBytes) return true;
             words = "less than 4 GiB";
         }
         char seen[48];

@@ -200,17 +200,66 @@ TxcStatus find_accessor(const Model& model, int index, const tinygltf::Accessor*
     return TXC_STATUS_OK;
 }
 
-/// Grows the scratch memory by what an accessor's elements will take.
-TxcStatus reserve_scratch(BudgetShare& scratch, int accessor_index, std::uint64_t count, std::uint64_t element_bytes) {
-    char what[32];
-    write_words(what, sizeof what, "accessors[%d]", accessor_index);
-    return scratch.resize(scratch.bytes() + count * element_bytes, what);
-}
-
 bool is_unsigned(int component_type) {
     return component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE ||
            component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
            component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+/// Reads an accessor's elements of `element_size` bytes into `out`, `values` each: `read(bytes, first value)` one by one, then the
+/// sparse ones that replace some. What no bufferView stores is 0, as glTF has it.
+template <typename Value, typename Read>
+TxcStatus read_elements(const Model& model, int index, std::uint64_t element_size, std::uint32_t values,
+                        bool may_interleave, BudgetShare& scratch, std::vector<Value>& out, const Read& read) {
+    const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
+    const std::uint64_t count = accessor.count;
+    Elements elements;
+    if (accessor.bufferView >= 0) {
+        const TxcStatus status = find_elements(model, accessor.bufferView, accessor.byteOffset, count, element_size,
+                                               may_interleave, index, elements);
+        if (status != TXC_STATUS_OK) return status;
+    }
+    char what[32];
+    write_words(what, sizeof what, "accessors[%d]", index);
+    if (const TxcStatus fits = scratch.resize(scratch.bytes() + count * values * sizeof(Value), what);
+        fits != TXC_STATUS_OK)
+        return fits;
+    out.assign(static_cast<std::size_t>(count * values), Value{});
+    const auto read_into = [&](const std::uint8_t* from, std::uint64_t element) {
+        read(from, out.data() + static_cast<std::size_t>(element * values));
+    };
+    if (elements.first != nullptr) {
+        for (std::uint64_t i = 0; i < count; ++i) read_into(elements.first + i * elements.stride, i);
+    }
+    const auto& sparse = accessor.sparse;
+    if (!sparse.isSparse) return TXC_STATUS_OK;
+    if (sparse.count < 0 || static_cast<std::uint64_t>(sparse.count) > count) {
+        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse.count is %d of %llu elements", index, sparse.count,
+                    static_cast<unsigned long long>(count));
+    }
+    const auto sparse_count = static_cast<std::uint64_t>(sparse.count);
+    const std::uint32_t index_size = component_size(sparse.indices.componentType);
+    if (!is_unsigned(sparse.indices.componentType))
+        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse.indices.componentType is %d", index,
+                    sparse.indices.componentType);
+    Elements at;
+    Elements replacing;
+    TxcStatus status =
+        find_elements(model, sparse.indices.bufferView, static_cast<std::uint64_t>(sparse.indices.byteOffset),
+                      sparse_count, index_size, false, index, at);
+    if (status == TXC_STATUS_OK) {
+        status = find_elements(model, sparse.values.bufferView, static_cast<std::uint64_t>(sparse.values.byteOffset),
+                               sparse_count, element_size, false, index, replacing);
+    }
+    if (status != TXC_STATUS_OK) return status;
+    for (std::uint64_t i = 0; i < sparse_count; ++i) {
+        const std::uint32_t element = read_index(at.first + i * index_size, sparse.indices.componentType);
+        if (element >= count)
+            return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse: index %u is beyond its %llu elements", index,
+                        element, static_cast<unsigned long long>(count));
+        read_into(replacing.first + i * element_size, element);
+    }
+    return TXC_STATUS_OK;
 }
 
 /// Reads an accessor as floats, `components` each; sparse values, strides and normalised integers included.
@@ -224,77 +273,22 @@ TxcStatus read_floats(const Model& model, int index, std::uint32_t components, B
                     "accessors[%d]: type %d of component type %d is not what its use asks for (%u components)", index,
                     accessor->type, accessor->componentType, components);
     }
-    const std::uint64_t count = accessor->count;
-    const std::uint64_t element_size = static_cast<std::uint64_t>(size) * components;
-    Elements elements;
-    if (accessor->bufferView >= 0) {
-        const TxcStatus status = find_elements(model, accessor->bufferView, accessor->byteOffset, count, element_size,
-                                               true, index, elements);
-        if (status != TXC_STATUS_OK) return status;
-    }
-    if (const TxcStatus status = reserve_scratch(scratch, index, count, components * sizeof(float));
-        status != TXC_STATUS_OK)
-        return status;
-    out.assign(static_cast<std::size_t>(count * components), 0.0f);
-    const auto read_element = [&](const std::uint8_t* from, std::uint64_t element) {
-        for (std::uint32_t c = 0; c < components; ++c) {
-            out[static_cast<std::size_t>(element * components + c)] =
-                read_component(from + c * size, accessor->componentType, accessor->normalized);
-        }
-    };
-    if (elements.first != nullptr) {
-        for (std::uint64_t i = 0; i < count; ++i) read_element(elements.first + i * elements.stride, i);
-    }
-    if (!accessor->sparse.isSparse) return TXC_STATUS_OK;
-
-    const auto& sparse = accessor->sparse;
-    if (sparse.count < 0 || static_cast<std::uint64_t>(sparse.count) > count) {
-        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse.count is %d of %llu elements", index, sparse.count,
-                    static_cast<unsigned long long>(count));
-    }
-    const auto sparse_count = static_cast<std::uint64_t>(sparse.count);
-    const std::uint32_t index_size = component_size(sparse.indices.componentType);
-    if (!is_unsigned(sparse.indices.componentType))
-        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse.indices.componentType is %d", index,
-                    sparse.indices.componentType);
-    Elements at;
-    Elements values;
-    TxcStatus status =
-        find_elements(model, sparse.indices.bufferView, static_cast<std::uint64_t>(sparse.indices.byteOffset),
-                      sparse_count, index_size, false, index, at);
-    if (status == TXC_STATUS_OK) {
-        status = find_elements(model, sparse.values.bufferView, static_cast<std::uint64_t>(sparse.values.byteOffset),
-                               sparse_count, element_size, false, index, values);
-    }
-    if (status != TXC_STATUS_OK) return status;
-    for (std::uint64_t i = 0; i < sparse_count; ++i) {
-        const std::uint32_t element = read_index(at.first + i * index_size, sparse.indices.componentType);
-        if (element >= count)
-            return fail(TXC_STATUS_BAD_MODEL, "accessors[%d].sparse: index %u is beyond its %llu elements", index,
-                        element, static_cast<unsigned long long>(count));
-        read_element(values.first + i * element_size, element);
-    }
-    return TXC_STATUS_OK;
+    return read_elements(model, index, std::uint64_t{size} * components, components, true, scratch, out,
+                         [&](const std::uint8_t* from, float* into) {
+                             for (std::uint32_t c = 0; c < components; ++c)
+                                 into[c] =
+                                     read_component(from + c * size, accessor->componentType, accessor->normalized);
+                         });
 }
 
 TxcStatus read_indices(const Model& model, int index, BudgetShare& scratch, std::vector<std::uint32_t>& out) {
     const tinygltf::Accessor* accessor = nullptr;
     if (const TxcStatus status = find_accessor(model, index, accessor); status != TXC_STATUS_OK) return status;
-    const std::uint32_t size = component_size(accessor->componentType);
-    if (!is_unsigned(accessor->componentType) || accessor->type != TINYGLTF_TYPE_SCALAR || accessor->sparse.isSparse) {
-        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d]: indices must be plain unsigned integers", index);
-    }
-    Elements elements;
-    const TxcStatus status =
-        find_elements(model, accessor->bufferView, accessor->byteOffset, accessor->count, size, false, index, elements);
-    if (status != TXC_STATUS_OK) return status;
-    if (const TxcStatus fits = reserve_scratch(scratch, index, accessor->count, sizeof(std::uint32_t));
-        fits != TXC_STATUS_OK)
-        return fits;
-    out.resize(accessor->count);
-    for (std::size_t i = 0; i < accessor->count; ++i)
-        out[i] = read_index(elements.first + i * elements.stride, accessor->componentType);
-    return TXC_STATUS_OK;
+    const int type = accessor->componentType;
+    if (!is_unsigned(type) || accessor->type != TINYGLTF_TYPE_SCALAR)
+        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d]: indices must be unsigned integers", index);
+    return read_elements(model, index, component_size(type), 1, false, scratch, out,
+                         [type](const std::uint8_t* from, std::uint32_t* into) { *into = read_index(from, type); });
 }
 
 // ---- Materials ------------------------------------------------------------------------------------------------------

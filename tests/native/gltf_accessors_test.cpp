@@ -167,6 +167,23 @@ TEST_CASE("Sparse values without a base lie on zeros") {
     CHECK(near(model.position(2), 4, 5, 6));
 }
 
+TEST_CASE("Sparse values replace those of a list of indices") {
+    GlbBuilder glb;
+    const int positions = glb.floats(zigzag(), 3);
+    const std::vector<std::uint16_t> base{0, 1, 2, 3, 4, 5};
+    const std::vector<std::uint8_t> places{1, 2, 3, 5};
+    const std::vector<std::uint16_t> values{2, 1, 5, 3};
+    const int base_view = glb.view(base.data(), base.size() * 2);
+    const int place_view = glb.view(places.data(), places.size());
+    const int value_view = glb.view(values.data(), values.size() * 2);
+    const int indices = glb.accessor(
+        base_view, kUnsignedShort, 6, "SCALAR",
+        text(R"(,"sparse":{"count":4,"indices":{"bufferView":%d,"componentType":5121},"values":{"bufferView":%d}})",
+             place_view, value_view));
+    const ReadModel model = read_primitive(glb, text(R"("POSITION":%d)", positions), text(R"(,"indices":%d)", indices));
+    CHECK(triangles_of(model) == std::vector<Corners>{{0, 2, 1}, {5, 4, 3}});
+}
+
 TEST_CASE("Normalised integers run from -1 or 0 to 1, plain ones are what they are") {
     const std::string normalized = R"(,"normalized":true)";
     {

@@ -336,6 +336,12 @@ TEST_CASE("A member that says where triangles lie is refused by its path where g
     }
 }
 
+TEST_CASE("A number that is no count and no size may be 4 billion and more") {
+    GlbBuilder glb = make_model(make_plane());
+    glb.add("nodes", R"({"translation":[5000000000,0,0]})");
+    CHECK(try_read(glb.glb()).status == TXC_STATUS_OK);
+}
+
 TEST_CASE("What extras and extensions hold may be of any kind, whatever it is called") {
     GlbBuilder glb = make_model(make_plane());
     const std::string odd = R"({"mesh":"none","byteOffset":-4,"children":7,"scale":[1],"attributes":{"POSITION":"x"}})";
