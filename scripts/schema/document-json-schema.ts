@@ -31,6 +31,8 @@ const conversion: ConversionConfig = {
   },
   overrideAction: ({ valibotAction, jsonSchema, errors }) => {
     if (errors === undefined) return jsonSchema;
+    // The converter knows `maxLength` alone, which counts otherwise than JSON Schema does.
+    if (valibotAction.type === "max_code_points") return { ...jsonSchema, maxLength: requirementOf(valibotAction) };
     if (valibotAction.type !== "check") throw new Error(errors.join(" "));
     // JSON Schema runs no code: what only code can check is told in words.
     const { description } = jsonSchema;
@@ -46,6 +48,11 @@ function messageOf(action: object): string {
   const message = "message" in action ? action.message : undefined;
   if (typeof message !== "string") throw new Error("A check of the schema has no message.");
   return message;
+}
+
+function requirementOf(action: object): number {
+  if ("requirement" in action && typeof action.requirement === "number") return action.requirement;
+  throw new Error("A bound of the schema has no number.");
 }
 
 /** @throws Error where the valibot schema holds something that has no counterpart here: name it above. */

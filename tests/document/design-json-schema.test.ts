@@ -43,13 +43,48 @@ const design = (layers: unknown, more: object = {}) => ({
 const decal = (fields: object = {}) => design([{ type: "decal", asset: "logo", projector: planar, ...fields }]);
 const fill = (fields: object = {}) => design([{ type: "fill", color: "#102030", ...fields }]);
 
-function isRead(value: unknown): boolean {
+/** What the reader says of a document; "" where it reads it. */
+function problemOf(value: unknown): string {
   try {
     parseDesign(value);
-    return true;
-  } catch {
-    return false;
+    return "";
+  } catch (thrown) {
+    return (thrown as Error).message;
   }
+}
+const isRead = (value: unknown): boolean => problemOf(value) === "";
+
+/** What may stand wrongly anywhere: values at a bound's two sides, and of every other kind. */
+const ODD_VALUES: readonly unknown[] = [
+  ...[0, 1, -1, 0.5, 2 ** -150, 2 ** -149, 1e-9, 9e-10, 1e9, 1.1e9, 90, 91, 179.99999, 180 - 2 ** -17, 180, 360, 361],
+  ...[10, 11, 65_535, 65_536, 0xffff_ffff, 2 ** 32, 1e-40, 1e300],
+  ...["", "x", "#102030", "#1020304", "🎈".repeat(200), "🎈".repeat(201), "🎈".repeat(1001), "\udc00".repeat(201)],
+  ...["constructor", "toString", "normal", "uv", "planar", "font/ttf", "round", "picture"],
+  ...[null, true, false, [], {}, [0], [0, 0], [0, 0, 0], [0, 0, 0, 1], [0, 0, 0, 0], [45, 30], ["a"], { kind: "uv" }],
+  undefined,
+];
+
+/** What only the reader's code can see; the document tells the half of it and the schema's descriptions the other. */
+const IN_WORDS =
+  /must be unique|must name one of the design's assets|must name a picture|must name a font|must not end before it starts|must not be all zeros|must be a unit quaternion|must be above near|must be null|must not be where from is|must not fall back in offset/;
+
+/** A copy with the value at one of its places changed, or taken away where the new one is undefined. */
+function withOddValue(document: unknown, place: number, odd: unknown): unknown {
+  const copy = structuredClone(document);
+  const places: { readonly holder: Record<string, unknown>; readonly key: string }[] = [];
+  const visit = (holder: unknown): void => {
+    if (typeof holder !== "object" || holder === null) return;
+    for (const [key, value] of Object.entries(holder)) {
+      places.push({ holder: holder as Record<string, unknown>, key });
+      visit(value);
+    }
+  };
+  visit(copy);
+  const { holder, key } = places[place % places.length] as (typeof places)[number];
+  if (odd !== undefined) holder[key] = odd;
+  else if (Array.isArray(holder)) holder.splice(Number(key), 1);
+  else delete holder[key];
+  return copy;
 }
 
 describe("the design document's JSON Schema", () => {
@@ -66,6 +101,29 @@ describe("the design document's JSON Schema", () => {
         expect(isRead(value)).toBe(true);
       }),
       { numRuns: 200 },
+    );
+  });
+
+  it.each([
+    ["the narrowest field of view", decal({ projector: { ...eye, fov: 2 ** -149 } })],
+    ["the widest field of view", decal({ projector: { ...eye, fov: 179.99999 } })],
+    ["the narrowest arc", decal({ projector: { ...label, arc: 2 ** -149 } })],
+    ["an id of 200 characters beyond the first plane", decal({ id: "🎈".repeat(200) })],
+    ["a name of half characters", decal({ name: "\ud83c".repeat(1000) })],
+    ["an asset named toString", design([], { assets: { toString: assets.logo } })],
+  ])("accepts %s, as the reader does", (_what, value) => {
+    expect(accepts(value) || accepts.errors).toBe(true);
+    expect(isRead(value)).toBe(true);
+  });
+
+  it("judges any design with something put wrong as the reader does, but for what it tells in words", () => {
+    fc.assert(
+      fc.property(arbitraryDesign, fc.nat(), fc.constantFrom(...ODD_VALUES), (value, place, odd) => {
+        const changed = withOddValue(value, place, odd);
+        if (accepts(changed)) expect(problemOf(changed)).toSatisfy((told) => told === "" || IN_WORDS.test(told));
+        else expect(isRead(changed)).toBe(false);
+      }),
+      { numRuns: 1000 },
     );
   });
 
@@ -111,6 +169,9 @@ describe("the design document's JSON Schema", () => {
     ["a field of view of half a turn", decal({ projector: { ...eye, fov: 180 } })],
     ["an arc above a whole turn", decal({ projector: { ...label, arc: 361 } })],
     ["an arc of nothing", decal({ projector: { ...label, arc: 0 } })],
+    ["an arc that 32 bits take for nothing", decal({ projector: { ...label, arc: 2 ** -150 } })],
+    ["a field of view that 32 bits take for nothing", decal({ projector: { ...eye, fov: 2 ** -150 } })],
+    ["a field of view that 32 bits take for half a turn", decal({ projector: { ...eye, fov: 180 - 2 ** -17 } })],
     ["a stamp without an angle", decal({ projector: { kind: "uv", center: [0, 0], size: [1, 1] } })],
     ["an opacity above 1", decal({ opacity: 1.5 })],
     ["an opacity as text", decal({ opacity: "1" })],
@@ -127,6 +188,7 @@ describe("the design document's JSON Schema", () => {
     ["a material twice", decal({ material: [0, 0] })],
     ["an empty id", decal({ id: "" })],
     ["an id of 201 characters", decal({ id: "x".repeat(201) })],
+    ["an id of 201 characters beyond the first plane", decal({ id: "🎈".repeat(201) })],
     ["a colour by name", fill({ color: "red" })],
     ["a colour of four digits", fill({ color: "#1234" })],
     ["a fill without a colour", design([{ type: "fill" }])],

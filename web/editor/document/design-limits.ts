@@ -10,6 +10,7 @@ export const DESIGN_LIMITS = {
   gradientStops: 16,
   /** Charts or faces of a fill's parts. */
   parts: 1_000_000,
+  /** Characters are code points. */
   idLength: 200,
   nameLength: 1000,
   textLength: 10_000,
@@ -17,3 +18,6 @@ export const DESIGN_LIMITS = {
   lengthMin: 1e-9,
   lengthMax: 1e9,
 } as const;
+
+/** Names that JavaScript gives a meaning of its own as an object's keys; no asset, zone or layer takes one. */
+export const RESERVED_KEYS: string[] = ["__proto__", "prototype", "constructor"];

@@ -1,4 +1,5 @@
 /** How a design's faults are told: where in the document, what it must be, what it is. */
+import { cutText } from "../../core/cut-text.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 
 export type DesignPath = readonly (string | number)[];
@@ -35,7 +36,7 @@ export function describeValue(value: unknown): string {
 }
 
 const shorten = (text: string): string =>
-  text.length > MAX_VALUE_LENGTH ? `${text.slice(0, MAX_VALUE_LENGTH - 1)}…` : text;
+  text.length > MAX_VALUE_LENGTH ? `${cutText(text, MAX_VALUE_LENGTH - 1)}…` : text;
 
 function formatProblem({ path, message, ...rest }: DesignProblem): string {
   const place = formatPath(path);

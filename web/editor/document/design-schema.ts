@@ -33,7 +33,7 @@ import {
   type TextLayer,
   WRAPS,
 } from "./design.ts";
-import { DESIGN_LIMITS } from "./design-limits.ts";
+import { DESIGN_LIMITS, RESERVED_KEYS } from "./design-limits.ts";
 import {
   angle,
   assetName,
@@ -54,7 +54,6 @@ import {
   planar,
   point,
   projector,
-  RESERVED_KEYS,
   rotation,
   strict,
   text,

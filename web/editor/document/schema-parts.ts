@@ -5,11 +5,8 @@
  */
 import * as v from "valibot";
 import { BRUSH_DEFAULTS } from "./design.ts";
-import { DESIGN_LIMITS } from "./design-limits.ts";
+import { DESIGN_LIMITS, RESERVED_KEYS } from "./design-limits.ts";
 import { HEX_COLOR } from "./hex-color.ts";
-
-/** Names that JavaScript gives a meaning of its own as an object's keys. */
-export const RESERVED_KEYS = ["__proto__", "prototype", "constructor"];
 
 const quoted = (values: readonly string[]): string => values.map((value) => `"${value}"`).join(", ");
 
@@ -66,9 +63,10 @@ export function numberBetween(min: number, max: number, unit = "") {
   return v.pipe(v.number(message), v.minValue(min, message), v.maxValue(max, message));
 }
 
-export const text = (maxLength: number) =>
-  v.pipe(v.string("must be a string"), v.maxLength(maxLength, `must not be longer than ${maxLength} characters`));
-export const filledText = (maxLength: number) => v.pipe(text(maxLength), v.nonEmpty("must not be empty"));
+/** Characters are counted as JSON Schema counts them, in code points. */
+export const text = (most: number) =>
+  v.pipe(v.string("must be a string"), v.maxCodePoints(most, `must not be longer than ${most} characters`));
+export const filledText = (most: number) => v.pipe(text(most), v.nonEmpty("must not be empty"));
 
 /** A list of exactly `length` numbers. The length is checked first, so a short list is one problem and not several. */
 export function listOfNumbers<const Items extends [v.GenericSchema<number>, ...v.GenericSchema<number>[]]>(
@@ -98,9 +96,10 @@ export const rotation = v.pipe(
   }, "must be a unit quaternion x, y, z, w (a length from 0.001 to 1000 is made one)"),
 );
 
-// The engine counts in 32-bit floats: what is 0 or 180 degrees there must not pass here.
-const isAbove0 = (degrees: number): boolean => Math.fround(degrees) > 0;
-const isBelow180 = (degrees: number): boolean => Math.fround(degrees) < 180;
+// The engine counts in 32-bit floats: what is 0 or 180 degrees there must not pass here. Half the smallest of them is rounded
+// to 0, and what lies half way between 180 and the one below it is rounded to 180.
+const ROUNDED_TO_0 = 2 ** -150;
+const ROUNDED_TO_180 = 180 - 2 ** -17;
 
 export const planar = strict({
   kind: v.literal("planar"),
@@ -116,11 +115,8 @@ export const perspective = v.pipe(
     rotation,
     fov: v.pipe(
       v.number("must be a number of degrees"),
-      v.gtValue(0, "must be above 0 degrees"),
-      v.ltValue(180, "must be below 180 degrees"),
-      v.check(isAbove0, "must be above 0 degrees"),
-      // 179.99999 is left below 180 there, and 179.999999 is not.
-      v.check(isBelow180, "must be at most 179.99999 degrees"),
+      v.gtValue(ROUNDED_TO_0, "must be above 0 degrees"),
+      v.ltValue(ROUNDED_TO_180, "must be at most 179.99999 degrees"),
     ),
     aspect: length,
     near: length,
@@ -140,8 +136,7 @@ export const cylindrical = strict({
   height: length,
   arc: v.pipe(
     v.number("must be a number of degrees"),
-    v.gtValue(0, "must be above 0 degrees"),
-    v.check(isAbove0, "must be above 0 degrees"),
+    v.gtValue(ROUNDED_TO_0, "must be above 0 degrees"),
     v.maxValue(360, "must be at most 360 degrees"),
   ),
   depth: length,

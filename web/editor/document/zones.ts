@@ -2,7 +2,7 @@
 import * as v from "valibot";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { NO_ZONES, type PrintZones } from "../../engine/print-zones.ts";
-import { DESIGN_LIMITS } from "./design-limits.ts";
+import { DESIGN_LIMITS, RESERVED_KEYS } from "./design-limits.ts";
 import { type DesignProblem, describeValue, formatPath } from "./design-problem.ts";
 import {
   boundedList,
@@ -13,7 +13,6 @@ import {
   numberBetween,
   oneOf,
   point,
-  RESERVED_KEYS,
   rotation,
   strict,
   text,
