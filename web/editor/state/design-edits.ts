@@ -1,6 +1,6 @@
 /** The edits of a design: each takes a design and gives a new one that shares all that did not change. */
 import type { Design, DesignAsset, DesignLayer } from "../document/design.ts";
-import { DESIGN_LIMITS } from "../document/design-limits.ts";
+import { DESIGN_LIMITS, RESERVED_KEYS } from "../document/design-limits.ts";
 import { assetsOf, findLayer, flattenLayers, insertAt, mapLayer, materialsIn } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
 import { countedName } from "../files/counted-name.ts";
@@ -50,9 +50,9 @@ export function withAsset(design: Design, name: string, asset: DesignAsset): { d
     .replace(/^-+|-+$/g, "");
   const stem = shortened(words, DESIGN_LIMITS.idLength) || "picture";
   let key = stem;
-  // A document refuses "prototype" too, which no object has.
-  for (let number = 2; Object.hasOwn(design.assets, key) || key in Object.prototype || key === "prototype"; number += 1)
+  for (let number = 2; Object.hasOwn(design.assets, key) || RESERVED_KEYS.includes(key); number += 1) {
     key = `${stem}-${number}`;
+  }
   return { design: { ...design, assets: { ...design.assets, [key]: asset } }, key };
 }
 
