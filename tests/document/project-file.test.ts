@@ -61,6 +61,35 @@ describe("a project in one file", () => {
     expect(Object.keys(unzipSync(bytes)).some((name) => name.startsWith("model/"))).toBe(false);
   });
 
+  it("can be read again whatever the length and the script of its names", () => {
+    const long = "𠮷".repeat(2001);
+    const odd = "x".repeat(59) + long;
+    const assets = { [`${"x".repeat(59)}${"𠮷".repeat(100)}`]: { type: "image/png" as const, uri: "data:," } };
+    const side = `../${"%E6%9C%A8/".repeat(200)}a.bin`;
+    const source = {
+      name: `${odd}.${"e".repeat(2000)}`,
+      bytes: strToU8("{}"),
+      resources: new Map([[side, Uint8Array.of(7)]]),
+    };
+    const bytes = writeProjectFile(
+      project({
+        name: `a${long}`,
+        design: { ...design(), assets, layers: [] },
+        assetBytes: () => Uint8Array.of(9),
+        model: { title: long, demo: null, source },
+      }),
+    );
+    const back = readProjectFile(bytes, "long.texelcast");
+    expect(back.name).toBe(`a${"𠮷".repeat(999)}`);
+    expect(back.model.title).toBe("𠮷".repeat(1000));
+    expect(back.model.source?.resources).toEqual(source.resources);
+    for (const { uri } of Object.values(back.design.assets)) expect(back.assetBytes(uri)).toEqual(Uint8Array.of(9));
+    for (const name of Object.keys(unzipSync(bytes))) {
+      expect(name).not.toContain("\ufffd");
+      expect(Math.max(...name.split("/").map((part) => Buffer.byteLength(part)))).toBeLessThanOrEqual(255);
+    }
+  });
+
   it("is the same bytes each time", () => {
     expect(writeProjectFile(project())).toEqual(writeProjectFile(project()));
   });

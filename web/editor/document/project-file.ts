@@ -4,6 +4,7 @@
  */
 import { type Zippable, zipSync } from "fflate";
 import * as v from "valibot";
+import { cutText } from "../../core/cut-text.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { ASSET_ENDINGS, type Design, type DesignAsset } from "./design.ts";
@@ -56,6 +57,13 @@ const MAX_MANIFEST = 2 ** 20;
 const MAX_DESIGN = 256 * 2 ** 20;
 const MAX_ASSET = 256 * 2 ** 20;
 const MAX_MODEL = 2 ** 31 - 1;
+/** Characters of a project's name, and of all else in the manifest that is not an address. */
+const MAX_NAME = 1000;
+/** Characters of a side file's address as the model spells it, folders and per cents included. */
+const MAX_ADDRESS = 10_000;
+/** Characters of an entry's name, without its folder and ending: file systems take 255 bytes, and a character has up to four. */
+const MAX_STEM = 60;
+const MAX_EXTENSION = 16;
 
 /** What is compressed already, or as good as. */
 const STORED = /\.(png|jpe?g|webp|glb|ktx2)$/i;
@@ -90,8 +98,14 @@ export function writeProjectFile({ name, design, assetBytes, targets, model }: P
   const manifest = {
     format: PROJECT_FORMAT,
     version: PROJECT_VERSION,
-    name,
-    model: { title: model.title, demo: model.demo, file: modelFile, name: source?.name ?? null, sideFiles },
+    name: cutText(name, MAX_NAME),
+    model: {
+      title: cutText(model.title, MAX_NAME),
+      demo: model.demo,
+      file: modelFile,
+      name: source === null ? null : cutText(source.name, MAX_NAME),
+      sideFiles,
+    },
     targets: targets.map(({ material, size, gutter }) => ({ material, size, gutter })),
   };
   return zip([[MANIFEST, utf8(printJson(manifest))], [DESIGN, utf8(serialiseDesign({ ...design, assets }))], ...files]);
@@ -143,7 +157,8 @@ function readModel(archive: ZipReader, { file, name, sideFiles }: Manifest["mode
 }
 
 const wholeNumber = (max: number) => v.pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(max));
-const shortText = v.pipe(v.string(), v.maxLength(1000));
+const shortText = v.pipe(v.string(), v.maxCodePoints(MAX_NAME));
+const address = v.pipe(v.string(), v.maxCodePoints(MAX_ADDRESS));
 const manifestSchema = v.object({
   format: v.literal(PROJECT_FORMAT),
   version: v.literal(PROJECT_VERSION),
@@ -153,7 +168,7 @@ const manifestSchema = v.object({
     demo: v.nullable(shortText),
     file: v.nullable(shortText),
     name: v.nullable(shortText),
-    sideFiles: v.pipe(v.array(v.object({ uri: shortText, file: shortText })), v.maxLength(10_000)),
+    sideFiles: v.pipe(v.array(v.object({ uri: address, file: shortText })), v.maxLength(10_000)),
   }),
   targets: v.pipe(
     v.array(
@@ -229,7 +244,7 @@ function plainName(name: string): string {
     .normalize("NFC")
     .toLowerCase()
     .replace(/[^\p{L}\p{N} _-]+/gu, "-");
-  return plain.trim().slice(0, 80) || "file";
+  return cutText(plain.trim(), MAX_STEM) || "file";
 }
 
 function splitName(name: string): { stem: string; extension: string } {
@@ -242,7 +257,7 @@ function splitName(name: string): { stem: string; extension: string } {
           .replace(/[^A-Za-z0-9]/g, "")
           .toLowerCase()
       : "";
-  return { stem: dot > 0 ? base.slice(0, dot) : base, extension: extension || "bin" };
+  return { stem: dot > 0 ? base.slice(0, dot) : base, extension: extension.slice(0, MAX_EXTENSION) || "bin" };
 }
 
 function freeName(taken: ReadonlyMap<string, unknown>, stem: string, extension: string): string {
