@@ -111,6 +111,9 @@ describe("a print file", () => {
     ["flat art of no zone", { flattened: true }, "flattened"],
     ["a zone of another material", { zone: "left", material: 1 }, "material"],
     ["no DPI", { dpi: 0 }, "dpi"],
+    ["DPI of text", { dpi: "300" }, "dpi"],
+    ["a zone of a number", { zone: 1 }, "zone"],
+    ["another base", { base: "white" }, "base"],
   ])("is refused for %s, by name", async (_what, options, field) => {
     const engine = await printable();
     await engine.setZones(ZONES);
@@ -119,7 +122,15 @@ describe("a print file", () => {
 
   it("is refused in a size that there is not, and can be cancelled", async () => {
     const engine = await printable();
-    await expect(engine.exportPrint({ size: 20_000 })).rejects.toMatchObject({ code: "bad-size" });
+    for (const [size, value] of [
+      [20_000, "20000"],
+      ["64", '"64"'],
+      [[64], "[64]"],
+      [{ width: 64 }, "an object"],
+    ] as const) {
+      const refusal = { code: "bad-size", field: "size", value };
+      await expect(engine.exportPrint({ size: size as number })).rejects.toMatchObject(refusal);
+    }
     const cancel = new AbortController();
     cancel.abort();
     await expect(engine.exportPrint({ size: 64 }, undefined, cancel.signal)).rejects.toMatchObject({

@@ -216,8 +216,8 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
 
   exportTexture(options: ExportTextureOptions = {}): Promise<ExportedTexture> {
     return this.#atDesk(async (mode) => {
-      const { exportTexture, printOptions } = await import("./desk/prints.ts");
-      return await exportTexture(mode, printOptions(mode, options, this.#work.settings));
+      const { exportAsAsked } = await import("./desk/check-print.ts");
+      return await exportAsAsked(mode, options);
     });
   }
 

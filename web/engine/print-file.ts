@@ -10,6 +10,7 @@ import { METRES_PER_INCH } from "./core-zones.ts";
 import { nextTurn } from "./event-loop.ts";
 import { type FlatBounds, type FlatMap, flatBounds, flatMap, sampleFlat } from "./flat-art.ts";
 import { PngStream } from "./png-stream.ts";
+import { printOptionFault } from "./print-options.ts";
 import { type PrintRaster, paintBands } from "./print-raster.ts";
 import type { PrintFile, PrintFileOptions } from "./print-report.ts";
 import { DEFAULT_DPI, type PrintSurvey, type Size, surveyPrint } from "./print-size.ts";
@@ -36,6 +37,7 @@ export async function makePrintFile(
   options: PrintFileOptions,
   windowSide?: number,
 ): Promise<PrintFile> {
+  checkForm(options);
   const zone = findZone(context, options);
   const material = options.material ?? zone?.material ?? 0;
   checkOptions(options, zone, material);
@@ -70,14 +72,21 @@ function findZone({ zones }: PrintContext, { zone }: PrintFileOptions): PrintZon
   );
 }
 
-function checkOptions({ flattened, dpi }: PrintFileOptions, zone: PrintZone | null, material: number): void {
+function checkForm(options: PrintFileOptions): void {
+  const fault = printOptionFault(options);
+  if (fault === null) return;
+  const { field, value, allowed } = fault;
+  throw new TexelcastError(field === "size" ? "bad-size" : "bad-argument", `A print's ${field} cannot be ${value}.`, {
+    ...{ field, value },
+    hint: `It may be ${allowed}.`,
+  });
+}
+
+function checkOptions({ flattened }: PrintFileOptions, zone: PrintZone | null, material: number): void {
   if (flattened && zone === null) throw badOption("flattened", "true", "Only a zone can be laid out flat: name one.");
   if (zone !== null && material !== zone.material) {
     const message = `The zone “${zone.name}” is one of material ${zone.material}, not of ${material}.`;
     throw badOption("material", String(material), message);
-  }
-  if (dpi !== undefined && !(dpi >= 1 && dpi <= 10_000)) {
-    throw badOption("dpi", String(dpi), "DPI is a number from 1 to 10000.");
   }
 }
 

@@ -45,16 +45,7 @@ export async function surveyPrint(
 }
 
 function askedSize({ size }: PrintFileOptions): Size | null {
-  if (size === undefined) return null;
-  const sides: Size = typeof size === "number" ? [size, size] : size;
-  for (const side of sides) {
-    if (Number.isInteger(side) && side >= 1 && side <= MAX_TEXTURE_SIZE) continue;
-    throw new TexelcastError("bad-size", `A print's texture has sides from 1 to ${MAX_TEXTURE_SIZE}, not ${side}.`, {
-      field: "size",
-      value: String(side),
-    });
-  }
-  return sides;
+  return typeof size === "number" ? [size, size] : (size ?? null);
 }
 
 /** The same form, its longer side at most so long. */

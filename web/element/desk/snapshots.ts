@@ -18,22 +18,33 @@ const NAMED: Readonly<Record<string, string | null>> = {
   bottom: "0deg 180deg",
 };
 
+const VIEWS = `${Object.keys(NAMED).join(", ")}, 30deg 75deg 105%`;
+
 /** PNGs, one for each view. Throws "bad-argument" for a view or a size that is none, "unsupported" without graphics. */
 export async function takeSnapshots(
   mode: Pick<Mode, "viewer" | "idle">,
   views: readonly SnapshotView[],
-  { width = SIDE, height = SIDE }: SnapshotOptions,
+  options: SnapshotOptions,
   words: Words,
 ): Promise<Blob[]> {
-  for (const [field, value] of Object.entries({ width, height })) {
-    if (Number.isInteger(value) && value >= 1 && value <= MOST) continue;
-    const hint = `1 – ${MOST}`;
+  const refuse = (field: string, value: unknown, hint: string): never => {
     throw new TexelcastError("bad-argument", words.errors.badOption(field), { field, value: String(value), hint });
+  };
+  if (typeof options !== "object" || options === null) refuse("options", options, "{ width, height }");
+  const { width = SIDE, height = SIDE } = options;
+  for (const [field, value] of Object.entries({ width, height })) {
+    if (!Number.isInteger(value) || value < 1 || value > MOST) refuse(field, value, `1 – ${MOST}`);
   }
-  const orbits = views.map((view): Orbit | null => {
-    const named = Object.hasOwn(NAMED, view) ? NAMED[view] : view;
-    return named === null || named === undefined ? null : parseOrbit(named, "view");
-  });
+  const orbitOf = (view: unknown): Orbit | null => {
+    if (typeof view !== "string") return refuse("view", view, VIEWS);
+    const place = Object.hasOwn(NAMED, view) ? NAMED[view] : view;
+    try {
+      return place === null || place === undefined ? null : parseOrbit(place, "view");
+    } catch {
+      return refuse("view", view, VIEWS);
+    }
+  };
+  const orbits = Array.isArray(views) ? views.map(orbitOf) : refuse("view", views, VIEWS);
   await mode.idle();
   // The view takes up what the engine reported with its next frame.
   await new Promise((resolve) => requestAnimationFrame(resolve));

@@ -1,0 +1,35 @@
+/** What a page asks of a print, checked before the engine is asked: it is told in the element's words which option is wrong. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ownPrintOptions, printOptionFault } from "../../engine/print-options.ts";
+import type { ExportedTexture, ExportTextureOptions } from "../element-api.ts";
+import type { AtDesk } from "../mode.ts";
+import type { Desk } from "./desk.ts";
+import { exportTexture, printOptions } from "./prints.ts";
+
+/** Rejects with "bad-argument", naming the option, what stands there and what may. */
+export async function exportAsAsked(mode: AtDesk, options: ExportTextureOptions): Promise<ExportedTexture> {
+  const { desk } = mode;
+  checkPrintOptions(desk, options);
+  return await exportTexture(mode, printOptions(mode, ownPrintOptions(options), desk.settings));
+}
+
+function checkPrintOptions(desk: Desk, options: ExportTextureOptions): void {
+  const { errors } = desk.settings.words;
+  const refuse = (field: string, value: string, hint: string): never => {
+    throw new TexelcastError("bad-argument", errors.badOption(field), { field, value, hint });
+  };
+  const fault = printOptionFault(options);
+  if (fault) refuse(fault.field, fault.value, fault.allowed);
+  const { material, zone, flattened } = options;
+  const materials = (desk.store.state.model?.info.materials ?? []).filter(({ refusal }) => refusal === null);
+  if (material !== undefined && !materials.some(({ index }) => index === material)) {
+    refuse("material", String(material), errors.zoneMaterialHint(materials.map(({ index }) => index).join(", ")));
+  }
+  const ids = (desk.zones?.zones ?? []).map(({ id }) => JSON.stringify(id)).join(", ");
+  const named = desk.zones?.zones.find(({ id }) => id === zone);
+  if (zone !== undefined && !named) refuse("zone", JSON.stringify(zone), ids || "zones: { … }");
+  if (flattened && !named) refuse("flattened", "true", `zone: ${ids || "…"}`);
+  if (named && material !== undefined && material !== named.material) {
+    refuse("material", String(material), String(named.material));
+  }
+}
