@@ -3,6 +3,7 @@
  * page asks for, and opens the page's model and design in it. Importing this file registers nothing and runs in bare Node.
  */
 import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { inOwnRem, keepRem } from "../editor/ui/own-rem.ts";
 import { plainControls } from "../editor/ui/theme.ts";
 import type {
   DecalSource,
@@ -118,7 +119,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
   /** @internal */
   static override properties = PROPERTIES;
   /** @internal */
-  static override styles = [tokens, plainControls, elementStyles];
+  static override styles = [tokens, plainControls, elementStyles].map(inOwnRem);
 
   declare src: TexelcastEditorProperties["src"];
   declare design: TexelcastEditorProperties["design"];
@@ -167,6 +168,7 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
 
   override connectedCallback(): void {
     super.connectedCallback();
+    keepRem(this.renderRoot as ShadowRoot);
     this.#gone = false;
     this.addEventListener("pointerdown", this.#touched);
     this.addEventListener("focusin", this.#touched);

@@ -1,13 +1,14 @@
 /** Three steps for the first visit, in a corner of the views: what one could do, in nobody's way, gone for good when closed. */
-import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type TemplateResult } from "lit";
 import { X } from "lucide";
 import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
+import { RemElement } from "../ui/own-rem.ts";
 import { plainControls } from "../ui/theme.ts";
 
 const SEEN = "texelcast-hint-seen";
 
-export class FirstHint extends LitElement {
+export class FirstHint extends RemElement {
   static override properties = { words: { attribute: false }, step: { state: true }, seen: { state: true } };
   declare words: Strings["hint"];
   declare step: number;

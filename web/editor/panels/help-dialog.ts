@@ -1,5 +1,5 @@
 /** Keys, and the licences of what the page shows. */
-import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type TemplateResult } from "lit";
 import { X } from "lucide";
 import lucideLicence from "../../../node_modules/lucide/LICENSE?raw";
 import { LANGUAGES, type Language, pageLanguage, speak } from "../strings/language.ts";
@@ -7,8 +7,9 @@ import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { dialogFrame } from "../ui/dialog-frame.ts";
 import { icon } from "../ui/icon.ts";
+import { RemElement } from "../ui/own-rem.ts";
 
-export class HelpDialog extends LitElement {
+export class HelpDialog extends RemElement {
   static override properties = { words: { attribute: false }, embedded: { type: Boolean } };
   declare words: Strings["help"];
   /** In a page of somebody else's, who chooses the language. */

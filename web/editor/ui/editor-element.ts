@@ -1,11 +1,12 @@
 /** What every panel is: a Lit element that is given the editor and renders again when the state it reads has changed. */
-import { LitElement, type PropertyDeclarations } from "lit";
+import type { PropertyDeclarations } from "lit";
 import type { Editor } from "../state/editor.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { StoreController } from "../state/store.ts";
 import type { Strings } from "../strings.ts";
+import { RemElement } from "./own-rem.ts";
 
-export abstract class EditorElement extends LitElement {
+export abstract class EditorElement extends RemElement {
   static override properties: PropertyDeclarations = { editor: { attribute: false } };
   declare editor: Editor;
 

@@ -3,7 +3,7 @@
  * `stops-preview` while a change goes on, `stops-change` when it is final, `stops-cancel` when it is taken back, `stops-step`
  * when a key moved a handle, as it may many times in a row; `detail` is the list of stops, in order.
  */
-import { css, html, LitElement, type TemplateResult } from "lit";
+import { css, html, type TemplateResult } from "lit";
 import { styleMap } from "lit/directives/style-map.js";
 import { Minus, Plus } from "lucide";
 import type { GradientStop } from "../document/index.ts";
@@ -11,6 +11,7 @@ import type { Strings } from "../strings.ts";
 import { controls } from "./controls.ts";
 import { icon } from "./icon.ts";
 import type { NumberFieldEvent } from "./number-field.ts";
+import { RemElement } from "./own-rem.ts";
 import { recentColors } from "./recent-colors.ts";
 
 const LEAST = 2;
@@ -20,7 +21,7 @@ const COARSE_STEP = 0.1;
 /** Pixels before a press on a handle moves it. */
 const DRAG_START = 2;
 
-export class GradientStops extends LitElement {
+export class GradientStops extends RemElement {
   static override properties = {
     words: { attribute: false },
     stops: { attribute: false },

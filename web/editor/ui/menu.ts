@@ -1,8 +1,9 @@
 /** A button with a menu of actions (WAI-ARIA menu button): arrows, Home, End, Escape, and typing the first letter. */
-import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type TemplateResult } from "lit";
 import { Check, ChevronDown, type IconNode } from "lucide";
 import { controls } from "./controls.ts";
 import { icon } from "./icon.ts";
+import { RemElement } from "./own-rem.ts";
 
 /** Pixels between the menu and its opener, and between it and the page's edges. */
 const GAP = 4;
@@ -22,7 +23,7 @@ export interface MenuItem {
   readonly run: () => void;
 }
 
-export class Menu extends LitElement {
+export class Menu extends RemElement {
   /** A fieldset around it that is disabled disables it. */
   static readonly formAssociated = true;
   static override properties = {

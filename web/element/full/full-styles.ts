@@ -1,7 +1,8 @@
 /** The whole editor's box in the element, and the line under it. */
 import { css } from "lit";
+import { inOwnRem } from "../../editor/ui/own-rem.ts";
 
-export const fullStyles = css`
+export const fullStyles = inOwnRem(css`
   .full {
     position: absolute;
     inset: 0;
@@ -35,4 +36,4 @@ export const fullStyles = css`
   .full .quality {
     margin-inline-end: auto;
   }
-`;
+`);

@@ -1,7 +1,8 @@
 /** What the print's report says in a word, and the colours of its map. */
 import { css } from "lit";
+import { inOwnRem } from "../../editor/ui/own-rem.ts";
 
-export const badgeStyles = css`
+export const badgeStyles = inOwnRem(css`
   .badge {
     flex: none;
     padding: 0.1rem 0.45rem;
@@ -37,4 +38,4 @@ export const badgeStyles = css`
   .legend .bad {
     color: var(--danger);
   }
-`;
+`);

@@ -1,7 +1,8 @@
 /** Of the shop mode's panel what shows a design: its list, its fields, what the printer says. */
 import { css } from "lit";
+import { inOwnRem } from "../../editor/ui/own-rem.ts";
 
-export const designStyles = css`
+export const designStyles = inOwnRem(css`
   .legend {
     position: absolute;
     inset-block-end: 0.75rem;
@@ -139,4 +140,4 @@ export const designStyles = css`
     color: var(--text-quiet);
     font-variant-numeric: tabular-nums;
   }
-`;
+`);

@@ -1,7 +1,8 @@
 /** The shop mode's layout: the product, and beside it (under it where the element is narrow) what is on it. */
 import { css } from "lit";
+import { inOwnRem } from "../../editor/ui/own-rem.ts";
 
-export const shopStyles = css`
+export const shopStyles = inOwnRem(css`
   .shop {
     display: grid;
     grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(17rem, 21rem);
@@ -106,7 +107,8 @@ export const shopStyles = css`
     font-weight: 550;
     pointer-events: none;
   }
-  @container texelcast (max-width: 44rem) {
+  /* 44 rem, in what no page's own size of type changes. */
+  @container texelcast (max-width: 704px) {
     .shop:not([data-alone]) {
       grid-template: minmax(0, 1fr) minmax(0, auto) / minmax(0, 1fr);
     }
@@ -128,4 +130,4 @@ export const shopStyles = css`
       padding: var(--space-2) var(--space-3) max(var(--space-3), env(safe-area-inset-bottom));
     }
   }
-`;
+`);

@@ -26,6 +26,7 @@ export const tokens = css`
       sans-serif
     );
   }
+  /* Not on the host, from which what a page puts into the slots inherits. */
   .own {
     --font: var(--_font);
     --text-small: 0.75rem;
@@ -65,6 +66,15 @@ export const tokens = css`
     --viewer-on-accent: var(--_accent-text);
     color: var(--_text);
     font: var(--text-normal) / 1.35 var(--_font);
+    /* What a page says of all its elements ("*") it says of this one too, and all inside would inherit it. */
+    letter-spacing: normal;
+    word-spacing: normal;
+    text-align: start;
+    text-indent: 0;
+    text-shadow: none;
+    text-transform: none;
+    white-space: normal;
+    word-break: normal;
     -webkit-font-smoothing: antialiased;
   }
   @media (pointer: coarse) {
