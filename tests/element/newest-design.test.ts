@@ -1,5 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { AssetLibrary } from "../../web/editor/state/asset-library.ts";
+import type { ErrorDetail } from "../../web/element/element-api.ts";
 import { DEFAULTS } from "../../web/element/element-properties.ts";
 import { Voice } from "../../web/element/element-voice.ts";
 import { Work, type WorkParts } from "../../web/element/element-work.ts";
@@ -10,7 +12,10 @@ const taken: unknown[] = [];
 const coming = new Map<string, () => void>();
 vi.mock("../../web/element/desk/read-design.ts", () => ({
   readDesign: (uri: string) =>
-    new Promise((resolve) => coming.set(uri, () => resolve({ uri, assets: {}, layers: [] }))),
+    new Promise((resolve, reject) => {
+      const broken = new TexelcastError("bad-design", "It is broken.");
+      coming.set(uri, () => (uri === "broken" ? reject(broken) : resolve({ uri, assets: {}, layers: [] })));
+    }),
 }));
 vi.mock("../../web/element/shop/shop-mode.ts", () => ({
   openShop: () => {
@@ -50,7 +55,9 @@ function workOn(properties: object) {
     Object.assign(element, { design });
     work.follow((...names) => names.includes("design"));
   };
-  return { work, set };
+  const errors: string[] = [];
+  element.addEventListener("error", (event) => errors.push((event as unknown as CustomEvent<ErrorDetail>).detail.code));
+  return { work, set, errors };
 }
 
 const come = async (uri: string): Promise<void> => {
@@ -70,12 +77,12 @@ beforeEach(() => {
 afterEach(() => vi.unstubAllGlobals());
 
 async function opened() {
-  const { work, set } = workOn({ design: "first" });
+  const { work, set, errors } = workOn({ design: "first" });
   const started = work.start();
   await come("first");
   await started;
   expect(newest()).toBe("first");
-  return { work, set };
+  return { work, set, errors };
 }
 
 it("of two designs that a page sets the newer one stays, whichever comes first", async () => {
@@ -98,6 +105,27 @@ it("a design that was still being read when all was closed is opened the next ti
   await come("slow");
   await started;
   expect(newest()).toBe("slow");
+});
+
+it("what was worked on stays where a newer design, still being read when all was closed, turns out broken", async () => {
+  const { work, set, errors } = await opened();
+  set("broken");
+  await expect.poll(() => coming.has("broken")).toBe(true);
+  work.close();
+  coming.clear();
+  // Closed again before it was read: it is still the newer one, and the older one still there.
+  work.start().catch(() => undefined);
+  await expect.poll(() => coming.has("broken")).toBe(true);
+  work.close();
+  coming.clear();
+  const started = work.start();
+  await come("broken");
+  await started;
+  expect(newest()).toBe("first");
+  expect(errors).toEqual(["bad-design"]);
+  work.close();
+  await work.start();
+  expect(newest()).toBe("first");
 });
 
 it("what was worked on is opened the next time where nothing else was being read", async () => {

@@ -12,8 +12,8 @@ import type { Words } from "./words/words.ts";
 export interface RunParts {
   readonly kind: TexelcastEditorProperties["mode"];
   readonly src: TexelcastEditorProperties["src"];
-  /** What the page gives, or the design that was worked on before. */
-  readonly design: { readonly given: DesignInput | null } | { readonly kept: Design };
+  /** What the page gives, and what was worked on before: that goes first, or is there for a given one that cannot be read. */
+  readonly design: { readonly given: DesignInput | null; readonly kept: Design | null; readonly keptFirst: boolean };
   readonly zones: TexelcastEditorProperties["zones"];
   readonly base: string;
   readonly words: Words;
@@ -69,7 +69,7 @@ export class Run {
       const mode = openMode(host);
       this.#made = mode;
       await host.made(mode);
-      await mode.open(source, this.#hasDesign ? (library) => this.readDesign(library) : null);
+      await mode.open(source, this.#hasDesign ? (library) => this.#firstDesign(library) : null);
       if (zones !== null) {
         await this.#useZones(mode, zones);
       }
@@ -84,8 +84,8 @@ export class Run {
   }
 
   get #hasDesign(): boolean {
-    const { design } = this.#parts;
-    return "kept" in design || design.given !== null;
+    const { given, kept } = this.#parts.design;
+    return given !== null || kept !== null;
   }
 
   /** Zones that cannot be used are told to the page, which can correct them: the product is shown without. */
@@ -99,11 +99,24 @@ export class Run {
     }
   }
 
-  /** Reads a design with the engine's help: its files are taken in. Null is an empty one; without one, it is that of the start. */
-  async readDesign(library: AssetLibrary, given?: DesignInput | null): Promise<Design> {
-    const { design, words, base, limits } = this.#parts;
-    if (given === undefined && "kept" in design) return design.kept;
-    const input = given === undefined && "given" in design ? design.given : given;
+  /** The design of the start. Of one that cannot be read the page is told where there is another to go on with. */
+  async #firstDesign(library: AssetLibrary): Promise<Design> {
+    const { design, host } = this.#parts;
+    const { given, kept, keptFirst } = design;
+    if (kept && keptFirst) return kept;
+    try {
+      return await this.readDesign(library, given);
+    } catch (thrown) {
+      this.#check();
+      if (!kept) throw thrown;
+      host.hooks.warn(TexelcastError.wrap(thrown, "bad-design", "The design could not be read."));
+      return kept;
+    }
+  }
+
+  /** Reads a design with the engine's help: its files are taken in. Null is an empty one. */
+  async readDesign(library: AssetLibrary, input: DesignInput | null): Promise<Design> {
+    const { words, base, limits } = this.#parts;
     if (!input) {
       const { emptyDesign } = await import("../editor/document/design.ts");
       return emptyDesign();

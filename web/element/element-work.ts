@@ -33,8 +33,8 @@ export class Work {
   #starting: Promise<void> | null = null;
   /** How often it was closed: a start that finds another count than it began with is given up. */
   #closings = 0;
-  /** What was worked on when the mode was closed last. */
-  #kept: Design | null = null;
+  /** What was worked on when the mode was closed last; `behind` a newer one that the page has set and nobody has seen yet. */
+  #kept: { readonly design: Design; readonly behind: boolean } | null = null;
   /** The newest design that the page has set meanwhile and that is being read. */
   #coming: object | null = null;
   #view: HTMLElement | null = null;
@@ -97,8 +97,7 @@ export class Work {
     clearTimeout(this.#changeTimer);
     this.#closings++;
     const { mode } = this;
-    // What the page has set since then is opened in its place, which nobody has seen yet.
-    if (mode?.desk) this.#kept = this.#coming === null ? mode.desk.design : null;
+    if (mode?.desk) this.#kept = { design: mode.desk.design, behind: this.#coming !== null };
     this.#coming = null;
     this.#run?.close();
     this.#run = null;
@@ -164,7 +163,7 @@ export class Work {
       const { mode: kind, src, zones, design } = element;
       this.#run = new Run({
         ...{ kind, src, zones: zones === "" ? null : zones, words: voice.words, limits: this.settings.limits },
-        design: this.#kept === null ? { given: design } : { kept: this.#kept },
+        design: { given: design, kept: this.#kept?.design ?? null, keptFirst: this.#kept?.behind === false },
         base: document.baseURI,
         host: this.#modeHost(this.#view),
         progress: (share) => this.#progress(share),
