@@ -32,6 +32,21 @@ it("of a material that the model does not have the page is told, and the largest
   expect(warned).toMatchObject([{ code: "bad-argument", field: "material", value: "7" }]);
 });
 
+it("of the same material the page is told once for each model, and again when it has asked for another meanwhile", () => {
+  const model = { name: "mug.glb", materials } as unknown as ModelInfo;
+  const warned: unknown[] = [];
+  const ask = (material: number | null): number => {
+    const hooks = { settings: () => ({ material, words: english }), warn: (error: unknown) => warned.push(error) };
+    return paintableMaterial(model, hooks as unknown as DeskHooks);
+  };
+  expect([ask(7), ask(7)]).toEqual([1, 1]);
+  expect(warned).toHaveLength(1);
+  ask(8);
+  ask(0);
+  ask(8);
+  expect(warned).toHaveLength(3);
+});
+
 it("a material that cannot be painted is refused with its reason", () => {
   expect(() => chosen(2)).toThrow("no texture coordinates");
   expect(() => chosen(null, materials.slice(2))).toThrow("no texture coordinates");
