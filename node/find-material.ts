@@ -2,15 +2,17 @@
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 import type { MaterialInfo, ModelInfo } from "../web/engine/engine-api.ts";
 
+/** What asks for a material: a document and its field, or an option. */
+export interface WantedBy {
+  readonly file: string;
+  readonly field: string;
+}
+
 /**
- * @param wantedBy The design and its field that ask for the material; without it, `--material` does.
+ * @param wantedBy Without it, `--material` asks.
  * @throws TexelcastError "no-material".
  */
-export function findMaterial(
-  model: ModelInfo,
-  index: number,
-  wantedBy?: { readonly file: string; readonly field: string },
-): MaterialInfo {
+export function findMaterial(model: ModelInfo, index: number, wantedBy?: WantedBy): MaterialInfo {
   const material = model.materials[index];
   if (material !== undefined) return material;
   const last = model.materials.length - 1;
@@ -23,3 +25,32 @@ export function findMaterial(
     hint: "`texelcast inspect` lists the materials of a model.",
   });
 }
+
+/**
+ * The same, and it has a texture that can be painted.
+ *
+ * @throws TexelcastError "no-material", or with the code of the material's refusal, such as "no-uvs".
+ */
+export function findPaintable(model: ModelInfo, index: number, wantedBy?: WantedBy): MaterialInfo {
+  const material = findMaterial(model, index, wantedBy);
+  const { refusal } = material;
+  if (refusal === null) return material;
+  const field = wantedBy?.field ?? "--material";
+  const others = model.materials.filter((other) => other.refusal === null).map(nameOf);
+  throw new TexelcastError(
+    refusal.code,
+    `${field}: material ${nameOf(material)} cannot be painted: ${refusal.message}`,
+    {
+      subject: wantedBy?.file ?? model.name,
+      field,
+      value: String(index),
+      hint:
+        others.length > 0
+          ? `Choose one that can: ${others.join(", ")}.`
+          : "Unwrap the model in a 3D program (give it texture coordinates) and export it again.",
+    },
+  );
+}
+
+const nameOf = ({ index, name }: MaterialInfo): string =>
+  name === "" ? `${index}` : `${index} (${JSON.stringify(name)})`;

@@ -11,6 +11,7 @@ import { materialsIn } from "../web/engine/layer-tree.ts";
 import type { PrintFile, PrintFileOptions, PrintReport } from "../web/engine/print-report.ts";
 import { checkAssetBytes, checkCheckArguments, checkRenderArguments } from "./print-arguments.ts";
 import { type PrintJob, withPrintJob } from "./print-job.ts";
+import { checkPrintedMaterial } from "./printed-material.ts";
 import { readDataUri } from "./read-design.ts";
 import { readModel } from "./read-model.ts";
 
@@ -54,14 +55,17 @@ export interface CheckPrintOptions extends PrintSubject {
 /**
  * Makes a print file.
  *
- * @throws TexelcastError "bad-design", "bad-zones", "bad-model", "missing-file" (an asset), "bad-picture", "bad-argument",
- * "bad-size", "out-of-budget", "cancelled".
+ * @throws TexelcastError "bad-design", "bad-zones", "bad-model", "no-material", "no-uvs" (and what else keeps a material from
+ * being painted), "missing-file" (an asset), "bad-picture", "bad-argument", "bad-size", "out-of-budget", "cancelled".
  */
 export async function renderPrint(options: RenderPrintOptions): Promise<PrintFile> {
   checkRenderArguments(options);
   const { model, design, assets, zones, signal, onProgress, ...print } = options;
   const job = await printJob({ model, design, ...(assets && { assets }), zones });
-  return withPrintJob(job, (engine) => engine.exportPrint(print, onProgress, signal));
+  return withPrintJob(job, (engine, info) => {
+    checkPrintedMaterial(info, print, job.zones, { material: { file: info.name, field: "material" }, zones: "zones" });
+    return engine.exportPrint(print, onProgress, signal);
+  });
 }
 
 /** Measures what becomes of each layer on the surface (docs/print-truth.md). Throws as `renderPrint` does. */
@@ -69,10 +73,12 @@ export async function checkPrint(options: CheckPrintOptions): Promise<PrintRepor
   checkCheckArguments(options);
   const { size, ...subject } = options;
   const job = await printJob(subject);
-  return withPrintJob(job, async (engine) => {
+  return withPrintJob(job, async (engine, info) => {
     if (size === undefined) return engine.printReport();
     const materials = new Set(job.layers.filter((layer) => layer.visible).flatMap(materialsIn));
-    for (const material of materials) await engine.openTarget({ material, width: size, height: size });
+    // Of what lies on the others the report tells that it is not printed.
+    const paintable = [...materials].filter((material) => info.materials[material]?.refusal === null);
+    for (const material of paintable) await engine.openTarget({ material, width: size, height: size });
     return engine.printReport();
   });
 }

@@ -1,8 +1,8 @@
 /** `texelcast print`: a design on a model as a file for the printer. */
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { PrintFileOptions } from "../../web/engine/print-report.ts";
-import { findMaterial } from "../find-material.ts";
 import { withPrintJob } from "../print-job.ts";
+import { checkPrintedMaterial } from "../printed-material.ts";
 import { Progress } from "../progress.ts";
 import { readAsset, readDesign } from "../read-design.ts";
 import { readModel } from "../read-model.ts";
@@ -17,8 +17,6 @@ export interface PrintOptions extends Omit<PrintFileOptions, "size" | "base"> {
   /** False: the layers alone. */
   readonly base: boolean;
 }
-
-const DEFAULT_MATERIAL = 0;
 
 /** Writes the file and prints its hash. @throws TexelcastError for what cannot be read, printed or written */
 export async function print(modelFile: string, designFile: string, options: PrintOptions): Promise<void> {
@@ -38,8 +36,7 @@ export async function print(modelFile: string, designFile: string, options: Prin
   const files = new PendingFiles();
   try {
     const file = await withPrintJob(job, (engine, info) => {
-      // With a zone, it is that which says the material.
-      if (rest.zone === undefined) findMaterial(info, rest.material ?? DEFAULT_MATERIAL);
+      checkPrintedMaterial(info, rest, zones, { zones: zonesFile ?? "" });
       return engine.exportPrint(wanted, (share) => progress.report("Printing", share));
     }).catch((error: unknown) => {
       throw zonesFile === undefined ? error : namingZones(error, zonesFile);

@@ -150,6 +150,20 @@ describe("texelcast print", () => {
     });
   });
 
+  it("exits with 3 for a material that cannot be painted, and names what asks for it", async () => {
+    const { run } = await workbench([decal()], zones([zone({ material: 1 })]));
+    const why = 'material 1 ("of no triangle") cannot be painted: no triangle uses that material\n';
+    const how = '  Choose one that can: 0 ("paint").\n';
+    expect(await run("print", "--material", "1", "--out", "x.png")).toMatchObject({
+      code: 3,
+      stderr: `texelcast: plane.glb: --material: ${why}${how}`,
+    });
+    expect(await run("print", "--zones", "zones.json", "--zone", "left", "--out", "x.png")).toMatchObject({
+      code: 3,
+      stderr: `texelcast: zones.json: zones[0].material: ${why}${how}`,
+    });
+  });
+
   it("refuses a zone or flat art as wrong usage where no file or no zone is named", async () => {
     const { run } = await workbench([decal()]);
     const withoutFile = await run("print", "--zone", "left", "--out", "x.png");
@@ -288,6 +302,41 @@ describe("renderPrint and checkPrint", () => {
     const error = await renderPrint({ ...usual, ...fields } as never).catch((thrown: unknown) => thrown);
     expect(error).toMatchObject({ name: "TexelcastError", code: "bad-argument", field });
     expect((error as { value: string }).value).toMatch(/./);
+  });
+
+  it("name the option and the materials there are for one that cannot be painted", async () => {
+    const plain = { design: design([]), size: 16 };
+    const model = planeGlb();
+    await expect(renderPrint({ ...plain, model, material: 1 })).rejects.toMatchObject({
+      ...{ code: "no-triangles", subject: "model.glb", field: "material", value: "1" },
+      message: 'material: material 1 ("of no triangle") cannot be painted: no triangle uses that material',
+      hint: 'Choose one that can: 0 ("paint").',
+    });
+    await expect(renderPrint({ ...plain, model, material: 7 })).rejects.toMatchObject({
+      ...{ code: "no-material", field: "material", value: "7" },
+    });
+    for (const [material, code] of [
+      [1, "no-triangles"],
+      [9, "no-material"],
+    ] as const) {
+      const zoned = { ...plain, model, zones: zones([zone({ material })]), zone: "left" };
+      await expect(renderPrint(zoned)).rejects.toMatchObject({ code, subject: "zones", field: "zones[0].material" });
+    }
+    await expect(renderPrint({ ...plain, model: planeGlb({ withoutUvs: true }) })).rejects.toMatchObject({
+      ...{ code: "no-uvs", field: "material", value: "0", hint: expect.stringMatching(/^Unwrap the model/) },
+    });
+  });
+
+  it("measures at a size what it measures without: what cannot be painted is a finding and no fault", async () => {
+    const fill = { ...design([{ type: "fill", color: "#ff0000" }]), assets: {} };
+    const bare = { model: planeGlb({ withoutUvs: true }), design: fill };
+    const found = [expect.objectContaining({ code: "not-printable" }), expect.anything()];
+    expect((await checkPrint(bare)).violations).toEqual(found);
+    expect((await checkPrint({ ...bare, size: 64 })).violations).toEqual(found);
+    for (const size of [0, 64.5, 8193, Number.NaN, "64"]) {
+      const refusal = { code: "bad-argument", field: "size", value: expect.stringContaining(String(size)) };
+      await expect(checkPrint({ ...bare, size: size as number })).rejects.toMatchObject(refusal);
+    }
   });
 
   it("refuse to be called without anything", async () => {
