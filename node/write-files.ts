@@ -1,9 +1,10 @@
 /** Writing results so that no reader, and no interruption, ever meets half a file. */
 import { randomUUID } from "node:crypto";
 import { closeSync, openSync, rmSync } from "node:fs";
-import { type FileHandle, mkdir, open, rename, stat } from "node:fs/promises";
+import { type FileHandle, open, rename, stat } from "node:fs/promises";
 import path from "node:path";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
+import { makeFolder } from "./make-folder.ts";
 
 const SIGNALS = ["SIGINT", "SIGTERM", "SIGHUP"] as const;
 /** Who may read, write and run a file. */
@@ -99,30 +100,11 @@ export async function checkOutputFolder(folder: string): Promise<void> {
   }
 }
 
-/**
- * Makes a folder and those above it that are missing. Node's own recursive mkdir takes ENOENT to mean that the folder above
- * is missing, and never ends where that one is there and the system says ENOENT all the same, as below /proc.
- */
-async function makeFolder(folder: string): Promise<void> {
-  if (await isFolder(folder)) return;
-  const above = path.dirname(folder);
-  if (above !== folder) await makeFolder(above);
-  await mkdir(folder).catch(async (cause: unknown) => {
-    // Another process may have been quicker.
-    if (!(await isFolder(folder))) throw cause;
-  });
-}
-
 /** Gives a file that takes another's place the permissions of that one. */
 async function keepMode(file: FileHandle, target: string): Promise<void> {
   const replaced = await stat(target).catch(() => null);
   // Some file systems know no permissions.
   if (replaced?.isFile()) await file.chmod(replaced.mode & PERMISSIONS).catch(() => {});
-}
-
-async function isFolder(place: string): Promise<boolean> {
-  const found = await stat(place).catch(() => null);
-  return found?.isDirectory() ?? false;
 }
 
 async function writing<Result>(target: string, action: () => Promise<Result>): Promise<Result> {

@@ -4,13 +4,13 @@
  *     [--keep-days 14]   of files that no cart and no order uses
  *     [--origin https://shop.example] [--editor-origin https://editor.example]   where a proxy stands before them
  */
-import { mkdirSync, statSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import type { FastifyInstance } from "fastify";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
+import { isFolder, makeFolder } from "../make-folder.ts";
 import { createEditorServer, originOf, type ShopOrigins } from "./editor-server.ts";
 import { createShopServer } from "./shop-server.ts";
 
@@ -40,8 +40,8 @@ const [site, data] = [folderOf(values.site), folderOf(values.data)];
 const port = portOf(values.port, "--port");
 const editorPort = portOf(values["editor-port"] ?? String(port === 0 ? 0 : port + 1), "--editor-port");
 
-if (!isFolder(site)) refuse(`--site must be a folder with the shop's built pages, is "${site}".`);
-makeDataFolder(data);
+if (!(await isFolder(site))) refuse(`--site must be a folder with the shop's built pages, is "${site}".`);
+await makeDataFolder(data);
 const origins: ShopOrigins = { shop: null, editor: null };
 const { app } = await createShopServer({
   site,
@@ -90,23 +90,12 @@ function folderOf(given: string): string {
   return path.resolve(process.env.INIT_CWD ?? "", given);
 }
 
-function isFolder(place: string): boolean {
-  return statSync(place, { throwIfNoEntry: false })?.isDirectory() ?? false;
-}
-
-function makeDataFolder(folder: string): void {
+async function makeDataFolder(folder: string): Promise<void> {
   try {
-    makeFolder(folder);
+    await makeFolder(folder);
   } catch (error) {
     refuse(`--data: ${JSON.stringify(folder)} cannot be made: ${(error as Error).message}`);
   }
-}
-
-/** Not `recursive`: that never ends below /proc, which says ENOENT though the folder above is there (node/write-files.ts). */
-function makeFolder(folder: string): void {
-  if (isFolder(folder)) return;
-  if (path.dirname(folder) !== folder) makeFolder(path.dirname(folder));
-  mkdirSync(folder);
 }
 
 function daysOf(given: string): number {

@@ -1,6 +1,6 @@
 /** Starting the shop's server: options that cannot be meant are told in words, and it ends with 2. */
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -8,8 +8,13 @@ import { expect, it, onTestFinished } from "vitest";
 
 const SERVER = fileURLToPath(new URL("../../build/node/storefront.mjs", import.meta.url));
 
-const start = (...args: string[]) =>
-  spawnSync(process.execPath, [SERVER, ...args], { encoding: "utf8", timeout: 20_000 });
+const start = (...args: string[]) => startFrom({}, ...args);
+const startFrom = (env: Readonly<Record<string, string>>, ...args: string[]) =>
+  spawnSync(process.execPath, [SERVER, ...args], {
+    encoding: "utf8",
+    timeout: 20_000,
+    env: { ...process.env, ...env },
+  });
 
 it("tells its usage on stdout when it is asked for", () => {
   const { status, stdout, stderr } = start("--help");
@@ -25,6 +30,16 @@ it.each([
   const { status, stderr } = start(...args);
   expect(stderr).toContain(told);
   expect(stderr).not.toMatch(/^ {4}at /m);
+  expect(status).toBe(2);
+});
+
+it("takes folders as seen from where npm was called, which runs it in the checkout", () => {
+  const folder = mkdtempSync(path.join(tmpdir(), "texelcast-start-"));
+  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
+  mkdirSync(path.join(folder, "pages"));
+  writeFileSync(path.join(folder, "file"), "");
+  const { status, stderr } = startFrom({ INIT_CWD: folder }, "--site", "pages", "--data", "file");
+  expect(stderr).toContain(`--data: ${JSON.stringify(path.join(folder, "file"))} cannot be made: `);
   expect(status).toBe(2);
 });
 
