@@ -2,13 +2,38 @@
  * One server at a time on one database. SQLite's own lock here is a folder (`node-sqlite3-wasm` makes it), which outlives a
  * server that is killed while it writes, and then refuses every later one. So a server first says who it is in a file of its
  * own: what that file's process, if it lives no more, left locked may be taken away.
+ *
+ * Of a process in another container, or on another machine that has the folder too, nobody here can tell whether it lives. So
+ * a server writes its claim anew every few seconds, and one from elsewhere holds until it has been silent for some more.
  */
 import { randomUUID } from "node:crypto";
-import { linkSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
+import {
+  closeSync,
+  linkSync,
+  openSync,
+  readFileSync,
+  readlinkSync,
+  renameSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+  writeSync,
+} from "node:fs";
+import { hostname } from "node:os";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+
+/** In the place of what the system does not tell. */
+const UNKNOWN = "-";
 
 /** Of this process: its own id in a file may also be that of an earlier one, as in a container where every server is 1. */
 const held = new Set<string>();
+
+/** Milliseconds between two signs of life, and those without one after which a claim from elsewhere has ended. */
+const BEAT = 5000;
+const SILENCE = 30_000;
+
+/** Where process ids mean the same: what the system calls it, else the machine's name. */
+const PLACE = placeOf();
 
 /**
  * Claims a database and removes what a server that was killed left of its lock.
@@ -21,9 +46,23 @@ export function claimDatabase(database: string): () => void {
   claim(file, database);
   held.add(file);
   rmSync(`${database}.lock`, { recursive: true, force: true });
+  const own = identityOf(process.pid);
+  // Held open: should another server have taken the claim away, what is written here does not reach its own.
+  const claimed = openSync(file, "r+");
+  const beat = setInterval(() => giveSign(claimed, own), BEAT).unref();
   return () => {
-    if (held.delete(file)) rmSync(file, { force: true });
+    if (!held.delete(file)) return;
+    clearInterval(beat);
+    closeSync(claimed);
+    if (readOrNull(file) === own) rmSync(file, { force: true });
   };
+}
+
+/** A full disk, or a folder that is away for a moment, is no reason to end. */
+function giveSign(claimed: number, own: string): void {
+  try {
+    writeSync(claimed, own, 0);
+  } catch {}
 }
 
 function claim(file: string, database: string): void {
@@ -34,12 +73,36 @@ function claim(file: string, database: string): void {
     if (found !== null && isAtWork(file, found)) break;
     if (found !== null) takeAway(file, found);
   }
+  const found = readOrNull(file) ?? "unknown";
+  const elsewhere = isFromElsewhere(found)
+    ? ` It is in another container or on another machine; if it was killed, its claim ends ${SILENCE / 1000} seconds after that.`
+    : "";
   throw new TexelcastError("database-taken", "another server is at work on this database", {
     subject: database,
     field: "process",
-    value: readOrNull(file)?.split(" ")[0] ?? "unknown",
-    hint: "End that server, or name another folder with --data.",
+    value: found.split(" ")[0] ?? "",
+    hint: `End that server, or name another folder with --data.${elsewhere}`,
   });
+}
+
+/** Claims of servers before there were others elsewhere name no place. */
+function isFromElsewhere(identity: string): boolean {
+  const [, , place = PLACE] = identity.split(" ");
+  return place !== PLACE;
+}
+
+/** Milliseconds since a file was written, both by the clock of the file system: two machines have two clocks. */
+function silenceOf(file: string): number {
+  const now = `${file}.${randomUUID()}`;
+  try {
+    writeFileSync(now, "");
+    return statSync(now).mtimeMs - statSync(file).mtimeMs;
+  } catch (error) {
+    if ((error as NodeJS.ErrnoException).code !== "ENOENT") throw error;
+    return Number.POSITIVE_INFINITY;
+  } finally {
+    rmSync(now, { force: true });
+  }
 }
 
 /** False where the file is there already. */
@@ -72,7 +135,9 @@ function takeAway(file: string, stale: string): void {
 }
 
 function isAtWork(file: string, identity: string): boolean {
-  const pid = Number(identity.split(" ")[0]);
+  if (isFromElsewhere(identity)) return silenceOf(file) < SILENCE;
+  const [id, started = UNKNOWN] = identity.split(" ");
+  const pid = Number(id);
   if (!Number.isInteger(pid) || pid <= 0) return false;
   if (pid === process.pid) return held.has(file);
   try {
@@ -81,15 +146,25 @@ function isAtWork(file: string, identity: string): boolean {
     // Somebody else's process may not be asked, but it is there.
     if ((error as NodeJS.ErrnoException).code !== "EPERM") return false;
   }
-  return identityOf(pid) === identity;
+  return startOf(pid) === started;
 }
 
-/** A process's id, and where the system tells it, when it began: ids are given out again. */
-function identityOf(pid: number): string {
+const identityOf = (pid: number): string => `${pid} ${startOf(pid)} ${PLACE}`;
+
+/** When a process began, where the system tells it: ids are given out again. */
+function startOf(pid: number): string {
   // The name in the second column may hold spaces and brackets; what is counted begins after it. The start is column 22.
   const stat = readOrNull(`/proc/${pid}/stat`);
-  const started = stat?.slice(stat.lastIndexOf(")") + 2).split(" ")[19];
-  return started === undefined ? String(pid) : `${pid} ${started}`;
+  return stat?.slice(stat.lastIndexOf(")") + 2).split(" ")[19] ?? UNKNOWN;
+}
+
+function placeOf(): string {
+  try {
+    const started = readFileSync("/proc/sys/kernel/random/boot_id", "utf8").trim();
+    return `${started}/${readlinkSync("/proc/self/ns/pid")}`;
+  } catch {
+    return hostname();
+  }
 }
 
 function readOrNull(file: string): string | null {

@@ -1,10 +1,20 @@
 /** Who may open the shop's database: one server at a time, and also the one that comes after a server was killed. */
 import { spawn } from "node:child_process";
 import { once } from "node:events";
-import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  statSync,
+  utimesSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
-import { afterEach, beforeEach, expect, it, onTestFinished } from "vitest";
+import { afterEach, beforeEach, expect, it, onTestFinished, vi } from "vitest";
 import { ShopDatabase } from "../../node/storefront/shop-database.ts";
 
 let folder: string;
@@ -75,6 +85,38 @@ it.runIf(existsSync("/proc/self/stat"))("an id that the system gave to another p
   const other = await otherProcess();
   writeFileSync(`${file}.pid`, `${other.pid} 1`);
   expect(open().makeCart()).toMatch(/./);
+});
+
+it("a server in another container holds what it claimed for as long as it gives signs of life", () => {
+  const claim = "1 4711 another-start/pid:[1]";
+  writeFileSync(`${file}.pid`, claim);
+  mkdirSync(`${file}.lock`);
+  expect(() => new ShopDatabase(file)).toThrow(
+    expect.objectContaining({ code: "database-taken", value: "1", hint: expect.stringContaining("another container") }),
+  );
+  expect(existsSync(`${file}.lock`)).toBe(true);
+  expect(readFileSync(`${file}.pid`, "utf8")).toBe(claim);
+  const aMinuteAgo = Date.now() / 1000 - 60;
+  utimesSync(`${file}.pid`, aMinuteAgo, aMinuteAgo);
+  expect(open().makeCart()).toMatch(/./);
+  expect(readdirSync(folder).filter((name) => name.includes(".pid."))).toEqual([]);
+});
+
+it("gives signs of life in its own claim, and none in one that has taken its place", () => {
+  vi.useFakeTimers({ toFake: ["setInterval", "clearInterval"] });
+  onTestFinished(() => void vi.useRealTimers());
+  const first = new ShopDatabase(file);
+  const longAgo = Date.now() / 1000 - 3600;
+  utimesSync(`${file}.pid`, longAgo, longAgo);
+  vi.advanceTimersByTime(5000);
+  expect(statSync(`${file}.pid`).mtimeMs / 1000).toBeGreaterThan(longAgo + 1800);
+  // As when it was held for so long that another one took it for dead.
+  const other = "1 4711 another-start/pid:[1]";
+  rmSync(`${file}.pid`);
+  writeFileSync(`${file}.pid`, other);
+  vi.advanceTimersByTime(5000);
+  first.close();
+  expect(readFileSync(`${file}.pid`, "utf8")).toBe(other);
 });
 
 const startOf = (pid: number): string => {
