@@ -270,7 +270,7 @@ export class Workbench extends EditorElement {
       this.textureShare = event.detail;
     };
     return html`
-      <main class="views" style=${`grid-template: ${grid}`}>
+      <main class="views" .style=${`grid-template: ${grid}`}>
         ${
           flat
             ? html`<tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>`

@@ -99,7 +99,7 @@ export class ColorPalette extends EditorElement {
     const { color } = this.state.toolSettings;
     return colors.map(
       (value) => html`<button
-        style=${`--color:${value}`}
+        .style=${`--color:${value}`}
         data-color=${value}
         aria-label=${this.strings.tools.recentColor(value)}
         aria-pressed=${value === color}

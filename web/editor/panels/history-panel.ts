@@ -140,7 +140,7 @@ export class HistoryPanel extends EditorElement {
         }}
         @keydown=${this.#key}
       >
-        <div class="steps" role="presentation" style=${`height: ${labels.length * this.#rowHeight}px`}>
+        <div class="steps" role="presentation" .style=${`height: ${labels.length * this.#rowHeight}px`}>
           ${shown.map((label, index) => this.#step(label, first + index, position, labels.length))}
         </div>
       </div>
@@ -156,7 +156,7 @@ export class HistoryPanel extends EditorElement {
       aria-selected=${place === position}
       aria-posinset=${place + 1}
       aria-setsize=${count}
-      style=${`top: ${place * this.#rowHeight}px`}
+      .style=${`top: ${place * this.#rowHeight}px`}
       @click=${() => void this.editor.files.travelTo(place)}
     >
       <span>${this.#words.step(label)}</span>

@@ -109,7 +109,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     const last = rows[rows.length - 1];
     const top = before?.offsetTop ?? (last ? last.offsetTop + last.offsetHeight : 0);
     const start = (depth - 1) * INDENT + 12;
-    return html`<div class="line" style=${`inset-block-start: ${top}px; inset-inline-start: ${start}px`}></div>`;
+    return html`<div class="line" .style=${`inset-block-start: ${top}px; inset-inline-start: ${start}px`}></div>`;
   }
 
   /** Blending, opacity and locked transparency of what is chosen. */

@@ -67,7 +67,7 @@ export function layerRow(row: LayerRow, look: RowLook, acts: RowActs): TemplateR
       aria-current=${look.primary ? "true" : nothing}
       aria-expanded=${layer.type === "group" ? row.expanded : nothing}
       aria-label=${spokenName(row, words)}
-      style=${`padding-inline-start: ${(depth - 1) * INDENT + 2}px`}
+      .style=${`padding-inline-start: ${(depth - 1) * INDENT + 2}px`}
       @pointerdown=${(event: PointerEvent) => acts.press(event, id, false)}
       @click=${(event: MouseEvent) => acts.choose(event, id)}
     >

@@ -37,6 +37,10 @@ export class SidePanel extends EditorElement {
         min-height: 0;
         background: var(--surface);
       }
+      #upper {
+        display: grid;
+        min-height: 0;
+      }
       .upper {
         display: grid;
         grid-template-rows: auto minmax(0, 1fr);
@@ -194,7 +198,7 @@ export class SidePanel extends EditorElement {
       <div class=${`upper ${this.tab}`}>
         ${this.#note()}
         ${this.#tabs()}
-        <div id="upper" role="tabpanel" aria-labelledby=${`tab-${this.tab}`} style="display: grid; min-height: 0">
+        <div id="upper" role="tabpanel" aria-labelledby=${`tab-${this.tab}`}>
           ${this.#upper(this.tab)}
         </div>
       </div>

@@ -233,7 +233,7 @@ export class ToolOptions extends EditorElement {
         <button
           class="icon second"
           id="swap-colors"
-          style=${`--second:${background}`}
+          .style=${`--second:${background}`}
           aria-label=${this.#words.swapColors}
           title=${this.#words.swapColors}
           @click=${() => this.editor.tools.swapColors()}

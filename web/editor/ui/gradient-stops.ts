@@ -4,7 +4,6 @@
  * when a key moved a handle, as it may many times in a row; `detail` is the list of stops, in order.
  */
 import { css, html, type TemplateResult } from "lit";
-import { styleMap } from "lit/directives/style-map.js";
 import { Minus, Plus } from "lucide";
 import type { GradientStop } from "../document/index.ts";
 import type { Strings } from "../strings.ts";
@@ -137,7 +136,7 @@ export class GradientStops extends RemElement {
     const list = stops.map(({ color, offset }) => `${color} ${offset * 100}%`).join(", ");
     return html`
       <div class="bar" role="group" aria-label=${this.words.stops} @dblclick=${this.#addAt} title=${this.words.barHint}>
-        <span class="ink" style=${styleMap({ background: `linear-gradient(to right, ${list})` })}></span>
+        <span class="ink" .style=${`background: linear-gradient(to right, ${list})`}></span>
         ${stops.map((stop, index) => this.#handle(stop, index, index === place))}
       </div>
       ${this.#fields(place)}
@@ -154,7 +153,7 @@ export class GradientStops extends RemElement {
       aria-valuenow=${Math.round(offset * 100)}
       aria-valuetext=${`${Math.round(offset * 100)} %, ${color}`}
       aria-current=${pressed}
-      style=${styleMap({ left: `${offset * 100}%`, "--ink": color })}
+      .style=${`left: ${offset * 100}%; --ink: ${color}`}
       @focus=${() => {
         this.chosen = index;
       }}

@@ -162,7 +162,7 @@ export class Menu extends RemElement {
               @click=${() => this.#choose(item)}
             >
               ${item.checked ? icon(Check) : item.icon ? icon(item.icon) : html`<span></span>`}
-              <span style=${item.family ? `font-family: "${item.family}", var(--font)` : nothing}>${item.label}</span>
+              <span .style=${item.family ? `font-family: "${item.family}", var(--font)` : ""}>${item.label}</span>
               ${item.hint ? html`<span class="hint">${item.hint}</span>` : nothing}
             </button>
           `,

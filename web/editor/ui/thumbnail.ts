@@ -1,6 +1,5 @@
 /** A small picture of a layer, over a checkerboard that shows where it is transparent; and one of its mask. */
 import { css, html, nothing, svg, type TemplateResult } from "lit";
-import { styleMap } from "lit/directives/style-map.js";
 import { Brush, Folder, FolderOpen } from "lucide";
 import type { Design, DesignLayer, FillLayer, Gradient, Mask, PaintLayer, StrokeLayer } from "../document/index.ts";
 import type { AssetLibrary } from "../state/asset-library.ts";
@@ -100,7 +99,7 @@ export function thumbnail(source: ThumbnailSource, layer: DesignLayer, open = fa
       return pictured(library, design, layer.asset);
     case "text": {
       const letters = [...layer.text.trim()].slice(0, LETTERS_SHOWN).join("");
-      return html`<span class="thumbnail words" style=${styleMap({ color: layer.color })}>${letters}</span>`;
+      return html`<span class="thumbnail words" .style=${`color: ${layer.color}`}>${letters}</span>`;
     }
     case "stroke":
       return layer.brush.tip === "picture"
@@ -148,7 +147,7 @@ function pictured(
 
 /** `background` is any CSS colour or image; what is transparent in it shows the checkerboard. */
 function inked(background: string, inner: TemplateResult | typeof nothing = nothing): TemplateResult {
-  return html`<span class="thumbnail"><span class="ink" style=${styleMap({ background })}></span>${inner}</span>`;
+  return html`<span class="thumbnail"><span class="ink" .style=${`background: ${background}`}></span>${inner}</span>`;
 }
 
 function paintPicture({ strokes }: PaintLayer, over: TemplateResult): TemplateResult {
