@@ -1,5 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
+import { sitePolicy } from "./scripts/site-policy.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -33,7 +34,7 @@ export default defineConfig({
   root: here("./web/app"),
   // Relative, so that the built site works in any folder of any host.
   base: "./",
-  plugins: [texelcastShops()],
+  plugins: [texelcastShops(), sitePolicy()],
   publicDir: here("./build/public"),
   cacheDir: here("./build/.vite"),
   server: {
