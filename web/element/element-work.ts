@@ -37,6 +37,8 @@ export class Work {
   #kept: { readonly design: Design; readonly behind: boolean } | null = null;
   /** The newest design that the page has set meanwhile and that is being read. */
   #coming: object | null = null;
+  /** Done when the zones that the page has set last are in use, or could not be. */
+  #zoning: Promise<void> = Promise.resolve();
   #view: HTMLElement | null = null;
   #changeTimer: ReturnType<typeof setTimeout> | undefined;
   #exports: DesignExport | null = null;
@@ -89,6 +91,9 @@ export class Work {
   /** The same, with its desk. */
   async atDesk(): Promise<AtDesk> {
     const mode = await this.ready();
+    // What the page has set before it asks holds for what it asks.
+    await this.#element.updateComplete;
+    await this.#zoning;
     return { desk: await mode.takeDesk(), idle: () => mode.idle() };
   }
 
@@ -124,7 +129,7 @@ export class Work {
       return;
     }
     if (!mode) return;
-    if (has("zones")) void this.#voice.told(this.#useZones(mode));
+    if (has("zones")) this.#followZones(mode);
     if (has("design")) void this.#voice.told(this.#takeDesign(mode));
     if (has("size", "material")) void this.#voice.told(mode.resize());
     if (has("readonly", "minCameraOrbit", "maxCameraOrbit")) this.configure();
@@ -174,7 +179,7 @@ export class Work {
       this.#phase = "ready";
       this.#progress(1);
       // What the page set while it was opening.
-      if (element.zones !== zones) void voice.told(this.#useZones(mode));
+      if (element.zones !== zones) this.#followZones(mode);
       const { desk } = mode;
       if (desk && desk.design.layers.length > 0 && desk.zones !== null) void voice.told(this.#sendChange(false));
       const materials = mode.materials.map(({ index, name, refusal }) => ({
@@ -208,6 +213,10 @@ export class Work {
     } finally {
       if (this.#coming === coming) this.#coming = null;
     }
+  }
+
+  #followZones(mode: Mode): void {
+    this.#zoning = this.#voice.told(this.#useZones(mode)).catch(() => undefined);
   }
 
   async #useZones(mode: Mode): Promise<void> {
