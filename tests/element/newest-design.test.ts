@@ -95,6 +95,24 @@ it("of two designs that a page sets the newer one stays, whichever comes first",
   expect(newest()).toBe("quick");
 });
 
+it("what a page asks for waits for the design that it has set before", async () => {
+  const { work, set } = await opened();
+  set("second");
+  let asked = false;
+  const desk = work.atDesk().then((mode) => {
+    asked = true;
+    return mode.desk;
+  });
+  await expect.poll(() => coming.has("second")).toBe(true);
+  await new Promise((resolve) => setTimeout(resolve));
+  expect(asked).toBe(false);
+  await come("second");
+  expect((await desk).design).toMatchObject({ uri: "second" });
+  set("broken");
+  await come("broken");
+  expect((await work.atDesk()).desk.design).toMatchObject({ uri: "second" });
+});
+
 it("a design that was still being read when all was closed is opened the next time", async () => {
   const { work, set } = await opened();
   set("slow");

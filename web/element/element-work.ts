@@ -37,8 +37,8 @@ export class Work {
   #kept: { readonly design: Design; readonly behind: boolean } | null = null;
   /** The newest design that the page has set meanwhile and that is being read. */
   #coming: object | null = null;
-  /** Done when the zones that the page has set last are in use, or could not be. */
-  #zoning: Promise<void> = Promise.resolve();
+  /** The newest design and zones that the page has set: done when they are in use, or could not be. */
+  readonly #taken = new Map<"design" | "zones", Promise<void>>();
   #view: HTMLElement | null = null;
   #changeTimer: ReturnType<typeof setTimeout> | undefined;
   #exports: DesignExport | null = null;
@@ -93,7 +93,7 @@ export class Work {
     const mode = await this.ready();
     // What the page has set before it asks holds for what it asks.
     await this.#element.updateComplete;
-    await this.#zoning;
+    await Promise.allSettled(this.#taken.values());
     return { desk: await mode.takeDesk(), idle: () => mode.idle() };
   }
 
@@ -129,8 +129,8 @@ export class Work {
       return;
     }
     if (!mode) return;
-    if (has("zones")) this.#followZones(mode);
-    if (has("design")) void this.#voice.told(this.#takeDesign(mode));
+    if (has("zones")) this.#take("zones", this.#useZones(mode));
+    if (has("design")) this.#take("design", this.#takeDesign(mode));
     if (has("size", "material")) void this.#voice.told(mode.resize());
     if (has("readonly", "minCameraOrbit", "maxCameraOrbit")) this.configure();
   }
@@ -179,7 +179,7 @@ export class Work {
       this.#phase = "ready";
       this.#progress(1);
       // What the page set while it was opening.
-      if (element.zones !== zones) this.#followZones(mode);
+      if (element.zones !== zones) this.#take("zones", this.#useZones(mode));
       const { desk } = mode;
       if (desk && desk.design.layers.length > 0 && desk.zones !== null) void voice.told(this.#sendChange(false));
       const materials = mode.materials.map(({ index, name, refusal }) => ({
@@ -215,8 +215,8 @@ export class Work {
     }
   }
 
-  #followZones(mode: Mode): void {
-    this.#zoning = this.#voice.told(this.#useZones(mode)).catch(() => undefined);
+  #take(what: "design" | "zones", work: Promise<void>): void {
+    this.#taken.set(what, this.#voice.told(work));
   }
 
   async #useZones(mode: Mode): Promise<void> {
