@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { X } from "lucide";
 import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
-import { RemElement } from "../ui/own-rem.ts";
+import { RemElement } from "../ui/rem-element.ts";
 import { plainControls } from "../ui/theme.ts";
 
 const SEEN = "texelcast-hint-seen";

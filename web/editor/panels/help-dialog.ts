@@ -7,7 +7,7 @@ import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { dialogFrame } from "../ui/dialog-frame.ts";
 import { icon } from "../ui/icon.ts";
-import { RemElement } from "../ui/own-rem.ts";
+import { RemElement } from "../ui/rem-element.ts";
 
 export class HelpDialog extends RemElement {
   static override properties = { words: { attribute: false }, embedded: { type: Boolean } };

@@ -4,7 +4,7 @@ import type { Editor } from "../state/editor.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { StoreController } from "../state/store.ts";
 import type { Strings } from "../strings.ts";
-import { RemElement } from "./own-rem.ts";
+import { RemElement } from "./rem-element.ts";
 
 export abstract class EditorElement extends RemElement {
   static override properties: PropertyDeclarations = { editor: { attribute: false } };

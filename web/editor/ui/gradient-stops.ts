@@ -10,8 +10,8 @@ import type { Strings } from "../strings.ts";
 import { controls } from "./controls.ts";
 import { icon } from "./icon.ts";
 import type { NumberFieldEvent } from "./number-field.ts";
-import { RemElement } from "./own-rem.ts";
 import { recentColors } from "./recent-colors.ts";
+import { RemElement } from "./rem-element.ts";
 
 const LEAST = 2;
 const MOST = 16;

@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { Check, ChevronDown, type IconNode } from "lucide";
 import { controls } from "./controls.ts";
 import { icon } from "./icon.ts";
-import { RemElement } from "./own-rem.ts";
+import { RemElement } from "./rem-element.ts";
 
 /** Pixels between the menu and its opener, and between it and the page's edges. */
 const GAP = 4;

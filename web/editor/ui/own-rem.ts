@@ -3,7 +3,7 @@
  * that is measured in `rem` would shrink, in shadow trees too. Inside `<texelcast-editor>` a `rem` is therefore the browser's
  * own size of type, as its user has set it; on the editor's own page it stays what it is.
  */
-import { type CSSResult, type CSSResultGroup, LitElement, unsafeCSS } from "lit";
+import { type CSSResult, unsafeCSS } from "lit";
 
 const REM = "--_texelcast-rem";
 
@@ -14,13 +14,6 @@ export function inOwnRem({ cssText }: CSSResult): CSSResult {
     (_, head: string | undefined, count: string) => head ?? `calc(${count}*var(${REM},1rem))`,
   );
   return unsafeCSS(replaced);
-}
-
-/** A Lit element that goes by it. */
-export class RemElement extends LitElement {
-  static override finalizeStyles(styles?: CSSResultGroup) {
-    return LitElement.finalizeStyles(styles).map((style) => ("cssText" in style ? inOwnRem(style) : style));
-  }
 }
 
 /** Sets it for a shadow tree in a page, as it is now. */
