@@ -44,6 +44,40 @@ test("a tab closed without saving is back as it was, and its file renders to the
   expect(await again.design()).toEqual({ ...design, assets: (await again.design()).assets });
 });
 
+test("opening a model and undoing it leaves its project the one that a reload and a new tab go on with", async ({
+  editor,
+  page,
+}) => {
+  // The page is opened three times.
+  test.slow();
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  const worked = await editor.settledHash();
+  await editor.openModel(squareGltf());
+  await page.evaluate(() => window.texelcast.kept());
+  await page.keyboard.press("Control+z");
+  await expect(page.locator("tc-top-bar .models")).toContainText("Mug");
+  expect(await editor.settledHash()).toBe(worked);
+  await page.evaluate(() => window.texelcast.kept());
+
+  await page.reload();
+  await page.evaluate(() => window.texelcast.ready);
+  expect(await editor.settledHash()).toBe(worked);
+  const context = page.context();
+  await page.close();
+  const again = new EditorPage(await context.newPage());
+  await again.open();
+  expect(await again.settledHash()).toBe(worked);
+  // A look at a demo is what a reload shows again, and a new tab still goes on with the work.
+  await again.page.locator("tc-top-bar .models button").first().click();
+  await again.page.getByRole("menuitemradio", { name: "Skateboard" }).click();
+  await expect(again.page.locator("tc-top-bar .models")).toContainText("Skateboard");
+  await again.idle();
+  await again.page.reload();
+  await again.page.evaluate(() => window.texelcast.ready);
+  await expect(again.page.locator("tc-top-bar .models")).toContainText("Skateboard");
+});
+
 test("a second tab has a copy, and neither overwrites the other; the list brings back what was deleted", async ({
   editor,
   page,

@@ -7,6 +7,7 @@ import { type EditorState, INITIAL_STATE, type ModelRef } from "../../web/editor
 import { Store } from "../../web/editor/state/store.ts";
 import { Autosave } from "../../web/editor/storage/autosave.ts";
 import type { PackedProject } from "../../web/editor/storage/packed-project.ts";
+import type { TabPlace } from "../../web/editor/storage/tab-memory.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 
 const modelRef = (title: string, demoId: string | null): ModelRef => ({
@@ -22,6 +23,10 @@ function page() {
   const saves: { id: string; packed: PackedProject; seen: number }[] = [];
   const told: string[] = [];
   const taken = new Set<string>();
+  const touched: string[] = [];
+  /** What other hands made of projects that are kept: null for a deleted one. */
+  const rows = new Map<string, { name: string; revision: number } | null>();
+  const remembered: TabPlace[] = [];
   let refusal: TexelcastError | null = null;
   const autosave = new Autosave({
     store,
@@ -33,7 +38,12 @@ function page() {
         if (refused?.code === "storage-conflict") refusal = null;
         if (refused) throw refused;
         saves.push({ id, packed, seen });
+        rows.set(id, { name: packed.name, revision: seen + 1 });
         return seen + 1;
+      },
+      touch: async (id) => {
+        touched.push(id);
+        return rows.get(id) ?? null;
       },
       freeName: async (name) => countedName(name, taken),
       setThumbnail: async (id) => {
@@ -41,6 +51,7 @@ function page() {
       },
     },
     lock: { take: async () => true },
+    tab: { remember: (place) => remembered.push(place) },
     thumbnail: async () => "data:image/webp;base64,AA==",
     notices: {
       refused: ({ code }) => told.push(code),
@@ -65,7 +76,7 @@ function page() {
   const refuse = (error: TexelcastError | null): void => {
     refusal = error;
   };
-  return { store, autosave, saves, told, taken, open, step, settle, refuse };
+  return { store, autosave, saves, told, taken, touched, rows, remembered, open, step, settle, refuse };
 }
 
 beforeEach(() => {
@@ -153,6 +164,94 @@ describe("autosave", () => {
     expect(second?.id).not.toBe(first?.id);
     expect([third?.id, third?.seen]).toEqual([first?.id, 1]);
     expect(autosave.projectId).toBe(first?.id);
+  });
+
+  it("makes the project that an undo brings back the one that was open last, with nothing of it left to save", async () => {
+    const { open, settle, saves, touched, remembered } = page();
+    const [cup, cups] = [modelRef("Cup", null), emptyDesign()];
+    open(cup, cups);
+    await settle(1000);
+    open(modelRef("Shoe", null));
+    await settle(1000);
+    open(cup, cups);
+    await settle(1000);
+    const [first, second] = saves;
+    expect(touched.at(-1)).toBe(first?.id);
+    expect(remembered.at(-1)).toEqual({ project: first?.id });
+    expect(remembered).toContainEqual({ project: second?.id });
+    expect(saves).toHaveLength(2);
+  });
+
+  it("remembers a demo that nothing was changed on as what this tab shows, and its project from the first change on", async () => {
+    const { open, step, settle, saves, remembered } = page();
+    open(modelRef("Mug", "mug"));
+    await settle(1000);
+    expect(remembered.at(-1)).toEqual({ demo: "mug" });
+    step();
+    await settle(1000);
+    expect(remembered.at(-1)).toEqual({ project: saves[0]?.id });
+  });
+
+  it("saves a step that another model followed before its time had come, and has the other open last", async () => {
+    const { open, step, settle, saves, touched, autosave } = page();
+    const shoe = modelRef("Shoe", null);
+    open(shoe);
+    await settle(1000);
+    const cup = modelRef("Cup", null);
+    open(cup);
+    await settle(1000);
+    const [first, second] = saves;
+    step();
+    await settle(1);
+    step();
+    await settle(1);
+    open(shoe);
+    await settle(2000);
+    expect(autosave.projectId).toBe(first?.id);
+    expect(saves.at(-1)).toMatchObject({ id: first?.id });
+    expect(saves.filter(({ id }) => id === second?.id).map(({ seen }) => seen)).toEqual([0, 1, 2]);
+    expect(touched.at(-1)).toBe(first?.id);
+  });
+
+  it("does not say of a project that was deleted meanwhile that it is kept, and takes over a name given meanwhile", async () => {
+    const { open, settle, saves, rows, store, step } = page();
+    const [cup, shoe] = [modelRef("Cup", null), modelRef("Shoe", null)];
+    const [cups, shoes] = [emptyDesign(), emptyDesign()];
+    open(cup, cups);
+    await settle(1000);
+    open(shoe, shoes);
+    await settle(1000);
+    const [first, second] = saves;
+    rows.set(first?.id ?? "", null);
+    open(cup, cups);
+    await settle(1000);
+    expect([saves.length, store.state.keeping]).toEqual([2, "untouched"]);
+    step();
+    await settle(1000);
+    expect(saves[2]?.id).not.toBe(first?.id);
+    rows.set(second?.id ?? "", { name: "Boot", revision: 1 });
+    open(shoe, shoes);
+    await settle(1000);
+    expect(store.state.designName).toBe("Boot");
+    expect(saves).toHaveLength(3);
+  });
+
+  it("counts the saves of a project once, though it is in the history twice: as it was, and as it was opened again", async () => {
+    const { open, step, settle, saves, told, autosave } = page();
+    const cup = modelRef("Cup", null);
+    open(cup);
+    await settle(1000);
+    const [first] = saves;
+    const again = modelRef("Cup", null);
+    const design = emptyDesign();
+    autosave.adopt({ name: "Cup", design, model: again, targets: new Map() }, first?.id ?? "", 1);
+    open(again, design);
+    step();
+    await settle(1000);
+    open(cup);
+    await settle(1000);
+    expect(saves.map(({ id, seen }) => [id, seen])).toEqual([0, 1, 2].map((seen) => [first?.id, seen]));
+    expect(told.filter((word) => word.startsWith("copied"))).toEqual([]);
   });
 
   it("saves at once when asked", async () => {

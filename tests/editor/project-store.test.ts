@@ -73,6 +73,19 @@ function refuse(name: "put" | "add" | "get", error: DOMException, nth = 1): void
 }
 
 describe("a project kept in the browser", () => {
+  it("is the newest when it was saved or come back to last, which leaves its place in the list", async () => {
+    await save("a", content(design(1)), 0);
+    await save("b", content(design(2), "Shoe"), 0);
+    expect((await store.newest())?.id).toBe("b");
+    expect(await store.touch("a")).toEqual({ name: "Cup", revision: 1 });
+    expect((await store.newest())?.id).toBe("a");
+    expect((await store.list()).map(({ id }) => id)).toEqual(["b", "a"]);
+    await store.remove("a");
+    expect(await store.touch("a")).toBeNull();
+    expect(await store.touch("none")).toBeNull();
+    expect((await store.newest())?.id).toBe("b");
+  });
+
   it("comes back as it was: design, pictures, model with its side files, sizes and name", async () => {
     const saved = content(design(2));
     await save("a", saved, 0);

@@ -161,8 +161,8 @@ export class Editor {
   }
 
   /**
-   * Opens the project that was worked on last, else (and for an address that ends in "?new") the first demo, or says what to
-   * do without one.
+   * Opens what this tab showed before, else the project that was open last, else (and for an address that ends in "?new")
+   * the first demo, or says what to do without one.
    */
   async start(page: string): Promise<void> {
     try {
@@ -176,7 +176,7 @@ export class Editor {
     const demos = await this.#loadDemos(page);
     const address = new URL(page);
     const fresh = address.searchParams.has("new");
-    if (!fresh && (await this.projects.openNewest())) return;
+    if (!fresh && (await this.projects.openLast())) return;
     const [first] = demos?.models ?? [];
     if (first) await this.files.openDemo(first);
     // What begins here is a project like any other: the next visit shall bring it back.

@@ -10,6 +10,7 @@ import { randomId } from "../storage/content-hash.ts";
 import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/project.ts";
 import type { ProjectLock } from "../storage/project-lock.ts";
 import type { ProjectStore } from "../storage/project-store.ts";
+import type { TabMemory } from "../storage/tab-memory.ts";
 import type { Strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -24,6 +25,7 @@ export interface ProjectCommandsParts {
   readonly session: DesignSession;
   readonly projects: ProjectStore;
   readonly lock: ProjectLock;
+  readonly tab: TabMemory;
   readonly autosave: Autosave;
   readonly library: AssetLibrary;
   readonly files: FileCommands;
@@ -44,19 +46,27 @@ export class ProjectCommands {
     return this.#parts.board.strings.projects;
   }
 
-  /** Opens the project that was worked on last; false where there is none, or none that can be opened. */
-  async openNewest(): Promise<boolean> {
-    const { projects } = this.#parts;
-    let newest: ProjectSummary | undefined;
+  /**
+   * Goes on where this tab was before it was loaded again, else with the project that was open last; false where there is
+   * none, or none that can be opened.
+   */
+  async openLast(): Promise<boolean> {
+    const { projects, tab, store, files } = this.#parts;
+    const place = tab.recall();
+    const demo = store.state.demos?.models.find(({ id }) => id === place.demo);
+    if (demo) {
+      await files.openDemo(demo);
+      return store.state.model !== null;
+    }
+    let last: ProjectSummary | null;
     try {
       await projects.sweep();
-      [newest] = await projects.list();
+      last = (await projects.list()).find(({ id }) => id === place.project) ?? (await projects.newest());
     } catch {
       // A browser that keeps nothing says so when there is something to keep.
       return false;
     }
-    if (!newest) return false;
-    return this.open(newest.id, this.#words.back(newest.name));
+    return last !== null && this.open(last.id, this.#words.back(last.name));
   }
 
   /** Opens a project in place of what is open, which is kept first. False where it could not be opened. */

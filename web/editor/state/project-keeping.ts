@@ -3,6 +3,7 @@ import type { TexelcastError } from "../../core/texelcast-error.ts";
 import { Autosave } from "../storage/autosave.ts";
 import { ProjectLock } from "../storage/project-lock.ts";
 import { ProjectStore } from "../storage/project-store.ts";
+import { TabMemory } from "../storage/tab-memory.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DesignSession } from "./design-session.ts";
 import { type EditorState, INITIAL_STATE } from "./editor-state.ts";
@@ -35,6 +36,7 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
   const { strings } = board;
   const projects = new ProjectStore(strings);
   const lock = new ProjectLock();
+  const tab = new TabMemory();
   let refusal: number | null = null;
   const autosave = new Autosave({
     // One in which nothing ever happens.
@@ -43,6 +45,7 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
     recorded: () => session.recorded,
     projects,
     lock,
+    tab,
     thumbnail: async () => thumbnail(),
     notices: {
       refused: ({ message, hint = "" }: TexelcastError) => {
@@ -59,7 +62,7 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
       },
     },
   });
-  const commands = new ProjectCommands({ ...parts, projects, lock, autosave });
+  const commands = new ProjectCommands({ ...parts, projects, lock, tab, autosave });
   if (!keeps) return { autosave, commands };
   const flush = (): void => void autosave.flush();
   document.addEventListener("visibilitychange", () => {

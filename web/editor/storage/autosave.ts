@@ -1,7 +1,8 @@
 /**
  * Keeps the open project in the browser: after each recorded step, soon; at once when the page may be closed. A demo that
  * nothing was changed on is not kept, the user's own model is from the start. Models and projects belong together:
- * opening another model begins another project, and an undo that brings the model back brings its project back.
+ * opening another model begins another project, and an undo that brings the model back brings its project back. The
+ * project that is open is the one that the next visit begins with, even where nothing of it was left to save.
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { EditorState, ModelRef, Snapshot, TargetSettings } from "../state/editor-state.ts";
@@ -11,16 +12,18 @@ import { randomId } from "./content-hash.ts";
 import { ProjectPacker } from "./packed-project.ts";
 import type { ProjectContent } from "./project.ts";
 import type { ProjectLock } from "./project-lock.ts";
-import type { ProjectStore } from "./project-store.ts";
+import type { ProjectStore, ProjectTouch } from "./project-store.ts";
+import type { TabMemory } from "./tab-memory.ts";
 
 export interface AutosaveParts {
   readonly store: Store<EditorState>;
   readonly recorded: () => Snapshot;
-  readonly projects: Pick<ProjectStore, "save" | "setThumbnail" | "freeName">;
+  readonly projects: Pick<ProjectStore, "save" | "setThumbnail" | "freeName" | "touch">;
   readonly lock: Pick<ProjectLock, "take">;
   /** A small picture of the model as it is seen; null where there is none. */
   readonly thumbnail: () => Promise<string | null>;
   readonly notices: AutosaveNotices;
+  readonly tab: Pick<TabMemory, "remember">;
   readonly strings: Strings;
 }
 
@@ -49,7 +52,13 @@ export class Autosave {
   readonly #parts: AutosaveParts;
   readonly #packer: ProjectPacker;
   readonly #projects = new WeakMap<ModelRef, OpenProject>();
+  /** By id: a project that is opened again has another model reference, and is still one project with one count of saves. */
+  readonly #byId = new Map<string, WeakRef<OpenProject>>();
   #current: OpenProject | null = null;
+  /** The newest of the current project that was seen, which a switch to another model must not lose. */
+  #newest: ProjectContent | null = null;
+  /** Projects that were left before their newest step was saved. */
+  readonly #left = new Map<OpenProject, ProjectContent>();
   #timer: ReturnType<typeof setTimeout> | undefined;
   #thumbnailTimer: ReturnType<typeof setTimeout> | undefined;
   #lastStart = Number.NEGATIVE_INFINITY;
@@ -65,7 +74,10 @@ export class Autosave {
 
   /** Ties a model that is about to be opened to a project that is kept already. */
   adopt(content: ProjectContent, id: string, revision: number): void {
-    this.#projects.set(content.model, { id, revision, kept: content });
+    const known = this.#byId.get(id)?.deref();
+    const project = Object.assign(known ?? {}, { id, revision, kept: content });
+    this.#projects.set(content.model, project);
+    this.#byId.set(id, new WeakRef(project));
   }
 
   /** Ties a model that is about to be opened to a new project, which is kept from the start. */
@@ -102,7 +114,7 @@ export class Autosave {
     this.#timer = undefined;
     // Of several that waited, one has begun the next save: a second from the same revision would look like another tab's.
     while (this.#running) await this.#running;
-    if (this.pending) await this.#start();
+    if (this.pending || this.#left.size > 0) await this.#start();
   }
 
   /** Makes the open project's picture anew. */
@@ -131,7 +143,8 @@ export class Autosave {
     const content = this.#content();
     if (!content) return;
     this.#enter(content);
-    if (this.pending && this.#timer === undefined && !this.#running) {
+    this.#newest = content;
+    if ((this.pending || this.#left.size > 0) && this.#timer === undefined && !this.#running) {
       const wait = Math.max(0, this.#lastStart + (this.#refused ? RETRY : PACE) - performance.now());
       this.#timer = setTimeout(() => void this.flush(), wait);
     }
@@ -153,8 +166,39 @@ export class Autosave {
     const project = known ?? { id: randomId(), revision: 0, kept: model.demoId === null ? null : content };
     if (project === this.#current) return;
     this.#projects.set(model, project);
+    this.#byId.set(project.id, new WeakRef(project));
+    if (this.#current && this.#newest && !same(this.#current.kept, this.#newest)) {
+      this.#left.set(this.#current, this.#newest);
+    }
+    this.#left.delete(project);
     this.#current = project;
     void this.#parts.lock.take(project.id);
+    void this.#touch(project);
+  }
+
+  /** Makes the current project the one that was open last, and learns what became of it while another was. */
+  async #touch(project: OpenProject): Promise<void> {
+    const { id, revision, kept } = project;
+    if (revision === 0) return;
+    let row: ProjectTouch | null;
+    try {
+      row = await this.#parts.projects.touch(id);
+    } catch {
+      // A browser that keeps nothing says so when there is something to keep.
+      return;
+    }
+    // A save under way finds out by itself, and knows better.
+    if (project !== this.#current || project.revision !== revision || this.#running) return;
+    if (row === null) this.forget(id);
+    else if (row.revision !== revision) project.kept = null;
+    else if (kept && row.name !== kept.name) this.#rename(project, kept, row.name);
+    this.#observe();
+  }
+
+  #rename(project: OpenProject, kept: ProjectContent, name: string): void {
+    const { store } = this.#parts;
+    project.kept = { ...kept, name };
+    if (store.state.designName === kept.name) store.set({ designName: name });
   }
 
   #start(): Promise<void> {
@@ -166,11 +210,22 @@ export class Autosave {
     return run;
   }
 
+  /** What was left behind first: it is older. */
   async #save(): Promise<void> {
+    this.#lastStart = performance.now();
+    const left = [...this.#left];
+    for (const [project, content] of left) {
+      if (await this.#saveOne(project, content)) this.#left.delete(project);
+    }
     const content = this.#content();
     const project = this.#current;
-    if (!content || !project) return;
-    this.#lastStart = performance.now();
+    if (content && project && this.pending) await this.#saveOne(project, content);
+    // The one that was saved last is not the one that is open.
+    else if (project && left.length > 0) void this.#touch(project);
+  }
+
+  /** False where the browser refused it. */
+  async #saveOne(project: OpenProject, content: ProjectContent): Promise<boolean> {
     this.#tell();
     try {
       const named = project.revision > 0 ? content : await this.#named(content, project.id);
@@ -178,8 +233,10 @@ export class Autosave {
       project.revision = await this.#parts.projects.save(project.id, packed, project.revision);
       project.kept = named;
       this.#saved(project);
+      return true;
     } catch (thrown) {
-      this.#failed(project, TexelcastError.wrap(thrown, "storage-refused", String(thrown)));
+      this.#failed(project, content, TexelcastError.wrap(thrown, "storage-refused", String(thrown)));
+      return false;
     }
   }
 
@@ -197,17 +254,23 @@ export class Autosave {
   #saved(project: OpenProject): void {
     if (this.#refused) this.#parts.notices.restored();
     this.#refused = false;
-    this.#refreshThumbnailLater();
+    // The picture shows what is open.
+    if (project === this.#current) this.#refreshThumbnailLater();
     if (project.revision >= SAVES_BEFORE_PERSIST) void this.#persist();
   }
 
-  #failed(project: OpenProject, error: TexelcastError): void {
+  #failed(project: OpenProject, content: ProjectContent, error: TexelcastError): void {
     if (error.code === "storage-conflict") {
+      const { store, strings, lock, notices } = this.#parts;
       Object.assign(project, { id: randomId(), revision: 0, kept: null });
-      const name = this.#parts.strings.projects.copyOf(this.#parts.store.state.designName);
-      this.#parts.store.set({ designName: name });
-      void this.#parts.lock.take(project.id);
-      this.#parts.notices.copied(name);
+      const name = strings.projects.copyOf(content.name);
+      if (project === this.#current) {
+        store.set({ designName: name });
+        void lock.take(project.id);
+      } else {
+        this.#left.set(project, { ...content, name });
+      }
+      notices.copied(name);
       // At once, not after the pause that a refusal asks for.
       this.#lastStart = Number.NEGATIVE_INFINITY;
       return;
@@ -229,7 +292,10 @@ export class Autosave {
 
   #tell(): void {
     const kept = !this.pending ? "kept" : this.#refused ? "refused" : "pending";
-    this.#parts.store.set({ keeping: this.#current?.kept && this.#current.revision > 0 ? kept : unkept(kept) });
+    const project = this.#current;
+    this.#parts.store.set({ keeping: project?.kept && project.revision > 0 ? kept : unkept(kept) });
+    const demo = this.#newest?.model.demoId ?? null;
+    if (project) this.#parts.tab.remember(project.revision === 0 && demo !== null ? { demo } : { project: project.id });
   }
 }
 
@@ -237,7 +303,8 @@ export class Autosave {
 const unkept = (state: EditorState["keeping"]): EditorState["keeping"] => (state === "kept" ? "untouched" : state);
 
 function same(a: ProjectContent | null, b: ProjectContent): boolean {
-  return a !== null && a.name === b.name && a.design === b.design && sameTargets(a.targets, b.targets);
+  if (a === null || a.model !== b.model) return false;
+  return a.name === b.name && a.design === b.design && sameTargets(a.targets, b.targets);
 }
 
 type Targets = ReadonlyMap<number, TargetSettings>;

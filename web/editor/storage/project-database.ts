@@ -14,6 +14,8 @@ export interface ProjectRow extends ProjectSummary {
   readonly previous: number | null;
   /** When it was deleted, milliseconds since 1970; it can be brought back until it is swept. */
   readonly deleted: number | null;
+  /** When it was last opened, or come back to, milliseconds since 1970; rows of older pages lack it. */
+  readonly opened?: number;
 }
 
 /** One save. Rows are written once and never changed. */

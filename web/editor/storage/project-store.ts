@@ -15,6 +15,9 @@ import { storageError } from "./storage-error.ts";
 /** A deleted project can be brought back for this long, milliseconds. */
 const SWEEP_AFTER = 10 * 60_000;
 
+/** What is kept of a project that a tab comes back to. */
+export type ProjectTouch = Pick<ProjectSummary, "name" | "revision">;
+
 type Tables = ["projects", "revisions", "blobs"];
 const TABLES: Tables = ["projects", "revisions", "blobs"];
 type Writing = ReturnType<typeof openTables>;
@@ -40,6 +43,25 @@ export class ProjectStore {
         .filter(({ deleted }) => deleted === null)
         .sort((a, b) => b.modified - a.modified)
         .map(summaryOf);
+    });
+  }
+
+  /** The project that was open or saved last, of which a new visit goes on. */
+  newest(): Promise<ProjectSummary | null> {
+    return this.#read(async (database) => {
+      const rows = (await database.getAll("projects")).filter(({ deleted }) => deleted === null);
+      const [newest] = rows.sort((a, b) => lastSeen(b) - lastSeen(a));
+      return newest ? summaryOf(newest) : null;
+    });
+  }
+
+  /** Notes that a project is open again, without a change of it. Null for one that is not there, or deleted. */
+  touch(id: string): Promise<ProjectTouch | null> {
+    return this.#write(async (tables) => {
+      const row = await tables.objectStore("projects").get(id);
+      if (!row || row.deleted !== null) return null;
+      await tables.objectStore("projects").put({ ...row, opened: this.#now() });
+      return { name: row.name, revision: row.revision };
     });
   }
 
@@ -206,8 +228,17 @@ export class ProjectStore {
   }
 }
 
-function summaryOf({ previous: _previous, deleted: _deleted, ...summary }: ProjectRow): ProjectSummary {
+function summaryOf({
+  previous: _previous,
+  deleted: _deleted,
+  opened: _opened,
+  ...summary
+}: ProjectRow): ProjectSummary {
   return summary;
+}
+
+function lastSeen({ modified, opened = 0 }: ProjectRow): number {
+  return Math.max(modified, opened);
 }
 
 function rowOf({ design, model, targets, blobs }: PackedProject): Omit<RevisionRow, "project" | "revision"> {
