@@ -1,11 +1,16 @@
+import { readdirSync, readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { noticeOf } from "../../web/editor/state/notices.ts";
 import { germanError } from "../../web/editor/strings/german-errors.ts";
+import { ARGUMENTS, FONTS, PICTURES } from "../../web/editor/strings/german-reasons.ts";
+import { ToldError } from "../../web/editor/strings/told-error.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 import { typedError } from "../../web/element/element-errors.ts";
 import { english } from "../../web/element/words/english.ts";
 import { german } from "../../web/element/words/german.ts";
+import { readFontHeader } from "../../web/engine/font-file.ts";
+import { readPictureHeader } from "../../web/engine/picture-header.ts";
 
 const FLAT = new TexelcastError("no-uvs", "The material has no texture coordinates.", { subject: "fox.glb" });
 const BROKEN = new TexelcastError("bad-design", 'layers[0].opacity: must be a number, is "x"', {
@@ -14,20 +19,90 @@ const BROKEN = new TexelcastError("bad-design", 'layers[0].opacity: must be a nu
   value: '"x"',
 });
 
+function thrownBy(work: () => unknown): TexelcastError {
+  try {
+    work();
+  } catch (thrown) {
+    if (thrown instanceof TexelcastError) return thrown;
+  }
+  throw new Error("It threw no TexelcastError.");
+}
+
 describe("what the engine reports", () => {
   it("is said in the language of the editor, with file, field and value beside it", () => {
-    const { message, where, hint } = noticeOf(1, "mug.design.json ließ sich nicht öffnen", BROKEN, stringsIn("de"));
-    expect(message).toMatch(/^„mug\.design\.json“ lässt sich nicht öffnen\. Genauer: layers\[0\]\.opacity/);
+    const { message, where, hint, exact } = noticeOf(
+      1,
+      "mug.design.json ließ sich nicht öffnen",
+      BROKEN,
+      stringsIn("de"),
+    );
+    expect(message).toBe(
+      "„mug.design.json“ lässt sich nicht öffnen: Bei layers[0].opacity steht nicht, was dort stehen muss.",
+    );
+    expect(exact).toBe(BROKEN.message);
     expect(where).toBe('layers[0].opacity · Wert "x"');
     expect(hint).toContain("docs/design-document.md");
     expect(noticeOf(1, "Could not open it", FLAT, stringsIn("en")).message).toBe(FLAT.message);
   });
 
-  it("keeps its own words where a code has none, and where the editor has said it already", () => {
+  it("is never said in English beside German, and what the editor says itself is said once", () => {
     const rare = new TexelcastError("bad-argument", "The gutter is 99.", { hint: "At most 64." });
+    expect(noticeOf(1, "Es ging nicht", rare, stringsIn("de"))).toMatchObject({
+      message: "Das geht hier nicht.",
+      hint: "",
+      exact: "The gutter is 99.",
+    });
+    const thrown = noticeOf(1, "Es ging nicht", new TypeError("x is undefined"), stringsIn("de"));
+    expect(thrown.message).toBe("In der Seite ist ein Fehler aufgetreten.");
+    // An element tells these codes itself, in its own language.
     expect(germanError(rare.toJSON())).toEqual({ message: "The gutter is 99.", hint: "At most 64." });
-    const said = new TexelcastError("missing-file", "Das Projekt hat kein Modell.", { subject: "x.texelcast" });
-    expect(germanError(said.toJSON()).message).toBe("Das Projekt hat kein Modell.");
+    const said = new ToldError("missing-file", "Das Projekt hat kein Modell.", { subject: "x.texelcast" });
+    expect(noticeOf(1, "Es ging nicht", said, stringsIn("de")).message).toBe("Das Projekt hat kein Modell.");
+  });
+
+  it("says in German which of the faults of one code it is, as far as a picture's own bytes", () => {
+    const gif = thrownBy(() => readPictureHeader(new TextEncoder().encode("GIF89a"), "cat.gif"));
+    expect(noticeOf(1, "", gif, stringsIn("de"))).toMatchObject({
+      message: "„cat.gif“ ist kein Bild, das sich hier verwenden lässt. Es ist ein GIF.",
+      hint: "Speichere es als PNG, JPEG oder WebP.",
+      exact: "",
+    });
+    expect(germanError(gif.toJSON()).message).toContain("Es ist ein GIF.");
+    const woff = thrownBy(() => readFontHeader(new TextEncoder().encode("wOF2"), "sans.woff2"));
+    expect(noticeOf(1, "", woff, stringsIn("de")).message).toContain("Es ist eine Webschrift (WOFF).");
+  });
+
+  it("has German words for every code and every reason that what runs in the page can throw", () => {
+    const sourcesOf = (room: string): string[] =>
+      readdirSync(`web/${room}`, { encoding: "utf8", recursive: true })
+        .filter((file) => file.endsWith(".ts"))
+        .map((file) => readFileSync(`web/${room}/${file}`, "utf8"));
+    const found = (rooms: readonly string[], pattern: RegExp): Set<string> =>
+      new Set(rooms.flatMap(sourcesOf).flatMap((source) => [...source.matchAll(pattern)].map(([, what = ""]) => what)));
+    const codes = found(
+      ["core", "engine", "viewer", "editor"],
+      /TexelcastError(?:\.wrap)?\(\s*(?:[\w.]+,\s*)?"([a-z-]+)"/g,
+    );
+    const reasons = found(
+      ["engine", "editor/document"],
+      /(?:bad(?:Picture|Font)\(\s*[\w.]+,|PictureFault\(|refusal\(|reason:|\[(?="[a-z0-9-]+", ["`]it ))\s*"([a-z0-9-]+)"/g,
+    );
+    for (const [, name = ""] of readFileSync("wasm/texelcast.h", "utf8").matchAll(/^ +X\(([A-Z_]+), "/gm)) {
+      codes.add(name.toLowerCase().replaceAll("_", "-"));
+    }
+    const told = (code: string, subject?: string): string =>
+      noticeOf(1, "", new TexelcastError(code, "English.", subject === undefined ? {} : { subject }), stringsIn("de"))
+        .message;
+    const general = told("internal");
+    // Told by no notice, or faults of the page itself, for which there is nothing else to say.
+    const untold = ["ok", "pending", "stale-handle", "not-baked", "internal", "unexpected", "cancelled"];
+    expect(codes.size).toBeGreaterThan(20);
+    expect([...codes].filter((code) => told(code) === general && !untold.includes(code))).toEqual([]);
+    expect([...codes].filter((code) => /English/.test(told(code) + told(code, "a.glb")))).toEqual([]);
+    expect(reasons.size).toBeGreaterThan(30);
+    const known = new Set([PICTURES, FONTS, ARGUMENTS].flatMap(Object.keys));
+    expect([...reasons].filter((reason) => !known.has(reason))).toEqual([]);
+    expect([...known].filter((reason) => !reasons.has(reason))).toEqual([]);
   });
 
   it("reaches an element's page in the element's language, once, with its code and the first error as its cause", () => {
@@ -38,6 +113,20 @@ describe("what the engine reports", () => {
     expect(typedError(FLAT, english)).toBe(FLAT);
     const hidden = { code: "low-dpi", layer: "a", zone: null, message: "Only 31 DPI", hint: "", value: 31, limit: 150 };
     expect(german.finding(hidden as Parameters<typeof german.finding>[0], true).message).toContain("Nur 31 DPI");
+  });
+});
+
+describe("what the printer would say", () => {
+  it("is said in German, whatever it is", () => {
+    const source = readFileSync("web/engine/print-report.ts", "utf8");
+    const union = /type PrintFindingCode =([\s\S]*?);\n/.exec(source)?.[1] ?? "";
+    const codes = [...union.matchAll(/\| "([a-z-]+)"/g)].map(([, code]) => code);
+    expect(codes).toHaveLength(11);
+    for (const code of codes) {
+      const finding = { code, layer: "a", zone: "front", message: "English", hint: "English", value: 1, limit: 2 };
+      const { message, hint } = german.finding(finding as Parameters<typeof german.finding>[0], false);
+      expect(message + hint).not.toContain("English");
+    }
   });
 });
 

@@ -8,6 +8,8 @@ export interface TexelcastErrorDetails {
   readonly value?: string;
   /** What the user can do about it. */
   readonly hint?: string;
+  /** Which of the faults of one code it is, for programs and stable ("cmyk", "animated", …): a translation goes by it. */
+  readonly reason?: string;
   readonly cause?: unknown;
 }
 
@@ -19,6 +21,7 @@ export interface TexelcastErrorJson {
   readonly field?: string;
   readonly value?: string;
   readonly hint?: string;
+  readonly reason?: string;
 }
 
 /**
@@ -34,6 +37,7 @@ export class TexelcastError extends Error {
   readonly field?: string;
   readonly value?: string;
   readonly hint?: string;
+  readonly reason?: string;
 
   constructor(code: string, message: string, details: TexelcastErrorDetails = {}) {
     super(message, "cause" in details ? { cause: details.cause } : undefined);
@@ -44,6 +48,7 @@ export class TexelcastError extends Error {
     if (details.field !== undefined) this.field = details.field;
     if (details.value !== undefined) this.value = details.value;
     if (details.hint !== undefined) this.hint = details.hint;
+    if (details.reason !== undefined) this.reason = details.reason;
   }
 
   toJSON(): TexelcastErrorJson {
@@ -54,6 +59,7 @@ export class TexelcastError extends Error {
       ...(this.field !== undefined && { field: this.field }),
       ...(this.value !== undefined && { value: this.value }),
       ...(this.hint !== undefined && { hint: this.hint }),
+      ...(this.reason !== undefined && { reason: this.reason }),
     };
   }
 

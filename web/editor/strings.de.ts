@@ -1,7 +1,7 @@
 /** Every word that the page says, in German: as long as strings.ts, place for place. tsc keeps it complete. */
 
 import { numbersIn } from "./strings/formats.ts";
-import { germanError } from "./strings/german-errors.ts";
+import { germanNotice } from "./strings/german-errors.ts";
 import { germanKeys } from "./strings/german-keys.ts";
 import {
   germanGradient,
@@ -19,7 +19,7 @@ const numbers = numbersIn("de");
 
 export const german: Strings = {
   numbers,
-  told: germanError,
+  told: germanNotice,
   named: germanName,
 
   productName: "Texelcast",
@@ -513,6 +513,7 @@ export const german: Strings = {
   notices: {
     label: "Hinweise",
     dismiss: "Schließen",
+    exact: "Genauer, auf Englisch",
     ...germanLayerNotices,
     value: (value) => `Wert ${value}`,
     newModel: (name) => `${name} ist offen`,
@@ -555,8 +556,8 @@ export const german: Strings = {
     layers: (count) => plural(count, "Ebene", "Ebenen"),
     megabytes: (size) => `${size.replace(".", ",")} MB`,
     copyOf: (name) => `${name} (Kopie)`,
-    packerFailed: (reason) => `Die Projektdatei ließ sich nicht packen. ${reason}`,
-    unpackerFailed: (reason) => `Die Projektdatei ließ sich nicht entpacken. ${reason}`,
+    packerFailed: () => "Die Projektdatei ließ sich nicht packen.",
+    unpackerFailed: () => "Die Projektdatei ließ sich nicht entpacken.",
     namedInstead: (name) => `Ein anderes Projekt heißt schon so: dieses heißt jetzt ${name}`,
     restored: (name) => `${name} ist zurück`,
     back: (name) => `${name} ist zurück, wie du es verlassen hast`,
@@ -591,7 +592,7 @@ export const german: Strings = {
     silent: "Der Browser antwortet nicht auf die Bitte, für diese Seite etwas zu speichern.",
     full: "Der Platz des Browsers für diese Seite ist verbraucht.",
     fullHint: "Speichere das Projekt als Datei oder lösche Projekte, die du nicht mehr brauchst.",
-    refused: (reason) => `Der Browser speichert für diese Seite nichts (${reason.replace(/\.$/, "")}).`,
+    refused: () => "Der Browser speichert für diese Seite nichts.",
     refusedHint:
       "Speichere das Projekt als Datei, bevor du die Seite schließt. Der Grund kann ein privates Fenster sein.",
     conflict: (name) => `${name} wurde in einem anderen Tab geändert.`,

@@ -509,6 +509,7 @@ const english = {
   notices: {
     label: "Notices",
     dismiss: "Dismiss",
+    exact: "In more detail",
     ...layerNotices,
     value: (value: string): string => `value ${value}`,
     newModel: (name: string): string => `${name} is open`,

@@ -8,6 +8,7 @@ export function aboutFile(error: unknown, name: string): unknown {
     ...(error.field !== undefined && { field: error.field }),
     ...(error.value !== undefined && { value: error.value }),
     ...(error.hint !== undefined && { hint: error.hint }),
+    ...(error.reason !== undefined && { reason: error.reason }),
     cause: error,
   });
 }

@@ -44,6 +44,7 @@ export class FillTriangles {
       field,
       value: String(named[at]),
       hint: "The fill was made for another model, or for another material: choose its parts anew.",
+      reason: "other-model",
     });
   }
 }

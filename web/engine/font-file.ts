@@ -12,10 +12,14 @@ const OUTLINE_TABLES = ["glyf", "CFF ", "CFF2"];
 const DIRECTORY_START = 12;
 const DIRECTORY_ENTRY = 16;
 
-/** @param problem the end of the sentence “The font … cannot be used: …” */
-export function badFont(name: string, problem: string, hint?: string, cause?: unknown): TexelcastError {
+/**
+ * @param reason the error's (`TexelcastErrorDetails`)
+ * @param problem the end of the sentence “The font … cannot be used: …”
+ */
+export function badFont(name: string, reason: string, problem: string, hint?: string, cause?: unknown): TexelcastError {
   return new TexelcastError("bad-font", `The font “${name}” cannot be used: ${problem}.`, {
     subject: name,
+    reason,
     ...(hint !== undefined && { hint }),
     ...(cause !== undefined && { cause }),
   });
@@ -34,22 +38,32 @@ export function sniffFont(bytes: Uint8Array): FontFormat | null {
  */
 export function readFontHeader(bytes: Uint8Array, name: string): { readonly format: FontFormat } {
   const format = sniffFont(bytes);
-  if (format === null) throw badFont(name, describeUnknown(bytes), "Use a .ttf or .otf file.");
+  if (format === null) throw badFont(name, ...describeUnknown(bytes), "Use a .ttf or .otf file.");
   if (bytes.length > MAX_FONT_BYTES) {
-    throw badFont(name, `it has ${bytes.length} bytes, and ${MAX_FONT_BYTES} is the most`, "Use a smaller font.");
+    throw badFont(
+      name,
+      "too-many-bytes",
+      `it has ${bytes.length} bytes, and ${MAX_FONT_BYTES} is the most`,
+      "Use a smaller font.",
+    );
   }
   const tables = readDirectory(bytes, name);
   const lacking = NEEDED_TABLES.filter((tag) => !tables.has(tag));
   if (!OUTLINE_TABLES.some((tag) => tables.has(tag))) lacking.push("glyf");
   if (lacking.length > 0) {
-    throw badFont(name, `it lacks the table ${lacking.map((tag) => `“${tag}”`).join(", ")}`, "Use another font.");
+    throw badFont(
+      name,
+      "tables",
+      `it lacks the table ${lacking.map((tag) => `“${tag}”`).join(", ")}`,
+      "Use another font.",
+    );
   }
   return { format };
 }
 
 function readDirectory(bytes: Uint8Array, name: string): Set<string> {
   const short = (): TexelcastError =>
-    badFont(name, "it ends too early, so it was cut short", "Copy or download it again.");
+    badFont(name, "cut-short", "it ends too early, so it was cut short", "Copy or download it again.");
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.length < DIRECTORY_START) throw short();
   const count = view.getUint16(4);
@@ -65,10 +79,10 @@ function readDirectory(bytes: Uint8Array, name: string): Set<string> {
 
 const tagAt = (bytes: Uint8Array, offset: number): string => String.fromCharCode(...bytes.subarray(offset, offset + 4));
 
-function describeUnknown(bytes: Uint8Array): string {
+function describeUnknown(bytes: Uint8Array): readonly [reason: string, problem: string] {
   const start = tagAt(bytes, 0);
-  if (bytes.length === 0) return "it is empty";
-  if (start === "wOFF" || start === "wOF2") return "it is a web font (WOFF)";
-  if (start === "ttcf") return "it is a collection of several fonts";
-  return "it is neither TrueType nor OpenType";
+  if (bytes.length === 0) return ["empty", "it is empty"];
+  if (start === "wOFF" || start === "wOF2") return ["woff", "it is a web font (WOFF)"];
+  if (start === "ttcf") return ["collection", "it is a collection of several fonts"];
+  return ["unknown", "it is neither TrueType nor OpenType"];
 }

@@ -12,15 +12,15 @@ export function readJpegHeader(bytes: Uint8Array): RawHeader {
   let size: { width: number; height: number } | null = null;
   let orientation = 1;
   for (let at = 2; ; ) {
-    if (view.getUint8(at) !== 0xff) throw new PictureFault("its JPEG segments are damaged");
+    if (view.getUint8(at) !== 0xff) throw new PictureFault("damaged", "its JPEG segments are damaged");
     const marker = view.getUint8(at + 1);
     if (marker === 0xff) {
       at++; // A fill byte before a marker.
       continue;
     }
-    if (marker === END_OF_IMAGE) throw new PictureFault("it holds no pixels");
+    if (marker === END_OF_IMAGE) throw new PictureFault("no-pixels", "it holds no pixels");
     const length = view.getUint16(at + 2);
-    if (length < 2) throw new PictureFault("its JPEG segments are damaged");
+    if (length < 2) throw new PictureFault("damaged", "its JPEG segments are damaged");
     const segment = bytes.subarray(at + 4, at + 2 + length);
     if (isStartOfFrame(marker)) size = readFrame(view, at + 4);
     if (marker === APP1 && String.fromCharCode(...segment.subarray(0, 6)) === "Exif\0\0") {
@@ -28,10 +28,10 @@ export function readJpegHeader(bytes: Uint8Array): RawHeader {
     }
     at += 2 + length;
     if (marker === START_OF_SCAN) {
-      if (size === null) throw new PictureFault("its size is missing");
+      if (size === null) throw new PictureFault("damaged", "its size is missing");
       // Inside a scan every 0xff is stuffed, so the end marker cannot occur by chance. Without it the decoder
       // would fill the missing part with grey.
-      if (!hasEnd(bytes, at)) throw new PictureFault("it was cut short", "Copy or download it again.");
+      if (!hasEnd(bytes, at)) throw new PictureFault("cut-short", "it was cut short", "Copy or download it again.");
       return { ...size, orientation };
     }
   }
@@ -45,10 +45,10 @@ function isStartOfFrame(marker: number): boolean {
 function readFrame(view: DataView, at: number): { width: number; height: number } {
   const precision = view.getUint8(at);
   const channels = view.getUint8(at + 5);
-  if (precision !== 8) throw new PictureFault(`its colours have ${precision} bits, and only 8 can be read`);
+  if (precision !== 8) throw new PictureFault("bits", `its colours have ${precision} bits, and only 8 can be read`);
   if (channels === 4)
-    throw new PictureFault("its colours are CMYK, made for printing presses", "Save it in RGB colours.");
-  if (channels !== 1 && channels !== 3) throw new PictureFault(`it has ${channels} colour channels`);
+    throw new PictureFault("cmyk", "its colours are CMYK, made for printing presses", "Save it in RGB colours.");
+  if (channels !== 1 && channels !== 3) throw new PictureFault("channels", `it has ${channels} colour channels`);
   return { height: view.getUint16(at + 1), width: view.getUint16(at + 3) };
 }
 

@@ -14,7 +14,7 @@ export function checkJpegScans(bytes: Uint8Array, name: string): void {
     if (marker === END_OF_IMAGE) return;
     if (marker === START_OF_SCAN) scans++;
     if (scans > MOST_SCANS) {
-      throw badPicture(name, `it has more than ${MOST_SCANS} scans`, "Save it again, as JPEG or PNG.");
+      throw badPicture(name, "scans", `it has more than ${MOST_SCANS} scans`, "Save it again, as JPEG or PNG.");
     }
     at += hasSegment(marker) ? 2 + high * 256 + low : 1;
   }

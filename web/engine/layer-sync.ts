@@ -266,6 +266,7 @@ export class LayerSync {
     report(
       new TexelcastError(error.code, `The layer “${id}” cannot be drawn: ${error.message}`, {
         field: `layers[id=${id}]`,
+        ...(error.reason !== undefined && { reason: error.reason }),
         cause: error,
       }),
     );

@@ -28,9 +28,15 @@ export async function decodePicture(bytes: Uint8Array, name: string, options: De
     rgba = pixelsOf(await decode(bytes, name, header.format));
   } catch (cause) {
     if (cause instanceof TexelcastError) throw cause;
-    throw badPicture(name, `its ${header.format.toUpperCase()} data is damaged`, "Save or download it again.", cause);
+    throw badPicture(
+      name,
+      "damaged",
+      `its ${header.format.toUpperCase()} data is damaged`,
+      "Save or download it again.",
+      cause,
+    );
   }
-  if (rgba.length !== width * height * 4) throw badPicture(name, "its data does not fit its size");
+  if (rgba.length !== width * height * 4) throw badPicture(name, "damaged", "its data does not fit its size");
   return options.orient ? orientPixels(rgba, width, height, header.orientation) : { width, height, rgba };
 }
 

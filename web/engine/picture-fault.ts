@@ -8,10 +8,13 @@ export interface RawHeader {
 
 /** What is wrong with a picture, as the end of the sentence "The picture “x.png” cannot be used: …". */
 export class PictureFault extends Error {
+  readonly reason: string;
   readonly hint: string;
 
-  constructor(problem: string, hint = "Save the picture again as PNG, JPEG or WebP.") {
+  /** @param reason the error's (`TexelcastErrorDetails`) */
+  constructor(reason: string, problem: string, hint = "Save the picture again as PNG, JPEG or WebP.") {
     super(problem);
+    this.reason = reason;
     this.hint = hint;
   }
 }

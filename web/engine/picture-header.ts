@@ -16,10 +16,20 @@ export interface PictureHeader extends RawHeader {
   readonly format: PictureFormat;
 }
 
-/** @param problem the end of the sentence “The picture … cannot be used: …” */
-export function badPicture(name: string, problem: string, hint?: string, cause?: unknown): TexelcastError {
+/**
+ * @param reason the error's (`TexelcastErrorDetails`)
+ * @param problem the end of the sentence “The picture … cannot be used: …”
+ */
+export function badPicture(
+  name: string,
+  reason: string,
+  problem: string,
+  hint?: string,
+  cause?: unknown,
+): TexelcastError {
   return new TexelcastError("bad-picture", `The picture “${name}” cannot be used: ${problem}.`, {
     subject: name,
+    reason,
     ...(hint !== undefined && { hint }),
     ...(cause !== undefined && { cause }),
   });
@@ -59,33 +69,33 @@ export function isKtx2(bytes: Uint8Array): boolean {
 export function readPictureHeader(bytes: Uint8Array, name: string): PictureHeader {
   const format = sniffPicture(bytes);
   if (format === null) {
-    throw badPicture(name, describeUnknown(bytes), "Save it as PNG, JPEG or WebP.");
+    throw badPicture(name, ...describeUnknown(bytes), "Save it as PNG, JPEG or WebP.");
   }
   let header: RawHeader;
   try {
     header = HEADER_READERS[format](bytes);
   } catch (fault) {
-    if (fault instanceof PictureFault) throw badPicture(name, fault.message, fault.hint);
+    if (fault instanceof PictureFault) throw badPicture(name, fault.reason, fault.message, fault.hint);
     // DataView refuses offsets beyond the end: the readers rely on that for files cut short.
-    throw badPicture(name, "it ends too early, so it was cut short", "Copy or download it again.", fault);
+    throw badPicture(name, "cut-short", "it ends too early, so it was cut short", "Copy or download it again.", fault);
   }
   const { width, height } = header;
-  if (width === 0 || height === 0) throw badPicture(name, `it says it is ${width} × ${height} pixels`);
+  if (width === 0 || height === 0) throw badPicture(name, "no-pixels", `it says it is ${width} × ${height} pixels`);
   if (width > MAX_SIZE || height > MAX_SIZE) {
     const problem = `it has ${width} × ${height} pixels, and ${MAX_SIZE} along a side is the most`;
-    throw badPicture(name, problem, "Make it smaller.");
+    throw badPicture(name, "too-many-pixels", problem, "Make it smaller.");
   }
   return { format, ...header };
 }
 
-function describeUnknown(bytes: Uint8Array): string {
+function describeUnknown(bytes: Uint8Array): readonly [reason: string, problem: string] {
   const start = String.fromCharCode(...bytes.subarray(0, 32));
-  if (bytes.length === 0) return "it is empty";
-  if (start.startsWith("GIF8")) return "it is a GIF";
-  if (start.startsWith("BM")) return "it is a BMP";
-  if (start.startsWith("II*\0") || start.startsWith("MM\0*")) return "it is a TIFF";
-  if (start.slice(4, 8) === "ftyp") return "it is an AVIF or HEIC picture, or a film";
-  if (isKtx2(bytes)) return "it is a KTX2 texture";
-  if (/^\s*(<svg|<\?xml)/.test(start)) return "it is an SVG drawing";
-  return "it is neither PNG, JPEG nor WebP";
+  if (bytes.length === 0) return ["empty", "it is empty"];
+  if (start.startsWith("GIF8")) return ["gif", "it is a GIF"];
+  if (start.startsWith("BM")) return ["bmp", "it is a BMP"];
+  if (start.startsWith("II*\0") || start.startsWith("MM\0*")) return ["tiff", "it is a TIFF"];
+  if (start.slice(4, 8) === "ftyp") return ["avif", "it is an AVIF or HEIC picture, or a film"];
+  if (isKtx2(bytes)) return ["ktx2", "it is a KTX2 texture"];
+  if (/^\s*(<svg|<\?xml)/.test(start)) return ["svg", "it is an SVG drawing"];
+  return ["unknown", "it is neither PNG, JPEG nor WebP"];
 }

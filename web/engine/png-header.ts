@@ -14,18 +14,22 @@ export function readPngHeader(bytes: Uint8Array): RawHeader {
   for (let at = 8; ; ) {
     const length = view.getUint32(at);
     const type = String.fromCharCode(...bytes.subarray(at + 4, at + 8));
-    if (at === 8 && (type !== "IHDR" || length !== 13)) throw new PictureFault("its PNG header is missing");
+    if (at === 8 && (type !== "IHDR" || length !== 13)) throw new PictureFault("damaged", "its PNG header is missing");
     const data = bytes.subarray(at + 8, at + 8 + length);
     const stored = view.getUint32(at + 8 + length);
     // Critical chunks have a capital first letter; a damaged comment harms nobody.
     if (type < "a" && crc32(bytes.subarray(at + 4, at + 8 + length)) !== stored) {
-      throw new PictureFault(`its ${type} data is damaged (the checksum differs)`, "Copy or download it again.");
+      throw new PictureFault(
+        "damaged",
+        `its ${type} data is damaged (the checksum differs)`,
+        "Copy or download it again.",
+      );
     }
     if (type === "IDAT") hasData = true;
     if (type === "eXIf") orientation = readExifOrientation(data);
     if (type === "IEND") break;
     at += 12 + length;
   }
-  if (!hasData) throw new PictureFault("it holds no pixels");
+  if (!hasData) throw new PictureFault("no-pixels", "it holds no pixels");
   return { width: view.getUint32(16), height: view.getUint32(20), orientation };
 }

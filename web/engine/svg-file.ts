@@ -40,7 +40,12 @@ export async function readSvgFile(
   readFont: (id: ShippedFontId) => Promise<Uint8Array> = readShippedFont,
 ): Promise<SvgFile> {
   if (bytes.length > MAX_BYTES) {
-    throw badPicture(name, `it has ${bytes.length} bytes, and ${MAX_BYTES} is the most for SVG`, "Make it simpler.");
+    throw badPicture(
+      name,
+      "too-many-bytes",
+      `it has ${bytes.length} bytes, and ${MAX_BYTES} is the most for SVG`,
+      "Make it simpler.",
+    );
   }
   const svg = decode(bytes, name);
   checkGrowth(svg, name);
@@ -51,13 +56,18 @@ export async function readSvgFile(
   const { width, height, simplified } = readDocument(svg, svgFonts(buffers), name);
   const aspect = width / height;
   if (!(aspect <= MAX_ASPECT && aspect >= 1 / MAX_ASPECT)) {
-    throw badPicture(name, `it is ${width} × ${height}, which is more than ${MAX_ASPECT} times as long as wide`, HINT);
+    throw badPicture(
+      name,
+      "too-long",
+      `it is ${width} × ${height}, which is more than ${MAX_ASPECT} times as long as wide`,
+      HINT,
+    );
   }
   const cost = costOf(simplified, (data) => costOfInner(data, name));
   const [leastWidth, leastHeight] = rasterSize(aspect, [1, 1]);
   if (!canDraw(cost, leastWidth, leastHeight)) {
     const what = canFilter(cost, leastWidth, leastHeight) ? "it" : "its filters";
-    throw badPicture(name, `${what} would take too long to draw`, "Make it simpler, or save it as PNG.");
+    throw badPicture(name, "too-slow", `${what} would take too long to draw`, "Make it simpler, or save it as PNG.");
   }
   return { name, svg, width, height, fonts, cost };
 }
@@ -66,7 +76,7 @@ function decode(bytes: Uint8Array, name: string): string {
   try {
     return new TextDecoder(encodingOf(bytes), { fatal: true }).decode(bytes);
   } catch (cause) {
-    throw badPicture(name, "its text is neither UTF-8 nor UTF-16", HINT, cause);
+    throw badPicture(name, "encoding", "its text is neither UTF-8 nor UTF-16", HINT, cause);
   }
 }
 
@@ -74,18 +84,20 @@ function readDocument(svg: string, fonts: SvgFonts | null, name: string): SvgDoc
   try {
     return readSvg(svg, fonts);
   } catch (thrown) {
-    throw badPicture(name, describeFault(thrown), HINT, thrown);
+    throw badPicture(name, ...describeFault(thrown), HINT, thrown);
   }
 }
 
-/** What resvg says, without its own introduction. */
-export function describeFault(thrown: unknown): string {
+/** What resvg says, without its own introduction, after the reason of the error. */
+export function describeFault(thrown: unknown): readonly [reason: string, problem: string] {
   const said = thrown instanceof Error ? thrown.message : String(thrown);
   const cause = said.replace(/^SVG data parsing failed cause /, "");
-  if (/reference loop/.test(cause)) return "its entities grow beyond all measure";
-  if (/nodes limit/.test(cause)) return "it has too many elements";
-  if (/invalid size/.test(cause)) return "it has no width and height above 0";
-  return cause === said ? `it cannot be drawn (${said})` : `it is not well-formed: ${cause}`;
+  if (/reference loop/.test(cause)) return ["entities", "its entities grow beyond all measure"];
+  if (/nodes limit/.test(cause)) return ["too-slow", "it has too many elements"];
+  if (/invalid size/.test(cause)) return ["no-size", "it has no width and height above 0"];
+  return cause === said
+    ? ["undrawable", `it cannot be drawn (${said})`]
+    : ["not-well-formed", `it is not well-formed: ${cause}`];
 }
 
 /** The fonts that the words of a document may need. Which characters are words and which are markup does not matter. */

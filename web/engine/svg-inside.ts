@@ -37,7 +37,12 @@ function spellOut(reference: string, named?: string, decimal?: string, hex?: str
 }
 
 const innerFault = (name: string): TexelcastError =>
-  badPicture(name, "a drawing inside it has filters, or is packed", "Draw what is inside into the drawing itself.");
+  badPicture(
+    name,
+    "inner-drawing",
+    "a drawing inside it has filters, or is packed",
+    "Draw what is inside into the drawing itself.",
+  );
 
 /** Throws "bad-picture" naming the file where pictures inside have too many pixels. */
 export function checkInnerPictures(svg: string, name: string): void {
@@ -48,7 +53,12 @@ export function checkInnerPictures(svg: string, name: string): void {
     const { width, height } = readHeaderLeniently(data, inner, type);
     pixels += width * height;
     if (pixels > MAX_INNER_PIXELS) {
-      throw badPicture(name, `the pictures inside have more than ${MAX_INNER_PIXELS} pixels`, "Make them smaller.");
+      throw badPicture(
+        name,
+        "inner-pixels",
+        `the pictures inside have more than ${MAX_INNER_PIXELS} pixels`,
+        "Make them smaller.",
+      );
     }
   }
 }

@@ -27,10 +27,15 @@ export function checkGrowth(svg: string, name: string): void {
     comparisons += growth.comparisons;
   }
   if (length > MAX_LENGTH || visits > MAX_VISITS) {
-    throw badPicture(name, "with all that it reuses, and its words, it grows beyond all measure", "Make it simpler.");
+    throw badPicture(
+      name,
+      "too-slow",
+      "with all that it reuses, and its words, it grows beyond all measure",
+      "Make it simpler.",
+    );
   }
   if (comparisons > MAX_COMPARISONS) {
-    throw badPicture(name, "it would take too long to read: too much in it is styled or reused", HINT);
+    throw badPicture(name, "too-slow", "it would take too long to read: too much in it is styled or reused", HINT);
   }
 }
 
@@ -38,7 +43,8 @@ export function checkGrowth(svg: string, name: string): void {
 function withEntities(svg: string, name: string): string {
   const entities = new Map<string, string>();
   for (const [, entity = "", , value = ""] of svg.matchAll(/<!ENTITY\s+([^\s"'>]+)\s+(["'])(.*?)\2/gs)) {
-    if (/&[^#]/.test(value)) throw badPicture(name, `its entity “${entity}” is made of other entities`, HINT);
+    if (/&[^#]/.test(value))
+      throw badPicture(name, "entities", `its entity “${entity}” is made of other entities`, HINT);
     if (!entities.has(entity)) entities.set(entity, value);
   }
   if (entities.size === 0) return svg;
@@ -46,7 +52,7 @@ function withEntities(svg: string, name: string): string {
   return svg.replace(/&([^\s&;#]+);/g, (reference, entity: string) => {
     const value = entities.get(entity) ?? reference;
     growth += value.length;
-    if (growth > MAX_ENTITY_GROWTH) throw badPicture(name, "its entities grow beyond all measure", HINT);
+    if (growth > MAX_ENTITY_GROWTH) throw badPicture(name, "entities", "its entities grow beyond all measure", HINT);
     return value;
   });
 }

@@ -135,7 +135,7 @@ function decode(bytes: Uint8Array, name: string): string {
   try {
     return new TextDecoder(encodingOf(bytes), { fatal: true }).decode(bytes);
   } catch (cause) {
-    throw badPicture(name, "its text is neither UTF-8 nor UTF-16", HINT, cause);
+    throw badPicture(name, "encoding", "its text is neither UTF-8 nor UTF-16", HINT, cause);
   }
 }
 

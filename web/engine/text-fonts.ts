@@ -48,7 +48,8 @@ export class FontShelf {
     readFontHeader(bytes, name);
     const font = makeFont(await loadHarfBuzz(), bytes, 400);
     const { face } = font.font;
-    if (face.collectUnicodes().length === 0) throw badFont(name, "it has no characters", "Use another font.");
+    if (face.collectUnicodes().length === 0)
+      throw badFont(name, "no-characters", "it has no characters", "Use another font.");
     this.#fonts.set(key, font);
     return { name: face.getName(FULL_NAME, "en") };
   }
@@ -61,7 +62,8 @@ export class FontShelf {
   async load(key: string): Promise<void> {
     const id = shippedFontOf(key);
     if (id === undefined) {
-      if (isShippedFontAddress(key)) throw badFont(key, "this version has no such font", "Choose another font.");
+      if (isShippedFontAddress(key))
+        throw badFont(key, "not-shipped", "this version has no such font", "Choose another font.");
       return;
     }
     if (this.#fonts.has(key)) return;

@@ -93,6 +93,7 @@ function tooManyPoints(text: string): TexelcastError {
   const subject = text.length > 40 ? `${text.slice(0, 40)}…` : text;
   return new TexelcastError("bad-font", `“${subject}” cannot be drawn: its letters have too many points.`, {
     subject,
+    reason: "too-many-points",
     hint: "Use another font, or fewer words.",
   });
 }

@@ -206,21 +206,28 @@ export function insertAt(design: Design, { parentId, list, index }: LayerPlace, 
   const parent = visitOf(design, parentId);
   const depth = parent?.depth ?? 0;
   if (depth + layerDepth(layer) > DESIGN_LIMITS.depth) {
-    throw refusal("parentId", parentId, `Layers can lie ${DESIGN_LIMITS.depth} deep and no deeper.`);
+    throw refusal("too-deep", "parentId", parentId, `Layers can lie ${DESIGN_LIMITS.depth} deep and no deeper.`);
   }
   if (parentId === null && list === "layers") return { ...design, layers: put(design.layers) };
-  if (parent === undefined) throw refusal("parentId", parentId, "There is no such layer to put another into.");
+  if (parent === undefined)
+    throw refusal("no-layer", "parentId", parentId, "There is no such layer to put another into.");
   const isHolder =
     list === "mask" ||
     (list === "layers" && parent.layer.type === "group") ||
     (list === "strokes" && parent.layer.type === "paint");
-  if (!isHolder) throw refusal("list", list, `A layer of type “${parent.layer.type}” has no such list.`);
+  if (!isHolder) throw refusal("no-list", "list", list, `A layer of type “${parent.layer.type}” has no such list.`);
   const takes =
     list === "layers" ||
     (list === "strokes" ? layer.type === "stroke" : layer.type !== "group" && layer.type !== "paint");
-  if (!takes) throw refusal("type", layer.type, `The list “${list}” takes no layers of type “${layer.type}”.`);
+  if (!takes)
+    throw refusal("not-taken", "type", layer.type, `The list “${list}” takes no layers of type “${layer.type}”.`);
   if (list === "strokes" && parent.layer.type === "paint" && parent.layer.mirror !== null && liesOnTexture(layer)) {
-    throw refusal("mirror", parent.layer.mirror.axis, "A stroke that lies on the texture cannot be mirrored.");
+    throw refusal(
+      "not-mirrored",
+      "mirror",
+      parent.layer.mirror.axis,
+      "A stroke that lies on the texture cannot be mirrored.",
+    );
   }
   return mapLayer(design, parent.layer.id, (holder) =>
     list === "mask"
@@ -246,7 +253,7 @@ export function moveTo(design: Design, id: string, place: LayerPlace): Design {
     place.parentId !== null &&
     flattenLayers({ layers: [visit.layer] }).some((layer) => layer.id === place.parentId)
   ) {
-    throw refusal("parentId", place.parentId, "A layer cannot be put into itself.");
+    throw refusal("into-itself", "parentId", place.parentId, "A layer cannot be put into itself.");
   }
   return insertAt(removeById(design, id), place, visit.layer);
 }
@@ -283,8 +290,8 @@ function withLayers(design: Design, layers: readonly DesignLayer[]): Design {
   return layers === design.layers ? design : { ...design, layers };
 }
 
-function refusal(field: string, value: string | null, message: string): TexelcastError {
-  return new TexelcastError("bad-argument", message, { field, value: String(value) });
+function refusal(reason: string, field: string, value: string | null, message: string): TexelcastError {
+  return new TexelcastError("bad-argument", message, { field, value: String(value), reason });
 }
 
 /** It, or a group that it lies in, is locked. */

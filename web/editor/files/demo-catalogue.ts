@@ -1,5 +1,7 @@
 /** The demo models and decals that come with the page, as `demo/demo.json` lists them. */
+
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 
 export interface DemoModel {
@@ -45,7 +47,7 @@ export async function loadDemoCatalogue(page: string, strings: Strings): Promise
   const response = await fetch(url).catch(() => undefined);
   const list: unknown = response?.ok ? await response.json().catch(() => undefined) : undefined;
   if (typeof list !== "object" || list === null) {
-    throw new TexelcastError("missing-file", strings.errors.noDemos, {
+    throw new ToldError("missing-file", strings.errors.noDemos, {
       subject: url,
       hint: strings.errors.noDemosHint,
     });

@@ -1,7 +1,8 @@
 /** What a handful of files means: a model with its side files, a design, pictures for decals. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { listSideFiles } from "../../engine/gltf-container.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import { bytesOf, findCompanion } from "./companions.ts";
 import type { CollectedFile } from "./file-collection.ts";
@@ -29,7 +30,7 @@ const PROJECT = /\.texelcast$/i;
 export async function sortFiles(files: readonly CollectedFile[], strings: Strings): Promise<Intake> {
   const [modelFile, secondModel] = files.filter(({ path }) => MODEL.test(path));
   if (modelFile && secondModel) {
-    throw new TexelcastError("unsupported", strings.errors.twoModels(modelFile.path, secondModel.path), {
+    throw new ToldError("unsupported", strings.errors.twoModels(modelFile.path, secondModel.path), {
       subject: secondModel.path,
       hint: strings.errors.twoModelsHint,
     });
@@ -43,7 +44,7 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
   const fonts = spare.filter(({ path }) => FONT.test(path));
   if (!modelFile && !design && !project && pictures.length + fonts.length === 0) {
     const first = files[0];
-    throw new TexelcastError("unsupported", strings.errors.unknownFile(first?.path ?? ""), {
+    throw new ToldError("unsupported", strings.errors.unknownFile(first?.path ?? ""), {
       ...(first && { subject: first.path }),
       hint: strings.errors.unknownFileHint,
     });

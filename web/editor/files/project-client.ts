@@ -1,5 +1,7 @@
 /** Packs and unpacks projects beside the page's thread. */
+
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import type { ProjectAnswer, ProjectToPack, ProjectWork, UnpackedProject } from "./project-packing.ts";
 
@@ -19,7 +21,7 @@ export async function packInWorker(
     signal,
   );
   if ("packed" in answer) return answer.packed;
-  throw new TexelcastError("internal", strings.projects.packerFailed(""), { subject: project.name });
+  throw new ToldError("internal", strings.projects.packerFailed(""), { subject: project.name });
 }
 
 /** A project's file, all of it inflated and checked. Rejects as `packInWorker`, with what is wrong with the file. */
@@ -37,7 +39,7 @@ export async function unpackInWorker(
     signal,
   );
   if ("unpacked" in answer) return answer.unpacked;
-  throw new TexelcastError("internal", strings.projects.unpackerFailed(""), { subject: fileName });
+  throw new ToldError("internal", strings.projects.unpackerFailed(""), { subject: fileName });
 }
 
 async function askWorker(
@@ -53,11 +55,11 @@ async function askWorker(
   });
   try {
     const answer = await new Promise<ProjectAnswer>((resolve, reject) => {
-      const fail = (reason: string): void => reject(new TexelcastError("internal", words.failed(reason), { subject }));
+      const fail = (reason: string): void => reject(new ToldError("internal", words.failed(reason), { subject }));
       worker.onmessage = ({ data }: MessageEvent<ProjectAnswer>) => resolve(data);
       worker.onerror = (event) => fail(event.message);
       worker.onmessageerror = () => fail("");
-      const cancel = (): void => reject(new TexelcastError("cancelled", words.cancelled));
+      const cancel = (): void => reject(new ToldError("cancelled", words.cancelled));
       if (signal.aborted) cancel();
       signal.addEventListener("abort", cancel);
       worker.postMessage(work);

@@ -58,6 +58,15 @@ export class NoticeStack extends EditorElement {
         color: var(--text-quiet);
         font-size: var(--text-small);
       }
+      .words details {
+        color: var(--text-quiet);
+        font-size: var(--text-small);
+      }
+      .words summary {
+        width: fit-content;
+        padding-block: 3px;
+        cursor: pointer;
+      }
       .dismiss {
         margin: -6px -6px 0 0;
       }
@@ -148,8 +157,16 @@ export class NoticeStack extends EditorElement {
     `;
   }
 
+  /** In the engine's English, which a screen reader is told of. */
+  #exact(text: string): TemplateResult {
+    return html`<details>
+      <summary>${this.strings.notices.exact}</summary>
+      <p lang="en">${sentence(text)}</p>
+    </details>`;
+  }
+
   #notice(notice: Notice): TemplateResult {
-    const { id, tone, title, code, message, where, hint, action } = notice;
+    const { id, tone, title, code, message, where, hint, exact, action } = notice;
     const dismiss = (): void => this.editor.board.dismiss(id);
     const act = (): void => {
       dismiss();
@@ -162,6 +179,7 @@ export class NoticeStack extends EditorElement {
           <h2>${title}</h2>
           <p>${sentence(message)}${hint ? ` ${sentence(hint)}` : ""}</p>
           ${where ? html`<p class="where">${where}</p>` : nothing}
+          ${exact ? this.#exact(exact) : nothing}
           ${action ? html`<button class="outlined action" @click=${act}>${action.label}</button>` : nothing}
         </div>
         <button class="icon dismiss" aria-label=${this.strings.notices.dismiss} title=${this.strings.notices.dismiss} @click=${dismiss}>

@@ -1,5 +1,6 @@
 /** Files in and out: models, designs and pictures opened or dropped; designs saved, textures and models exported. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+
+import type { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, emptyDesign, materialsIn, parseDesign, serialiseDesign } from "../document/index.ts";
@@ -9,6 +10,7 @@ import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { sortFiles } from "../files/file-intake.ts";
 import type { ProjectContent } from "../storage/project.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
@@ -317,7 +319,7 @@ export class FileCommands {
   #notHere([first]: readonly CollectedFile[]): TexelcastError {
     const { notHere, notHereHint } = this.#parts.board.strings.errors;
     const subject = first?.path ?? "";
-    return new TexelcastError("unsupported", notHere(subject), { subject, hint: notHereHint });
+    return new ToldError("unsupported", notHere(subject), { subject, hint: notHereHint });
   }
 
   /** Said once, and not for each of the files. */
@@ -327,7 +329,7 @@ export class FileCommands {
     if (!first || store.state.model) return;
     const { noModelYet, noModelForText } = board.strings.errors;
     const message = pictures.length > 0 ? noModelYet : noModelForText;
-    throw new TexelcastError("bad-argument", message, { subject: first.file.name });
+    throw new ToldError("bad-argument", message, { subject: first.file.name });
   }
 
   /** What cannot be used is named, and keeps none of the others out. */

@@ -2,10 +2,12 @@
  * The open model and its paint targets. A model that cannot be opened leaves everything as it was: since the engine
  * holds one model at a time, that may mean giving it the old one again.
  */
+
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine, MaterialInfo, ModelInfo, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
 import { type Design, materialsIn } from "../document/index.ts";
+import { ToldError } from "../strings/told-error.ts";
 import { type Strings, stringsIn } from "../strings.ts";
 import { usedMaterials } from "./design-edits.ts";
 import type { EditorState, ModelRef, OpenModel, TargetSettings } from "./editor-state.ts";
@@ -248,7 +250,7 @@ function firstPaintable(info: ModelInfo, design: Design, strings: Strings): numb
 function refusalOf(info: ModelInfo, strings: Strings): TexelcastError {
   const refused = info.materials.find((material): material is MaterialInfo & { refusal: object } => !!material.refusal);
   if (!refused) {
-    return new TexelcastError("no-triangles", strings.errors.noMaterials, { subject: info.name });
+    return new ToldError("no-triangles", strings.errors.noMaterials, { subject: info.name });
   }
   const code = refused.refusal.code.toLowerCase().replaceAll("_", "-");
   return new TexelcastError(code, refused.refusal.message, {

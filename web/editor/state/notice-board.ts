@@ -29,7 +29,7 @@ export class NoticeBoard {
 
   info(notice: Pick<Notice, "title" | "message" | "action" | "stays"> & { readonly hint?: string }): number {
     this.#count += 1;
-    this.#add({ hint: "", ...notice, id: this.#count, tone: "info", code: "", where: "" });
+    this.#add({ hint: "", exact: "", ...notice, id: this.#count, tone: "info", code: "", where: "" });
     return this.#count;
   }
 

@@ -1,5 +1,7 @@
 /** What the page tells its user: notices that stay until dismissed, and announcements for screen readers. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ownWords } from "../strings/error-words.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 
 export interface NoticeAction {
@@ -19,6 +21,8 @@ export interface Notice {
   readonly where: string;
   /** What to do. */
   readonly hint: string;
+  /** What only those need who look into the file, in English; "" for nothing. */
+  readonly exact: string;
   readonly action?: NoticeAction;
   /** Stays while the user works on, as errors do. */
   readonly stays?: boolean;
@@ -28,7 +32,7 @@ export interface Notice {
 export function noticeOf(id: number, title: string, thrown: unknown, strings: Strings): Notice {
   const error = TexelcastError.wrap(thrown, "unexpected", thrown instanceof Error ? thrown.message : String(thrown));
   const { code, subject, field, value } = error;
-  const { message, hint } = strings.told(error.toJSON());
+  const { message, hint, exact = "" } = (error instanceof ToldError ? ownWords : strings.told)(error.toJSON());
   const where = [subject, field, value === undefined ? undefined : strings.notices.value(shortened(value))];
   return {
     id,
@@ -38,6 +42,7 @@ export function noticeOf(id: number, title: string, thrown: unknown, strings: St
     message,
     where: where.filter((part) => part !== undefined && part !== "" && !title.includes(part)).join(" · "),
     hint,
+    exact,
   };
 }
 

@@ -1,5 +1,5 @@
 /** Projects that the browser keeps: the one the page begins with, and what the list of them offers. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+
 import { PROJECT_EXTENSION, type ProjectFile } from "../document/index.ts";
 import { fetchBytes } from "../files/demo-catalogue.ts";
 import { download, fileNameOf } from "../files/download.ts";
@@ -11,6 +11,7 @@ import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/p
 import type { ProjectLock } from "../storage/project-lock.ts";
 import type { ProjectStore } from "../storage/project-store.ts";
 import type { TabMemory } from "../storage/tab-memory.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -243,14 +244,14 @@ export class ProjectCommands {
     const known = !given && demo !== null && this.#parts.store.state.demos?.models.some(({ id }) => id === demo);
     if (known) return this.#demo({ id: demo, title });
     if (other) return { ...other };
-    throw new TexelcastError("missing-file", this.#words.noModel, { subject: title, hint: this.#words.noModelHint });
+    throw new ToldError("missing-file", this.#words.noModel, { subject: title, hint: this.#words.noModelHint });
   }
 
   async #demo({ id, title }: { id: string; title: string }): Promise<ModelRef> {
     const { demos } = this.#parts.store.state;
     const demo = demos?.models.find((candidate) => candidate.id === id);
     if (!demos || !demo) {
-      throw new TexelcastError("missing-file", this.#words.demoGone(title), {
+      throw new ToldError("missing-file", this.#words.demoGone(title), {
         subject: title,
         hint: this.#words.demoGoneHint,
       });

@@ -9,6 +9,7 @@ import type { DesignSession } from "./design-session.ts";
 import { type EditorState, INITIAL_STATE } from "./editor-state.ts";
 import type { FileCommands } from "./file-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
+import { noticeOf } from "./notices.ts";
 import { ProjectCommands } from "./project-commands.ts";
 import { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
@@ -48,7 +49,8 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
     tab,
     thumbnail: async () => thumbnail(),
     notices: {
-      refused: ({ message, hint = "" }: TexelcastError) => {
+      refused: (error: TexelcastError) => {
+        const { message, hint } = noticeOf(0, "", error, strings);
         const action = { label: strings.projects.saveFile, run: () => void commands.saveFile(true) };
         refusal = board.info({ title: strings.storage.refusedTitle, message, hint, action, stays: true });
       },

@@ -1,5 +1,5 @@
 /** Long work with progress and cancellation: shown only when it lasts, so that quick work does not flicker. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../strings/told-error.ts";
 import { type Strings, stringsIn } from "../strings.ts";
 import type { EditorState, Task } from "./editor-state.ts";
 import type { Store } from "./store.ts";
@@ -62,7 +62,7 @@ export class Tasks {
         progress: (share) => this.#patch(id, { share }),
         relabel: (text) => this.#patch(id, { label: text, share: null }),
         checkCancelled: () => {
-          if (abort.signal.aborted) throw new TexelcastError("cancelled", this.#strings.errors.cancelled);
+          if (abort.signal.aborted) throw new ToldError("cancelled", this.#strings.errors.cancelled);
         },
       });
     } finally {

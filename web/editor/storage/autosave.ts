@@ -4,7 +4,7 @@
  * opening another model begins another project, and an undo that brings the model back brings its project back. The
  * project that is open is the one that the next visit begins with, even where nothing of it was left to save.
  */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+import type { TexelcastError } from "../../core/texelcast-error.ts";
 import type { EditorState, ModelRef, Snapshot, TargetSettings } from "../state/editor-state.ts";
 import type { Store } from "../state/store.ts";
 import type { Strings } from "../strings.ts";
@@ -13,6 +13,7 @@ import { ProjectPacker } from "./packed-project.ts";
 import type { ProjectContent } from "./project.ts";
 import type { ProjectLock } from "./project-lock.ts";
 import type { ProjectStore, ProjectTouch } from "./project-store.ts";
+import { storageError } from "./storage-error.ts";
 import type { TabMemory } from "./tab-memory.ts";
 
 export interface AutosaveParts {
@@ -235,7 +236,7 @@ export class Autosave {
       this.#saved(project);
       return true;
     } catch (thrown) {
-      this.#failed(project, content, TexelcastError.wrap(thrown, "storage-refused", String(thrown)));
+      this.#failed(project, content, storageError(thrown, this.#parts.strings));
       return false;
     }
   }

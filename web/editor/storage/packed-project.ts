@@ -2,11 +2,12 @@
  * A project taken apart for storage and put together again: text on one side, each picture and model file once on the
  * other, named by its content.
  */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { type Design, type DesignAsset, parseDesign, serialiseDesign } from "../document/index.ts";
 import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
 import type { ModelRef } from "../state/editor-state.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import { contentHash } from "./content-hash.ts";
 import type { ProjectContent, StoredModel } from "./project.ts";
@@ -95,9 +96,9 @@ function readableText(design: Design, name: string, strings: Strings): string {
     const text = serialiseDesign(design);
     if (parseDesign(text, name).layers.length === design.layers.length) return text;
   } catch (thrown) {
-    throw TexelcastError.wrap(thrown, "bad-design", refusal, { subject: name });
+    throw new ToldError("bad-design", refusal, { subject: name, cause: thrown });
   }
-  throw new TexelcastError("bad-design", refusal, { subject: name });
+  throw new ToldError("bad-design", refusal, { subject: name });
 }
 
 async function hashed(uri: string, key: string): Promise<KnownBlob> {
@@ -147,5 +148,5 @@ export function unpackModel(
 
 function present(bytes: Uint8Array | undefined, name: string, part: string, strings: Strings): Uint8Array {
   if (bytes) return bytes;
-  throw new TexelcastError("missing-file", strings.storage.partMissing(part), { subject: name, field: part });
+  throw new ToldError("missing-file", strings.storage.partMissing(part), { subject: name, field: part });
 }

@@ -1,6 +1,7 @@
 /** The browser's database of projects: its tables, and how it is opened. */
+
 import { type DBSchema, type IDBPDatabase, openDB } from "idb";
-import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import type { ProjectSummary, StoredModel } from "./project.ts";
 
@@ -71,7 +72,7 @@ export class ProjectConnection {
   }
 
   async #open(): Promise<ProjectDatabase> {
-    if (typeof indexedDB === "undefined") throw new TexelcastError("storage-refused", this.#strings.storage.none);
+    if (typeof indexedDB === "undefined") throw new ToldError("storage-refused", this.#strings.storage.none);
     const opened = openDB<ProjectSchema>(NAME, VERSION, {
       upgrade(database) {
         database.createObjectStore("projects", { keyPath: "id" });
@@ -88,7 +89,7 @@ export class ProjectConnection {
       timer = setTimeout(() => {
         // One that comes too late is nobody's.
         opened.then((database) => database.close()).catch(() => undefined);
-        reject(new TexelcastError("storage-refused", this.#strings.storage.silent));
+        reject(new ToldError("storage-refused", this.#strings.storage.silent));
       }, PATIENCE);
     });
     try {

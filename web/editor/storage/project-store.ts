@@ -3,8 +3,9 @@
  * drops the one before the last: whatever ends it half-way, the save before stands. Every method rejects with a
  * TexelcastError: "storage-full" or "storage-refused" when the browser will not, else what is said there.
  */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+
 import { countedName } from "../files/counted-name.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";
 import { type PackedProject, unpackDesign, unpackModel } from "./packed-project.ts";
@@ -77,7 +78,7 @@ export class ProjectStore {
       const row = await projects.get(id);
       // A project that is gone was deleted elsewhere: saving brings it back, since somebody works on it.
       if (row && row.revision !== seen) {
-        throw new TexelcastError("storage-conflict", this.#strings.storage.conflict(packed.name), {
+        throw new ToldError("storage-conflict", this.#strings.storage.conflict(packed.name), {
           subject: packed.name,
         });
       }
@@ -109,7 +110,7 @@ export class ProjectStore {
     return this.#read(async (database) => {
       const row = await database.get("projects", id);
       if (!row || row.deleted !== null) {
-        throw new TexelcastError("missing-file", this.#strings.storage.gone, { subject: row?.name ?? id });
+        throw new ToldError("missing-file", this.#strings.storage.gone, { subject: row?.name ?? id });
       }
       try {
         return { ...(await loadRevision(database, row, row.revision, this.#strings)), fromBackup: false };
@@ -153,7 +154,7 @@ export class ProjectStore {
     return this.#write(async (tables) => {
       const row = await tables.objectStore("projects").get(id);
       const revision = row && (await tables.objectStore("revisions").get([id, row.revision]));
-      if (!revision) throw new TexelcastError("missing-file", this.#strings.storage.gone, { subject: name });
+      if (!revision) throw new ToldError("missing-file", this.#strings.storage.gone, { subject: name });
       const copy = randomId();
       await tables.objectStore("revisions").put({ ...revision, project: copy, revision: 1 });
       const copied = { ...row, id: copy, name, revision: 1, previous: null, deleted: null, modified: this.#now() };
@@ -271,7 +272,7 @@ async function loadRevision(
 ): Promise<Omit<LoadedProject, "fromBackup">> {
   const revision = await database.get("revisions", [row.id, number]);
   if (!revision) {
-    throw new TexelcastError("missing-file", strings.storage.unreadable(row.name), { subject: row.name });
+    throw new ToldError("missing-file", strings.storage.unreadable(row.name), { subject: row.name });
   }
   const blobs = new Map<string, Uint8Array>();
   for (const hash of revision.blobs) {

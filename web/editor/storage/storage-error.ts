@@ -1,5 +1,7 @@
 /** Why the browser would not keep something, in words for its user. */
+
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 
 /**
@@ -10,10 +12,10 @@ export function storageError(thrown: unknown, strings: Strings): TexelcastError 
   if (thrown instanceof TexelcastError) return thrown;
   const words = strings.storage;
   if (isQuotaError(thrown)) {
-    return new TexelcastError("storage-full", words.full, { hint: words.fullHint, cause: thrown });
+    return new ToldError("storage-full", words.full, { hint: words.fullHint, cause: thrown });
   }
   const reason = thrown instanceof Error ? thrown.message : String(thrown);
-  return new TexelcastError("storage-refused", words.refused(reason), { hint: words.refusedHint, cause: thrown });
+  return new ToldError("storage-refused", words.refused(reason), { hint: words.refusedHint, cause: thrown });
 }
 
 function isQuotaError(thrown: unknown): boolean {

@@ -6,6 +6,8 @@ export interface ErrorWords {
   readonly message: string;
   /** What to do about it; "" where there is nothing to say. */
   readonly hint: string;
+  /** What whoever looks into the file needs, as its reader said it, in English; left out where `message` says it all. */
+  readonly exact?: string;
 }
 
 /** The error's own words. */

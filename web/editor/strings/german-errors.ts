@@ -1,87 +1,100 @@
 /**
- * What the engine and the readers of files report, in German, by code. Apart from the editor's other words: the element in a shop
- * loads this alone. A code that is not here keeps its own words.
+ * What the engine and the readers of files report, in German, by code, and by reason where one code has several. Apart from the
+ * editor's other words: the element in a shop loads this alone.
  */
 import type { TexelcastErrorJson } from "../../core/texelcast-error.ts";
 import { type ErrorWords, ownWords } from "./error-words.ts";
+import { ARGUMENTS, FONTS, PICTURES } from "./german-reasons.ts";
 
-type Wording = (error: TexelcastErrorJson) => readonly [message: string, hint: string] | null;
+/** Null: the code is not used so by the engine, and whoever made the error said it in the user's language. */
+type Wording = (error: TexelcastErrorJson) => Told | null;
+type Told = readonly [message: string, hint: string, told?: "whole"];
 
 const named = ({ subject }: TexelcastErrorJson, otherwise: string): string => (subject ? `„${subject}“` : otherwise);
-/** What only those need who look into the file: as the reader of the file said it. */
-const exactly = ({ message }: TexelcastErrorJson): string => ` Genauer: ${message}`;
 
 const REPAIR = "Repariere das Modell in einem 3D-Programm und exportiere es noch einmal.";
 const ANOTHER = "Speichere es in einem anderen Programm noch einmal, als PNG, JPEG, WebP oder SVG.";
+const RELOAD = "Prüfe die Verbindung und lade die Seite neu.";
 
+/** With its reason it is told whole; without one that is known, the English words stand beside it. */
+function withReason(reasons: typeof PICTURES, { reason = "" }: TexelcastErrorJson, begin: string, hint: string): Told {
+  const known = Object.hasOwn(reasons, reason) ? reasons[reason] : undefined;
+  return known ? [`${begin}${begin && " "}${known[0]}`, known[1], "whole"] : [begin, hint];
+}
+
+/** As the engine's client and the core report them; an element's own words have the codes below too. */
 const WORDINGS: Readonly<Record<string, Wording>> = {
-  "bad-model": (error) => [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell.${exactly(error)}`, REPAIR],
-  "bad-container": (error) => [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell.${exactly(error)}`, REPAIR],
+  "bad-model": (error) => [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell.`, REPAIR],
+  "bad-container": (error) => [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell.`, REPAIR],
   "unsupported-model": (error) => [
-    `${named(error, "Das Modell")} braucht eine glTF-Erweiterung, die hier nicht gelesen wird.${exactly(error)}`,
+    `${named(error, "Das Modell")} braucht eine glTF-Erweiterung, die hier nicht gelesen wird.`,
     "Exportiere es ohne diese Erweiterung.",
   ],
-  "bad-geometry": (error) => [
-    `Die Geometrie von ${named(error, "diesem Modell")} ist beschädigt.${exactly(error)}`,
-    REPAIR,
-  ],
+  "bad-geometry": (error) => [`Die Geometrie von ${named(error, "diesem Modell")} ist beschädigt.`, REPAIR],
   "bad-uvs": (error) => [
-    `Die Texturkoordinaten von ${named(error, "diesem Modell")} sind nicht zu gebrauchen.${exactly(error)}`,
+    `Die Texturkoordinaten von ${named(error, "diesem Modell")} sind nicht zu gebrauchen.`,
     "Wickle das Modell in einem 3D-Programm neu ab und exportiere es noch einmal.",
   ],
   "no-uvs": (error) => [
     `${named(error, "Das Modell")} hat keine Texturkoordinaten und damit keine Textur, die man bemalen könnte.`,
     "Wickle das Modell in einem 3D-Programm ab (gib ihm Texturkoordinaten) und exportiere es noch einmal.",
+    "whole",
   ],
   "no-triangles": (error) => [
     `${named(error, "Das Modell")} hat keine Dreiecke mit einem Material, das man bemalen könnte.`,
     REPAIR,
+    "whole",
   ],
-  "no-material": (error) => [`Dieses Material hat ${named(error, "das Modell")} nicht.${exactly(error)}`, ""],
-  "bad-size": (error) => [`Diese Größe geht nicht.${exactly(error)}`, "Wähle eine kleinere Textur oder weniger DPI."],
+  "no-material": (error) => [`Dieses Material hat ${named(error, "das Modell")} nicht.`, ""],
+  "bad-size": () => ["Diese Größe geht nicht.", "Wähle eine kleinere Textur oder weniger DPI."],
   "out-of-budget": () => [
     "Dafür reicht der Speicher nicht, den die Mal-Engine haben darf.",
     "Wähle eine kleinere Textur oder öffne ein kleineres Modell.",
+    "whole",
   ],
-  "bad-picture": (error) => [
-    `${named(error, "Das Bild")} ist kein Bild, das sich hier verwenden lässt.${exactly(error)}`,
-    ANOTHER,
-  ],
-  "bad-font": (error) => [
-    `${named(error, "Die Schrift")} ist keine Schrift, die sich hier verwenden lässt.${exactly(error)}`,
-    "Nimm die Schrift als .ttf oder .otf.",
-  ],
+  "bad-picture": (error) =>
+    withReason(PICTURES, error, `${named(error, "Das Bild")} ist kein Bild, das sich hier verwenden lässt.`, ANOTHER),
+  "bad-font": (error) =>
+    withReason(
+      FONTS,
+      error,
+      `${named(error, "Die Schrift")} ist keine Schrift, die sich hier verwenden lässt.`,
+      "Nimm die Schrift als .ttf oder .otf.",
+    ),
   "unsafe-file": (error) => [
-    `${named(error, "Die Zeichnung")} enthält etwas, das ausgeführt würde, und wird nicht geöffnet.${exactly(error)}`,
+    `${named(error, "Die Zeichnung")} enthält etwas, das ausgeführt würde, und wird nicht geöffnet.`,
     "Speichere die Zeichnung ohne Skripte noch einmal, oder als PNG.",
   ],
   "too-large": (error) => [
     `${named(error, "Das Bild")} ist zu groß${error.value === undefined ? "" : ` (${sizeOf(error.value)})`}.`,
     "Mach es kleiner und versuche es noch einmal.",
+    "whole",
   ],
   "bad-design": (error) => [
-    `${named(error, "Das Design")} lässt sich nicht öffnen.${exactly(error)}`,
+    `${named(error, "Das Design")} lässt sich nicht öffnen${error.field === undefined ? ": Es ist nicht zu lesen." : `: Bei ${error.field} steht nicht, was dort stehen muss.`}`,
     "Welche Felder ein Design hat, steht in docs/design-document.md.",
   ],
   "bad-project": (error) => [
-    `${named(error, "Das Projekt")} ist beschädigt oder kein Projekt.${exactly(error)}`,
+    `${named(error, "Das Projekt")} ist beschädigt oder kein Projekt.`,
     "Nimm eine andere Sicherung dieser Datei.",
   ],
   "bad-zones": (error) =>
     error.subject === undefined
       ? null
-      : [
-          `${named(error, "Die Druckflächen")} lassen sich nicht verwenden.${exactly(error)}`,
-          "Siehe docs/print-truth.md.",
-        ],
+      : [`${named(error, "Die Druckflächen")} lassen sich nicht verwenden.`, "Siehe docs/print-truth.md."],
   "missing-file": (error) =>
     error.value === undefined
       ? null
       : [
           `${named(error, "Die Datei")} braucht die Datei „${error.value}“, die nicht dabei ist.`,
           "Wähle oder zieh alle Dateien auf einmal.",
+          "whole",
         ],
-  "no-model": () => ["Es ist noch kein Modell geöffnet.", "Öffne zuerst ein Modell."],
+  "outside-folder": (error) => [
+    `${named(error, "Das Design")} nennt eine Datei außerhalb seines eigenen Ordners.`,
+    "Lege die Dateien eines Designs neben das Design oder hinein.",
+  ],
+  "no-model": () => ["Es ist noch kein Modell geöffnet.", "Öffne zuerst ein Modell.", "whole"],
   "engine-crashed": () => [
     "Die Mal-Engine ist stehen geblieben.",
     "Sie beginnt von selbst wieder; hilft das nicht, lade die Seite neu.",
@@ -92,13 +105,53 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
   ],
 };
 
+/** Codes that an element has words of its own for: what the engine means by them is told where no element is around it. */
+const IN_THE_EDITOR: Readonly<Record<string, Wording>> = {
+  "bad-argument": (error) => {
+    const [message, hint, whole] = withReason(ARGUMENTS, error, "", "");
+    return message ? [message, hint, whole] : ["Das geht hier nicht.", ""];
+  },
+  "bad-zones": () => ["Die Druckflächen lassen sich nicht verwenden.", "Siehe docs/print-truth.md."],
+  "missing-file": (error) => [
+    error.subject ? `„${error.subject}“ ließ sich nicht laden.` : "Ein Teil der Seite ließ sich nicht laden.",
+    RELOAD,
+  ],
+  unsupported: (error) =>
+    error.subject
+      ? [
+          `„${error.subject}“ enthält etwas, das hier nicht gelesen wird.`,
+          "Speichere die Datei in einem anderen Format.",
+        ]
+      : [
+          "Dieser Browser kann die 3D-Ansicht oder die Mal-Engine nicht zeigen.",
+          "Schalte die Hardwarebeschleunigung ein, oder nimm einen neueren Browser.",
+        ],
+  disposed: () => ["Die Mal-Engine ist beendet.", RELOAD],
+};
+
+const FAULT: Told = [
+  "In der Seite ist ein Fehler aufgetreten.",
+  "Versuche es noch einmal, oder lade die Seite neu. Deine Arbeit ist noch da.",
+];
+
 /** Bytes as megabytes; pixels as they are. */
 const sizeOf = (value: string): string =>
   /^\d+$/.test(value) ? `${(Number(value) / 2 ** 20).toFixed(1).replace(".", ",")} MB` : `${value} Pixel`;
 
+const wording = (wordings: typeof WORDINGS, error: TexelcastErrorJson): Told | null =>
+  (Object.hasOwn(wordings, error.code) && wordings[error.code]?.(error)) || null;
+
+function wordsOf([message, hint, whole]: Told, error: TexelcastErrorJson): ErrorWords {
+  return { message, hint, ...(!whole && { exact: error.message }) };
+}
+
+/** As an element tells it: a code that is not the engine's alone keeps its own words, which are the element's. */
 export function germanError(error: TexelcastErrorJson): ErrorWords {
-  const wording = Object.hasOwn(WORDINGS, error.code) ? WORDINGS[error.code]?.(error) : null;
-  if (!wording) return ownWords(error);
-  const [message, hint] = wording;
-  return { message, hint };
+  const told = wording(WORDINGS, error);
+  return told ? wordsOf(told, error) : ownWords(error);
+}
+
+/** As the editor tells it: whatever was not said in German is, if only that it went wrong. */
+export function germanNotice(error: TexelcastErrorJson): ErrorWords {
+  return wordsOf(wording(WORDINGS, error) ?? wording(IN_THE_EDITOR, error) ?? FAULT, error);
 }

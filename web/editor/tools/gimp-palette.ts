@@ -2,7 +2,9 @@
  * Palettes as GIMP keeps them (.gpl), read and written: a first line "GIMP Palette", lines "Name:" and "Columns:", then
  * three numbers from 0 to 255 and a name for each colour; lines that begin with # are remarks.
  */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+
+import type { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import { hexOf } from "./pixel-probe.ts";
 
@@ -64,7 +66,7 @@ function colorIn(line: string, file: string, number: number, words: PaletteError
 }
 
 function fault(file: string, line: number, value: string, message: string, words: PaletteErrors): TexelcastError {
-  return new TexelcastError("bad-palette", message, {
+  return new ToldError("bad-palette", message, {
     subject: file,
     field: words.line(line),
     value: value.length > 80 ? `${value.slice(0, 80)}…` : value,

@@ -1,6 +1,7 @@
 /** The colour of the finished texture at a place of the surface. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import { ToldError } from "../strings/told-error.ts";
 import type { ToolContext } from "./tool-context.ts";
 
 export class PixelProbe {
@@ -34,7 +35,7 @@ export class PixelProbe {
     const y = Math.min(target.height - 1, Math.floor(uv[1] * target.height));
     const [red, green, blue] = await this.#context.engine.readTexels(material, x, y, 1, 1);
     if (red === undefined || green === undefined || blue === undefined) {
-      throw new TexelcastError("engine-crashed", this.#context.board.strings.tools.noTexel, {
+      throw new ToldError("engine-crashed", this.#context.board.strings.tools.noTexel, {
         field: "uv",
         value: uv.join(", "),
       });

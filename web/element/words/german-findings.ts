@@ -4,7 +4,7 @@ import type { PrintFinding } from "../../engine/print-report.ts";
 
 const MOVE_IN = "Schieb es hinein, oder mach es kleiner.";
 
-export function germanFinding({ code, value, message, hint }: PrintFinding, grave: boolean): ErrorWords {
+export function germanFinding({ code, value, zone, message, hint }: PrintFinding, grave: boolean): ErrorWords {
   switch (code) {
     case "low-dpi":
       return {
@@ -48,6 +48,11 @@ export function germanFinding({ code, value, message, hint }: PrintFinding, grav
       };
     case "not-printable":
       return { message: "Dieser Teil lässt sich nicht bedrucken.", hint: "Schieb es auf einen anderen Teil." };
+    case "zone-without-material":
+      return {
+        message: `Die Druckfläche „${zone}“ liegt auf einem Material, das das Modell nicht hat.`,
+        hint: "Gib ihr ein Material des Modells.",
+      };
     default:
       return { message, hint };
   }

@@ -1,0 +1,72 @@
+/** Which of the faults of one code it is, in German: the end of the sentence that the code begins, and what to do about it. */
+
+type Reasons = Readonly<Record<string, readonly [problem: string, hint: string]>>;
+
+const AS_PICTURE = "Speichere es als PNG, JPEG oder WebP.";
+const ONCE_MORE = "Kopiere oder lade die Datei noch einmal.";
+const ANOTHER = "Speichere das Bild in einem anderen Programm noch einmal, als PNG, JPEG, WebP oder SVG.";
+const SIMPLER = "Vereinfache die Zeichnung, oder speichere sie als PNG.";
+const PLAIN_SVG = "Speichere die Zeichnung in einem Zeichenprogramm noch einmal als einfaches SVG, oder als PNG.";
+const OTHER_FONT = "Nimm eine andere Schrift.";
+
+/** Of "bad-picture". */
+export const PICTURES: Reasons = {
+  animated: ["Es ist bewegt.", "Speichere ein Bild daraus als stehendes Bild."],
+  avif: ["Es ist ein AVIF- oder HEIC-Bild oder ein Film.", AS_PICTURE],
+  bits: ["Seine Farben haben nicht 8 Bit.", ANOTHER],
+  bmp: ["Es ist ein BMP.", AS_PICTURE],
+  channels: ["Es hat andere Farbkanäle als Grau oder RGB.", "Speichere es in RGB-Farben."],
+  cmyk: ["Seine Farben sind CMYK, für Druckmaschinen.", "Speichere es in RGB-Farben."],
+  "cut-short": ["Die Datei hört zu früh auf.", ONCE_MORE],
+  damaged: ["Die Datei ist beschädigt.", ONCE_MORE],
+  empty: ["Die Datei ist leer.", ONCE_MORE],
+  encoding: ["Sein Text ist weder UTF-8 noch UTF-16.", PLAIN_SVG],
+  entities: ["Es wächst durch seine Entitäten über jedes Maß.", PLAIN_SVG],
+  gif: ["Es ist ein GIF.", AS_PICTURE],
+  "inner-drawing": [
+    "Eine Zeichnung darin hat Filter oder ist gepackt.",
+    "Zeichne, was darin ist, in die Zeichnung selbst.",
+  ],
+  "inner-pixels": ["Die Bilder darin haben zu viele Pixel.", "Mach sie kleiner."],
+  ktx2: ["Es ist eine KTX2-Textur.", AS_PICTURE],
+  "no-pixels": ["Es enthält keine Pixel.", ANOTHER],
+  "no-size": ["Es hat keine Breite und Höhe über 0.", PLAIN_SVG],
+  "not-well-formed": ["Es ist kein gültiges SVG.", PLAIN_SVG],
+  scans: ["Es geht zu oft über das ganze Bild.", "Speichere es noch einmal, als JPEG oder PNG."],
+  svg: ["Es ist eine SVG-Zeichnung.", AS_PICTURE],
+  tiff: ["Es ist ein TIFF.", AS_PICTURE],
+  "too-long": ["Es ist viel zu lang für seine Breite, oder zu breit für seine Höhe.", PLAIN_SVG],
+  "too-many-bytes": ["Die Datei ist zu groß für eine Zeichnung.", SIMPLER],
+  "too-many-pixels": ["Es hat mehr als 8192 Pixel an einer Seite.", "Mach es kleiner."],
+  "too-slow": ["Es zu zeichnen würde zu lange dauern.", SIMPLER],
+  undrawable: ["Es lässt sich nicht zeichnen.", PLAIN_SVG],
+  unknown: ["Es ist weder PNG, JPEG noch WebP.", AS_PICTURE],
+};
+
+/** Of "bad-font". */
+export const FONTS: Reasons = {
+  collection: ["Es ist eine Sammlung von Schriften.", "Nimm eine einzelne, als .ttf oder .otf."],
+  "cut-short": ["Die Datei hört zu früh auf.", ONCE_MORE],
+  empty: ["Die Datei ist leer.", ONCE_MORE],
+  "no-characters": ["Sie hat keine Zeichen.", OTHER_FONT],
+  "not-shipped": ["Diese Version bringt sie nicht mit.", OTHER_FONT],
+  tables: ["Ihr fehlt etwas, das ein Text braucht.", OTHER_FONT],
+  "too-many-bytes": ["Die Datei ist zu groß.", "Nimm eine kleinere Schrift."],
+  "too-many-points": ["Ihre Buchstaben haben zu viele Punkte.", "Nimm eine andere Schrift oder weniger Worte."],
+  unknown: ["Sie ist weder TrueType noch OpenType.", "Nimm die Schrift als .ttf oder .otf."],
+  woff: ["Es ist eine Webschrift (WOFF).", "Nimm die Schrift als .ttf oder .otf."],
+};
+
+/** Of "bad-argument": what can be asked for in the page, and what a design may ask for. */
+export const ARGUMENTS: Reasons = {
+  "into-itself": ["Eine Ebene kann nicht in sich selbst liegen.", ""],
+  "no-layer": ["Die Ebene, in die sie soll, gibt es nicht mehr.", ""],
+  "no-list": ["In diese Ebene lässt sich keine andere legen.", ""],
+  "not-mirrored": ["Ein Strich, der auf der Textur liegt, lässt sich nicht spiegeln.", ""],
+  "not-taken": ["Ebenen dieser Art lassen sich dort nicht einfügen.", ""],
+  "other-model": [
+    "Die Füllung wurde für ein anderes Modell gemacht, oder für ein anderes Material.",
+    "Wähle ihre Teile neu.",
+  ],
+  "too-deep": ["So tief lassen sich Ebenen nicht ineinander legen.", ""],
+};
