@@ -53,6 +53,12 @@ test("opening a model and undoing it leaves its project the one that a reload an
   await editor.open();
   await editor.addDemoDecal("badge");
   const worked = await editor.settledHash();
+  // One state, and no second mark that says otherwise; what an update cost is not said unasked.
+  await page.evaluate(() => window.texelcast.kept());
+  await expect(page.locator("tc-status-line")).toContainText("Kept in this browser");
+  await expect(page.locator("#save-design .unsaved")).toHaveCount(0);
+  await expect(page.locator("tc-status-line")).not.toContainText("engine");
+  await expect(page.locator("tc-status-line [title*=engine]")).toContainText("texels painted");
   await editor.openModel(squareGltf());
   await page.evaluate(() => window.texelcast.kept());
   await page.keyboard.press("Control+z");
@@ -136,6 +142,8 @@ test("where the browser keeps nothing the page says so once, works on, and offer
   await editor.addDemoDecal("badge");
   await page.evaluate(() => window.texelcast.kept());
   await expect(editor.notices).toContainText("Your work is not being kept in this browser");
+  await expect(page.locator("tc-status-line")).toContainText("Not kept");
+  await expect(page.locator("#save-design .unsaved")).toBeVisible();
   await editor.addDemoDecal("smiley");
   expect(await editor.settledHash()).not.toBe(before);
   await expect(editor.notices).toHaveCount(1);

@@ -68,6 +68,7 @@ export class NoticeStack extends EditorElement {
         cursor: pointer;
       }
       .dismiss {
+        align-self: start;
         margin: -6px -6px 0 0;
       }
       .action {

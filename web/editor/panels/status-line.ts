@@ -1,4 +1,7 @@
-/** Quiet figures under the views. They are not announced: they change in every frame of a drag. */
+/**
+ * Quiet figures under the views. They are not announced: they change in every frame of a drag. What that cost is for whoever
+ * asks: it shows over the figure of the painted texels, and is in the test handle's `stats()`.
+ */
 import { css, html, LitElement, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../state/editor.ts";
 import type { EditorState, Figures } from "../state/editor-state.ts";
@@ -32,14 +35,6 @@ export class StatusLine extends LitElement {
       padding: 0 var(--space-3);
       contain: strict;
     }
-    .gap {
-      flex: 1;
-    }
-    @media (max-width: 900px) {
-      .gap ~ span {
-        display: none;
-      }
-    }
   `;
 
   constructor() {
@@ -65,6 +60,11 @@ export class StatusLine extends LitElement {
     return this.strings.status;
   }
 
+  #cost(engine: number, upload: number): string {
+    const { tenths } = this.strings.numbers;
+    return `${this.#words.engine(tenths(engine))}, ${this.#words.upload(tenths(upload))}`;
+  }
+
   override render(): TemplateResult {
     const { targets, material, model, keeping } = this.editor.store.state;
     const kept = this.strings.projects.keeping[keeping];
@@ -76,12 +76,9 @@ export class StatusLine extends LitElement {
       ${kept ? html`<span id="keeping">${kept}</span>` : nothing}
       ${
         update
-          ? html`
-              <span>${this.#words.painted(this.strings.numbers.whole(update.projectedTexels))}</span>
-              <span class="gap"></span>
-              <span>${this.#words.engine(this.strings.numbers.tenths(update.milliseconds))}</span>
-              <span>${this.#words.upload(this.strings.numbers.tenths(uploadMilliseconds))}</span>
-            `
+          ? html`<span title=${this.#cost(update.milliseconds, uploadMilliseconds)}
+              >${this.#words.painted(this.strings.numbers.whole(update.projectedTexels))}</span
+            >`
           : nothing
       }
     </div>`;

@@ -117,7 +117,7 @@ export class TopBar extends EditorElement {
   }
 
   override render(): TemplateResult {
-    const { model, undoLabel, redoLabel, unsaved, switching, designName, readonly } = this.state;
+    const { model, undoLabel, redoLabel, switching, designName, readonly } = this.state;
     const { files } = this.editor;
     return html`
       ${this.compact || this.embedded ? nothing : html`<h1>${this.strings.productName}</h1>`}
@@ -146,7 +146,7 @@ export class TopBar extends EditorElement {
       </div>
       <span class="gap"></span>
       <div class="group">
-        ${this.compact ? nothing : this.#designButtons(unsaved)}
+        ${this.compact ? nothing : this.#designButtons()}
         <tc-menu
           .label=${this.compact ? "" : this.#words.export}
           .name=${this.compact ? `${this.#words.design}, ${this.#words.export}` : this.#words.export}
@@ -189,7 +189,8 @@ export class TopBar extends EditorElement {
     `;
   }
 
-  #designButtons(unsaved: boolean): TemplateResult {
+  #designButtons(): TemplateResult {
+    const unsaved = isNowhere(this.state);
     const open = html`<button class="icon" id="open-design" aria-label=${this.#words.openDesign} title=${this.#words.openDesign} @click=${() => this.#openDesign()}>
         ${icon(FolderOpen)}
       </button>`;
@@ -328,3 +329,8 @@ export class TopBar extends EditorElement {
   }
 }
 customElements.define("tc-top-bar", TopBar);
+
+/** Neither in a file nor in the browser's database, nor on the way there: what is kept by itself has nothing unsaved. */
+function isNowhere({ unsaved, keeping }: EditorState): boolean {
+  return unsaved && keeping !== "kept" && keeping !== "pending";
+}
