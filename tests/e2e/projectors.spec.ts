@@ -126,6 +126,32 @@ test("keys nudge, turn and duplicate what is no box", async ({ editor, page }) =
   }
 });
 
+test("a box is what it was after other kinds were tried on it, and follows what was moved meanwhile", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const id = await editor.lowestLayer();
+  await editor.select(id);
+  const before = await editor.decal(id);
+  const hash = await editor.settledHash();
+  const choose = (kind: string): Promise<void> =>
+    page.locator(`#projection input[value=${kind}]`).evaluate((input: HTMLInputElement) => input.click());
+  for (const kind of ["cylindrical", "uv", "cylindrical", "planar"]) {
+    await choose(kind);
+    await expect.poll(async () => (await editor.decal(id)).projector.kind).toBe(kind);
+  }
+  expect(await editor.decal(id)).toEqual(before);
+  expect(await editor.settledHash()).toBe(hash);
+  await choose("cylindrical");
+  await expect.poll(async () => (await editor.decal(id)).projector.kind).toBe("cylindrical");
+  await editor.setField("position-y", "0.07");
+  await choose("planar");
+  await expect.poll(async () => (await editor.decal(id)).projector.kind).toBe("planar");
+  const { projector } = await editor.decal(id);
+  expect(projector.kind === "planar" && projector.position[1]).toBeCloseTo(0.07, 2);
+});
+
 test("what the camera sees is stuck onto the model, scaled by a corner, and taken from the view again", async ({
   editor,
   page,

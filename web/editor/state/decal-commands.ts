@@ -13,6 +13,7 @@ import type { LayerCommands } from "./layer-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 import type { Store } from "./store.ts";
+import { type Placement, TriedKinds } from "./tried-kinds.ts";
 
 /** Of the model's diagonal: a new decal's longer side, a nudge. */
 const NEW_SHARE = 0.22;
@@ -34,6 +35,7 @@ export class DecalCommands {
   readonly #board: NoticeBoard;
   readonly #layers: LayerCommands;
   readonly #reach: DecalReach;
+  readonly #tried = new TriedKinds();
 
   constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
     this.#session = session;
@@ -114,23 +116,34 @@ export class DecalCommands {
     return this.#step("scale", this.#board.strings.steps.scale, (projector) => scaledProjector(projector, factor));
   }
 
-  /** Throws the selected decal as another kind; from the view, anew from where the camera is. False without a selection. */
+  /**
+   * Throws the selected decal as another kind: as it was before, where that kind was left only to try others; from the view,
+   * anew from where the camera is. False without a selection.
+   */
   convert(kind: Projector["kind"]): boolean {
     const layer = this.selected;
     if (!layer) return false;
     if (layer.projector.kind === kind && kind !== "perspective") return true;
-    const projector = this.#viewer.convertProjector(layer.projector, kind, this.#stampMaterial(layer));
     const words = this.#board.strings.projection;
-    if (projector === null) {
+    const placed = this.#asKind(layer, kind);
+    if (placed === null) {
       this.#board.info({ title: words.refused[kind], message: words.refusedHint[kind] });
       return true;
     }
-    // A stamp lies on no side of the model that a mirror could show.
-    const mirror = kind === "uv" ? null : layer.mirror;
-    const material = this.#reach.movedTo(layer, projector, null);
-    this.#layers.change(layer.id, { projector, material, mirror }, words.steps[kind]);
+    this.#tried.note(layer, placed);
+    this.#layers.change(layer.id, placed, words.steps[kind]);
     this.#board.announce(words.announced[kind](layer.name));
     return true;
+  }
+
+  #asKind(layer: PlacedLayer, kind: Projector["kind"]): Placement | null {
+    const before = kind === "perspective" ? undefined : this.#tried.before(layer, kind);
+    if (before) return { projector: before.projector, material: before.material, mirror: before.mirror };
+    const projector = this.#viewer.convertProjector(layer.projector, kind, this.#stampMaterial(layer));
+    if (projector === null) return null;
+    // A stamp lies on no side of the model that a mirror could show.
+    const mirror = kind === "uv" ? null : layer.mirror;
+    return { projector, material: this.#reach.movedTo(layer, projector, null), mirror };
   }
 
   /** Turns the selected decal where it lies. False without a selection. */
