@@ -104,6 +104,8 @@ test("a font of one's own and an SVG file are dropped on the model; what cannot 
   expect(await editor.settledHash()).not.toBe(withFlag);
   await page.locator("tc-text-fields textarea").fill("☃ 漢");
   await expect(page.locator("tc-text-fields .note")).toContainText("☃ 漢");
+  await expect(editor.notices).toContainText("☃ 漢, which no font here has");
+  await editor.notices.getByRole("button", { name: "Dismiss" }).click();
 
   await editor.drop([file("web.woff2", Buffer.from("wOF2".padEnd(99, ".")), "font/woff2")], spot);
   await expect(editor.notices).toContainText("web.woff2");
@@ -134,4 +136,33 @@ test("what is typed is a step after a moment's rest, and is in what is saved bef
   await page.locator("#undo").click();
   await page.locator("#undo").click();
   expect((await textLayer(editor)).text).toBe(text);
+});
+
+test("what no font has is named when it is typed and when it is exported, and what is wider than the model is told", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const spot = await middleOf(editor);
+  await page.keyboard.press("t");
+  await page.mouse.click(spot.x, spot.y);
+  const words = page.locator("tc-text-fields textarea");
+  await expect(words).toBeFocused();
+  await page.keyboard.insertText("Ada 字 😀");
+  await words.blur();
+  await expect(editor.notices).toHaveCount(1);
+  await expect(editor.notices).toContainText("Some characters cannot be drawn");
+  await expect(editor.notices).toContainText("字 😀, which no font here has.");
+  await words.fill("A text that goes on and on, far beyond both sides of the model");
+  await words.blur();
+  // What is mended is told no more.
+  await expect(editor.notices).toHaveCount(1);
+  await expect(editor.notices).toContainText("The text is wider than the model");
+  await words.fill("漢");
+  await words.blur();
+  await expect(editor.notices).toContainText("漢, which no font here has.");
+  await editor.notices.getByRole("button", { name: "Dismiss" }).click();
+  await editor.exported("Texture as PNG");
+  await expect(editor.notices).toContainText("漢, which no font here has.");
 });

@@ -56,6 +56,22 @@ describe("the print report", () => {
     expect(await codes(4, 5)).toEqual([[], []]);
   });
 
+  it("names the characters of words that no font has, before placeholders are printed for them", async () => {
+    const words = (id: string, text: string): EngineLayer => ({
+      ...CENTRE,
+      id,
+      asset: {
+        ...{ text, font: "texelcast:fonts/inter-700", fontSize: 0.5, letterSpacing: 0, align: "center", curve: 0 },
+        color: [0, 0, 0, 1],
+        outline: null,
+      },
+    });
+    const engine = await whitePlane([words("greek", "Ada"), words("both", "字 Ada 😀 字")]);
+    const lacking = (await engine.printReport()).violations.filter(({ code }) => code === "missing-characters");
+    expect(lacking).toMatchObject([{ layer: "both", value: 2, characters: ["字", "😀"] }]);
+    expect(lacking[0]?.message).toContain("字 😀");
+  });
+
   it("tells what lies outside of a zone: a warning where it is clipped, else a violation", async () => {
     const engine = await whitePlane([CENTRE]);
     await engine.setZones(zones({}, { dpi: { least: 1, good: 1 } }));

@@ -470,6 +470,12 @@ export const german: Strings = {
     outlineHint: "Wie weit sie über die Buchstaben hinausreicht, als Anteil ihrer Höhe",
     fitBox: "Kasten an den Text anpassen",
     missing: "Diese Zeichen hat hier keine Schrift:",
+    missingTitle: "Einige Zeichen lassen sich nicht zeichnen",
+    missingIn: (name, characters) => `„${name}“ hat ${characters}: Keine Schrift hier hat diese Zeichen.`,
+    missingHint:
+      "An ihrer Stelle stehen Platzhalter und würden gedruckt. Nimm eine eigene Schrift, die sie hat, oder andere Worte.",
+    wideTitle: "Der Text ist breiter als das Modell",
+    wide: "Was darüber hinausreicht, wird nicht gemalt. Mach den Text kleiner, oder brich ihn in Zeilen um.",
   },
 
   target: {

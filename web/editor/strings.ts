@@ -467,6 +467,12 @@ const english = {
     outlineHint: "How far it reaches out from the letters, of their height",
     fitBox: "Fit the box to the words",
     missing: "No font here has these characters:",
+    missingTitle: "Some characters cannot be drawn",
+    missingIn: (name: string, characters: string): string => `“${name}” has ${characters}, which no font here has.`,
+    missingHint:
+      "A placeholder stands for each of them, and would be printed. Use a font of your own that has them, or other words.",
+    wideTitle: "The text is wider than the model",
+    wide: "What reaches beyond it is not painted. Make the text smaller, or break it into lines.",
   },
 
   target: {

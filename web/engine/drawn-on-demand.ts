@@ -25,6 +25,10 @@ export class DrawnOnDemand {
     return await (await this.#load()).measure(text);
   }
 
+  missing(picture: EnginePicture): readonly string[] {
+    return typeof picture === "string" ? [] : (this.#pictures?.missing(picture) ?? []);
+  }
+
   isDrawn(picture: EnginePicture): boolean {
     return typeof picture !== "string" || this.#pictures?.isDrawn(picture) === true;
   }

@@ -16,7 +16,7 @@ import { describeFault, readSvgFile, type SvgFile, svgFonts } from "./svg-file.t
 import { renderSvg, startSvgRenderer, svgRendererReady } from "./svg-renderer.ts";
 import { drawText, measureText } from "./text-drawing.ts";
 import { FontShelf } from "./text-fonts.ts";
-import { fontsFor } from "./text-runs.ts";
+import { fontsFor, missingCharacters } from "./text-runs.ts";
 
 const REMEMBERED_TEXTS = 1000;
 
@@ -79,6 +79,11 @@ export class DrawnPictures {
       });
     }
     return measureText(text, this.#shelf);
+  }
+
+  /** The characters of words that none of their fonts has; the fonts must be loaded. */
+  missing(text: EngineText): readonly string[] {
+    return missingCharacters(text.text, text.font, this.#shelf);
   }
 
   /** Whether `load` has nothing to do for these layers. */

@@ -97,6 +97,7 @@ export class EngineHost implements Engine {
         targets: this.#targets,
         pictures: (report) => this.#pictures(session, report),
         isDrawn: (picture) => this.#drawn.isDrawn(picture),
+        missing: (picture) => this.#drawn.missing(picture),
         checkpoint: () => {
           this.#checkAlive();
           if (signal?.aborted) throw cancelled();

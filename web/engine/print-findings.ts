@@ -19,6 +19,7 @@ export interface Findings {
 /**
  * @param materials The names of the model's, by their indices.
  * @param unpaintable Those that cannot be painted, and why.
+ * @param missing Characters that no font has, by the ids of the layers whose words have them.
  */
 export function findingsOf(
   zones: PrintZones,
@@ -26,6 +27,7 @@ export function findingsOf(
   layers: readonly LayerPrint[],
   unpaintable: ReadonlyMap<number, string>,
   sources: readonly EnginePaintingLayer[],
+  missing: ReadonlyMap<string, readonly string[]>,
 ): Findings {
   const violations: PrintFinding[] = [];
   const warnings: PrintFinding[] = [];
@@ -38,11 +40,18 @@ export function findingsOf(
       violations.push(finding("not-printable", source.id, null, message, "Move it to another part.", material, 0));
     }
   }
+  for (const [id, characters] of missing) if (characters.length > 0) violations.push(lackOf(id, characters));
   for (const layer of layers) {
     for (const { isViolation, ...rest } of layerFindings(zones, layer))
       (isViolation ? violations : warnings).push(rest);
   }
   return { violations, warnings };
+}
+
+function lackOf(id: string, characters: readonly string[]): PrintFinding {
+  const message = `No font has ${characters.join(" ")}: placeholders would be printed instead.`;
+  const hint = "Use a font that has them, or other words.";
+  return { ...finding("missing-characters", id, null, message, hint, characters.length, 0), characters };
 }
 
 /** Zones of materials that the model does not have. */

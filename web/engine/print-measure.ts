@@ -39,7 +39,8 @@ export async function measurePrint(context: PrintContext): Promise<PrintReport> 
     const { materialCount } = context.session.modelInfo();
     const materials = Array.from({ length: materialCount }, (_, index) => materialName(context.model, index));
     const measured = layers.map((layer) => measureLayer(context, layer, targets));
-    const { violations, warnings } = findingsOf(context.zones, materials, measured, unpaintable, layers);
+    const missing = new Map(layers.map((layer) => [layer.id, missingOf(context, layer)]));
+    const { violations, warnings } = findingsOf(context.zones, materials, measured, unpaintable, layers, missing);
     return {
       texelcastPrintReport: 1,
       printScale: context.zones.printScale,
@@ -52,6 +53,11 @@ export async function measurePrint(context: PrintContext): Promise<PrintReport> 
   } finally {
     for (const target of opened) if (!context.session.core.crashed) target.destroy();
   }
+}
+
+function missingOf(context: PrintContext, layer: EnginePaintingLayer): readonly string[] {
+  const picture = layer.type === "decal" ? pictureOf(layer) : null;
+  return picture === null ? [] : context.missing(picture);
 }
 
 function measureLayer(

@@ -57,6 +57,8 @@ export type PrintFindingCode =
   /** This mark will appear twice. */
   | "appears-twice"
   | "mirrored"
+  /** Its words have characters that no font has: signs for that would be printed. */
+  | "missing-characters"
   /** It lies on a material that was not measured: the model cannot be painted there. */
   | "not-printable"
   /** A zone names a material that the model does not have: it zones nothing. */
@@ -73,10 +75,12 @@ export interface PrintFinding {
   readonly message: string;
   /** What to do about it. */
   readonly hint: string;
-  /** What was found: DPI, percent or texels. */
+  /** What was found: DPI, percent, texels or characters. */
   readonly value: number;
   /** What it must not fall below or rise above. */
   readonly limit: number;
+  /** Of "missing-characters", each once. */
+  readonly characters?: readonly string[];
 }
 
 export interface PrintReport {

@@ -18,6 +18,8 @@ export interface PrintContext {
   readonly pictures: (report: (error: Error) => void) => TargetPictures;
   /** SVG and words: they have no pixels of their own. */
   readonly isDrawn: (picture: EnginePicture) => boolean;
+  /** Of words the characters that no font has. */
+  readonly missing: (picture: EnginePicture) => readonly string[];
   /** Throws when the work shall end. */
   readonly checkpoint: () => void;
   readonly onProgress?: ((share: number) => void) | undefined;

@@ -372,6 +372,7 @@ export class FileCommands {
       const bytes = await tasks.run(this.#parts.board.strings.tasks.exporting(name), make, { cancellable: false });
       download(name, type, bytes);
       board.announce(this.#parts.board.strings.announce.exported(name));
+      await this.#parts.texts().tellMissing();
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotExport(name), thrown);
     }

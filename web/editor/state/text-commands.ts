@@ -3,7 +3,7 @@ import type { Engine, EngineText, Projector, TextMeasure } from "../../engine/en
 import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
-import { isLocked } from "../document/layer-tree.ts";
+import { isLocked, walkLayers } from "../document/layer-tree.ts";
 import { resolveWords } from "../document/resolve-layers.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary } from "./asset-library.ts";
@@ -14,6 +14,7 @@ import type { EditorState } from "./editor-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import { fitsClosely, fitted, refitted } from "./text-box.ts";
+import { isWiderThan, newlyMissing } from "./text-troubles.ts";
 
 export type TextPatch = Partial<
   Pick<TextLayer, "text" | "letterSpacing" | "align" | "curve" | "color" | "outline"> & {
@@ -98,6 +99,39 @@ export class TextCommands {
     // What is saved meanwhile waits until the words are measured.
     this.#parts.session.recordsLater(work);
     await work;
+    if (layer?.type === "text") await this.#tellTroubles(layer);
+  }
+
+  /** What an export lacks is told with it: characters that no font has. */
+  async tellMissing(): Promise<void> {
+    const { session, board } = this.#parts;
+    const told: string[] = [];
+    for (const { layer, shown } of walkLayers(session.recordedDesign, { masks: false, strokes: false })) {
+      if (layer.type !== "text" || !shown) continue;
+      // A font that cannot be had is told by the engine.
+      const { missing } = await this.measure(layer).catch(() => ({ missing: [] }));
+      if (missing.length > 0) told.push(board.strings.text.missingIn(layer.name, listed(missing)));
+    }
+    const { missingTitle, missingHint } = board.strings.text;
+    if (told.length > 0) board.info({ title: missingTitle, message: told.join(" "), hint: missingHint });
+  }
+
+  /** What a recorded change has brought about that its user would not see until it is printed. */
+  async #tellTroubles(before: TextLayer): Promise<void> {
+    const { session, board, store } = this.#parts;
+    const now = layerById(session.recordedDesign, before.id);
+    if (now?.type !== "text" || now === before) return;
+    const words = board.strings.text;
+    const [old, room] = [this.measureOf(before), this.measureOf(now)];
+    const missing = old && room ? newlyMissing(old, room) : [];
+    if (missing.length > 0) {
+      const message = words.missingIn(now.name, listed(missing));
+      board.info({ title: words.missingTitle, message, hint: words.missingHint });
+    }
+    const { model } = store.state;
+    if (isWiderThan(model, now.projector) && !isWiderThan(model, before.projector)) {
+      board.info({ title: words.wideTitle, message: words.wide });
+    }
   }
 
   /** A font of the user's: taken into the design, and given to the text. Rejects with "bad-font". */
@@ -204,6 +238,10 @@ export class TextCommands {
 const BLACK = [0, 0, 0, 1] as const;
 /** A place to measure at. */
 const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] };
+
+/** More would be no list any more. */
+const MOST_LISTED = 20;
+const listed = (characters: readonly string[]): string => characters.slice(0, MOST_LISTED).join(" ");
 
 const keyOf = (words: EngineText): string => JSON.stringify(words);
 const thickness = (outline: EngineText["outline"]): EngineText["outline"] =>

@@ -4,7 +4,10 @@ import type { PrintFinding } from "../../engine/print-report.ts";
 
 const MOVE_IN = "Schieb es hinein, oder mach es kleiner.";
 
-export function germanFinding({ code, value, zone, message, hint }: PrintFinding, grave: boolean): ErrorWords {
+export function germanFinding(
+  { code, value, zone, message, hint, characters = [] }: PrintFinding,
+  grave: boolean,
+): ErrorWords {
   switch (code) {
     case "low-dpi":
       return {
@@ -48,6 +51,11 @@ export function germanFinding({ code, value, zone, message, hint }: PrintFinding
       };
     case "not-printable":
       return { message: "Dieser Teil lässt sich nicht bedrucken.", hint: "Schieb es auf einen anderen Teil." };
+    case "missing-characters":
+      return {
+        message: `Keine Schrift hat ${characters.join(" ")}: Stattdessen würden Platzhalter gedruckt.`,
+        hint: "Nimm eine Schrift, die sie hat, oder andere Worte.",
+      };
     case "zone-without-material":
       return {
         message: `Die Druckfläche „${zone}“ liegt auf einem Material, das das Modell nicht hat.`,

@@ -1,0 +1,18 @@
+/** What of a text cannot come onto the model as it was meant: characters that no font has, and words wider than the model. */
+import type { Projector, TextMeasure } from "../../engine/engine-api.ts";
+import type { OpenModel } from "./editor-state.ts";
+
+/** Of the characters that no font has, those that none had before the change. */
+export function newlyMissing(before: TextMeasure, now: TextMeasure): readonly string[] {
+  return now.missing.filter((character) => !before.missing.includes(character));
+}
+
+/** Whether a box is wider than the whole model is in the box's own direction: what reaches beyond is surely not painted. */
+export function isWiderThan(model: OpenModel | null, projector: Projector): boolean {
+  if (projector.kind !== "planar" || !model) return false;
+  const [x, y, z, w] = projector.rotation;
+  const across = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)] as const;
+  const { boundsMin: low, boundsMax: high } = model.info;
+  const extent = across.reduce((sum, part, axis) => sum + Math.abs(part) * ((high[axis] ?? 0) - (low[axis] ?? 0)), 0);
+  return projector.size[0] > extent;
+}
