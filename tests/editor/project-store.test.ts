@@ -73,6 +73,19 @@ function refuse(name: "put" | "add" | "get", error: DOMException, nth = 1): void
 }
 
 describe("a project kept in the browser", () => {
+  it("can be deleted where there is no room left for a mark that it is", async () => {
+    await save("a", content(design(1)), 0);
+    await save("b", content(design(2, SECOND)), 0);
+    refuse("put", new DOMException("no space", "QuotaExceededError"));
+    expect(await store.remove("a")).toBe(false);
+    vi.restoreAllMocks();
+    expect((await store.list()).map(({ id }) => id)).toEqual(["b"]);
+    expect((await tables()).revisions).toEqual([["b", 1]]);
+    expect(await store.remove("b")).toBe(true);
+    await store.restore("b");
+    expect(await store.list()).toHaveLength(1);
+  });
+
   it("is the newest when it was saved or come back to last, which leaves its place in the list", async () => {
     await save("a", content(design(1)), 0);
     await save("b", content(design(2), "Shoe"), 0);

@@ -136,8 +136,8 @@ export class ProjectsDialog extends EditorElement {
     void this.editor.projects.refresh().then(() => this.editor.projects.refreshThumbnail());
   }
 
-  protected watched({ projects, switching }: EditorState): readonly unknown[] {
-    return [projects, switching];
+  protected watched({ projects, switching, keeping }: EditorState): readonly unknown[] {
+    return [projects, switching, keeping];
   }
 
   get #dialog(): HTMLDialogElement | null {
@@ -162,7 +162,8 @@ export class ProjectsDialog extends EditorElement {
 
   #list(projects: EditorState["projects"]): TemplateResult {
     if (projects === null) return html`<p class="empty quiet">${this.#words.loading}</p>`;
-    if (projects.length === 0) return html`<p class="empty quiet">${this.#words.empty}</p>`;
+    const none = this.state.keeping === "refused" ? this.strings.storage.refusedTitle : this.#words.empty;
+    if (projects.length === 0) return html`<p class="empty quiet">${none}</p>`;
     return html`
       <ul aria-label=${this.#words.list}>
         ${repeat(

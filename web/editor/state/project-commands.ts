@@ -176,9 +176,11 @@ export class ProjectCommands {
     const { projects, autosave, board } = this.#parts;
     await this.#attempt(this.#words.couldNotDelete(name), async () => {
       await autosave.flush();
-      await projects.remove(id);
-      this.#deleted.add(id);
+      const canReturn = await projects.remove(id);
+      if (canReturn) this.#deleted.add(id);
       autosave.forget(id);
+      // What had no room before may have it now.
+      if (!canReturn) await autosave.flush();
       await this.#list();
       board.announce(this.#parts.board.strings.announce.removed(name));
     });
@@ -200,6 +202,7 @@ export class ProjectCommands {
     if (this.#deleted.size === 0) return;
     this.#deleted.clear();
     await this.#parts.projects.sweep(0).catch(() => undefined);
+    await this.#parts.autosave.flush();
   }
 
   async #open(id: string, title: string | undefined): Promise<boolean> {

@@ -4,6 +4,7 @@
  * TexelcastError: "storage-full" or "storage-refused" when the browser will not, else what is said there.
  */
 
+import { TexelcastError } from "../../core/texelcast-error.ts";
 import { countedName } from "../files/counted-name.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
@@ -140,9 +141,22 @@ export class ProjectStore {
     await this.#patch(id, { thumbnail });
   }
 
-  /** It can be brought back by `restore` until it is swept. */
-  async remove(id: string): Promise<void> {
-    await this.#patch(id, { deleted: this.#now() });
+  /**
+   * It can be brought back by `restore` until it is swept. Where the browser's space is used up, not even a mark can be written:
+   * then it goes at once, which makes room, and false is returned.
+   */
+  async remove(id: string): Promise<boolean> {
+    try {
+      await this.#patch(id, { deleted: this.#now() });
+      return true;
+    } catch (thrown) {
+      if (!(thrown instanceof TexelcastError) || thrown.code !== "storage-full") throw thrown;
+      await this.#write(async (tables) => {
+        const row = await tables.objectStore("projects").get(id);
+        if (row) await erase(tables, row);
+      });
+      return false;
+    }
   }
 
   async restore(id: string): Promise<void> {
@@ -167,11 +181,7 @@ export class ProjectStore {
   sweep(age = SWEEP_AFTER): Promise<void> {
     return this.#write(async (tables) => {
       for (const row of await tables.objectStore("projects").getAll()) {
-        if (row.deleted === null || this.#now() - row.deleted < age) continue;
-        await tables.objectStore("projects").delete(row.id);
-        for (const revision of [row.revision, row.previous]) {
-          if (revision !== null) await dropRevision(tables, row.id, revision);
-        }
+        if (row.deleted !== null && this.#now() - row.deleted >= age) await erase(tables, row);
       }
     });
   }
@@ -252,6 +262,11 @@ async function addRevision(tables: Writing, row: RevisionRow, blobs: PackedProje
     if ((await store.getKey(hash)) === undefined) await store.put({ hash, bytes: bytes() });
   }
   await tables.objectStore("revisions").put(row);
+}
+
+async function erase(tables: Writing, { id, revision, previous }: ProjectRow): Promise<void> {
+  await tables.objectStore("projects").delete(id);
+  for (const each of [revision, previous]) if (each !== null) await dropRevision(tables, id, each);
 }
 
 /** Its blobs go with it, unless another revision needs them. */
