@@ -36,9 +36,7 @@ describe("what the engine reports", () => {
       BROKEN,
       stringsIn("de"),
     );
-    expect(message).toBe(
-      "„mug.design.json“ lässt sich nicht öffnen: Bei layers[0].opacity steht nicht, was dort stehen muss.",
-    );
+    expect(message).toBe("Im Design „mug.design.json“ steht bei layers[0].opacity nicht, was dort stehen muss.");
     expect(exact).toBe(BROKEN.message);
     expect(where).toBe('layers[0].opacity · Wert "x"');
     expect(hint).toContain("docs/design-document.md");

@@ -70,10 +70,17 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
     "Mach es kleiner und versuche es noch einmal.",
     "whole",
   ],
-  "bad-design": (error) => [
-    `${named(error, "Das Design")} lässt sich nicht öffnen${error.field === undefined ? ": Es ist nicht zu lesen." : `: Bei ${error.field} steht nicht, was dort stehen muss.`}`,
-    "Welche Felder ein Design hat, steht in docs/design-document.md.",
-  ],
+  "bad-design": ({ subject, field, value }) => {
+    const design = subject ? `Design „${subject}“` : "Design";
+    if (field === undefined) return [`Das ${design} ist nicht zu lesen.`, "Öffne eine andere Fassung davon."];
+    if (field === "version" && value !== undefined) {
+      return [`Das ${design} hat die Version ${value}, die hier nicht gelesen wird.`, RELOAD];
+    }
+    return [
+      `Im ${design} steht bei ${field} nicht, was dort stehen muss.`,
+      "Welche Felder ein Design hat, steht in docs/design-document.md.",
+    ];
+  },
   "bad-project": (error) => [
     `${named(error, "Das Projekt")} ist beschädigt oder kein Projekt.`,
     "Nimm eine andere Sicherung dieser Datei.",
