@@ -159,6 +159,10 @@ test("what no font has is named when it is typed and when it is exported, and wh
   // What is mended is told no more.
   await expect(editor.notices).toHaveCount(1);
   await expect(editor.notices).toContainText("The text is wider than the model");
+  await editor.notices.getByRole("button", { name: "Make it fit" }).click();
+  const { projector } = await textLayer(editor);
+  expect(projector.kind === "planar" && projector.size[0]).toBeCloseTo(0.6, 6);
+  await page.keyboard.press("Control+z");
   await words.fill("漢");
   await words.blur();
   await expect(editor.notices).toContainText("漢, which no font here has.");

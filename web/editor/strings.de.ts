@@ -475,6 +475,7 @@ export const german: Strings = {
     missingHint:
       "An ihrer Stelle stehen Platzhalter und würden gedruckt. Nimm eine eigene Schrift, die sie hat, oder andere Worte.",
     wideTitle: "Der Text ist breiter als das Modell",
+    makeFit: "Passend machen",
     wide: "Was darüber hinausreicht, wird nicht gemalt. Mach den Text kleiner, oder brich ihn in Zeilen um.",
   },
 

@@ -472,6 +472,7 @@ const english = {
     missingHint:
       "A placeholder stands for each of them, and would be printed. Use a font of your own that has them, or other words.",
     wideTitle: "The text is wider than the model",
+    makeFit: "Make it fit",
     wide: "What reaches beyond it is not painted. Make the text smaller, or break it into lines.",
   },
 

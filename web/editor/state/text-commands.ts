@@ -13,8 +13,8 @@ import type { DesignSession } from "./design-session.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
-import { fitsClosely, fitted, refitted } from "./text-box.ts";
-import { isWiderThan, newlyMissing } from "./text-troubles.ts";
+import { emOf, fitsClosely, fitted, refitted, withEm } from "./text-box.ts";
+import { newlyMissing, shareOfModel } from "./text-troubles.ts";
 
 export type TextPatch = Partial<
   Pick<TextLayer, "text" | "letterSpacing" | "align" | "curve" | "color" | "outline"> & {
@@ -129,9 +129,24 @@ export class TextCommands {
       board.info({ title: words.missingTitle, message, hint: words.missingHint });
     }
     const { model } = store.state;
-    if (isWiderThan(model, now.projector) && !isWiderThan(model, before.projector)) {
-      board.info({ title: words.wideTitle, message: words.wide });
+    if (shareOfModel(model, now.projector) > 1 && !(shareOfModel(model, before.projector) > 1)) {
+      const action = { label: words.makeFit, run: () => this.#makeFit(now.id) };
+      board.info({ title: words.wideTitle, message: words.wide, action });
     }
+  }
+
+  /** Makes a text that is wider than the model as small as lies well on it. */
+  #makeFit(id: string): void {
+    const { session, board, store } = this.#parts;
+    const layer = layerById(session.recordedDesign, id);
+    if (layer?.type !== "text" || isLocked(session.recordedDesign, id)) return;
+    const factor = FITTING_SHARE / shareOfModel(store.state.model, layer.projector);
+    if (!(factor < 1)) return;
+    const projector = withEm(layer, emOf(layer) * factor);
+    session.record(
+      patchLayer<TextLayer>(session.recordedDesign, id, { projector }),
+      board.strings.steps.change(board.strings.text.size),
+    );
   }
 
   /** A font of the user's: taken into the design, and given to the text. Rejects with "bad-font". */
@@ -239,6 +254,8 @@ const BLACK = [0, 0, 0, 1] as const;
 /** A place to measure at. */
 const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] };
 
+/** Of the model's width: further out, round forms turn away. */
+const FITTING_SHARE = 0.6;
 /** More would be no list any more. */
 const MOST_LISTED = 20;
 const listed = (characters: readonly string[]): string => characters.slice(0, MOST_LISTED).join(" ");

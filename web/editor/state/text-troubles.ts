@@ -7,12 +7,12 @@ export function newlyMissing(before: TextMeasure, now: TextMeasure): readonly st
   return now.missing.filter((character) => !before.missing.includes(character));
 }
 
-/** Whether a box is wider than the whole model is in the box's own direction: what reaches beyond is surely not painted. */
-export function isWiderThan(model: OpenModel | null, projector: Projector): boolean {
-  if (projector.kind !== "planar" || !model) return false;
+/** A box's width as a share of the model's in the box's own direction: of more than 1 the rest is surely not painted. */
+export function shareOfModel(model: OpenModel | null, projector: Projector): number {
+  if (projector.kind !== "planar" || !model) return 0;
   const [x, y, z, w] = projector.rotation;
   const across = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)] as const;
   const { boundsMin: low, boundsMax: high } = model.info;
   const extent = across.reduce((sum, part, axis) => sum + Math.abs(part) * ((high[axis] ?? 0) - (low[axis] ?? 0)), 0);
-  return projector.size[0] > extent;
+  return projector.size[0] / extent;
 }
