@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { noticeOf } from "../../web/editor/state/notices.ts";
 import { germanError } from "../../web/editor/strings/german-errors.ts";
-import { ARGUMENTS, FONTS, PICTURES } from "../../web/editor/strings/german-reasons.ts";
+import { ARGUMENTS, BROWSERS, FONTS, PICTURES } from "../../web/editor/strings/german-reasons.ts";
 import { ToldError } from "../../web/editor/strings/told-error.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 import { typedError } from "../../web/element/element-errors.ts";
@@ -54,6 +54,8 @@ describe("what the engine reports", () => {
     expect(thrown.message).toBe("In der Seite ist ein Fehler aufgetreten.");
     // An element tells these codes itself, in its own language.
     expect(germanError(rare.toJSON())).toEqual({ message: "The gutter is 99.", hint: "At most 64." });
+    const noWebGl = new TexelcastError("unsupported", "This browser cannot show 3D.", { reason: "no-webgl" });
+    expect(germanError(noWebGl.toJSON()).message).toMatch(/^Dieser Browser kann kein 3D zeigen/);
     const said = new ToldError("missing-file", "Das Projekt hat kein Modell.", { subject: "x.texelcast" });
     expect(noticeOf(1, "Es ging nicht", said, stringsIn("de")).message).toBe("Das Projekt hat kein Modell.");
   });
@@ -82,8 +84,8 @@ describe("what the engine reports", () => {
       /TexelcastError(?:\.wrap)?\(\s*(?:[\w.]+,\s*)?"([a-z-]+)"/g,
     );
     const reasons = found(
-      ["engine", "editor/document"],
-      /(?:bad(?:Picture|Font)\(\s*[\w.]+,|PictureFault\(|refusal\(|reason:|\[(?="[a-z0-9-]+", ["`]it ))\s*"([a-z0-9-]+)"/g,
+      ["core", "engine", "viewer", "editor/document"],
+      /(?:bad(?:Picture|Font)\(\s*[\w.]+,|PictureFault\(|refusal\(|reason:|\[(?="[a-z0-9-]+", ["`]it ))\s*"([a-z0-9-]+)"(?=,)/g,
     );
     for (const [, name = ""] of readFileSync("wasm/texelcast.h", "utf8").matchAll(/^ +X\(([A-Z_]+), "/gm)) {
       codes.add(name.toLowerCase().replaceAll("_", "-"));
@@ -98,7 +100,7 @@ describe("what the engine reports", () => {
     expect([...codes].filter((code) => told(code) === general && !untold.includes(code))).toEqual([]);
     expect([...codes].filter((code) => /English/.test(told(code) + told(code, "a.glb")))).toEqual([]);
     expect(reasons.size).toBeGreaterThan(30);
-    const known = new Set([PICTURES, FONTS, ARGUMENTS].flatMap(Object.keys));
+    const known = new Set(["not-loaded", ...[PICTURES, FONTS, ARGUMENTS, BROWSERS].flatMap(Object.keys)]);
     expect([...reasons].filter((reason) => !known.has(reason))).toEqual([]);
     expect([...known].filter((reason) => !reasons.has(reason))).toEqual([]);
   });

@@ -24,6 +24,7 @@ export async function readBytes(address: URL | string, what: string): Promise<Ui
     const reason = cause instanceof Error ? cause.message : String(cause);
     throw new TexelcastError("missing-file", `${what} could not be read from ${address}: ${reason}.`, {
       subject: String(address),
+      reason: "not-loaded",
       cause,
     });
   }

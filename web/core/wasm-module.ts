@@ -33,6 +33,7 @@ export async function loadCore(source?: CoreSource): Promise<CoreModule> {
   } catch (cause) {
     throw new TexelcastError("unsupported", `The engine's WebAssembly could not be started: ${reasonOf(cause)}.`, {
       hint: NEEDS_SIMD,
+      reason: "no-engine",
       cause,
     });
   }
@@ -49,6 +50,7 @@ async function compile(source: CoreSource): Promise<WebAssembly.Module> {
     throw new TexelcastError("unsupported", `The engine's WebAssembly could not be compiled: ${reasonOf(cause)}.`, {
       ...(isAddress && { subject: String(source) }),
       hint: NEEDS_SIMD,
+      reason: "no-engine",
       cause,
     });
   }

@@ -75,7 +75,10 @@ export class DrawnOnDemand {
     } catch (cause) {
       this.#loading = null;
       this.#missing = true;
-      throw new TexelcastError("missing-file", "What draws words and drawings could not be loaded.", { cause });
+      throw new TexelcastError("missing-file", "What draws words and drawings could not be loaded.", {
+        reason: "not-loaded",
+        cause,
+      });
     }
   }
 }

@@ -354,6 +354,7 @@ function makeRenderer(): WebGLRenderer {
   } catch (cause) {
     throw new TexelcastError("unsupported", "This browser cannot show 3D: WebGL 2 is switched off or missing.", {
       hint: "Switch on hardware acceleration in the browser's settings, or use another browser.",
+      reason: "no-webgl",
       cause,
     });
   }

@@ -374,6 +374,7 @@ function contextOf(canvas: HTMLCanvasElement): WebGL2RenderingContext {
       "This browser cannot show the texture: WebGL 2 is switched off or missing.",
       {
         hint: "Switch on hardware acceleration in the browser's settings, or use another browser.",
+        reason: "no-webgl",
       },
     );
   }

@@ -4,7 +4,7 @@
  */
 import type { TexelcastErrorJson } from "../../core/texelcast-error.ts";
 import { type ErrorWords, ownWords } from "./error-words.ts";
-import { ARGUMENTS, FONTS, PICTURES } from "./german-reasons.ts";
+import { ARGUMENTS, BROWSERS, FONTS, PICTURES } from "./german-reasons.ts";
 
 /** Null: the code is not used so by the engine, and whoever made the error said it in the user's language. */
 type Wording = (error: TexelcastErrorJson) => Told | null;
@@ -16,11 +16,27 @@ const REPAIR = "Repariere das Modell in einem 3D-Programm und exportiere es noch
 const ANOTHER = "Speichere es in einem anderen Programm noch einmal, als PNG, JPEG, WebP oder SVG.";
 const RELOAD = "Prüfe die Verbindung und lade die Seite neu.";
 
-/** With its reason it is told whole; without one that is known, the English words stand beside it. */
-function withReason(reasons: typeof PICTURES, { reason = "" }: TexelcastErrorJson, begin: string, hint: string): Told {
+/** Null where its reason is not known. */
+function reasoned(reasons: typeof PICTURES, { reason = "" }: TexelcastErrorJson): Told | null {
   const known = Object.hasOwn(reasons, reason) ? reasons[reason] : undefined;
-  return known ? [`${begin}${begin && " "}${known[0]}`, known[1], "whole"] : [begin, hint];
+  return known ? [known[0], known[1], "whole"] : null;
 }
+
+/** With its reason it is told whole; without one that is known, the English words stand beside it. */
+function withReason(reasons: typeof PICTURES, error: TexelcastErrorJson, begin: string, hint: string): Told {
+  const told = reasoned(reasons, error);
+  return told ? [`${begin} ${told[0]}`, told[1], "whole"] : [begin, hint];
+}
+
+const notLoaded = ({ subject }: TexelcastErrorJson): Told => [
+  subject ? `„${subject}“ ließ sich nicht laden.` : "Ein Teil der Seite ließ sich nicht laden.",
+  RELOAD,
+];
+
+const FAULT: Told = [
+  "In der Seite ist ein Fehler aufgetreten.",
+  "Versuche es noch einmal, oder lade die Seite neu. Deine Arbeit ist noch da.",
+];
 
 /** As the engine's client and the core report them; an element's own words have the codes below too. */
 const WORDINGS: Readonly<Record<string, Wording>> = {
@@ -89,18 +105,22 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
     error.subject === undefined
       ? null
       : [`${named(error, "Die Druckflächen")} lassen sich nicht verwenden.`, "Siehe docs/print-truth.md."],
-  "missing-file": (error) =>
-    error.value === undefined
-      ? null
-      : [
-          `${named(error, "Die Datei")} braucht die Datei „${error.value}“, die nicht dabei ist.`,
-          "Wähle oder zieh alle Dateien auf einmal.",
-          "whole",
-        ],
+  "missing-file": (error) => {
+    if (error.reason === "not-loaded") return notLoaded(error);
+    if (error.value === undefined) return null;
+    return [
+      `${named(error, "Die Datei")} braucht die Datei „${error.value}“, die nicht dabei ist.`,
+      "Wähle oder zieh alle Dateien auf einmal.",
+      "whole",
+    ];
+  },
   "outside-folder": (error) => [
     `${named(error, "Das Design")} nennt eine Datei außerhalb seines eigenen Ordners.`,
     "Lege die Dateien eines Designs neben das Design oder hinein.",
   ],
+  unsupported: (error) => reasoned(BROWSERS, error),
+  "bad-argument": (error) => reasoned(ARGUMENTS, error),
+  internal: () => FAULT,
   "no-model": () => ["Es ist noch kein Modell geöffnet.", "Öffne zuerst ein Modell.", "whole"],
   "engine-crashed": () => [
     "Die Mal-Engine ist stehen geblieben.",
@@ -114,15 +134,9 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
 
 /** Codes that an element has words of its own for: what the engine means by them is told where no element is around it. */
 const IN_THE_EDITOR: Readonly<Record<string, Wording>> = {
-  "bad-argument": (error) => {
-    const [message, hint, whole] = withReason(ARGUMENTS, error, "", "");
-    return message ? [message, hint, whole] : ["Das geht hier nicht.", ""];
-  },
+  "bad-argument": () => ["Das geht hier nicht.", ""],
   "bad-zones": () => ["Die Druckflächen lassen sich nicht verwenden.", "Siehe docs/print-truth.md."],
-  "missing-file": (error) => [
-    error.subject ? `„${error.subject}“ ließ sich nicht laden.` : "Ein Teil der Seite ließ sich nicht laden.",
-    RELOAD,
-  ],
+  "missing-file": (error) => notLoaded(error),
   unsupported: (error) =>
     error.subject
       ? [
@@ -135,11 +149,6 @@ const IN_THE_EDITOR: Readonly<Record<string, Wording>> = {
         ],
   disposed: () => ["Die Mal-Engine ist beendet.", RELOAD],
 };
-
-const FAULT: Told = [
-  "In der Seite ist ein Fehler aufgetreten.",
-  "Versuche es noch einmal, oder lade die Seite neu. Deine Arbeit ist noch da.",
-];
 
 /** Bytes as megabytes; pixels as they are. */
 const sizeOf = (value: string): string =>

@@ -57,6 +57,15 @@ export const FONTS: Reasons = {
   woff: ["Es ist eine Webschrift (WOFF).", "Nimm die Schrift als .ttf oder .otf."],
 };
 
+/** Of "unsupported". */
+export const BROWSERS: Reasons = {
+  "no-engine": ["Die Mal-Engine startet in diesem Browser nicht.", "Nimm einen neueren Browser."],
+  "no-webgl": [
+    "Dieser Browser kann kein 3D zeigen: WebGL 2 ist abgeschaltet oder fehlt.",
+    "Schalte die Hardwarebeschleunigung ein, oder nimm einen anderen Browser.",
+  ],
+};
+
 /** Of "bad-argument": what can be asked for in the page, and what a design may ask for. */
 export const ARGUMENTS: Reasons = {
   "into-itself": ["Eine Ebene kann nicht in sich selbst liegen.", ""],
