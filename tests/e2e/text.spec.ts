@@ -170,3 +170,21 @@ test("what no font has is named when it is typed and when it is exported, and wh
   await editor.exported("Texture as PNG");
   await expect(editor.notices).toContainText("漢, which no font here has.");
 });
+
+test("what was typed in the moment before the page is loaded again is there afterwards", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const spot = await middleOf(editor);
+  await page.keyboard.press("t");
+  await page.mouse.click(spot.x, spot.y);
+  await expect(page.locator("tc-text-fields textarea")).toBeFocused();
+  await editor.idle();
+  await page.keyboard.insertText("Ada");
+  await expect.poll(async () => (await textLayer(editor)).text).toBe("Ada");
+  // Asked whether to go, the user goes.
+  page.on("dialog", (dialog) => void dialog.accept());
+  await page.reload();
+  await page.waitForFunction(() => window.texelcast !== undefined);
+  await page.evaluate(() => window.texelcast.ready);
+  expect((await textLayer(editor)).text).toBe("Ada");
+});

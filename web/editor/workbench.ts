@@ -344,6 +344,8 @@ export class Workbench extends EditorElement {
 
   readonly #leave = (event: BeforeUnloadEvent): void => {
     const { autosave, store } = this.editor;
+    // What is typed in a field that is still open becomes a step.
+    deepestFocused()?.blur();
     // In the browser's database or in a file: either is enough.
     if (!autosave.pending || !store.state.unsaved) return;
     void autosave.flush();
@@ -351,6 +353,13 @@ export class Workbench extends EditorElement {
   };
 }
 customElements.define("tc-workbench", Workbench);
+
+/** What has the focus, through all shadow roots. */
+function deepestFocused(): HTMLElement | null {
+  let focused = document.activeElement;
+  while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+  return focused instanceof HTMLElement ? focused : null;
+}
 
 declare global {
   interface HTMLElementTagNameMap {
