@@ -483,6 +483,12 @@ export const german: Strings = {
     title: "Textur",
     material: "Material",
     notPaintable: (name, why) => `${name} (${why})`,
+    whyNot: {
+      "no-uvs": "ohne Texturkoordinaten",
+      "bad-uvs": "Texturkoordinaten nicht zu gebrauchen",
+      "no-triangles": "ohne Dreiecke",
+      other: "nicht zu bemalen",
+    },
     size: "Größe",
     ownSize: (width, height) => `Modell, ${width} × ${height}`,
     squareSize: (size) => `${size} × ${size}`,

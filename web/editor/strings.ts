@@ -480,6 +480,12 @@ const english = {
     title: "Texture",
     material: "Material",
     notPaintable: (name: string, why: string): string => `${name} (${why})`,
+    whyNot: {
+      "no-uvs": "no texture coordinates",
+      "bad-uvs": "broken texture coordinates",
+      "no-triangles": "no triangles",
+      other: "cannot be painted",
+    },
     size: "Size",
     ownSize: (width: number, height: number): string => `Model’s, ${width} × ${height}`,
     squareSize: (size: number): string => `${size} × ${size}`,

@@ -75,6 +75,11 @@ export class TargetSettings extends EditorElement {
     return [model, material, targets, targetSettings, usualTarget, toolSettings.pixelMode];
   }
 
+  #whyNot(code: string): string {
+    const { whyNot } = this.#words;
+    return Object.hasOwn(whyNot, code) ? whyNot[code as keyof typeof whyNot] : whyNot.other;
+  }
+
   override render(): TemplateResult {
     const { model, material, targets, targetSettings, usualTarget, readonly } = this.state;
     if (!model || material === null) return html`<p class="quiet">${this.strings.stage.emptyTitle}</p>`;
@@ -90,7 +95,7 @@ export class TargetSettings extends EditorElement {
           ${model.info.materials.map(({ index, name, refusal }) => {
             const label = this.strings.materialName(index, name);
             return html`<option value=${index} ?disabled=${refusal !== null} ?selected=${index === material}>
-              ${refusal ? this.#words.notPaintable(label, refusal.code) : label}
+              ${refusal ? this.#words.notPaintable(label, this.#whyNot(refusal.code)) : label}
             </option>`;
           })}
         </select>
