@@ -192,6 +192,18 @@ describe("autosave", () => {
     expect(remembered.at(-1)).toEqual({ project: saves[0]?.id });
   });
 
+  it("remembers of a copy that nothing was changed on what it is a copy of, and then the copy", async () => {
+    const { open, step, settle, saves, remembered, autosave } = page();
+    const [mug, design] = [modelRef("Mug", "mug"), emptyDesign()];
+    autosave.adopt({ name: "Mug", design, model: mug, targets: new Map() }, "copy", 0, "first");
+    open(mug, design);
+    await settle(1000);
+    expect([saves.length, remembered.at(-1)]).toEqual([0, { project: "first" }]);
+    step();
+    await settle(1000);
+    expect([saves.length, remembered.at(-1)]).toEqual([1, { project: "copy" }]);
+  });
+
   it("saves a step that another model followed before its time had come, and has the other open last", async () => {
     const { open, step, settle, saves, touched, autosave } = page();
     const shoe = modelRef("Shoe", null);

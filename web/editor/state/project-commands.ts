@@ -215,7 +215,8 @@ export class ProjectCommands {
       name = loaded.summary.name;
       const free = await lock.take(id);
       const content = await this.#contentOf(loaded, free ? name : this.#words.copyOf(name));
-      autosave.adopt(content, free ? id : randomId(), free ? loaded.summary.revision : 0);
+      if (free) autosave.adopt(content, id, loaded.summary.revision);
+      else autosave.adopt(content, randomId(), 0, id);
       try {
         await files.openProject(content);
       } finally {

@@ -14,7 +14,7 @@ import type { ProjectContent } from "./project.ts";
 import type { ProjectLock } from "./project-lock.ts";
 import type { ProjectStore, ProjectTouch } from "./project-store.ts";
 import { storageError } from "./storage-error.ts";
-import type { TabMemory } from "./tab-memory.ts";
+import type { TabMemory, TabPlace } from "./tab-memory.ts";
 
 export interface AutosaveParts {
   readonly store: Store<EditorState>;
@@ -47,6 +47,8 @@ interface OpenProject {
   revision: number;
   /** What is kept; null for nothing yet. */
   kept: ProjectContent | null;
+  /** Of a copy that nothing was changed on: what it is a copy of. */
+  origin: string | null;
 }
 
 export class Autosave {
@@ -73,24 +75,28 @@ export class Autosave {
     parts.store.subscribe(() => this.#observe());
   }
 
-  /** Ties a model that is about to be opened to a project that is kept already. */
-  adopt(content: ProjectContent, id: string, revision: number): void {
+  /**
+   * Ties a model that is about to be opened to a project that is kept already.
+   *
+   * @param origin of a copy, which is kept once it is changed: the project that it is one of
+   */
+  adopt(content: ProjectContent, id: string, revision: number, origin: string | null = null): void {
     const known = this.#byId.get(id)?.deref();
-    const project = Object.assign(known ?? {}, { id, revision, kept: content });
+    const project = Object.assign(known ?? {}, { id, revision, kept: content, origin });
     this.#projects.set(content.model, project);
     this.#byId.set(id, new WeakRef(project));
   }
 
   /** Ties a model that is about to be opened to a new project, which is kept from the start. */
   begin(model: ModelRef): void {
-    this.#projects.set(model, { id: randomId(), revision: 0, kept: null });
+    this.#projects.set(model, { id: randomId(), revision: 0, kept: null, origin: null });
   }
 
   /** The open project was deleted: it stays on the page, and comes back as another one when it is changed. */
   forget(id: string): void {
     const current = this.#current;
     if (current?.id !== id) return;
-    Object.assign(current, { id: randomId(), revision: 0, kept: this.#content() });
+    Object.assign(current, { id: randomId(), revision: 0, kept: this.#content(), origin: null });
     this.#tell();
   }
 
@@ -164,7 +170,8 @@ export class Autosave {
     const { model } = content;
     const known = this.#projects.get(model);
     // As it came: a demo is kept once it differs from that.
-    const project = known ?? { id: randomId(), revision: 0, kept: model.demoId === null ? null : content };
+    const kept = model.demoId === null ? null : content;
+    const project = known ?? { id: randomId(), revision: 0, kept, origin: null };
     if (project === this.#current) return;
     this.#projects.set(model, project);
     this.#byId.set(project.id, new WeakRef(project));
@@ -295,8 +302,14 @@ export class Autosave {
     const kept = !this.pending ? "kept" : this.#refused ? "refused" : "pending";
     const project = this.#current;
     this.#parts.store.set({ keeping: project?.kept && project.revision > 0 ? kept : unkept(kept) });
+    if (project) this.#parts.tab.remember(this.#placeOf(project));
+  }
+
+  /** Where a reload finds what is shown. */
+  #placeOf({ id, revision, origin }: OpenProject): TabPlace {
     const demo = this.#newest?.model.demoId ?? null;
-    if (project) this.#parts.tab.remember(project.revision === 0 && demo !== null ? { demo } : { project: project.id });
+    if (revision === 0 && origin !== null) return { project: origin };
+    return revision === 0 && demo !== null ? { demo } : { project: id };
   }
 }
 
