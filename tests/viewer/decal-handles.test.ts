@@ -88,7 +88,13 @@ describe("the depth handle", () => {
     expectVector(deeper.position, start.position);
   });
 
-  it("stops at the least depth", () => {
-    expect(deepenByHandle(start, -1, limits).size.z).toBe(limits.least);
+  it("does not make a picture's box so thin that a stripe is left of it", () => {
+    expect(deepenByHandle(start, -1, limits).size.z).toBeCloseTo(0.05, 12);
+  });
+
+  it("leaves a box that is thinner already as thin as it is", () => {
+    const thin = poseAt({ size: [0.4, 0.2, 0.01] });
+    expect(deepenByHandle(thin, -1, limits).size.z).toBe(0.01);
+    expect(deepenByHandle(thin, 0.01, limits).size.z).toBeCloseTo(0.03, 12);
   });
 });

@@ -8,7 +8,7 @@ import { decalsAt, rectangleHit } from "./decal-picking.ts";
 import { axisOf, poseOf } from "./decal-pose.ts";
 import { FrameTask } from "./frame-task.ts";
 import { type DragPointer, depthDrag, rotateDrag, scaleDrag, slideDrag } from "./gizmo-drag.ts";
-import { GizmoOverlay, type GizmoPicture, type HandleName } from "./gizmo-overlay.ts";
+import { GizmoOverlay, type GizmoPicture, type HandleName, type HandleStand } from "./gizmo-overlay.ts";
 import { drawGizmo, drawOutline, type GizmoView, handleHeight, hoverPath, outlineIndexOf } from "./gizmo-picture.ts";
 import { carried, dragAtRest, pointerAtRest } from "./posed-gizmo.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
@@ -57,6 +57,7 @@ export class DecalGizmo {
   #selected: ViewerDecal | null = null;
   #hovered: ViewerDecal | null = null;
   #drag: ActiveDrag | null = null;
+  #stand: HandleStand | null = null;
   /** A move is being told: the decals that come back by it are drawn with it. */
   #telling = false;
   #pointer: (DragPointer & { at: ScreenPoint }) | null = null;
@@ -103,8 +104,14 @@ export class DecalGizmo {
     return this.#selected;
   }
 
-  handleAt(target: EventTarget | null): HandleName | null {
-    return this.#overlay.handleAt(target);
+  /** The handle that a pointer at this point of the view takes hold of. */
+  handleAt(at: ScreenPoint, pointerType: string): HandleName | null {
+    return this.#overlay.handleAt(at, pointerType);
+  }
+
+  /** Lights up the handle that a press would take. */
+  hoverHandle(name: HandleName | null): void {
+    this.#overlay.hover(name);
   }
 
   /** The decals that a press at this sample can mean, topmost first. */
@@ -236,10 +243,14 @@ export class DecalGizmo {
       this.#overlay.draw(posed.moving ? null : this.#posedPicture(posed, selected));
       return;
     }
-    const view: GizmoView = { screen: this.#host.screen, query: this.#query };
+    const view = this.#viewOf(this.#query);
     const hovered = this.#drag === null && this.#hovered?.id !== selected?.id ? this.#hovered : null;
     const hover = hovered === null ? "" : hoverPath(view, this.#outlineOf(hovered.projector));
     this.#overlay.draw(selected === null ? { ...NOTHING, hover } : this.#pictureOf(view, selected, hover));
+  }
+
+  #viewOf(query: SurfaceQuery): GizmoView {
+    return { screen: this.#host.screen, query, reach: this.#overlay.reach, stand: this.#stand };
   }
 
   #pictureOf(view: GizmoView, decal: ViewerDecal, hover: string): GizmoPicture {
@@ -263,7 +274,7 @@ export class DecalGizmo {
   /** The box stands at rest; its picture stands where the surface under the decal has been moved to. */
   #posedPicture(posed: PosedView, selected: ViewerDecal | null): GizmoPicture {
     const { drawn, toPosed } = posed;
-    const view: GizmoView = { screen: this.#host.screen, query: drawn };
+    const view = this.#viewOf(drawn);
     const onPose = (decal: ViewerDecal): OutlinePoint[] =>
       this.#outlineOf(decal.projector).map((point) => ({ ...point, position: toPosed(point.position) }));
     const hovered = this.#drag === null && this.#hovered?.id !== selected?.id ? this.#hovered : null;
@@ -298,6 +309,7 @@ export class DecalGizmo {
   #startDrag(decal: ViewerDecal, drag: ProjectorDrag, handle: HandleName | null): void {
     this.#drag = { decal, drag, projector: decal.projector };
     this.#host.root.dataset.gesture = drag.kind;
+    this.#stand = this.#overlay.picture?.stand ?? null;
     this.#overlay.startGesture(handle);
     this.#host.dragging(true);
     this.#emit(this.#drag, "start", decal.projector);
@@ -305,6 +317,7 @@ export class DecalGizmo {
 
   #stopDrag(): void {
     this.#drag = null;
+    this.#stand = null;
     this.#pointer = null;
     this.#dragTask.cancel();
     delete this.#host.root.dataset.gesture;
@@ -386,5 +399,7 @@ const NOTHING = {
   arrowHead: "",
   hover: "",
   twin: "",
+  middle: null,
+  stand: null,
   handles: new Map(),
 } as const;

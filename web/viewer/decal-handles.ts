@@ -14,6 +14,9 @@ export interface SizeLimits {
   readonly most: number;
 }
 
+/** The least depth that a drag makes, as a share of the smaller side: on a mug, less cuts the picture to a stripe. */
+const LEAST_DEPTH = 0.25;
+
 /**
  * Scales a box by a handle.
  * @param start the pose at the drag's beginning
@@ -66,10 +69,14 @@ export function rotateByHandle(start: DecalPose, turn: number, snap: number | nu
   return { position: start.position.clone(), rotation, size: start.size.clone() };
 }
 
-/** Sets the depth: the +Z face follows the pointer by `travel` metres, the -Z face mirrors it, the centre stays. */
+/**
+ * Sets the depth: the +Z face follows the pointer by `travel` metres, the -Z face mirrors it, the centre stays. It stops before
+ * the picture is lost; who wants it thinner types a number.
+ */
 export function deepenByHandle(start: DecalPose, travel: number, limits: SizeLimits): DecalPose {
   const size = start.size.clone();
-  size.z = clamp(size.z + 2 * travel, limits);
+  const least = Math.min(size.z, Math.max(limits.least, LEAST_DEPTH * Math.min(size.x, size.y)));
+  size.z = clamp(size.z + 2 * travel, { ...limits, least });
   return { position: start.position.clone(), rotation: start.rotation.clone(), size };
 }
 

@@ -1,5 +1,7 @@
 /** Draws the gizmo: an SVG over the 3D view. Knows pixels only; what is where is decided in gizmo-picture.ts. */
 import { GizmoLine } from "./gizmo-line.ts";
+import { FINGER_REACH, handleUnder, MOUSE_REACH } from "./handle-under.ts";
+import type { ScreenPoint } from "./screen-space.ts";
 import { makeSvg as make, makeOverlay } from "./svg-overlay.ts";
 
 export const HANDLES = ["nw", "ne", "se", "sw", "n", "e", "s", "w", "rotate", "depth", "near", "far"] as const;
@@ -18,6 +20,14 @@ export interface HandlePlace {
   readonly cursor: string;
 }
 
+/** Where handles stand that may stand at several places. */
+export interface HandleStand {
+  /** The side of the one that turns. */
+  readonly knob: "n" | "s" | "e" | "w" | null;
+  /** CSS pixels that the arrow is longer by than it had to be; null where there is none. */
+  readonly stretch: number | null;
+}
+
 /** SVG path data in CSS pixels; "" draws nothing. */
 export interface GizmoPicture {
   readonly outline: string;
@@ -30,15 +40,14 @@ export interface GizmoPicture {
   readonly hover: string;
   /** The mirrored copy's outline. */
   readonly twin: string;
+  /** What a press nearer to it than to any handle takes hold of is the decal itself; null where it is out of sight. */
+  readonly middle: ScreenPoint | null;
+  readonly stand: HandleStand | null;
   /** Handles that are left out are not shown. */
   readonly handles: ReadonlyMap<HandleName, HandlePlace>;
 }
 
-/** Radius of what reacts to the pointer: 24 px across for a mouse, 44 for a finger (WCAG 2.5.8 and 2.5.5). */
-const HIT_RADIUS_FINE = 12;
-const HIT_RADIUS_COARSE = 22;
-
-type PathName = Exclude<keyof GizmoPicture, "handles">;
+type PathName = Exclude<keyof GizmoPicture, "handles" | "middle" | "stand">;
 
 /** In drawing order, with class names; casings share the data of the line that they lie under. */
 const PATHS: readonly { readonly data: PathName; readonly className: string }[] = [
@@ -62,11 +71,15 @@ export class GizmoOverlay {
   readonly #handles = new Map<HandleName, SVGGElement>();
   readonly #readout = document.createElement("div");
   readonly #coarse = matchMedia("(pointer: coarse)");
+  readonly #root: HTMLElement;
+  #picture: GizmoPicture | null = null;
+  #lit: HandleName | null = null;
   #gesture: { readonly handle: HandleName | null } | null = null;
   /** Nothing is shown, no handle either: that is not said to the document again in each frame. */
   #isEmpty = false;
 
   constructor(root: HTMLElement) {
+    this.#root = root;
     for (const { data, className } of PATHS) {
       const line = new GizmoLine(className);
       this.#paths.push({ line, data });
@@ -89,6 +102,7 @@ export class GizmoOverlay {
     }
     // In a gesture handles stay where they are.
     this.#isEmpty = picture === null && this.#gesture === null;
+    this.#picture = picture;
     for (const { line, data } of this.#paths) {
       line.draw(picture?.[data] ?? "", this.#gesture !== null);
     }
@@ -106,15 +120,33 @@ export class GizmoOverlay {
           `translate(${round(place.x)} ${round(place.y)}) rotate(${round(place.angle)})`,
         );
         handle.toggleAttribute("data-hidden", place.hidden);
-        handle.style.cursor = place.cursor;
       }
     }
   }
 
-  /** The handle that an event's target belongs to. */
-  handleAt(target: EventTarget | null): HandleName | null {
-    const handle = target instanceof Element ? target.closest("[data-handle]") : null;
-    return (handle?.getAttribute("data-handle") as HandleName | null) ?? null;
+  get picture(): GizmoPicture | null {
+    return this.#picture;
+  }
+
+  /** How far from its middle a handle is caught by this page's main pointer, CSS pixels. */
+  get reach(): number {
+    return this.#coarse.matches ? FINGER_REACH : MOUSE_REACH;
+  }
+
+  /** The handle that a pointer at this point of the view takes hold of. */
+  handleAt(at: ScreenPoint, pointerType: string): HandleName | null {
+    const { handles = [], middle = null } = this.#picture ?? {};
+    return handleUnder(at, handles, middle, pointerType === "touch" ? FINGER_REACH : MOUSE_REACH);
+  }
+
+  /** Lights up the handle that a press would take, and has its cursor at hand for the view (`data-cursor="handle"`). */
+  hover(name: HandleName | null): void {
+    if (name !== this.#lit) {
+      for (const [candidate, handle] of this.#handles) handle.toggleAttribute("data-lit", candidate === name);
+      this.#lit = name;
+    }
+    const place = name !== null && this.#picture?.handles.get(name);
+    if (place) this.#root.style.setProperty("--tcv-handle-cursor", place.cursor);
   }
 
   /** A drag began: its handle, if it has one, stays highlighted, and the others stay behind until it ends. */
@@ -152,8 +184,7 @@ export class GizmoOverlay {
 
   #makeHandle(name: HandleName): SVGGElement {
     const handle = make("g", { class: "tcv-handle", "data-handle": name });
-    const radius = this.#coarse.matches ? HIT_RADIUS_COARSE : HIT_RADIUS_FINE;
-    handle.append(make("circle", { class: "tcv-hit", r: String(radius) }), ...marksOf(name));
+    handle.append(...marksOf(name));
     handle.style.display = "none";
     return handle;
   }

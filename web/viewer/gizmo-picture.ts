@@ -1,8 +1,10 @@
 /** What the gizmo of a decal looks like from a camera: lines and handles in pixels, hidden parts told apart. */
 import type { Vector3 } from "three";
 import { type OutlinePoint, POINTS_PER_EDGE } from "./decal-outline.ts";
-import { axisOf, boxCorners, type DecalPose, fromLocal } from "./decal-pose.ts";
-import type { GizmoPicture, HandleName, HandlePlace, ScaleHandleName } from "./gizmo-overlay.ts";
+import { axisOf, boxCorners, type DecalPose } from "./decal-pose.ts";
+import type { GizmoPicture, HandleName, HandlePlace, HandleStand, ScaleHandleName } from "./gizmo-overlay.ts";
+import { degreesOf, isFree, pushedOut, resizeCursor, scaleHandlePlaces } from "./handle-places.ts";
+import { distance } from "./handle-under.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceQuery } from "./surface-query.ts";
 
@@ -10,17 +12,24 @@ import type { SurfaceQuery } from "./surface-query.ts";
 export interface GizmoView {
   readonly screen: ScreenSpace;
   readonly query: SurfaceQuery;
+  /** How far from a handle's middle it is caught, CSS pixels. */
+  readonly reach: number;
+  /** In a drag: where the handles stood when it began, so that none jumps from under the pointer. */
+  readonly stand: HandleStand | null;
 }
+
+/** Sides of an outline that the handle that turns may stand at, the first that is in view. */
+const KNOB_SIDES = ["n", "s", "e", "w"] as const;
 
 /** Lengths on the screen, CSS pixels. */
 const ROTATE_STEM = 30;
 const ARROW_LENGTH = 46;
 const ARROW_BEYOND_HANDLE = 24;
 const ARROW_HEAD = 7;
-/** Edges shorter than this on the screen have no room for a handle between their corners. */
-const LEAST_EDGE_FOR_HANDLE = 60;
-/** Corner handles keep this far from the middle, so that a small decal can still be taken by its body. */
-const LEAST_CORNER_REACH = 40;
+/** The handle that turns keeps this far from the view's border. */
+const KNOB_MARGIN = 14;
+/** What is added to an arrow's length, the first with which its handle can be told from the others. */
+const ARROW_STRETCHES = [0, 20, 40, 60, 80, 100];
 /** An arrow shorter than this on the screen points at the viewer: nothing to pull on. */
 export const LEAST_ARROW = 30;
 /** Pieces of a box edge that are told apart as hidden or seen. */
@@ -79,25 +88,29 @@ export function drawGizmo(
   const box = boxPaths(view, pose);
   const facing = axisOf(pose, 2).dot(view.screen.eye.sub(pose.position)) > 0;
   const handles = new Map<HandleName, HandlePlace>();
-  const arrow = arrowOf(view, pose, outline);
-  let guide = "";
-  if (options.handles && facing) {
-    addScaleHandles(view, outline, handles);
-    guide = addRotateHandle(view, pose, outline, handles);
-    if (arrow.handle !== null) {
-      handles.set("depth", arrow.handle);
-    }
+  const middle = view.screen.project(pose.position);
+  const shown = options.handles && facing && outline.length > 0 && middle !== null;
+  let knob = NO_KNOB;
+  if (shown) {
+    addScaleHandles(view, outline, middle, handles);
+    knob = addKnob(view, outline, { right: axisOf(pose, 0), up: axisOf(pose, 1) }, middle, handles);
+  }
+  const arrow = middle === null ? NO_ARROW : arrowAlong(view, pose.position, axisOf(pose, 2), pose.size.z / 2, handles);
+  if (shown && arrow.handle !== null) {
+    handles.set("depth", arrow.handle);
   }
   return {
     outline: lines.seen,
     outlineHidden: lines.hidden,
     box: box.seen,
     boxHidden: box.hidden,
-    guide,
+    guide: knob.stem,
     arrow: arrow.line,
     arrowHead: arrow.head,
+    stand: { knob: knob.side, stretch: arrow.stretch },
     hover: options.hover,
     twin: "",
+    middle,
     handles,
   };
 }
@@ -174,117 +187,106 @@ export function linePaths(
 export function addScaleHandles(
   view: GizmoView,
   outline: readonly OutlinePoint[],
+  middle: ScreenPoint,
   handles: Map<HandleName, HandlePlace>,
 ): void {
-  const pixelOf = (name: keyof typeof OUTLINE_INDEX) => {
+  const pixelOf = (name: ScaleHandleName) => {
     const point = outline[OUTLINE_INDEX[name]];
     return point === undefined ? null : view.screen.project(point.position);
   };
-  const [sw, se, ne, nw] = [pixelOf("sw"), pixelOf("se"), pixelOf("ne"), pixelOf("nw")];
-  if (sw === null || se === null || ne === null || nw === null) {
-    return;
-  }
-  const centre = { x: (sw.x + se.x + ne.x + nw.x) / 4, y: (sw.y + se.y + ne.y + nw.y) / 4 };
-  for (const [name, at, from, to] of [
-    ["n", pixelOf("n"), nw, ne],
-    ["s", pixelOf("s"), sw, se],
-    ["e", pixelOf("e"), se, ne],
-    ["w", pixelOf("w"), sw, nw],
-  ] as const) {
-    // Round a mug an edge's two ends may meet again: half of it counts, too.
-    const length = at === null ? 0 : Math.max(distance(from, to), 2 * distance(from, at));
-    if (at !== null && length >= LEAST_EDGE_FOR_HANDLE) {
-      const angle = degreesOf(from, to);
-      handles.set(name, { ...at, angle, hidden: isHidden(view, outline, name), cursor: resizeCursor(angle + 90) });
-    }
-  }
-  for (const [name, at] of [
-    ["sw", sw],
-    ["se", se],
-    ["ne", ne],
-    ["nw", nw],
-  ] as const) {
-    const side = name === "sw" || name === "nw" ? [nw, sw] : [se, ne];
-    const angle = degreesOf(side[0] as ScreenPoint, side[1] as ScreenPoint);
-    const cursor = resizeCursor(degreesOf(centre, at));
-    const place = pushedOut(at, centre);
-    handles.set(name, { ...place, angle, hidden: isHidden(view, outline, name), cursor });
+  for (const [name, place] of scaleHandlePlaces(pixelOf, { middle, reach: view.reach })) {
+    handles.set(name, { ...place, hidden: isHidden(view, outline, name) });
   }
 }
 
-function pushedOut(at: ScreenPoint, centre: ScreenPoint): ScreenPoint {
-  const reach = Math.hypot(at.x - centre.x, at.y - centre.y);
-  const factor = Math.max(1, LEAST_CORNER_REACH / Math.max(reach, 1));
-  return { x: centre.x + (at.x - centre.x) * factor, y: centre.y + (at.y - centre.y) * factor };
+export interface Knob {
+  /** SVG path data. */
+  readonly stem: string;
+  readonly side: HandleStand["knob"];
 }
 
-/** Returns the stem's path. */
-function addRotateHandle(
-  view: GizmoView,
-  pose: DecalPose,
-  outline: readonly OutlinePoint[],
-  handles: Map<HandleName, HandlePlace>,
-): string {
-  const top = outline[OUTLINE_INDEX.n];
-  if (top === undefined) {
-    return "";
-  }
-  const foot = fromLocal(pose, 0, pose.size.y / 2, top.height);
-  return addKnob(view, top.position, foot, axisOf(pose, 1), handles);
-}
+export const NO_KNOB: Knob = { stem: "", side: null };
 
 /**
- * The knob that turns, on a stem from `from`; it stands above `foot` along `upward` (unit). Returns the stem's path.
+ * The handle that turns, on a stem from an edge's middle along one of the picture's own axes (unit). Above the picture, or
+ * where it would be out of the view there, at another side; and where all are out, at the view's border.
  */
 export function addKnob(
   view: GizmoView,
-  from: Vector3,
-  foot: Vector3,
-  upward: Vector3,
+  outline: readonly OutlinePoint[],
+  { right, up }: { readonly right: Vector3; readonly up: Vector3 },
+  middle: ScreenPoint,
   handles: Map<HandleName, HandlePlace>,
-): string {
-  const knob = foot.clone().addScaledVector(upward, ROTATE_STEM * view.screen.metresPerPixel(from));
-  const low = view.screen.project(from);
-  const high = view.screen.project(knob);
-  if (low === null || high === null) {
-    return "";
+): Knob {
+  const { screen, query, reach } = view;
+  const outward = { n: up, s: up.clone().negate(), e: right, w: right.clone().negate() };
+  const length = Math.max(ROTATE_STEM, 2 * reach);
+  const knobs = (view.stand?.knob ? [view.stand.knob] : KNOB_SIDES).flatMap((side) => {
+    const foot = outline[OUTLINE_INDEX[side]]?.position;
+    const low = foot && screen.project(foot);
+    const spot = foot?.clone().addScaledVector(outward[side], length * screen.metresPerPixel(foot));
+    const high = spot && screen.project(spot);
+    // Beyond the corners, which keep two reaches from the middle.
+    return low && high ? [{ side, low, spot, at: pushedOut(high, middle, Math.SQRT2 * 2 * reach) }] : [];
+  });
+  const fits = ({ at }: { at: ScreenPoint }): boolean => {
+    const shown = screen.within(at, KNOB_MARGIN);
+    return distance(at, shown) < length / 2 && isFree(shown, { middle, reach }, handles);
+  };
+  const knob = knobs.find(fits) ?? knobs[0];
+  if (knob === undefined) {
+    return NO_KNOB;
   }
-  const hidden = !view.query.isClear(view.screen.eye, knob);
-  handles.set("rotate", { ...high, angle: degreesOf(low, high) + 90, hidden, cursor: "grab" });
-  return line(low, high);
-}
-
-/** The arrow along +Z from the surface, as long on the screen as its foreshortening lets it. */
-function arrowOf(view: GizmoView, pose: DecalPose, outline: readonly OutlinePoint[]): Arrow {
-  return outline.length === 0 ? NO_ARROW : arrowAlong(view, pose.position, axisOf(pose, 2), pose.size.z / 2);
+  const at = screen.holds(middle) ? screen.within(knob.at, KNOB_MARGIN) : knob.at;
+  const hidden = !query.isClear(screen.eye, knob.spot);
+  handles.set("rotate", { ...at, angle: degreesOf(knob.low, at) + 90, hidden, cursor: "grab" });
+  return { stem: line(knob.low, at), side: knob.side };
 }
 
 export interface Arrow {
   readonly line: string;
   readonly head: string;
   readonly handle: HandlePlace | null;
+  readonly stretch: HandleStand["stretch"];
 }
 
-const NO_ARROW: Arrow = { line: "", head: "", handle: null };
+const NO_ARROW: Arrow = { line: "", head: "", handle: null, stretch: null };
 
-/** An arrow from a point along a unit direction, its handle `reach` metres from there or as far as it can be taken. */
-export function arrowAlong(view: GizmoView, begin: Vector3, direction: Vector3, reach: number): Arrow {
-  const perPixel = view.screen.metresPerPixel(begin);
-  const grip = Math.max(reach, ARROW_LENGTH * perPixel);
-  const at3 = begin.clone().addScaledVector(direction, grip);
-  const from = view.screen.project(begin);
-  const at = view.screen.project(at3);
-  const tip = view.screen.project(begin.clone().addScaledVector(direction, grip + ARROW_BEYOND_HANDLE * perPixel));
-  if (from === null || at === null || tip === null || distance(from, at) < LEAST_ARROW) {
-    return NO_ARROW;
+/**
+ * An arrow from a point along a unit direction, as long on the screen as its foreshortening lets it. Its handle is `reach`
+ * metres from there, or as far as it can be told from the point and from the handles that are there already.
+ */
+export function arrowAlong(
+  view: GizmoView,
+  begin: Vector3,
+  direction: Vector3,
+  reach: number,
+  handles: ReadonlyMap<HandleName, HandlePlace>,
+): Arrow {
+  const { screen, stand } = view;
+  const perPixel = screen.metresPerPixel(begin);
+  const from = screen.project(begin);
+  const least = Math.max(reach, ARROW_LENGTH * perPixel);
+  for (const stretch of stand === null ? ARROW_STRETCHES : [stand.stretch ?? 0]) {
+    const grip = begin.clone().addScaledVector(direction, least + stretch * perPixel);
+    const at = screen.project(grip);
+    const tip = screen.project(grip.clone().addScaledVector(direction, ARROW_BEYOND_HANDLE * perPixel));
+    if (from === null || at === null || tip === null || (stand === null && !screen.holds(tip))) {
+      break;
+    }
+    const room = { middle: from, reach: view.reach };
+    if (stand !== null || (distance(from, at) >= LEAST_ARROW && isFree(at, room, handles))) {
+      const angle = degreesOf(from, tip);
+      const hidden = !view.query.isClear(screen.eye, grip);
+      return {
+        line: line(from, tip),
+        head: arrowHead(tip, angle),
+        handle: { ...at, angle, hidden, cursor: resizeCursor(angle) },
+        stretch,
+      };
+    }
   }
-  const angle = degreesOf(from, tip);
-  const hidden = !view.query.isClear(view.screen.eye, at3);
-  return {
-    line: line(from, tip),
-    head: arrowHead(tip, angle),
-    handle: { ...at, angle, hidden, cursor: resizeCursor(angle) },
-  };
+  return NO_ARROW;
 }
 
 function isHidden(view: GizmoView, outline: readonly OutlinePoint[], name: keyof typeof OUTLINE_INDEX): boolean {
@@ -313,10 +315,6 @@ function splitPath(
   return paths;
 }
 
-function distance(from: ScreenPoint, to: ScreenPoint): number {
-  return Math.hypot(to.x - from.x, to.y - from.y);
-}
-
 export function line(from: ScreenPoint, to: ScreenPoint): string {
   return `M${pixel(from)}L${pixel(to)}`;
 }
@@ -331,16 +329,4 @@ function arrowHead(tip: ScreenPoint, angle: number): string {
     return pixel({ x: tip.x + Math.cos(radians) * length, y: tip.y + Math.sin(radians) * length });
   };
   return `M${at(0, ARROW_HEAD)}L${at(130, ARROW_HEAD)}L${at(-130, ARROW_HEAD)}Z`;
-}
-
-/** Direction on the screen, degrees clockwise from the right. */
-export function degreesOf(from: ScreenPoint, to: ScreenPoint): number {
-  return (Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI;
-}
-
-/** The resize cursor nearest to a direction on the screen. */
-export function resizeCursor(degrees: number): string {
-  const names = ["ew-resize", "nwse-resize", "ns-resize", "nesw-resize"] as const;
-  const eighth = Math.round(degrees / 45);
-  return names[((eighth % 4) + 4) % 4] as string;
 }

@@ -14,19 +14,19 @@ export const GIZMO_STYLE = /* css */ `
 .tcv-overlay .tcv-arrow-head { fill: var(--tcv-accent); stroke: none; }
 .tcv-guide { stroke: var(--tcv-accent); stroke-width: 1.25; }
 
-.tcv-handle { pointer-events: all; transition: opacity 120ms, visibility 0s; }
+.tcv-handle { transition: opacity 120ms, visibility 0s; }
 .tcv-handle[data-hidden] { opacity: 0.4; }
-.tcv-hit { fill: transparent; }
 .tcv-overlay .tcv-mark { fill: var(--tcv-handle); stroke: var(--tcv-accent); stroke-width: 1.75; transition: transform 120ms ease-out; }
 .tcv-mark-shadow { fill: rgb(10 14 24 / 0.22); }
-.tcv-overlay .tcv-handle:hover .tcv-mark, .tcv-overlay .tcv-handle[data-active] .tcv-mark { fill: var(--tcv-accent); stroke: var(--tcv-handle); transform: scale(1.2); }
-.tcv-overlay .tcv-glyph { stroke: var(--tcv-accent); stroke-width: 1.5; pointer-events: none; }
-.tcv-overlay .tcv-handle:hover .tcv-glyph, .tcv-overlay .tcv-handle[data-active] .tcv-glyph { stroke: var(--tcv-handle); }
+.tcv-overlay .tcv-handle[data-lit] .tcv-mark, .tcv-overlay .tcv-handle[data-active] .tcv-mark { fill: var(--tcv-accent); stroke: var(--tcv-handle); transform: scale(1.2); }
+.tcv-overlay .tcv-glyph { stroke: var(--tcv-accent); stroke-width: 1.5; }
+.tcv-overlay .tcv-handle[data-lit] .tcv-glyph, .tcv-overlay .tcv-handle[data-active] .tcv-glyph { stroke: var(--tcv-handle); }
 
 .tcv-root[data-cursor="move"] { cursor: move; }
+.tcv-root[data-cursor="handle"] { cursor: var(--tcv-handle-cursor); }
 .tcv-root[data-cursor="orbit"] { cursor: grab; }
 /* Hidden once they have faded, so that no frame of a drag paints them. */
-.tcv-root[data-gesture] .tcv-handle:not([data-active]) { opacity: 0; visibility: hidden; pointer-events: none; transition: opacity 120ms, visibility 0s 120ms; }
+.tcv-root[data-gesture] .tcv-handle:not([data-active]) { opacity: 0; visibility: hidden; transition: opacity 120ms, visibility 0s 120ms; }
 .tcv-root[data-gesture="slide"] { cursor: grabbing; }
 .tcv-root[data-gesture="slide"] .tcv-guide, .tcv-root[data-gesture="scale"] .tcv-guide { opacity: 0; }
 

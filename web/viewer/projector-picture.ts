@@ -7,16 +7,19 @@ import {
   addKnob,
   addScaleHandles,
   arrowAlong,
-  degreesOf,
   type GizmoView,
   LEAST_ARROW,
   linePaths,
+  NO_KNOB,
   OUTLINE_INDEX,
   outlinePaths,
-  resizeCursor,
 } from "./gizmo-picture.ts";
+import { degreesOf, isFree, resizeCursor } from "./handle-places.ts";
 import { volumeEdges } from "./projector-outline.ts";
 import { rotationOf } from "./projector-sight.ts";
+import type { ScreenPoint } from "./screen-space.ts";
+
+const NO_HANDLES = { guide: "", arrow: "", arrowHead: "", middle: null, stand: null };
 
 type ThrownProjector = PerspectiveProjector | CylindricalProjector;
 
@@ -33,7 +36,7 @@ export function drawThrown(
   const marks =
     options.handles && projector.kind !== "uv" && outline.length > 0
       ? addHandles(view, projector, outline, handles)
-      : { guide: "", arrow: "", arrowHead: "" };
+      : NO_HANDLES;
   return {
     outline: lines.seen,
     outlineHidden: lines.hidden,
@@ -51,34 +54,39 @@ function addHandles(
   projector: ThrownProjector,
   outline: readonly OutlinePoint[],
   handles: Map<HandleName, HandlePlace>,
-): Pick<GizmoPicture, "guide" | "arrow" | "arrowHead"> {
+): Pick<GizmoPicture, keyof typeof NO_HANDLES> {
   const rotation = rotationOf(projector);
-  const [y, z] = [new Vector3(0, 1, 0).applyQuaternion(rotation), new Vector3(0, 0, 1).applyQuaternion(rotation)];
+  const axis = (x: number, y: number, z: number): Vector3 => new Vector3(x, y, z).applyQuaternion(rotation);
+  const [right, up, back] = [axis(1, 0, 0), axis(0, 1, 0), axis(0, 0, 1)];
   const top = (outline[OUTLINE_INDEX.n] as OutlinePoint).position;
   const bottom = (outline[OUTLINE_INDEX.s] as OutlinePoint).position;
-  const middle = top.clone().lerp(bottom, 0.5);
+  const centre = top.clone().lerp(bottom, 0.5);
+  const middle = view.screen.project(centre);
+  if (middle === null) return NO_HANDLES;
   // Of a label only the front is shown, too: from behind, all that can be done is to turn it by its picture.
-  const facing = z.dot(view.screen.eye.sub(middle)) > 0;
-  let guide = "";
+  const facing = back.dot(view.screen.eye.sub(centre)) > 0;
+  let knob = NO_KNOB;
   if (facing) {
-    addScaleHandles(view, outline, handles);
-    guide = addKnob(view, top, top, y, handles);
+    addScaleHandles(view, outline, middle, handles);
+    knob = addKnob(view, outline, { right, up }, middle, handles);
   }
   if (projector.kind === "perspective") {
-    addRangeHandles(view, projector, z, handles);
-    return { guide, arrow: "", arrowHead: "" };
+    addRangeHandles(view, projector, back, middle, handles);
+    return { ...NO_HANDLES, guide: knob.stem, middle, stand: { knob: knob.side, stretch: null } };
   }
-  if (!facing) return { guide, arrow: "", arrowHead: "" };
-  const arrow = arrowAlong(view, middle, z, projector.depth);
+  if (!facing) return { ...NO_HANDLES, middle };
+  const arrow = arrowAlong(view, centre, back, projector.depth, handles);
   if (arrow.handle !== null) handles.set("depth", arrow.handle);
-  return { guide, arrow: arrow.line, arrowHead: arrow.head };
+  const stand = { knob: knob.side, stretch: arrow.stretch };
+  return { guide: knob.stem, arrow: arrow.line, arrowHead: arrow.head, middle, stand };
 }
 
-/** On the eye's axis where it begins and ends to paint; none while the camera looks along that axis. */
+/** On the eye's axis where it begins and ends to paint, if they leave the others free; none while the camera looks along it. */
 function addRangeHandles(
   view: GizmoView,
   { position, near, far }: PerspectiveProjector,
   backward: Vector3,
+  middle: ScreenPoint,
   handles: Map<HandleName, HandlePlace>,
 ): void {
   const at = (distance: number): Vector3 => new Vector3(...position).addScaledVector(backward, -distance);
@@ -89,6 +97,7 @@ function addRangeHandles(
     ["near", begin, near],
     ["far", end, far],
   ] as const) {
+    if (!isFree(place, { middle, reach: view.reach }, handles)) continue;
     const hidden = !view.query.isClear(view.screen.eye, at(distance));
     handles.set(name, { ...place, angle, hidden, cursor: resizeCursor(angle) });
   }

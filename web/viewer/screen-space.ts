@@ -43,6 +43,20 @@ export class ScreenSpace {
     return { x: ((projected.x + 1) / 2) * width, y: ((1 - projected.y) / 2) * height };
   }
 
+  holds({ x, y }: ScreenPoint): boolean {
+    const { width, height } = this.#viewSize();
+    return x >= 0 && y >= 0 && x <= width && y <= height;
+  }
+
+  /** The point of the view that is nearest to a point, this far from its border. */
+  within({ x, y }: ScreenPoint, margin: number): ScreenPoint {
+    const { width, height } = this.#viewSize();
+    return {
+      x: Math.max(margin, Math.min(width - margin, x)),
+      y: Math.max(margin, Math.min(height - margin, y)),
+    };
+  }
+
   #viewSize(): { readonly width: number; readonly height: number } {
     this.#size ??= { width: this.#element.clientWidth, height: this.#element.clientHeight };
     return this.#size;

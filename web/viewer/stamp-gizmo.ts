@@ -2,8 +2,16 @@
 import type { UvProjector } from "../engine/engine-api.ts";
 import { ClientCorner } from "./client-corner.ts";
 import { sideOf } from "./gizmo-drag.ts";
-import { GizmoOverlay, type GizmoPicture, type HandleName, type HandlePlace } from "./gizmo-overlay.ts";
-import { degreesOf, line, resizeCursor } from "./gizmo-picture.ts";
+import {
+  GizmoOverlay,
+  type GizmoPicture,
+  type HandleName,
+  type HandlePlace,
+  type ScaleHandleName,
+} from "./gizmo-overlay.ts";
+import { line } from "./gizmo-picture.ts";
+import { degreesOf, pushedOut, scaleHandlePlaces } from "./handle-places.ts";
+import { distance } from "./handle-under.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import { movedStamp, scaledStamp, stampHolds, turnedStamp, type Uv, uvOfStamp } from "./stamp-drag.ts";
 import { takesBack } from "./take-back-key.ts";
@@ -15,20 +23,8 @@ export interface StampGizmoHooks {
   gesture(gesture: DecalGesture): void;
 }
 
-/** Where the handles sit on the picture; y up. */
-const PLACES: readonly (readonly [Exclude<HandleName, "rotate" | "depth" | "near" | "far">, number, number])[] = [
-  ["sw", -0.5, -0.5],
-  ["se", 0.5, -0.5],
-  ["ne", 0.5, 0.5],
-  ["nw", -0.5, 0.5],
-  ["s", 0, -0.5],
-  ["e", 0.5, 0],
-  ["n", 0, 0.5],
-  ["w", -0.5, 0],
-];
 /** CSS pixels. */
 const STEM = 28;
-const LEAST_EDGE = 60;
 
 interface StampDrag {
   readonly id: string;
@@ -59,6 +55,7 @@ export class StampGizmo {
     root.addEventListener("pointermove", (event) => this.#onMove(event), early);
     root.addEventListener("pointerup", (event) => this.#onEnd(event, "end"), early);
     root.addEventListener("pointercancel", (event) => this.#onEnd(event, "cancel"), early);
+    root.addEventListener("pointerleave", () => this.#light(null), early);
     window.addEventListener("keydown", (event) => this.#onKey(event), early);
   }
 
@@ -93,7 +90,7 @@ export class StampGizmo {
       event.stopImmediatePropagation();
       return;
     }
-    const handle = this.#overlay.handleAt(event.target);
+    const handle = this.#handleAt(event);
     const from = this.#uvOf(event);
     if (handle === null && !stampHolds(start, from)) return;
     event.stopImmediatePropagation();
@@ -108,6 +105,9 @@ export class StampGizmo {
 
   #onMove(event: PointerEvent): void {
     const drag = this.#drag;
+    if (drag === null && event.pointerType !== "touch") {
+      this.#light(event.buttons === 0 ? this.#handleAt(event) : null);
+    }
     if (drag === null || drag.pointerId !== event.pointerId) return;
     event.stopImmediatePropagation();
     drag.projector = dragged(drag, this.#uvOf(event), event);
@@ -144,6 +144,15 @@ export class StampGizmo {
     this.#hooks.gesture({ id, kind, phase, projector, material: null });
   }
 
+  #light(handle: HandleName | null): void {
+    this.#overlay.hover(handle);
+    this.#root.dataset.cursor = handle === null ? "" : "handle";
+  }
+
+  #handleAt({ clientX, clientY, pointerType }: PointerEvent): HandleName | null {
+    return this.#overlay.handleAt(this.#corner.pointOf(clientX, clientY), pointerType);
+  }
+
   #uvOf(event: PointerEvent): Uv {
     const { x, y } = this.#corner.pointOf(event.clientX, event.clientY);
     return this.#hooks.uvOf(x, y);
@@ -155,25 +164,21 @@ export class StampGizmo {
     const middle = at(0, 0);
     const handles = new Map<HandleName, HandlePlace>();
     const free = this.#decal?.locked !== true;
-    for (const [name, x, y] of free ? PLACES : []) {
-      const isEdge = x === 0 || y === 0;
-      const edge = x === 0 ? distance(sw, se) : distance(sw, nw);
-      if (isEdge && edge < LEAST_EDGE) continue;
-      const place = at(x, y);
-      const angle = x === 0 ? degreesOf(sw, se) : degreesOf(sw, nw);
-      handles.set(name, { ...place, angle, hidden: false, cursor: resizeCursor(degreesOf(middle, place)) });
-    }
+    const room = { middle, reach: this.#overlay.reach };
     const top = at(0, 0.5);
-    const reach = distance(middle, top) || 1;
-    const knob = {
-      x: top.x + ((top.x - middle.x) / reach) * STEM,
-      y: top.y + ((top.y - middle.y) / reach) * STEM,
-    };
-    if (free) handles.set("rotate", { ...knob, angle: degreesOf(top, knob) + 90, hidden: false, cursor: "grab" });
+    // A turned stamp's own upward: the stem goes on from the middle through the upper edge.
+    const way = distance(middle, top);
+    const knob = pushedOut(top, middle, Math.max(way + Math.max(STEM, 2 * room.reach), Math.SQRT2 * 2 * room.reach));
+    if (free) {
+      const pixelOf = (name: ScaleHandleName): ScreenPoint => at(sideOf(name).x / 2, sideOf(name).y / 2);
+      for (const [name, place] of scaleHandlePlaces(pixelOf, room)) handles.set(name, { ...place, hidden: false });
+      handles.set("rotate", { ...knob, angle: degreesOf(top, knob) + 90, hidden: false, cursor: "grab" });
+    }
     return {
-      ...{ outlineHidden: "", box: "", boxHidden: "", arrow: "", arrowHead: "", hover: "", twin: "" },
+      ...{ outlineHidden: "", box: "", boxHidden: "", arrow: "", arrowHead: "", hover: "", twin: "", stand: null },
       outline: [line(sw, se), line(se, ne), line(ne, nw), line(nw, sw)].join(""),
       guide: free ? line(top, knob) : "",
+      middle,
       handles,
     };
   }
@@ -190,8 +195,4 @@ function dragged(
   return handle === "rotate"
     ? turnedStamp(start, from, to, shiftKey)
     : scaledStamp(start, sideOf(handle), from, to, altKey);
-}
-
-function distance(from: ScreenPoint, to: ScreenPoint): number {
-  return Math.hypot(to.x - from.x, to.y - from.y);
 }

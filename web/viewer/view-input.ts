@@ -46,6 +46,8 @@ export class ViewInput {
   readonly #abort = new AbortController();
   #press: Press | null = null;
   #dragPointer: PointerEvent | null = null;
+  /** The press of a finger that has not left its place on a handle: a tap changes nothing. */
+  #restingTouch: PointerEvent | null = null;
   #hoverEvent: PointerEvent | null = null;
   #spaceHeld = false;
   #pointerInside = false;
@@ -73,6 +75,7 @@ export class ViewInput {
   set suspended(value: boolean) {
     this.#suspended = value;
     this.#press = null;
+    this.#gizmo.hoverHandle(null);
     this.#setCursor("");
   }
 
@@ -90,6 +93,7 @@ export class ViewInput {
       return;
     }
     this.#press = null;
+    this.#restingTouch = null;
     // What is lit up under the pointer would tint what the press is about.
     this.#hoverTask.cancel();
     this.#hooks.hover(null);
@@ -101,7 +105,7 @@ export class ViewInput {
       this.#hooks.setPanning(event.shiftKey);
       return;
     }
-    const handle = this.#gizmo.handleAt(event.target);
+    const handle = this.#handleAt(event);
     if (handle !== null && this.#startHandle(handle, event)) {
       return;
     }
@@ -141,11 +145,16 @@ export class ViewInput {
     }
   }
 
+  #handleAt({ clientX, clientY, pointerType }: PointerEvent): HandleName | null {
+    return this.#gizmo.handleAt(this.#screen.pointOf(clientX, clientY), pointerType);
+  }
+
   #startHandle(handle: HandleName, event: PointerEvent): boolean {
     if (!this.#gizmo.startHandle(handle, this.#pointerOf(event))) {
       return false;
     }
     this.#dragPointer = event;
+    this.#restingTouch = event.pointerType === "touch" ? event : null;
     this.#take(event);
     return true;
   }
@@ -174,7 +183,7 @@ export class ViewInput {
     if (this.#dragPointer?.pointerId === event.pointerId) {
       event.stopImmediatePropagation();
       this.#dragPointer = event;
-      this.#gizmo.moveTo(this.#pointerOf(event));
+      this.#followPointer(event);
     } else if (event.buttons === 0 && event.pointerType !== "touch" && !this.#suspended) {
       this.#hoverEvent = event;
       this.#hoverTask.request();
@@ -193,10 +202,16 @@ export class ViewInput {
     }
   }
 
+  #followPointer(event: PointerEvent): void {
+    if (this.#restingTouch !== null && distance(this.#restingTouch, event) <= TOUCH_SLOP) return;
+    this.#restingTouch = null;
+    this.#gizmo.moveTo(this.#pointerOf(event));
+  }
+
   #onUp(event: PointerEvent): void {
     if (this.#dragPointer?.pointerId === event.pointerId) {
       event.stopImmediatePropagation();
-      this.#gizmo.moveTo(this.#pointerOf(event));
+      this.#followPointer(event);
       this.#gizmo.finish();
       this.#dragPointer = null;
     }
@@ -222,6 +237,7 @@ export class ViewInput {
     this.#hoverEvent = null;
     this.#hoverTask.cancel();
     if (this.#dragPointer === null) {
+      this.#gizmo.hoverHandle(null);
       this.#gizmo.hover(null);
       this.#hooks.hover(null);
     }
@@ -259,12 +275,14 @@ export class ViewInput {
     }
     const { ray } = this.#pointerOf(event);
     const sample = this.#hooks.pick(ray);
-    const onHandle = this.#gizmo.handleAt(event.target) !== null;
+    const handle = this.#spaceHeld ? null : this.#handleAt(event);
+    const onHandle = handle !== null;
+    this.#gizmo.hoverHandle(handle);
     const [top = null] = sample === null || onHandle ? [] : this.#gizmo.decalsAt(sample);
     const grab = onHandle ? null : this.#gizmo.grabOfSelected(this.#pointerOf(event), sample);
     this.#gizmo.hover(grab === null ? top : null);
     const movable = grab !== null || (top !== null && top.locked !== true);
-    this.#setCursor(this.#spaceHeld ? "orbit" : movable ? "move" : "");
+    this.#setCursor(this.#spaceHeld ? "orbit" : onHandle ? "handle" : movable ? "move" : "");
     this.#hooks.hover(sample);
   }
 

@@ -1,0 +1,97 @@
+/** Handles of a decal that is small on the screen, by a finger and by a mouse. */
+import type { DecalLayer } from "../../web/editor/document/index.ts";
+import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
+
+/** Of a box: width, height and depth in metres. */
+function sizeOf({ projector }: DecalLayer): readonly number[] {
+  return projector.kind === "planar" ? projector.size : [];
+}
+
+/** Opens the page on its mug, whose decal is seen from the side, and selects that. */
+async function selected(editor: EditorPage): Promise<string> {
+  await editor.open();
+  const id = await editor.lowestLayer();
+  await editor.select(id);
+  await editor.idle();
+  return id;
+}
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test("a finger in the middle of a decal moves it and leaves its size and depth alone, however small it is shown", async ({
+    editor,
+    page,
+  }) => {
+    const id = await selected(editor);
+    const devtools = await page.context().newCDPSession(page);
+    const touch = (type: "touchStart" | "touchMove" | "touchEnd", ...touchPoints: Point[]) =>
+      devtools.send("Input.dispatchTouchEvent", { type, touchPoints });
+
+    for (let zoom = 0; zoom < 4; zoom += 1) {
+      for (const [x, y] of [
+        [0, 0],
+        [-14, 0],
+        [0, 14],
+        [-10, 10],
+      ] as const) {
+        await editor.idle();
+        const before = await editor.decal(id);
+        const middle = await editor.pointOf(id);
+        const from = { x: middle.x + x, y: middle.y + y };
+        await touch("touchStart", from);
+        for (let step = 1; step <= 5; step += 1)
+          await touch("touchMove", { x: from.x + 5 * step, y: from.y - 2 * step });
+        await touch("touchEnd");
+        await editor.idle();
+        const after = await editor.decal(id);
+        const claim = `${zoom} times zoomed out, pressed ${x}, ${y} from the middle`;
+        expect(sizeOf(after), claim).toEqual(sizeOf(before));
+        expect(after.projector, claim).not.toEqual(before.projector);
+        await page.keyboard.press("Control+z");
+      }
+      await page.mouse.move(195, 330);
+      await page.mouse.wheel(0, 240);
+    }
+  });
+});
+
+test.describe("in a low window", () => {
+  test.use({ viewport: { width: 720, height: 450 } });
+
+  test("the handle that turns stands in the view whole, and turns", async ({ editor, page }) => {
+    const id = await selected(editor);
+    const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
+    const knob = await page.locator(".tcv-root:not(.tcv-texture) [data-handle=rotate] .tcv-mark").boundingBox();
+    if (!view || !knob) throw new Error("The view shows no handle that turns.");
+    expect(knob.x).toBeGreaterThanOrEqual(view.x);
+    expect(knob.y).toBeGreaterThanOrEqual(view.y);
+    expect(knob.x + knob.width).toBeLessThanOrEqual(view.x + view.width);
+    expect(knob.y + knob.height).toBeLessThanOrEqual(view.y + view.height);
+
+    const before = await editor.decal(id);
+    const from = await editor.handle("rotate");
+    await editor.drag(from, { x: from.x - 20, y: from.y + 25 }, 6);
+    const after = await editor.decal(id);
+    expect(sizeOf(after)).toEqual(sizeOf(before));
+    expect(after.projector).not.toEqual(before.projector);
+  });
+
+  test("a mouse in the middle of a decal moves it and leaves its size and depth alone", async ({ editor, page }) => {
+    const id = await selected(editor);
+    const before = await editor.decal(id);
+    const middle = await editor.pointOf(id);
+    for (const [x, y] of [
+      [0, 0],
+      [-8, 4],
+      [8, -4],
+    ] as const) {
+      await editor.drag({ x: middle.x + x, y: middle.y + y }, { x: middle.x + x + 12, y: middle.y + y }, 4);
+      const after = await editor.decal(id);
+      expect(sizeOf(after)).toEqual(sizeOf(before));
+      expect(after.projector).not.toEqual(before.projector);
+      await page.keyboard.press("Control+z");
+      await editor.idle();
+    }
+  });
+});
