@@ -195,6 +195,30 @@ test("elements come, move and go, and leave no worker, graphics or picture behin
   expect(await codes(page)).toEqual([]);
 });
 
+test("an element whose graphics stay away says so, and begins anew with its design when it is asked to", async ({
+  page,
+}) => {
+  await openShop(page, "?loading=eager");
+  const editor = page.locator("texelcast-editor");
+  await editor.evaluate((element: HTMLElementTagNameMap["texelcast-editor"]) =>
+    element.addDecal("demo/decals/smiley.png"),
+  );
+  await page
+    .locator("texelcast-editor .tcv-canvas")
+    .evaluate((canvas: HTMLCanvasElement) =>
+      canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext(),
+    );
+  const alert = editor.getByRole("alert");
+  await expect(alert).toContainText("Nothing of your design is lost");
+  expect(await codes(page)).toEqual(["graphics-lost"]);
+  await alert.getByRole("button").click();
+  await expect(alert).toHaveCount(0);
+  const layers = await editor.evaluate(
+    async (element: HTMLElementTagNameMap["texelcast-editor"]) => (await element.exportDesign()).design.layers.length,
+  );
+  expect(layers).toBe(1);
+});
+
 test("zones that cannot be read are told and hide no product, and hold once they are corrected", async ({ page }) => {
   await openShop(page, "?loading=lazy");
   const loaded = await page.evaluate(async () => {

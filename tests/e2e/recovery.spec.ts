@@ -140,3 +140,36 @@ test("the graphics context is lost in mid-drag: the design goes on, and the pict
   await page.mouse.move(5, 400);
   await expect.poll(async () => lookAlike(await look(), seen)).toBe(true);
 });
+
+/** The 3D view's graphics, to be taken away and given back. */
+function graphicsOf({ page }: EditorPage) {
+  return page.evaluateHandle(() => {
+    const canvas = document.querySelector<HTMLCanvasElement>("tc-workbench .tcv-canvas");
+    return canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null;
+  });
+}
+
+test("graphics that stay away are told in plain words, until they come back after all", async ({ editor }) => {
+  await editor.open();
+  const graphics = await graphicsOf(editor);
+  await graphics.evaluate((extension) => extension?.loseContext());
+  await expect(editor.notices).toContainText("The 3D view has stopped");
+  await expect(editor.notices).toContainText("Nothing of your work is lost");
+  await graphics.evaluate((extension) => extension?.restoreContext());
+  await expect(editor.notices).toHaveCount(0);
+});
+
+test("a page whose graphics stay away is loaded again by a button, with all of its work", async ({ editor, page }) => {
+  await editor.open();
+  const { id, from, to } = await dragOf(editor);
+  await editor.drag(from, to, 4);
+  const [moved, texels] = [await editor.decal(id), await editor.settledHash()];
+  await (await graphicsOf(editor)).evaluate((extension) => extension?.loseContext());
+  const again = editor.notices.getByRole("button", { name: "Load again" });
+  await expect(again).toBeVisible();
+  await Promise.all([page.waitForEvent("load"), again.click()]);
+  await page.waitForFunction(() => window.texelcast !== undefined);
+  await page.evaluate(() => window.texelcast.ready);
+  expect((await editor.decal(id)).projector).toEqual(moved.projector);
+  expect(await editor.settledHash()).toBe(texels);
+});

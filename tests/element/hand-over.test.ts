@@ -47,6 +47,7 @@ function deskWithText() {
     hooks: {
       ...hooks,
       failed: () => undefined,
+      graphicsLost: () => undefined,
       warn: () => undefined,
       progress: () => undefined,
       announce: () => undefined,

@@ -29,7 +29,7 @@ export interface TexelcastErrorJson {
  * status name of the core in lower case with dashes ("no-uvs", "bad-model", "out-of-budget", …), or one of
  * "bad-picture", "bad-font", "bad-design", "unsupported", "bad-argument", "missing-file", "outside-folder", "cancelled",
  * "disposed", "engine-crashed", "engine-halted", "bad-container", "bad-project", "storage-full", "storage-refused",
- * "storage-conflict", "too-large", "unsafe-file", "refused", "too-many-decals".
+ * "storage-conflict", "graphics-lost", "too-large", "unsafe-file", "refused", "too-many-decals".
  */
 export class TexelcastError extends Error {
   readonly code: string;

@@ -535,6 +535,11 @@ export const german: Strings = {
     engineRestarted: "Die Mal-Engine wurde neu gestartet",
     engineRestartedBody: "Sie war stehen geblieben. Alles ist da; du kannst weitermachen.",
     undoLast: "Letzten Schritt rückgängig machen",
+    graphicsLost: "Die 3D-Ansicht ist stehen geblieben",
+    graphicsLostBody:
+      "Der Browser hat dieser Seite die Grafikkarte weggenommen. Von deiner Arbeit ist nichts verloren.",
+    graphicsLostHint: "Lade die Seite neu; hilft das nicht, starte den Browser neu.",
+    reload: "Neu laden",
     otherModel: "Dieses Design wurde für ein anderes Modell gemacht",
     lostLayers: (count) =>
       `${plural(count, "Ebene bemalt ein Material, das", "Ebenen bemalen Materialien, die")} dieses Modell nicht hat.`,

@@ -531,6 +531,10 @@ const english = {
     engineRestarted: "The painting engine was restarted",
     engineRestartedBody: "It had stopped. Everything is there; you can go on.",
     undoLast: "Undo the last step",
+    graphicsLost: "The 3D view has stopped",
+    graphicsLostBody: "The browser has taken the graphics card away from this page. Nothing of your work is lost.",
+    graphicsLostHint: "Load the page again; if that does not help, restart the browser.",
+    reload: "Load again",
     otherModel: "This design was made for another model",
     lostLayers: (count: number): string =>
       `${plural(count, "layer paints a material", "layers paint materials")} that this model does not have.`,

@@ -97,8 +97,8 @@ export class Work {
     return { desk: await mode.takeDesk(), idle: () => mode.idle() };
   }
 
-  /** Ends what runs; what was designed stays. */
-  close(): void {
+  /** Ends what runs; what was designed stays. `phase`: what it is from then on. */
+  close(phase: Phase = "idle"): void {
     clearTimeout(this.#changeTimer);
     this.#closings++;
     const { mode } = this;
@@ -108,7 +108,7 @@ export class Work {
     this.#run = null;
     this.#starting = null;
     this.#view?.replaceChildren();
-    this.#phase = "idle";
+    this.#phase = phase;
     this.#voice.dismiss();
     this.#idle();
   }
@@ -236,6 +236,7 @@ export class Work {
       changed: () => this.#changed(),
       selected: (id) => sendEvent(element, "select", { id }),
       failed: (thrown) => voice.tell(thrown),
+      graphicsLost: () => this.#endWithoutGraphics(),
       warn: (error) => voice.report(error),
       progress: (share) => this.#progress(FETCHED + (1 - FETCHED) * share),
       announce: (text) => voice.announce(text),
@@ -261,6 +262,13 @@ export class Work {
         await element.updateComplete;
       },
     };
+  }
+
+  /** A new view may be given graphics; the user asks for it by the button that follows a failed start. */
+  #endWithoutGraphics(): void {
+    const { graphicsLost, graphicsLostHint } = this.#voice.words.errors;
+    this.close("failed");
+    this.#voice.tell(new TexelcastError("graphics-lost", graphicsLost, { hint: graphicsLostHint }));
   }
 
   #changed(): void {

@@ -29,6 +29,8 @@ const LIGHT = 0.95;
 const TURN_SECONDS = 24;
 /** After this pause, milliseconds, the picture rests and is drawn with all its pixels. */
 const REST_AFTER = 160;
+/** Milliseconds after which graphics that were taken away are not waited for in silence; most are back in one or two seconds. */
+const GONE_AFTER = 5000;
 
 export interface StageHooks {
   /** Before a frame is drawn; `delta` in seconds. Returns true while it animates and wants another frame. */
@@ -39,6 +41,8 @@ export interface StageHooks {
   afterFrame(cameraMoved: boolean): void;
   /** The GPU forgot everything; textures of one's own must be filled again. */
   contextRestored(): void;
+  /** The GPU has been away for some seconds of looking at it. */
+  contextGone(): void;
 }
 
 export class Stage {
@@ -71,6 +75,7 @@ export class Stage {
   /** Share of the full resolution that the canvas has now. */
   #drawnScale = 1;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
+  #goneTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(root: HTMLElement, hooks: StageHooks) {
     this.#root = root;
@@ -101,6 +106,7 @@ export class Stage {
     this.#listen(this.canvas, "webglcontextlost", (event) => {
       event.preventDefault();
       this.#lost = true;
+      this.#waitForContext();
     });
     this.#listen(this.canvas, "webglcontextrestored", () => this.#restore());
     this.#listen(this.#reducedMotion, "change", () => this.#rig.setEased(this.animates));
@@ -221,6 +227,7 @@ export class Stage {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = -1;
     clearTimeout(this.#restTimer);
+    clearTimeout(this.#goneTimer);
     this.#pace.dispose();
     this.#resize.disconnect();
     for (const cleanup of this.#cleanups) {
@@ -311,8 +318,18 @@ export class Stage {
     camera.updateProjectionMatrix();
   }
 
+  /** Browsers take the graphics from pages that nobody looks at, and give them back when somebody does. */
+  #waitForContext(): void {
+    const unseen = document.hidden;
+    this.#goneTimer = setTimeout(
+      () => (unseen || document.hidden ? this.#waitForContext() : this.#hooks.contextGone()),
+      GONE_AFTER,
+    );
+  }
+
   #restore(): void {
     this.#lost = false;
+    clearTimeout(this.#goneTimer);
     this.#hooks.contextRestored();
     this.#resized = true;
     this.requestFrame();

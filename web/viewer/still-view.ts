@@ -68,7 +68,11 @@ export class StillView implements ModelView {
       afterFrame: (cameraMoved) => {
         if (cameraMoved) this.#hands?.cameraMoved();
       },
-      contextRestored: () => this.#refill(),
+      contextRestored: () => {
+        this.events.emit("graphics", { lost: false });
+        this.#refill();
+      },
+      contextGone: () => this.events.emit("graphics", { lost: true }),
     });
     this.#camera = new ModelCamera(this.stage);
   }

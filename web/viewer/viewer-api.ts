@@ -132,6 +132,8 @@ export interface ModelViewerEvents {
   hover: { readonly hit: SurfaceHit | null };
   /** WebGL was lost or came back; the viewer asks for a full picture again by itself through `needsFullUpdate`. */
   needsFullUpdate: { readonly material: number };
+  /** WebGL was lost some seconds ago and has not come back, which it may never do; or it has come back, told or not. */
+  graphics: { readonly lost: boolean };
   /** The animation was started, stopped or moved; ten times a second at most while it plays. */
   animation: AnimationState;
 }

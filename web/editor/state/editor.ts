@@ -32,6 +32,7 @@ import {
   type TargetSettings,
 } from "./editor-state.ts";
 import { FileCommands } from "./file-commands.ts";
+import { tellOfLostGraphics } from "./graphics-loss.ts";
 import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
 import { LayerCommands } from "./layer-commands.ts";
 import { megabytes } from "./megabytes.ts";
@@ -153,6 +154,8 @@ export class Editor {
     this.texts = new TextCommands({ engine, session, store, board, library, decals, admission });
     tools.register(textTool(this.texts, tools));
     this.#connect();
+    // The page around an embedded editor has its own way.
+    if (keeps) tellOfLostGraphics({ viewer, board, keep: () => this.autosave.flush() });
   }
 
   /** What it says, in its language. */

@@ -26,6 +26,8 @@ export interface DeskHooks {
   selected(id: string | null): void;
   /** Something failed that no call waits for. */
   failed(thrown: unknown): void;
+  /** The browser has taken WebGL away and keeps it. */
+  graphicsLost(): void;
   /** Something is wrong that is the page's to mend, and not its visitor's. */
   warn(error: TexelcastError): void;
   /** 0 to 1 of opening. */

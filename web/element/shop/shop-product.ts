@@ -43,6 +43,7 @@ export class ShopProduct {
     this.engine = createEngineClient(wasm === "" ? {} : { wasm });
     this.engine.onUpdate((update) => this.#receive(update));
     this.engine.onError((error) => this.fail(error));
+    this.viewer.on("graphics", ({ lost }) => lost && hooks.graphicsLost());
     this.viewer.on("needsFullUpdate", ({ material }) => this.attempt(this.openTarget(material)));
   }
 

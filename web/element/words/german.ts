@@ -93,6 +93,8 @@ export const german: Words = {
     zoneMaterialHint: (materials) => `Gib ihr eines des Modells: ${materials}.`,
     graphics: "Das Bild ließ sich nicht zeichnen: Die Grafik ist nicht da.",
     graphicsHint: "Warte einen Moment und versuche es noch einmal.",
+    graphicsLost: "Der Browser hat die Grafik weggenommen. Von deinem Entwurf ist nichts verloren.",
+    graphicsLostHint: "Versuche es noch einmal; hilft das nicht, starte den Browser neu.",
     badOption: (name) => `${name} ist nicht, was es sein muss.`,
     fullReadonly: 'Den ganzen Editor gibt es nicht zum bloßen Ansehen: mode="shop" kann das.',
     unexpected: "Etwas ist schiefgegangen.",
