@@ -75,6 +75,31 @@ test.describe("on a phone held sideways", () => {
   });
 });
 
+test.describe("the first steps", () => {
+  for (const [name, width, height] of [
+    ["a small laptop", 1280, 640],
+    ["a low window", 1024, 500],
+    ["a tablet held upright", 768, 1024],
+    ["a small phone", 360, 640],
+    ["a low and narrow window", 720, 450],
+  ] as const) {
+    test(`stand beside the model on ${name}, and leave the layers in sight`, async ({ editor, page }) => {
+      await page.setViewportSize({ width, height });
+      await editor.open({ hint: true });
+      for (let step = 0; step < 3; step += 1) {
+        const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
+        const hint = await page.locator("tc-first-hint section").boundingBox();
+        if (!view || !hint) throw new Error("A part of the page has no place.");
+        expect(hint.y, `step ${step}`).toBeGreaterThanOrEqual(view.y + view.height);
+        expect(hint.y + hint.height, `step ${step}`).toBeLessThanOrEqual(height);
+        await expect(page.locator("tc-layer-list [aria-current=true]")).toBeInViewport({ ratio: 0.5 });
+        await page.locator("tc-first-hint #next").click();
+      }
+      await expect(page.locator("tc-first-hint section")).toHaveCount(0);
+    });
+  }
+});
+
 test("every control has a name, and the keyboard reaches the views and the panels", async ({ editor, page }) => {
   await editor.open();
   const nameless = await page.evaluate(() => {

@@ -36,17 +36,21 @@ const TABLET_WIDTH = 1000;
 const PHONE = `(max-width: ${PHONE_WIDTH}px)`;
 /** A tablet held upright: beside each other the two views would be slits. */
 const UPRIGHT = `(max-width: ${TABLET_WIDTH}px) and (orientation: portrait)`;
+/** The model fills its view down to where a card in the corner would stand. */
+const LOW = "(max-height: 46rem)";
 
 export class Workbench extends EditorElement {
   static override properties = {
     compact: { state: true },
     upright: { state: true },
+    low: { state: true },
     dropping: { state: true },
     textureShare: { state: true },
     embedded: { type: Boolean, reflect: true },
   };
   declare compact: boolean;
   declare upright: boolean;
+  declare low: boolean;
   declare dropping: boolean;
   /** Of the views' width. */
   declare textureShare: number;
@@ -54,6 +58,7 @@ export class Workbench extends EditorElement {
   declare embedded: boolean;
   readonly #phone = matchMedia(PHONE);
   readonly #tablet = matchMedia(UPRIGHT);
+  readonly #lowWindow = matchMedia(LOW);
   #endFingers: () => void = () => {};
   /** Ends what is listened to while it is in the page. */
   #connected = new AbortController();
@@ -65,10 +70,11 @@ export class Workbench extends EditorElement {
       :host {
         position: relative;
         display: grid;
-        grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr) 19.5rem;
+        grid-template: auto minmax(0, 1fr) auto auto / minmax(0, 1fr) 19.5rem;
         grid-template-areas:
           "bar bar"
           "views panel"
+          "hint panel"
           "status panel";
         height: 100dvh;
         /* Not even what takes the focus scrolls the page itself. */
@@ -129,6 +135,9 @@ export class Workbench extends EditorElement {
       tc-first-hint {
         grid-area: 1 / 1;
       }
+      :host > tc-first-hint {
+        grid-area: hint;
+      }
       .views tc-first-hint {
         z-index: 9;
         align-self: end;
@@ -174,6 +183,7 @@ export class Workbench extends EditorElement {
     super();
     this.compact = this.#phone.matches;
     this.upright = this.#tablet.matches;
+    this.low = this.#lowWindow.matches;
     this.dropping = false;
     this.textureShare = 0.38;
     this.embedded = false;
@@ -183,6 +193,7 @@ export class Workbench extends EditorElement {
     super.connectedCallback();
     this.#phone.addEventListener("change", this.#resize);
     this.#tablet.addEventListener("change", this.#resize);
+    this.#lowWindow.addEventListener("change", this.#resize);
     const { signal } = this.#connected;
     const whole: EventTarget = this.embedded ? this : window;
     whole.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
@@ -202,6 +213,7 @@ export class Workbench extends EditorElement {
     super.disconnectedCallback();
     this.#phone.removeEventListener("change", this.#resize);
     this.#tablet.removeEventListener("change", this.#resize);
+    this.#lowWindow.removeEventListener("change", this.#resize);
     this.#connected.abort();
     this.#connected = new AbortController();
     this.#endFingers();
@@ -235,6 +247,7 @@ export class Workbench extends EditorElement {
               ${this.state.view.layout === "texture" ? nothing : html`<slot name="texture" slot="texture"></slot>`}
             </tc-bottom-sheet>`
           : html`
+              ${this.#hintBesideViews ? this.#hint() : nothing}
               <tc-status-line .editor=${editor} aria-label=${this.strings.status.label}></tc-status-line>
               <tc-side-panel .editor=${editor} role="complementary" aria-label=${this.strings.sidePanel}></tc-side-panel>
             `
@@ -277,7 +290,7 @@ export class Workbench extends EditorElement {
             : html`<tc-stage .editor=${editor} @templates=${this.#templates}><slot name="view" slot="view"></slot></tc-stage>`
         }
         <tc-notice-stack .editor=${editor}></tc-notice-stack>
-        ${compact ? nothing : this.#hint()}
+        ${compact || this.#hintBesideViews ? nothing : this.#hint()}
         ${
           split
             ? html`
@@ -290,9 +303,14 @@ export class Workbench extends EditorElement {
     `;
   }
 
+  /** Where a card in a view's corner would stand on the model. */
+  get #hintBesideViews(): boolean {
+    return this.low || this.upright;
+  }
+
   #hint(): TemplateResult | typeof nothing {
     return this.state.model && !this.embedded
-      ? html`<tc-first-hint .words=${this.strings.hint} ?compact=${this.compact}></tc-first-hint>`
+      ? html`<tc-first-hint .words=${this.strings.hint} ?compact=${this.compact || this.#hintBesideViews}></tc-first-hint>`
       : nothing;
   }
 
@@ -305,6 +323,7 @@ export class Workbench extends EditorElement {
   readonly #resize = (): void => {
     const [width, height] = [this.clientWidth, this.clientHeight];
     this.compact = this.embedded ? width <= PHONE_WIDTH : this.#phone.matches;
+    this.low = this.#lowWindow.matches;
     this.upright = this.embedded ? width <= TABLET_WIDTH && height > width : this.#tablet.matches;
   };
 

@@ -1,4 +1,7 @@
-/** Three steps for the first visit, in a corner of the views: what one could do, in nobody's way, gone for good when closed. */
+/**
+ * Three steps for the first visit: what one could do, in nobody's way, gone for good when closed. A card in the views' corner
+ * where the model leaves that free, else a strip beside the views.
+ */
 import { css, html, nothing, type TemplateResult } from "lit";
 import { X } from "lucide";
 import type { Strings } from "../strings.ts";
@@ -47,14 +50,15 @@ export class FirstHint extends RemElement {
       footer span {
         color: var(--text-quiet);
       }
-      /* A strip of the phone's sheet, with its buttons beside the words. */
+      /* A strip of the phone's sheet, or under the views, with its buttons beside the words. */
       :host([compact]) section {
-        grid-template: auto minmax(0, 1fr) / minmax(0, 1fr) auto;
-        gap: 0 var(--space-2);
+        grid-template: auto auto / minmax(0, 1fr) auto auto;
+        align-items: center;
+        gap: 0 var(--space-1);
         width: 100%;
         border-width: 0 0 1px;
         border-radius: 0;
-        padding: var(--space-1) var(--space-2) var(--space-2) var(--space-4);
+        padding: var(--space-1) var(--space-2) var(--space-1) var(--space-4);
         background: var(--accent-soft);
         box-shadow: none;
       }
@@ -63,23 +67,42 @@ export class FirstHint extends RemElement {
         display: contents;
       }
       :host([compact]) h3 {
-        align-self: center;
+        align-self: end;
+        padding-block-start: var(--space-1);
         color: var(--text);
       }
       :host([compact]) #dismiss {
-        justify-self: end;
+        grid-area: 1 / 3 / 3 / 4;
         margin: 0;
       }
       :host([compact]) p {
+        grid-area: 2 / 1;
+        align-self: start;
+        padding-block-end: var(--space-1);
         color: var(--text);
       }
       :host([compact]) footer span {
         display: none;
       }
       :host([compact]) #next {
-        align-self: end;
+        grid-area: 1 / 2 / 3 / 3;
         color: var(--accent);
         font-weight: 550;
+      }
+      /* Where the layers would have no room beside it, its heading is all that is seen of it. */
+      @media (max-height: 30rem), (max-width: 720px) and (max-height: 44rem) {
+        :host([compact]) h3 {
+          align-self: center;
+          grid-row: 1 / 3;
+          padding: 0;
+        }
+        :host([compact]) p {
+          position: absolute;
+          width: 1px;
+          height: 1px;
+          overflow: hidden;
+          clip-path: inset(50%);
+        }
       }
     `,
   ];
