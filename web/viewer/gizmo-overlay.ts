@@ -22,8 +22,8 @@ export interface HandlePlace {
 
 /** Where handles stand that may stand at several places. */
 export interface HandleStand {
-  /** The side of the one that turns. */
-  readonly knob: "n" | "s" | "e" | "w" | null;
+  /** The side of the outline at which the one that turns stands, and the share of its stem's usual length. */
+  readonly knob: { readonly side: "n" | "s" | "e" | "w"; readonly share: number } | null;
   /** CSS pixels that the arrow is longer by than it had to be; null where there is none. */
   readonly stretch: number | null;
 }

@@ -18,8 +18,8 @@ export interface GizmoView {
   readonly stand: HandleStand | null;
 }
 
-/** Sides of an outline that the handle that turns may stand at, the first that is in view. */
-const KNOB_SIDES = ["n", "s", "e", "w"] as const;
+/** Where the handle that turns may stand: sides of the outline, and shares of its stem's usual length. The first that is free. */
+const KNOB_PLACES = (["n", "s", "e", "w"] as const).flatMap((side) => [1, 1.5, 2].map((share) => ({ side, share })));
 
 /** Lengths on the screen, CSS pixels. */
 const ROTATE_STEM = 30;
@@ -107,7 +107,7 @@ export function drawGizmo(
     guide: knob.stem,
     arrow: arrow.line,
     arrowHead: arrow.head,
-    stand: { knob: knob.side, stretch: arrow.stretch },
+    stand: { knob: knob.place, stretch: arrow.stretch },
     hover: options.hover,
     twin: "",
     middle,
@@ -202,10 +202,10 @@ export function addScaleHandles(
 export interface Knob {
   /** SVG path data. */
   readonly stem: string;
-  readonly side: HandleStand["knob"];
+  readonly place: HandleStand["knob"];
 }
 
-export const NO_KNOB: Knob = { stem: "", side: null };
+export const NO_KNOB: Knob = { stem: "", place: null };
 
 /**
  * The handle that turns, on a stem from an edge's middle along one of the picture's own axes (unit). Above the picture, or
@@ -221,13 +221,14 @@ export function addKnob(
   const { screen, query, reach } = view;
   const outward = { n: up, s: up.clone().negate(), e: right, w: right.clone().negate() };
   const length = Math.max(ROTATE_STEM, 2 * reach);
-  const knobs = (view.stand?.knob ? [view.stand.knob] : KNOB_SIDES).flatMap((side) => {
+  const knobs = (view.stand?.knob ? [view.stand.knob] : KNOB_PLACES).flatMap((place) => {
+    const { side, share } = place;
     const foot = outline[OUTLINE_INDEX[side]]?.position;
     const low = foot && screen.project(foot);
-    const spot = foot?.clone().addScaledVector(outward[side], length * screen.metresPerPixel(foot));
+    const spot = foot?.clone().addScaledVector(outward[side], length * share * screen.metresPerPixel(foot));
     const high = spot && screen.project(spot);
     // Beyond the corners, which keep two reaches from the middle.
-    return low && high ? [{ side, low, spot, at: pushedOut(high, middle, Math.SQRT2 * 2 * reach) }] : [];
+    return low && high ? [{ place, low, spot, at: pushedOut(high, middle, Math.SQRT2 * 2 * reach) }] : [];
   });
   const fits = ({ at }: { at: ScreenPoint }): boolean => {
     const shown = screen.within(at, KNOB_MARGIN);
@@ -240,7 +241,7 @@ export function addKnob(
   const at = screen.holds(middle) ? screen.within(knob.at, KNOB_MARGIN) : knob.at;
   const hidden = !query.isClear(screen.eye, knob.spot);
   handles.set("rotate", { ...at, angle: degreesOf(knob.low, at) + 90, hidden, cursor: "grab" });
-  return { stem: line(knob.low, at), side: knob.side };
+  return { stem: line(knob.low, at), place: knob.place };
 }
 
 export interface Arrow {

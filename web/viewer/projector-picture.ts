@@ -72,12 +72,12 @@ function addHandles(
   }
   if (projector.kind === "perspective") {
     addRangeHandles(view, projector, back, middle, handles);
-    return { ...NO_HANDLES, guide: knob.stem, middle, stand: { knob: knob.side, stretch: null } };
+    return { ...NO_HANDLES, guide: knob.stem, middle, stand: { knob: knob.place, stretch: null } };
   }
   if (!facing) return { ...NO_HANDLES, middle };
   const arrow = arrowAlong(view, centre, back, projector.depth, handles);
   if (arrow.handle !== null) handles.set("depth", arrow.handle);
-  const stand = { knob: knob.side, stretch: arrow.stretch };
+  const stand = { knob: knob.place, stretch: arrow.stretch };
   return { guide: knob.stem, arrow: arrow.line, arrowHead: arrow.head, middle, stand };
 }
 
