@@ -25,6 +25,16 @@ test.describe("on a phone", () => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
   });
 
+  test("the views change places while the view's menu is open", async ({ editor, page }) => {
+    await editor.open();
+    await page.locator("#sheet-texture").tap();
+    await page.locator("#view-menu").tap();
+    await expect(page.locator("#view-panel")).toBeVisible();
+    await page.locator("#swap-views").tap();
+    await expect(editor.stage).toHaveCount(0);
+    await expect(page.locator("tc-texture-panel canvas, .tcv-texture canvas").first()).toBeVisible();
+  });
+
   test("targets are large enough for fingers", async ({ editor, page }) => {
     await editor.open();
     for (const button of await page.locator("tc-top-bar button:visible, tc-bottom-sheet button:visible").all()) {

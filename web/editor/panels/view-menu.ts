@@ -238,7 +238,8 @@ export class ViewMenu extends EditorElement {
   readonly #place = (): void => {
     const panel = this.renderRoot.querySelector<HTMLElement>("#view-panel");
     const opener = this.renderRoot.querySelector("#view-menu")?.getBoundingClientRect();
-    if (!panel || !opener) return;
+    // The view may have given its place to the other one while this was open.
+    if (!panel?.isConnected || !opener) return;
     if (!panel.matches(":popover-open")) panel.showPopover();
     const { offsetWidth: width, offsetHeight: height } = panel;
     const [before, after] = [opener.left - GAP - width, opener.right + GAP];
