@@ -153,6 +153,36 @@ test("the outline follows a drag without new styles, on a layer of its own, and 
   expect(await path.boundingBox()).toEqual(rest);
 });
 
+test("a drag that loses the pointer ends where it was, and the decal does not hang on the pointer", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const id = await editor.lowestLayer();
+  await editor.select(id);
+  const from = await editor.pointOf(id);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 20, from.y);
+  await page.mouse.move(from.x + 30, from.y);
+  // As a dialog of the browser does.
+  await page.locator(".tcv-root:not(.tcv-texture)").evaluate((view) => {
+    for (let id = 0; id < 99; id += 1) if (view.hasPointerCapture(id)) view.releasePointerCapture(id);
+  });
+  await page.mouse.move(from.x + 40, from.y);
+  await editor.idle();
+  const dropped = await editor.decal(id);
+  // Let go where the view does not hear of it.
+  await page.mouse.move(1200, 20);
+  await page.mouse.up();
+  await page.mouse.move(from.x + 80, from.y + 30);
+  await page.mouse.move(from.x + 90, from.y + 40);
+  await editor.idle();
+  expect((await editor.decal(id)).projector).toEqual(dropped.projector);
+  await page.locator("#undo").click();
+  expect((await editor.decal(id)).projector).not.toEqual(dropped.projector);
+});
+
 test("the handles rotate and scale the decal", async ({ editor, page }) => {
   await editor.open();
   const id = await editor.lowestLayer();

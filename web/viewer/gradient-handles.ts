@@ -89,6 +89,8 @@ export class GradientHandles {
     root.addEventListener("pointermove", (event) => this.#onMove(event), early);
     root.addEventListener("pointerup", (event) => this.#onEnd(event, "end"), early);
     root.addEventListener("pointercancel", (event) => this.#onEnd(event, "cancel"), early);
+    // Whatever took the pointer, no release will be told.
+    root.addEventListener("lostpointercapture", (event) => this.#onEnd(event, "end"), early);
     window.addEventListener("keydown", (event) => this.#onKey(event), early);
   }
 

@@ -66,6 +66,7 @@ export class ViewInput {
     root.addEventListener("pointermove", (event) => this.#onMove(event), early);
     root.addEventListener("pointerup", (event) => this.#onUp(event), early);
     root.addEventListener("pointercancel", (event) => this.#onCancel(event), early);
+    root.addEventListener("lostpointercapture", (event) => this.#onLost(event), early);
     root.addEventListener("pointerleave", () => this.#onLeave(), { signal: this.#abort.signal });
     window.addEventListener("keydown", (event) => this.#onKey(event, true), early);
     window.addEventListener("keyup", (event) => this.#onKey(event, false), early);
@@ -230,6 +231,15 @@ export class ViewInput {
       this.#dragPointer = null;
     }
     this.#press = null;
+  }
+
+  /** A dialog came between, or the view was moved: no release will be told, and the decal would hang on the pointer. */
+  #onLost(event: PointerEvent): void {
+    if (this.#dragPointer?.pointerId === event.pointerId) {
+      this.#gizmo.finish();
+      this.#dragPointer = null;
+    }
+    if (this.#press?.event.pointerId === event.pointerId) this.#press = null;
   }
 
   #onLeave(): void {
