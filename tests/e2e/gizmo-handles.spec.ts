@@ -1,10 +1,20 @@
 /** Handles of a decal that is small on the screen, by a finger and by a mouse. */
+import type { Locator } from "@playwright/test";
 import type { DecalLayer } from "../../web/editor/document/index.ts";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
 
 /** Of a box: width, height and depth in metres. */
 function sizeOf({ projector }: DecalLayer): readonly number[] {
   return projector.kind === "planar" ? projector.size : [];
+}
+
+async function expectWhole(mark: Locator, view: Locator): Promise<void> {
+  const [inner, outer] = [await mark.boundingBox(), await view.boundingBox()];
+  if (!inner || !outer) throw new Error("The view shows no such handle.");
+  expect(inner.x).toBeGreaterThanOrEqual(outer.x);
+  expect(inner.y).toBeGreaterThanOrEqual(outer.y);
+  expect(inner.x + inner.width).toBeLessThanOrEqual(outer.x + outer.width);
+  expect(inner.y + inner.height).toBeLessThanOrEqual(outer.y + outer.height);
 }
 
 /** Opens the page on its mug, whose decal is seen from the side, and selects that. */
@@ -56,19 +66,28 @@ test.describe("on a phone", () => {
   });
 });
 
+test.describe("on a phone, of a stamp", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test("the handle that turns stands in the texture's view whole", async ({ editor, page }) => {
+    await selected(editor);
+    await page.locator("#sheet-properties").tap();
+    await page.locator("tc-layer-properties input[value=uv]").check({ force: true });
+    await page.locator("#sheet-texture").tap();
+    await editor.idle();
+    const knob = page.locator(".tcv-texture [data-handle=rotate] .tcv-mark");
+    await expect(knob).toBeVisible();
+    await expectWhole(knob, page.locator(".tcv-texture"));
+  });
+});
+
 test.describe("in a low window", () => {
   test.use({ viewport: { width: 720, height: 450 } });
 
   test("the handle that turns stands in the view whole, and turns", async ({ editor, page }) => {
     const id = await selected(editor);
-    const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
-    const knob = await page.locator(".tcv-root:not(.tcv-texture) [data-handle=rotate] .tcv-mark").boundingBox();
-    if (!view || !knob) throw new Error("The view shows no handle that turns.");
-    expect(knob.x).toBeGreaterThanOrEqual(view.x);
-    expect(knob.y).toBeGreaterThanOrEqual(view.y);
-    expect(knob.x + knob.width).toBeLessThanOrEqual(view.x + view.width);
-    expect(knob.y + knob.height).toBeLessThanOrEqual(view.y + view.height);
-
+    const view = page.locator(".tcv-root:not(.tcv-texture)");
+    await expectWhole(view.locator("[data-handle=rotate] .tcv-mark"), view);
     const before = await editor.decal(id);
     const from = await editor.handle("rotate");
     await editor.drag(from, { x: from.x - 20, y: from.y + 25 }, 6);

@@ -20,11 +20,21 @@ import type { DecalGesture, ViewerDecal } from "./viewer-api.ts";
 export interface StampGizmoHooks {
   pixelOf(uv: Uv): ScreenPoint;
   uvOf(x: number, y: number): Uv;
+  /** Whether a point is in the view, and this far from its border. */
+  holds(at: ScreenPoint, margin: number): boolean;
   gesture(gesture: DecalGesture): void;
 }
 
 /** CSS pixels. */
 const STEM = 28;
+const KNOB_MARGIN = 14;
+/** Edge middles of the picture at which the handle that turns may stand, the first that is in view; y up. */
+const KNOB_SIDES = [
+  [0, 0.5],
+  [0, -0.5],
+  [0.5, 0],
+  [-0.5, 0],
+] as const;
 
 interface StampDrag {
   readonly id: string;
@@ -44,6 +54,8 @@ export class StampGizmo {
   readonly #abort = new AbortController();
   #decal: ViewerDecal | null = null;
   #drag: StampDrag | null = null;
+  /** In a drag it stays at its side. */
+  #knobSide: (typeof KNOB_SIDES)[number] = KNOB_SIDES[0];
 
   constructor(root: HTMLElement, hooks: StampGizmoHooks) {
     this.#root = root;
@@ -55,6 +67,8 @@ export class StampGizmo {
     root.addEventListener("pointermove", (event) => this.#onMove(event), early);
     root.addEventListener("pointerup", (event) => this.#onEnd(event, "end"), early);
     root.addEventListener("pointercancel", (event) => this.#onEnd(event, "cancel"), early);
+    // Whatever took the pointer, no release will be told.
+    root.addEventListener("lostpointercapture", (event) => this.#onEnd(event, "end"), early);
     root.addEventListener("pointerleave", () => this.#light(null), early);
     window.addEventListener("keydown", (event) => this.#onKey(event), early);
   }
@@ -165,19 +179,25 @@ export class StampGizmo {
     const handles = new Map<HandleName, HandlePlace>();
     const free = this.#decal?.locked !== true;
     const room = { middle, reach: this.#overlay.reach };
-    const top = at(0, 0.5);
-    // A turned stamp's own upward: the stem goes on from the middle through the upper edge.
-    const way = distance(middle, top);
-    const knob = pushedOut(top, middle, Math.max(way + Math.max(STEM, 2 * room.reach), Math.SQRT2 * 2 * room.reach));
+    const knobAt = ([x, y]: readonly [number, number]): ScreenPoint => {
+      const foot = at(x, y);
+      const stem = distance(middle, foot) + Math.max(STEM, 2 * room.reach);
+      return pushedOut(foot, middle, Math.max(stem, Math.SQRT2 * 2 * room.reach));
+    };
+    if (this.#drag === null) {
+      this.#knobSide = KNOB_SIDES.find((side) => this.#hooks.holds(knobAt(side), KNOB_MARGIN)) ?? KNOB_SIDES[0];
+    }
+    const [footX, footY] = this.#knobSide;
+    const [foot, knob] = [at(footX, footY), knobAt(this.#knobSide)];
     if (free) {
       const pixelOf = (name: ScaleHandleName): ScreenPoint => at(sideOf(name).x / 2, sideOf(name).y / 2);
       for (const [name, place] of scaleHandlePlaces(pixelOf, room)) handles.set(name, { ...place, hidden: false });
-      handles.set("rotate", { ...knob, angle: degreesOf(top, knob) + 90, hidden: false, cursor: "grab" });
+      handles.set("rotate", { ...knob, angle: degreesOf(foot, knob) + 90, hidden: false, cursor: "grab" });
     }
     return {
       ...{ outlineHidden: "", box: "", boxHidden: "", arrow: "", arrowHead: "", hover: "", twin: "", stand: null },
       outline: [line(sw, se), line(se, ne), line(ne, nw), line(nw, sw)].join(""),
-      guide: free ? line(top, knob) : "",
+      guide: free ? line(foot, knob) : "",
       middle,
       handles,
     };

@@ -62,6 +62,12 @@ export class TextureCamera {
     this.#settle();
   }
 
+  /** Whether a point is in the view, and this far from its border. */
+  holds({ x, y }: { readonly x: number; readonly y: number }, margin: number): boolean {
+    const { width, height } = this.#view;
+    return x >= margin && y >= margin && x <= width - margin && y <= height - margin;
+  }
+
   /** A texture coordinate's place in the view. */
   pixelOf(uv: readonly [number, number]): { x: number; y: number } {
     return {

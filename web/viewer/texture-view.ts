@@ -101,6 +101,7 @@ class GlTextureView implements TextureView {
     this.#stamp = new StampGizmo(root, {
       pixelOf: (uv) => this.#camera.pixelOf(uv),
       uvOf: (x, y) => this.#camera.uvOf(x, y),
+      holds: (at, margin) => this.#camera.holds(at, margin),
       gesture: (gesture) => this.#events.emit("gesture", gesture),
     });
     this.#pointer = new TexturePointer(root, {
