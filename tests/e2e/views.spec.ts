@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 import type { Locator, Page } from "@playwright/test";
-import { type EditorPage, expect, test } from "./support/editor-page.ts";
+import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
 import { lookAlike } from "./support/look-alike.ts";
 import { file } from "./support/test-files.ts";
 
@@ -15,6 +15,23 @@ async function openTemplate(page: Page, id: string): Promise<void> {
   await page.getByRole("menuitem", { name: "New from template…" }).click();
   await page.locator(`[data-template=${id}]`).click();
 }
+
+test("a wheel beside the model comes nearer to it, and does not lose it", async ({ editor, page }) => {
+  // The view goes there at once.
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await editor.open();
+  const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
+  if (!view) throw new Error("The page shows no model.");
+  const mug = async (): Promise<Point> => (await page.evaluate(() => window.texelcast.project(0, 0.05, 0))) ?? view;
+  await page.mouse.move(view.x + view.width - 30, view.y + view.height - 15);
+  for (let step = 0; step < 4; step += 1) await page.mouse.wheel(0, -200);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const seen = await mug();
+  expect(seen.x).toBeGreaterThan(view.x);
+  expect(seen.x).toBeLessThan(view.x + view.width);
+  expect(seen.y).toBeGreaterThan(view.y);
+  expect(seen.y).toBeLessThan(view.y + view.height);
+});
 
 test("a template opens at 64 × 64, its outer layer hidden, with a guide of its parts", async ({ editor, page }) => {
   await editor.open();

@@ -31,6 +31,8 @@ export interface CameraRig {
 export interface HeldRig extends CameraRig {
   /** Whether the left button pans instead of turning, from its next press on. */
   setPanning(pans: boolean): void;
+  /** Whether a wheel keeps what is under the pointer where it is, from its next step on; else the middle of the view. */
+  setZoomToPointer(zooms: boolean): void;
   /** Arrow keys turn, plus and minus dolly. Returns whether the key meant something. */
   step(key: string, eased: boolean): boolean;
 }

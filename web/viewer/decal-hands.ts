@@ -55,6 +55,12 @@ export class DecalHands {
   listen(): void {
     const { rig, view, posed } = this.#parts;
     const { element: root, events } = view;
+    // Beside the model a wheel that kept what is under the pointer would bring nearer what is not there, and lose the model.
+    root.addEventListener(
+      "wheel",
+      ({ clientX, clientY }) => rig.setZoomToPointer(this.sampleAt(this.screen.pointOf(clientX, clientY)) !== null),
+      { capture: true, passive: true },
+    );
     this.#input = new ViewInput(root, this.gizmo, this.screen, {
       pick: (ray) => this.#parts.model()?.pick(ray) ?? null,
       isPosed: () => posed() !== null,

@@ -69,6 +69,10 @@ export class HeldCamera implements HeldRig {
     this.controls.mouseButtons.left = pans ? CameraControls.ACTION.TRUCK : CameraControls.ACTION.ROTATE;
   }
 
+  setZoomToPointer(zooms: boolean): void {
+    this.controls.dollyToCursor = zooms;
+  }
+
   /** Whether two fingers orbit and zoom, since one is a tool's; else they pan and zoom, and one orbits. */
   setTwoFingersOrbit(orbit: boolean): void {
     const { ACTION } = CameraControls;

@@ -44,6 +44,7 @@ export class OrbitCamera implements HeldRig {
   #eased = true;
   #pace = HAND_PACE;
   #jumped = true;
+  #zoomToPointer = true;
   /** A pointer is down on the view. */
   #held = false;
 
@@ -58,7 +59,7 @@ export class OrbitCamera implements HeldRig {
     const wheelSpeed = /Mac/.test(navigator.platform) ? 10 : 10 / 3;
     root.addEventListener(
       "wheel",
-      () => void Object.assign(this.#controls, { zoomSpeed: wheelSpeed, zoomToCursor: true }),
+      () => void Object.assign(this.#controls, { zoomSpeed: wheelSpeed, zoomToCursor: this.#zoomToPointer }),
       { signal, passive: true },
     );
     root.addEventListener(
@@ -113,6 +114,10 @@ export class OrbitCamera implements HeldRig {
 
   /** The controls themselves pan with the shift key, and turn with it where they pan. */
   setPanning(): void {}
+
+  setZoomToPointer(zooms: boolean): void {
+    this.#zoomToPointer = zooms;
+  }
 
   step(key: string, eased: boolean): boolean {
     const { about } = this.#goal;
