@@ -20,6 +20,7 @@ import type { StillModel } from "./still-model.ts";
 import { type ModelViewOptions, StillView } from "./still-view.ts";
 import { THROWN } from "./thrown-kinds.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
+import { TOOL_STYLE } from "./tool-style.ts";
 import { ViewInHands } from "./view-in-hands.ts";
 import type {
   AnimationState,
@@ -31,6 +32,7 @@ import type {
   ModelViewer,
   TexturePlace,
 } from "./viewer-api.ts";
+import { adoptStyle } from "./viewer-style.ts";
 
 /** Builds a viewer that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
 export function createModelViewer(host: HTMLElement, options: ModelViewOptions = {}): ModelViewer {
@@ -74,6 +76,7 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
     });
     this.hands = hands;
     const { screen, gizmo } = hands;
+    adoptStyle(root, TOOL_STYLE);
     this.#display = new ModelDisplay(root, this.#stage, screen);
     this.#gradient = new GradientHandles(root, screen, {
       pick: (at) => hands.sampleAt(at),

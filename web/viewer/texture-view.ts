@@ -16,6 +16,7 @@ import { type PaintColors, type PaintedTexture, TexturePainter } from "./texture
 import { TexturePointer } from "./texture-pointer.ts";
 import { TextureTools } from "./texture-tools.ts";
 import type { ToolInput } from "./tool-input.ts";
+import { TOOL_STYLE } from "./tool-style.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import type {
   GuideEntry,
@@ -82,6 +83,7 @@ class GlTextureView implements TextureView {
     this.#options = options;
     adoptStyle(host, VIEW_STYLE);
     adoptStyle(host, GIZMO_STYLE);
+    adoptStyle(host, TOOL_STYLE);
     const root = document.createElement("div");
     root.className = "tcv-root tcv-texture";
     root.tabIndex = 0;
