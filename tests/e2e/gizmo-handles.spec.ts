@@ -66,10 +66,36 @@ test.describe("on a phone", () => {
   });
 });
 
-test.describe("on a phone, of a stamp", () => {
+test.describe("on a phone, too,", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
 
-  test("the handle that turns stands in the texture's view whole", async ({ editor, page }) => {
+  test("the label of a drag stands above the finger and within the view, wherever that is", async ({
+    editor,
+    page,
+  }) => {
+    await selected(editor);
+    const devtools = await page.context().newCDPSession(page);
+    const touch = (type: "touchStart" | "touchMove" | "touchEnd", ...touchPoints: Point[]) =>
+      devtools.send("Input.dispatchTouchEvent", { type, touchPoints });
+    const view = page.locator(".tcv-root:not(.tcv-texture)");
+    const box = await view.boundingBox();
+    if (!box) throw new Error("The page shows no model.");
+    const label = view.locator(".tcv-readout");
+    await touch("touchStart", await editor.handle("se"));
+    for (const x of [box.x + 6, box.x + box.width / 2, box.x + box.width - 6]) {
+      const finger = { x, y: box.y + box.height - 30 };
+      await touch("touchMove", finger);
+      await expect(label).toBeVisible();
+      await editor.idle();
+      await expectWhole(label, view);
+      const text = await label.boundingBox();
+      expect((text?.y ?? 0) + (text?.height ?? 0)).toBeLessThan(finger.y - 22);
+    }
+    await touch("touchEnd");
+    await expect(label).toBeHidden();
+  });
+
+  test("the handle that turns a stamp stands in the texture's view whole", async ({ editor, page }) => {
     await selected(editor);
     await page.locator("#sheet-properties").tap();
     await page.locator("tc-layer-properties input[value=uv]").check({ force: true });

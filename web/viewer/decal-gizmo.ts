@@ -337,7 +337,7 @@ export class DecalGizmo {
     }
     active.projector = projector;
     const text = active.drag.readout(projector);
-    this.#overlay.setReadout(text === null ? null : { text, ...pointer.at });
+    this.#overlay.setReadout(text === null ? null : { text, at: pointer.at, view: this.#host.screen.size });
     this.#telling = true;
     this.#emit(active, "move", projector);
     this.#telling = false;

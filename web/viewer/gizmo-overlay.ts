@@ -47,6 +47,19 @@ export interface GizmoPicture {
   readonly handles: ReadonlyMap<HandleName, HandlePlace>;
 }
 
+export interface Readout {
+  readonly text: string;
+  /** Where the pointer is. */
+  readonly at: ScreenPoint;
+  /** The view's size, CSS pixels. */
+  readonly view: { readonly width: number; readonly height: number };
+}
+
+/** From the pointer to its label, and what the label needs, CSS pixels. */
+const POINTER_GAP = 18;
+const FINGER_GAP = 40;
+const READOUT_ROOM = 28;
+
 type PathName = Exclude<keyof GizmoPicture, "handles" | "middle" | "stand">;
 
 /** In drawing order, with class names; casings share the data of the line that they lie under. */
@@ -160,14 +173,21 @@ export class GizmoOverlay {
     this.#highlight(null);
   }
 
-  /** A small label beside the pointer that says what a gesture has come to; null hides it. */
-  setReadout(readout: { readonly text: string; readonly x: number; readonly y: number } | null): void {
+  /** A small label by the pointer, within the view, that says what a gesture has come to; null hides it. */
+  setReadout(readout: Readout | null): void {
     if (this.#readout.hidden !== (readout === null)) {
       this.#readout.hidden = readout === null;
     }
     if (readout !== null) {
-      this.#readout.textContent = readout.text;
-      this.#readout.style.transform = `translate(${round(readout.x + 18)}px, ${round(readout.y + 18)}px)`;
+      const { text, at, view } = readout;
+      const finger = this.#coarse.matches;
+      // A finger hides what is below it.
+      const above = finger ? at.y > FINGER_GAP + READOUT_ROOM : at.y > view.height - POINTER_GAP - READOUT_ROOM;
+      const gap = finger ? FINGER_GAP : POINTER_GAP;
+      const top = above ? `calc(${round(at.y - gap)}px - 100%)` : `${round(at.y + gap)}px`;
+      // As much of it is left of the pointer as the pointer has of the view on its left.
+      this.#readout.textContent = text;
+      this.#readout.style.transform = `translate(calc(${round(at.x)}px - ${round((100 * at.x) / view.width)}%), ${top})`;
     }
   }
 

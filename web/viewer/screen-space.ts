@@ -39,25 +39,26 @@ export class ScreenSpace {
       return null;
     }
     projected.applyMatrix4(this.#camera.projectionMatrix);
-    const { width, height } = this.#viewSize();
+    const { width, height } = this.size;
     return { x: ((projected.x + 1) / 2) * width, y: ((1 - projected.y) / 2) * height };
   }
 
   holds({ x, y }: ScreenPoint): boolean {
-    const { width, height } = this.#viewSize();
+    const { width, height } = this.size;
     return x >= 0 && y >= 0 && x <= width && y <= height;
   }
 
   /** The point of the view that is nearest to a point, this far from its border. */
   within({ x, y }: ScreenPoint, margin: number): ScreenPoint {
-    const { width, height } = this.#viewSize();
+    const { width, height } = this.size;
     return {
       x: Math.max(margin, Math.min(width - margin, x)),
       y: Math.max(margin, Math.min(height - margin, y)),
     };
   }
 
-  #viewSize(): { readonly width: number; readonly height: number } {
+  /** Of the view, CSS pixels. */
+  get size(): { readonly width: number; readonly height: number } {
     this.#size ??= { width: this.#element.clientWidth, height: this.#element.clientHeight };
     return this.#size;
   }
@@ -65,7 +66,7 @@ export class ScreenSpace {
   /** Metres that one CSS pixel spans at a point of model space. */
   metresPerPixel(point: Vector3): number {
     const depth = Math.abs(point.clone().applyMatrix4(this.#camera.matrixWorldInverse).z);
-    return (2 * depth * Math.tan((this.#camera.fov * Math.PI) / 360)) / (this.#viewSize().height || 1);
+    return (2 * depth * Math.tan((this.#camera.fov * Math.PI) / 360)) / (this.size.height || 1);
   }
 
   /** Where an event is in the view. */
@@ -75,7 +76,7 @@ export class ScreenSpace {
 
   /** From the eye through a point of the view; the direction is unit. */
   rayThrough(point: ScreenPoint): Ray {
-    const { width, height } = this.#viewSize();
+    const { width, height } = this.size;
     const device = new Vector2((point.x / (width || 1)) * 2 - 1, 1 - (point.y / (height || 1)) * 2);
     const origin = this.#camera.getWorldPosition(new Vector3());
     const direction = new Vector3(device.x, device.y, 0.5).unproject(this.#camera).sub(origin).normalize();
