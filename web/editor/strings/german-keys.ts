@@ -8,6 +8,8 @@ export const germanKeys: readonly KeyGroup[] = [
       ["Pfeiltasten", "Den gewählten Aufkleber verschieben; mit Umschalt zehnmal so weit"],
       ["[ und ]", "Ihn drehen; mit Umschalt zehnmal so weit"],
       ["− und +", "Ihn kleiner oder größer machen"],
+      ["Alt an einem Griff", "Seine Größe um seine Mitte ändern"],
+      ["Umschalt beim Drehen am Griff", "In Schritten von 15°"],
       ["Alt S, Alt U, Alt V", "Ihn ausrichten: an der Oberfläche, aufrecht, an der Ansicht"],
       ["Alt P", "Ihn aus der Ansicht projizieren"],
       ["Alt W", "Ihn rundum legen"],
@@ -46,6 +48,11 @@ export const germanKeys: readonly KeyGroup[] = [
   {
     name: "Ansicht",
     keys: [
+      [
+        "Pfeiltasten, − und + in der Ansicht",
+        "Das Modell drehen, näher oder ferner, solange kein Aufkleber gewählt ist",
+      ],
+      ["Rechte Taste und ziehen", "Die Ansicht schieben"],
       ["Leertaste und ziehen", "Das Modell drehen oder die Textur schieben, während ein Werkzeug malt"],
       ["F", "Das ganze Modell zeigen"],
       ["Alt 1, 2, 3", "Nur das Modell, Modell und Textur, nur die Textur"],

@@ -14,6 +14,8 @@ export const keyGroups: readonly KeyGroup[] = [
       ["Arrow keys", "Move the selected decal; with Shift ten times as far"],
       ["[ and ]", "Turn it; with Shift ten times as far"],
       ["− and +", "Make it smaller or larger"],
+      ["Alt with a handle", "Size it about its middle"],
+      ["Shift while it is turned by its handle", "In steps of 15°"],
       ["Alt S, Alt U, Alt V", "Align it to the surface, upright, to the view"],
       ["Alt P", "Project it from the view"],
       ["Alt W", "Wrap it around"],
@@ -49,6 +51,8 @@ export const keyGroups: readonly KeyGroup[] = [
   {
     name: "View",
     keys: [
+      ["Arrow keys, − and + in the view", "Turn the model, nearer or further, while no decal is selected"],
+      ["Right button and a drag", "Move the view"],
       ["Space and a drag", "Turn the model, or move the texture, while a tool paints"],
       ["F", "Show the whole model"],
       ["Alt 1, 2, 3", "The model alone, model and texture, the texture alone"],
