@@ -16,7 +16,7 @@ import { paintTargetOf, withStroke } from "../../web/editor/tools/paint-target.t
 import { type PathStep, PointerPath, ropeOf } from "../../web/editor/tools/pointer-path.ts";
 import { brushKeyChange } from "../../web/editor/tools/size-keys.ts";
 import { surfaceJoins } from "../../web/editor/tools/surface-joins.ts";
-import { withRecent } from "../../web/editor/tools/tool-settings.ts";
+import { brushSizes, withRecent } from "../../web/editor/tools/tool-settings.ts";
 import { hitOf } from "../../web/viewer/surface-hit.ts";
 import type { SurfaceHit, ToolSample, ToolView } from "../../web/viewer/viewer-api.ts";
 import { cube, cylinder, queryOf, sheet, sphere } from "../viewer/surface-helpers.ts";
@@ -274,13 +274,26 @@ describe("a brush's settings", () => {
 
   it("brackets change the size, with Shift the hardness, and digits the opacity", () => {
     const settings = { size: 1, hardness: 0.95 };
-    expect(brushKeyChange(key("BracketRight"), settings)?.size).toBeGreaterThan(1);
-    expect(brushKeyChange(key("BracketLeft"), settings)?.size).toBeLessThan(1);
-    expect(brushKeyChange(key("BracketRight", true), settings)).toEqual({ hardness: 1 });
-    expect(brushKeyChange(key("BracketLeft", true), { size: 1, hardness: 0 })).toEqual({ hardness: 0 });
-    expect(brushKeyChange(key("Digit4"), settings)).toEqual({ opacity: 0.4 });
-    expect(brushKeyChange(key("Digit0"), settings)).toEqual({ opacity: 1 });
-    expect(brushKeyChange(key("KeyZ"), settings)).toBeNull();
+    const change = (pressed: ReturnType<typeof key>, from = settings) => brushKeyChange(pressed, from, brushSizes(10));
+    expect(change(key("BracketRight"))?.size).toBeGreaterThan(1);
+    expect(change(key("BracketLeft"))?.size).toBeLessThan(1);
+    expect(change(key("BracketRight", true))).toEqual({ hardness: 1 });
+    expect(change(key("BracketLeft", true), { size: 1, hardness: 0 })).toEqual({ hardness: 0 });
+    expect(change(key("Digit4"))).toEqual({ opacity: 0.4 });
+    expect(change(key("Digit0"))).toEqual({ opacity: 1 });
+    expect(change(key("KeyZ"))).toBeNull();
+  });
+
+  it("a bracket that is held ends at the sizes that the field ends at", () => {
+    const sizes = brushSizes(10);
+    const held = (code: string): number => {
+      let size = sizes.usual;
+      for (let press = 0; press < 200; press += 1) {
+        size = brushKeyChange(key(code), { size, hardness: 1 }, sizes)?.size ?? Number.NaN;
+      }
+      return size;
+    };
+    expect([held("BracketLeft"), held("BracketRight")]).toEqual([sizes.least, sizes.most]);
   });
 
   it("the newest colour comes first among the recent ones, once", () => {

@@ -5,11 +5,11 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { ArrowLeftRight, ChevronDown, Palette, SlidersHorizontal } from "lucide";
 import type { Editor } from "../state/editor.ts";
-import type { EditorState } from "../state/editor-state.ts";
+import { diagonalOf, type EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
 import { stepFor, unitFor } from "../tools/length-unit.ts";
 import type { Tool, ToolOption, ToolPanel } from "../tools/tool.ts";
-import { LEAST_SIZE, MOST_PIXEL_SIZE, MOST_SIZE, type ToolSettings } from "../tools/tool-settings.ts";
+import { MOST_PIXEL_SIZE, type ToolSettings } from "../tools/tool-settings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
@@ -287,14 +287,13 @@ export class ToolOptions extends EditorElement {
   #size({ size }: ToolSettings): TemplateResult | typeof nothing {
     const { model } = this.state;
     if (size === null || !model) return nothing;
-    const { boundsMin: low, boundsMax: high } = model.info;
-    const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
-    const { symbol, perMetre } = unitFor(diagonal);
+    const { least, most } = this.editor.tools.sizes;
+    const { symbol, perMetre } = unitFor(diagonalOf(model));
     return this.#number("size", this.#words.size, size * perMetre, {
       unit: symbol,
       step: stepFor(size * perMetre),
-      min: diagonal * LEAST_SIZE * perMetre,
-      max: diagonal * MOST_SIZE * perMetre,
+      min: least * perMetre,
+      max: most * perMetre,
       set: (value) => ({ size: value / perMetre }),
     });
   }

@@ -7,16 +7,17 @@ const HARDNESS_STEP = 0.1;
 
 /** True when the key was one of them. */
 export function handleBrushKey(event: KeyboardEvent, tools: Toolbox): boolean {
-  const change = brushKeyChange(event, tools.settings);
+  const change = brushKeyChange(event, tools.settings, tools.sizes);
   if (change === null) return false;
   tools.configure(change);
   return true;
 }
 
-/** What a key sets; null for other keys. */
+/** What a key sets; null for other keys. `sizes`: those that the brush's field takes, metres. */
 export function brushKeyChange(
   event: Pick<KeyboardEvent, "code" | "key" | "shiftKey">,
   { size, hardness }: Pick<ToolSettings, "size" | "hardness">,
+  sizes: { readonly least: number; readonly most: number },
 ): Partial<ToolSettings> | null {
   // By place on the keyboard: with Shift, the characters of these keys differ between layouts.
   const direction = { BracketLeft: -1, BracketRight: 1 }[event.code];
@@ -25,7 +26,8 @@ export function brushKeyChange(
       const steps = Math.round(hardness / HARDNESS_STEP) + direction;
       return { hardness: Math.min(1, Math.max(0, Number((steps * HARDNESS_STEP).toFixed(2)))) };
     }
-    return size === null ? {} : { size: size * SIZE_STEP ** direction };
+    if (size === null) return {};
+    return { size: Math.min(sizes.most, Math.max(sizes.least, size * SIZE_STEP ** direction)) };
   }
   if (event.shiftKey || !/^\d$/.test(event.key)) return null;
   return { opacity: event.key === "0" ? 1 : Number(event.key) / 10 };

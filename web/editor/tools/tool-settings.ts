@@ -77,14 +77,21 @@ export const INITIAL_TOOL_SETTINGS: ToolSettings = {
   cloneArmed: false,
 };
 
-/** Of the model's diagonal. */
-export const USUAL_SIZE = 0.05;
-export const LEAST_SIZE = 0.0005;
-export const MOST_SIZE = 0.5;
+/** Of the model's diagonal: a brush's width. */
+const SIZES = { usual: 0.05, least: 0.0005, most: 0.5 } as const;
 export const MOST_PIXEL_SIZE = 16;
 const RECENT_KEPT = 12;
 
 /** Puts a colour first among the recent ones. */
 export function withRecent(recent: readonly string[], color: string): readonly string[] {
   return recent[0] === color ? recent : [color, ...recent.filter((other) => other !== color)].slice(0, RECENT_KEPT);
+}
+
+/** How wide a brush is at first, and may be at least and at most, metres, on a model of this diagonal. */
+export function brushSizes(diagonal: number): {
+  readonly usual: number;
+  readonly least: number;
+  readonly most: number;
+} {
+  return { usual: diagonal * SIZES.usual, least: diagonal * SIZES.least, most: diagonal * SIZES.most };
 }

@@ -1,12 +1,12 @@
 /** The tools and which of them is chosen. Tools register themselves here; the rail and the options bar read it. */
 import { LOOK_ONLY } from "../../viewer/look-only.ts";
 import type { ModelViewer, TextureView, ToolInput } from "../../viewer/viewer-api.ts";
-import type { EditorState } from "../state/editor-state.ts";
+import { diagonalOf, type EditorState } from "../state/editor-state.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import type { Store } from "../state/store.ts";
 import { isPixelated } from "./pixel-mode.ts";
 import { TOOL_IDS, type Tool, type ToolId } from "./tool.ts";
-import { DEFAULT_COLORS, type ToolSettings, USUAL_SIZE, withRecent } from "./tool-settings.ts";
+import { brushSizes, DEFAULT_COLORS, type ToolSettings, withRecent } from "./tool-settings.ts";
 
 export interface ToolboxParts {
   readonly viewer: ModelViewer;
@@ -53,6 +53,11 @@ export class Toolbox {
 
   get settings(): ToolSettings {
     return this.#parts.store.state.toolSettings;
+  }
+
+  /** Of a brush, on the open model. */
+  get sizes(): ReturnType<typeof brushSizes> {
+    return brushSizes(diagonalOf(this.#parts.store.state.model));
   }
 
   /** Whether the shown texture is painted texel by texel: as the user says, else where it is small. */
@@ -151,10 +156,7 @@ export class Toolbox {
 
   /** A size in metres means nothing on a model of another scale. */
   #measure(): void {
-    const { model } = this.#parts.store.state;
-    if (!model) return;
-    const { boundsMin: low, boundsMax: high } = model.info;
-    const diagonal = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) || 1;
-    this.configure({ size: diagonal * USUAL_SIZE, pixelMode: null });
+    if (!this.#parts.store.state.model) return;
+    this.configure({ size: this.sizes.usual, pixelMode: null });
   }
 }
