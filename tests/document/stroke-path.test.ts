@@ -35,6 +35,19 @@ describe("placing dabs along a path", () => {
     expect(placeDabs([], { size: 1 })).toEqual({ dabs: [], tail: null });
   });
 
+  it("lays small dabs as close as large ones for their size, where pressure is the size", () => {
+    const { dabs } = placeDabs([at(0, 0, 0, FRONT, 0.1), at(1, 0, 0, FRONT, 0.1)], {
+      ...{ size: 1, spacing: 0.25, pressure: "size" },
+    });
+    expect(dabs).toHaveLength(41);
+    expect(dabs[1]).toMatchObject({ size: [0.1, 0.1, 1], flow: 1, position: [expect.closeTo(0.025), 0, 0] });
+  });
+
+  it("keeps a width under no pressure at all", () => {
+    const { dabs } = placeDabs([at(0, 0, 0, FRONT, 0)], { size: 1, pressure: "size" });
+    expect(dabs).toMatchObject([{ size: [0.05, 0.05, 1] }]);
+  });
+
   it("carries what is left over of a line round the corner", () => {
     const { dabs, tail } = placeDabs([at(0), at(0.75), at(0.75, 0.75)], { size: 1, spacing: 0.5, depth: 0.25 });
     expect(positions(dabs)).toEqual([
@@ -54,14 +67,16 @@ describe("placing dabs along a path", () => {
     }),
     { minLength: 2, maxLength: 8 },
   );
+  const pressures = fc.constantFrom("flow" as const, "size" as const);
   const pointsOf = (list: readonly { position: number[]; pressure: number }[]): PathPoint[] =>
     list.map(({ position, pressure }) => ({ position: position as unknown as Vec3, normal: FRONT, pressure }));
 
   it("gives the very same dabs when the path comes in pieces", () => {
     fc.assert(
-      fc.property(path, fc.array(fc.nat(8)), fc.double({ min: 0.05, max: 2, noNaN: true }), (list, cuts, spacing) => {
+      fc.property(path, fc.array(fc.nat(8)), fc.double({ min: 0.05, max: 2, noNaN: true }), pressures, (...given) => {
+        const [list, cuts, spacing, pressure] = given;
         const points = pointsOf(list);
-        const options = { size: 0.3, spacing };
+        const options = { size: 0.3, spacing, pressure };
         const whole = placeDabs(points, options);
         const dabs: Dab[] = [];
         let tail = null;
@@ -85,7 +100,8 @@ describe("placing dabs along a path", () => {
         path,
         fc.integer({ min: 2, max: 9 }),
         fc.constantFrom(0.1, 0.25, 1 / 3, 0.7),
-        (list, parts, spacing) => {
+        pressures,
+        (list, parts, spacing, pressure) => {
           const points = pointsOf(list);
           const fine = points.flatMap((point, i) => {
             const next = points[i + 1];
@@ -97,10 +113,11 @@ describe("placing dabs along a path", () => {
               return { position, normal: FRONT, pressure: mix(point.pressure ?? 1, next.pressure ?? 1) };
             });
           });
-          const coarse = placeDabs(points, { size: 0.25, spacing }).dabs;
-          const chopped = placeDabs(fine, { size: 0.25, spacing }).dabs;
+          const coarse = placeDabs(points, { size: 0.25, spacing, pressure }).dabs;
+          const chopped = placeDabs(fine, { size: 0.25, spacing, pressure }).dabs;
           expect(chopped).toHaveLength(coarse.length);
-          expect(positions(chopped).every((place, i) => close(place, positions(coarse)[i] ?? []))).toBe(true);
+          const places = positions(coarse);
+          expect(positions(chopped).every((place, i) => close(place, places[i] ?? []))).toBe(true);
           expect(chopped.every((dab, i) => Math.abs(dab.flow - (coarse[i]?.flow ?? 2)) < 1e-9)).toBe(true);
         },
       ),

@@ -24,6 +24,8 @@ export interface StrokePathOptions {
   readonly spacing?: number;
   /** How far a dab reaches in and out of the surface altogether, metres; default: the size. */
   readonly depth?: number;
+  /** What a point's pressure is a share of: a dab's flow (default), or its width and height, which the spacing then follows. */
+  readonly pressure?: "flow" | "size";
 }
 
 /** Where a path under way has got to. */
@@ -40,6 +42,8 @@ export interface StrokePiece {
 }
 
 const DEFAULT_SPACING = 0.15;
+/** Of the size: thinner than this no line is seen, and a length must not be 0. */
+const LEAST_WIDTH = 0.05;
 /** A dab is due this share of a step early: sums of lengths that were chopped otherwise differ in their last digits. */
 const SLACK = 1e-9;
 
@@ -56,29 +60,32 @@ export function placeDabs(
   options: StrokePathOptions,
   tail: PathTail | null = null,
 ): StrokePiece {
-  const { size, spacing = DEFAULT_SPACING, depth = size } = options;
+  const { size, spacing = DEFAULT_SPACING, depth = size, pressure = "flow" } = options;
   checkAbove0("size", size);
   checkAbove0("spacing", spacing);
   checkAbove0("depth", depth);
   points.forEach(checkPoint);
   const step = size * spacing;
   const dabs: Dab[] = [];
-  const lay = (point: PathPoint): void => {
+  /** Returns how far along the path the next one is. */
+  const lay = (point: PathPoint): number => {
     if (dabs.length >= DESIGN_LIMITS.dabs) {
       throw badArgument("spacing", spacing, `a stroke of more than ${DESIGN_LIMITS.dabs} dabs`);
     }
-    dabs.push(dabAt(point, size, depth));
+    const pressed = point.pressure ?? 1;
+    const width = pressure === "size" ? Math.max(LEAST_WIDTH, pressed) : 1;
+    dabs.push(dabAt(point, size * width, depth, pressure === "flow" ? pressed : 1));
+    return step * width;
   };
   let last = tail?.point;
   let untilNext = tail?.untilNext ?? 0;
   for (const point of points) {
     if (last === undefined) {
-      lay(point);
-      untilNext = step;
+      untilNext = lay(point);
     } else {
       const line = lengthOf(minus(point.position, last.position));
       let at = untilNext;
-      for (; at <= line + SLACK * step; at += step) lay(between(last, point, line > 0 ? Math.min(at / line, 1) : 1));
+      while (at <= line + SLACK * step) at += lay(between(last, point, line > 0 ? Math.min(at / line, 1) : 1));
       untilNext = at - line;
     }
     last = point;
@@ -86,13 +93,13 @@ export function placeDabs(
   return { dabs, tail: last === undefined ? null : { point: last, untilNext } };
 }
 
-function dabAt(point: PathPoint, size: number, depth: number): Dab {
+function dabAt(point: PathPoint, size: number, depth: number, flow: number): Dab {
   return {
     kind: "planar",
     position: point.position,
     rotation: facing(point.normal),
     size: [size, size, depth],
-    flow: point.pressure ?? 1,
+    flow,
   };
 }
 

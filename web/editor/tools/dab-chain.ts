@@ -13,8 +13,6 @@ export interface DabChainOptions {
   readonly freeAbove?: (position: Vec3, normal: Vec3, reach: number) => number;
 }
 
-/** Of the size: thinner than this no line is seen, and a length must not be 0. */
-const LEAST_SHARE = 0.05;
 /** A dab keeps this share of the way to what is hidden above it. */
 const KEPT_CLEARANCE = 0.9;
 
@@ -43,9 +41,10 @@ export class DabChain {
       }
       const { position, normal } = step.hit;
       const point = { position, normal, pressure: pressure === "none" ? 1 : step.pressure };
-      const piece = placeDabs([point], { size, spacing }, this.#tail);
+      const options = { size, spacing, pressure: pressure === "size" ? pressure : "flow" } as const;
+      const piece = placeDabs([point], options, this.#tail);
       this.#tail = piece.tail;
-      for (const dab of piece.dabs) added.push(rounded(this.#below(pressure === "size" ? sized(dab) : dab)));
+      for (const dab of piece.dabs) added.push(rounded(this.#below(dab)));
     }
     if (added.length > 0) this.#dabs = [...this.#dabs, ...added];
     return added;
@@ -65,13 +64,6 @@ export class DabChain {
     const position = dab.position.map((part, axis) => part + outward[axis as 0 | 1 | 2] * shift) as unknown as Vec3;
     return { ...dab, position, size: [width, height, depth / 2 + kept] };
   }
-}
-
-function sized(dab: Dab): Dab {
-  if (dab.kind !== "planar") return dab;
-  const share = Math.max(LEAST_SHARE, dab.flow);
-  const [width, height, depth] = dab.size;
-  return { ...dab, size: [width * share, height * share, depth], flow: 1 };
 }
 
 /** To what 32-bit arithmetic sees: a design of a thousand strokes is saved in half the bytes. */
