@@ -1,5 +1,6 @@
 import { Vector3 } from "three";
 import { describe, expect, it } from "vitest";
+import { DESIGN_LIMITS } from "../../web/editor/document/design-limits.ts";
 import {
   type DesignLayer,
   emptyDesign,
@@ -159,6 +160,14 @@ describe("a growing chain of dabs", () => {
     const xs = chain.dabs.map((dab) => (dab.kind === "planar" ? dab.position[0] : Number.NaN));
     expect(xs.some((x) => x > 1 && x < 9)).toBe(false);
     expect(chain.dabs).toHaveLength(10);
+  });
+
+  it("ends at as many dabs as a design is read with", () => {
+    const chain = new DabChain({ size: 1, spacing: 0.02, pressure: "none" });
+    for (let x = 0; x <= 2200; x += 100) chain.extend(steps(x));
+    expect(chain.full).toBe(true);
+    expect(chain.dabs).toHaveLength(DESIGN_LIMITS.dabs);
+    expect(chain.extend(steps(2300))).toEqual([]);
   });
 
   it("gives a pen's pressure to flow or to size, or to neither", () => {

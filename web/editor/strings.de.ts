@@ -168,6 +168,11 @@ export const german: Strings = {
         message: "Wähle in der Liste die Ebene, von der radiert werden soll.",
       },
     },
+    fullStroke: {
+      title: "Der Strich war voll",
+      message: "Er fasst 100.000 Pinseltupfer. Was danach kam, ist nicht gemalt: Setze dort neu an.",
+      hint: "Mit mehr Abstand oder einem größeren Pinsel reicht ein Strich weiter.",
+    },
     roundTip: "Rund",
     tinted: "Einfärben",
     tolerance: "Toleranz",

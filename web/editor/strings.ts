@@ -166,6 +166,11 @@ const english = {
         message: "Select the layer to erase from in the list.",
       },
     },
+    fullStroke: {
+      title: "The stroke was full",
+      message: "It holds 100,000 dabs of the brush. What came after them was not painted: begin another stroke there.",
+      hint: "With more spacing, or a larger brush, a stroke goes further.",
+    },
     roundTip: "Round",
     tinted: "In the colour",
     tolerance: "Tolerance",

@@ -210,7 +210,10 @@ export class BrushTool implements Tool {
     this.#lastPlace = this.#path?.last ?? this.#lastPlace;
     this.#gesture = null;
     this.#path = null;
-    gesture?.end();
+    if (gesture === null) return;
+    gesture.end();
+    const { board } = this.#context;
+    if (gesture.full) board.info(board.strings.tools.fullStroke);
   }
 
   #size(): number {

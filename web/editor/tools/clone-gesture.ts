@@ -47,6 +47,10 @@ export class CloneGesture implements PaintGesture {
     this.#begun.catch(() => {});
   }
 
+  get full(): boolean {
+    return this.#stroke.full;
+  }
+
   extend(steps: readonly PathStep[]): void {
     this.#stroke.extend(steps);
   }

@@ -1,4 +1,6 @@
 /** The dabs of a stroke that grows: placed along each piece of its path, begun anew where the path breaks. */
+
+import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import { type Dab, type PathTail, placeDabs, type Vec3 } from "../document/index.ts";
 import type { PathStep } from "./pointer-path.ts";
 
@@ -30,11 +32,18 @@ export class DabChain {
     return this.#dabs;
   }
 
+  /** It has as many dabs as a design's stroke may hold, and takes no more. */
+  get full(): boolean {
+    return this.#dabs.length >= DESIGN_LIMITS.dabs;
+  }
+
   /** Returns the dabs that the steps have added. */
   extend(steps: readonly PathStep[]): readonly Dab[] {
     const { size, spacing, pressure } = this.#options;
     const added: Dab[] = [];
+    const room = DESIGN_LIMITS.dabs - this.#dabs.length;
     for (const step of steps) {
+      if (added.length >= room) break;
       if (step === null) {
         this.#tail = null;
         continue;
@@ -46,6 +55,7 @@ export class DabChain {
       this.#tail = piece.tail;
       for (const dab of piece.dabs) added.push(rounded(this.#below(dab)));
     }
+    added.splice(room);
     if (added.length > 0) this.#dabs = [...this.#dabs, ...added];
     return added;
   }

@@ -70,6 +70,9 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     freeAbove: (...place) => context.viewer.surface.freeAbove(...place),
   });
   return {
+    get full() {
+      return stroke.full;
+    },
     extend: (steps) => stroke.extend(steps),
     end: () => {
       const layerId = stroke.end(strings.tools.steps[id]);

@@ -18,6 +18,8 @@ import type { PathStep } from "./pointer-path.ts";
 /** What a brush does between its press and its release. */
 export interface PaintGesture {
   extend(steps: readonly PathStep[]): void;
+  /** It takes no more: what a stroke may hold is painted. */
+  readonly full: boolean;
   /** Records what was painted as one step. */
   end(): void;
   cancel(): void;
@@ -52,6 +54,10 @@ export class StrokeGesture {
     this.#options = options;
     this.#chain = new DabChain(options);
     this.#id = freeIdIn(options.session.recordedDesign);
+  }
+
+  get full(): boolean {
+    return this.#chain.full;
   }
 
   extend(steps: readonly PathStep[]): void {
