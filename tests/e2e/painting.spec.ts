@@ -172,6 +172,36 @@ test("a gradient's end is dragged over the model as one step, given up by Escape
   expect((await ends())?.stops, "each colour is a step, however soon it follows").toHaveLength(3);
 });
 
+test("a gradient's colour that is dragged goes back by Escape and by undo, and stays chosen", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.locator("tc-layer-list tc-menu.add button").first().click();
+  await page.getByRole("menuitem", { name: /gradient/i }).click();
+  const stops = async () => {
+    const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
+    return layer?.type === "fill" ? layer.gradient?.stops : undefined;
+  };
+  const before = await stops();
+  const bare = await editor.settledHash();
+  const box = await page.locator("tc-gradient-stops .handle").first().boundingBox();
+  if (!box) throw new Error("The gradient has no colours.");
+  const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  for (const key of ["Escape", "Control+z"]) {
+    let shown: typeof before;
+    await editor.drag(from, { x: from.x + 60, y: from.y }, 2, async () => {
+      if (shown) return;
+      shown = await stops();
+      await page.keyboard.press(key);
+    });
+    expect(shown, "what the drag shows").not.toEqual(before);
+    expect(await stops(), key).toEqual(before);
+    expect(await editor.settledHash(), key).toBe(bare);
+    await expect(page.locator("tc-gradient-stops")).toBeVisible();
+  }
+});
+
 test("a stroke over the border of two materials paints both", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([twoSquaresGlb()]);

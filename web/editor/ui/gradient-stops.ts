@@ -5,6 +5,7 @@
  */
 import { css, html, type TemplateResult } from "lit";
 import { Minus, Plus } from "lucide";
+import { takesBack } from "../../viewer/take-back-key.ts";
 import type { GradientStop } from "../document/index.ts";
 import type { Strings } from "../strings.ts";
 import { controls } from "./controls.ts";
@@ -20,6 +21,15 @@ const COARSE_STEP = 0.1;
 /** Pixels before a press on a handle moves it. */
 const DRAG_START = 2;
 
+interface Drag {
+  readonly pointer: number;
+  readonly x: number;
+  /** Where the stop stood among the others. */
+  readonly place: number;
+  moved: boolean;
+  stops: readonly GradientStop[];
+}
+
 export class GradientStops extends RemElement {
   static override properties = {
     words: { attribute: false },
@@ -33,7 +43,7 @@ export class GradientStops extends RemElement {
   declare recent: readonly string[];
   /** Place of the stop that the fields are about. */
   declare chosen: number;
-  #drag: { readonly pointer: number; readonly x: number; moved: boolean; stops: readonly GradientStop[] } | null = null;
+  #drag: Drag | null = null;
 
   constructor() {
     super();
@@ -129,6 +139,12 @@ export class GradientStops extends RemElement {
       }
     `,
   ];
+
+  /** The layer went while its colour was dragged. */
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#abandon();
+  }
 
   override render(): TemplateResult {
     const { stops } = this;
@@ -295,7 +311,8 @@ export class GradientStops extends RemElement {
     if (event.button !== 0) return;
     this.chosen = index;
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
-    this.#drag = { pointer: event.pointerId, x: event.clientX, moved: false, stops: this.stops };
+    addEventListener("keydown", this.#takeBack, { capture: true });
+    this.#drag = { pointer: event.pointerId, x: event.clientX, place: index, moved: false, stops: this.stops };
   }
 
   readonly #move = (event: PointerEvent): void => {
@@ -305,21 +322,36 @@ export class GradientStops extends RemElement {
     if (!drag.moved && Math.abs(event.clientX - drag.x) < DRAG_START) return;
     drag.moved = true;
     const offset = Math.round(((event.clientX - bar.left) / bar.width) * 1000) / 1000;
-    drag.stops = this.#moved(this.stops, this.chosen, offset);
+    drag.stops = this.#moved(drag.stops, this.chosen, offset);
     this.#tell("stops-preview", drag.stops);
   };
 
   readonly #release = (event: PointerEvent): void => {
     const drag = this.#drag;
     if (drag?.pointer !== event.pointerId) return;
-    this.#drag = null;
+    this.#end();
     if (drag.moved) this.#tell("stops-change", drag.stops);
   };
 
+  /** Before the page hears of the key: it would take back the step before, or the choice of the layer. */
+  readonly #takeBack = (event: KeyboardEvent): void => {
+    if (!takesBack(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    this.#abandon();
+  };
+
   readonly #abandon = (): void => {
-    this.#drag = null;
+    if (this.#drag === null) return;
+    this.chosen = this.#drag.place;
+    this.#end();
     this.#tell("stops-cancel", this.stops);
   };
+
+  #end(): void {
+    this.#drag = null;
+    removeEventListener("keydown", this.#takeBack, { capture: true });
+  }
 }
 customElements.define("tc-gradient-stops", GradientStops);
 
