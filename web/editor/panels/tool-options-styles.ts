@@ -47,6 +47,14 @@ export const toolOptionsStyles = css`
       width: 8.5rem;
     }
   }
+  /* On a phone too, as far as the bar has room. */
+  @media (pointer: coarse) and (max-width: 720px) {
+    .often tc-number {
+      flex: 0 1 auto;
+      width: 7.5rem;
+      min-width: 6.5rem;
+    }
+  }
   .often .check {
     padding-inline: var(--space-2);
   }

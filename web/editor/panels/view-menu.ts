@@ -63,7 +63,7 @@ export class ViewMenu extends EditorElement {
         }
         .panel .field,
         .panel .slider {
-          grid-template-columns: 5rem minmax(0, 1fr);
+          grid-template-columns: 5.75rem minmax(0, 1fr);
         }
         .panel .slider output {
           display: none;
