@@ -212,6 +212,27 @@ test("a stroke over the border of two materials paints both", async ({ editor, p
   expect(layer?.strokes[0]?.material).toEqual([0, 1]);
 });
 
+test("Shift and a press draws from where the stroke before ended, and on another model begins anew", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.keyboard.press("b");
+  const middle = await editor.middleOfStage();
+  await editor.drag(middle, { x: middle.x - 20, y: middle.y }, 2);
+  await editor.openModel([seamedGlb()]);
+  const press = async (x: number): Promise<number> => {
+    const at = await clientPoint(page, x, 0.1);
+    await page.keyboard.down("Shift");
+    await page.mouse.click(at.x, at.y);
+    await page.keyboard.up("Shift");
+    await editor.idle();
+    return (await paintLayers(editor))[0]?.strokes.at(-1)?.dabs.length ?? 0;
+  };
+  expect(await press(-0.3), "dabs of the first press").toBe(1);
+  expect(await press(-0.1)).toBeGreaterThan(3);
+});
+
 test("a pen's pressure reaches the dabs", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([seamedGlb()]);

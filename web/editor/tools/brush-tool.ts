@@ -110,6 +110,12 @@ export class BrushTool implements Tool {
     this.#kind.deactivate?.();
   }
 
+  forget(): void {
+    this.cancel();
+    this.#cursor.hide();
+    this.#lastPlace = null;
+  }
+
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
     if (this.#cursor.key(event, view !== null) || this.#kind.key?.(event)) return true;
     const { tools } = this.#context;

@@ -52,6 +52,11 @@ export class EraserTool implements Tool {
     this.#ofPixels.deactivate?.();
   }
 
+  forget(): void {
+    this.#ofPaint.forget?.();
+    this.#ofPixels.forget?.();
+  }
+
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
     return this.#fitting.key?.(event, view) ?? false;
   }

@@ -111,6 +111,12 @@ export class PixelTool implements Tool {
     this.#showRing(null, null);
   }
 
+  forget(): void {
+    this.cancel();
+    this.#cursor.hide();
+    this.#lastPlace = null;
+  }
+
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
     if (this.#cursor.key(event, view !== null)) return true;
     const direction = { BracketLeft: -1, BracketRight: 1 }[event.code];

@@ -65,6 +65,8 @@ export interface Tool {
   readonly cancel?: () => boolean;
   /** Another tool was chosen; what is under way must end. */
   readonly deactivate?: () => void;
+  /** Another model is open, chosen or not: places on the one before mean nothing any more. */
+  readonly forget?: () => void;
   /**
    * A key pressed while it is chosen and the focus is on the page or on a view, before the page's own meaning. True took it.
    */

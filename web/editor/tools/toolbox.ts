@@ -26,7 +26,10 @@ export class Toolbox {
       const before = seen;
       seen = parts.store.state;
       if (seen.readonly !== before.readonly) this.#followReadonly(seen.readonly);
-      if (seen.model !== before.model) this.#measure();
+      if (seen.model !== before.model) {
+        for (const tool of this.#tools.values()) tool.forget?.();
+        this.#measure();
+      }
       if (seen.targets !== before.targets || seen.toolSettings.pixelMode !== before.toolSettings.pixelMode) {
         this.#showPixels();
       }
