@@ -288,6 +288,29 @@ test("the flat texture is painted with dabs that lie on the model, and keys pain
   expect(strokes[2]?.dabs.length).toBeGreaterThan(strokes[1]?.dabs.length ?? 0);
 });
 
+test("a fill's parts and a colour are picked by keys too", async ({ editor, page }) => {
+  await editor.open();
+  await page.locator("tc-layer-list tc-menu.add button").first().click();
+  await page.getByRole("menuitem", { name: "Fill One colour" }).click();
+  await page.locator("input[name=parts][value=charts]").check();
+  const charts = async () => {
+    const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
+    return layer?.type === "fill" && layer.parts?.kind === "charts" ? layer.parts.charts : null;
+  };
+  expect(await charts()).toEqual([]);
+  const view = page.getByRole("application", { name: /Model in 3D/ });
+  await view.focus();
+  for (const key of ["ArrowLeft", "ArrowLeft", "Enter"]) await page.keyboard.press(key);
+  await expect.poll(charts).toHaveLength(1);
+  await editor.idle();
+
+  await page.keyboard.press("i");
+  for (const key of ["ArrowLeft", "ArrowLeft", " "]) await page.keyboard.press(key);
+  await expect(page.locator("#tool-color")).toHaveValue("#7c86c4");
+  await page.keyboard.press("v");
+  await expect(page.locator(".tcv-marker").first()).toBeHidden();
+});
+
 test.describe("on a touch screen", () => {
   test.use({ hasTouch: true });
 

@@ -153,7 +153,8 @@ export const german: Strings = {
     picked: (color) => `Farbe ${color} aufgenommen`,
     couldNotPick: "Die Farbe konnte nicht gelesen werden",
     noTexel: "Die Mal-Engine fand an dieser Stelle kein Texel.",
-    cursorShown: "Der Pinsel steht in der Mitte der Ansicht. Pfeiltasten bewegen ihn, Leertaste oder Eingabe malt.",
+    cursorShown:
+      "Das Werkzeug steht in der Mitte der Ansicht. Pfeiltasten bewegen es, Leertaste oder Eingabe wendet es an.",
     refusals: {
       locked: {
         title: (name) => `${name} ist gesperrt`,

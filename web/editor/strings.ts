@@ -151,7 +151,7 @@ const english = {
     picked: (color: string): string => `Colour ${color} picked`,
     couldNotPick: "Could not read the colour",
     noTexel: "The engine gave no texel for that place.",
-    cursorShown: "Brush cursor in the middle of the view. Arrow keys move it, Space or Enter paints.",
+    cursorShown: "Cursor in the middle of the view. Arrow keys move it, Space or Enter uses the tool there.",
     refusals: {
       locked: {
         title: (name: string): string => `${name} is locked`,

@@ -41,7 +41,7 @@ export const germanKeys: readonly KeyGroup[] = [
       ["X und D", "Die beiden Farben tauschen; Schwarz und Weiß"],
       [
         "Pfeiltasten, dann Leertaste oder Eingabe",
-        "Einen Pinsel über die Oberfläche der gewählten Ansicht bewegen und malen",
+        "Pinsel, Pipette oder Teileauswahl über die Oberfläche der gewählten Ansicht bewegen und anwenden",
       ],
     ],
   },

@@ -45,7 +45,10 @@ export const keyGroups: readonly KeyGroup[] = [
       ["Shift and a press", "A straight line from where the stroke before ended"],
       ["Alt and a press", "Take the colour that lies there"],
       ["X and D", "Swap the two colours; black and white"],
-      ["Arrow keys, then Space or Enter", "Move a brush over the surface in the focused view, and paint"],
+      [
+        "Arrow keys, then Space or Enter",
+        "Move a brush, the colour picker or the picking of parts over the surface in the focused view, and use it",
+      ],
     ],
   },
   {

@@ -21,12 +21,12 @@ const DIRECTIONS: Readonly<Record<string, readonly [number, number]>> = {
 const COARSE = 4;
 
 export class PaintCursor {
-  readonly #context: ToolContext;
+  readonly #context: Pick<ToolContext, "viewer" | "board">;
   readonly #hooks: PaintCursorHooks;
   #hit: SurfaceHit | null = null;
   #heldKey: string | null = null;
 
-  constructor(context: ToolContext, hooks: PaintCursorHooks) {
+  constructor(context: Pick<ToolContext, "viewer" | "board">, hooks: PaintCursorHooks) {
     this.#context = context;
     this.#hooks = hooks;
   }

@@ -1,4 +1,7 @@
-/** Picks the parts that a fill layer paints: a press on the model or on the flat texture takes a chart or a face in or out. */
+/**
+ * Picks the parts that a fill layer paints: a press on the model or on the flat texture, or a key at the mark that arrows move,
+ * takes a chart or a face in or out.
+ */
 import { MousePointerClick } from "lucide";
 import { UvCharts } from "../../viewer/uv-charts.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
@@ -6,6 +9,7 @@ import { type FillLayer, materialsOf, type Parts } from "../document/index.ts";
 import { layerById } from "../state/design-edits.ts";
 import type { LayerCommands } from "../state/layer-commands.ts";
 import type { Strings } from "../strings.ts";
+import { PickCursor } from "./pick-cursor.ts";
 import type { Tool } from "./tool.ts";
 import type { ToolContext } from "./tool-context.ts";
 
@@ -20,17 +24,24 @@ export class PartsTool implements Tool {
   readonly shortcut = "";
   readonly options = [];
   readonly #context: Context;
+  readonly #cursor: PickCursor;
   /** Of the model's materials, as far as they were asked for; a new model's are others. */
   #charts = new Map<number, Promise<UvCharts>>();
   #model: unknown = null;
 
   constructor(context: Context) {
     this.#context = context;
+    this.#cursor = new PickCursor(
+      context,
+      (hit) => void this.#toggle(hit),
+      (hit) => this.#lightUp(hit),
+    );
   }
 
   readonly input: NonNullable<Tool["input"]> = {
     cursor: "pointer",
     down: ({ hit }) => {
+      this.#cursor.hide();
       if (!hit || !this.#layer) return false;
       void this.#toggle(hit);
       return true;
@@ -38,7 +49,11 @@ export class PartsTool implements Tool {
     move: () => {},
     up: () => {},
     interrupted: () => {},
-    hover: (sample) => this.#lightUp(sample?.hit ?? null),
+    hover: (sample) => {
+      if (sample !== null) this.#cursor.hide();
+      else if (this.#cursor.shown) return;
+      this.#lightUp(sample?.hit ?? null);
+    },
   };
 
   readonly offered = (): boolean => this.#layer !== undefined;
@@ -48,7 +63,16 @@ export class PartsTool implements Tool {
   }
 
   deactivate(): void {
+    this.forget();
     this.#lightUp(null);
+  }
+
+  forget(): void {
+    this.#cursor.hide();
+  }
+
+  key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
+    return this.#cursor.key(event, view !== null);
   }
 
   #lightUp(hit: SurfaceHit | null): void {

@@ -23,6 +23,6 @@ export function registerTools(context: ToolContext): void {
     pixelTool("bucket"),
     pixelTool("line"),
     pixelTool("rectangle"),
-    pickerTool(probe),
+    pickerTool(context, probe),
   );
 }
