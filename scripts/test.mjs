@@ -1,15 +1,15 @@
 /**
  * `npm test`: sets up, runs every kind of test, and closes with one line: `N passed, N failed[, N skipped]`.
  * A stage that fails does not stop the ones after it.
- *
- *   npm test -- --only vitest            one stage, or several with commas
- *   npm test -- --only vitest tests/core  arguments for that stage's runner
  */
-import { parseArgs } from "node:util";
 import { seconds } from "./bootstrap/progress.mjs";
+import { wordsOrExit } from "./bootstrap/words-or-exit.mjs";
 import { bootstrapOrExit } from "./bootstrap.mjs";
 
-const { values, positionals } = parseArgs({ options: { only: { type: "string" } }, allowPositionals: true });
+const USAGE = `npm test                              all of it
+npm test -- --only vitest             one stage, or several with commas
+npm test -- --only vitest tests/core  arguments for that stage's runner`;
+const { values, positionals } = wordsOrExit({ options: { only: { type: "string" } }, allowPositionals: true }, USAGE);
 
 await bootstrapOrExit("test");
 // Only now: the stages use packages.
