@@ -29,6 +29,12 @@ describe("placing dabs along a path", () => {
     expect(dabs[0]).toMatchObject({ kind: "planar", size: [0.5, 0.5, 0.5], flow: 1, rotation: [0, 0, 0, 1] });
   });
 
+  it("gives a picture its proportions: its longer side is the size", () => {
+    const sizeAt = (aspect: number) => placeDabs([at(0)], { size: 0.5, depth: 0.3, aspect }).dabs;
+    expect(sizeAt(2)).toMatchObject([{ size: [0.5, 0.25, 0.3] }]);
+    expect(sizeAt(0.5)).toMatchObject([{ size: [0.25, 0.5, 0.3] }]);
+  });
+
   it("lays one dab for a click, and none for no path", () => {
     expect(placeDabs([at(3)], { size: 1 }).dabs).toHaveLength(1);
     expect(placeDabs([at(3), at(3), at(3)], { size: 1 }).dabs).toHaveLength(1);

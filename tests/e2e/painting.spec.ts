@@ -288,6 +288,27 @@ test("the flat texture is painted with dabs that lie on the model, and keys pain
   expect(strokes[2]?.dabs.length).toBeGreaterThan(strokes[1]?.dabs.length ?? 0);
 });
 
+test("a picture that is a brush's tip keeps its proportions", async ({ editor, page }) => {
+  await editor.open();
+  await page.keyboard.press("b");
+  await page.locator("#tool-tip").click();
+  const tile = page.locator("tc-tip-picker [data-demo=waves]");
+  const { width, height } = await tile.locator("img").evaluate((element) => {
+    const image = element as HTMLImageElement;
+    return { width: image.naturalWidth, height: image.naturalHeight };
+  });
+  expect(width).toBeGreaterThan(height);
+  await tile.click();
+  await expect(page.locator("tc-tip-picker [data-tip=Waves]")).toHaveAttribute("aria-pressed", "true");
+  await page.keyboard.press("Escape");
+  const middle = await editor.middleOfStage();
+  await page.mouse.click(middle.x - 60, middle.y + 60);
+  await editor.idle();
+  const [dab] = (await paintLayers(editor))[0]?.strokes[0]?.dabs ?? [];
+  if (dab?.kind !== "planar") throw new Error("Nothing was painted.");
+  expect(dab.size[0] / dab.size[1]).toBeCloseTo(width / height, 4);
+});
+
 test("a fill's parts and a colour are picked by keys too", async ({ editor, page }) => {
   await editor.open();
   await page.locator("tc-layer-list tc-menu.add button").first().click();

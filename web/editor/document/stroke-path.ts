@@ -18,8 +18,10 @@ export interface PathPoint {
 }
 
 export interface StrokePathOptions {
-  /** Width and height of a dab, metres. */
+  /** Of a dab, its longer side, metres. */
   readonly size: number;
+  /** Width by height of a picture that is the tip; default 1. */
+  readonly aspect?: number;
   /** From dab to dab along the path, as a share of the size, above 0; default 0.15. */
   readonly spacing?: number;
   /** How far a dab reaches in and out of the surface altogether, metres; default: the size. */
@@ -60,8 +62,9 @@ export function placeDabs(
   options: StrokePathOptions,
   tail: PathTail | null = null,
 ): StrokePiece {
-  const { size, spacing = DEFAULT_SPACING, depth = size, pressure = "flow" } = options;
+  const { size, aspect = 1, spacing = DEFAULT_SPACING, depth = size, pressure = "flow" } = options;
   checkAbove0("size", size);
+  checkAbove0("aspect", aspect);
   checkAbove0("spacing", spacing);
   checkAbove0("depth", depth);
   points.forEach(checkPoint);
@@ -73,9 +76,11 @@ export function placeDabs(
       throw badArgument("spacing", spacing, `a stroke of more than ${DESIGN_LIMITS.dabs} dabs`);
     }
     const pressed = point.pressure ?? 1;
-    const width = pressure === "size" ? Math.max(LEAST_WIDTH, pressed) : 1;
-    dabs.push(dabAt(point, size * width, depth, pressure === "flow" ? pressed : 1));
-    return step * width;
+    const share = pressure === "size" ? Math.max(LEAST_WIDTH, pressed) : 1;
+    const side = size * share;
+    const box: Vec3 = [side * Math.min(1, aspect), side / Math.max(1, aspect), depth];
+    dabs.push(dabAt(point, box, pressure === "flow" ? pressed : 1));
+    return step * share;
   };
   let last = tail?.point;
   let untilNext = tail?.untilNext ?? 0;
@@ -93,12 +98,12 @@ export function placeDabs(
   return { dabs, tail: last === undefined ? null : { point: last, untilNext } };
 }
 
-function dabAt(point: PathPoint, size: number, depth: number, flow: number): Dab {
+function dabAt(point: PathPoint, size: Vec3, flow: number): Dab {
   return {
     kind: "planar",
     position: point.position,
     rotation: facing(point.normal),
-    size: [size, size, depth],
+    size,
     flow,
   };
 }

@@ -7,6 +7,8 @@ import type { PathStep } from "./pointer-path.ts";
 export interface DabChainOptions {
   /** Metres. */
   readonly size: number;
+  /** Width by height of the picture that is the tip; default 1. */
+  readonly aspect?: number;
   /** Share of the size. */
   readonly spacing: number;
   /** What the pen's pressure changes. */
@@ -39,7 +41,7 @@ export class DabChain {
 
   /** Returns the dabs that the steps have added. */
   extend(steps: readonly PathStep[]): readonly Dab[] {
-    const { size, spacing, pressure } = this.#options;
+    const { size, aspect = 1, spacing, pressure } = this.#options;
     const added: Dab[] = [];
     const room = DESIGN_LIMITS.dabs - this.#dabs.length;
     for (const step of steps) {
@@ -50,7 +52,7 @@ export class DabChain {
       }
       const { position, normal } = step.hit;
       const point = { position, normal, pressure: pressure === "none" ? 1 : step.pressure };
-      const options = { size, spacing, pressure: pressure === "size" ? pressure : "flow" } as const;
+      const options = { size, aspect, spacing, pressure: pressure === "size" ? pressure : "flow" } as const;
       const piece = placeDabs([point], options, this.#tail);
       this.#tail = piece.tail;
       for (const dab of piece.dabs) added.push(rounded(this.#below(dab)));

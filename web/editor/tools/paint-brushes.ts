@@ -38,7 +38,7 @@ export function eraserBrush(context: ToolContext): BrushKind {
 }
 
 function begin(context: ToolContext, erases: boolean): PaintGesture | null {
-  const { session, store, board, tools, reach } = context;
+  const { session, store, board, tools, reach, library } = context;
   const { strings } = board;
   const { selectedId, editingMask } = store.state;
   const target = paintTargetOf(session.recordedDesign, selectedId, erases, editingMask);
@@ -55,6 +55,7 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     brush: brushIn(session.recordedDesign, settings, erases).brush,
     name: strings.tools[id],
     size: size ?? 1,
+    aspect: erases ? 1 : aspectOf(settings.tip, library),
     spacing,
     pressure,
     opacity,
@@ -82,6 +83,12 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     },
     cancel: () => stroke.cancel(),
   };
+}
+
+/** A picture is printed in its own proportions. */
+function aspectOf(tip: ToolSettings["tip"], library: ToolContext["library"]): number {
+  const picture = library.get(tip?.asset);
+  return picture ? picture.width / picture.height : 1;
 }
 
 /** What is painted with, and the design with the tip's picture among its assets. */
