@@ -1,10 +1,12 @@
 import { BoxGeometry, type BufferGeometry } from "three";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { type Design, emptyDesign } from "../../web/editor/document/index.ts";
+import type { NoticeBoard } from "../../web/editor/state/notice-board.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 import { floodFill } from "../../web/editor/tools/flood-fill.ts";
 import { MOST_COLORS, parseGimpPalette, printGimpPalette } from "../../web/editor/tools/gimp-palette.ts";
+import { PaletteCommands } from "../../web/editor/tools/palette-commands.ts";
 import { colorsOf } from "../../web/editor/tools/picture-palette.ts";
 import { PixelCanvas, pixelColorOf } from "../../web/editor/tools/pixel-canvas.ts";
 import { PixelGesture, type PixelSource, type PixelStart } from "../../web/editor/tools/pixel-gesture.ts";
@@ -12,6 +14,8 @@ import { byMaterial, joined, texelsAlong } from "../../web/editor/tools/pixel-pl
 import { squared, texelLine, texelRectangle, tipCorner } from "../../web/editor/tools/pixel-shapes.ts";
 import { TexelNeighbours } from "../../web/editor/tools/texel-neighbours.ts";
 import type { ToolContext } from "../../web/editor/tools/tool-context.ts";
+import type { Toolbox } from "../../web/editor/tools/toolbox.ts";
+import { encodePng } from "../../web/engine/png-encoder.ts";
 import { texelPlaces } from "../../web/viewer/texel-places.ts";
 import { queryOf, sheet } from "../viewer/surface-helpers.ts";
 
@@ -283,6 +287,20 @@ describe("palettes", () => {
     }
     expect(faultOf("GIMP Palette\nName: Empty\n").code).toBe("bad-palette");
     expect(faultOf(`GIMP Palette\n${"1 2 3\n".repeat(MOST_COLORS + 1)}`).code).toBe("bad-palette");
+  });
+
+  it("a picture that is clear all over is refused, and the palette stays", async () => {
+    const errors: unknown[] = [];
+    const board = { strings: stringsIn("en"), error: (_title: string, thrown: unknown) => errors.push(thrown) };
+    const configure = vi.fn();
+    const commands = new PaletteCommands(
+      { configure } as unknown as Toolbox,
+      { ...board, announce: () => {} } as unknown as NoticeBoard,
+    );
+    const picture = await encodePng({ width: 2, height: 1, rgba: new Uint8Array(8) });
+    await commands.open(new File([picture], "clear.png"));
+    expect(configure).not.toHaveBeenCalled();
+    expect(errors).toMatchObject([{ code: "bad-palette", subject: "clear.png" }]);
   });
 
   it("a skin keeps its own colours, a picture of many is thinned, and what is clear does not count", () => {

@@ -198,6 +198,7 @@ export const german: Strings = {
       noHeader: "Eine Palette von GIMP beginnt mit der Zeile „GIMP Palette“.",
       notAColor: "Eine Farbe sind drei ganze Zahlen von 0 bis 255: Rot, Grün, Blau.",
       noColors: "Die Palette hat keine Farben.",
+      clearPicture: "Das Bild hat keine Farben: Es ist überall durchsichtig.",
       tooMany: (most) => `Eine Palette darf höchstens ${most} Farben haben.`,
       hint: "Exportiere sie noch einmal aus ihrem Programm, als GIMP-Palette (.gpl).",
     },

@@ -195,6 +195,7 @@ const english = {
       noHeader: "A palette of GIMP’s begins with the line “GIMP Palette”.",
       notAColor: "A colour is three whole numbers from 0 to 255: red, green, blue.",
       noColors: "The palette has no colours.",
+      clearPicture: "The picture has no colours: all of it is clear.",
       tooMany: (most: number): string => `A palette may have ${most} colours and no more.`,
       hint: "Export it again from the program that it comes from, as a GIMP palette (.gpl).",
     },

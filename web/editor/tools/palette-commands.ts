@@ -1,10 +1,11 @@
 /** The palette's own file work: from a .gpl, from a picture, and back into a .gpl. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
 import { decodePicture } from "../../engine/picture-decoder.ts";
 import { bytesOf } from "../files/companions.ts";
 import { download, fileStem } from "../files/download.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import { DEFAULT_PALETTE } from "./default-palette.ts";
-import { parseGimpPalette, printGimpPalette } from "./gimp-palette.ts";
+import { type Palette, parseGimpPalette, printGimpPalette } from "./gimp-palette.ts";
 import { colorsOf } from "./picture-palette.ts";
 import type { Toolbox } from "./toolbox.ts";
 
@@ -26,15 +27,20 @@ export class PaletteCommands {
       const isPalette = file.name.toLowerCase().endsWith(".gpl");
       const palette = isPalette
         ? parseGimpPalette(await file.text(), file.name, this.#board.strings.palette.errors)
-        : {
-            name: fileStem(file.name),
-            colors: colorsOf(await decodePicture(await bytesOf(file), file.name), PICTURE_COLORS),
-          };
+        : await this.#ofPicture(file);
       this.#tools.configure({ palette });
       this.#board.announce(this.#board.strings.palette.opened(palette.name, palette.colors.length));
     } catch (thrown) {
       this.#board.error(this.#board.strings.errors.couldNotOpen(file.name), thrown);
     }
+  }
+
+  async #ofPicture(file: File): Promise<Palette> {
+    const colors = colorsOf(await decodePicture(await bytesOf(file), file.name), PICTURE_COLORS);
+    if (colors.length === 0) {
+      throw new TexelcastError("bad-palette", this.#board.strings.palette.errors.clearPicture, { subject: file.name });
+    }
+    return { name: fileStem(file.name), colors };
   }
 
   save(): void {
