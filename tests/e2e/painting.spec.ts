@@ -202,6 +202,37 @@ test("a gradient's colour that is dragged goes back by Escape and by undo, and s
   }
 });
 
+test("a gradient's colours keep the focus by keys: past each other, and deleted down to two, never the layer", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.locator("tc-layer-list tc-menu.add button").first().click();
+  await page.getByRole("menuitem", { name: /gradient/i }).click();
+  const add = page.getByRole("button", { name: "Add a colour" });
+  for (let colors = 3; colors <= 4; colors += 1) {
+    await add.click();
+    await expect(page.locator("tc-gradient-stops .handle")).toHaveCount(colors);
+  }
+  // Over its neighbour by keys: the one that moved keeps the focus.
+  const handles = page.locator("tc-gradient-stops .handle");
+  await handles.first().focus();
+  const stop = (): Promise<string | null> =>
+    page.locator("tc-gradient-stops .handle:focus").getAttribute("aria-valuetext");
+  const color = (await stop())?.split(", ")[1];
+  for (let step = 1; step <= 6; step += 1) {
+    await page.keyboard.press("Shift+ArrowRight");
+    await expect.poll(stop).toBe(`${step * 10} %, ${color}`);
+  }
+  await handles.last().focus();
+  for (const left of [3, 2, 2, 2]) {
+    await page.keyboard.press("Delete");
+    await expect(page.locator("tc-gradient-stops .handle")).toHaveCount(left);
+    await expect(page.locator("tc-gradient-stops .handle[aria-current=true]")).toBeFocused();
+  }
+  expect((await editor.design()).layers).toHaveLength(3);
+});
+
 test("a stroke over the border of two materials paints both", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([twoSquaresGlb()]);

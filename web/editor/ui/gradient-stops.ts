@@ -3,7 +3,7 @@
  * `stops-preview` while a change goes on, `stops-change` when it is final, `stops-cancel` when it is taken back, `stops-step`
  * when a key moved a handle, as it may many times in a row; `detail` is the list of stops, in order.
  */
-import { css, html, type TemplateResult } from "lit";
+import { css, html, type PropertyValues, type TemplateResult } from "lit";
 import { Minus, Plus } from "lucide";
 import { takesBack } from "../../viewer/take-back-key.ts";
 import type { GradientStop } from "../document/index.ts";
@@ -44,6 +44,11 @@ export class GradientStops extends RemElement {
   /** Place of the stop that the fields are about. */
   declare chosen: number;
   #drag: Drag | null = null;
+  /**
+   * A key took the focused handle's colour away, or past another: left to itself the focus would fall to the page, and the next
+   * Delete to the layer, or stay behind with the other colour.
+   */
+  #refocus = false;
 
   constructor() {
     super();
@@ -157,6 +162,12 @@ export class GradientStops extends RemElement {
       </div>
       ${this.#fields(place)}
     `;
+  }
+
+  override updated(changed: PropertyValues<this>): void {
+    if (!this.#refocus || !changed.has("stops")) return;
+    this.#refocus = false;
+    this.renderRoot.querySelectorAll<HTMLElement>(".handle")[this.chosen]?.focus();
   }
 
   #handle({ offset, color }: GradientStop, index: number, pressed: boolean): TemplateResult {
@@ -300,9 +311,14 @@ export class GradientStops extends RemElement {
       End: 1,
     };
     const goal = goals[event.key];
-    if (event.key === "Delete" || event.key === "Backspace") this.#remove(index);
-    else if (goal !== undefined) this.#tell("stops-step", this.#moved(this.stops, index, Math.round(goal * 1e4) / 1e4));
-    else return;
+    if (event.key === "Delete" || event.key === "Backspace") {
+      this.#refocus = this.stops.length > LEAST;
+      this.#remove(index);
+    } else if (goal !== undefined) {
+      const stops = this.#moved(this.stops, index, Math.round(goal * 1e4) / 1e4);
+      this.#refocus = this.chosen !== index;
+      this.#tell("stops-step", stops);
+    } else return;
     event.preventDefault();
     event.stopPropagation();
   }
