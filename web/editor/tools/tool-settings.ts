@@ -51,7 +51,7 @@ export interface ToolSettings {
   readonly cloneArmed: boolean;
 }
 
-export const DEFAULT_COLORS = { color: "#1f2329", background: "#ffffff" } as const;
+export const DEFAULT_COLORS = { color: "#000000", background: "#ffffff" } as const;
 
 export const INITIAL_TOOL_SETTINGS: ToolSettings = {
   ...DEFAULT_COLORS,
