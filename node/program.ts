@@ -31,7 +31,7 @@ Examples:
 const BAKE_EXAMPLES = `
 Examples:
   texelcast bake mug.glb --out maps
-  texelcast bake avatar.glb --out maps --material 1 --size 2048 --gutter 8
+  texelcast bake skateboard.glb --out maps --material 1 --size 2048 --gutter 8
 
 In Python:
   positions = numpy.load("maps/positions.npy")   # float32, height x width x 3, metres, model space`;
@@ -53,7 +53,7 @@ Examples:
 const PRINT_EXAMPLES = `
 Examples:
   texelcast print mug.glb design.json --out mug.png --size 16384
-  texelcast print mug.glb design.json --zones mug.zones.json --zone wrap --flattened --dpi 300 --out wrap.png`;
+  texelcast print mug.glb design.json --zones mug.zones.json --zone wall --flattened --dpi 300 --out wall.png`;
 
 const SCHEMA_EXAMPLES = `
 Examples:

@@ -1,5 +1,5 @@
 /** The outputs on the command line's page are what its commands write, run on the demo's own models and design. */
-import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -57,3 +57,21 @@ test("the page's JSON is the mug's, as `inspect --json` prints it", async () => 
   const { stdout } = await texelcast(["inspect", "mug.glb", "--json"], { cwd: folder });
   expect(blocksOf("json")).toEqual([stdout]);
 });
+
+test("the help's examples on the demo's own models do what they say", async () => {
+  const examples: string[] = [];
+  for (const command of ["inspect", "bake", "render", "check", "print"]) {
+    const { stdout } = await texelcast([command, "--help"], { cwd: folder });
+    examples.push(...[...stdout.matchAll(/^ {2}texelcast (.*)$/gm)].map(([, words]) => words ?? ""));
+  }
+  // Others speak of files that a reader has; the largest print takes minutes, and a redirection is the shell's.
+  const own = examples.filter(
+    (words) => existsSync(path.join(folder, words.split(" ")[1] ?? "")) && !/16384|>/.test(words),
+  );
+  expect(own.length).toBeGreaterThan(5);
+  for (const words of own) {
+    const { code, stderr } = await texelcast(words.split(" "), { cwd: folder });
+    // The demo's design has a decal outside of the shop's print area.
+    expect([words, code, stderr]).toEqual([words, words.startsWith("check") ? 3 : 0, ""]);
+  }
+}, 120_000);
