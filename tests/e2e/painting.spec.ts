@@ -264,6 +264,30 @@ test("Shift and a press draws from where the stroke before ended, and on another
   expect(await press(-0.1)).toBeGreaterThan(3);
 });
 
+test("a stroke ends where the view is given another size, without a streak to its new place", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.keyboard.press("b");
+  const from = await editor.middleOfStage();
+  await page.mouse.move(from.x - 60, from.y + 80);
+  await page.mouse.down();
+  await page.mouse.move(from.x - 40, from.y + 80, { steps: 4 });
+  const dabs = async () => (await paintLayers(editor))[0]?.strokes[0]?.dabs.length;
+  await expect.poll(dabs).toBeGreaterThan(2);
+  const before = await dabs();
+  await page.setViewportSize({ width: 1000, height: 640 });
+  await expect.poll(async () => (await editor.stage.boundingBox())?.height).toBeLessThan(600);
+  await expect(page.locator("#undo")).toBeEnabled();
+  const to = await editor.middleOfStage();
+  await page.mouse.move(to.x - 20, to.y + 40, { steps: 4 });
+  await page.mouse.up();
+  await editor.idle();
+  expect(await dabs()).toBe(before);
+  expect((await paintLayers(editor))[0]?.strokes).toHaveLength(1);
+});
+
 test("a pen's pressure reaches the dabs", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([seamedGlb()]);

@@ -11,6 +11,8 @@ export class ToolPointer {
   readonly #view: ToolView;
   readonly #corner: ClientCorner;
   readonly #abort = new AbortController();
+  /** What a tool remembers of the screen lies elsewhere on the surface in a view of another size: its gesture ends there. */
+  readonly #size = new ResizeObserver(() => this.#end("lost"));
   readonly #hoverTask = new FrameTask(() => this.#hoverNow());
   #tool: ToolInput | null = null;
   #taken: PointerEvent | null = null;
@@ -25,6 +27,7 @@ export class ToolPointer {
     this.#root = root;
     this.#view = view;
     this.#corner = new ClientCorner(root);
+    this.#size.observe(root);
     const early = { capture: true, signal: this.#abort.signal };
     root.addEventListener("pointerdown", (event) => this.#onDown(event), early);
     root.addEventListener("pointermove", (event) => this.#onMove(event), early);
@@ -53,6 +56,7 @@ export class ToolPointer {
   dispose(): void {
     this.#abort.abort();
     this.#corner.dispose();
+    this.#size.disconnect();
     this.#hoverTask.cancel();
   }
 
