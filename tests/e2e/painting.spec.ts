@@ -379,6 +379,9 @@ test("a fill's parts and a colour are picked by keys too", async ({ editor, page
   for (const key of ["ArrowLeft", "ArrowLeft", "Enter"]) await page.keyboard.press(key);
   await expect.poll(charts).toHaveLength(1);
   await editor.idle();
+  // Without the fill there are no parts, and the next press must not paint.
+  await page.keyboard.press("Escape");
+  await expect(page.getByRole("radio", { name: "Move" })).toBeChecked();
 
   await page.keyboard.press("i");
   for (const key of ["ArrowLeft", "ArrowLeft", " "]) await page.keyboard.press(key);

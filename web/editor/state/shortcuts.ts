@@ -163,7 +163,6 @@ function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Ed
   }
 }
 
-/** What the focused element does with keys: takes them as text, chooses with them, or leaves them to the page. */
 /** What stands in a field is recorded when it is left: what is saved must hold it. */
 function takeTyped(event: KeyboardEvent): void {
   const [field] = event.composedPath();
@@ -172,6 +171,7 @@ function takeTyped(event: KeyboardEvent): void {
   field.focus();
 }
 
+/** What the focused element does with keys: takes them as text, chooses with them, or leaves them to the page. */
 function focusOf(event: KeyboardEvent): "text" | "choice" | "page" {
   const [target] = event.composedPath();
   if (!(target instanceof HTMLElement)) return "page";

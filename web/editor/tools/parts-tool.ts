@@ -19,6 +19,7 @@ type Context = Pick<ToolContext, "engine" | "store" | "board" | "viewer" | "text
 
 export class PartsTool implements Tool {
   readonly id = "parts";
+  readonly instead = "move";
   readonly label = (strings: Strings): string => strings.fillParts.tool;
   readonly icon = MousePointerClick;
   readonly shortcut = "";

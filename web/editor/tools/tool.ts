@@ -58,6 +58,8 @@ export interface Tool {
   readonly input: ToolInput | null;
   /** Whether the rail offers it now; default always. Read when the state changes. */
   readonly offered?: () => boolean;
+  /** What is chosen in its place once it is not; default the brush. */
+  readonly instead?: ToolId;
   /** Fields of its own in the options bar, before the common ones. */
   readonly renderOptions?: () => TemplateResult;
   readonly activate?: () => void;

@@ -34,7 +34,7 @@ export class Toolbox {
         this.#showPixels();
       }
       // What the rail no longer offers cannot stay chosen.
-      if (!(this.active?.offered?.() ?? true)) this.choose("brush");
+      if (!(this.active?.offered?.() ?? true)) this.choose(this.active?.instead ?? "brush");
     });
   }
 
