@@ -100,3 +100,16 @@ test("ungrouping says first what would change, and goes on when it is told to", 
   await page.locator("#undo").click();
   expect(await editor.settledHash()).toBe(grouped);
 });
+
+test("a double click renames the layer that it began on, whatever was chosen before", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  for (const id of ["badge", "number", "flower", "waves"]) await editor.addDemoDecal(id);
+  await page.keyboard.press("Escape");
+  await expect(page.locator("tc-layer-list [aria-selected=true]")).toHaveCount(0);
+  await editor.row("Number 07").getByText("Number 07").dblclick();
+  await expect(page.locator("tc-layer-list input.name")).toHaveValue("Number 07");
+  await page.keyboard.type("Seven");
+  await page.keyboard.press("Enter");
+  expect(shapeOf((await editor.design()).layers)).toContain("Travel badge, Seven, Flower");
+});

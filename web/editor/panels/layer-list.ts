@@ -25,6 +25,11 @@ import { handleLayerKey } from "./layer-keys.ts";
 import { layerListStyles } from "./layer-list-styles.ts";
 import { INDENT, layerRow, type RowActs } from "./layer-row.ts";
 
+type Looks = Pick<DesignLayer, "blend" | "opacity" | "lockAlpha">;
+
+/** What is shown, and cannot be changed, while no layer is chosen. */
+const PLAIN: Looks = { blend: "normal", opacity: 1, lockAlpha: false };
+
 export class LayerList extends EditorElement implements LayerDragHost {
   static override properties = { renaming: { state: true } };
   /** Id of the layer whose name is being typed. */
@@ -61,7 +66,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     const without = starting ? "" : this.#words.emptyWithoutModel;
     this.rows = layerRows(design, collapsed);
     return html`
-      ${readonlyFields(readonly, this.strings.readonly.why, html`${this.#looks()}`)}
+      ${this.rows.length === 0 ? nothing : readonlyFields(readonly, this.strings.readonly.why, html`${this.#looks()}`)}
       ${this.rows.length === 0 ? html`<p class="quiet empty">${model ? this.#words.emptyBody : without}</p>` : this.#tree()}
       ${model && !readonly ? this.#bar() : nothing}
     `;
@@ -112,11 +117,13 @@ export class LayerList extends EditorElement implements LayerDragHost {
     return html`<div class="line" .style=${`inset-block-start: ${top}px; inset-inline-start: ${start}px`}></div>`;
   }
 
-  /** Blending, opacity and locked transparency of what is chosen. */
-  #looks(): TemplateResult | typeof nothing {
+  /**
+   * Blending, opacity and locked transparency of what is chosen. Its place is kept while nothing is: if the rows made way for
+   * it, the second press of a double click would meet another row than the first, which chose one.
+   */
+  #looks(): TemplateResult {
     const { selection, design, selectedId } = this.state;
-    const layer = layerById(design, selectedId);
-    if (!layer) return nothing;
+    const layer = layerById(design, selectedId) ?? PLAIN;
     const chosen = selection.map((id) => layerById(design, id)).filter((each) => each !== undefined);
     const disabled = selection.every((id) => isLocked(design, id));
     return html`<div class="looks">
@@ -135,7 +142,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     </div>`;
   }
 
-  #blend({ blend }: DesignLayer, chosen: readonly DesignLayer[], disabled: boolean): TemplateResult {
+  #blend({ blend }: Looks, chosen: readonly DesignLayer[], disabled: boolean): TemplateResult {
     const same = chosen.every((layer) => layer.blend === blend);
     const choose = (event: Event): void =>
       this.#change({ blend: (event.target as HTMLSelectElement).value as BlendMode }, this.#words.blend);
@@ -157,7 +164,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     `;
   }
 
-  #opacity({ opacity }: DesignLayer, disabled: boolean): TemplateResult {
+  #opacity({ opacity }: Looks, disabled: boolean): TemplateResult {
     const { layers } = this.editor;
     const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
     const change = (event: Event): void => {
@@ -180,11 +187,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     ></tc-number>`;
   }
 
-  #change(
-    patch: Partial<Pick<DesignLayer, "blend" | "opacity" | "lockAlpha">>,
-    field: string,
-    mergeKey?: string,
-  ): void {
+  #change(patch: Partial<Looks>, field: string, mergeKey?: string): void {
     this.editor.layers.change(this.state.selection, patch, this.strings.steps.change(field), mergeKey);
   }
 
