@@ -113,3 +113,34 @@ test("a double click renames the layer that it began on, whatever was chosen bef
   await page.keyboard.press("Enter");
   expect(shapeOf((await editor.design()).layers)).toContain("Travel badge, Seven, Flower");
 });
+
+test("the keyboard goes on from the row that an act has made, or that is left of those it took", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  for (const id of ["badge", "number", "flower"]) await editor.addDemoDecal(id);
+  await editor.row("Number 07").click();
+  await page.keyboard.press("Control+d");
+  await expect(editor.row("Number 07 2")).toBeFocused();
+  await page.keyboard.press("Control+g");
+  await expect(editor.row("Group")).toBeFocused();
+  await page.keyboard.press("Control+Shift+g");
+  await expect(editor.row("Number 07 2")).toBeFocused();
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect(editor.row("Number 07 2")).toHaveCount(0);
+  await expect(page.locator("tc-layer-list .row:focus")).toHaveCount(1);
+});
+
+test("a renaming that ends with a press elsewhere leaves the keyboard there", async ({ editor, page }) => {
+  await editor.open();
+  await editor.row("Texelcast mark").click();
+  await page.keyboard.press("F2");
+  await page.keyboard.type("Crest");
+  await editor.field("position-x").click();
+  await expect(editor.row("Crest")).toBeVisible();
+  await expect(editor.field("position-x")).toBeFocused();
+});

@@ -30,6 +30,11 @@ type Looks = Pick<DesignLayer, "blend" | "opacity" | "lockAlpha">;
 /** What is shown, and cannot be changed, while no layer is chosen. */
 const PLAIN: Looks = { blend: "normal", opacity: 1, lockAlpha: false };
 
+interface HeldRow {
+  readonly id: string;
+  readonly ids: ReadonlySet<string>;
+}
+
 export class LayerList extends EditorElement implements LayerDragHost {
   static override properties = { renaming: { state: true } };
   /** Id of the layer whose name is being typed. */
@@ -39,6 +44,8 @@ export class LayerList extends EditorElement implements LayerDragHost {
   readonly #drag = new LayerDrag(this);
   /** The row that the keyboard shall be on after the next render; undefined: where it is. */
   #focusNext: string | undefined;
+  /** The row that it was on before this render, and the rows that there were; null: on none. */
+  #held: HeldRow | null = null;
 
   static override styles = [controls, thumbnailStyles, layerListStyles];
 
@@ -212,7 +219,23 @@ export class LayerList extends EditorElement implements LayerDragHost {
     </div>`;
   }
 
+  /** Where the keyboard is, before rows are moved, which lets go of it, or taken out. */
+  override willUpdate(): void {
+    const row = this.shadowRoot?.activeElement?.closest<HTMLElement>(".row");
+    this.#held = row ? { id: row.dataset.id ?? "", ids: new Set(this.rows.map(({ layer }) => layer.id)) } : null;
+  }
+
+  /** A row that was made for what is chosen now takes the keyboard over, as does any when its own is gone. */
+  #follow({ id, ids }: HeldRow): void {
+    const { selectedId } = this.state;
+    const isNew = selectedId !== this.#shown && selectedId !== null && !ids.has(selectedId);
+    const row = this.#rowElement(id);
+    if (isNew || !row) this.#focusNext ??= "";
+    else if (!row.matches(":focus-within")) row.focus({ preventScroll: true });
+  }
+
   override updated(changed: PropertyValues<this>): void {
+    if (this.#held && this.renaming === null) this.#follow(this.#held);
     if (changed.has("renaming") && this.renaming !== null) {
       const field = this.renderRoot.querySelector<HTMLInputElement>("input.name");
       field?.focus();
@@ -223,8 +246,9 @@ export class LayerList extends EditorElement implements LayerDragHost {
       return;
     }
     const { selectedId } = this.state;
-    const row = this.#rowElement(this.#focusNext) ?? this.#rowElement(selectedId ?? "");
+    const row = this.#rowElement(this.#focusNext) ?? this.renderRoot.querySelector<HTMLElement>(".row[tabindex='0']");
     this.#focusNext = undefined;
+    this.#shown = selectedId;
     row?.focus({ preventScroll: true });
     row?.scrollIntoView({ block: "nearest" });
   }
@@ -243,7 +267,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     return this.renderRoot.querySelector<HTMLElement>(`.row[data-id="${CSS.escape(id)}"]`);
   }
 
-  /** The keyboard follows the selected layer, whose row may be a new one. */
+  /** The keyboard follows the selected layer, whose row may be a new one; without one, it goes to the list's first. */
   focusSelected(): void {
     this.#focusNext = "";
     this.requestUpdate();
@@ -274,12 +298,13 @@ export class LayerList extends EditorElement implements LayerDragHost {
     startRename: (id) => {
       if (!this.state.readonly) this.renaming = id;
     },
-    endRename: (id, name) => {
+    endRename: (id, name, byKey) => {
       // Leaving the field comes after its key, which has ended it.
       if (this.renaming !== id) return;
       this.renaming = null;
       if (name !== null) this.editor.layers.rename(id, name);
-      this.#focusNext = id;
+      // Who left it by a press elsewhere is there.
+      if (byKey) this.#focusNext = id;
     },
     setCollapsed: (id, collapsed) => this.editor.layers.setCollapsed(id, collapsed),
     editMask: (id, on) => this.editor.layers.editMask(id, on),

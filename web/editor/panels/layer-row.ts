@@ -34,8 +34,8 @@ export interface RowActs {
   readonly choose: (event: MouseEvent, id: string) => void;
   readonly show: (id: string) => void;
   readonly startRename: (id: string) => void;
-  /** Null: as it was. */
-  readonly endRename: (id: string, name: string | null) => void;
+  /** Null: as it was. `byKey`: the keyboard stays with the row. */
+  readonly endRename: (id: string, name: string | null, byKey: boolean) => void;
   readonly setCollapsed: (id: string, collapsed: boolean) => void;
   readonly editMask: (id: string, on: boolean) => void;
   readonly toggleVisible: (id: string) => void;
@@ -131,9 +131,9 @@ function nameField({ id, name }: DesignLayer, words: Strings["layers"], acts: Ro
     if (event.key !== "Enter" && event.key !== "Escape") return;
     event.preventDefault();
     event.stopPropagation();
-    acts.endRename(id, event.key === "Enter" ? typed(event) : null);
+    acts.endRename(id, event.key === "Enter" ? typed(event) : null, true);
   };
-  const leave = (event: Event): void => acts.endRename(id, typed(event));
+  const leave = (event: Event): void => acts.endRename(id, typed(event), false);
   return html`<input
     class="name"
     type="text"
