@@ -130,6 +130,23 @@ test("keys mean the text while one types in a field", async ({ editor, page }) =
   await expect.poll(() => downloads, "saving is the page's, wherever the focus is").toEqual(["Mug.design.json"]);
 });
 
+test("a decal that is added again lies beside the first, and a copy of it beside both", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  await editor.addDemoDecal("badge");
+  const second = await editor.addDemoDecal("badge");
+  await editor.select(second);
+  await page.keyboard.press("Control+d");
+  await editor.select(second);
+  await page.keyboard.press("Control+d");
+  const { layers } = await editor.design();
+  const places = layers.map((layer) =>
+    layer.type === "decal" && layer.projector.kind === "planar" ? layer.projector.position.join() : "",
+  );
+  expect(places).toHaveLength(4);
+  expect(new Set(places).size, "each has a place of its own").toBe(4);
+});
+
 test("decals are duplicated, reordered, hidden, renamed and deleted", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([squareGlb()]);

@@ -5,6 +5,7 @@ import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf
 import { isLocked } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
+import { clearPlace } from "./clear-place.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
 import { addOnTop, layerById, withAsset } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -53,7 +54,10 @@ export class DecalCommands {
     return selected?.type === "decal" || selected?.type === "text" ? selected : undefined;
   }
 
-  /** Puts a picture on the model: at `hit`, else in the middle of the view, else in front of the model. */
+  /**
+   * Puts a picture on the model: at `hit`, else in the middle of the view, beside what lies there already, else in front of the
+   * model.
+   */
   add(name: string, picture: LibraryPicture, hit: SurfaceHit | null): void {
     this.addLayer(picture.width / picture.height, hit, this.#board.strings.steps.add, (id, projector, material) => {
       const { design, key } = withAsset(this.#session.recordedDesign, name, picture.asset);
@@ -76,9 +80,11 @@ export class DecalCommands {
   ): void {
     const spot = hit ?? this.#viewer.surfaceAtCentre();
     const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
-    const projector = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
+    const wished = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
+    const { recordedDesign } = this.#session;
+    const projector = hit ? wished : clearPlace(wished, recordedDesign, this.#diagonal(), this.#viewer);
     const material = this.#reach.at(projector, false, spot?.material ?? this.#store.state.material ?? 0);
-    const id = freeIdIn(this.#session.recordedDesign);
+    const id = freeIdIn(recordedDesign);
     const { design, layer } = make(id, projector, material);
     this.#session.record(addOnTop(design, layer, this.#group()), label);
     this.#session.select(id);

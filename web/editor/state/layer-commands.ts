@@ -14,6 +14,7 @@ import {
 } from "../document/index.ts";
 import { isLocked } from "../document/layer-tree.ts";
 import type { Admission } from "./admission.ts";
+import { clearPlace } from "./clear-place.ts";
 import { layerById, patchLayer, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf, type EditorState } from "./editor-state.ts";
@@ -48,8 +49,6 @@ export type LayerPatch = Partial<
     Fields<PaintLayer>
 >;
 
-/** The step of a copy away from its original, of the model's diagonal. */
-const COPY_SHARE = 0.04;
 /** A locked layer may still be renamed, shown, hidden and unlocked. */
 const FREE_FIELDS: readonly (keyof LayerPatch)[] = ["locked", "visible", "name"];
 
@@ -165,8 +164,8 @@ export class LayerCommands {
   /** A copied decal is seen beside its original. */
   #apart(layer: DesignLayer): Partial<DecalLayer> {
     if (layer.type !== "decal" && layer.type !== "text") return {};
-    const step = COPY_SHARE * diagonalOf(this.#store.state.model);
-    return { projector: this.#viewer.nudge(layer.projector, step, -step) };
+    const diagonal = diagonalOf(this.#store.state.model);
+    return { projector: clearPlace(layer.projector, this.#session.recordedDesign, diagonal, this.#viewer) };
   }
 
   /** The neighbour is selected next, so that the keyboard can go on. */
