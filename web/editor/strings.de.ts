@@ -630,6 +630,7 @@ export const german: Strings = {
   files: {
     // One thing, as what follows it is said of one: "ließ sich nicht öffnen".
     several: (count) => `Die Auswahl von ${plural(count, "Datei", "Dateien")}`,
+    pasted: "Bild",
   },
 
   steps: {
@@ -667,6 +668,7 @@ export const german: Strings = {
     couldNotExport: (name) => `${name} ließ sich nicht exportieren`,
     couldNotBake: "Die Textur ließ sich nicht vorbereiten",
     couldNotShow: "Die Textur ließ sich nicht zeigen",
+    couldNotPaste: "Ließ sich nicht einfügen",
     couldNotArrange: "Mit diesen Ebenen geht das nicht",
     couldNotWrite: "Der Text ließ sich nicht setzen",
     couldNotShowMap: "Die Karte ließ sich nicht zeigen",

@@ -622,6 +622,8 @@ const english = {
 
   files: {
     several: (count: number): string => plural(count, "file", "files"),
+    /** What a picture without a name is called that was pasted. */
+    pasted: "Picture",
   },
 
   /** Names of the steps that undo and redo speak of. */
@@ -661,6 +663,7 @@ const english = {
     couldNotBake: "Could not prepare the texture",
     couldNotShow: "Could not show the texture",
     couldNotArrange: "That cannot be done with these layers",
+    couldNotPaste: "Could not paste",
     couldNotShowMap: "Could not show the map",
     couldNotWrite: "Could not set the text",
     couldNotStart: "Texelcast cannot start here",

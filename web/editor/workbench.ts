@@ -22,6 +22,7 @@ import "./panels/texture-panel.ts";
 import "./panels/top-bar.ts";
 import type { EditorState } from "./state/editor-state.ts";
 import { watchFingers } from "./state/finger-gestures.ts";
+import { handleClipboard } from "./state/clipboard-events.ts";
 import { handleShortcut } from "./state/shortcuts.ts";
 import { EditorElement } from "./ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "./ui/file-picker.ts";
@@ -197,6 +198,7 @@ export class Workbench extends EditorElement {
     const { signal } = this.#connected;
     const whole: EventTarget = this.embedded ? this : window;
     whole.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
+    for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
     whole.addEventListener("dragover", (event) => this.#dragOver(event as DragEvent), { signal });
     whole.addEventListener("dragleave", (event) => this.#dragLeave(event as DragEvent), { signal });
     whole.addEventListener("drop", (event) => this.#drop(event as DragEvent), { signal });
@@ -333,6 +335,10 @@ export class Workbench extends EditorElement {
     const help = (): void => this.#help();
     if (handleShortcut(event, this.editor, { openModel: this.embedded ? null : openModel, help }))
       event.preventDefault();
+  };
+
+  readonly #clipboard = (event: Event): void => {
+    if (handleClipboard(event as ClipboardEvent, this.editor)) event.preventDefault();
   };
 
   readonly #dragOver = (event: DragEvent): void => {

@@ -5,6 +5,8 @@ import {
   Blend,
   Brush,
   CircleOff,
+  ClipboardCopy,
+  ClipboardPaste,
   Contrast,
   Copy,
   FolderPlus,
@@ -21,6 +23,7 @@ import {
 } from "lucide";
 import { findLayer, makeFillLayer, makeGroupLayer, makePaintLayer } from "../document/index.ts";
 import { alignedGradient } from "../state/aligned-gradient.ts";
+import type { ClipboardCommands } from "../state/clipboard-commands.ts";
 import type { Editor } from "../state/editor.ts";
 import { layerBelow } from "../state/layer-merge.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
@@ -54,7 +57,7 @@ export function barActs({ layers, store, strings }: Editor): LayerAct[] {
 }
 
 /** What can be done with the chosen layers, as the bar's menu and the rows' context menu have it. */
-export function moreItems({ layers, store, strings }: Editor, rename: (id: string) => void): MenuItem[] {
+export function moreItems({ layers, clipboard, store, strings }: Editor, rename: (id: string) => void): MenuItem[] {
   const words = strings.layers;
   const { selection, selectedId, design } = store.state;
   const layer = findLayer(design, selectedId);
@@ -66,6 +69,8 @@ export function moreItems({ layers, store, strings }: Editor, rename: (id: strin
     { label: words.rename, icon: Pencil, disabled: selection.length !== 1, run: () => rename(selectedId ?? "") },
     { label: words.duplicate, icon: Copy, disabled: none, run: () => layers.duplicate() },
     { label: words.remove, icon: Trash, disabled: none, run: () => layers.remove() },
+    { label: words.copy, icon: ClipboardCopy, disabled: none, separated: true, run: () => copyNow(clipboard) },
+    { label: words.paste, icon: ClipboardPaste, disabled: !clipboard.holds, run: () => void clipboard.pasteAgain() },
     { label: words.groupAct, icon: FolderPlus, disabled: none, separated: true, run: () => layers.group() },
     { label: words.ungroup, icon: Ungroup, disabled: !grouped, run: () => layers.ungroup() },
     { label: words.merge, icon: Layers2, disabled: selection.length < 2 && !above, run: () => layers.merge() },
@@ -86,6 +91,11 @@ export function moreItems({ layers, store, strings }: Editor, rename: (id: strin
     { label: words.invertMask, icon: Contrast, disabled: !masked, run: () => layers.invertMask() },
     { label: words.removeMask, icon: CircleOff, disabled: !masked, run: () => layers.removeMask() },
   ];
+}
+
+/** Onto the browser's clipboard, by the event that this brings about; where it lets no page do that, for this page alone. */
+function copyNow(clipboard: ClipboardCommands): void {
+  if (!document.execCommand("copy")) clipboard.copy();
 }
 
 export function addItems({ layers, files, store, texts, strings }: Editor): MenuItem[] {

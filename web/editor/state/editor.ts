@@ -19,6 +19,7 @@ import { textTool } from "../tools/text-tool.ts";
 import { Toolbox } from "../tools/toolbox.ts";
 import type { Admission } from "./admission.ts";
 import { AssetLibrary } from "./asset-library.ts";
+import { ClipboardCommands } from "./clipboard-commands.ts";
 import { DecalCommands } from "./decal-commands.ts";
 import { DecalReach } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
@@ -76,6 +77,7 @@ export class Editor {
   readonly library: AssetLibrary;
   readonly layers: LayerCommands;
   readonly decals: DecalCommands;
+  readonly clipboard: ClipboardCommands;
   readonly files: FileCommands;
   readonly session: DesignSession;
   readonly tools: Toolbox;
@@ -108,7 +110,8 @@ export class Editor {
     const { session, library } = this;
     this.layers = new LayerCommands({ session, viewer, store, board, admission });
     this.decals = new DecalCommands({ session, viewer, store, board, layers: this.layers });
-    const { decals } = this;
+    const { decals, layers } = this;
+    this.clipboard = new ClipboardCommands({ session, library, layers, store, board, tasks, admission });
     const models = this.#models;
     const projects = (): ProjectCommands => this.projects;
     this.files = new FileCommands({

@@ -18,6 +18,7 @@ import { clearPlace } from "./clear-place.ts";
 import { layerById, patchLayer, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf, type EditorState } from "./editor-state.ts";
+import { fitToModel, putClip } from "./layer-clip.ts";
 import {
   addMask,
   duplicateLayers,
@@ -110,6 +111,12 @@ export class LayerCommands {
     this.#choose([...(selectedId !== null && ids.includes(selectedId) ? [selectedId] : []), ...ids]);
   }
 
+  /** Bottom to top; a choice of several goes on from the topmost. */
+  #chooseMade(ids: readonly string[]): void {
+    this.#anchor = ids.at(-1) ?? null;
+    this.#choose(ids.toReversed());
+  }
+
   #choose(ids: readonly string[]): void {
     this.#session.select(ids[0] ?? null, ids.slice(1));
     this.#board.announce(this.#board.strings.announce.chosen(this.#store.state.selection.length));
@@ -157,7 +164,7 @@ export class LayerCommands {
     if (!fits) return;
     const said = this.#said(ids, this.#board.strings.announce.duplicated, this.#board.strings.announce.duplicatedMany);
     this.#session.record(design, this.#board.strings.steps.duplicate(copies.length));
-    this.#choose(copies.toReversed());
+    this.#chooseMade(copies);
     this.#board.announce(said);
   }
 
@@ -168,8 +175,8 @@ export class LayerCommands {
     return { projector: clearPlace(layer.projector, this.#session.recordedDesign, diagonal, this.#viewer) };
   }
 
-  /** The neighbour is selected next, so that the keyboard can go on. */
-  remove(ids = this.#store.state.selection): void {
+  /** The neighbour is selected next, so that the keyboard can go on. `step` names the step of the history. */
+  remove(ids = this.#store.state.selection, step = this.#board.strings.steps.remove): void {
     const before = this.#session.recordedDesign;
     const gone = this.unlocked(ids);
     const design = removeLayers(before, gone);
@@ -178,7 +185,7 @@ export class LayerCommands {
     const said = this.#said(gone, this.#board.strings.announce.removed, this.#board.strings.announce.removedMany);
     const places = gone.map((id) => rows.indexOf(id));
     const around = [...rows.slice(0, Math.max(...places)).reverse(), ...rows.slice(Math.max(...places) + 1)];
-    this.#session.record(design, this.#board.strings.steps.remove(gone.length));
+    this.#session.record(design, step(gone.length));
     this.select(around.find((id) => layerById(design, id)) ?? null);
     this.#board.announce(said);
   }
@@ -238,7 +245,7 @@ export class LayerCommands {
       return;
     }
     this.#session.record(design, this.#board.strings.steps.ungroup);
-    this.#choose(freed.toReversed());
+    this.#chooseMade(freed);
     this.#board.announce(this.#board.strings.announce.ungrouped(freed.length));
   }
 
@@ -272,6 +279,19 @@ export class LayerCommands {
     this.#session.record(made.design, label);
     this.select(made.id);
     this.#board.announce(this.#board.strings.announce.added(layerById(made.design, made.id)?.name ?? ""));
+  }
+
+  /** The layers of a clip, above the selected one; they are chosen then. */
+  put(clip: Design): void {
+    const { selectedId, model, material } = this.#store.state;
+    const materials = new Set(model?.info.materials.map(({ index }) => index));
+    const fit = (layer: DesignLayer): DesignLayer =>
+      ({ ...fitToModel(layer, materials, material ?? 0), ...this.#apart(layer) }) as DesignLayer;
+    const made = this.#attempt(() => putClip(this.#session.recordedDesign, clip, selectedId, fit));
+    if (!made) return;
+    this.#session.record(made.design, this.#board.strings.steps.paste(made.ids.length));
+    this.#chooseMade(made.ids);
+    this.#board.announce(this.#board.strings.announce.pasted(made.ids.length));
   }
 
   /** Gives the selected layer a mask, which the brush paints on from then on. */

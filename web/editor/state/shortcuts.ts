@@ -172,7 +172,7 @@ function takeTyped(event: KeyboardEvent): void {
 }
 
 /** What the focused element does with keys: takes them as text, chooses with them, or leaves them to the page. */
-function focusOf(event: KeyboardEvent): "text" | "choice" | "page" {
+export function focusOf(event: Event): "text" | "choice" | "page" {
   const [target] = event.composedPath();
   if (!(target instanceof HTMLElement)) return "page";
   if (target instanceof HTMLInputElement) {

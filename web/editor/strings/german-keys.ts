@@ -20,6 +20,10 @@ export const germanKeys: readonly KeyGroup[] = [
     keys: [
       ["Entf", "Die gewählten Ebenen löschen"],
       ["Strg oder ⌘ D", "Sie duplizieren"],
+      [
+        "Strg oder ⌘ C, X, V",
+        "Sie kopieren, ausschneiden und einfügen, auch in ein anderes Projekt; ein Bild als Aufkleber einfügen",
+      ],
       ["Strg oder ⌘ G", "Sie gruppieren; mit Umschalt die Gruppe auflösen"],
       ["Strg oder ⌘ E", "Mit der Ebene darunter vereinen"],
       ["Strg oder ⌘ [ und ]", "Sie nach unten oder oben schieben; mit Umschalt ganz"],

@@ -26,6 +26,7 @@ export const keyGroups: readonly KeyGroup[] = [
     keys: [
       ["Delete", "Delete the selected layers"],
       ["Ctrl or ⌘ D", "Duplicate them"],
+      ["Ctrl or ⌘ C, X, V", "Copy, cut and paste them, also into another project; paste a picture as a decal"],
       ["Ctrl or ⌘ G", "Group them; with Shift, ungroup"],
       ["Ctrl or ⌘ E", "Merge with the layer below"],
       ["Ctrl or ⌘ [ and ]", "Move them down or up; with Shift to the end"],

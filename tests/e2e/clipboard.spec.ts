@@ -1,0 +1,92 @@
+import type { Page } from "@playwright/test";
+import { type EditorPage, expect, type TestFile, test } from "./support/editor-page.ts";
+import { file, ringPicture, squareGlb } from "./support/test-files.ts";
+
+const names = async (editor: EditorPage): Promise<string[]> => (await editor.design()).layers.map(({ name }) => name);
+
+/** As a program that puts files on the clipboard, and Ctrl+V after it. */
+async function pasteFile(page: Page, { name, mimeType, buffer }: TestFile): Promise<void> {
+  await page.evaluate(
+    ({ name, mimeType, data }) => {
+      const clipboardData = new DataTransfer();
+      const bytes = Uint8Array.from(atob(data), (character) => character.charCodeAt(0));
+      clipboardData.items.add(new File([bytes], name, { type: mimeType }));
+      document.body.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+    },
+    { name, mimeType, data: buffer.toString("base64") },
+  );
+}
+
+test("layers are copied, cut and pasted, each in one step, and into another project too", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  await editor.addDemoDecal("badge");
+  await editor.addDemoDecal("number");
+  await editor.row("Travel badge").click();
+  await page.keyboard.press("Control+c");
+  await page.keyboard.press("Control+v");
+  await expect(editor.row("Travel badge 2")).toBeFocused();
+  expect(await names(editor)).toEqual(["Travel badge", "Travel badge 2", "Number 07"]);
+  await page.keyboard.press("Control+z");
+  await expect(editor.row("Travel badge 2")).toHaveCount(0);
+
+  const start = await editor.settledHash();
+  await editor.row("Number 07").click();
+  await page.keyboard.press("Control+x");
+  expect(await names(editor)).toEqual(["Travel badge"]);
+  await page.keyboard.press("Control+v");
+  await expect(editor.row("Number 07")).toHaveCount(1);
+  expect(await editor.settledHash(), "back where it was").toBe(start);
+  await expect(page.locator("#undo")).toHaveAttribute("aria-label", "Undo paste layer");
+
+  await editor.row("Travel badge").click({ modifiers: ["Shift"] });
+  await page.keyboard.press("Control+c");
+  await page.locator("tc-top-bar .models button").first().click();
+  await page.getByRole("menuitemradio", { name: "Mug" }).click();
+  await editor.idle();
+  const before = await names(editor);
+  await page.keyboard.press("Control+v");
+  await expect(editor.row("Travel badge")).toHaveCount(1);
+  expect((await names(editor)).length).toBe(before.length + 2);
+  expect(Object.keys((await editor.design()).assets), "its pictures came along").toHaveLength(4);
+});
+
+test("a picture on the clipboard becomes a decal, and what is none is refused as a dropped file is", async ({
+  editor,
+  page,
+  context,
+}) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await editor.open();
+  await page.evaluate(
+    async (data) => {
+      const picture = await (await fetch(`data:image/png;base64,${data}`)).blob();
+      await navigator.clipboard.write([new ClipboardItem({ "image/png": picture })]);
+    },
+    ringPicture().buffer.toString("base64"),
+  );
+  const before = (await names(editor)).length;
+  await page.keyboard.press("Control+v");
+  await expect(editor.row("Picture")).toHaveCount(1);
+  expect(await names(editor)).toHaveLength(before + 1);
+  await expect(page.locator("#undo")).toHaveAttribute("aria-label", "Undo add decal");
+
+  await pasteFile(page, file("broken.png", ringPicture().buffer.subarray(0, 60), "image/png"));
+  await expect(editor.notices).toContainText("Could not open broken.png");
+  expect(await names(editor)).toHaveLength(before + 1);
+});
+
+test("a text field keeps its own copy and paste, and marked words theirs", async ({ editor, page }) => {
+  await editor.open();
+  await editor.row("Texelcast mark").click();
+  const name = page.locator("tc-layer-properties #name");
+  const before = await names(editor);
+  await name.click();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Control+c");
+  await page.keyboard.press("End");
+  await page.keyboard.press("Control+v");
+  await expect(name).toHaveValue("Texelcast markTexelcast mark");
+  await page.keyboard.press("Escape");
+  expect(await names(editor)).toEqual(before);
+});
