@@ -58,13 +58,10 @@ test("a picture on the clipboard becomes a decal, and what is none is refused as
 }) => {
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
   await editor.open();
-  await page.evaluate(
-    async (data) => {
-      const picture = await (await fetch(`data:image/png;base64,${data}`)).blob();
-      await navigator.clipboard.write([new ClipboardItem({ "image/png": picture })]);
-    },
-    ringPicture().buffer.toString("base64"),
-  );
+  await page.evaluate(async (data) => {
+    const picture = await (await fetch(`data:image/png;base64,${data}`)).blob();
+    await navigator.clipboard.write([new ClipboardItem({ "image/png": picture })]);
+  }, ringPicture().buffer.toString("base64"));
   const before = (await names(editor)).length;
   await page.keyboard.press("Control+v");
   await expect(editor.row("Picture")).toHaveCount(1);

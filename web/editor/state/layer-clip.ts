@@ -48,7 +48,8 @@ export function putClip(
 export function fitToModel(layer: DesignLayer, materials: ReadonlySet<number>, shown: number): DesignLayer {
   return throughout(layer, (each) => {
     const own = materialsOf(each).filter((material) => materials.has(material));
-    if (own.length > 0) return own.length === materialsOf(each).length ? each : { ...each, material: layerMaterials(own) };
+    if (own.length > 0)
+      return own.length === materialsOf(each).length ? each : { ...each, material: layerMaterials(own) };
     // Faces are counted in their own material: in another one they would be any.
     return each.type === "fill" ? { ...each, material: shown, parts: null } : { ...each, material: shown };
   });
