@@ -14,6 +14,7 @@ import { ENTRIES, manifestOf } from "./manifest.mjs";
 import { mergeChunks } from "./merge-chunks.mjs";
 import { noNode } from "./no-node.mjs";
 import { shrinkScripts } from "./shrink.mjs";
+import { tightStyles } from "./tight-styles.mjs";
 import { NamedFiles, urlFiles } from "./url-files.mjs";
 
 const PACKAGE = inRoot("build/package");
@@ -54,7 +55,7 @@ export async function buildPackage() {
   /** @param {import("esbuild").BuildOptions} own @param {readonly string[]} roots sources that are loaded as a whole */
   const bundle = async (own, roots = []) => {
     const options = { ...SHARED, ...own };
-    const plugins = own.platform === "browser" ? [urlFiles(files), noNode()] : [urlFiles(files)];
+    const plugins = [urlFiles(files), tightStyles(), ...(own.platform === "browser" ? [noNode()] : [])];
     const { metafile } = await build({ ...options, metafile: true, plugins });
     for (const input of Object.keys(metafile.inputs)) inputs.add(inRoot(input));
     if (roots.length > 0) await mergeChunks({ dist: DIST, metafile, roots, options });

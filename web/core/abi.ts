@@ -5,12 +5,6 @@
 import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
 
 export const ABI_VERSION = 8;
-/** Texels along one side of a target or an image, at most. */
-export const MAX_SIZE = 8192;
-/** Texels along one side of a texture that is painted by windows, at most. */
-export const MAX_TEXTURE_SIZE = 16384;
-/** How deep layers may lie in each other; 1 is in none. */
-export const MAX_DEPTH = 17;
 /** Stops of a gradient, at most. */
 export const MAX_STOPS = 16;
 /** TXC_NONE: "no such index", and "the default" for a gutter. */

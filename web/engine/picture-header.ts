@@ -3,7 +3,7 @@
  * it lies (EXIF), and whether the file is whole. Sizes are checked here, so that a small file that claims a huge picture
  * allocates nothing.
  */
-import { MAX_SIZE } from "../core/abi.ts";
+import { MAX_SIZE } from "../core/sizes.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { readJpegHeader } from "./jpeg-header.ts";
 import { PictureFault, type RawHeader } from "./picture-fault.ts";

@@ -4,7 +4,7 @@
  */
 import { sha256 } from "@noble/hashes/sha2.js";
 import { bytesToHex } from "@noble/hashes/utils.js";
-import { MAX_TEXTURE_SIZE } from "../core/abi.ts";
+import { MAX_TEXTURE_SIZE } from "../core/sizes.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { METRES_PER_INCH } from "./core-zones.ts";
 import { nextTurn } from "./event-loop.ts";

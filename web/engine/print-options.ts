@@ -1,5 +1,5 @@
 /** What a print may be asked for, looked at before anything is made of it: callers in plain JavaScript have no types. */
-import { MAX_TEXTURE_SIZE } from "../core/abi.ts";
+import { MAX_TEXTURE_SIZE } from "../core/sizes.ts";
 import type { PrintFileOptions } from "./print-report.ts";
 
 export interface OptionFault {

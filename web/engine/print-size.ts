@@ -1,6 +1,6 @@
 /** How large a print file is: the texture's texels and the density that they have on the printed surface. */
 import type { ZoneSurface } from "../core/abi.ts";
-import { MAX_TEXTURE_SIZE } from "../core/abi.ts";
+import { MAX_TEXTURE_SIZE } from "../core/sizes.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { targetSize } from "./base-picture.ts";
 import { perInch } from "./core-zones.ts";
