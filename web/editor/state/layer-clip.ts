@@ -11,7 +11,7 @@ export function clipOf(design: Design, ids: readonly string[]): Design {
 
 /**
  * Puts a clip's layers above the layer `id`, or on top of what it holds where it is a group that the clip is not a part of;
- * without one, or where that would be in a locked group, on top of all. `fit` fits each to its new place. Ids are those that the
+ * without one, or where that would be in a locked group, on top of all. `fitted` fits each to its new place. Ids are those that the
  * clip's own layers have now.
  *
  * @throws TexelcastError "bad-argument" where layers would lie deeper than a design may have them.
@@ -20,7 +20,7 @@ export function putClip(
   design: Design,
   clip: Design,
   id: string | null,
-  fit: (layer: DesignLayer) => DesignLayer = (layer) => layer,
+  fitted: (layer: DesignLayer) => DesignLayer = (layer) => layer,
 ): { design: Design; ids: string[] } {
   const place = placeFor(design, clip, id);
   const keys = new Map<string, string>();
@@ -32,8 +32,8 @@ export function putClip(
   }
   const ids: string[] = [];
   for (const [offset, layer] of clip.layers.entries()) {
-    const fitted = fit(throughout(layer, (each) => withKeys(each, keys)));
-    const copy = withFreeIds(made, { ...fitted, name: freeName(made, layer.name) });
+    const put = fitted(throughout(layer, (each) => withKeys(each, keys)));
+    const copy = withFreeIds(made, { ...put, name: freeName(made, layer.name) });
     made = insertAt(made, { ...place, index: place.index + offset, list: "layers" }, copy);
     ids.push(copy.id);
   }
