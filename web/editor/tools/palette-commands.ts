@@ -1,9 +1,9 @@
 /** The palette's own file work: from a .gpl, from a picture, and back into a .gpl. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
 import { decodePicture } from "../../engine/picture-decoder.ts";
 import { bytesOf } from "../files/companions.ts";
 import { download, fileStem } from "../files/download.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
+import { ToldError } from "../strings/told-error.ts";
 import { DEFAULT_PALETTE } from "./default-palette.ts";
 import { type Palette, parseGimpPalette, printGimpPalette } from "./gimp-palette.ts";
 import { colorsOf } from "./picture-palette.ts";
@@ -38,7 +38,7 @@ export class PaletteCommands {
   async #ofPicture(file: File): Promise<Palette> {
     const colors = colorsOf(await decodePicture(await bytesOf(file), file.name), PICTURE_COLORS);
     if (colors.length === 0) {
-      throw new TexelcastError("bad-palette", this.#board.strings.palette.errors.clearPicture, { subject: file.name });
+      throw new ToldError("bad-palette", this.#board.strings.palette.errors.clearPicture, { subject: file.name });
     }
     return { name: fileStem(file.name), colors };
   }
