@@ -76,7 +76,8 @@ for (const mode of ["shop", "full"]) {
       before = await looks(page);
       return before.length > 20 && before.join() === seen.join();
     };
-    await expect.poll(settled).toBe(true);
+    // Further apart than two changes of the status line's figures.
+    await expect.poll(settled, { intervals: [500] }).toBe(true);
     await addRules(page, PAGE_RULES);
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     const after = await looks(page);
