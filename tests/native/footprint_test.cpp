@@ -69,6 +69,20 @@ double dense_mean(const txc::PyramidLevel& level, const txc::Footprint& f, float
     return sum / (samples * samples) / kByteStep;
 }
 
+/// PSNR, dB, of what a footprint takes against means by `samples` x `samples`, at places at least `rim` pixels inside the picture.
+double closeness(const txc::ImagePyramid& image, const txc::Footprint& f, Random& random, double rim, int places,
+                 int samples) {
+    double squares = 0.0;
+    for (int i = 0; i < places; ++i) {
+        const auto x = static_cast<float>(random.between(rim, image.levels[0].width - rim));
+        const auto y = static_cast<float>(random.between(rim, image.levels[0].height - rim));
+        const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep -
+                             dense_mean(image.levels[0], f, x, y, samples);
+        squares += error * error;
+    }
+    return 10.0 * std::log10(255.0 * 255.0 * places / squares);
+}
+
 }  // namespace
 
 TEST_CASE("One sample stands for a footprint only where it is within a step of the mean") {
@@ -281,16 +295,7 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
         // Those that lean so much that they would be cut into too many parts take samples.
         if (f.parts == 0) continue;
         ++cut;
-        double squares = 0.0;
-        constexpr int kPlaces = 300;
-        for (int i = 0; i < kPlaces; ++i) {
-            const auto x = static_cast<float>(random.between(6.0, kSide - 6.0));
-            const auto y = static_cast<float>(random.between(6.0, kSide - 6.0));
-            const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep -
-                                 dense_mean(image.levels[0], f, x, y);
-            squares += error * error;
-        }
-        worst = std::fmin(worst, 10.0 * std::log10(255.0 * 255.0 * kPlaces / squares));
+        worst = std::fmin(worst, closeness(image, f, random, 6.0, 300, 24));
     }
     CHECK(worst >= 39.0);
     CHECK(cut > 400);
@@ -322,16 +327,7 @@ TEST_CASE("Long footprints keep close to the reference of 8 x 8 samples on the f
         const double turned = random.coin() ? 0.0 : random.between(0.0, 2 * kPi);
         const double corner = kPi / 2 + (random.coin() ? 0.0 : random.between(-0.3, 0.3));
         const txc::Footprint f = make_turned(image, across, down, turned, corner);
-        double squares = 0.0;
-        constexpr int kPlaces = 100;
-        for (int i = 0; i < kPlaces; ++i) {
-            const auto x = static_cast<float>(random.between(10.0, kSide - 10.0));
-            const auto y = static_cast<float>(random.between(10.0, kSide - 10.0));
-            const double error = static_cast<double>(txc::sample_inside(image, f, x, y)[0]) / kByteStep -
-                                 dense_mean(image.levels[0], f, x, y, 8);
-            squares += error * error;
-        }
-        worst = std::fmin(worst, 10.0 * std::log10(255.0 * 255.0 * kPlaces / squares));
+        worst = std::fmin(worst, closeness(image, f, random, 10.0, 100, 8));
     }
     CHECK(worst >= 40.0);
 }
