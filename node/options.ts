@@ -1,12 +1,9 @@
 /** Values of options: from the words of the command line to what they mean, or commander's own error. */
 import path from "node:path";
 import { InvalidArgumentError } from "commander";
+import { MAX_SIZE, MAX_TEXTURE_SIZE } from "../web/core/sizes.ts";
 import { isHexColor, parseHexColor } from "../web/editor/document/hex-color.ts";
 
-/** The core's TXC_MAX_SIZE. */
-const MAX_SIZE = 8192;
-/** The core's TXC_MAX_TEXTURE_SIZE. */
-const MAX_PRINT_SIZE = 16_384;
 const MAX_GUTTER = 64;
 const MAX_DPI = 10_000;
 
@@ -29,7 +26,7 @@ function wholeNumber(text: string, min: number, max: number): number {
 /** Texels: one number, or two as in "2048x1024". */
 export const parseSize = (text: string): Size => sizeWithin(text, MAX_SIZE);
 /** Of a texture that is only printed. */
-export const parsePrintSize = (text: string): Size => sizeWithin(text, MAX_PRINT_SIZE);
+export const parsePrintSize = (text: string): Size => sizeWithin(text, MAX_TEXTURE_SIZE);
 
 function sizeWithin(text: string, max: number): Size {
   const [width = "", height = width, ...rest] = text.toLowerCase().split("x");

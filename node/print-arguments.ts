@@ -1,6 +1,7 @@
 /** What `renderPrint` and `checkPrint` are given, looked at once at the door: callers in plain JavaScript have no types. */
 import { types } from "node:util";
 import * as v from "valibot";
+import { MAX_SIZE } from "../web/core/sizes.ts";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 import { describeValue, formatPath } from "../web/editor/document/design-problem.ts";
 
@@ -27,16 +28,14 @@ const asset = v.looseObject(
 );
 const isFunction = (value: unknown): boolean => typeof value === "function";
 const ASSETS = "must be a list of { name, bytes }, or a function from an address to bytes";
-/** Of the textures on which is measured: the engine's limit for those that are held whole. */
-const MOST_TEXELS = 8192;
 const SIZE = "must be a number of texels, or two as in [2048, 1024]";
 
 const subject = {
   model: v.custom(isModel, MODEL),
   assets: v.nullish(v.lazy((input) => (isFunction(input) ? v.unknown() : v.array(asset, ASSETS)))),
 };
-const SIDE = `must be a whole number of texels from 1 to ${MOST_TEXELS}`;
-const side = v.pipe(v.number(SIDE), v.integer(SIDE), v.minValue(1, SIDE), v.maxValue(MOST_TEXELS, SIDE));
+const SIDE = `must be a whole number of texels from 1 to ${MAX_SIZE}`;
+const side = v.pipe(v.number(SIDE), v.integer(SIDE), v.minValue(1, SIDE), v.maxValue(MAX_SIZE, SIDE));
 const checkOptions = v.looseObject({ ...subject, size: optional(side) }, told);
 const renderOptions = v.looseObject(
   {
