@@ -88,6 +88,18 @@ const up = (init: Init = {}): Event => tell(root.ownerDocument, "pointerup", ini
 const wheel = (deltaY: number, init: Init = {}): Event =>
   tell(root, "wheel", { deltaY, clientX: 200, clientY: 100, ...init });
 
+test("what it takes over stays where it is to the last bit, so that what is placed by it does not hang on when hands came", () => {
+  const still = new StillRig(camera);
+  still.lookAt(new Vector3(0.31, 0.27, 0.83), new Vector3(0.011, 0.057, 0.003));
+  still.update();
+  camera.updateMatrixWorld();
+  const before = camera.matrixWorld.toArray();
+  rig.dispose();
+  rig = new OrbitCamera(camera, root as unknown as HTMLElement, still, () => {});
+  rest();
+  expect(camera.matrixWorld.toArray()).toEqual(before);
+});
+
 describe("orbit", () => {
   test("it begins where the still camera stood, and looks where that looked", () => {
     expect(camera.position.distanceTo(BEGIN)).toBeLessThan(1e-9);

@@ -44,6 +44,8 @@ export class OrbitCamera implements HeldRig {
   #eased = true;
   #pace = HAND_PACE;
   #jumped = true;
+  /** Nothing has moved since it took over: the camera stands as it stood, to the last bit. Angles would round that. */
+  #isUntouched = false;
   #zoomToPointer = true;
   /** A pointer is down on the view. */
   #held = false;
@@ -80,6 +82,8 @@ export class OrbitCamera implements HeldRig {
     this.limit({ minPolarAngle: LEAST_POLAR, maxPolarAngle: Math.PI - LEAST_POLAR, ...before.reach });
     this.#box = before.box;
     this.lookAt(before.eye, before.target, false);
+    before.update();
+    this.#isUntouched = true;
     controls.told = () => this.#follow();
   }
 
@@ -103,6 +107,7 @@ export class OrbitCamera implements HeldRig {
 
   turn(angle: number): void {
     if (this.#held) return;
+    this.#isUntouched = false;
     for (const { about } of [this.#goal, this.#shown]) about.theta += angle;
     this.#placeGoal();
     this.#jumped = true;
@@ -154,8 +159,10 @@ export class OrbitCamera implements HeldRig {
     const after = [about.theta, about.phi, about.radius, ...target.toArray()];
     const moved = this.#jumped || after.some((value, part) => value !== before[part]);
     this.#jumped = false;
-    this.#camera.position.setFromSpherical(about).add(target);
-    this.#camera.lookAt(target);
+    if (!this.#isUntouched) {
+      this.#camera.position.setFromSpherical(about).add(target);
+      this.#camera.lookAt(target);
+    }
     return moved;
   }
 
@@ -205,6 +212,7 @@ export class OrbitCamera implements HeldRig {
   }
 
   #go(pace: number, eased: boolean): void {
+    this.#isUntouched = false;
     this.#pace = pace;
     if (!eased) this.#arrive();
     this.#jumped ||= !eased;
