@@ -181,9 +181,13 @@ test("what was typed in the moment before the page is loaded again is there afte
   await editor.idle();
   await page.keyboard.insertText("Ada");
   await expect.poll(async () => (await textLayer(editor)).text).toBe("Ada");
-  // Asked whether to go, the user goes.
-  page.on("dialog", (dialog) => void dialog.accept());
+  const asked: string[] = [];
+  page.on("dialog", (dialog) => {
+    asked.push(dialog.type());
+    void dialog.accept();
+  });
   await page.reload();
+  expect(asked).toEqual([]);
   await page.waitForFunction(() => window.texelcast !== undefined);
   await page.evaluate(() => window.texelcast.ready);
   expect((await textLayer(editor)).text).toBe("Ada");

@@ -6,6 +6,7 @@ import { countedName } from "../../web/editor/files/counted-name.ts";
 import { type EditorState, INITIAL_STATE, type ModelRef } from "../../web/editor/state/editor-state.ts";
 import { Store } from "../../web/editor/state/store.ts";
 import { Autosave } from "../../web/editor/storage/autosave.ts";
+import type { LastWords } from "../../web/editor/storage/last-words.ts";
 import type { PackedProject } from "../../web/editor/storage/packed-project.ts";
 import type { TabPlace } from "../../web/editor/storage/tab-memory.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
@@ -27,6 +28,8 @@ function page() {
   /** What other hands made of projects that are kept: null for a deleted one. */
   const rows = new Map<string, { name: string; revision: number } | null>();
   const remembered: TabPlace[] = [];
+  /** By project: what was noted of it in leaving the page. */
+  const noted = new Map<string, LastWords>();
   let refusal: TexelcastError | null = null;
   const autosave = new Autosave({
     store,
@@ -52,6 +55,13 @@ function page() {
     },
     lock: { take: async () => true },
     tab: { remember: (place) => remembered.push(place) },
+    lastWords: {
+      note: (project, words) => {
+        noted.set(project, words);
+        return true;
+      },
+      forget: (project) => noted.delete(project),
+    },
     thumbnail: async () => "data:image/webp;base64,AA==",
     notices: {
       refused: ({ code }) => told.push(code),
@@ -64,8 +74,8 @@ function page() {
     store.set({ model: { ref, info: {} as never }, design, designName: ref.title });
   };
   /** One step of the history. */
-  const step = (): Design => {
-    const design = { ...recorded.design, layers: [...recorded.design.layers] };
+  const step = (assets = recorded.design.assets): Design => {
+    const design = { ...recorded.design, assets, layers: [...recorded.design.layers] };
     recorded = { ...recorded, design };
     store.set({ design });
     return design;
@@ -76,7 +86,7 @@ function page() {
   const refuse = (error: TexelcastError | null): void => {
     refusal = error;
   };
-  return { store, autosave, saves, told, taken, touched, rows, remembered, open, step, settle, refuse };
+  return { store, autosave, saves, told, taken, touched, rows, remembered, noted, open, step, settle, refuse };
 }
 
 beforeEach(() => {
@@ -109,6 +119,38 @@ describe("autosave", () => {
     open(modelRef("Cup", null));
     await settle(1000);
     expect(saves.map(({ seen, packed }) => [seen, packed.name, packed.model.kind])).toEqual([[0, "Cup", "files"]]);
+  });
+
+  it("notes in leaving the page what is not kept yet, until it is saved", async () => {
+    const { autosave, open, step, settle, saves, noted } = page();
+    open(modelRef("Cup", null));
+    await settle(1000);
+    expect([autosave.leave(), noted.size]).toEqual([true, 0]);
+    step();
+    expect(autosave.leave()).toBe(true);
+    const [first] = saves;
+    expect([...noted].map(([id, { revision, name }]) => [id, revision, name])).toEqual([[first?.id, 1, "Cup"]]);
+    await settle(1000);
+    expect([saves.length, noted.size]).toEqual([2, 0]);
+  });
+
+  it("cannot note what nothing is kept of yet, what was refused, and what needs a picture that is not kept", async () => {
+    const { autosave, open, step, settle, store, refuse, noted } = page();
+    open(modelRef("Cup", null));
+    await Promise.resolve();
+    expect(autosave.leave()).toBe(false);
+    await settle(1000);
+    const design = step({ logo: { type: "image/png", uri: "data:image/png;base64,AQID" } });
+    expect(autosave.leave()).toBe(false);
+    await settle(1000);
+    expect(store.state.keeping).toBe("kept");
+    step(design.assets);
+    expect(autosave.leave()).toBe(true);
+    await settle(1000);
+    refuse(new TexelcastError("storage-full", "full"));
+    step();
+    await settle(1000);
+    expect([autosave.leave(), noted.size]).toEqual([false, 0]);
   });
 
   it("makes the project's picture anew once a gesture is over, and not in its midst", async () => {

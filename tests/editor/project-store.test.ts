@@ -86,6 +86,38 @@ describe("a project kept in the browser", () => {
     expect(await store.list()).toHaveLength(1);
   });
 
+  it("takes up what a page that was left had not saved, and keeps its pictures, model and the save before", async () => {
+    await save("a", content(design(1)), 0);
+    const words = packer.packText(content(design(2), "Mug"), design(1));
+    if (!words) throw new Error("the picture is kept");
+    await store.amend("a", { ...words, revision: 1 });
+    const loaded = await store.load("a");
+    expect([loaded.summary.revision, loaded.summary.name, loaded.summary.layers]).toEqual([2, "Mug", 2]);
+    expect(loaded.design).toEqual(design(2));
+    expect(loaded.model).toEqual(OWN);
+    expect((await tables()).revisions).toEqual([
+      ["a", 1],
+      ["a", 2],
+    ]);
+  });
+
+  it("takes up nothing that does not go on from what is kept", async () => {
+    await save("a", content(design(1)), 0);
+    const words = packer.packText(content(design(2)), design(1));
+    if (!words) throw new Error("the picture is kept");
+    expect(packer.packText(content(design(2, SECOND)), design(1))).toBeNull();
+    await store.amend("a", { ...words, revision: 1, pictures: ["0".repeat(64)] });
+    await store.amend("b", { ...words, revision: 1 });
+    await save("a", content(design(3)), 1);
+    await save("a", content(design(4)), 2);
+    await store.amend("a", { ...words, revision: 1 });
+    const { summary } = await store.load("a");
+    expect([summary.revision, summary.layers]).toEqual([3, 4]);
+    await store.remove("a");
+    await store.amend("a", { ...words, revision: 3 });
+    await expect(store.load("a")).rejects.toMatchObject({ code: "missing-file" });
+  });
+
   it("is the newest when it was saved or come back to last, which leaves its place in the list", async () => {
     await save("a", content(design(1)), 0);
     await save("b", content(design(2), "Shoe"), 0);

@@ -371,8 +371,8 @@ export class Workbench extends EditorElement {
     const { autosave, store } = this.editor;
     // What is typed in a field that is still open becomes a step.
     deepestFocused()?.blur();
-    // In the browser's database or in a file: either is enough.
-    if (!autosave.pending || !store.state.unsaved) return;
+    // In the browser or in a file: either is enough.
+    if (autosave.leave() || !store.state.unsaved) return;
     void autosave.flush();
     event.preventDefault();
   };

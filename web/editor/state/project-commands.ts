@@ -7,6 +7,7 @@ import { packInWorker, unpackInWorker } from "../files/project-client.ts";
 import type { ProjectToPack } from "../files/project-packing.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { randomId } from "../storage/content-hash.ts";
+import type { LastWordsMemory } from "../storage/last-words.ts";
 import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/project.ts";
 import type { ProjectLock } from "../storage/project-lock.ts";
 import type { ProjectStore } from "../storage/project-store.ts";
@@ -27,6 +28,7 @@ export interface ProjectCommandsParts {
   readonly projects: ProjectStore;
   readonly lock: ProjectLock;
   readonly tab: TabMemory;
+  readonly lastWords: LastWordsMemory;
   readonly autosave: Autosave;
   readonly library: AssetLibrary;
   readonly files: FileCommands;
@@ -211,9 +213,10 @@ export class ProjectCommands {
     let name = store.state.projects?.find((project) => project.id === id)?.name ?? "";
     try {
       await autosave.flush();
+      const free = await lock.take(id);
+      if (free) await this.#amend(id);
       const loaded = await projects.load(id);
       name = loaded.summary.name;
-      const free = await lock.take(id);
       const content = await this.#contentOf(loaded, free ? name : this.#words.copyOf(name));
       if (free) autosave.adopt(content, id, loaded.summary.revision);
       else autosave.adopt(content, randomId(), 0, id);
@@ -229,6 +232,18 @@ export class ProjectCommands {
       board.error(this.#words.couldNotOpen(name), thrown);
       return false;
     }
+  }
+
+  /** What was left unsaved when the project was open last is saved first. */
+  async #amend(id: string): Promise<void> {
+    const { lastWords, projects } = this.#parts;
+    const words = lastWords.recall(id);
+    if (!words) return;
+    // Without room for it, it stays noted.
+    await projects.amend(id, words).then(
+      () => lastWords.forget(id),
+      () => undefined,
+    );
   }
 
   async #contentOf(loaded: LoadedProject, name: string): Promise<ProjectContent> {

@@ -1,6 +1,7 @@
 /** Puts together what keeps projects: the store, this tab's lock, the autosave, and the page's events that matter to them. */
 import type { TexelcastError } from "../../core/texelcast-error.ts";
 import { Autosave } from "../storage/autosave.ts";
+import { LastWordsMemory } from "../storage/last-words.ts";
 import { ProjectLock } from "../storage/project-lock.ts";
 import { ProjectStore } from "../storage/project-store.ts";
 import { TabMemory } from "../storage/tab-memory.ts";
@@ -38,6 +39,7 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
   const projects = new ProjectStore(strings);
   const lock = new ProjectLock();
   const tab = new TabMemory();
+  const lastWords = new LastWordsMemory();
   let refusal: number | null = null;
   const autosave = new Autosave({
     // One in which nothing ever happens.
@@ -47,6 +49,7 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
     projects,
     lock,
     tab,
+    lastWords,
     thumbnail: async () => thumbnail(),
     notices: {
       refused: (error: TexelcastError) => {
@@ -64,12 +67,15 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
       },
     },
   });
-  const commands = new ProjectCommands({ ...parts, projects, lock, tab, autosave });
+  const commands = new ProjectCommands({ ...parts, projects, lock, tab, lastWords, autosave });
   if (!keeps) return { autosave, commands };
-  const flush = (): void => void autosave.flush();
+  const leave = (): void => {
+    autosave.leave();
+    void autosave.flush();
+  };
   document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState === "hidden") flush();
+    if (document.visibilityState === "hidden") leave();
   });
-  addEventListener("pagehide", flush);
+  addEventListener("pagehide", leave);
   return { autosave, commands };
 }

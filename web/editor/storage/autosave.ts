@@ -9,6 +9,7 @@ import type { EditorState, ModelRef, Snapshot, TargetSettings } from "../state/e
 import type { Store } from "../state/store.ts";
 import type { Strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";
+import type { LastWordsMemory } from "./last-words.ts";
 import { ProjectPacker } from "./packed-project.ts";
 import type { ProjectContent } from "./project.ts";
 import type { ProjectLock } from "./project-lock.ts";
@@ -25,6 +26,7 @@ export interface AutosaveParts {
   readonly thumbnail: () => Promise<string | null>;
   readonly notices: AutosaveNotices;
   readonly tab: Pick<TabMemory, "remember">;
+  readonly lastWords: Pick<LastWordsMemory, "note" | "forget">;
   readonly strings: Strings;
 }
 
@@ -122,6 +124,24 @@ export class Autosave {
     // Of several that waited, one has begun the next save: a second from the same revision would look like another tab's.
     while (this.#running) await this.#running;
     if (this.pending || this.#left.size > 0) await this.#start();
+  }
+
+  /**
+   * Notes what is not kept yet, without waiting: the page is being left. False where that cannot be done, so that leaving
+   * would lose it.
+   */
+  leave(): boolean {
+    const content = this.#content();
+    const project = this.#current;
+    if (!content || !project || !this.pending) return true;
+    // The note goes on from what is kept of the same model. Where saving was refused, so would the note be when it is read.
+    if (this.#refused || project.kept?.model !== content.model || project.revision === 0) return false;
+    try {
+      const text = this.#packer.packText(content, project.kept.design);
+      return text !== null && this.#parts.lastWords.note(project.id, { ...text, revision: project.revision });
+    } catch {
+      return false;
+    }
   }
 
   /** Makes the open project's picture anew. */
@@ -240,6 +260,7 @@ export class Autosave {
       const packed = await this.#packer.pack(named);
       project.revision = await this.#parts.projects.save(project.id, packed, project.revision);
       project.kept = named;
+      this.#parts.lastWords.forget(project.id);
       this.#saved(project);
       return true;
     } catch (thrown) {

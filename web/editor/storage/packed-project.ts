@@ -14,18 +14,27 @@ import type { ProjectContent, StoredModel } from "./project.ts";
 
 const PREFIX = "sha256/";
 
-export interface PackedProject {
+export interface PackedText {
   readonly name: string;
   readonly design: string;
-  readonly model: StoredModel;
   readonly targets: readonly {
     readonly material: number;
     readonly size: number | null;
     readonly gutter: number | null;
   }[];
   readonly layers: number;
-  /** By name. Bytes are made when asked for: most are stored already. */
-  readonly blobs: ReadonlyMap<string, { readonly size: number; readonly bytes: () => Uint8Array }>;
+}
+
+/** Bytes are made when asked for: most are stored already. */
+interface StoredBlob {
+  readonly size: number;
+  readonly bytes: () => Uint8Array;
+}
+
+export interface PackedProject extends PackedText {
+  readonly model: StoredModel;
+  /** By name. */
+  readonly blobs: ReadonlyMap<string, StoredBlob>;
   /** Of text and blobs, bytes. */
   readonly size: number;
 }
@@ -49,32 +58,48 @@ export class ProjectPacker {
    * Rejects with a TexelcastError of code "bad-design" for a design that could not be read again: it must never take
    * the place of one that can.
    */
-  async pack({ name, design, model, targets }: ProjectContent): Promise<PackedProject> {
-    const blobs = new Map<string, { size: number; bytes: () => Uint8Array }>();
+  async pack(content: ProjectContent): Promise<PackedProject> {
     const pictures = new Map<string, KnownBlob>();
-    const assets: Record<string, DesignAsset> = {};
-    for (const [key, asset] of Object.entries(design.assets)) {
-      if (!asset.uri.startsWith("data:")) {
-        assets[key] = asset;
-        continue;
-      }
-      const blob = this.#pictures.get(asset.uri) ?? pictures.get(asset.uri) ?? (await hashed(asset.uri, key));
-      pictures.set(asset.uri, blob);
-      blobs.set(blob.hash, { size: blob.size, bytes: () => decodeDataUri(asset.uri, key) });
-      assets[key] = { ...asset, uri: PREFIX + blob.hash };
+    for (const [key, { uri }] of Object.entries(content.design.assets)) {
+      if (!uri.startsWith("data:")) continue;
+      pictures.set(uri, this.#pictures.get(uri) ?? pictures.get(uri) ?? (await hashed(uri, key)));
     }
     this.#pictures = pictures;
-    const stored = await this.#packModel(model, blobs);
-    const text = readableText({ ...design, assets }, name, this.#strings);
-    const size = [...blobs.values()].reduce((sum, blob) => sum + blob.size, text.length);
-    const list = [...targets].map(([material, settings]) => ({ material, ...settings }));
-    return { name, design: text, model: stored, targets: list, layers: design.layers.length, blobs, size };
+    const blobs = new Map<string, StoredBlob>();
+    const text = this.#packDesign(content, blobs);
+    const model = await this.#packModel(content.model, blobs);
+    const size = [...blobs.values()].reduce((sum, blob) => sum + blob.size, text.design.length);
+    return { ...text, model, blobs, size };
   }
 
-  async #packModel(
-    { source, title, demoId }: ModelRef,
-    blobs: Map<string, { size: number; bytes: () => Uint8Array }>,
-  ): Promise<StoredModel> {
+  /**
+   * All but the model and the bytes of pictures, without waiting; null where a picture is not in `kept`, which was packed
+   * before. Throws as `pack` rejects.
+   */
+  packText(content: ProjectContent, kept: Design): (PackedText & { readonly pictures: readonly string[] }) | null {
+    const stored = new Set(Object.values(kept.assets).map(({ uri }) => uri));
+    const isReady = (uri: string): boolean => stored.has(uri) && this.#pictures.has(uri);
+    const uris = Object.values(content.design.assets).map(({ uri }) => uri);
+    if (uris.some((uri) => uri.startsWith("data:") && !isReady(uri))) return null;
+    const blobs = new Map<string, StoredBlob>();
+    const text = this.#packDesign(content, blobs);
+    return { ...text, pictures: [...blobs.keys()] };
+  }
+
+  /** The pictures are known by their names; they are added to `blobs`. */
+  #packDesign({ name, design, targets }: ProjectContent, blobs: Map<string, StoredBlob>): PackedText {
+    const assets: Record<string, DesignAsset> = {};
+    for (const [key, asset] of Object.entries(design.assets)) {
+      const blob = this.#pictures.get(asset.uri);
+      assets[key] = blob ? { ...asset, uri: PREFIX + blob.hash } : asset;
+      if (blob) blobs.set(blob.hash, { size: blob.size, bytes: () => decodeDataUri(asset.uri, key) });
+    }
+    const text = readableText({ ...design, assets }, name, this.#strings);
+    const list = [...targets].map(([material, settings]) => ({ material, ...settings }));
+    return { name, design: text, targets: list, layers: design.layers.length };
+  }
+
+  async #packModel({ source, title, demoId }: ModelRef, blobs: Map<string, StoredBlob>): Promise<StoredModel> {
     if (demoId !== null) return { kind: "demo", id: demoId, title };
     const add = async (bytes: Uint8Array): Promise<string> => {
       const known = this.#models.get(bytes) ?? contentHash(bytes);

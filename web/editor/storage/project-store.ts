@@ -9,6 +9,7 @@ import { countedName } from "../files/counted-name.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";
+import type { LastWords } from "./last-words.ts";
 import { type PackedProject, unpackDesign, unpackModel } from "./packed-project.ts";
 import type { LoadedProject, ProjectSummary } from "./project.ts";
 import { ProjectConnection, type ProjectDatabase, type ProjectRow, type RevisionRow } from "./project-database.ts";
@@ -83,23 +84,45 @@ export class ProjectStore {
           subject: packed.name,
         });
       }
+      const { name, size, layers, model } = packed;
+      const summary = { id, name, size, layers, modelTitle: model.title, thumbnail: row?.thumbnail ?? null };
       const revision = Math.max(seen, row?.revision ?? 0) + 1;
-      await addRevision(tables, { project: id, revision, ...rowOf(packed) }, packed.blobs);
-      await projects.put({
-        id,
-        name: packed.name,
-        modified: this.#now(),
-        size: packed.size,
-        layers: packed.layers,
-        modelTitle: packed.model.title,
-        thumbnail: row?.thumbnail ?? null,
-        revision,
-        previous: row?.revision ?? null,
-        deleted: null,
-      });
-      if (row?.previous != null) await dropRevision(tables, id, row.previous);
-      return revision;
+      await addBlobs(tables, packed.blobs);
+      return this.#addRevision(tables, row, { ...summary, revision }, rowOf(packed));
     });
+  }
+
+  /**
+   * Writes what a page that was left had not saved. Nothing happens where it does not go on from what is kept: the project was
+   * deleted, somebody else has saved it since, or a picture is missing.
+   */
+  amend(id: string, { revision: seen, name, design, targets, layers, pictures }: LastWords): Promise<void> {
+    return this.#write(async (tables) => {
+      const row = await tables.objectStore("projects").get(id);
+      const kept = row && (await tables.objectStore("revisions").get([id, row.revision]));
+      if (!kept || row.deleted !== null || !pictures.every((picture) => kept.blobs.includes(picture))) return;
+      // A save that was under way may have ended.
+      if (row.revision !== seen && row.revision !== seen + 1) return;
+      const { thumbnail, modelTitle } = row;
+      const size = row.size + design.length - kept.design.length;
+      const summary = { id, name, size, layers, modelTitle, thumbnail, revision: row.revision + 1 };
+      await this.#addRevision(tables, row, summary, { ...kept, design, targets });
+    });
+  }
+
+  /** Points a project at a new revision, whose number is returned, and drops the one before the last. */
+  async #addRevision(
+    tables: Writing,
+    row: ProjectRow | undefined,
+    summary: Omit<ProjectSummary, "modified">,
+    content: Omit<RevisionRow, "project" | "revision">,
+  ): Promise<number> {
+    const { id, revision } = summary;
+    await tables.objectStore("revisions").put({ ...content, project: id, revision });
+    const previous = row?.revision ?? null;
+    await tables.objectStore("projects").put({ ...summary, modified: this.#now(), previous, deleted: null });
+    if (row?.previous != null) await dropRevision(tables, id, row.previous);
+    return revision;
   }
 
   /**
@@ -256,12 +279,11 @@ function rowOf({ design, model, targets, blobs }: PackedProject): Omit<RevisionR
   return { design, model, targets, blobs: [...blobs.keys()] };
 }
 
-async function addRevision(tables: Writing, row: RevisionRow, blobs: PackedProject["blobs"]): Promise<void> {
+async function addBlobs(tables: Writing, blobs: PackedProject["blobs"]): Promise<void> {
   const store = tables.objectStore("blobs");
   for (const [hash, { bytes }] of blobs) {
     if ((await store.getKey(hash)) === undefined) await store.put({ hash, bytes: bytes() });
   }
-  await tables.objectStore("revisions").put(row);
 }
 
 async function erase(tables: Writing, { id, revision, previous }: ProjectRow): Promise<void> {
