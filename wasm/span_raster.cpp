@@ -181,12 +181,18 @@ TxcStatus SpanRaster::draw_wrapped_rows(std::int64_t& work) {
     const auto height = static_cast<std::int64_t>(map_.key.texture_height());
     while (rows_.first < rows_.last && work > 0) {
         const std::int32_t row = rows_.first++;
-        const TexelRange span = raster_.span(row);
-        work -= 4 + std::max(span.last - span.first, 0);
         const std::int64_t repeat_y = floor_divide(row, height) * height;
-        for (std::int64_t x = span.first; x < span.last;) {
+        work -= 4;
+        // Nothing more than the triangle's first claim counts. Without this one that covers 1024 x 1024 texels 100 times is drawn in
+        // eleven seconds.
+        if (overlaps_itself_ && claimed_.is_full(static_cast<std::uint32_t>(row - repeat_y), map_.key.texture_width()))
+            continue;
+        const TexelRange span = raster_.span(row);
+        const std::int64_t end = std::min<std::int64_t>(span.last, span.first + width);
+        work -= std::max<std::int64_t>(end - span.first, 0);
+        for (std::int64_t x = span.first; x < end;) {
             const std::int64_t repeat_x = floor_divide(x, width) * width;
-            const std::int64_t count = std::min(span.last - x, repeat_x + width - x);
+            const std::int64_t count = std::min(end - x, repeat_x + width - x);
             const TxcStatus status =
                 claim(static_cast<std::uint32_t>(row - repeat_y), static_cast<std::uint32_t>(x - repeat_x),
                       static_cast<std::uint32_t>(count), repeat_x, repeat_y);

@@ -77,6 +77,39 @@ TEST_CASE("A triangle that spans several repeats of the texture claims a texel o
     for (const std::uint8_t claims : map.overlap) CHECK_UNARY(claims <= 2);
 }
 
+TEST_CASE(
+    "Whether a triangle repeats the texture twice or two hundred times makes little difference to the bake's work") {
+    const auto steps_of = [](double repeats) {
+        TestSession session(make_plane(1.0, 0.0, {0.0, 0.0, repeats, repeats}));
+        const TxcTarget target = session.open_target(100, 128);
+        std::uint32_t steps = 1;
+        float progress = 0.0f;
+        while (txc_target_bake(session.id(), target, 10000, &progress) == TXC_STATUS_PENDING) ++steps;
+        CHECK(progress == 1.0f);
+        return steps;
+    };
+    CHECK(steps_of(200.0) < 10 * steps_of(2.0));
+}
+
+TEST_CASE("A triangle that repeats the texture takes each texel where it comes to it first, row by row") {
+    constexpr std::uint32_t kRepeats = 6;
+    Shape shape = make_plane(1.0, 0.0, {0.0, 0.0, kRepeats, kRepeats});
+    // Left is the lower right half: its uppermost rows are in the last repeat of a row, and do not fill it.
+    shape.indices.erase(shape.indices.begin(), shape.indices.begin() + 3);
+    TestSession session(shape);
+    const MapArrays map = session.map(session.target(100, 60));
+    for (std::uint32_t y = 0; y < 60; ++y) {
+        for (std::uint32_t x = 0; x < 100; ++x) {
+            const double u = (x + 0.5) / 100;
+            const double v = (y + 0.5) / 60;
+            // A left edge owns the centres on it.
+            const double down = u + v > 1.0 - 1e-9 ? 0.0 : 1.0;
+            CHECK_UNARY(std::abs(map.position(x, y)[0] + 0.5 - (u + kRepeats - 1) / kRepeats) < 1e-5);
+            CHECK_UNARY(std::abs(0.5 - map.position(x, y)[1] - (v + down) / kRepeats) < 1e-5);
+        }
+    }
+}
+
 TEST_CASE("The overlap of two materials is not counted: each has a texture of its own") {
     TestSession session;
     session.add(make_plane(1.0, 0.0), 0);
