@@ -19,6 +19,18 @@ bool CoverageBits::claim_long_span(std::uint64_t* words, std::uint32_t from, std
     return true;
 }
 
+bool CoverageBits::has_span(std::uint32_t x, std::uint32_t y, std::uint32_t count) const {
+    constexpr std::uint64_t kAll = ~std::uint64_t{0};
+    const std::uint32_t last = x + count - 1;
+    const std::uint64_t* const end = row(y) + last / 64;
+    std::uint64_t before = kAll << x % 64;  // what the span has of the word
+    for (const std::uint64_t* word = row(y) + x / 64; word < end; ++word) {
+        if ((~*word & before) != 0) return false;
+        before = kAll;
+    }
+    return (~*end & before & kAll >> (63 - last % 64)) == 0;
+}
+
 void CoverageBits::spread_row(const CoverageBits& other, std::uint32_t y, std::uint32_t reach) {
     const std::uint64_t* from = other.row(y);
     std::uint64_t* to = row(y);

@@ -42,15 +42,8 @@ public:
 
     bool is_claimed(std::uint32_t x, std::uint32_t y) const { return (row(y)[x / 64] >> (x % 64) & 1) != 0; }
 
-    /// Whether all `width` bits of a row are set.
-    bool is_full(std::uint32_t y, std::uint32_t width) const {
-        const std::uint64_t* words = row(y);
-        const std::uint32_t whole = width / 64;
-        for (std::uint32_t i = 0; i < whole; ++i) {
-            if (words[i] != ~std::uint64_t{0}) return false;
-        }
-        return width % 64 == 0 || words[whole] == ~std::uint64_t{0} >> (64 - width % 64);
-    }
+    /// Whether all of `count` > 0 bits from x on are set.
+    bool has_span(std::uint32_t x, std::uint32_t y, std::uint32_t count) const;
 
     /// Sets one bit; false where it was set already.
     bool claim(std::uint32_t x, std::uint32_t y) {

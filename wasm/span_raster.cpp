@@ -8,6 +8,7 @@ namespace {
 
 // A triangle that repeats the texture more often than this is no skin to paint, and would take hours to draw.
 constexpr float kMaxRepeats = 256.0f;
+constexpr std::uint8_t kMostClaims = 255;
 constexpr std::uint32_t kTileTexels = kTileSize * kTileSize;
 
 std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
@@ -31,6 +32,7 @@ SpanRaster::SpanRaster(const Mesh& mesh, LocalSpaceMap& map, BudgetShare& scratc
       map_(map),
       covered_(map.key.texture_width(), map.key.texture_height()),
       window_covered_(map.key.is_window() ? map.key.width : 0, map.key.is_window() ? map.key.height : 0),
+      scratch_(scratch),
       spans_(scratch),
       tile_run_counts_(map.key.tile_count(), 0) {}
 
@@ -149,13 +151,15 @@ TxcStatus SpanRaster::draw_rows(std::int64_t& work) {
             const auto first = static_cast<std::uint32_t>(span.first);
             const auto y = static_cast<std::uint32_t>(row);
             const auto count = static_cast<std::uint32_t>(span.last - span.first);
-            left -= count;
             if (!CoverageBits::claim_in_row(words + y * stride, first, count)) {
+                if (is_settled(y, first, count)) continue;
+                left -= count;
                 if (const TxcStatus status = claim_free_texels(y, first, count, 0, 0); status != TXC_STATUS_OK)
                     return status;
                 if (!open_frames_.empty()) frame = open_frames_[0].frame;
                 continue;
             }
+            left -= count;
             if (frame == kNone) {
                 if (const TxcStatus status = frame_for({span.first, row, 0, 0}, frame); status != TXC_STATUS_OK)
                     return status;
@@ -185,7 +189,8 @@ TxcStatus SpanRaster::draw_wrapped_rows(std::int64_t& work) {
         work -= 4;
         // Nothing more than the triangle's first claim counts. Without this one that covers 1024 x 1024 texels 100 times is drawn in
         // eleven seconds.
-        if (overlaps_itself_ && claimed_.is_full(static_cast<std::uint32_t>(row - repeat_y), map_.key.texture_width()))
+        if (overlaps_itself_ &&
+            claimed_.has_span(0, static_cast<std::uint32_t>(row - repeat_y), map_.key.texture_width()))
             continue;
         const TexelRange span = raster_.span(row);
         const std::int64_t end = std::min<std::int64_t>(span.last, span.first + width);
@@ -207,6 +212,7 @@ TxcStatus SpanRaster::claim(std::uint32_t row, std::uint32_t first, std::uint32_
                             std::int64_t repeat_y) {
     if (!overlaps_itself_ && covered_.claim_span(first, row, count))
         return keep_span(row, first, count, repeat_x, repeat_y);
+    if (is_settled(row, first, count)) return TXC_STATUS_OK;
     return claim_free_texels(row, first, count, repeat_x, repeat_y);
 }
 
@@ -267,11 +273,26 @@ TxcStatus SpanRaster::frame_for(const RepeatedTexel& at, std::uint32_t& out_fram
     return TXC_STATUS_OK;
 }
 
+bool SpanRaster::is_settled(std::uint32_t row, std::uint32_t first, std::uint32_t count) const {
+    return settled_.words() > 0 && settled_.has_span(first, row, count);
+}
+
 TxcStatus SpanRaster::count_overlap(std::uint32_t texture_x, std::uint32_t texture_y) {
+    if (settled_.words() == 0) {
+        const std::uint32_t width = map_.key.texture_width();
+        const std::uint32_t height = map_.key.texture_height();
+        const std::uint64_t bytes = scratch_.bytes() + CoverageBits::byte_count(width, height);
+        if (const TxcStatus status = scratch_.resize(bytes, "counting overlaps"); status != TXC_STATUS_OK)
+            return status;
+        settled_ = CoverageBits(width, height);
+    }
     // Left of a window and above it the differences wrap around, to beyond its other side.
     const std::uint32_t x = texture_x - map_.key.origin_x;
     const std::uint32_t y = texture_y - map_.key.origin_y;
-    if (x >= map_.key.width || y >= map_.key.height) return TXC_STATUS_OK;
+    if (x >= map_.key.width || y >= map_.key.height) {
+        settled_.claim(texture_x, texture_y);
+        return TXC_STATUS_OK;
+    }
     if (map_.overlap_tiles.empty()) {
         const std::size_t tiles = map_.tile_of.size();
         const std::uint64_t bytes = tiles * sizeof(map_.overlap_tiles[0]);
@@ -290,7 +311,8 @@ TxcStatus SpanRaster::count_overlap(std::uint32_t texture_x, std::uint32_t textu
     }
     std::uint8_t& claim = claims[y % kTileSize * kTileSize + x % kTileSize];
     if (claim == 1) ++map_.overlapping_texels;
-    if (claim < 255) ++claim;
+    if (claim < kMostClaims) ++claim;
+    if (claim == kMostClaims) settled_.claim(texture_x, texture_y);
     return TXC_STATUS_OK;
 }
 

@@ -56,6 +56,7 @@ private:
     TxcStatus add_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first, std::uint32_t count);
     TxcStatus add_window_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first, std::uint32_t count);
     TxcStatus frame_for(const RepeatedTexel& at, std::uint32_t& out_frame);
+    bool is_settled(std::uint32_t row, std::uint32_t first, std::uint32_t count) const;
     TxcStatus count_overlap(std::uint32_t x, std::uint32_t y);
 
     const Mesh& mesh_;
@@ -65,6 +66,10 @@ private:
     // begins in the whole, and comes out the same to the last bit.
     CoverageBits covered_;  // of the whole texture
     CoverageBits window_covered_;
+    // Claims of these change nothing any more: they are taken, and counted as far as counting goes. Made with the first overlap.
+    // Without them 20,000 triangles that each cover half of 1024 x 1024 texels bake for 26 times as long.
+    CoverageBits settled_;
+    BudgetShare& scratch_;
     SpanList spans_;
     std::vector<std::uint32_t> tile_run_counts_;
     std::size_t next_triangle_ = 0;  // in the material's list

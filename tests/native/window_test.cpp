@@ -135,6 +135,17 @@ TEST_CASE("A window tells the overlaps that lie in it") {
     CHECK(info.overlapping_texels == 64 * 96);
 }
 
+TEST_CASE("A window's counts go to their end, whatever lies beside it") {
+    Shape many;
+    for (int i = 0; i < 300; ++i) many.append(make_plane(1.0, i * 0.01, {0.0, 0.0, 1.0, i % 2 == 0 ? 1.0 : 0.5}));
+    TestSession session(many);
+    // Half of the planes end in its middle row.
+    const MapArrays map = session.map(open_window(session, {64, 32, 64, 128}));
+    for (std::uint32_t y = 0; y < 128; ++y) {
+        for (std::uint32_t x = 0; x < 64; ++x) CHECK_UNARY(map.overlap_at(x, y) == (y < 64 ? 255 : 150));
+    }
+}
+
 TEST_CASE("A window that the texture does not have is refused by name") {
     TestSession session(make_plane());
     const auto refuses = [&](const TxcTargetDef& def, TxcStatus status, const char* words) {
