@@ -174,21 +174,34 @@ test("what no font has is named when it is typed and when it is exported, and wh
 test("what was typed in the moment before the page is loaded again is there afterwards", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([squareGlb()]);
-  const spot = await middleOf(editor);
-  await page.keyboard.press("t");
-  await page.mouse.click(spot.x, spot.y);
-  await expect(page.locator("tc-text-fields textarea")).toBeFocused();
-  await editor.idle();
-  await page.keyboard.insertText("Ada");
-  await expect.poll(async () => (await textLayer(editor)).text).toBe("Ada");
   const asked: string[] = [];
   page.on("dialog", (dialog) => {
     asked.push(dialog.type());
     void dialog.accept();
   });
+  const words = page.locator("tc-text-fields textarea");
+  const type = async (text: string): Promise<void> => {
+    await words.fill(text);
+    await expect.poll(async () => (await textLayer(editor)).text).toBe(text);
+  };
+  const spot = await middleOf(editor);
+  await page.keyboard.press("t");
+  await page.mouse.click(spot.x, spot.y);
+  await expect(words).toBeFocused();
+  await editor.idle();
+  await type("Ada");
   await page.reload();
   expect(asked).toEqual([]);
   await page.waitForFunction(() => window.texelcast !== undefined);
   await page.evaluate(() => window.texelcast.ready);
   expect((await textLayer(editor)).text).toBe("Ada");
+
+  await page.locator("tc-layer-list .row").first().click();
+  await type("Grace");
+  // All that phones' browsers tell of the page's end.
+  const noted = await page.evaluate(() => {
+    dispatchEvent(new PageTransitionEvent("pagehide"));
+    return Object.values(localStorage).join();
+  });
+  expect(noted).toContain("Grace");
 });

@@ -23,6 +23,7 @@ import "./panels/top-bar.ts";
 import { handleClipboard } from "./state/clipboard-events.ts";
 import type { EditorState } from "./state/editor-state.ts";
 import { watchFingers } from "./state/finger-gestures.ts";
+import { endOpenField } from "./state/open-field.ts";
 import { handleShortcut } from "./state/shortcuts.ts";
 import { EditorElement } from "./ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "./ui/file-picker.ts";
@@ -369,8 +370,7 @@ export class Workbench extends EditorElement {
 
   readonly #leave = (event: BeforeUnloadEvent): void => {
     const { autosave, store } = this.editor;
-    // What is typed in a field that is still open becomes a step.
-    deepestFocused()?.blur();
+    endOpenField();
     // In the browser or in a file: either is enough.
     if (autosave.leave() || !store.state.unsaved) return;
     void autosave.flush();
@@ -378,13 +378,6 @@ export class Workbench extends EditorElement {
   };
 }
 customElements.define("tc-workbench", Workbench);
-
-/** What has the focus, through all shadow roots. */
-function deepestFocused(): HTMLElement | null {
-  let focused = document.activeElement;
-  while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
-  return focused instanceof HTMLElement ? focused : null;
-}
 
 declare global {
   interface HTMLElementTagNameMap {

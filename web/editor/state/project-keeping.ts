@@ -11,6 +11,7 @@ import { type EditorState, INITIAL_STATE } from "./editor-state.ts";
 import type { FileCommands } from "./file-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { noticeOf } from "./notices.ts";
+import { endOpenField } from "./open-field.ts";
 import { ProjectCommands } from "./project-commands.ts";
 import { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
@@ -76,6 +77,10 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
   document.addEventListener("visibilitychange", () => {
     if (document.visibilityState === "hidden") leave();
   });
-  addEventListener("pagehide", leave);
+  // Phones' browsers tell nothing of a page's end but this.
+  addEventListener("pagehide", () => {
+    endOpenField();
+    leave();
+  });
   return { autosave, commands };
 }
