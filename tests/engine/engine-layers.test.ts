@@ -196,6 +196,24 @@ describe("layers", () => {
     expect(errors).toHaveLength(2);
   });
 
+  it("of parts that the model does not have are reported with the model, the part, its value and what to do", async () => {
+    const { engine } = await paintablePlane();
+    const errors: Error[] = [];
+    engine.onError((error) => errors.push(error));
+    engine.setLayers([fill("f", [1, 0, 0, 1], { parts: { kind: "faces", faces: [0, 99] } })], 1);
+    await engine.idle();
+    expect(errors).toEqual([
+      expect.objectContaining({
+        code: "bad-argument",
+        subject: "plane.glb",
+        field: "layers[id=f].parts.faces[1]",
+        value: "99",
+        hint: expect.stringContaining("choose its parts anew"),
+        reason: "other-model",
+      }),
+    ]);
+  });
+
   it("leave the base as it was once they are gone", async () => {
     const engine = startHost();
     const meshes = [cylinder(48, 0)];

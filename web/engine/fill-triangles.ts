@@ -6,12 +6,14 @@ import { chartsOf } from "./uv-charts.ts";
 /** One material's triangles and charts, looked at when first asked for. */
 export class FillTriangles {
   readonly #readUvs: () => Float32Array;
+  readonly #model: string;
   #count: number | null = null;
   #charts: Uint32Array | null = null;
 
-  /** `readUvs`: six numbers a triangle (`Engine.uvTriangles`). */
-  constructor(readUvs: () => Float32Array) {
+  /** `readUvs`: six numbers a triangle (`Engine.uvTriangles`); `model`: its name, for errors. */
+  constructor(readUvs: () => Float32Array, model: string) {
     this.#readUvs = readUvs;
+    this.#model = model;
   }
 
   /** Ascending. @throws TexelcastError "bad-argument" for a triangle that the material does not have. */
@@ -41,6 +43,7 @@ export class FillTriangles {
     const field = `parts.${kind}[${at}]`;
     const message = `“${field}” is ${named[at]}, but the material has ${this.#count} triangles, counted from 0.`;
     throw new TexelcastError("bad-argument", message, {
+      subject: this.#model,
       field,
       value: String(named[at]),
       hint: "The fill was made for another model, or for another material: choose its parts anew.",

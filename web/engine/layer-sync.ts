@@ -265,8 +265,9 @@ export class LayerSync {
     this.#refused.set(id, refused);
     report(
       new TexelcastError(error.code, `The layer “${id}” cannot be drawn: ${error.message}`, {
-        field: `layers[id=${id}]`,
-        ...(error.reason !== undefined && { reason: error.reason }),
+        reason: "undrawn",
+        ...error.toJSON(),
+        field: [`layers[id=${id}]`, error.field ?? []].flat().join("."),
         cause: error,
       }),
     );

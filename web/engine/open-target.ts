@@ -86,13 +86,14 @@ export class OpenTarget {
     info: TargetInfo,
     factorBaked: boolean,
     window: TextureWindow | null,
+    model: string,
   ) {
     this.#target = target;
     this.info = info;
     this.factorBaked = factorBaked;
     this.#raster = window?.raster ?? null;
     this.#makeClip = (Clip) => new Clip(session, target, info, window);
-    const triangles = new FillTriangles(() => session.materialUvs(info.material));
+    const triangles = new FillTriangles(() => session.materialUvs(info.material), model);
     this.#layers = new LayerSync(target, (layer) => {
       if (layer.type === "stroke") return { ...NO_DETAILS, dabs: layer.dabs };
       if (layer.type !== "fill") return NO_DETAILS;
@@ -142,7 +143,7 @@ export class OpenTarget {
       applyBase(target, base);
       await bake(target, context);
       const info = targetInfo(options.material, target.info());
-      return new OpenTarget(session, target, info, base.factorBaked, window);
+      return new OpenTarget(session, target, info, base.factorBaked, window, model.name);
     } catch (error) {
       if (!session.core.crashed) target.destroy();
       throw error;
