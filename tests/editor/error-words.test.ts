@@ -19,6 +19,8 @@ const BROKEN = new TexelcastError("bad-design", 'layers[0].opacity: must be a nu
   value: '"x"',
 });
 
+const BARE = { field: "zone", value: "front" };
+
 function thrownBy(work: () => unknown): TexelcastError {
   try {
     work();
@@ -52,8 +54,6 @@ describe("what the engine reports", () => {
     });
     const thrown = noticeOf(1, "Es ging nicht", new TypeError("x is undefined"), stringsIn("de"));
     expect(thrown.message).toBe("In der Seite ist ein Fehler aufgetreten.");
-    // An element tells these codes itself, in its own language.
-    expect(germanError(rare.toJSON())).toEqual({ message: "The gutter is 99.", hint: "At most 64." });
     const noWebGl = new TexelcastError("unsupported", "This browser cannot show 3D.", { reason: "no-webgl" });
     expect(germanError(noWebGl.toJSON()).message).toMatch(/^Dieser Browser kann kein 3D zeigen/);
     const said = new ToldError("missing-file", "Das Projekt hat kein Modell.", { subject: "x.texelcast" });
@@ -100,7 +100,7 @@ describe("what the engine reports", () => {
     expect([...codes].filter((code) => told(code) === general && !untold.includes(code))).toEqual([]);
     expect([...codes].filter((code) => /English/.test(told(code) + told(code, "a.glb")))).toEqual([]);
     expect(reasons.size).toBeGreaterThan(30);
-    const known = new Set(["not-loaded", ...[PICTURES, FONTS, ARGUMENTS, BROWSERS].flatMap(Object.keys)]);
+    const known = new Set(["not-loaded", "no-surface", ...[PICTURES, FONTS, ARGUMENTS, BROWSERS].flatMap(Object.keys)]);
     expect([...reasons].filter((reason) => !known.has(reason))).toEqual([]);
     expect([...known].filter((reason) => !reasons.has(reason))).toEqual([]);
   });
@@ -111,6 +111,12 @@ describe("what the engine reports", () => {
     expect(told.message).toMatch(/^„fox\.glb“ hat keine Texturkoordinaten/);
     expect(typedError(told, german)).toBe(told);
     expect(typedError(FLAT, english)).toBe(FLAT);
+    const rare = new TexelcastError("bad-argument", "The gutter is 99.", { field: "gutter", hint: "At most 64." });
+    expect(typedError(rare, german)).toMatchObject({ message: "Das geht hier nicht.", hint: "", field: "gutter" });
+    const own = new ToldError("bad-argument", german.errors.badOption("width"));
+    expect(typedError(own, german)).toBe(own);
+    const bare = new TexelcastError("bad-zones", "It has no surface.", { ...BARE, reason: "no-surface" });
+    expect(typedError(bare, german).message).toBe("Die Zone „front“ hat keine Fläche zum Bedrucken.");
     const hidden = { code: "low-dpi", layer: "a", zone: null, message: "Only 31 DPI", hint: "", value: 31, limit: 150 };
     expect(german.finding(hidden as Parameters<typeof german.finding>[0], true).message).toContain("Nur 31 DPI");
   });

@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { DEFAULTS } from "../../web/element/element-properties.ts";
 import { readSettings } from "../../web/element/element-settings.ts";
+import { german } from "../../web/element/words/german.ts";
 import { english, languageOf } from "../../web/element/words/words.ts";
 
 describe("the element in bare Node", () => {
@@ -38,6 +39,8 @@ describe("the element's settings", () => {
       ["minCameraOrbit", "90deg"],
     ]);
     expect(settings.camera.min).toEqual(settings.camera.max);
+    const lost = readSettings({ ...DEFAULTS, cameraOrbit: "north" }, german).faults.get("cameraOrbit");
+    expect(lost?.message).toBe(german.errors.badOption("cameraOrbit"));
     const apart = { ...DEFAULTS, minCameraOrbit: "auto auto 50%", maxCameraOrbit: "auto auto 0.4m" };
     expect(readSettings(apart, english).faults.size).toBe(0);
   });

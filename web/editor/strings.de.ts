@@ -1,7 +1,7 @@
 /** Every word that the page says, in German: as long as strings.ts, place for place. tsc keeps it complete. */
 
 import { numbersIn } from "./strings/formats.ts";
-import { germanNotice } from "./strings/german-errors.ts";
+import { germanError } from "./strings/german-errors.ts";
 import { germanKeys } from "./strings/german-keys.ts";
 import {
   germanGradient,
@@ -19,7 +19,7 @@ const numbers = numbersIn("de");
 
 export const german: Strings = {
   numbers,
-  told: germanNotice,
+  told: germanError,
   named: germanName,
 
   productName: "Texelcast",

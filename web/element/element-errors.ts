@@ -1,5 +1,6 @@
 /** Whatever was thrown, as the element tells it. */
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { ToldError } from "../editor/strings/told-error.ts";
 import type { ErrorDetail } from "./element-api.ts";
 import type { Words } from "./words/words.ts";
 
@@ -9,18 +10,14 @@ export interface ShownError {
   readonly hint: string;
 }
 
-/** Those that have been put into the element's words: once is enough. */
-const spoken = new WeakSet<TexelcastError>();
-
 /** The error in the element's language; what was called off stays as it is. */
 export function typedError(thrown: unknown, { errors, told }: Words): TexelcastError {
   const error = TexelcastError.wrap(thrown, "internal", thrown instanceof Error ? thrown.message : errors.unexpected);
-  if (spoken.has(error) || isCancelled(error)) return error;
+  // Once is enough, and the element's own are in its words from the start.
+  if (error instanceof ToldError || isCancelled(error)) return error;
   const { message, hint } = told(error.toJSON());
   if (message === error.message) return error;
-  const worded = new TexelcastError(error.code, message, { ...error.toJSON(), hint, cause: error });
-  spoken.add(worded);
-  return worded;
+  return new ToldError(error.code, message, { ...error.toJSON(), hint, cause: error });
 }
 
 export function errorDetail(error: TexelcastError): ErrorDetail {

@@ -2,6 +2,7 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Design } from "../editor/document/design.ts";
 import type { AssetLibrary } from "../editor/state/asset-library.ts";
+import { ToldError } from "../editor/strings/told-error.ts";
 import type { PrintZones } from "../engine/print-zones.ts";
 import type { UploadLimits } from "../engine/upload-check.ts";
 import { fetchModel } from "./desk/read-model.ts";
@@ -52,7 +53,7 @@ export class Run {
     const { kind, src, zones, words, base, host, progress } = this.#parts;
     try {
       if (src === null || src === "") {
-        throw new TexelcastError("missing-file", words.errors.noModel, {
+        throw new ToldError("missing-file", words.errors.noModel, {
           field: "src",
           hint: words.errors.noModelHint,
         });

@@ -1,5 +1,6 @@
 /** The element's properties as a desk uses them, and what is wrong with those that cannot be used. */
-import { TexelcastError } from "../core/texelcast-error.ts";
+import type { TexelcastError } from "../core/texelcast-error.ts";
+import { ToldError } from "../editor/strings/told-error.ts";
 import { ANY_ORBIT, type Orbit, parseOrbit } from "../viewer/camera-orbit.ts";
 import type { DeskSettings } from "./desk/desk-settings.ts";
 import type { TexelcastEditorProperties } from "./element-api.ts";
@@ -18,6 +19,9 @@ type Numbers = "material" | "size" | "maxDecals" | "maxMegapixels" | "maxFileSiz
 /** What the words of some properties may be, the default first. */
 const CHOICES = { mode: ["shop", "full"], loading: ["auto", "lazy", "eager"] } as const;
 
+/** What an orbit looks like, for whoever wrote none. */
+const ORBIT = "30deg 75deg 105%";
+
 type Orbits = "cameraOrbit" | "minCameraOrbit" | "maxCameraOrbit";
 
 /** Throws nothing: a page that writes a wrong number has an element that works, and is told. */
@@ -25,7 +29,7 @@ export function readSettings(element: TexelcastEditorProperties, words: Words): 
   const faults = new Map<keyof TexelcastEditorProperties, TexelcastError>();
   const wrong = (name: keyof TexelcastEditorProperties, hint: string): void => {
     const details = { field: name, value: String(element[name]), hint };
-    faults.set(name, new TexelcastError("bad-argument", words.errors.badOption(name), details));
+    faults.set(name, new ToldError("bad-argument", words.errors.badOption(name), details));
   };
   const number = (name: Numbers, least: number, most: number, whole = true): number | null => {
     const value: unknown = element[name];
@@ -38,8 +42,8 @@ export function readSettings(element: TexelcastEditorProperties, words: Words): 
   const orbit = (name: Orbits): Orbit => {
     try {
       return element[name] ? parseOrbit(element[name], name) : ANY_ORBIT;
-    } catch (thrown) {
-      faults.set(name, TexelcastError.wrap(thrown, "bad-argument", words.errors.badOption(name)));
+    } catch {
+      wrong(name, ORBIT);
       return ANY_ORBIT;
     }
   };

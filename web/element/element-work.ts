@@ -2,6 +2,7 @@
 import type { LitElement } from "lit";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Design } from "../editor/document/design.ts";
+import { ToldError } from "../editor/strings/told-error.ts";
 import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
 import type { DesignExport } from "./desk/export-design.ts";
 import type { SubmitDetail, TexelcastEditorProperties } from "./element-api.ts";
@@ -268,7 +269,7 @@ export class Work {
   #endWithoutGraphics(): void {
     const { graphicsLost, graphicsLostHint } = this.#voice.words.errors;
     this.close("failed");
-    this.#voice.tell(new TexelcastError("graphics-lost", graphicsLost, { hint: graphicsLostHint }));
+    this.#voice.tell(new ToldError("graphics-lost", graphicsLost, { hint: graphicsLostHint }));
   }
 
   #changed(): void {

@@ -76,6 +76,7 @@ export class DrawnPictures {
       throw new TexelcastError("bad-argument", `There is no font “${text.font}” to measure a text in.`, {
         field: "font",
         value: text.font,
+        reason: "no-font",
       });
     }
     return measureText(text, this.#shelf);

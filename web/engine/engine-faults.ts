@@ -35,4 +35,5 @@ export const notOpen = (material: number): TexelcastError =>
     field: "material",
     value: String(material),
     hint: "Open it with openTarget first.",
+    reason: "not-open",
   });

@@ -96,6 +96,7 @@ async function surveyAt(
     throw new TexelcastError("bad-zones", `${what} has no surface to print.`, {
       field: zone === null ? "material" : "zone",
       value: zone?.id ?? String(material),
+      reason: "no-surface",
       hint: "A zone's polygon must lie on the material's charts in the texture, a box around its surface.",
     });
   }

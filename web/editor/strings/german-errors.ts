@@ -3,11 +3,10 @@
  * editor's other words: the element in a shop loads this alone.
  */
 import type { TexelcastErrorJson } from "../../core/texelcast-error.ts";
-import { type ErrorWords, ownWords } from "./error-words.ts";
+import type { ErrorWords } from "./error-words.ts";
 import { ARGUMENTS, BROWSERS, FONTS, PICTURES } from "./german-reasons.ts";
 
-/** Null: the code is not used so by the engine, and whoever made the error said it in the user's language. */
-type Wording = (error: TexelcastErrorJson) => Told | null;
+type Wording = (error: TexelcastErrorJson) => Told;
 type Told = readonly [message: string, hint: string, told?: "whole"];
 
 const named = ({ subject }: TexelcastErrorJson, otherwise: string): string => (subject ? `„${subject}“` : otherwise);
@@ -38,7 +37,7 @@ const FAULT: Told = [
   "Versuche es noch einmal, oder lade die Seite neu. Deine Arbeit ist noch da.",
 ];
 
-/** As the engine's client and the core report them; an element's own words have the codes below too. */
+/** As the engine's client, the core and the readers of files report them. */
 const WORDINGS: Readonly<Record<string, Wording>> = {
   "bad-model": (error) => [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell.`, REPAIR],
   "bad-container": (error) => [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell.`, REPAIR],
@@ -102,12 +101,17 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
     "Nimm eine andere Sicherung dieser Datei.",
   ],
   "bad-zones": (error) =>
-    error.subject === undefined
-      ? null
+    error.reason === "no-surface"
+      ? [
+          error.field === "zone"
+            ? `Die Zone „${error.value}“ hat keine Fläche zum Bedrucken.`
+            : `Material ${error.value} hat keine Fläche zum Bedrucken.`,
+          "Eine Zone muss auf der Oberfläche ihres Materials liegen.",
+          "whole",
+        ]
       : [`${named(error, "Die Druckflächen")} lassen sich nicht verwenden.`, "Siehe docs/print-truth.md."],
   "missing-file": (error) => {
-    if (error.reason === "not-loaded") return notLoaded(error);
-    if (error.value === undefined) return null;
+    if (error.reason === "not-loaded" || error.value === undefined) return notLoaded(error);
     return [
       `${named(error, "Die Datei")} braucht die Datei „${error.value}“, die nicht dabei ist.`,
       "Wähle oder zieh alle Dateien auf einmal.",
@@ -118,8 +122,19 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
     `${named(error, "Das Design")} nennt eine Datei außerhalb seines eigenen Ordners.`,
     "Lege die Dateien eines Designs neben das Design oder hinein.",
   ],
-  unsupported: (error) => reasoned(BROWSERS, error),
-  "bad-argument": (error) => reasoned(ARGUMENTS, error),
+  unsupported: (error) =>
+    reasoned(BROWSERS, error) ??
+    (error.subject
+      ? [
+          `„${error.subject}“ enthält etwas, das hier nicht gelesen wird.`,
+          "Speichere die Datei in einem anderen Format.",
+        ]
+      : [
+          "Dieser Browser kann die 3D-Ansicht oder die Mal-Engine nicht zeigen.",
+          "Schalte die Hardwarebeschleunigung ein, oder nimm einen neueren Browser.",
+        ]),
+  "bad-argument": (error) => reasoned(ARGUMENTS, error) ?? ["Das geht hier nicht.", ""],
+  disposed: () => ["Die Mal-Engine ist beendet.", RELOAD],
   internal: () => FAULT,
   "no-model": () => ["Es ist noch kein Modell geöffnet.", "Öffne zuerst ein Modell.", "whole"],
   "engine-crashed": () => [
@@ -132,42 +147,13 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
   ],
 };
 
-/** Codes that an element has words of its own for: what the engine means by them is told where no element is around it. */
-const IN_THE_EDITOR: Readonly<Record<string, Wording>> = {
-  "bad-argument": () => ["Das geht hier nicht.", ""],
-  "bad-zones": () => ["Die Druckflächen lassen sich nicht verwenden.", "Siehe docs/print-truth.md."],
-  "missing-file": (error) => notLoaded(error),
-  unsupported: (error) =>
-    error.subject
-      ? [
-          `„${error.subject}“ enthält etwas, das hier nicht gelesen wird.`,
-          "Speichere die Datei in einem anderen Format.",
-        ]
-      : [
-          "Dieser Browser kann die 3D-Ansicht oder die Mal-Engine nicht zeigen.",
-          "Schalte die Hardwarebeschleunigung ein, oder nimm einen neueren Browser.",
-        ],
-  disposed: () => ["Die Mal-Engine ist beendet.", RELOAD],
-};
-
 /** Bytes as megabytes; pixels as they are. */
 const sizeOf = (value: string): string =>
   /^\d+$/.test(value) ? `${(Number(value) / 2 ** 20).toFixed(1).replace(".", ",")} MB` : `${value} Pixel`;
 
-const wording = (wordings: typeof WORDINGS, error: TexelcastErrorJson): Told | null =>
-  (Object.hasOwn(wordings, error.code) && wordings[error.code]?.(error)) || null;
-
-function wordsOf([message, hint, whole]: Told, error: TexelcastErrorJson): ErrorWords {
-  return { message, hint, ...(!whole && { exact: error.message }) };
-}
-
-/** As an element tells it: a code that is not the engine's alone keeps its own words, which are the element's. */
+/** Whatever was not said in German is, if only that it went wrong. */
 export function germanError(error: TexelcastErrorJson): ErrorWords {
-  const told = wording(WORDINGS, error);
-  return told ? wordsOf(told, error) : ownWords(error);
-}
-
-/** As the editor tells it: whatever was not said in German is, if only that it went wrong. */
-export function germanNotice(error: TexelcastErrorJson): ErrorWords {
-  return wordsOf(wording(WORDINGS, error) ?? wording(IN_THE_EDITOR, error) ?? FAULT, error);
+  const wording = Object.hasOwn(WORDINGS, error.code) ? WORDINGS[error.code] : undefined;
+  const [message, hint, whole] = wording?.(error) ?? FAULT;
+  return { message, hint, ...(!whole && { exact: error.message }) };
 }

@@ -72,10 +72,13 @@ export const ARGUMENTS: Reasons = {
   "no-layer": ["Die Ebene, in die sie soll, gibt es nicht mehr.", ""],
   "no-list": ["In diese Ebene lässt sich keine andere legen.", ""],
   "not-mirrored": ["Ein Strich, der auf der Textur liegt, lässt sich nicht spiegeln.", ""],
+  "no-font": ["Die Schrift dieses Textes ist nicht da.", "Wähle eine andere Schrift."],
+  "not-open": ["Dieses Material ist noch nicht bereit.", "Warte einen Moment und versuche es noch einmal."],
   "not-taken": ["Ebenen dieser Art lassen sich dort nicht einfügen.", ""],
   "other-model": [
     "Die Füllung wurde für ein anderes Modell gemacht, oder für ein anderes Material.",
     "Wähle ihre Teile neu.",
   ],
   "too-deep": ["So tief lassen sich Ebenen nicht ineinander legen.", ""],
+  undrawn: ["Eine Ebene lässt sich so nicht zeichnen.", "Mach den letzten Schritt rückgängig, oder lösche sie."],
 };

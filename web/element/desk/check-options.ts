@@ -1,5 +1,6 @@
 /** What a page says of a new picture or text, checked before anything is made of it: what is on the product can be read again. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../../editor/strings/told-error.ts";
 import type { TextOptions } from "../element-api.ts";
 import type { Desk } from "./desk.ts";
 
@@ -14,7 +15,7 @@ export async function checkOptions(desk: Desk, options: TextOptions): Promise<vo
   const { words } = desk.settings;
   const refuse = (field: string, value: unknown, hint?: string): never => {
     const details = { field, value: String(value), ...(hint !== undefined && { hint }) };
-    throw new TexelcastError("bad-argument", words.errors.badOption(field), details);
+    throw new ToldError("bad-argument", words.errors.badOption(field), details);
   };
   if (typeof options !== "object" || options === null) refuse("options", options);
   const { position, width, material } = options;

@@ -1,5 +1,5 @@
 /** What a page asks of a print, checked before the engine is asked: it is told in the element's words which option is wrong. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../../editor/strings/told-error.ts";
 import { ownPrintOptions, printOptionFault } from "../../engine/print-options.ts";
 import type { ExportedTexture, ExportTextureOptions } from "../element-api.ts";
 import type { AtDesk } from "../mode.ts";
@@ -16,7 +16,7 @@ export async function exportAsAsked(mode: AtDesk, options: ExportTextureOptions)
 function checkPrintOptions(desk: Desk, options: ExportTextureOptions): void {
   const { errors } = desk.settings.words;
   const refuse = (field: string, value: string, hint: string): never => {
-    throw new TexelcastError("bad-argument", errors.badOption(field), { field, value, hint });
+    throw new ToldError("bad-argument", errors.badOption(field), { field, value, hint });
   };
   const fault = printOptionFault(options);
   if (fault) refuse(fault.field, fault.value, fault.allowed);

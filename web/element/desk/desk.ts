@@ -18,6 +18,7 @@ import type { DesignSession } from "../../editor/state/design-session.ts";
 import type { EditorState } from "../../editor/state/editor-state.ts";
 import { OpenWork } from "../../editor/state/open-work.ts";
 import type { Store } from "../../editor/state/store.ts";
+import { ToldError } from "../../editor/strings/told-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import type { PrintReport } from "../../engine/print-report.ts";
 import type { PrintZones } from "../../engine/print-zones.ts";
@@ -115,7 +116,7 @@ export class Desk {
       const { zoneMaterial, zoneMaterialHint } = this.settings.words.errors;
       const list = materials.map(({ index, name }) => (name === "" ? index : `${index} (${name})`)).join(", ");
       const details = { field: "material", value: String(material), hint: zoneMaterialHint(list) };
-      this.hooks.warn(new TexelcastError("bad-zones", zoneMaterial(id, material), details));
+      this.hooks.warn(new ToldError("bad-zones", zoneMaterial(id, material), details));
     }
   }
 
@@ -224,7 +225,7 @@ export class Desk {
   /** Throws "refused" where the design is only looked at. */
   checkWritable(): void {
     const { readonly, words } = this.settings;
-    if (readonly) throw new TexelcastError("refused", words.errors.readonly);
+    if (readonly) throw new ToldError("refused", words.errors.readonly);
   }
 
   /** How many more pictures and texts there may be. */
@@ -238,7 +239,7 @@ export class Desk {
     this.checkWritable();
     if (more <= 0 || this.room >= more) return;
     const { words, maxDecals } = this.settings;
-    throw new TexelcastError("too-many-decals", words.errors.tooMany(maxDecals ?? 0), {
+    throw new ToldError("too-many-decals", words.errors.tooMany(maxDecals ?? 0), {
       field: "max-decals",
       value: String(maxDecals),
       hint: words.errors.tooManyHint,

@@ -1,5 +1,6 @@
 /** Which of a model's materials a desk works on. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../../editor/strings/told-error.ts";
 import type { ModelInfo } from "../../engine/engine-api.ts";
 import type { DeskHooks } from "./desk-settings.ts";
 
@@ -23,12 +24,12 @@ export function paintableMaterial(model: ModelInfo, hooks: Pick<DeskHooks, "sett
     if (material !== null && isNews) {
       const hint = words.errors.zoneMaterialHint(open.map(({ index }) => index).join(", "));
       const details = { field: "material", value: String(material), hint };
-      hooks.warn(new TexelcastError("bad-argument", words.errors.badOption("material"), details));
+      hooks.warn(new ToldError("bad-argument", words.errors.badOption("material"), details));
     }
     return largest.index;
   }
   const refusal = named?.refusal ?? materials.find((each) => each.refusal !== null)?.refusal;
-  throw new TexelcastError(
+  throw new (refusal ? TexelcastError : ToldError)(
     refusal?.code.toLowerCase().replaceAll("_", "-") ?? "bad-argument",
     refusal?.message ?? words.errors.notOpenable,
     { subject: name, field: "material", value: String(material) },

@@ -1,5 +1,5 @@
 /** Putting pictures and words on the product. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+import type { TexelcastError } from "../../core/texelcast-error.ts";
 import type { LayerMaterials } from "../../editor/document/design.ts";
 import { freeIdIn } from "../../editor/document/layer-tree.ts";
 import { makeDecalLayer } from "../../editor/document/make-layer.ts";
@@ -7,6 +7,7 @@ import { fileStem } from "../../editor/files/download.ts";
 import { addOnTop, withAsset } from "../../editor/state/design-edits.ts";
 import { diagonalOf } from "../../editor/state/editor-state.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
+import { ToldError } from "../../editor/strings/told-error.ts";
 import type { Projector } from "../../engine/engine-api.ts";
 import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions } from "../element-api.ts";
@@ -38,11 +39,11 @@ export function placeFor(
   const usual = NEW_SHARE * diagonalOf(store.state.model) * Math.min(1, aspect);
   const { width = Math.min(usual, start?.mostWidth(aspect) ?? usual) } = options;
   if (!(width > 0 && Number.isFinite(width))) {
-    throw new TexelcastError("bad-argument", words.errors.badOption("width"), { field: "width", value: String(width) });
+    throw new ToldError("bad-argument", words.errors.badOption("width"), { field: "width", value: String(width) });
   }
   const hit = at ?? start?.hit ?? (position === undefined ? null : viewer.surface.near(position));
   if (options.projector === undefined && hit === null) {
-    throw new TexelcastError("bad-argument", words.errors.nowhere, { hint: words.errors.nowhereHint });
+    throw new ToldError("bad-argument", words.errors.nowhere, { hint: words.errors.nowhereHint });
   }
   const projector = options.projector ?? viewer.projectorAt(hit as SurfaceHit, width, aspect);
   const material = options.material ?? desk.reach.at(projector, false, hit?.material ?? desk.material);
@@ -117,7 +118,7 @@ export async function askShop({ settings }: Desk, asset: CandidateAsset): Promis
   const { beforeAccept, words } = settings;
   if (beforeAccept === null) return;
   const refused = (reason: string | undefined, cause?: unknown): TexelcastError =>
-    new TexelcastError("refused", reason || words.errors.refused(asset.name), {
+    new ToldError("refused", reason || words.errors.refused(asset.name), {
       subject: asset.name,
       hint: words.errors.refusedHint,
       cause,

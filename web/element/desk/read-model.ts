@@ -1,5 +1,6 @@
 /** A model from the web: its bytes, and the files that a .gltf names. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../../editor/strings/told-error.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
 import type { Words } from "../words/words.ts";
 
@@ -80,7 +81,7 @@ export function nameOf(url: URL): string {
 }
 
 const unreachable = (address: string, { errors }: Words, cause?: unknown): TexelcastError =>
-  new TexelcastError("missing-file", errors.unreachable(address), {
+  new ToldError("missing-file", errors.unreachable(address), {
     subject: address,
     hint: errors.unreachableHint,
     cause,

@@ -1,5 +1,5 @@
 /** Pictures of the product for a cart: from named sides, or from wherever the page says. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+import { ToldError } from "../../editor/strings/told-error.ts";
 import { type Orbit, parseOrbit } from "../../viewer/camera-orbit.ts";
 import type { SnapshotOptions, SnapshotView } from "../element-api.ts";
 import type { Mode } from "../mode.ts";
@@ -28,7 +28,7 @@ export async function takeSnapshots(
   words: Words,
 ): Promise<Blob[]> {
   const refuse = (field: string, value: unknown, hint: string): never => {
-    throw new TexelcastError("bad-argument", words.errors.badOption(field), { field, value: String(value), hint });
+    throw new ToldError("bad-argument", words.errors.badOption(field), { field, value: String(value), hint });
   };
   if (typeof options !== "object" || options === null) refuse("options", options, "{ width, height }");
   const { width = SIDE, height = SIDE } = options;
@@ -52,7 +52,7 @@ export async function takeSnapshots(
   for (const orbit of orbits) {
     const picture = await mode.viewer.capture(orbit, width, height);
     if (picture === null) {
-      throw new TexelcastError("unsupported", words.errors.graphics, { hint: words.errors.graphicsHint });
+      throw new ToldError("unsupported", words.errors.graphics, { hint: words.errors.graphicsHint });
     }
     pictures.push(picture);
   }

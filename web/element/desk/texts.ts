@@ -1,5 +1,5 @@
 /** Words on the product: put on, typed, dressed; their box follows them. */
-import { TexelcastError } from "../../core/texelcast-error.ts";
+
 import type { Design, DesignAsset, Projector, TextLayer } from "../../editor/document/design.ts";
 import { freeIdIn } from "../../editor/document/layer-tree.ts";
 import { makeTextLayer } from "../../editor/document/make-layer.ts";
@@ -7,6 +7,7 @@ import { resolveWords } from "../../editor/document/resolve-layers.ts";
 import { addOnTop, layerById, patchLayer, withAsset, withoutUnusedAssets } from "../../editor/state/design-edits.ts";
 import { fitsClosely, refitted } from "../../editor/state/text-box.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
+import { ToldError } from "../../editor/strings/told-error.ts";
 import type { EngineText, TextMeasure } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { TextOptions } from "../element-api.ts";
@@ -42,11 +43,11 @@ export class Texts {
     const { words } = desk.settings;
     desk.checkRoom();
     if (typeof text !== "string" || text.trim() === "") {
-      throw new TexelcastError("bad-argument", words.errors.emptyText, { field: "text" });
+      throw new ToldError("bad-argument", words.errors.emptyText, { field: "text" });
     }
     if (text.length > MOST_CHARACTERS) {
       const details = { field: "text", value: shortened(text), hint: `1 – ${MOST_CHARACTERS}` };
-      throw new TexelcastError("bad-argument", words.errors.badOption("text"), details);
+      throw new ToldError("bad-argument", words.errors.badOption("text"), details);
     }
     await checkOptions(desk, options);
     const font = await this.#font(options.font ?? FIRST_FONT);
@@ -126,7 +127,7 @@ export class Texts {
   async #font(font: string | Blob | Uint8Array): Promise<NamedFont> {
     if (typeof font === "string") {
       if (!Object.hasOwn(SHIPPED_FONTS, font)) {
-        throw new TexelcastError("bad-argument", this.#desk.settings.words.errors.badOption("font"), {
+        throw new ToldError("bad-argument", this.#desk.settings.words.errors.badOption("font"), {
           field: "font",
           value: font,
           hint: Object.keys(SHIPPED_FONTS).join(", "),
@@ -161,7 +162,7 @@ export function shippedFont(id: ShippedFontId): NamedFont {
 
 function hexColor(color: string, message: string): string {
   if (/^#(?:[0-9a-f]{6}|[0-9a-f]{8})$/i.test(color)) return color;
-  throw new TexelcastError("bad-argument", message, { field: "color", value: color, hint: '"#rrggbb" or "#rrggbbaa"' });
+  throw new ToldError("bad-argument", message, { field: "color", value: color, hint: '"#rrggbb" or "#rrggbbaa"' });
 }
 
 /** The end of typing may have been recorded before: what is handed in holds it. */
