@@ -281,6 +281,46 @@ test("the page's address gives the element its own attributes, and nothing that 
   expect(await page.title()).toBe("Texelcast in a shop");
 });
 
+test("a property that is taken back with undefined, a wrong value and a call that nobody waits for break nothing", async ({
+  page,
+}) => {
+  await openShop(page, "?size=128");
+  const uncaught: string[] = [];
+  page.on("pageerror", (error) => uncaught.push(String(error)));
+  const editor = page.locator("texelcast-editor");
+  const found = await editor.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => {
+    const anything = element as unknown as Record<string, unknown>;
+    const source = await (await fetch(element.src as string)).arrayBuffer();
+    await element.start();
+    await element.addText("kept");
+    // As frameworks do with a property that their component no longer has.
+    for (const name of ["design", "zones", "beforeAccept", "locale", "wasmUrl", "poster", "maxDecals"]) {
+      anything[name] = undefined;
+    }
+    for (const wrong of [7, {}, Symbol("none"), Object.create(null)]) {
+      Object.assign(anything, { locale: wrong, maxDecals: wrong, cameraOrbit: wrong });
+      await element.updateComplete;
+    }
+    Object.assign(anything, { locale: "", maxDecals: null, cameraOrbit: "" });
+    const picture = Uint8Array.from(
+      atob("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="),
+      (c) => c.charCodeAt(0),
+    );
+    await element.addDecal(picture);
+    const nothing = await element.addDecal(undefined as unknown as string).catch((error) => error);
+    void element.restart();
+    await element.restart();
+    const { design } = await element.exportDesign();
+    anything.src = { bytes: source };
+    await element.updateComplete;
+    await element.start();
+    return { names: design.layers.map(({ name }) => name), nothing: [nothing.code, nothing.field] };
+  });
+  expect(found).toEqual({ names: ["kept", "picture"], nothing: ["bad-argument", "source"] });
+  expect([...new Set(await codes(page))]).toEqual(["bad-argument"]);
+  expect(uncaught).toEqual([]);
+});
+
 test("hostile designs and files are refused by name, run nothing and fetch nothing", async ({ page, baseURL }) => {
   const alarms: string[] = [];
   page.on("dialog", (dialog) => {

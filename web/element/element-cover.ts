@@ -15,9 +15,9 @@ export interface Cover {
 
 export function cover({ words, poster, phase, share, error, start }: Cover): TemplateResult {
   return html`
-    <div class="cover" part="cover" data-phase=${phase} ?data-bare=${poster === ""}>
+    <div class="cover" part="cover" data-phase=${phase} ?data-bare=${!poster}>
       <slot name="poster">
-        ${poster === "" ? nothing : html`<img class="poster" part="poster" src=${poster} alt="" />`}
+        ${!poster ? nothing : html`<img class="poster" part="poster" src=${poster} alt="" />`}
       </slot>
       <div class="own center">
         ${

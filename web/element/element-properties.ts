@@ -8,6 +8,9 @@ const numeric = {
     value === null || value.trim() === "" ? null : Number(value),
 };
 
+/** Frameworks take a property back with undefined, which is no other wish than null: the product must not be opened anew for it. */
+const hasChanged = (now: unknown, before: unknown): boolean => !Object.is(now ?? null, before ?? null);
+
 export const DEFAULTS: TexelcastEditorProperties = {
   src: null,
   design: null,
@@ -30,9 +33,9 @@ export const DEFAULTS: TexelcastEditorProperties = {
 };
 
 export const PROPERTIES = {
-  src: {},
-  design: {},
-  zones: {},
+  src: { hasChanged },
+  design: { hasChanged },
+  zones: { hasChanged },
   mode: { reflect: true },
   material: { converter: numeric },
   size: { converter: numeric },

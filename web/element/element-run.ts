@@ -52,7 +52,7 @@ export class Run {
   async open(): Promise<Mode> {
     const { kind, src, zones, words, base, host, progress } = this.#parts;
     try {
-      if (src === null || src === "") {
+      if (!src) {
         throw new ToldError("missing-file", words.errors.noModel, {
           field: "src",
           hint: words.errors.noModelHint,
@@ -63,7 +63,11 @@ export class Run {
       // At once: what shows the model is fetched while the model is.
       const loading = loadMode(kind);
       loading.catch(() => undefined);
-      const source = typeof src === "string" ? await fetchModel(src, base, fetching) : src;
+      const source =
+        typeof src === "object" && "bytes" in src
+          ? // A page has an ArrayBuffer of what it fetched, and may have no name for it.
+            { ...{ name: "src" }, ...src, ...(!ArrayBuffer.isView(src.bytes) && { bytes: new Uint8Array(src.bytes) }) }
+          : await fetchModel(String(src), base, fetching);
       const openMode = await loading;
       this.#check();
       progress(FETCHED);
@@ -71,7 +75,7 @@ export class Run {
       this.#made = mode;
       await host.made(mode);
       await mode.open(source, this.#hasDesign ? (library) => this.#firstDesign(library) : null);
-      if (zones !== null) {
+      if (zones) {
         await this.#useZones(mode, zones);
       }
       this.#check();
@@ -86,7 +90,7 @@ export class Run {
 
   get #hasDesign(): boolean {
     const { given, kept } = this.#parts.design;
-    return given !== null || kept !== null;
+    return given != null || kept !== null;
   }
 
   /** Zones that cannot be used are told to the page, which can correct them: the product is shown without. */

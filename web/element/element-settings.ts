@@ -28,13 +28,14 @@ type Orbits = "cameraOrbit" | "minCameraOrbit" | "maxCameraOrbit";
 export function readSettings(element: TexelcastEditorProperties, words: Words): ReadSettings {
   const faults = new Map<keyof TexelcastEditorProperties, TexelcastError>();
   const wrong = (name: keyof TexelcastEditorProperties, hint: string): void => {
-    const details = { field: name, value: String(element[name]), hint };
+    const value: unknown = element[name];
+    const details = { field: name, value: typeof value === "object" ? "object" : String(value), hint };
     faults.set(name, new ToldError("bad-argument", words.errors.badOption(name), details));
   };
   const number = (name: Numbers, least: number, most: number, whole = true): number | null => {
     const value: unknown = element[name];
     if (value === null || value === undefined || value === "") return DEFAULTS[name];
-    const given = Number(value);
+    const given = typeof value === "string" || typeof value === "number" ? Number(value) : Number.NaN;
     if (given >= least && given <= most && (!whole || Number.isInteger(given))) return given;
     wrong(name, `${least} – ${most}`);
     return DEFAULTS[name];
@@ -67,7 +68,7 @@ export function readSettings(element: TexelcastEditorProperties, words: Words): 
       bytes: number("maxFileSize", 1, 2 ** 40) ?? DEFAULTS.maxFileSize,
     },
     camera: camera(),
-    beforeAccept: element.beforeAccept,
+    beforeAccept: element.beforeAccept ?? null,
   };
   const start = orbit("cameraOrbit");
   return { settings, orbit: start === ANY_ORBIT ? null : start, faults };

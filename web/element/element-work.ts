@@ -168,7 +168,7 @@ export class Work {
       if (closings !== this.#closings) throw new TexelcastError("cancelled", voice.words.errors.notReady);
       const { mode: kind, src, zones, design } = element;
       this.#run = new Run({
-        ...{ kind, src, zones: zones === "" ? null : zones, words: voice.words, limits: this.settings.limits },
+        ...{ kind, src, zones, words: voice.words, limits: this.settings.limits },
         design: { given: design, kept: this.#kept?.design ?? null, keptFirst: this.#kept?.behind === false },
         base: document.baseURI,
         host: this.#modeHost(this.#view),
@@ -207,7 +207,7 @@ export class Work {
     this.#coming = coming;
     try {
       const desk = await mode.takeDesk();
-      const design = await run?.readDesign(desk.library, this.#element.design ?? null);
+      const design = await run?.readDesign(desk.library, this.#element.design);
       if (!design) return;
       if (this.#coming === coming) desk.takeDesign(design);
       desk.library.release(Object.values(design.assets));
@@ -222,7 +222,7 @@ export class Work {
 
   async #useZones(mode: Mode): Promise<void> {
     const { zones } = this.#element;
-    const read = zones === null || zones === "" ? null : await this.#run?.readZones(zones);
+    const read = zones ? await this.#run?.readZones(zones) : null;
     const desk = await mode.takeDesk();
     if (this.#element.zones !== zones || read === undefined || desk.closed) return;
     await desk.useZones(read);

@@ -265,9 +265,9 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
     return this.#called(this.#work.submit());
   }
 
-  async restart(): Promise<void> {
+  restart(): Promise<void> {
     this.#work.close();
-    await this.start();
+    return this.start();
   }
 
   /** @internal */

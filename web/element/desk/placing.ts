@@ -101,6 +101,9 @@ async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; 
     const most = (limits.bytes ?? Number.POSITIVE_INFINITY) + 1;
     return { name, bytes: new Uint8Array(await source.slice(0, most).arrayBuffer()) };
   }
+  if (!source || !(typeof source === "string" || source instanceof URL)) {
+    throw new ToldError("bad-argument", words.errors.badOption("source"), { field: "source", value: typeof source });
+  }
   const url = addressOf(String(source), document.baseURI, words);
   return { name: nameOf(url), bytes: await fetchBytes(url, { words, signal: new AbortController().signal }) };
 }

@@ -55,7 +55,7 @@ class FullMode implements Mode {
     const { language } = host.words;
     const strings = stringsIn(language);
     const viewer = createModelViewer(places.view, { label: strings.stage.view });
-    const engine = createEngineClient(host.wasm === "" ? {} : { wasm: host.wasm });
+    const engine = createEngineClient(host.wasm ? { wasm: host.wasm } : {});
     const textureView = createTextureView(places.texture, {
       label: strings.texture.view,
       onNeedsFullUpdate: (material) => editor.refresh(material),

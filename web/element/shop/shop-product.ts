@@ -40,7 +40,7 @@ export class ShopProduct {
     this.hooks = hooks;
     // First: without graphics there is nothing to begin a worker for.
     this.viewer = new StillView(view, { label: hooks.settings().words.view });
-    this.engine = createEngineClient(wasm === "" ? {} : { wasm });
+    this.engine = createEngineClient(wasm ? { wasm } : {});
     this.engine.onUpdate((update) => this.#receive(update));
     this.engine.onError((error) => this.fail(error));
     this.viewer.on("graphics", ({ lost }) => lost && hooks.graphicsLost());

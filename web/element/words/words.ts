@@ -5,9 +5,9 @@ export type { Words, WordsLanguage } from "./english.ts";
 export { english } from "./english.ts";
 
 /** The first wish that is spoken here, by its first part ("de-AT" is German); English where none is. */
-export function languageOf(wishes: readonly (string | null | undefined)[]): WordsLanguage {
+export function languageOf(wishes: readonly unknown[]): WordsLanguage {
   for (const wish of wishes) {
-    const spoken = wish?.toLowerCase().split(/[-_]/)[0];
+    const spoken = typeof wish === "string" && wish.toLowerCase().split(/[-_]/)[0];
     if (spoken === "en" || spoken === "de") return spoken;
   }
   return "en";
