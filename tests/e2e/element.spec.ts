@@ -195,13 +195,18 @@ test("elements come, move and go, and leave no worker, graphics or picture behin
   expect(await codes(page)).toEqual([]);
 });
 
-test("an element whose graphics stay away says so, and begins anew with its design when it is asked to", async ({
+test("an element whose graphics stay away says so, and begins anew with its design and its steps when it is asked to", async ({
   page,
 }) => {
   await openShop(page, "?loading=eager");
   const editor = page.locator("texelcast-editor");
   await editor.evaluate((element: HTMLElementTagNameMap["texelcast-editor"]) =>
-    element.addDecal("demo/decals/smiley.png"),
+    element
+      .addDecal("demo/decals/smiley.png")
+      .then((id) => element.removeLayer(id))
+      .then(() => element.addText("one"))
+      .then(() => element.addText("two"))
+      .then(() => element.undo()),
   );
   await page
     .locator("texelcast-editor .tcv-canvas")
@@ -213,10 +218,27 @@ test("an element whose graphics stay away says so, and begins anew with its desi
   expect(await codes(page)).toEqual(["graphics-lost"]);
   await alert.getByRole("button").click();
   await expect(alert).toHaveCount(0);
-  const layers = await editor.evaluate(
-    async (element: HTMLElementTagNameMap["texelcast-editor"]) => (await element.exportDesign()).design.layers.length,
-  );
-  expect(layers).toBe(1);
+  const names = async (): Promise<string[]> =>
+    editor.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) =>
+      (await element.exportDesign()).design.layers.map(({ name }) => name),
+    );
+  const travel = (way: "undo" | "redo"): Promise<boolean> =>
+    editor.evaluate((element: HTMLElementTagNameMap["texelcast-editor"], way) => element[way](), way);
+  expect(await names()).toEqual(["one"]);
+  expect(await travel("redo")).toBe(true);
+  expect(await names()).toEqual(["one", "two"]);
+  for (const before of [["one"], [], ["smiley"]]) {
+    await travel("undo");
+    expect(await names()).toEqual(before);
+  }
+  // What the new engine has never had is given to it again.
+  const bare = await editor.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => {
+    const { sha256 } = await element.exportTexture();
+    element.undo();
+    return sha256 !== (await element.exportTexture()).sha256 && !element.canUndo;
+  });
+  expect(bare).toBe(true);
+  expect(await codes(page)).toEqual(["graphics-lost"]);
 });
 
 test("zones that cannot be read are told and hide no product, and hold once they are corrected", async ({ page }) => {

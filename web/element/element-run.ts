@@ -2,6 +2,7 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Design } from "../editor/document/design.ts";
 import type { AssetLibrary } from "../editor/state/asset-library.ts";
+import type { DesignSession } from "../editor/state/design-session.ts";
 import { ToldError } from "../editor/strings/told-error.ts";
 import type { PrintZones } from "../engine/print-zones.ts";
 import type { UploadLimits } from "../engine/upload-check.ts";
@@ -14,7 +15,7 @@ export interface RunParts {
   readonly kind: TexelcastEditorProperties["mode"];
   readonly src: TexelcastEditorProperties["src"];
   /** What the page gives, and what was worked on before: that goes first, or is there for a given one that cannot be read. */
-  readonly design: { readonly given: DesignInput | null; readonly kept: Design | null; readonly keptFirst: boolean };
+  readonly design: { readonly given: DesignInput | null; readonly kept: Steps | null; readonly keptFirst: boolean };
   readonly zones: TexelcastEditorProperties["zones"];
   readonly base: string;
   readonly words: Words;
@@ -23,6 +24,9 @@ export interface RunParts {
   /** Of the whole of opening. */
   readonly progress: (share: number) => void;
 }
+
+/** The history of a design. */
+export type Steps = DesignSession["steps"];
 
 /** Of the whole way, where the mode and the model's bytes are there. */
 export const FETCHED = 0.4;
@@ -51,6 +55,7 @@ export class Run {
   /** Rejects with a TexelcastError, closed; "cancelled" where `close` was faster. */
   async open(): Promise<Mode> {
     const { kind, src, zones, words, base, host, progress } = this.#parts;
+    const { kept } = this.#parts.design;
     try {
       if (!src) {
         throw new ToldError("missing-file", words.errors.noModel, {
@@ -75,6 +80,7 @@ export class Run {
       this.#made = mode;
       await host.made(mode);
       await mode.open(source, this.#hasDesign ? (library) => this.#firstDesign(library) : null);
+      if (kept) mode.desk?.session.resume(kept);
       if (zones) {
         await this.#useZones(mode, zones);
       }
@@ -107,7 +113,8 @@ export class Run {
   /** The design of the start. Of one that cannot be read the page is told where there is another to go on with. */
   async #firstDesign(library: AssetLibrary): Promise<Design> {
     const { design, host } = this.#parts;
-    const { given, kept, keptFirst } = design;
+    const { given, keptFirst } = design;
+    const kept = design.kept?.recorded.design;
     if (kept && keptFirst) return kept;
     try {
       return await this.readDesign(library, given);

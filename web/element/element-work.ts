@@ -1,13 +1,12 @@
 /** What an element has under way: it is opened, the design is worked on, and it is closed, as often as the page likes. */
 import type { LitElement } from "lit";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import type { Design } from "../editor/document/design.ts";
 import { ToldError } from "../editor/strings/told-error.ts";
 import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
 import type { DesignExport } from "./desk/export-design.ts";
 import type { SubmitDetail, TexelcastEditorProperties } from "./element-api.ts";
 import { sendEvent } from "./element-events.ts";
-import { FETCHED, Run } from "./element-run.ts";
+import { FETCHED, Run, type Steps } from "./element-run.ts";
 import { readSettings } from "./element-settings.ts";
 import type { Voice } from "./element-voice.ts";
 import type { AtDesk, Mode, ModeHost } from "./mode.ts";
@@ -35,7 +34,7 @@ export class Work {
   /** How often it was closed: a start that finds another count than it began with is given up. */
   #closings = 0;
   /** What was worked on when the mode was closed last; `behind` a newer one that the page has set and nobody has seen yet. */
-  #kept: { readonly design: Design; readonly behind: boolean } | null = null;
+  #kept: { readonly steps: Steps; readonly behind: boolean } | null = null;
   /** The newest design that the page has set meanwhile and that is being read. */
   #coming: object | null = null;
   /** The newest design and zones that the page has set: done when they are in use, or could not be. */
@@ -103,7 +102,7 @@ export class Work {
     clearTimeout(this.#changeTimer);
     this.#closings++;
     const { mode } = this;
-    if (mode?.desk) this.#kept = { design: mode.desk.design, behind: this.#coming !== null };
+    if (mode?.desk) this.#kept = { steps: mode.desk.session.steps, behind: this.#coming !== null };
     this.#coming = null;
     this.#run?.close();
     this.#run = null;
@@ -169,7 +168,7 @@ export class Work {
       const { mode: kind, src, zones, design } = element;
       this.#run = new Run({
         ...{ kind, src, zones, words: voice.words, limits: this.settings.limits },
-        design: { given: design, kept: this.#kept?.design ?? null, keptFirst: this.#kept?.behind === false },
+        design: { given: design, kept: this.#kept?.steps ?? null, keptFirst: this.#kept?.behind === false },
         base: document.baseURI,
         host: this.#modeHost(this.#view),
         progress: (share) => this.#progress(share),

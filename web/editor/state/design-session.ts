@@ -122,6 +122,27 @@ export class DesignSession {
     this.#sweep();
   }
 
+  /** All of its steps, for the session that comes after it. */
+  get steps(): History<Snapshot> {
+    return this.#history;
+  }
+
+  /**
+   * Goes on with the steps of a session that has ended, where the design that it ended at is the one that was opened: they are
+   * the design's, whatever engine and view had shown it.
+   */
+  resume(before: History<Snapshot>): void {
+    const history = this.#history;
+    const { model, design } = history.recorded;
+    if (before.recorded.design !== design) return;
+    for (const [at, label] of before.labels.entries()) {
+      const value = { ...(before.valueAt(at) as Snapshot), model };
+      if (at === 0) history.reset(value);
+      else history.record(value, label);
+    }
+    this.travelTo(before.position);
+  }
+
   travelTo(position: number): void {
     this.#history.travelTo(position);
     this.#publish();
