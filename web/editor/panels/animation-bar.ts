@@ -52,7 +52,7 @@ export class AnimationBar extends EditorElement {
         text-align: center;
         white-space: nowrap;
       }
-      @container (max-width: 27rem) {
+      @container (max-width: 33em) {
         output {
           display: none;
         }

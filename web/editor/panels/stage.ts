@@ -60,7 +60,7 @@ export class Stage extends EditorElement {
         inset-inline-start: var(--space-2);
       }
       /* Below it nothing stands, so where the height is dear the tools have it. */
-      @container (max-height: 32rem) {
+      @container (max-height: 39em) {
         tc-tool-rail {
           inset-block-end: var(--space-2);
         }

@@ -44,7 +44,7 @@ export class TexturePanel extends EditorElement {
         color: var(--text);
         font-weight: 550;
       }
-      @container (max-width: 25rem) {
+      @container (max-width: 31em) {
         [role="tab"] {
           padding-inline: 5px;
           font-size: var(--text-small);
@@ -88,7 +88,7 @@ export class TexturePanel extends EditorElement {
         white-space: nowrap;
       }
       /* A word cut in two says nothing; the tab's own hint says it, too. */
-      @container (max-width: 25rem) {
+      @container (max-width: 31em) {
         footer p:not(#texel) {
           visibility: hidden;
         }

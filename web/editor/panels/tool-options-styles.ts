@@ -109,7 +109,7 @@ export const toolOptionsStyles = css`
       display: none;
     }
   }
-  @container (max-width: 20rem) {
+  @container (max-width: 25em) {
     .second {
       display: none;
     }

@@ -7,7 +7,10 @@ import { type CSSResult, unsafeCSS } from "lit";
 
 const REM = "--_texelcast-rem";
 
-/** The styles with their rems in it. Those in the heads of container queries stay: no custom property counts there. */
+/**
+ * The styles with their rems in it. Heads of queries stay: no custom property counts there. Those of media go by the browser's own
+ * size anyway; those of containers would go by the page's and are written in `em`, the size of type of the container itself.
+ */
 export function inOwnRem({ cssText }: CSSResult): CSSResult {
   const replaced = cssText.replace(
     /(@[^{}]*\{)|(-?[\d.]+)rem\b/g,
