@@ -19,6 +19,8 @@ export class AssetStore {
   readonly #folder: string;
   readonly #mostBytes: number;
   #storedBytes: number;
+  /** What is being stored: bytes that come twice at once are written and counted once. */
+  readonly #coming = new Map<Sha256, Promise<void>>();
 
   private constructor(folder: string, mostBytes: number, storedBytes: number) {
     this.#folder = folder;
@@ -47,21 +49,34 @@ export class AssetStore {
    */
   async put(bytes: Uint8Array): Promise<Sha256> {
     const hash = sha256Of(bytes);
-    if (await this.has(hash)) {
-      await this.#touch(hash);
-      return hash;
+    let coming = this.#coming.get(hash);
+    if (coming === undefined) {
+      coming = this.#keep(hash, bytes).finally(() => this.#coming.delete(hash));
+      this.#coming.set(hash, coming);
     }
+    await coming;
+    return hash;
+  }
+
+  async #keep(hash: Sha256, bytes: Uint8Array): Promise<void> {
+    if (await this.has(hash)) return await this.#touch(hash);
     if (this.#storedBytes + bytes.length > this.#mostBytes) {
       throw shopError("storage-full", "the shop has no room for more files", { hint: "Try again later." });
     }
+    // Before it is written: others that come meanwhile must not be promised the same room.
+    this.#storedBytes += bytes.length;
     const file = this.#fileOf(hash);
-    await mkdir(path.dirname(file), { recursive: true });
     // Whole or not at all: a reader never meets half a file.
     const draft = `${file}.${randomUUID()}`;
-    await writeFile(draft, bytes, { flag: "wx" });
-    await rename(draft, file);
-    this.#storedBytes += bytes.length;
-    return hash;
+    try {
+      await mkdir(path.dirname(file), { recursive: true });
+      await writeFile(draft, bytes, { flag: "wx" });
+      await rename(draft, file);
+    } catch (error) {
+      this.#storedBytes -= bytes.length;
+      await rm(draft, { force: true });
+      throw error;
+    }
   }
 
   async has(hash: Sha256): Promise<boolean> {

@@ -24,6 +24,8 @@ function pngOfSize(width: number, height: number): Uint8Array {
 it.each([
   ["a missing body is told as the body", undefined, "body"],
   ["a name with a control character is refused", { name: "Ada\u0000Lovelace" }, "name"],
+  ["a name that turns what is printed after it around is refused", { name: "Ada\u202eecalevoL" }, "name"],
+  ["a name of nothing that is seen is refused", { name: "\u200b\u2060" }, "name"],
 ])("%s", async (_what, payload, field) => {
   const url = `/api/carts/${cart}/order`;
   const reply = await shop.app.inject({ method: "POST", url, ...(payload && { payload }) });
@@ -74,6 +76,19 @@ describe("a file is refused", () => {
     expect(reply.statusCode).toBe(507);
     expect(reply.json().error.code).toBe("storage-full");
     expect((await full.putFile(LOGO)).statusCode).toBe(201);
+  });
+
+  it("never for room that nothing takes: sent many times at once, it takes its room once", async () => {
+    const small = await openShop({ storedBytes: LOGO.length + SNAPSHOT.length });
+    const replies = await Promise.all(Array.from({ length: 50 }, () => small.putFile(LOGO)));
+    expect(replies.every(({ statusCode }) => statusCode === 201)).toBe(true);
+    expect((await small.putFile(SNAPSHOT)).statusCode).toBe(201);
+  });
+
+  it("when others that come at the same time take the room", async () => {
+    const full = await openShop({ storedBytes: Math.max(LOGO.length, SNAPSHOT.length) });
+    const replies = await Promise.all([full.putFile(LOGO), full.putFile(SNAPSHOT)]);
+    expect(replies.map(({ statusCode }) => statusCode).sort()).toEqual([201, 507]);
   });
 
   it.each(["../../shop.sqlite", "..%2f..%2fshop.sqlite", "%2e%2e/shop.sqlite", "....//shop.sqlite", "A".repeat(64)])(
