@@ -16,8 +16,15 @@ const hash = v.pipe(
 );
 const whole = (least: number, most: number) => v.pipe(numberBetween(least, most), v.integer("must be a whole number"));
 const KEY_LENGTH = 1000;
-/** SQLite ends a text at its first NUL, and what prints a name shows no other control character as it is. */
-const noControl = v.check((name: string) => !/\p{Cc}/u.test(name), "must not hold control characters");
+/**
+ * SQLite ends a text at its first NUL, and what prints a name shows no other control character as it is; those that turn the
+ * direction would turn what stands beside the name, too.
+ */
+const noControl = v.check(
+  (name: string) => !/[\p{Cc}\u202a-\u202e\u2066-\u2069]/u.test(name),
+  "must not hold control characters",
+);
+const seen = v.check((name: string) => /[^\p{C}\p{Z}]/u.test(name), "must hold something that is seen");
 
 const lineRequest = strict({
   product: filledText(KEY_LENGTH),
@@ -33,7 +40,7 @@ const lineRequest = strict({
 });
 
 const orderRequest = strict({
-  name: v.pipe(v.string("must be a string"), v.trim(), filledText(SHOP_LIMITS.nameLength), noControl),
+  name: v.pipe(v.string("must be a string"), v.trim(), filledText(SHOP_LIMITS.nameLength), noControl, seen),
 });
 const quantityRequest = strict({ quantity: whole(1, SHOP_LIMITS.quantity) });
 
