@@ -23,6 +23,12 @@ vi.mock("../../web/element/shop/shop-mode.ts", () => ({
       design: null as unknown,
       library: { release: () => undefined },
       zones: null,
+      session: {
+        get steps() {
+          return { recorded: { design: desk.design } };
+        },
+        resume: () => undefined,
+      },
       takeDesign: (design: unknown) => {
         desk.design = design;
         taken.push(design);
