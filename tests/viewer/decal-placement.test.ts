@@ -1,6 +1,6 @@
 import { Quaternion, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { footOf, nudgeOnSurface, placeOnSurface } from "../../web/viewer/decal-placement.ts";
+import { footOf, nudgeOnSurface, placeOnSurface, resized } from "../../web/viewer/decal-placement.ts";
 import { axisOf, rollOf } from "../../web/viewer/decal-pose.ts";
 import type { SurfaceQuery, SurfaceSample } from "../../web/viewer/surface-query.ts";
 import { expectVector, poseAt, radians } from "./pose-helpers.ts";
@@ -11,6 +11,27 @@ const view = { right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
 function hitFrom(query: SurfaceQuery, eye: Vector3): SurfaceSample {
   return query.raycast(eye, eye.clone().negate().normalize()) as SurfaceSample;
 }
+
+describe("a decal that is given another size", () => {
+  const query = queryOf(cylinder());
+  const placed = placeOnSurface(query, hitFrom(query, new Vector3(0, 0, 4)), 0.4, 4, view, null);
+  const sized = (pose: typeof placed, width: number): typeof placed =>
+    resized(query, pose, { ...pose, size: new Vector3(width, width / 4, pose.size.z) });
+
+  it("reaches over the surface's curve as a new one of that size does, however it came to it", () => {
+    const large = placeOnSurface(query, hitFrom(query, new Vector3(0, 0, 4)), 1.6, 4, view, null);
+    // The new one leans as the normals under it do on the average.
+    expect(sized(placed, 1.6).size.z / large.size.z).toBeCloseTo(1, 1);
+    expect(sized(sized(placed, 0.9), 1.6).size.z).toBeCloseTo(sized(placed, 1.6).size.z, 9);
+    expect(sized(sized(placed, 1.6), 0.4).size.z).toBeCloseTo(placed.size.z, 9);
+  });
+
+  it("stays as shallow for its size as it was made, and as deep where its size is the same", () => {
+    const shallow = { ...placed, size: placed.size.clone().setZ(placed.size.z / 2) };
+    expect(sized(shallow, 1.6).size.z).toBeCloseTo(sized(placed, 1.6).size.z / 2, 9);
+    expect(sized(shallow, 0.4)).toEqual(shallow);
+  });
+});
 
 describe("a new decal", () => {
   it("is centred on the surface, faces along its normal and stands upright", () => {

@@ -124,6 +124,10 @@ export class DecalHands {
     return this.#placement.nudged(projector, rightMetres, upMetres, this.#parts.thrown());
   }
 
+  resized(before: Projector, after: Projector): Projector {
+    return this.#placement.resized(before, after);
+  }
+
   materialsReached(projector: Projector, backfaces: boolean): readonly number[] {
     const volume = reachVolume(projector, backfaces);
     return (volume && this.#parts.model()?.whole.materialsWithin(volume)) ?? [];

@@ -74,6 +74,18 @@ export function placeOnSurface(
   return pose;
 }
 
+/**
+ * A box of another size reaches as deep for its size as it did before: one that covered the surface's shape goes on to, one
+ * that was made shallower is as much shallower than that.
+ */
+export function resized(query: SurfaceQuery, before: DecalPose, after: DecalPose): DecalPose {
+  if (before.size.x === after.size.x && before.size.y === after.size.y) return after;
+  const usual = ({ position, rotation, size: { x, y } }: DecalPose): number =>
+    fittingDepth(query, { position, rotation, size: new Vector3(x, y, USUAL_DEPTH * Math.max(x, y)) });
+  const depth = (after.size.z * usual(after)) / usual(before);
+  return { ...after, size: after.size.clone().setZ(depth) };
+}
+
 /** The box turned so that it faces along a normal: the least leaning one leaves the most room under a layer. */
 export function laidFlat(pose: DecalPose, normal: Vector3): DecalPose {
   const rotation = minimalRotation(axisOf(pose, 2), normal).multiply(pose.rotation).normalize();

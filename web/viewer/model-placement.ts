@@ -4,7 +4,7 @@
  */
 import { Vector3 } from "three";
 import type { PlanarProjector, Projector } from "../engine/engine-api.ts";
-import { beneath, laidFlat, nudgeOnSurface, placeOnSurface } from "./decal-placement.ts";
+import { beneath, laidFlat, nudgeOnSurface, placeOnSurface, resized } from "./decal-placement.ts";
 import { poseOf, projectorOf } from "./decal-pose.ts";
 import type { HeldModel } from "./held-model.ts";
 import type { ViewPoint } from "./projector-align.ts";
@@ -40,6 +40,12 @@ export class ModelPlacement {
     if (thrown === null) return projector;
     const view = this.viewOf(thrown.box(query, projector)?.position ?? null);
     return thrown.nudged(projector, view, rightMetres, upMetres, 2 * query.bounds.radius);
+  }
+
+  /** `DecalViewer.resized`. */
+  resized(before: Projector, after: Projector): Projector {
+    if (before.kind !== "planar" || after.kind !== "planar") return after;
+    return projectorOf(resized(this.#model.query, poseOf(before), poseOf(after)));
   }
 
   viewOf(position: Vector3 | null): ViewPoint {

@@ -77,6 +77,10 @@ export abstract class ViewInHands implements DecalViewer {
     return this.hands.nudge(projector, rightMetres, upMetres);
   }
 
+  resized(before: Projector, after: Projector): Projector {
+    return this.hands.resized(before, after);
+  }
+
   materialsReached(projector: Projector, backfaces: boolean): readonly number[] {
     return this.hands.materialsReached(projector, backfaces);
   }

@@ -186,6 +186,11 @@ export interface DecalViewer extends ModelView {
    */
   nudge(projector: Projector, rightMetres: number, upMetres: number): Projector;
   /**
+   * What a projector was before and is after its picture was sized: a box of another width or height gets the depth that goes
+   * with it on the surface there, or a picture that grows would be cut off where the model curves away.
+   */
+  resized(before: Projector, after: Projector): Projector;
+  /**
    * glTF materials, ascending, with a triangle inside the projector's volume that it meets from the front (with `backfaces`,
    * from either side); none for a flat stamp. Occlusion is not looked at, and a label counts as its bounding box.
    */

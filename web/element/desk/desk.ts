@@ -188,11 +188,15 @@ export class Desk {
     else this.session.preview(design);
   }
 
-  /** Moves, turns or sizes what is placed: it paints the materials that it then lies on. */
-  place(id: string, projector: PlacedLayer["projector"], final: boolean, key?: string): void {
+  /**
+   * Moves, turns or sizes what is placed: it paints the materials that it then lies on (`onto`: where a hand put it), and its
+   * depth, of which a shop's customers need not know, goes with its size.
+   */
+  place(id: string, placed: PlacedLayer["projector"], final: boolean, key?: string, onto: number | null = null): void {
     const layer = layerById(this.design, id);
     if (layer?.type !== "decal" && layer?.type !== "text") return;
-    const material = this.reach.movedTo(layer, projector, null);
+    const projector = this.#hands?.resized(layer.projector, placed) ?? placed;
+    const material = this.reach.movedTo(layer, projector, onto);
     this.change<PlacedLayer>(id, { projector, material }, final, key);
   }
 

@@ -111,10 +111,17 @@ export class Texts {
     }
     const target = desk.store.state.targets.get(desk.material);
     const close = fitsClosely(layer, old, target ? target.width / target.height : 1);
-    const box = close ? refitted(changed, old, now) : {};
+    const box: Partial<TextLayer> = close ? refitted(changed, old, now) : {};
+    const projector = box.projector && desk.hands?.resized(layer.projector, box.projector);
     // The design may have got other layers since the words were measured.
     const present = dressed();
-    const edited = patchLayer<TextLayer>(present.design, id, { ...fields, ...named, font: present.key, ...box });
+    const edited = patchLayer<TextLayer>(present.design, id, {
+      ...fields,
+      ...named,
+      font: present.key,
+      ...box,
+      ...(projector && { projector }),
+    });
     if (final) desk.session.record(font ? withoutUnusedAssets(edited) : edited, desk.settings.words.steps.change);
     else desk.session.preview(edited);
   }

@@ -106,6 +106,19 @@ function sizeFields(view: FieldsHost, id: string, projector: Projector): Templat
       max: 360,
       set: (value) => spunProjector(projector, value - turnOf(projector)),
     })}
+    ${
+      projector.kind === "planar"
+        ? number(view, id, {
+            name: words.depth,
+            unit: words.centimetres,
+            value: projector.size[2] * scale,
+            step: 0.1,
+            min: 0.01,
+            max: Math.max(most, projector.size[2]) * scale,
+            set: (value) => ({ ...projector, size: [projector.size[0], projector.size[1], value / scale] }),
+          })
+        : nothing
+    }
   `;
 }
 

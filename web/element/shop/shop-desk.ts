@@ -1,8 +1,7 @@
 /** The shop's desk: one design with its history on a product that is shown, and no more of the editor than these need. */
 import { type Design, emptyDesign } from "../../editor/document/design.ts";
 import { AssetLibrary } from "../../editor/state/asset-library.ts";
-import type { PlacedLayer } from "../../editor/state/decal-reach.ts";
-import { layerById, usedMaterials } from "../../editor/state/design-edits.ts";
+import { usedMaterials } from "../../editor/state/design-edits.ts";
 import { DesignSession } from "../../editor/state/design-session.ts";
 import { type EditorState, INITIAL_STATE } from "../../editor/state/editor-state.ts";
 import { Store } from "../../editor/state/store.ts";
@@ -83,12 +82,7 @@ export class ShopDesk extends Desk {
   #follow({ id, phase, projector, material: onto }: DecalGesture): void {
     if (phase === "start") this.select(id);
     else if (phase === "cancel") this.session.cancelPreview();
-    else {
-      const layer = layerById(this.design, id);
-      if (layer?.type !== "decal" && layer?.type !== "text") return;
-      const material = this.reach.movedTo(layer, projector, onto);
-      this.change<PlacedLayer>(id, { projector, material }, phase === "end");
-    }
+    else this.place(id, projector, phase === "end", undefined, onto);
   }
 
   #show(): void {

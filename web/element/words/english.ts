@@ -43,6 +43,7 @@ export const english = {
   width: "Width",
   height: "Height",
   turn: "Turn",
+  depth: "Depth",
   centimetres: "cm",
   degrees: "°",
 

@@ -39,6 +39,7 @@ export const german: Words = {
   width: "Breite",
   height: "Höhe",
   turn: "Drehung",
+  depth: "Tiefe",
   centimetres: "cm",
   degrees: "°",
 
