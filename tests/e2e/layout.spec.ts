@@ -110,6 +110,12 @@ test.describe("the first steps", () => {
   }
 });
 
+test("of two menus that are named alike is read what each is of", async ({ editor, page }) => {
+  await editor.open();
+  await expect(page.locator("tc-top-bar .projects .opener")).toHaveText(/^\s*Project\s*Mug\s*$/);
+  await expect(page.locator("tc-top-bar .models .opener")).toHaveText(/^\s*Model\s*Mug\s*$/);
+});
+
 test("every control has a name, and the keyboard reaches the views and the panels", async ({ editor, page }) => {
   await editor.open();
   const nameless = await page.evaluate(() => {

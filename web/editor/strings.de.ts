@@ -27,6 +27,7 @@ export const german: Strings = {
 
   topBar: {
     label: "Datei und Verlauf",
+    project: "Projekt",
     models: "Modell",
     noModel: "Kein Modell",
     demos: "Beispielmodelle",
@@ -554,7 +555,6 @@ export const german: Strings = {
 
   projects: {
     title: "Projekte",
-    menu: (name) => `Projekt: ${name}`,
     list: "Projekte, das neueste zuerst",
     all: "Alle Projekte…",
     allHint: "In diesem Browser gespeichert",

@@ -26,6 +26,7 @@ const english = {
 
   topBar: {
     label: "File and history",
+    project: "Project",
     models: "Model",
     noModel: "No model",
     demos: "Demo models",
@@ -548,7 +549,6 @@ const english = {
 
   projects: {
     title: "Projects",
-    menu: (name: string): string => `Project: ${name}`,
     list: "Projects, the newest first",
     all: "All projects…",
     allHint: "Kept in this browser",

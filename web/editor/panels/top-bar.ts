@@ -174,14 +174,17 @@ export class TopBar extends EditorElement {
     return html`
       <tc-menu
         class="projects"
+        .kind=${this.#words.project}
         .label=${this.compact ? "" : designName}
-        .name=${this.strings.projects.menu(designName)}
+        .name=${`${this.#words.project}: ${designName}`}
         .icon=${Folder}
         .items=${this.#projectItems()}
       ></tc-menu>
       <tc-menu
         class="models"
+        .kind=${this.#words.models}
         .label=${title}
+        .icon=${this.compact ? null : Box}
         .name=${`${this.#words.models}: ${title}`}
         .items=${this.#modelItems()}
       ></tc-menu>

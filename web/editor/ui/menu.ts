@@ -29,6 +29,7 @@ export class Menu extends RemElement {
   static override properties = {
     disabled: { state: true },
     label: {},
+    kind: {},
     name: {},
     icon: { attribute: false },
     items: { attribute: false },
@@ -37,6 +38,8 @@ export class Menu extends RemElement {
   };
   /** On the button; "" shows the icon alone. */
   declare label: string;
+  /** What the label is a name of, before it where there is room. */
+  declare kind: string;
   /** Accessible name of button and menu. */
   declare name: string;
   declare icon: IconNode | null;
@@ -48,6 +51,7 @@ export class Menu extends RemElement {
   constructor() {
     super();
     this.label = "";
+    this.kind = "";
     this.name = "";
     this.icon = null;
     this.items = [];
@@ -76,8 +80,14 @@ export class Menu extends RemElement {
         text-overflow: ellipsis;
         white-space: nowrap;
       }
-      .opener .chevron {
+      .opener .kind {
+        flex: none;
         color: var(--text-quiet);
+      }
+      @media (max-width: 900px) {
+        .opener .kind {
+          display: none;
+        }
       }
       /* In the top layer, so that no panel that scrolls cuts it off; placed by its opener. */
       [role="menu"] {
@@ -134,6 +144,7 @@ export class Menu extends RemElement {
         @keydown=${this.#openerKey}
       >
         ${this.icon ? icon(this.icon) : nothing}
+        ${this.label && this.kind ? html`<span class="kind">${this.kind}</span>` : nothing}
         ${this.label ? html`<span>${this.label}</span>${icon(ChevronDown)}` : nothing}
       </button>
       ${this.open ? this.#menu() : nothing}
