@@ -113,13 +113,23 @@ async function openTemplates(editor: EditorPage): Promise<void> {
 }
 
 async function expectNoFault(editor: EditorPage, places: readonly Place[], leastTarget: number): Promise<void> {
+  await eachPlace(editor, places, async (name) => {
+    expect.soft(await seriousFaults(editor.page), name).toEqual([]);
+    expect.soft(await smallTargets(editor.page, leastTarget), name).toEqual([]);
+  });
+}
+
+async function eachPlace(
+  editor: EditorPage,
+  places: readonly Place[],
+  look: (name: string) => Promise<void>,
+): Promise<void> {
   await editor.page.emulateMedia({ reducedMotion: "reduce" });
   await editor.open({ hint: true });
   for (const [name, open] of places) {
     await open(editor);
     await editor.idle();
-    expect.soft(await seriousFaults(editor.page), name).toEqual([]);
-    expect.soft(await smallTargets(editor.page, leastTarget), name).toEqual([]);
+    await look(name);
   }
 }
 
@@ -134,5 +144,16 @@ test.describe("on a phone", () => {
   test("axe finds no serious fault on any panel either, and all is large enough for fingers", async ({ editor }) => {
     test.slow();
     await expectNoFault(editor, ON_A_PHONE, 44);
+  });
+});
+
+test.describe("on a tablet", () => {
+  test.use({ viewport: { width: 1024, height: 768 }, hasTouch: true, isMobile: true });
+
+  test("all that a desktop's page has, and a phone's has not, is large enough for fingers too", async ({ editor }) => {
+    test.slow();
+    await eachPlace(editor, ON_A_DESKTOP, async (name) => {
+      expect.soft(await smallTargets(editor.page, 44), name).toEqual([]);
+    });
   });
 });

@@ -40,7 +40,12 @@ export class AnimationBar extends EditorElement {
         max-width: 7rem;
         background: none;
       }
-      input {
+      #clip {
+        flex: 0 1 auto;
+        min-width: var(--target);
+      }
+      /* What fields share gives it no least width. */
+      #scrub {
         flex: 1 1 9rem;
         min-width: 3rem;
       }

@@ -33,6 +33,14 @@ export class LayoutSwitch extends EditorElement {
         min-height: calc(var(--target) - 4px);
         border-radius: 4px;
       }
+      @media (pointer: coarse) {
+        [role="radiogroup"] {
+          padding-block: 0;
+        }
+        [role="radio"] {
+          min-height: var(--target);
+        }
+      }
       button[aria-checked="true"] {
         background: var(--surface-high);
         color: var(--text);
