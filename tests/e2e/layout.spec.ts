@@ -110,6 +110,34 @@ test.describe("the first steps", () => {
   }
 });
 
+test.describe("in German, whose words are long,", () => {
+  test.use({ locale: "de-DE" });
+
+  test("the texture's maps are all in sight beside the model", async ({ editor, page }) => {
+    await page.setViewportSize({ width: 1440, height: 900 });
+    await editor.open();
+    const tabs = page.locator("tc-texture-panel [role=tablist]");
+    await expect(tabs).toContainText("Überlappung");
+    expect(await tabs.evaluate((list) => list.scrollWidth - list.clientWidth)).toBe(0);
+  });
+
+  test.describe("on a small phone", () => {
+    test.use({ viewport: { width: 375, height: 667 }, hasTouch: true, isMobile: true });
+
+    test("the brush's size is read whole", async ({ editor, page }) => {
+      await editor.open();
+      await page.locator("#tool-brush").tap();
+      const size = editor.field("tool-size");
+      for (const number of ["8,7", "12,5"]) {
+        await size.fill(number);
+        await size.press("Enter");
+        await expect(size).toHaveValue(number);
+        expect(await size.evaluate((field) => field.scrollWidth - field.clientWidth), number).toBe(0);
+      }
+    });
+  });
+});
+
 test("of two menus that are named alike is read what each is of", async ({ editor, page }) => {
   await editor.open();
   await expect(page.locator("tc-top-bar .projects .opener")).toHaveText(/^\s*Project\s*Mug\s*$/);

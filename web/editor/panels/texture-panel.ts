@@ -44,7 +44,7 @@ export class TexturePanel extends EditorElement {
         color: var(--text);
         font-weight: 550;
       }
-      @container (max-width: 31em) {
+      @container (max-width: 29em) {
         [role="tab"] {
           padding-inline: 5px;
           font-size: var(--text-small);

@@ -55,6 +55,17 @@ export const toolOptionsStyles = css`
       min-width: 6.5rem;
     }
   }
+  /* A small one has no room to spare, and its largest word ("Größe") takes none from the number. */
+  @media (pointer: coarse) and (max-width: 400px) {
+    .often tc-number {
+      --space-2: 4px;
+      --text-small: 0.6875rem;
+    }
+    .often .tip {
+      gap: 0;
+      padding: 0;
+    }
+  }
   .often .check {
     padding-inline: var(--space-2);
   }
