@@ -27,14 +27,14 @@ export function alignedGradient(
   return { kind: "linear", from: at(low[index]), to: at(high[index]), stops };
 }
 
-/** Radial, from the model's middle to its corners. */
+/** Radial, from the model's middle as far as its longest side reaches: a circle that its view shows whole. */
 export function roundGradient(
   model: OpenModel | null,
   stops: readonly GradientStop[] = FIRST_STOPS,
 ): Extract<Gradient, { kind: "radial" }> {
   const { low, high, middle } = boxOf(model);
-  const radius = Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2;
-  return { kind: "radial", center: middle, radius: radius || 1, stops };
+  const radius = Math.max(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2;
+  return { kind: "radial", center: middle, radius, stops };
 }
 
 /** A model that is flat along an axis still has two ends there: a gradient needs them apart. */
