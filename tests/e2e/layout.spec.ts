@@ -138,6 +138,16 @@ test.describe("in German, whose words are long,", () => {
   });
 });
 
+test("the tools stand beside the model's view, so that no handle lies under them", async ({ editor, page }) => {
+  await editor.open();
+  for (const width of [1440, 1100]) {
+    await page.setViewportSize({ width, height: 900 });
+    const rail = await page.locator("tc-tool-rail [role=radiogroup]").boundingBox();
+    const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
+    expect(view?.x).toBeGreaterThanOrEqual((rail?.x ?? 0) + (rail?.width ?? 0));
+  }
+});
+
 test("of two menus that are named alike is read what each is of", async ({ editor, page }) => {
   await editor.open();
   await expect(page.locator("tc-top-bar .projects .opener")).toHaveText(/^\s*Project\s*Mug\s*$/);

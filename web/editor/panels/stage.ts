@@ -30,15 +30,14 @@ export class Stage extends EditorElement {
           background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 9%), var(--stage) 78%);
         }
       }
+      :host {
+        --rail: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
+      }
+      /* The tools stand beside it: a handle that lay under them could not be taken. */
       .view {
         position: absolute;
         inset: 0;
-      }
-      /* Where the model fills a small view, the tools stand beside it and not on it. */
-      @media (pointer: coarse), (max-width: 1200px) {
-        .view {
-          inset-inline-start: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
-        }
+        inset-inline-start: var(--rail);
       }
       .tools {
         position: absolute;
@@ -68,7 +67,7 @@ export class Stage extends EditorElement {
       tc-animation-bar {
         position: absolute;
         inset-block-end: var(--space-3);
-        inset-inline: calc(var(--target) + 3 * var(--space-2));
+        inset-inline: var(--rail) var(--space-2);
       }
       :host([data-tone="light"]) {
         background: #f4f5f6;
@@ -87,7 +86,7 @@ export class Stage extends EditorElement {
       }
       @media (max-width: 720px) {
         .view {
-          inset: var(--target) 0 calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
+          inset: var(--target) 0 var(--rail);
         }
         tc-tool-rail {
           inset-block: auto var(--space-2);
