@@ -141,12 +141,12 @@ test("the graphics context is lost in mid-drag: the design goes on, and the pict
   await expect.poll(async () => lookAlike(await look(), seen)).toBe(true);
 });
 
-/** The 3D view's graphics, to be taken away and given back. */
-function graphicsOf({ page }: EditorPage) {
-  return page.evaluateHandle(() => {
-    const canvas = document.querySelector<HTMLCanvasElement>("tc-workbench .tcv-canvas");
+/** A view's graphics, to be taken away and given back. */
+function graphicsOf({ page }: EditorPage, view = ".tcv-root:not(.tcv-texture)") {
+  return page.evaluateHandle((root) => {
+    const canvas = document.querySelector<HTMLCanvasElement>(`tc-workbench ${root} .tcv-canvas`);
     return canvas?.getContext("webgl2")?.getExtension("WEBGL_lose_context") ?? null;
-  });
+  }, view);
 }
 
 test("graphics that stay away are told in plain words, until they come back after all", async ({ editor }) => {
@@ -156,6 +156,16 @@ test("graphics that stay away are told in plain words, until they come back afte
   await expect(editor.notices).toContainText("The 3D view has stopped");
   await expect(editor.notices).toContainText("Nothing of your work is lost");
   await graphics.evaluate((extension) => extension?.restoreContext());
+  await expect(editor.notices).toHaveCount(0);
+});
+
+test("graphics that only the texture's view has lost are told, too", async ({ editor }) => {
+  await editor.open();
+  const flat = await graphicsOf(editor, ".tcv-texture");
+  await flat.evaluate((extension) => extension?.loseContext());
+  await expect(editor.notices).toContainText("The texture’s view has stopped");
+  await expect(editor.notices.getByRole("button", { name: "Load again" })).toBeVisible();
+  await flat.evaluate((extension) => extension?.restoreContext());
   await expect(editor.notices).toHaveCount(0);
 });
 

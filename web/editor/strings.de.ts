@@ -544,6 +544,7 @@ export const german: Strings = {
     engineRestartedBody: "Sie war stehen geblieben. Alles ist da; du kannst weitermachen.",
     undoLast: "Letzten Schritt rückgängig machen",
     graphicsLost: "Die 3D-Ansicht ist stehen geblieben",
+    flatGraphicsLost: "Die Ansicht der Textur ist stehen geblieben",
     graphicsLostBody:
       "Der Browser hat dieser Seite die Grafikkarte weggenommen. Von deiner Arbeit ist nichts verloren.",
     graphicsLostHint: "Lade die Seite neu; hilft das nicht, starte den Browser neu.",

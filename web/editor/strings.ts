@@ -539,6 +539,7 @@ const english = {
     engineRestartedBody: "It had stopped. Everything is there; you can go on.",
     undoLast: "Undo the last step",
     graphicsLost: "The 3D view has stopped",
+    flatGraphicsLost: "The texture’s view has stopped",
     graphicsLostBody: "The browser has taken the graphics card away from this page. Nothing of your work is lost.",
     graphicsLostHint: "Load the page again; if that does not help, restart the browser.",
     reload: "Load again",

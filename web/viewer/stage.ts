@@ -17,6 +17,7 @@ import { captureScene, lensFor } from "./capture.ts";
 import { ContactShadow } from "./contact-shadow.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { GroundLight } from "./ground-light.ts";
+import { LostContext } from "./lost-context.ts";
 import { MotionResolution } from "./motion-resolution.ts";
 import { createStudioEnvironment } from "./studio-environment.ts";
 import { OVERLAY_LAYER } from "./view-layers.ts";
@@ -29,8 +30,6 @@ const LIGHT = 0.95;
 const TURN_SECONDS = 24;
 /** After this pause, milliseconds, the picture rests and is drawn with all its pixels. */
 const REST_AFTER = 160;
-/** Milliseconds after which graphics that were taken away are not waited for in silence; most are back in one or two seconds. */
-const GONE_AFTER = 5000;
 
 export interface StageHooks {
   /** Before a frame is drawn; `delta` in seconds. Returns true while it animates and wants another frame. */
@@ -75,7 +74,7 @@ export class Stage {
   /** Share of the full resolution that the canvas has now. */
   #drawnScale = 1;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
-  #goneTimer: ReturnType<typeof setTimeout> | undefined;
+  readonly #waiting = new LostContext();
 
   constructor(root: HTMLElement, hooks: StageHooks) {
     this.#root = root;
@@ -106,7 +105,7 @@ export class Stage {
     this.#listen(this.canvas, "webglcontextlost", (event) => {
       event.preventDefault();
       this.#lost = true;
-      this.#waitForContext();
+      this.#waiting.wait(this.#hooks.contextGone);
     });
     this.#listen(this.canvas, "webglcontextrestored", () => this.#restore());
     this.#listen(this.#reducedMotion, "change", () => this.#rig.setEased(this.animates));
@@ -227,7 +226,7 @@ export class Stage {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = -1;
     clearTimeout(this.#restTimer);
-    clearTimeout(this.#goneTimer);
+    this.#waiting.end();
     this.#pace.dispose();
     this.#resize.disconnect();
     for (const cleanup of this.#cleanups) {
@@ -318,18 +317,9 @@ export class Stage {
     camera.updateProjectionMatrix();
   }
 
-  /** Browsers take the graphics from pages that nobody looks at, and give them back when somebody does. */
-  #waitForContext(): void {
-    const unseen = document.hidden;
-    this.#goneTimer = setTimeout(
-      () => (unseen || document.hidden ? this.#waitForContext() : this.#hooks.contextGone()),
-      GONE_AFTER,
-    );
-  }
-
   #restore(): void {
     this.#lost = false;
-    clearTimeout(this.#goneTimer);
+    this.#waiting.end();
     this.#hooks.contextRestored();
     this.#resized = true;
     this.requestFrame();

@@ -7,6 +7,7 @@ import { EventHub } from "./event-hub.ts";
 import { FrameTask } from "./frame-task.ts";
 import { GIZMO_STYLE } from "./gizmo-style.ts";
 import { GpuPace } from "./gpu-pace.ts";
+import { LostContext } from "./lost-context.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import { StampGizmo } from "./stamp-gizmo.ts";
@@ -66,6 +67,7 @@ class GlTextureView implements TextureView {
   readonly #abort = new AbortController();
   readonly #themeObserver = new MutationObserver(() => this.#readColors());
   readonly #pace: GpuPace;
+  readonly #waiting = new LostContext();
   readonly #updates = new UpdateQueue(
     (update) => this.#applyNow(update),
     (task) => this.#whenFree(task),
@@ -188,6 +190,7 @@ class GlTextureView implements TextureView {
 
   dispose(): void {
     this.#abort.abort();
+    this.#waiting.end();
     this.#themeObserver.disconnect();
     this.#resize.disconnect();
     this.#input.dispose();
@@ -333,7 +336,11 @@ class GlTextureView implements TextureView {
 
   #watch(): void {
     const { signal } = this.#abort;
-    this.#canvas.addEventListener("webglcontextlost", (event) => event.preventDefault(), { signal });
+    const lose = (event: Event): void => {
+      event.preventDefault();
+      this.#waiting.wait(() => this.#events.emit("graphics", { lost: true }));
+    };
+    this.#canvas.addEventListener("webglcontextlost", lose, { signal });
     this.#canvas.addEventListener("webglcontextrestored", () => this.#restore(), { signal });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#readColors(), { signal });
     this.#themeObserver.observe(document.documentElement, {
@@ -343,6 +350,8 @@ class GlTextureView implements TextureView {
   }
 
   #restore(): void {
+    this.#waiting.end();
+    this.#events.emit("graphics", { lost: false });
     this.#painter = new TexturePainter(this.#gl);
     if (this.#target !== null) {
       this.#target.restore(this.#painter);

@@ -264,6 +264,8 @@ export interface TextureViewEvents {
   click: TextureHover;
   /** A drag of the stamp that is shown. */
   gesture: DecalGesture;
+  /** As the model's view tells of its own. */
+  graphics: { readonly lost: boolean };
 }
 
 /** The unfolded texture: the live target or a map view, UV outlines over it, zoom and pan. */

@@ -158,7 +158,7 @@ export class Editor {
     tools.register(textTool(this.texts, tools));
     this.#connect();
     // The page around an embedded editor has its own way.
-    if (keeps) tellOfLostGraphics({ viewer, board, keep: () => this.autosave.flush() });
+    if (keeps) tellOfLostGraphics({ viewer, textureView, board, keep: () => this.autosave.flush() });
   }
 
   /** What it says, in its language. */

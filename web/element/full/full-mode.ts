@@ -70,6 +70,7 @@ class FullMode implements Mode {
     workbench.hidden = false;
     holder.replaceWith(workbench);
     viewer.on("graphics", ({ lost }) => lost && host.hooks.graphicsLost());
+    textureView.on("graphics", ({ lost }) => lost && host.hooks.graphicsLost());
     const { store, session, library } = editor;
     const loadHands = async (): Promise<typeof viewer> => viewer;
     this.desk = new FullDesk({ engine, viewer, loadHands, store, session, library, hooks: host.hooks });
