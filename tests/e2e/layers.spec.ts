@@ -144,3 +144,32 @@ test("a renaming that ends with a press elsewhere leaves the keyboard there", as
   await expect(editor.row("Crest")).toBeVisible();
   await expect(editor.field("position-x")).toBeFocused();
 });
+
+test.describe("by a finger", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test("a double tap at a name's end renames its layer, and the lock that comes with the first tap stays open", async ({
+    editor,
+    page,
+  }) => {
+    await editor.open();
+    const row = editor.row("Smiley");
+    const box = await row.locator(".name").boundingBox();
+    const eye = await row.locator("[data-action=visible]").boundingBox();
+    if (!box || !eye) throw new Error("The row has no place.");
+    const y = box.y + box.height / 2;
+    // Both at once: on a busy machine two that wait for each other are too far apart for a double tap.
+    const twice = async (x: number): Promise<void> => {
+      await Promise.all([page.touchscreen.tap(x, y), page.touchscreen.tap(x, y)]);
+      await editor.idle();
+    };
+    // Where the lock comes to stand.
+    await twice(eye.x - 20);
+    expect((await editor.design()).layers.map(({ locked }) => locked)).toEqual([false, false]);
+    await editor.select(await editor.lowestLayer());
+    // Nearer to it, browsers take a finger's tap for one on the lock.
+    await twice(box.x + box.width - 24);
+    await expect(page.locator("tc-layer-list input.name")).toBeFocused();
+    expect((await editor.design()).layers.map(({ locked }) => locked)).toEqual([false, false]);
+  });
+});

@@ -213,11 +213,12 @@ export const layerListStyles = css`
         0 0 0 1px var(--surface),
         0 0 0 3px var(--accent);
     }
+    /* Its place is kept: the second tap of two on a name would meet what came there with the first. */
     .quiet-until-near button[aria-pressed="false"] {
-      display: none;
+      visibility: hidden;
     }
     .primary .quiet-until-near button[aria-pressed="false"] {
-      display: inline-flex;
+      visibility: visible;
     }
     .grip {
       flex: none;

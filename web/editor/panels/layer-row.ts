@@ -167,9 +167,10 @@ function iconButton(
   run: () => void,
   { pressed, disabled = false }: { readonly pressed?: boolean; readonly disabled?: boolean } = {},
 ): TemplateResult {
-  const click = (event: Event): void => {
+  const click = (event: MouseEvent): void => {
     event.stopPropagation();
-    run();
+    // The lock comes into sight with the tap that chooses its row, and is not meant by the second of two.
+    if (action !== "locked" || event.detail < 2) run();
   };
   return html`<button
     class=${action === "twist" ? "icon twist" : "icon"}
