@@ -147,13 +147,18 @@ test.describe("on a phone", () => {
   });
 });
 
-test.describe("on a tablet", () => {
-  test.use({ viewport: { width: 1024, height: 768 }, hasTouch: true, isMobile: true });
+for (const [device, width, height, places] of [
+  ["a tablet", 1024, 768, ON_A_DESKTOP],
+  ["a phone held sideways", 844, 390, ON_A_PHONE],
+] as const) {
+  test.describe(`on ${device}`, () => {
+    test.use({ viewport: { width, height }, hasTouch: true, isMobile: true });
 
-  test("all that a desktop's page has, and a phone's has not, is large enough for fingers too", async ({ editor }) => {
-    test.slow();
-    await eachPlace(editor, ON_A_DESKTOP, async (name) => {
-      expect.soft(await smallTargets(editor.page, 44), name).toEqual([]);
+    test("all is large enough for fingers as well", async ({ editor }) => {
+      test.slow();
+      await eachPlace(editor, places, async (name) => {
+        expect.soft(await smallTargets(editor.page, 44), name).toEqual([]);
+      });
     });
   });
-});
+}

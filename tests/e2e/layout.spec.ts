@@ -61,10 +61,17 @@ test.describe("on a phone held sideways", () => {
     const panel = await page.locator("#view-panel").boundingBox();
     const opener = await page.locator("#view-menu").boundingBox();
     if (!panel || !opener) throw new Error("A part of the page has no place.");
-    expect(panel.x).toBeGreaterThanOrEqual(opener.x + opener.width);
+    expect(panel.x + panel.width <= opener.x || panel.x >= opener.x + opener.width, "it stands beside its button").toBe(
+      true,
+    );
+    expect(panel.x).toBeGreaterThanOrEqual(0);
     expect(panel.x + panel.width).toBeLessThanOrEqual(844);
     expect(panel.y + panel.height).toBeLessThanOrEqual(390);
   });
+});
+
+test.describe("on a low tablet", () => {
+  test.use({ viewport: { width: 1024, height: 500 }, hasTouch: true, isMobile: true });
 
   test("the layers are in sight, what is below them is scrolled to, and the texture's foot too", async ({
     editor,
@@ -85,6 +92,45 @@ test.describe("on a phone held sideways", () => {
   });
 });
 
+/** Every way to hold or to size it in which a sheet below the view would leave the model no room. */
+for (const [name, width, height, hasTouch] of [
+  ["a phone held sideways", 844, 390, true],
+  ["a small phone held sideways", 667, 375, true],
+  ["a low and narrow window", 720, 450, false],
+] as const) {
+  test.describe(`on ${name}`, () => {
+    test.use({ viewport: { width, height }, hasTouch, isMobile: hasTouch });
+
+    test("the model has the page's height, the sheet stands beside it, and gives it all of the width when closed", async ({
+      editor,
+      page,
+    }) => {
+      await editor.open();
+      const view = page.locator(".tcv-root:not(.tcv-texture)");
+      const box = async () => (await view.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+      for (const tab of ["layers", "properties", "history", "texture", "target"]) {
+        const button = page.locator(`#sheet-${tab}`);
+        if ((await button.getAttribute("aria-expanded")) !== "true") await button.click();
+        await expect(button).toHaveAttribute("aria-expanded", "true");
+        const panel = await page.locator("tc-bottom-sheet .panel").boundingBox();
+        expect((await box()).height).toBeGreaterThan(height * 0.6);
+        expect((await box()).width).toBeGreaterThan(width * 0.3);
+        expect(panel?.x, "it does not cover the view").toBeGreaterThanOrEqual((await box()).x + (await box()).width);
+      }
+      const before = (await box()).width;
+      await page.locator("#sheet-target").click();
+      await expect(page.locator("tc-bottom-sheet .panel")).toBeHidden();
+      expect((await box()).width).toBeGreaterThan(before + width * 0.3);
+      await page.locator("#sheet-layers").click();
+      for (const layer of ["Smiley", "Texelcast mark"]) await expect(editor.row(layer)).toBeInViewport({ ratio: 1 });
+      await page.locator("#tool-brush").click();
+      await page.locator("#more-options").click();
+      await expect(page.locator("tc-bottom-sheet .tool header")).toBeInViewport({ ratio: 1 });
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
+    });
+  });
+}
+
 test.describe("the first steps", () => {
   for (const [name, width, height] of [
     ["a small laptop", 1280, 640],
@@ -100,7 +146,8 @@ test.describe("the first steps", () => {
         const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
         const hint = await page.locator("tc-first-hint section").boundingBox();
         if (!view || !hint) throw new Error("A part of the page has no place.");
-        expect(hint.y, `step ${step}`).toBeGreaterThanOrEqual(view.y + view.height);
+        const beside = hint.y >= view.y + view.height || hint.x >= view.x + view.width;
+        expect(beside, `step ${step}`).toBe(true);
         expect(hint.y + hint.height, `step ${step}`).toBeLessThanOrEqual(height);
         await expect(page.locator("tc-layer-list [aria-current=true]")).toBeInViewport({ ratio: 0.5 });
         await page.locator("tc-first-hint #next").click();

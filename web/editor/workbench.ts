@@ -31,11 +31,14 @@ import "./ui/menu.ts";
 import "./ui/number-field.ts";
 import "./ui/splitter.ts";
 import { controls } from "./ui/controls.ts";
+import { NARROW, SIDEWAYS } from "./ui/page-shapes.ts";
 import { theme } from "./ui/theme.ts";
 
+/** Pixels; of the box of one that is embedded the widths and heights of the page's shapes. */
 const PHONE_WIDTH = 720;
 const TABLET_WIDTH = 1000;
-const PHONE = `(max-width: ${PHONE_WIDTH}px)`;
+const SIDEWAYS_WIDTH = 560;
+const SIDEWAYS_HEIGHT = 480;
 /** A tablet held upright: beside each other the two views would be slits. */
 const UPRIGHT = `(max-width: ${TABLET_WIDTH}px) and (orientation: portrait)`;
 /** The model fills its view down to where a card in the corner would stand. */
@@ -44,6 +47,7 @@ const LOW = "(max-height: 46rem)";
 export class Workbench extends EditorElement {
   static override properties = {
     compact: { state: true },
+    sideways: { type: Boolean, reflect: true },
     upright: { state: true },
     low: { state: true },
     dropping: { state: true },
@@ -51,6 +55,8 @@ export class Workbench extends EditorElement {
     embedded: { type: Boolean, reflect: true },
   };
   declare compact: boolean;
+  /** Compact, and low: the sheet stands beside the view. */
+  declare sideways: boolean;
   declare upright: boolean;
   declare low: boolean;
   declare dropping: boolean;
@@ -58,7 +64,8 @@ export class Workbench extends EditorElement {
   declare textureShare: number;
   /** It is part of a page: fills its box, and leaves keys and drops elsewhere on the page alone. */
   declare embedded: boolean;
-  readonly #phone = matchMedia(PHONE);
+  readonly #narrow = matchMedia(NARROW);
+  readonly #sideways = matchMedia(SIDEWAYS);
   readonly #tablet = matchMedia(UPRIGHT);
   readonly #lowWindow = matchMedia(LOW);
   #endFingers: () => void = () => {};
@@ -79,6 +86,8 @@ export class Workbench extends EditorElement {
           "hint panel"
           "status panel";
         height: 100dvh;
+        /* A phone's camera takes some of a side. */
+        padding: 0 env(safe-area-inset-right) 0 env(safe-area-inset-left);
         /* Not even what takes the focus scrolls the page itself. */
         overflow: clip;
         background: var(--surface);
@@ -99,6 +108,10 @@ export class Workbench extends EditorElement {
       :host([compact]) {
         grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
         grid-template-areas: "bar" "views" "panel";
+      }
+      :host([sideways]) {
+        grid-template: auto minmax(0, 1fr) / minmax(0, 1fr) auto;
+        grid-template-areas: "bar bar" "views panel";
       }
       /* What is a stacking context keeps its painting while its neighbours change: in a drag the view changes in each frame. */
       tc-top-bar,
@@ -159,6 +172,10 @@ export class Workbench extends EditorElement {
         inset-block-end: calc(3.25rem + env(safe-area-inset-bottom));
         padding: var(--space-2);
       }
+      :host([sideways]) tc-notice-stack {
+        inset: auto 0 0 auto;
+        width: min(24rem, 56vw);
+      }
       :host([compact]) .views {
         z-index: 10;
       }
@@ -183,9 +200,10 @@ export class Workbench extends EditorElement {
 
   constructor() {
     super();
-    this.compact = this.#phone.matches;
-    this.upright = this.#tablet.matches;
-    this.low = this.#lowWindow.matches;
+    this.compact = false;
+    this.sideways = false;
+    this.upright = false;
+    this.low = false;
     this.dropping = false;
     this.textureShare = 0.38;
     this.embedded = false;
@@ -193,10 +211,10 @@ export class Workbench extends EditorElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#phone.addEventListener("change", this.#resize);
-    this.#tablet.addEventListener("change", this.#resize);
-    this.#lowWindow.addEventListener("change", this.#resize);
     const { signal } = this.#connected;
+    for (const shape of [this.#narrow, this.#sideways, this.#tablet, this.#lowWindow])
+      shape.addEventListener("change", this.#resize, { signal });
+    this.#resize();
     const whole: EventTarget = this.embedded ? this : window;
     whole.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
     for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
@@ -214,9 +232,6 @@ export class Workbench extends EditorElement {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#phone.removeEventListener("change", this.#resize);
-    this.#tablet.removeEventListener("change", this.#resize);
-    this.#lowWindow.removeEventListener("change", this.#resize);
     this.#connected.abort();
     this.#connected = new AbortController();
     this.#endFingers();
@@ -245,7 +260,7 @@ export class Workbench extends EditorElement {
       ${this.#views()}
       ${
         compact
-          ? html`<tc-bottom-sheet .editor=${editor}>
+          ? html`<tc-bottom-sheet .editor=${editor} ?sideways=${this.sideways}>
               <div slot="hint">${this.#hint()}</div>
               ${this.state.view.layout === "texture" ? nothing : html`<slot name="texture" slot="texture"></slot>`}
             </tc-bottom-sheet>`
@@ -325,7 +340,11 @@ export class Workbench extends EditorElement {
 
   readonly #resize = (): void => {
     const [width, height] = [this.clientWidth, this.clientHeight];
-    this.compact = this.embedded ? width <= PHONE_WIDTH : this.#phone.matches;
+    const narrow = this.embedded ? width <= PHONE_WIDTH : this.#narrow.matches;
+    this.sideways = this.embedded
+      ? narrow && width >= SIDEWAYS_WIDTH && height <= SIDEWAYS_HEIGHT
+      : this.#sideways.matches;
+    this.compact = narrow || this.sideways;
     this.low = this.#lowWindow.matches;
     this.upright = this.embedded ? width <= TABLET_WIDTH && height > width : this.#tablet.matches;
   };

@@ -46,6 +46,31 @@ export class BottomSheet extends EditorElement {
         overflow: hidden;
         border-bottom: 1px solid var(--line);
       }
+      /* Beside the view, with its buttons at the page's edge. */
+      :host([sideways]) {
+        grid-template: minmax(0, 1fr) / auto auto;
+        border-width: 0;
+        border-inline-start: 1px solid var(--line);
+      }
+      :host([sideways]) .panel {
+        width: min(20rem, 44vw);
+        height: auto;
+        border-width: 0;
+        border-inline-end: 1px solid var(--line);
+      }
+      :host([sideways]) nav {
+        grid-column: 2;
+        grid-auto-flow: row;
+        align-content: start;
+        padding: var(--space-1) 2px;
+        overflow-y: auto;
+        scrollbar-width: none;
+      }
+      /* As wide as the widest of their words when it is bold. */
+      :host([sideways]) nav button {
+        width: 4.75rem;
+        padding-inline: 2px;
+      }
       /* The hint, where there is one, has the row before it. */
       .panel > :last-child {
         grid-row: 2;

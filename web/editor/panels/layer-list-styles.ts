@@ -17,7 +17,7 @@ export const layerListStyles = css`
   }
   .looks {
     display: grid;
-    grid-template-columns: minmax(0, 1fr) minmax(0, 1fr) auto;
+    grid-template-columns: minmax(0, 1fr) minmax(8rem, 1fr) auto;
     gap: var(--space-1);
     padding: var(--space-1) var(--space-3) var(--space-2);
   }
@@ -231,6 +231,7 @@ export const layerListStyles = css`
     }
   }
   .bar {
+    container-type: inline-size;
     display: flex;
     align-items: center;
     padding: 2px var(--space-2);
@@ -246,6 +247,13 @@ export const layerListStyles = css`
     }
     .bar .gap {
       display: none;
+    }
+    /* Where all eight would be too small for fingers; the last one's menu has these as well. */
+    @container (max-width: 21.75rem) {
+      [data-action="add-mask"],
+      [data-action="group"] {
+        display: none;
+      }
     }
   }
 `;

@@ -7,6 +7,7 @@ import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
+import { narrow, sideways } from "../ui/page-shapes.ts";
 import "./animation-bar.ts";
 import "./tool-options.ts";
 import "./tool-rail.ts";
@@ -84,7 +85,19 @@ export class Stage extends EditorElement {
         inset-block-start: var(--space-2);
         inset-inline: var(--space-2) calc(var(--target) + 2 * var(--space-2));
       }
-      @media (max-width: 720px) {
+      /* What is low has the width for it. */
+      @media ${sideways} {
+        .view {
+          inset-block-start: var(--target);
+        }
+        tc-tool-options {
+          inset-inline-start: var(--rail);
+        }
+        tc-tool-rail {
+          inset-block-start: var(--space-2);
+        }
+      }
+      @media ${narrow} {
         .view {
           inset: var(--target) 0 var(--rail);
         }

@@ -15,6 +15,7 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { OverflowFade } from "../ui/overflow-fade.ts";
+import { NARROW, SIDEWAYS } from "../ui/page-shapes.ts";
 import { recentColors } from "../ui/recent-colors.ts";
 import "./color-palette.ts";
 import { checkField, choiceField } from "./property-fields.ts";
@@ -30,10 +31,10 @@ const SELDOM: readonly ToolOption[] = ["flow", "spacing", "stabiliser", "pressur
 /** What goes there besides, in this order, until the rest fits into the bar. */
 const GIVES_WAY: readonly ToolOption[] = [
   ...(["mirror", "filled", "contiguous", "opacity", "hardness", "tolerance"] as const),
-  ...(["size", "pixelSize"] as const),
+  ...(["size", "pixelSize", "tip"] as const),
 ];
 /** Where what is laid open would cover the model: it stands in the sheet or in the side's panel. */
-const BESIDE = "(pointer: coarse), (max-width: 720px)";
+const BESIDE = `(pointer: coarse), ${NARROW}, ${SIDEWAYS}`;
 
 export class ToolOptions extends EditorElement {
   static override properties = { beside: { state: true }, sheet: { type: Boolean, reflect: true } };

@@ -7,6 +7,7 @@ import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { OverflowFade } from "../ui/overflow-fade.ts";
+import { narrow } from "../ui/page-shapes.ts";
 
 const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 };
 
@@ -58,7 +59,7 @@ export class ToolRail extends EditorElement {
         background: color-mix(in oklab, var(--accent), black 8%);
         color: var(--accent-text);
       }
-      @media (max-width: 720px) {
+      @media ${narrow} {
         [role="radiogroup"] {
           flex-direction: row;
           max-width: 100%;

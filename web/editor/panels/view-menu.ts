@@ -7,6 +7,7 @@ import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
+import { narrow } from "../ui/page-shapes.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
@@ -50,7 +51,7 @@ export class ViewMenu extends EditorElement {
         box-shadow: var(--shadow);
       }
       /* Where a sheet stands below the stage, that stays in sight. */
-      @media (max-width: 720px) {
+      @media ${narrow} {
         .panel {
           max-height: calc(100cqh - 4.5rem);
         }
