@@ -8,13 +8,16 @@ function sizeOf({ projector }: DecalLayer): readonly number[] {
   return projector.kind === "planar" ? projector.size : [];
 }
 
+/** Once a view that was just opened has been drawn at its size. */
 async function expectWhole(mark: Locator, view: Locator): Promise<void> {
-  const [inner, outer] = [await mark.boundingBox(), await view.boundingBox()];
-  if (!inner || !outer) throw new Error("The view shows no such handle.");
-  expect(inner.x).toBeGreaterThanOrEqual(outer.x);
-  expect(inner.y).toBeGreaterThanOrEqual(outer.y);
-  expect(inner.x + inner.width).toBeLessThanOrEqual(outer.x + outer.width);
-  expect(inner.y + inner.height).toBeLessThanOrEqual(outer.y + outer.height);
+  await expect(async () => {
+    const [inner, outer] = [await mark.boundingBox(), await view.boundingBox()];
+    if (!inner || !outer) throw new Error("The view shows no such handle.");
+    expect(inner.x).toBeGreaterThanOrEqual(outer.x);
+    expect(inner.y).toBeGreaterThanOrEqual(outer.y);
+    expect(inner.x + inner.width).toBeLessThanOrEqual(outer.x + outer.width);
+    expect(inner.y + inner.height).toBeLessThanOrEqual(outer.y + outer.height);
+  }).toPass({ timeout: 10_000 });
 }
 
 /** Opens the page on its mug, whose decal is seen from the side, and selects that. */
