@@ -32,6 +32,7 @@ export class Stage extends EditorElement {
         }
       }
       :host {
+        --inwards: right;
         --rail: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
       }
       /* The tools stand beside it: a handle that lay under them could not be taken. */
@@ -39,6 +40,11 @@ export class Stage extends EditorElement {
         position: absolute;
         inset: 0;
         inset-inline-start: var(--rail);
+        /* A model that reaches beyond it fades out there, and is not cut off in the middle of the stage. */
+        mask-image: linear-gradient(to var(--inwards), transparent, #000 12px);
+      }
+      :host(:dir(rtl)) {
+        --inwards: left;
       }
       .tools {
         position: absolute;
@@ -89,6 +95,8 @@ export class Stage extends EditorElement {
       @media ${sideways} {
         .view {
           inset-block-start: var(--target);
+          mask-composite: intersect;
+          mask-image: linear-gradient(transparent, #000 12px), linear-gradient(to var(--inwards), transparent, #000 12px);
         }
         tc-tool-options {
           inset-inline-start: var(--rail);
@@ -100,6 +108,7 @@ export class Stage extends EditorElement {
       @media ${narrow} {
         .view {
           inset: var(--target) 0 var(--rail);
+          mask-image: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
         }
         tc-tool-rail {
           inset-block: auto var(--space-2);
