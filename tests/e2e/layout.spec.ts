@@ -35,12 +35,19 @@ test.describe("on a phone", () => {
     await expect(page.locator("tc-texture-panel canvas, .tcv-texture canvas").first()).toBeVisible();
   });
 
-  test("targets are large enough for fingers", async ({ editor, page }) => {
+  test("what a finger has tapped looks as what was chosen without one", async ({ editor, page }) => {
     await editor.open();
-    for (const button of await page.locator("tc-top-bar button:visible, tc-bottom-sheet button:visible").all()) {
-      const box = await button.boundingBox();
-      expect(Math.min(box?.width ?? 0, box?.height ?? 0)).toBeGreaterThanOrEqual(43.5);
-    }
+    const look = (id: string) =>
+      page.locator(id).evaluate((button) => {
+        const { backgroundColor, color } = getComputedStyle(button);
+        return { backgroundColor, color };
+      });
+    await page.emulateMedia({ reducedMotion: "reduce" });
+    const [chosen, other] = [await look("#tool-move"), await look("#tool-eraser")];
+    await page.locator("#tool-eraser").tap();
+    await expect.poll(() => look("#tool-eraser")).toEqual(chosen);
+    await page.locator("#tool-move").tap();
+    await expect.poll(() => look("#tool-eraser")).toEqual(other);
   });
 });
 

@@ -40,8 +40,10 @@ export class DecalPalette extends EditorElement {
         background: var(--tile);
         cursor: grab;
       }
-      .palette button:hover {
-        background: var(--tile-checker);
+      @media (hover: hover) {
+        .palette button:hover {
+          background: var(--tile-checker);
+        }
       }
       @media (pointer: coarse) {
         .palette {

@@ -57,8 +57,10 @@ export class Stage extends EditorElement {
       .tools button {
         background: color-mix(in oklab, var(--surface), transparent 15%);
       }
-      .tools button:hover {
-        background: var(--surface);
+      @media (hover: hover) {
+        .tools button:hover {
+          background: var(--surface);
+        }
       }
       tc-tool-rail {
         position: absolute;

@@ -34,8 +34,10 @@ export class TipPicker extends EditorElement {
         padding: 4px;
         background: var(--tile);
       }
-      .tips button:hover {
-        background: var(--tile-checker);
+      @media (hover: hover) {
+        .tips button:hover {
+          background: var(--tile-checker);
+        }
       }
       .tips button[aria-pressed="true"] {
         box-shadow: 0 0 0 2px var(--accent);

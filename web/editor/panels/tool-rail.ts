@@ -55,9 +55,11 @@ export class ToolRail extends EditorElement {
         background: var(--accent);
         color: var(--accent-text);
       }
-      button.icon[aria-checked="true"]:hover {
-        background: color-mix(in oklab, var(--accent), black 8%);
-        color: var(--accent-text);
+      @media (hover: hover) {
+        button.icon[aria-checked="true"]:hover {
+          background: color-mix(in oklab, var(--accent), black 8%);
+          color: var(--accent-text);
+        }
       }
       @media ${narrow} {
         [role="radiogroup"] {

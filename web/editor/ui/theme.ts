@@ -122,6 +122,15 @@ export const plainControls = css`
     button:hover {
       background: var(--hover);
     }
+    button.icon:hover:not(:disabled) {
+      color: var(--text);
+    }
+    button.filled:hover {
+      background: color-mix(in oklab, var(--accent), black 8%);
+    }
+    button.outlined:hover {
+      background: linear-gradient(var(--hover), var(--hover)), var(--surface);
+    }
   }
   button:active {
     background: var(--pressed);
@@ -142,9 +151,6 @@ export const plainControls = css`
     padding: 0;
     color: var(--text-quiet);
   }
-  button.icon:hover:not(:disabled) {
-    color: var(--text);
-  }
   button[aria-pressed="true"] {
     background: var(--accent-soft);
     color: var(--accent);
@@ -155,15 +161,9 @@ export const plainControls = css`
     color: var(--accent-text);
     font-weight: 550;
   }
-  button.filled:hover {
-    background: color-mix(in oklab, var(--accent), black 8%);
-  }
   button.outlined {
     border: 1px solid var(--line);
     background: var(--surface);
-  }
-  button.outlined:hover {
-    background: linear-gradient(var(--hover), var(--hover)), var(--surface);
   }
   input[type="text"],
   select {
