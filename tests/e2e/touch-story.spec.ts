@@ -39,6 +39,7 @@ test("on a phone a template is painted, written on, given a logo, undone by thre
   const text = page.locator("#tool-text");
   await text.scrollIntoViewIfNeeded();
   await text.tap();
+  await expect(page.locator("tc-stage tc-tool-options")).toHaveText(/Press where the words should go/);
   await page.touchscreen.tap(chest.x, chest.y);
   const words = page.locator("tc-text-fields textarea");
   await expect(words).toBeFocused();

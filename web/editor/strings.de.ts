@@ -457,6 +457,7 @@ export const german: Strings = {
     name: "Text",
     tool: "Text",
     add: "Text einfügen",
+    pressPlace: "Stelle für den Text antippen",
     sample: "Text",
     words: "Wortlaut",
     font: "Schrift",
@@ -714,7 +715,7 @@ export const german: Strings = {
     done: "Los geht’s",
     dismiss: "Die ersten Schritte schließen",
     steps: [
-      ["Wähle ein Bild", "Nimm eines der Beispiele oder zieh ein eigenes Bild auf das Modell."],
+      ["Wähle ein Bild", "Nimm eines der Beispiele oder füge ein eigenes Bild ein."],
       [
         "Zieh es, wohin es soll",
         "Es legt sich auf die Oberfläche. Griffe drehen und skalieren es; ziehst du daneben, dreht sich das Modell.",

@@ -452,6 +452,7 @@ const english = {
     name: "Text",
     tool: "Text",
     add: "Add text",
+    pressPlace: "Press where the words should go",
     /** What a new text says. */
     sample: "Text",
     words: "Words",
@@ -709,7 +710,7 @@ const english = {
     done: "Start",
     dismiss: "Close the first steps",
     steps: [
-      ["Choose a picture", "Take one of the examples, or drop a picture of your own on the model."],
+      ["Choose a picture", "Take one of the examples, or add a picture of your own."],
       [
         "Drag it where it should go",
         "It lies on the surface. Handles turn and size it; beside it, a drag turns the model.",

@@ -66,6 +66,14 @@ export const toolOptionsStyles = css`
       padding: 0;
     }
   }
+  .often p {
+    display: grid;
+    align-content: center;
+    min-height: var(--target);
+    padding-inline: var(--space-2);
+    color: var(--text-quiet);
+    white-space: nowrap;
+  }
   .often .check {
     padding-inline: var(--space-2);
   }
