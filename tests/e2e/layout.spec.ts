@@ -1,4 +1,5 @@
 import { expect, test } from "./support/editor-page.ts";
+import { file } from "./support/test-files.ts";
 
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -177,6 +178,16 @@ test.describe("in German, whose words are long,", () => {
 
   test.describe("on a small phone", () => {
     test.use({ viewport: { width: 375, height: 667 }, hasTouch: true, isMobile: true });
+
+    test("a fault's exact words, which only German folds away, are unfolded by a finger", async ({ editor, page }) => {
+      await editor.open();
+      await editor.drop([file("knight.glb", "this is no model")], await editor.middleOfStage());
+      const fold = editor.notices.locator("summary");
+      await expect(fold).toBeVisible();
+      expect((await fold.boundingBox())?.height).toBeGreaterThanOrEqual(43.5);
+      await fold.tap();
+      await expect(editor.notices.locator("details")).toHaveAttribute("open");
+    });
 
     test("the brush's size is read whole", async ({ editor, page }) => {
       await editor.open();

@@ -64,7 +64,7 @@ export class NoticeStack extends EditorElement {
       }
       .words summary {
         width: fit-content;
-        padding-block: 3px;
+        padding-block: max(3px, (var(--target) - 1.45em) / 2);
         cursor: pointer;
       }
       .dismiss {

@@ -96,7 +96,7 @@ export class Menu extends RemElement {
         margin: 0;
         min-width: 14rem;
         max-width: min(22rem, 92vw);
-        max-height: 75dvh;
+        max-height: max(75dvh, min(22rem, 100dvh - 1rem));
         overflow: auto;
         padding: var(--space-1);
         border: 1px solid var(--line);
