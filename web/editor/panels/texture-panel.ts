@@ -44,7 +44,7 @@ export class TexturePanel extends EditorElement {
         color: var(--text);
         font-weight: 550;
       }
-      @container (max-width: 29em) {
+      @container (max-width: 36em) {
         [role="tab"] {
           padding-inline: 5px;
           font-size: var(--text-small);
