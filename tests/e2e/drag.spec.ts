@@ -40,7 +40,7 @@ test("texels change in the middle of a drag, the old place gets the base's bytes
 
   const id = await editor.addDemoDecal("flower");
   // Small enough to be dragged clear of its old place.
-  await editor.setField("size-width", "0.016");
+  await editor.setField("size-width", "16");
   const start = await editor.settledHash();
   const oldPlace = await changedRegion(page, size);
   expect(oldPlace.width).toBeGreaterThan(10);

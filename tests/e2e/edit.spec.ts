@@ -7,9 +7,9 @@ test("numeric fields move, turn, size and fade the selected decal, each as one s
   const id = await editor.addDemoDecal("badge");
   const hashes = [await editor.settledHash()];
   const fields = [
-    ["position-x", "0.2"],
+    ["position-x", "20"],
     ["spin", "30"],
-    ["size-width", "0.5"],
+    ["size-width", "0.5 m"],
     ["opacity", "60"],
   ] as const;
   for (const [field, value] of fields) {
@@ -61,6 +61,37 @@ test("a field is scrubbed by its label, live, as one step; what is no number is 
     await expect(width).toHaveValue(before);
   }
   expect(await editor.settledHash()).toBe(start);
+});
+
+test("lengths are shown in the unit that fits the model, taken in others, and stay within what a design can have", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const id = await editor.lowestLayer();
+  const numbers = async () => {
+    const { projector } = await editor.decal(id);
+    if (projector.kind !== "planar") throw new Error("The decal is not planar.");
+    return projector;
+  };
+  await expect(editor.field("position-x")).toHaveAccessibleName("Position X, mm");
+  await expect(page.locator("tc-layer-properties h3").filter({ hasText: "Position" })).toHaveText("Position mm");
+  for (const [typed, metres] of [
+    ["2 cm", 0.02],
+    ["-3,5", -0.0035],
+    ["0.01 m", 0.01],
+    ["2e12", 1e9],
+    ["-1e300", -1e9],
+  ] as const) {
+    await editor.setField("position-x", typed);
+    expect((await numbers()).position[0], typed).toBe(metres);
+  }
+  await expect(editor.field("position-x"), "not what was typed").toHaveAttribute("aria-invalid", "true");
+  await editor.setField("size-depth", "1e300");
+  expect((await numbers()).size[2]).toBe(1e9);
+  await editor.openModel([squareGlb()]);
+  await editor.addDemoDecal("badge");
+  await expect(editor.field("position-x")).toHaveAccessibleName("Position X, cm");
 });
 
 test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys stay its own", async ({

@@ -64,7 +64,7 @@ test("a design with slides, labels and stamps opens, each is painted, selected a
   for (const [name, field, value] of [
     ["Slide", "field-of-view", "8"],
     ["Label", "arc", "200"],
-    ["Label", "position-y", "0.06"],
+    ["Label", "position-y", "60"],
     ["Stamp", "angle", "40"],
     ["Stamp", "size-u", "0.3"],
   ] as const) {
@@ -145,7 +145,7 @@ test("a box is what it was after other kinds were tried on it, and follows what 
   expect(await editor.settledHash()).toBe(hash);
   await choose("cylindrical");
   await expect.poll(async () => (await editor.decal(id)).projector.kind).toBe("cylindrical");
-  await editor.setField("position-y", "0.07");
+  await editor.setField("position-y", "70");
   await choose("planar");
   await expect.poll(async () => (await editor.decal(id)).projector.kind).toBe("planar");
   const { projector } = await editor.decal(id);

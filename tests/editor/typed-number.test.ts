@@ -9,9 +9,18 @@ describe("a number that is typed", () => {
     expect(typedNumber("3", "px")).toBe(3);
   });
 
-  it("is none with another unit, or without digits", () => {
-    for (const text of ["12 mm", "mm", "", "a lot"]) expect(typedNumber(text, "%")).toBeUndefined();
+  it("is converted where it is a length in another unit than its field's", () => {
+    expect(typedNumber("3 cm", "mm")).toBeCloseTo(30, 9);
+    expect(typedNumber("-1,2m", "cm")).toBeCloseTo(-120, 9);
+    expect(typedNumber("2 in", "mm")).toBeCloseTo(50.8, 9);
+    expect(typedNumber("5e1 mm", "m")).toBeCloseTo(0.05, 9);
+  });
+
+  it("is none with a unit that is none of its field's, or without digits, or beyond all numbers", () => {
+    for (const text of ["12 mm", "mm", "", "a lot", "12 mm 3"]) expect(typedNumber(text, "%")).toBeUndefined();
     expect(typedNumber("%", "%")).toBeUndefined();
     expect(typedNumber("10%", "")).toBeUndefined();
+    for (const text of ["10°", "3 ft", "3 constructor", "1e400", "-1e400", "-", "1.2.3"])
+      expect(typedNumber(text, "mm")).toBeUndefined();
   });
 });

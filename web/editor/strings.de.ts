@@ -374,7 +374,6 @@ export const german: Strings = {
     isolatedHint: "Ihre Ebenen mischen sich nur untereinander, nicht mit dem, was unter der Gruppe liegt",
     degrees: "°",
     percent: "%",
-    metres: "m",
   },
 
   gradient: germanGradient,

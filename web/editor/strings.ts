@@ -371,7 +371,6 @@ const english = {
     isolatedHint: "Its layers blend with each other only, and not with what is below the group",
     degrees: "°",
     percent: "%",
-    metres: "m",
   },
 
   gradient: gradientWords,

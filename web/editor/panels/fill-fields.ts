@@ -2,13 +2,14 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { ArrowRightLeft, MousePointerClick } from "lucide";
 import type { Vec3 } from "../../engine/engine-api.ts";
+import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import { type FillLayer, type Gradient, type GradientStop, materialsOf } from "../document/index.ts";
 import { alignedGradient, type ModelAxis, roundGradient } from "../state/aligned-gradient.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
 import "../ui/gradient-stops.ts";
 import { icon } from "../ui/icon.ts";
 import { withAxis } from "./projector-fields.ts";
-import { colorField, lengthStep, numberField, type PropertyContext, record } from "./property-controls.ts";
+import { colorField, lengthStep, lengthTitle, numberField, type PropertyContext, record } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
 
 const MODEL_AXES = ["x", "y", "z"] as const satisfies readonly ModelAxis[];
@@ -99,17 +100,16 @@ function linearFields(context: PropertyContext, gradient: Linear): TemplateResul
 
 function radialFields(context: PropertyContext, gradient: Radial): TemplateResult {
   const words = context.editor.strings.gradient;
-  const { strings } = context.editor;
   const step = lengthStep(context.state);
   return html`
     ${pointFields(context, words.center, gradient.center, (center) => ({ ...gradient, center }))}
     ${numberField(context, words.radius, {
       label: words.radius,
       name: words.radius,
-      unit: strings.properties.metres,
       value: gradient.radius,
       step,
-      min: step / 100,
+      isLength: true,
+      min: Math.max(step / 100, DESIGN_LIMITS.lengthMin),
       patch: (radius) => ({ gradient: { ...gradient, radius } }),
     })}
   `;
@@ -124,7 +124,7 @@ function pointFields(
   const { strings } = context.editor;
   const step = lengthStep(context.state);
   return html`
-    <h3>${title}</h3>
+    ${lengthTitle(context, title)}
     <div class="three">
       ${([0, 1, 2] as const).map((axis) =>
         numberField(context, title, {
@@ -132,6 +132,7 @@ function pointFields(
           name: strings.properties.axis(title, "XYZ"[axis] as string),
           value: point[axis],
           step,
+          isLength: true,
           patch: (value) => ({ gradient: made(withAxis(point, axis, value)) }),
         }),
       )}

@@ -16,7 +16,7 @@ import { fillFields, partsFields } from "./fill-fields.ts";
 import { mirrorFields } from "./mirror-fields.ts";
 import { type PlacementMemory, placementFields } from "./placement-fields.ts";
 import { projectionTools } from "./projector-tools.ts";
-import { lengthStep, mixingFields, opacityField, type PropertyContext, toggleField } from "./property-controls.ts";
+import { mixingFields, opacityField, type PropertyContext, toggleField } from "./property-controls.ts";
 import { propertyStyles } from "./property-styles.ts";
 import { materialField, reachFields, samplingFields } from "./reach-fields.ts";
 import "./text-fields.ts";
@@ -69,11 +69,7 @@ export class LayerProperties extends EditorElement {
       case "decal":
       case "text":
         return html`
-          ${
-            layer.type === "text"
-              ? html`<tc-text-fields .editor=${this.editor} .step=${lengthStep(this.state)}></tc-text-fields>`
-              : nothing
-          }
+          ${layer.type === "text" ? html`<tc-text-fields .editor=${this.editor}></tc-text-fields>` : nothing}
           ${projectionTools(this.editor, layer)}
           ${placementFields(context, layer, this.#aspectOf(layer), this.#memory, () => this.requestUpdate())}
           ${mirrorFields(context, layer)}${this.#look(context, layer, samplingFields(context, layer))}${reachFields(context, layer)}

@@ -51,6 +51,7 @@ function planeFields(context: PropertyContext, mirror: Mirror, hasPicture: boole
         hint: words.mirrorOffsetHint,
         value: mirror.offset,
         step: lengthStep(context.state),
+        isLength: true,
         patch: (offset) => ({ mirror: { ...mirror, offset } }),
       })}
     </div>

@@ -2,6 +2,7 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Ratio, Unlink2 } from "lucide";
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
+import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import type { DecalLayer, TextLayer } from "../document/index.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
 import { type Orientation, orientationOf } from "../state/rotation.ts";
@@ -13,7 +14,7 @@ import {
   projectorFields,
   withAxis,
 } from "./projector-fields.ts";
-import { lengthStep, numberField, type PropertyContext, record } from "./property-controls.ts";
+import { lengthStep, lengthTitle, numberField, type PropertyContext, record } from "./property-controls.ts";
 
 /** What the fields remember from one render to the next. */
 export interface PlacementMemory {
@@ -63,8 +64,9 @@ function pose(
 }
 
 function fieldGroup(context: PropertyContext, { title, fields }: ProjectorFieldGroup): TemplateResult {
+  const lengths = fields.length === 3 && fields.every(({ isLength }) => isLength);
   return html`
-    <h3>${title}</h3>
+    ${lengths ? lengthTitle(context, title) : html`<h3>${title}</h3>`}
     <div class=${fields.length === 3 ? "three" : "two"}>
       ${fields.map(({ set, ...field }) =>
         numberField(context, title, { ...field, patch: (value) => ({ projector: set(value) as Projector }) }),
@@ -86,14 +88,10 @@ function size(
     const resizedAxis = withAxis(projector.size, axis, value);
     const other = axis === 0 ? 1 : 0;
     const linked = memory.proportional && axis !== 2;
-    return {
-      projector: {
-        ...projector,
-        size: linked
-          ? withAxis(resizedAxis, other, (projector.size[other] * value) / projector.size[axis])
-          : resizedAxis,
-      },
-    };
+    const { lengthMin, lengthMax } = DESIGN_LIMITS;
+    const proportional = (projector.size[other] * value) / projector.size[axis];
+    const bounded = Math.min(lengthMax, Math.max(lengthMin, proportional));
+    return { projector: { ...projector, size: linked ? withAxis(resizedAxis, other, bounded) : resizedAxis } };
   };
   const field = (axis: 0 | 1 | 2, side: "width" | "height" | "depth", hint = "") =>
     numberField(context, words.size, {
@@ -102,8 +100,9 @@ function size(
       hint,
       value: projector.size[axis],
       step,
+      isLength: true,
       // The least that the field shows as something.
-      min: step / 10,
+      min: Math.max(step / 10, DESIGN_LIMITS.lengthMin),
       patch: (value) => resized(axis, value),
     });
   const own = aspect ?? projector.size[0] / projector.size[1];
@@ -115,7 +114,7 @@ function size(
   const distorted = Math.abs(projector.size[0] / projector.size[1] / own - 1) > 1e-3;
   return html`
     <div class="titled">
-      <h3>${words.size}</h3>
+      ${lengthTitle(context, words.size)}
       ${
         distorted
           ? html`<button class="icon small" id="reset-proportions" aria-label=${words.resetProportions} title=${words.resetProportions} @click=${reset}>

@@ -6,6 +6,7 @@ import type {
   UvProjector,
   Vec3,
 } from "../../engine/engine-api.ts";
+import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import { type Orientation, quaternionOf, wrapDegrees } from "../state/rotation.ts";
 import type { Strings } from "../strings.ts";
 
@@ -15,6 +16,8 @@ export interface ProjectorField {
   readonly name: string;
   readonly value: number;
   readonly step: number;
+  /** Value, step and bounds are metres, which are shown in the unit that fits the model. */
+  readonly isLength?: boolean;
   readonly min?: number;
   readonly max?: number;
   readonly unit?: string;
@@ -48,6 +51,7 @@ export function poseFields(
     name: words.axis(words.position, label),
     value: projector.position[axis],
     step: lengthStep,
+    isLength: true,
     set: (value) => ({ ...projector, position: withAxis(projector.position, axis, value) }),
   });
   const turn = (key: keyof Orientation, label: string, hint: string): ProjectorField => ({
@@ -104,7 +108,9 @@ function perspectiveFields(
   words: Strings["properties"],
 ): ProjectorFieldGroup[] {
   const { fov, aspect, near, far } = projector;
-  const least = step / 100;
+  const least = Math.max(step / 100, DESIGN_LIMITS.lengthMin);
+  // Far from the eye a fixed gap would be lost in the engine's 32-bit numbers.
+  const gap = (distance: number): number => Math.max(least, distance * 1e-6);
   return [
     {
       title: words.lens,
@@ -140,9 +146,11 @@ function perspectiveFields(
           hint: words.nearHint,
           value: near,
           step,
+          isLength: true,
           min: least,
+          max: DESIGN_LIMITS.lengthMax / 2,
           // The far end makes way, so that near stays below it.
-          set: (value) => ({ ...projector, near: value, far: Math.max(far, value + least) }),
+          set: (value) => ({ ...projector, near: value, far: Math.max(far, value + gap(value)) }),
         },
         {
           label: words.far,
@@ -150,8 +158,9 @@ function perspectiveFields(
           hint: words.farHint,
           value: far,
           step,
+          isLength: true,
           min: 2 * least,
-          set: (value) => ({ ...projector, far: value, near: near < value ? near : value - least }),
+          set: (value) => ({ ...projector, far: value, near: Math.min(near, value - gap(value)) }),
         },
       ],
     },
@@ -169,7 +178,8 @@ function cylindricalFields(
     hint,
     value: projector[key],
     step,
-    min: step / 100,
+    isLength: true,
+    min: Math.max(step / 100, DESIGN_LIMITS.lengthMin),
     set: (value) => ({ ...projector, [key]: value }),
   });
   return [

@@ -1,9 +1,11 @@
 /** Fields of the property panel that are bound to layers: what they show, preview and record. */
 import { html, type TemplateResult } from "lit";
+import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import type { DesignLayer } from "../document/index.ts";
 import type { Editor } from "../state/editor.ts";
 import { diagonalOf, type EditorState } from "../state/editor-state.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
+import { type LengthUnit, unitFor } from "../tools/length-unit.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { recentColors } from "../ui/recent-colors.ts";
 import type { ProjectorField } from "./projector-fields.ts";
@@ -22,10 +24,17 @@ export interface NumberFieldOptions extends Omit<ProjectorField, "set"> {
   readonly patch: (value: number) => LayerPatch;
 }
 
-/** @param group What the step of the history is named after. */
+/**
+ * Without bounds of its own it has those of a design's numbers.
+ *
+ * @param group What the step of the history is named after.
+ */
 export function numberField(context: PropertyContext, group: string, options: NumberFieldOptions): TemplateResult {
-  const { label, name, hint = "", unit = "", value, step, min, max, patch } = options;
-  const { editor, ids } = context;
+  const { label, name, hint = "", value, step, isLength = false } = options;
+  const { min = -DESIGN_LIMITS.lengthMax, max = DESIGN_LIMITS.lengthMax } = options;
+  const { editor, ids, state } = context;
+  const { symbol, perMetre } = isLength ? lengthUnit(state) : { symbol: options.unit ?? "", perMetre: 1 };
+  const patch = (shown: number): LayerPatch => options.patch(rounded(shown / perMetre));
   const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
   const change = (event: Event): void => {
     const { value: next, repeated } = detail(event);
@@ -36,11 +45,11 @@ export function numberField(context: PropertyContext, group: string, options: Nu
     .label=${label}
     .name=${name}
     .hint=${hint}
-    .unit=${unit}
-    .value=${value}
-    .step=${step}
-    .min=${min ?? Number.NEGATIVE_INFINITY}
-    .max=${max ?? Number.POSITIVE_INFINITY}
+    .unit=${symbol}
+    .value=${rounded(value * perMetre)}
+    .step=${rounded(step * perMetre)}
+    .min=${rounded(min * perMetre)}
+    .max=${rounded(max * perMetre)}
     @field-preview=${(event: Event) => editor.layers.preview(ids, patch(detail(event).value))}
     @field-change=${change}
     @field-cancel=${() => editor.layers.cancelPreview()}
@@ -180,6 +189,16 @@ export function mixingFields(context: PropertyContext, { blendSpace, lockAlpha }
     ${toggleField(context, "lockAlpha", words.lockAlpha, lockAlpha, (on) => ({ lockAlpha: on }))}
   `;
 }
+
+/** A heading over lengths that says their unit for all of them, who have no room to say it each. */
+export function lengthTitle({ state }: Pick<PropertyContext, "state">, title: string): TemplateResult {
+  return html`<h3 class="lengths">${title} <span>${lengthUnit(state).symbol}</span></h3>`;
+}
+
+const lengthUnit = ({ model }: Pick<EditorState, "model">): LengthUnit => unitFor(diagonalOf(model));
+
+/** Without what a change of unit leaves behind the digits that count. */
+const rounded = (value: number): number => Number(value.toPrecision(12));
 
 /** Metres a step: a power of ten near a thousandth of the model, so that models of any size feel alike. */
 export function lengthStep({ model }: Pick<EditorState, "model">): number {

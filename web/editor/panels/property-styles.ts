@@ -59,6 +59,14 @@ export const propertyStyles = css`
     grid-template-columns: repeat(3, minmax(0, 1fr));
     gap: var(--space-1);
   }
+  /* Their heading says the unit. */
+  .lengths + .three,
+  .titled:has(.lengths) + .three {
+    --unit: none;
+  }
+  .lengths span {
+    font-weight: 400;
+  }
   .two {
     display: grid;
     grid-template-columns: repeat(2, minmax(0, 1fr));

@@ -6,7 +6,7 @@ import type { Align, TextLayer } from "../document/index.ts";
 import { bytesOf } from "../files/companions.ts";
 import { layerById } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
-import { emOf, withEm } from "../state/text-box.ts";
+import { emBounds, emOf, withEm } from "../state/text-box.ts";
 import { shippedFont, type TextPatch } from "../state/text-commands.ts";
 import type { Strings } from "../strings.ts";
 import { EditorElement } from "../ui/editor-element.ts";
@@ -19,6 +19,7 @@ import type { MenuItem } from "../ui/menu.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
 import { recentColors } from "../ui/recent-colors.ts";
+import { lengthStep, numberField } from "./property-controls.ts";
 import { checkField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
@@ -40,9 +41,6 @@ interface NumberOptions {
 }
 
 export class TextFields extends EditorElement {
-  /** Metres, of the field for the size. */
-  static override properties = { step: { type: Number } };
-  declare step: number;
   /** Of the layer whose words stand in the field. */
   #typedId: string | null = null;
 
@@ -98,17 +96,12 @@ export class TextFields extends EditorElement {
   /** Until what was typed is recorded. */
   #rest: ReturnType<typeof setTimeout> | undefined;
 
-  constructor() {
-    super();
-    this.step = 0.001;
-  }
-
   get #words(): Strings["text"] {
     return this.strings.text;
   }
 
-  protected watched({ design, selectedId, textToType, toolSettings }: EditorState): readonly unknown[] {
-    return [layerById(design, selectedId), textToType, design.assets, toolSettings.recent];
+  protected watched({ design, selectedId, textToType, toolSettings, model }: EditorState): readonly unknown[] {
+    return [layerById(design, selectedId), textToType, design.assets, toolSettings.recent, model];
   }
 
   protected override updated(): void {
@@ -291,28 +284,23 @@ export class TextFields extends EditorElement {
 
   /** The em's height; the box goes with it. */
   #size(layer: TextLayer): TemplateResult {
-    const { layers } = this.editor;
+    const { editor, state } = this;
     const { kind } = layer.projector;
-    const unit = kind === "perspective" ? this.strings.properties.degrees : "";
-    const sized = (event: Event) => ({ projector: withEm(layer, detailOf(event).value) });
-    const label = this.strings.steps.change(this.#words.size);
-    const change = (event: Event): void =>
-      layers.change(layer.id, sized(event), label, detailOf(event).repeated ? `size:${layer.id}` : undefined);
-    const step = kind === "planar" || kind === "cylindrical" ? this.step : 0.01;
-    return html`<tc-number
-      data-field="text-size"
-      .label=${this.#words.sizeLetter}
-      .name=${this.#words.size}
-      .hint=${this.#words.sizeHint}
-      .unit=${unit}
-      .value=${emOf(layer)}
-      .step=${step}
-      .min=${step / 100}
-      .max=${Number.POSITIVE_INFINITY}
-      @field-preview=${(event: Event) => layers.preview(layer.id, sized(event))}
-      @field-change=${change}
-      @field-cancel=${() => layers.cancelPreview()}
-    ></tc-number>`;
+    const isLength = kind === "planar" || kind === "cylindrical";
+    const step = isLength ? lengthStep(state) : 0.01;
+    const { min, max } = emBounds(layer);
+    return numberField({ editor, state, ids: [layer.id] }, this.#words.size, {
+      label: this.#words.sizeLetter,
+      name: this.#words.size,
+      hint: this.#words.sizeHint,
+      unit: kind === "perspective" ? this.strings.properties.degrees : "",
+      value: emOf(layer),
+      step,
+      isLength,
+      min: Math.max(step / 100, min),
+      max,
+      patch: (em) => ({ projector: withEm(layer, em) }),
+    });
   }
 
   #color(layer: TextLayer): TemplateResult {

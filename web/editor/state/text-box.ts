@@ -4,6 +4,7 @@
  */
 import type { Projector, TextMeasure, Vec3 } from "../../engine/engine-api.ts";
 import type { Align, TextLayer } from "../document/design.ts";
+import { DESIGN_LIMITS } from "../document/design-limits.ts";
 
 export type Room = Pick<TextMeasure, "width" | "height">;
 
@@ -11,6 +12,7 @@ export type Room = Pick<TextMeasure, "width" | "height">;
 const SLACK = 2e-3;
 const MOST_DEGREES = 360;
 const WIDEST_LENS = 175;
+const LEAST_LENS = 0.01;
 
 /** Whether the box lies close about words that ask for that room. `texture`: width by height, for stamps on it. */
 export function fitsClosely({ projector, fontSize }: TextLayer, room: Room, texture: number): boolean {
@@ -46,6 +48,16 @@ export const emOf = ({ projector, fontSize }: Pick<TextLayer, "projector" | "fon
 export function withEm(layer: TextLayer, em: number): Projector {
   const factor = em / emOf(layer);
   return grown(layer.projector, factor, factor, layer.align);
+}
+
+/** The least and the largest em whose box, and where it is moved to, a design can have. */
+export function emBounds(layer: TextLayer): { readonly min: number; readonly max: number } {
+  const { projector } = layer;
+  const em = emOf(layer);
+  if (projector.kind === "perspective") return { min: em * (LEAST_LENS / projector.fov), max: WIDEST_LENS };
+  const sides = projector.kind === "cylindrical" ? [projector.height] : projector.size;
+  const { lengthMin, lengthMax } = DESIGN_LIMITS;
+  return { min: em * ((lengthMin * 2) / Math.min(...sides)), max: em * (lengthMax / 4 / Math.max(...sides)) };
 }
 
 function heightOf(projector: Projector): number {

@@ -138,6 +138,7 @@ export class NumberField extends LitElement {
         color: var(--danger);
       }
       .unit {
+        display: var(--unit, inline);
         padding-inline-end: var(--space-2);
         color: var(--text-quiet);
         font-size: var(--text-small);
@@ -210,7 +211,8 @@ export class NumberField extends LitElement {
     const input = this.#input;
     if (!input) return;
     input.value = this.#shown(value, this.step);
-    if (input.getAttribute("aria-invalid") !== "false") input.setAttribute("aria-invalid", "false");
+    const refused = String(this.hasAttribute("refused"));
+    if (input.getAttribute("aria-invalid") !== refused) input.setAttribute("aria-invalid", refused);
   }
 
   #type(): void {
@@ -243,13 +245,16 @@ export class NumberField extends LitElement {
     if (!this.#typing) return;
     this.#typing = false;
     const value = this.#typed();
-    const refused = value === undefined && this.#input?.value.trim() !== "";
+    const outside = value === undefined ? this.#input?.value.trim() !== "" : value < this.min || value > this.max;
     if (value !== undefined && value !== this.value) this.#emit("field-change", value, false);
     this.#show();
-    if (refused) this.#refuse();
+    if (outside) this.#refuse();
   }
 
-  /** What stood there before is back, and for a moment marked: what was typed was not understood. */
+  /**
+   * What stands there is for a moment marked as not what was typed: it is the number from before where that was none, and the
+   * nearest that can be where it was too small or too large.
+   */
   #refuse(): void {
     const input = this.#input;
     input?.setAttribute("aria-invalid", "true");
