@@ -94,6 +94,23 @@ test("lengths are shown in the unit that fits the model, taken in others, and st
   await expect(editor.field("position-x")).toHaveAccessibleName("Position X, cm");
 });
 
+test("the ends of a gradient that are set upon each other stay apart", async ({ editor, page }) => {
+  await editor.open();
+  await page.locator("tc-layer-list .add button").first().click();
+  await page.getByRole("menuitem", { name: /gradient/i }).click();
+  const ends = async () => {
+    const fill = (await editor.design()).layers.find(({ type }) => type === "fill");
+    if (fill?.type !== "fill" || fill.gradient?.kind !== "linear") throw new Error("There is no gradient.");
+    return fill.gradient;
+  };
+  for (const axis of ["x", "y", "z"]) await editor.setField(`from-${axis}`, "7");
+  for (const axis of ["x", "y", "z"]) await editor.setField(`to-${axis}`, "7");
+  const { from, to } = await ends();
+  expect(from).toEqual([0.007, 0.007, 0.007]);
+  expect(to).not.toEqual(from);
+  expect(Math.hypot(...to.map((part, each) => part - (from[each] ?? 0)))).toBeLessThan(0.001);
+});
+
 test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys stay its own", async ({
   editor,
   page,

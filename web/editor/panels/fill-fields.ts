@@ -93,8 +93,8 @@ type Radial = Extract<Gradient, { kind: "radial" }>;
 function linearFields(context: PropertyContext, gradient: Linear): TemplateResult {
   const words = context.editor.strings.gradient;
   return html`
-    ${pointFields(context, words.from, gradient.from, (from) => ({ ...gradient, from }))}
-    ${pointFields(context, words.to, gradient.to, (to) => ({ ...gradient, to }))}
+    ${pointFields(context, words.from, gradient.from, (from) => ({ ...gradient, from }), gradient.to)}
+    ${pointFields(context, words.to, gradient.to, (to) => ({ ...gradient, to }), gradient.from)}
   `;
 }
 
@@ -115,14 +115,23 @@ function radialFields(context: PropertyContext, gradient: Radial): TemplateResul
   `;
 }
 
+/** @param other The gradient's other end, on which a design cannot have this one: it stops a step short of it. */
 function pointFields(
   context: PropertyContext,
   title: string,
   point: Vec3,
   made: (point: Vec3) => Gradient,
+  other?: Vec3,
 ): TemplateResult {
   const { strings } = context.editor;
   const step = lengthStep(context.state);
+  const moved = (axis: 0 | 1 | 2, value: number): Vec3 => {
+    const wished = withAxis(point, axis, value);
+    const meets = wished.every((part, each) => Math.fround(part) === Math.fround(other?.[each] ?? Number.NaN));
+    return meets
+      ? withAxis(point, axis, value - Math.max(step, Math.abs(value) * 1e-6) * (value > 0 ? 1 : -1))
+      : wished;
+  };
   return html`
     ${lengthTitle(context, title)}
     <div class="three">
@@ -133,7 +142,7 @@ function pointFields(
           value: point[axis],
           step,
           isLength: true,
-          patch: (value) => ({ gradient: made(withAxis(point, axis, value)) }),
+          patch: (value) => ({ gradient: made(moved(axis, value)) }),
         }),
       )}
     </div>
