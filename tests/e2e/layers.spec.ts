@@ -135,6 +135,32 @@ test("the keyboard goes on from the row that an act has made, or that is left of
   await expect(page.locator("tc-layer-list .row:focus")).toHaveCount(1);
 });
 
+test("Delete takes the layers that are chosen, also before the keyboard has come to them, or where it was led away", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  for (const id of ["badge", "number", "flower"]) await editor.addDemoDecal(id);
+  for (const act of ["g", "e"]) {
+    await editor.row("Number 07").click();
+    await editor.row("Travel badge").click({ modifiers: ["Shift"] });
+    // Without a frame between them, in which the list would have shown the group.
+    await editor.row("Travel badge").evaluate((row, key) => {
+      for (const init of [{ key, ctrlKey: true }, { key: "Delete" }])
+        row.dispatchEvent(new KeyboardEvent("keydown", { ...init, bubbles: true, cancelable: true, composed: true }));
+    }, act);
+    expect(shapeOf((await editor.design()).layers)).toBe("Flower");
+    for (let step = 0; step < 2; step += 1) await page.locator("#undo").click();
+    expect(shapeOf((await editor.design()).layers)).toBe("Travel badge, Number 07, Flower");
+  }
+  await editor.row("Number 07").click();
+  await page.keyboard.press("Control+ArrowDown");
+  await expect(editor.row("Travel badge")).toBeFocused();
+  await page.keyboard.press("Delete");
+  expect(shapeOf((await editor.design()).layers)).toBe("Travel badge, Flower");
+});
+
 test("a renaming that ends with a press elsewhere leaves the keyboard there", async ({ editor, page }) => {
   await editor.open();
   await editor.row("Texelcast mark").click();

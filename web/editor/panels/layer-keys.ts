@@ -31,11 +31,14 @@ function rowKey(event: KeyboardEvent, row: LayerRow, element: HTMLElement, conte
   const { layers, rows, state, focusSelected } = context;
   const { id } = row.layer;
   const place = rows.indexOf(row);
-  const own = state.selection.includes(id) ? state.selection : [id];
+  const { selection } = state;
+  const own = selection.includes(id) ? selection : [id];
+  // What is chosen is what one sees chosen: the keyboard may have been led to another row, or not yet to one that an act has made.
+  const chosen = selection.length > 0 ? selection : [id];
   if (state.readonly && changes(event)) return true;
   if (event.altKey) {
     if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return false;
-    layers.step(event.key === "ArrowUp" ? 1 : -1, own);
+    layers.step(event.key === "ArrowUp" ? 1 : -1, chosen);
     focusSelected();
     return true;
   }
@@ -65,7 +68,7 @@ function rowKey(event: KeyboardEvent, row: LayerRow, element: HTMLElement, conte
       return true;
     case "Delete":
     case "Backspace":
-      layers.remove(own);
+      layers.remove(chosen);
       focusSelected();
       return true;
     case "a":
