@@ -111,6 +111,40 @@ test("the ends of a gradient that are set upon each other stay apart", async ({ 
   expect(Math.hypot(...to.map((part, each) => part - (from[each] ?? 0)))).toBeLessThan(0.001);
 });
 
+test("a key in the midst of a scrub or a slider's drag takes that back, and not the step before", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const id = await editor.lowestLayer();
+  await editor.select(id);
+  await editor.setField("spin", "12");
+  const before = await editor.decal(id);
+  const middle = async (selector: string) => {
+    await page.locator(selector).scrollIntoViewIfNeeded();
+    const box = await page.locator(selector).boundingBox();
+    if (!box) throw new Error(`There is no ${selector}.`);
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  };
+  for (const selector of ['tc-number[data-field="position-x"] label', "tc-layer-properties #opacity"]) {
+    for (const key of ["Control+z", "Escape"]) {
+      const { x, y } = await middle(selector);
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x - 30, y, { steps: 3 });
+      await expect.poll(async () => await editor.decal(id), `${selector} is previewed, ${key}`).not.toEqual(before);
+      await page.keyboard.press(key);
+      await expect.poll(async () => await editor.decal(id), `${selector}, ${key}`).toEqual(before);
+      await page.mouse.move(x - 50, y, { steps: 3 });
+      await page.mouse.up();
+      await editor.idle();
+      expect(await editor.decal(id), `${selector}, ${key}, and the pointer goes on`).toEqual(before);
+    }
+  }
+  await page.locator("tc-layer-properties #opacity").press("ArrowLeft");
+  expect((await editor.decal(id)).opacity, "the slider is used again").toBeCloseTo(before.opacity - 0.01, 6);
+});
+
 test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys stay its own", async ({
   editor,
   page,

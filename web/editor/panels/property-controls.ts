@@ -8,6 +8,7 @@ import type { LayerPatch } from "../state/layer-commands.ts";
 import { type LengthUnit, unitFor } from "../tools/length-unit.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { recentColors } from "../ui/recent-colors.ts";
+import { opacitySlider } from "./opacity-slider.ts";
 import type { ProjectorField } from "./projector-fields.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 
@@ -149,22 +150,12 @@ function withAlpha(color: string, alpha: number): string {
 
 export function opacityField(context: PropertyContext, { opacity }: DesignLayer): TemplateResult {
   const words = context.editor.strings.properties;
-  const { editor, ids } = context;
   const percent = Math.round(opacity * 1000) / 10;
-  const share = (event: Event): number => Number((event.target as HTMLInputElement).value) / 100;
   return html`
     <div class="field">
       <label for="opacity">${words.opacity}</label>
       <div class="slider">
-        <input
-          type="range"
-          id="opacity"
-          min="0"
-          max="100"
-          .value=${String(percent)}
-          @input=${(event: Event) => editor.layers.preview(ids, { opacity: share(event) })}
-          @change=${(event: Event) => record(context, words.opacity, { opacity: share(event) }, "opacity")}
-        />
+        ${opacitySlider(context, percent)}
         ${numberField(context, words.opacity, {
           label: "",
           name: words.opacity,

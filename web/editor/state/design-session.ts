@@ -87,10 +87,12 @@ export class DesignSession {
     this.#publish();
   }
 
-  cancelPreview(): void {
-    if (!this.#history.previewing) return;
+  /** False where none was shown. */
+  cancelPreview(): boolean {
+    const { previewing } = this.#history;
     this.#history.cancelPreview();
-    this.#publish();
+    if (previewing) this.#publish();
+    return previewing;
   }
 
   /** One step of the history. Steps of the same `mergeKey` close together in time are one. */

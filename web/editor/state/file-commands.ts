@@ -199,11 +199,12 @@ export class FileCommands {
     });
   }
 
-  /** One step back or forth. To undo in the middle of a stroke means the stroke, and not the step before it. */
+  /** One step back or forth. In the middle of a stroke or of another change it is that which is taken back, and not the step before. */
   async travel(direction: "undo" | "redo"): Promise<void> {
     const { session, store, board, giveUp } = this.#parts;
     if (giveUp() && direction === "undo") return;
     await session.settled();
+    if (session.cancelPreview()) return;
     const label = direction === "undo" ? store.state.undoLabel : store.state.redoLabel;
     const position = session.position + (direction === "undo" ? -1 : 1);
     await this.#travelTo(position, () =>

@@ -129,8 +129,9 @@ export class LayerCommands {
     this.#session.preview(patched(design, free, patch));
   }
 
-  cancelPreview(): void {
-    this.#session.cancelPreview();
+  /** False where none was shown. */
+  cancelPreview(): boolean {
+    return this.#session.cancelPreview();
   }
 
   change(ids: string | readonly string[], patch: LayerPatch, label: string, mergeKey?: string): void {

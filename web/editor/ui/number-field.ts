@@ -1,8 +1,9 @@
 /**
  * A numeric field: typing, arrow keys, and a label to scrub with the pointer. Emits `field-preview` while a scrub goes
- * on, `field-change` when a value is final, `field-cancel` when Escape ends a scrub; `detail` is a NumberFieldEvent.
+ * on, `field-change` when a value is final, `field-cancel` when a key takes a scrub back; `detail` is a NumberFieldEvent.
  */
 import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { takesBack } from "../../viewer/take-back-key.ts";
 import { plainControls } from "./theme.ts";
 import { typedNumber } from "./typed-number.ts";
 
@@ -155,6 +156,7 @@ export class NumberField extends LitElement {
         @pointermove=${this.#drag}
         @pointerup=${this.#release}
         @pointercancel=${this.#abandon}
+        @lostpointercapture=${this.#release}
         @click=${(event: Event) => event.preventDefault()}
         >${this.label}</label
       >
@@ -277,7 +279,7 @@ export class NumberField extends LitElement {
     event.preventDefault();
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
     this.#scrub = { pointer: event.pointerId, x: event.clientX, from: this.value, active: false, value: this.value };
-    addEventListener("keydown", this.#escape, { capture: true });
+    addEventListener("keydown", this.#takeBack, { capture: true });
   }
 
   #drag(event: PointerEvent): void {
@@ -313,15 +315,17 @@ export class NumberField extends LitElement {
     }
   }
 
-  readonly #escape = (event: KeyboardEvent): void => {
-    if (event.key !== "Escape") return;
+  /** Before the page hears of the key: it would take back the step before, or the choice of the layer. */
+  readonly #takeBack = (event: KeyboardEvent): void => {
+    if (!takesBack(event)) return;
+    event.preventDefault();
     event.stopPropagation();
     this.#abandon();
   };
 
   #endScrub(): void {
     this.#scrub = null;
-    removeEventListener("keydown", this.#escape, { capture: true });
+    removeEventListener("keydown", this.#takeBack, { capture: true });
   }
 
   #bounded(value: number): number {
