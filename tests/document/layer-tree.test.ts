@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { DESIGN_LIMITS } from "../../web/editor/document/design-limits.ts";
 import {
   type Design,
   type DesignLayer,
@@ -16,10 +17,12 @@ import {
   mapLayer,
   materialsIn,
   moveTo,
+  parseDesign,
   removeById,
   walkLayers,
   withFreeIds,
 } from "../../web/editor/document/index.ts";
+import { addMask, duplicateLayers } from "../../web/editor/state/layer-edits.ts";
 
 const fill = (id: string, material = 0) => makeFillLayer({ id, color: "#102030", material });
 const stroke = (id: string) =>
@@ -131,5 +134,33 @@ describe("the tree of layers", () => {
     expect(new Set(ids).size).toBe(5);
     expect(ids.some((id) => layerIds(tree()).has(id))).toBe(false);
     expect(layerIds(tree()).has(freeIdIn(tree()))).toBe(false);
+  });
+});
+
+describe("a design that is full", () => {
+  const full: Design = {
+    ...emptyDesign(),
+    layers: [
+      fill("a"),
+      makePaintLayer({
+        id: "p",
+        strokes: Array.from({ length: DESIGN_LIMITS.layers - 2 }, (_, at) => stroke(`s${at}`)),
+      }),
+    ],
+  };
+
+  it("takes no more layers, anywhere in it, for it could not be read again", () => {
+    expect(parseDesign(full).layers).toHaveLength(2);
+    const places = [top, { parentId: "p", list: "strokes" }, { parentId: "a", list: "mask" }] as const;
+    for (const place of places) {
+      expect(() => insertAt(full, { ...place, index: 0 }, stroke("more"))).toThrow("holds 10000 layers");
+    }
+    expect(() => addMask(full, "a", true)).toThrow("holds 10000 layers");
+    expect(() => duplicateLayers(full, ["a"])).toThrow("holds 10000 layers");
+  });
+
+  it("is arranged as before, and takes more once something has gone", () => {
+    expect(moveTo(full, "a", { ...top, index: 1 }).layers.map(({ id }) => id)).toEqual(["p", "a"]);
+    expect(insertAt(removeById(full, "s7"), { ...top, index: 2 }, fill("b")).layers).toHaveLength(3);
   });
 });

@@ -1,5 +1,5 @@
 import { Vector3 } from "three";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { DESIGN_LIMITS } from "../../web/editor/document/design-limits.ts";
 import {
   type DesignLayer,
@@ -10,6 +10,7 @@ import {
   makeStrokeLayer,
 } from "../../web/editor/document/index.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
+import { type BrushKind, BrushTool } from "../../web/editor/tools/brush-tool.ts";
 import { DabChain } from "../../web/editor/tools/dab-chain.ts";
 import { stepFor, unitFor } from "../../web/editor/tools/length-unit.ts";
 import { mirrorOf } from "../../web/editor/tools/mirror-setting.ts";
@@ -17,6 +18,7 @@ import { paintTargetOf, withStroke } from "../../web/editor/tools/paint-target.t
 import { type PathStep, PointerPath, ropeOf } from "../../web/editor/tools/pointer-path.ts";
 import { brushKeyChange } from "../../web/editor/tools/size-keys.ts";
 import { surfaceJoins } from "../../web/editor/tools/surface-joins.ts";
+import type { ToolContext } from "../../web/editor/tools/tool-context.ts";
 import { brushSizes, withRecent } from "../../web/editor/tools/tool-settings.ts";
 import { hitOf } from "../../web/viewer/surface-hit.ts";
 import type { SurfaceHit, ToolSample, ToolView } from "../../web/viewer/viewer-api.ts";
@@ -275,6 +277,32 @@ describe("where a stroke goes", () => {
     const group = makeGroupLayer({ id: "group", layers: [paint], locked: true });
     expect(paintTargetOf(designOf(group), "paint", false)).toMatchObject({ reason: "locked" });
     expect(paintTargetOf(designOf({ ...paint, visible: false }), "paint", true)).toMatchObject({ reason: "hidden" });
+  });
+});
+
+describe("a brush on a design that is full", () => {
+  it("paints nothing, which could not be kept, and says so", () => {
+    const begin = vi.fn(() => null);
+    const told: string[] = [];
+    const layers = (count: number): DesignLayer[] =>
+      Array.from({ length: count }, (_, at) => makeGroupLayer({ id: `g${at}`, layers: [] }));
+    const session = { recordedDesign: { ...emptyDesign(), layers: layers(DESIGN_LIMITS.layers) } };
+    const context = {
+      session,
+      board: { strings: stringsIn("en"), info: ({ title }: { title: string }) => void told.push(title) },
+      tools: { settings: { size: null } },
+      viewer: { setRing: () => {} },
+      textureView: { setRing: () => {} },
+      store: { state: {} },
+    } as unknown as ToolContext;
+    const kind = { id: "brush", options: [], inner: () => 1, begin } as unknown as BrushKind;
+    const brush = new BrushTool(kind, context);
+    brush.input.down(sample(0, 0));
+    expect(begin).not.toHaveBeenCalled();
+    expect(told).toEqual(["The design is full"]);
+    session.recordedDesign = { ...emptyDesign(), layers: layers(DESIGN_LIMITS.layers - 5) };
+    brush.input.down(sample(0, 0));
+    expect(begin).toHaveBeenCalled();
   });
 });
 

@@ -175,6 +175,12 @@ export const german: Strings = {
       message: "Er fasst 100.000 Pinseltupfer. Was danach kam, ist nicht gemalt: Setze dort neu an.",
       hint: "Mit mehr Abstand oder einem größeren Pinsel reicht ein Strich weiter.",
     },
+    fullDesign: {
+      title: "Das Design ist voll",
+      message:
+        "Es fasst 10.000 Ebenen und Striche. Was danach käme, ließe sich nicht behalten: Es wird nichts mehr gemalt.",
+      hint: "Lösche, was du nicht mehr brauchst, oder exportiere das Modell als GLB und male auf dem weiter: Seine Textur trägt die Farbe schon.",
+    },
     roundTip: "Rund",
     tinted: "Einfärben",
     tolerance: "Toleranz",

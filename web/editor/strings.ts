@@ -172,6 +172,12 @@ const english = {
       message: "It holds 100,000 dabs of the brush. What came after them was not painted: begin another stroke there.",
       hint: "With more spacing, or a larger brush, a stroke goes further.",
     },
+    fullDesign: {
+      title: "The design is full",
+      message:
+        "It holds 10,000 layers and strokes. What came after them could not be kept, so nothing more is painted.",
+      hint: "Delete what is no longer needed, or export the model as GLB and paint on with that: it has the paint in its texture.",
+    },
     roundTip: "Round",
     tinted: "In the colour",
     tolerance: "Tolerance",

@@ -153,6 +153,10 @@ export function withFreeIds(design: Pick<Design, "layers">, layer: DesignLayer):
   return rename(layer);
 }
 
+/** Whether a design may have so many more layers, those within others counted. */
+export const hasRoom = (design: Pick<Design, "layers">, more: number): boolean =>
+  flattenLayers(design).length + more <= DESIGN_LIMITS.layers;
+
 /** The materials that a layer, or what is in it, paints; masks paint none. */
 export const materialsIn = (layer: DesignLayer): number[] => [
   ...new Set(
@@ -198,7 +202,7 @@ export function removeById(design: Design, id: string): Design {
  * parent has none.
  *
  * @throws TexelcastError "bad-argument" where there is no such list, where it takes no layers of that type, and where
- * layers would lie deeper than a design may have them.
+ * layers would lie deeper, or be more, than a design may have them.
  */
 export function insertAt(design: Design, { parentId, list, index }: LayerPlace, layer: DesignLayer): Design {
   const put = (layers: readonly DesignLayer[]): DesignLayer[] =>
@@ -207,6 +211,10 @@ export function insertAt(design: Design, { parentId, list, index }: LayerPlace, 
   const depth = parent?.depth ?? 0;
   if (depth + layerDepth(layer) > DESIGN_LIMITS.depth) {
     throw refusal("too-deep", "parentId", parentId, `Layers can lie ${DESIGN_LIMITS.depth} deep and no deeper.`);
+  }
+  if (!hasRoom(design, flattenLayers({ layers: [layer] }).length)) {
+    const most = `A design holds ${DESIGN_LIMITS.layers} layers, those within others included, and no more.`;
+    throw refusal("too-many", "layers", layer.type, most);
   }
   if (parentId === null && list === "layers") return { ...design, layers: put(design.layers) };
   if (parent === undefined)

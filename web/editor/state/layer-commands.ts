@@ -155,14 +155,14 @@ export class LayerCommands {
   }
 
   duplicate(ids = this.#store.state.selection): void {
-    const { design, ids: copies } = duplicateLayers(this.#session.recordedDesign, ids, (layer) => this.#apart(layer));
-    if (copies.length === 0) return;
-    const more = placedCount(design) - placedCount(this.#session.recordedDesign);
-    const fits = this.#attempt(() => {
-      this.#admission?.checkRoom(more);
-      return true;
+    const before = this.#session.recordedDesign;
+    const made = this.#attempt(() => {
+      const copied = duplicateLayers(before, ids, (layer) => this.#apart(layer));
+      this.#admission?.checkRoom(placedCount(copied.design) - placedCount(before));
+      return copied;
     });
-    if (!fits) return;
+    if (!made || made.ids.length === 0) return;
+    const { design, ids: copies } = made;
     const said = this.#said(ids, this.#board.strings.announce.duplicated, this.#board.strings.announce.duplicatedMany);
     this.#session.record(design, this.#board.strings.steps.duplicate(copies.length));
     this.#chooseMade(copies);
@@ -313,7 +313,8 @@ export class LayerCommands {
   #editMask(edit: (design: Design, id: string) => Design, label: string): string | undefined {
     const { selectedId } = this.#store.state;
     const [id] = selectedId === null ? [] : this.unlocked([selectedId]);
-    if (id !== undefined) this.#session.record(edit(this.#session.recordedDesign, id), label);
+    const design = id === undefined ? undefined : this.#attempt(() => edit(this.#session.recordedDesign, id));
+    if (design) this.#session.record(design, label);
     return id;
   }
 

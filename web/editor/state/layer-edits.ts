@@ -116,7 +116,7 @@ export function groupLayers(
   return { design: insertAt(without, { parentId, list: "layers", index }, group), id };
 }
 
-/** Puts copies right above their originals. `patchOf` sets a copy apart (its place). Ids are those of the copies. */
+/** Puts copies right above their originals. `patchOf` sets a copy apart (its place). Ids are those of the copies. Throws as `insertAt`. */
 export function duplicateLayers(
   design: Design,
   ids: readonly string[],
@@ -135,18 +135,13 @@ export function duplicateLayers(
   return { design: made, ids: copies };
 }
 
-/** A mask that shows all of the layer, or hides all of it until it is painted on. One that has a mask keeps it. */
+/** A mask that shows all of the layer, or hides all of it until it is painted on. One that has a mask keeps it. Throws as `insertAt`. */
 export function addMask(design: Design, id: string, hideAll: boolean): Design {
-  return mapLayer(design, id, (layer) => {
-    if (layer.mask !== null) return layer;
-    const cover = makeFillLayer({
-      id: freeIdIn(design),
-      color: "#000000",
-      blend: "erase",
-      material: layer.material,
-    });
-    return { ...layer, mask: { layers: hideAll ? [cover] : [], invert: false } };
-  });
+  const { material, mask = null } = findLayer(design, id) ?? {};
+  if (material === undefined || mask !== null) return design;
+  if (!hideAll) return mapLayer(design, id, (layer) => ({ ...layer, mask: { layers: [], invert: false } }));
+  const cover = makeFillLayer({ id: freeIdIn(design), color: "#000000", blend: "erase", material });
+  return insertAt(design, { parentId: id, list: "mask", index: 0 }, cover);
 }
 
 export function removeMask(design: Design, id: string): Design {

@@ -80,5 +80,6 @@ export const ARGUMENTS: Reasons = {
     "Wähle ihre Teile neu.",
   ],
   "too-deep": ["So tief lassen sich Ebenen nicht ineinander legen.", ""],
+  "too-many": ["Ein Design fasst 10.000 Ebenen und Striche, und nicht mehr.", ""],
   undrawn: ["Eine Ebene lässt sich so nicht zeichnen.", "Mach den letzten Schritt rückgängig, oder lösche sie."],
 };

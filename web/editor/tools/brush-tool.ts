@@ -2,6 +2,7 @@
 import type { TemplateResult } from "lit";
 import type { IconNode } from "lucide";
 import type { SurfaceHit, ToolInput, ToolSample } from "../../viewer/viewer-api.ts";
+import { hasRoom } from "../document/layer-tree.ts";
 import type { Strings } from "../strings.ts";
 import { BrushPreview } from "./brush-preview.ts";
 import { PaintCursor } from "./paint-cursor.ts";
@@ -17,6 +18,9 @@ const PINCH_SLOP = 16;
 
 /** Of the brush's size: how far an arrow key moves its cursor. */
 const KEY_STEP = 0.25;
+
+/** Layers that a stroke may bring: mirrored and cloned, a group, two pictures in it and their masks. */
+const MOST_NEW = 5;
 
 /** Where a stroke begins; `hit` is null beside the charts of the flat texture, and `uv` beside the model. */
 export interface StrokeStart {
@@ -135,7 +139,7 @@ export class BrushTool implements Tool {
       return true;
     }
     // A locked layer keeps the press too: the camera turning instead would be a surprise.
-    this.#gesture = this.#kind.begin(startOf(sample));
+    this.#gesture = this.#begin(startOf(sample));
     if (this.#gesture === null) return true;
     this.#start = sample;
     this.#wandered = 0;
@@ -202,8 +206,15 @@ export class BrushTool implements Tool {
       this.#kind.alt(start);
       return;
     }
-    this.#gesture = this.#kind.begin(start);
+    this.#gesture = this.#begin(start);
     this.#extend(hit);
+  }
+
+  #begin(start: StrokeStart): PaintGesture | null {
+    const { session, board } = this.#context;
+    if (hasRoom(session.recordedDesign, MOST_NEW)) return this.#kind.begin(start);
+    board.info(board.strings.tools.fullDesign);
+    return null;
   }
 
   #extend(hit: SurfaceHit): void {

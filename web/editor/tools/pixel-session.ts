@@ -2,6 +2,7 @@
 import type { ModelInfo, Picture } from "../../engine/engine-api.ts";
 import { decodePicture } from "../../engine/picture-decoder.ts";
 import type { DecalLayer } from "../document/index.ts";
+import { hasRoom } from "../document/layer-tree.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
 import { PixelGesture, type PixelSource, type PixelStart } from "./pixel-gesture.ts";
 import { pixelLayerFor } from "./pixel-layer.ts";
@@ -56,11 +57,15 @@ export class PixelSession {
 
   /** Null where nothing can be painted of the material that it begins on; the user is told why. */
   begin(material: number): PixelGesture | null {
-    const { board } = this.#context;
+    const { board, session } = this.#context;
     const layer = this.#layerOf(material);
     if (layer !== undefined && (layer.locked || !layer.visible)) {
       const words = this.#context.board.strings.tools.refusals[layer.locked ? "locked" : "hidden"];
       board.info({ title: words.title(layer.name), message: words.message });
+      return null;
+    }
+    if (layer === undefined && !hasRoom(session.recordedDesign, 1)) {
+      board.info(board.strings.tools.fullDesign);
       return null;
     }
     // Changes that are still being written may be what makes the layers.
