@@ -87,3 +87,40 @@ test("a text field keeps its own copy and paste, and marked words theirs", async
   await page.keyboard.press("Escape");
   expect(await names(editor)).toEqual(before);
 });
+
+test("layers are copied and pasted by the list's menus, whatever words are marked on the page", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const more = page.locator("tc-layer-list .more button").first();
+  const item = (name: string) => page.getByRole("menuitem", { name, exact: true });
+  await editor.row("Texelcast mark").click();
+  await more.click();
+  await expect(item("Paste")).toBeDisabled();
+  await page.keyboard.press("Escape");
+  // A press on the status line marks words of it, which Ctrl+C would take.
+  await page.evaluate(() => {
+    const words = document.createElement("p");
+    words.textContent = "Marked";
+    document.body.append(words);
+    getSelection()?.selectAllChildren(words);
+  });
+  await editor.row("Texelcast mark").click({ button: "right" });
+  await item("Copy").click();
+  await editor.row("Texelcast mark").click({ button: "right" });
+  await item("Paste").click();
+  await expect(editor.row("Texelcast mark 2")).toHaveCount(1);
+  await expect(page.locator("#undo")).toHaveAttribute("aria-label", "Undo paste layer");
+  await editor.row("Smiley").click();
+  await page.keyboard.press("Control+v");
+  await expect(editor.row("Texelcast mark 3"), "the clipboard has them, too").toHaveCount(1);
+  expect(await names(editor)).toEqual(["Texelcast mark", "Texelcast mark 2", "Smiley", "Texelcast mark 3"]);
+
+  // By Ctrl+C the menu has them as well.
+  await editor.row("Smiley").click();
+  await page.keyboard.press("Control+c");
+  await more.click();
+  await item("Paste").click();
+  await expect(editor.row("Smiley 2")).toHaveCount(1);
+});

@@ -95,6 +95,8 @@ export function moreItems({ layers, clipboard, store, strings }: Editor, rename:
 
 /** Onto the browser's clipboard, by the event that this brings about; where it lets no page do that, for this page alone. */
 function copyNow(clipboard: ClipboardCommands): void {
+  // Words that are marked somewhere would be copied in their place.
+  getSelection()?.removeAllRanges();
   if (!document.execCommand("copy")) clipboard.copy();
 }
 

@@ -61,7 +61,8 @@ export class LayerList extends EditorElement implements LayerDragHost {
   protected watched(state: EditorState): readonly unknown[] {
     const { design, selectedId, selection, collapsed, editingMask, model, material, starting } = state;
     const shown = layerRows(design, collapsed).flatMap(shownOf);
-    return [design.assets, selectedId, selection, collapsed, editingMask, model, material, starting, ...shown];
+    const { holds } = this.editor.clipboard;
+    return [design.assets, selectedId, selection, collapsed, editingMask, model, material, starting, holds, ...shown];
   }
 
   get list(): HTMLElement | null {
