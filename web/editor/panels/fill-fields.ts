@@ -109,7 +109,7 @@ function radialFields(context: PropertyContext, gradient: Radial): TemplateResul
       value: gradient.radius,
       step,
       isLength: true,
-      min: Math.max(step / 100, DESIGN_LIMITS.lengthMin),
+      min: Math.max(step / 10, DESIGN_LIMITS.lengthMin),
       patch: (radius) => ({ gradient: { ...gradient, radius } }),
     })}
   `;

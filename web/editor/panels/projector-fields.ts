@@ -108,7 +108,8 @@ function perspectiveFields(
   words: Strings["properties"],
 ): ProjectorFieldGroup[] {
   const { fov, aspect, near, far } = projector;
-  const least = Math.max(step / 100, DESIGN_LIMITS.lengthMin);
+  // What a field shows as something.
+  const least = Math.max(step / 10, DESIGN_LIMITS.lengthMin);
   // Far from the eye a fixed gap would be lost in the engine's 32-bit numbers.
   const gap = (distance: number): number => Math.max(least, distance * 1e-6);
   return [
@@ -179,7 +180,7 @@ function cylindricalFields(
     value: projector[key],
     step,
     isLength: true,
-    min: Math.max(step / 100, DESIGN_LIMITS.lengthMin),
+    min: Math.max(step / 10, DESIGN_LIMITS.lengthMin),
     set: (value) => ({ ...projector, [key]: value }),
   });
   return [
@@ -213,7 +214,7 @@ function uvFields(projector: UvProjector, words: Strings["properties"]): Project
     name: words.axis(title, label),
     value: projector[key][axis],
     step: 0.001,
-    ...(key === "size" && { min: 1e-5 }),
+    ...(key === "size" && { min: 1e-4 }),
     set: (value) => {
       const [first, second] = projector[key];
       return { ...projector, [key]: axis === 0 ? [value, second] : [first, value] };

@@ -6,7 +6,7 @@ const METRES: Readonly<Record<string, number>> = { mm: 0.001, cm: 0.01, m: 1, in
  * and is converted. Undefined: none.
  */
 export function typedNumber(text: string, unit: string): number | undefined {
-  const [, digits = "", ending] = /^(.*?)\s*([^\d.,]*)$/s.exec(text.trim().toLowerCase()) ?? [];
+  const [, digits = "", ending] = /^([-+−]?[\d.,]+(?:e[-+]?\d+)?)\s*([^\d.,]*)$/.exec(text.trim().toLowerCase()) ?? [];
   const own = unit.toLowerCase();
   const factor = !ending || ending === own ? 1 : (METRES[ending] as number) / (METRES[own] as number);
   const value = Number(digits.replace(",", ".").replace("−", "-")) * factor;
