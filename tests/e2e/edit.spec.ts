@@ -1,5 +1,5 @@
 import { expect, test } from "./support/editor-page.ts";
-import { squareGlb } from "./support/test-files.ts";
+import { squareGlb, twoSquaresGlb } from "./support/test-files.ts";
 
 test("numeric fields move, turn, size and fade the selected decal, each as one step", async ({ editor, page }) => {
   await editor.open();
@@ -143,6 +143,34 @@ test("a key in the midst of a scrub or a slider's drag takes that back, and not 
   }
   await page.locator("tc-layer-properties #opacity").press("ArrowLeft");
   expect((await editor.decal(id)).opacity, "the slider is used again").toBeCloseTo(before.opacity - 0.01, 6);
+});
+
+test("what is moved or sized by numbers paints the materials that it comes to lie on, as what is dragged there", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([twoSquaresGlb()]);
+  const id = await editor.addDemoDecal("badge");
+  const material = async () => (await editor.decal(id)).material;
+  await editor.setField("position-x", "-55");
+  expect(await material()).toBe(0);
+  await editor.setField("position-x", "55");
+  expect(await material()).toBe(1);
+  await editor.setField("size-width", "200");
+  expect(await material()).toEqual([0, 1]);
+  await page.locator("#undo").click();
+  expect(await material()).toBe(1);
+  await page.locator("tc-layer-list tc-menu.add button").first().click();
+  await page.getByRole("menuitem", { name: "Add text" }).click();
+  const words = page.locator("tc-text-fields textarea");
+  await expect(words).toBeFocused();
+  const materialOfText = async () => (await editor.design()).layers.find(({ type }) => type === "text")?.material;
+  await editor.setField("position-x", "-55");
+  expect(await materialOfText()).toBe(0);
+  await words.fill("Words that go on over the border of both of the squares");
+  await words.press("Tab");
+  await expect.poll(materialOfText).toEqual([0, 1]);
 });
 
 test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys stay its own", async ({

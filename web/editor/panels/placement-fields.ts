@@ -49,6 +49,10 @@ export function placementFields(
   `;
 }
 
+/** What is moved by numbers paints what it comes to lie on, as what is dragged there does. */
+const placed = ({ editor, ids }: PropertyContext, projector: Projector): LayerPatch =>
+  editor.decals.placed(ids[0] as string, projector);
+
 function pose(
   context: PropertyContext,
   projector: PosedProjector,
@@ -69,7 +73,7 @@ function fieldGroup(context: PropertyContext, { title, fields }: ProjectorFieldG
     ${lengths ? lengthTitle(context, title) : html`<h3>${title}</h3>`}
     <div class=${fields.length === 3 ? "three" : "two"}>
       ${fields.map(({ set, ...field }) =>
-        numberField(context, title, { ...field, patch: (value) => ({ projector: set(value) as Projector }) }),
+        numberField(context, title, { ...field, patch: (value) => placed(context, set(value) as Projector) }),
       )}
     </div>
   `;
@@ -91,7 +95,7 @@ function size(
     const { lengthMin, lengthMax } = DESIGN_LIMITS;
     const proportional = (projector.size[other] * value) / projector.size[axis];
     const bounded = Math.min(lengthMax, Math.max(lengthMin, proportional));
-    return { projector: { ...projector, size: linked ? withAxis(resizedAxis, other, bounded) : resizedAxis } };
+    return placed(context, { ...projector, size: linked ? withAxis(resizedAxis, other, bounded) : resizedAxis });
   };
   const field = (axis: 0 | 1 | 2, side: "width" | "height" | "depth", hint = "") =>
     numberField(context, words.size, {
@@ -109,7 +113,7 @@ function size(
   const reset = (): void => {
     const [width, , depth] = projector.size;
     const natural: Vec3 = [width, width / own, depth];
-    record(context, words.size, { projector: { ...projector, size: natural } });
+    record(context, words.size, placed(context, { ...projector, size: natural }));
   };
   const distorted = Math.abs(projector.size[0] / projector.size[1] / own - 1) > 1e-3;
   return html`

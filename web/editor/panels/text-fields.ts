@@ -297,9 +297,9 @@ export class TextFields extends EditorElement {
       value: emOf(layer),
       step,
       isLength,
-      min: Math.max(step / 100, min),
+      min: Math.max(step / 10, min),
       max,
-      patch: (em) => ({ projector: withEm(layer, em) }),
+      patch: (em) => editor.decals.placed(layer.id, withEm(layer, em)),
     });
   }
 

@@ -157,10 +157,16 @@ export class DecalCommands {
     const layer = this.selected;
     if (!layer) return false;
     const projector = this.#viewer.alignProjector(layer.projector, how, this.#stampMaterial(layer));
-    const material = this.#reach.movedTo(layer, projector, null);
-    this.#layers.change(layer.id, { projector, material }, this.#board.strings.projection.alignSteps[how]);
+    this.#layers.change(layer.id, this.placed(layer.id, projector), this.#board.strings.projection.alignSteps[how]);
     this.#board.announce(this.#board.strings.projection.aligned[how](layer.name));
     return true;
+  }
+
+  /** What a layer takes on with another projector: that, and the materials that it lies on then. */
+  placed(id: string, projector: Projector): Pick<PlacedLayer, "projector"> & Partial<Pick<PlacedLayer, "material">> {
+    const layer = layerById(this.#session.recordedDesign, id);
+    if (layer?.type !== "decal" && layer?.type !== "text") return { projector };
+    return { projector, material: this.#reach.movedTo(layer, projector, null) };
   }
 
   /** The material in whose texture a layer lies as a stamp: the shown one where it paints that, too. */
@@ -183,9 +189,7 @@ export class DecalCommands {
   #step(kind: string, label: string, change: (projector: Projector) => Projector): boolean {
     const layer = this.selected;
     if (!layer) return false;
-    const projector = change(layer.projector);
-    const patch = { projector, material: this.#reach.movedTo(layer, projector, null) };
-    this.#layers.change(layer.id, patch, label, `${kind}:${layer.id}`);
+    this.#layers.change(layer.id, this.placed(layer.id, change(layer.projector)), label, `${kind}:${layer.id}`);
     return true;
   }
 

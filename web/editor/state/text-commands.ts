@@ -144,7 +144,7 @@ export class TextCommands {
     if (!(factor < 1)) return;
     const projector = withEm(layer, emOf(layer) * factor);
     session.record(
-      patchLayer<TextLayer>(session.recordedDesign, id, { projector }),
+      patchLayer<TextLayer>(session.recordedDesign, id, this.#parts.decals.placed(id, projector)),
       board.strings.steps.change(board.strings.text.size),
     );
   }
@@ -175,7 +175,7 @@ export class TextCommands {
     const room = await this.#measure(this.#wordsOf(layer, design.assets));
     const fit = fitted(layer, room, this.#textureAspect(layer));
     session.record(
-      patchLayer<TextLayer>(session.recordedDesign, id, fit),
+      patchLayer<TextLayer>(session.recordedDesign, id, { ...fit, ...this.#parts.decals.placed(id, fit.projector) }),
       this.#parts.board.strings.steps.change(this.#parts.board.strings.properties.size),
     );
   }
@@ -208,8 +208,9 @@ export class TextCommands {
     const changed: TextLayer = { ...layer, ...fields, font: key };
     const finish = (old: TextMeasure, now: TextMeasure): void => {
       const close = fitsClosely(layer, old, this.#textureAspect(layer));
-      const box = close ? refitted({ ...layer, align: changed.align }, old, now) : {};
-      const edited = patchLayer<TextLayer>(design, id, { ...fields, font: key, ...box });
+      const box = close ? refitted({ ...layer, align: changed.align }, old, now) : null;
+      const placed = box && this.#parts.decals.placed(id, box.projector);
+      const edited = patchLayer<TextLayer>(design, id, { ...fields, font: key, ...box, ...placed });
       put(fontAsset ? withoutUnusedAssets(edited) : edited);
     };
     const words = [this.#wordsOf(layer, design.assets), this.#wordsOf(changed, design.assets)] as const;
