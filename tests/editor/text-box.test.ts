@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { makeTextLayer, type TextLayer } from "../../web/editor/document/index.ts";
-import { emOf, fitsClosely, fitted, refitted, withEm } from "../../web/editor/state/text-box.ts";
+import { emptyDesign, makeTextLayer, parseDesign, type TextLayer } from "../../web/editor/document/index.ts";
+import { emBounds, emOf, fitsClosely, fitted, refitted, withEm } from "../../web/editor/state/text-box.ts";
 import type { Projector } from "../../web/engine/engine-api.ts";
 
 const ROTATION = [0, 0, 0, 1] as const;
@@ -10,6 +10,7 @@ const OTHERS: Projector[] = [
   { kind: "perspective", position: [0, 0, 1], rotation: ROTATION, fov: 20, aspect: 4, near: 0.1, far: 10 },
   { kind: "uv", center: [0.5, 0.5], size: [0.4, 0.1], angle: 0 },
 ];
+const FONT = { type: "font/ttf", uri: "texelcast:fonts/inter-700" };
 const ROOM = { width: 5, height: 1.25 };
 
 function textOn(projector: Projector, more: Partial<TextLayer> = {}): TextLayer {
@@ -48,6 +49,18 @@ describe("a text's box", () => {
   it("grows as a whole when the letters are made larger", () => {
     const layer = textOn(PLANAR);
     expect(withEm(layer, 2 * emOf(layer))).toMatchObject({ size: [0.8, 0.2, 0.4], position: [1, 2, 3] });
+  });
+
+  it.each([PLANAR, ...OTHERS])("lies close about letters of any size that they can be given: $kind", (projector) => {
+    const layer = { ...textOn(projector), ...fitted(textOn(projector), ROOM, 1) };
+    const { min, max } = emBounds(layer);
+    for (const em of [min, emOf(layer) * 1.3, max]) {
+      const grown = { ...layer, projector: withEm(layer, em) };
+      expect(emOf(grown) / em).toBeCloseTo(1, 9);
+      expect(fitsClosely(grown, ROOM, 1), `${em}`).toBe(true);
+      const design = { ...emptyDesign(), assets: { inter: FONT }, layers: [grown] };
+      expect(() => parseDesign(design), `${em}`).not.toThrow();
+    }
   });
 
   it("that a user made otherwise is known by it", () => {

@@ -46,18 +46,22 @@ export const emOf = ({ projector, fontSize }: Pick<TextLayer, "projector" | "fon
 
 /** The projector with the em at that height; its box grows or shrinks as a whole. */
 export function withEm(layer: TextLayer, em: number): Projector {
+  // Degrees are no measure that a box grows by.
+  if (layer.projector.kind === "perspective") return { ...layer.projector, fov: em / layer.fontSize };
   const factor = em / emOf(layer);
   return grown(layer.projector, factor, factor, layer.align);
 }
 
-/** The least and the largest em whose box, and where it is moved to, a design can have. */
+/** The least and the largest em whose box, and where it is moved to, a design can have, and which goes round a cylinder once. */
 export function emBounds(layer: TextLayer): { readonly min: number; readonly max: number } {
-  const { projector } = layer;
+  const { projector, fontSize } = layer;
+  if (projector.kind === "perspective") return { min: fontSize * LEAST_LENS, max: fontSize * WIDEST_LENS };
   const em = emOf(layer);
-  if (projector.kind === "perspective") return { min: em * (LEAST_LENS / projector.fov), max: WIDEST_LENS };
-  const sides = projector.kind === "cylindrical" ? [projector.height] : projector.size;
   const { lengthMin, lengthMax } = DESIGN_LIMITS;
-  return { min: em * ((lengthMin * 2) / Math.min(...sides)), max: em * (lengthMax / 4 / Math.max(...sides)) };
+  const isRound = projector.kind === "cylindrical";
+  const sides = isRound ? [projector.height] : projector.size;
+  const most = Math.min(lengthMax / 4 / Math.max(...sides), isRound ? MOST_DEGREES / projector.arc : Infinity);
+  return { min: em * ((lengthMin * 2) / Math.min(...sides)), max: em * most };
 }
 
 function heightOf(projector: Projector): number {
