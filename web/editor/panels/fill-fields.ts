@@ -9,7 +9,7 @@ import type { LayerPatch } from "../state/layer-commands.ts";
 import "../ui/gradient-stops.ts";
 import { icon } from "../ui/icon.ts";
 import { withAxis } from "./projector-fields.ts";
-import { colorField, lengthStep, lengthTitle, numberField, type PropertyContext, record } from "./property-controls.ts";
+import { colorField, lengthStep, numberField, type PropertyContext, record, sharedTitle } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
 
 const MODEL_AXES = ["x", "y", "z"] as const satisfies readonly ModelAxis[];
@@ -133,7 +133,7 @@ function pointFields(
       : wished;
   };
   return html`
-    ${lengthTitle(context, title)}
+    ${sharedTitle(context, title)}
     <div class="three">
       ${([0, 1, 2] as const).map((axis) =>
         numberField(context, title, {

@@ -14,7 +14,7 @@ import {
   projectorFields,
   withAxis,
 } from "./projector-fields.ts";
-import { lengthStep, lengthTitle, numberField, type PropertyContext, record } from "./property-controls.ts";
+import { lengthStep, numberField, type PropertyContext, record, sharedTitle } from "./property-controls.ts";
 
 /** What the fields remember from one render to the next. */
 export interface PlacementMemory {
@@ -68,9 +68,8 @@ function pose(
 }
 
 function fieldGroup(context: PropertyContext, { title, fields }: ProjectorFieldGroup): TemplateResult {
-  const lengths = fields.length === 3 && fields.every(({ isLength }) => isLength);
   return html`
-    ${lengths ? lengthTitle(context, title) : html`<h3>${title}</h3>`}
+    ${fields.length === 3 ? sharedTitle(context, title, fields[0]?.unit) : html`<h3>${title}</h3>`}
     <div class=${fields.length === 3 ? "three" : "two"}>
       ${fields.map(({ set, ...field }) =>
         numberField(context, title, { ...field, patch: (value) => placed(context, set(value) as Projector) }),
@@ -118,7 +117,7 @@ function size(
   const distorted = Math.abs(projector.size[0] / projector.size[1] / own - 1) > 1e-3;
   return html`
     <div class="titled">
-      ${lengthTitle(context, words.size)}
+      ${sharedTitle(context, words.size)}
       ${
         distorted
           ? html`<button class="icon small" id="reset-proportions" aria-label=${words.resetProportions} title=${words.resetProportions} @click=${reset}>

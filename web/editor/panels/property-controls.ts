@@ -181,9 +181,13 @@ export function mixingFields(context: PropertyContext, { blendSpace, lockAlpha }
   `;
 }
 
-/** A heading over lengths that says their unit for all of them, who have no room to say it each. */
-export function lengthTitle({ state }: Pick<PropertyContext, "state">, title: string): TemplateResult {
-  return html`<h3 class="lengths">${title} <span>${lengthUnit(state).symbol}</span></h3>`;
+/** A heading over fields that says their unit for all of them, who have no room to say it each; without one, that of lengths. */
+export function sharedTitle(
+  { state }: PropertyContext,
+  title: string,
+  unit: string = lengthUnit(state).symbol,
+): TemplateResult {
+  return html`<h3 class="shared">${title} <span>${unit}</span></h3>`;
 }
 
 const lengthUnit = ({ model }: Pick<EditorState, "model">): LengthUnit => unitFor(diagonalOf(model));

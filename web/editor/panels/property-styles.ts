@@ -60,11 +60,11 @@ export const propertyStyles = css`
     gap: var(--space-1);
   }
   /* Their heading says the unit. */
-  .lengths + .three,
-  .titled:has(.lengths) + .three {
+  .shared + .three,
+  .titled:has(.shared) + .three {
     --unit: none;
   }
-  .lengths span {
+  .shared span {
     font-weight: 400;
   }
   .two {
