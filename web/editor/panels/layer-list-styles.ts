@@ -249,7 +249,7 @@ export const layerListStyles = css`
       display: none;
     }
     /* Where all eight would be too small for fingers; the last one's menu has these as well. */
-    @container (max-width: 26.75em) {
+    @container (max-width: 25em) {
       [data-action="add-mask"],
       [data-action="group"] {
         display: none;
