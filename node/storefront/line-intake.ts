@@ -106,7 +106,8 @@ function countDecals(design: Design, product: Product): number {
   let layers = 0;
   let decals = 0;
   for (const { layer, path, shown, inMask } of walkLayers(design)) {
-    layers += 1;
+    // A dab is as much work for the press as a picture: a stroke of thousands would keep it from everybody else.
+    layers += layer.type === "stroke" ? Math.max(1, layer.dabs.length) : 1;
     if (layer.type === "group" || layer.type === "paint") continue;
     if (materialsOf(layer).some((material) => material !== product.material)) {
       const message = `must be ${product.material}, the material that is printed on this product`;
@@ -115,11 +116,15 @@ function countDecals(design: Design, product: Product): number {
     if ((layer.type === "decal" || layer.type === "text") && shown && !inMask) decals += 1;
   }
   if (layers > SHOP_LIMITS.layersPerDesign) {
-    throw shopError("too-large", `the design has ${layers} layers, ${SHOP_LIMITS.layersPerDesign} are the most`, {
-      field: "design.layers",
-      value: String(layers),
-      hint: "Use fewer pictures and texts.",
-    });
+    throw shopError(
+      "too-large",
+      `the design has ${layers} layers and dabs of a brush, ${SHOP_LIMITS.layersPerDesign} are the most`,
+      {
+        field: "design.layers",
+        value: String(layers),
+        hint: "Use fewer pictures and texts.",
+      },
+    );
   }
   return decals;
 }

@@ -15,11 +15,11 @@ import type { PressAnswer, PressJob } from "./press-worker.ts";
 export interface PressOptions {
   /** The thread's script; default: the one that is built beside this one. */
   readonly script?: URL;
-  /** Milliseconds that a job may take; default ten minutes. */
+  /** Milliseconds that a job may take; default ten minutes for a print, and one for a measurement, which somebody waits for. */
   readonly patience?: number;
 }
 
-const PATIENCE_MS = 600_000;
+const PATIENCE_MS = { print: 600_000, measure: 60_000 } as const;
 /** Mebibytes of JavaScript's own memory; the engine's lies outside of it, and has a budget of its own. */
 const HEAP_MIB = 2048;
 const HINT = "Nothing was printed. Ask the shop, with the order's number.";
@@ -28,16 +28,16 @@ export class Press {
   readonly #catalogue: Catalogue;
   readonly #store: AssetStore;
   readonly #script: URL;
-  readonly #patience: number;
+  readonly #patience: Readonly<Record<PressJob["kind"], number>>;
   #worker: Worker | null = null;
   #ended = false;
   #last: Promise<unknown> = Promise.resolve();
 
-  constructor(catalogue: Catalogue, store: AssetStore, { script, patience = PATIENCE_MS }: PressOptions = {}) {
+  constructor(catalogue: Catalogue, store: AssetStore, { script, patience }: PressOptions = {}) {
     this.#catalogue = catalogue;
     this.#store = store;
     this.#script = script ?? new URL("./storefront-press.mjs", import.meta.url);
-    this.#patience = patience;
+    this.#patience = patience === undefined ? PATIENCE_MS : { print: patience, measure: patience };
   }
 
   /**
@@ -84,6 +84,7 @@ export class Press {
     if (this.#ended) return Promise.reject(pressFailed("the press was ended with the server"));
     this.#worker ??= this.#start();
     const worker = this.#worker;
+    const patience = this.#patience[job.kind];
     return new Promise((resolve, reject) => {
       const settle = (end: () => void): void => {
         clearTimeout(timer);
@@ -97,10 +98,10 @@ export class Press {
       const ended = (code: number): void => settle(() => reject(pressFailed(`the press ended with code ${code}`)));
       const timer = setTimeout(() => {
         this.#worker = null;
-        const message = `the press was ended after ${this.#patience / 1000} seconds`;
+        const message = `the press was ended after ${patience / 1000} seconds`;
         settle(() => reject(new TexelcastError("timeout", message, { field: job.kind, hint: HINT })));
         void worker.terminate();
-      }, this.#patience);
+      }, patience);
       // While it works it keeps the process; while it waits it does not.
       worker.on("message", answered).on("error", failed).on("exit", ended).ref();
       worker.postMessage(job);

@@ -21,6 +21,12 @@ function pngOfSize(width: number, height: number): Uint8Array {
   return new Uint8Array(Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), ...chunks]));
 }
 
+const strokeOf = (dabs: number): object => ({
+  type: "stroke",
+  brush: { color: "#ff0000" },
+  dabs: Array.from({ length: dabs }, () => ({ kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 })),
+});
+
 it.each([
   ["a missing body is told as the body", undefined, "body"],
   ["a name with a control character is refused", { name: "Ada\u0000Lovelace" }, "name"],
@@ -132,6 +138,12 @@ describe("a design is refused", () => {
     [
       "of too many layers",
       { ...designWith(), layers: manyLayers(SHOP_LIMITS.layersPerDesign + 1) },
+      "too-large",
+      "design.layers",
+    ],
+    [
+      "of a stroke that would keep the press from everybody else",
+      { ...designWith(), layers: [strokeOf(SHOP_LIMITS.layersPerDesign + 1)] },
       "too-large",
       "design.layers",
     ],
