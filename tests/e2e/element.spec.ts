@@ -241,6 +241,23 @@ test("an element whose graphics stay away says so, and begins anew with its desi
   expect(await codes(page)).toEqual(["graphics-lost"]);
 });
 
+test("words can be put on a product before the dialog that it stands in is opened", async ({ page }) => {
+  await openShop(page, "?size=128");
+  const sides = await page.evaluate(async () => {
+    const dialog = document.createElement("dialog");
+    const editor = document.createElement("texelcast-editor");
+    editor.src = "demo/mug.glb";
+    editor.size = 128;
+    dialog.append(editor);
+    document.body.append(dialog);
+    await editor.addText("Ada");
+    dialog.showModal();
+    const [layer] = (await editor.exportDesign()).design.layers;
+    return layer?.type === "text" && layer.projector.kind === "planar" ? layer.projector.size : null;
+  });
+  expect(sides?.every((side) => side > 0 && side < 1)).toBe(true);
+});
+
 test("zones that cannot be read are told and hide no product, and hold once they are corrected", async ({ page }) => {
   await openShop(page, "?loading=lazy");
   const loaded = await page.evaluate(async () => {

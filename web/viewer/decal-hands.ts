@@ -81,7 +81,7 @@ export class DecalHands {
   }
 
   surfaceAtCentre(): SurfaceHit | null {
-    const { clientWidth: width, clientHeight: height } = this.#parts.view.element;
+    const { width, height } = this.screen.size;
     // Outwards in rings: the first that meets the model is nearest to the middle, to within a ring's width.
     for (let ring = 0; ring <= 12; ring++) {
       const around = ring === 0 ? 1 : 6 + ring * 2;

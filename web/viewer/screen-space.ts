@@ -57,16 +57,16 @@ export class ScreenSpace {
     };
   }
 
-  /** Of the view, CSS pixels. */
+  /** Of the view, CSS pixels; at least one, as a view that is not shown yet has a middle, too. */
   get size(): { readonly width: number; readonly height: number } {
-    this.#size ??= { width: this.#element.clientWidth, height: this.#element.clientHeight };
+    this.#size ??= { width: this.#element.clientWidth || 1, height: this.#element.clientHeight || 1 };
     return this.#size;
   }
 
   /** Metres that one CSS pixel spans at a point of model space. */
   metresPerPixel(point: Vector3): number {
     const depth = Math.abs(point.clone().applyMatrix4(this.#camera.matrixWorldInverse).z);
-    return (2 * depth * Math.tan((this.#camera.fov * Math.PI) / 360)) / (this.size.height || 1);
+    return (2 * depth * Math.tan((this.#camera.fov * Math.PI) / 360)) / this.size.height;
   }
 
   /** Where an event is in the view. */
