@@ -126,6 +126,21 @@ async function pauseInMidWave(editor: EditorPage, page: Page): Promise<Locator> 
   return bar;
 }
 
+test("a model that moves stands above its bar, in a window and on a phone", async ({ editor, page }) => {
+  await pauseInMidWave(editor, page);
+  for (const [width, height] of [
+    [1280, 800],
+    [390, 844],
+    [844, 390],
+  ] as const) {
+    await page.setViewportSize({ width, height });
+    const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
+    const bar = await page.locator("tc-animation-bar .bar").boundingBox();
+    if (!view || !bar) throw new Error("A part of the page has no place.");
+    expect(bar.y, `${width} × ${height}`).toBeGreaterThanOrEqual(view.y + view.height);
+  }
+});
+
 test("a decal that is placed on a posed model lies on the same place of the resting one", async ({ editor, page }) => {
   const bar = await pauseInMidWave(editor, page);
   // The front of the raised right hand, where it is seen, and where the arm hangs at rest.

@@ -25,26 +25,31 @@ export class Stage extends EditorElement {
         min-height: 0;
         overflow: hidden;
         background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 55%), var(--stage) 78%);
+        --inwards: right;
+        --rail: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
       }
       @media (prefers-color-scheme: dark) {
         :host {
           background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 9%), var(--stage) 78%);
         }
       }
-      :host {
-        --inwards: right;
-        --rail: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
-      }
       /* The tools stand beside it: a handle that lay under them could not be taken. */
       .view {
         position: absolute;
         inset: 0;
         inset-inline-start: var(--rail);
+        inset-block-end: calc(var(--foot, 0px) + var(--bar, 0px));
         /* A model that reaches beyond it fades out there, and is not cut off in the middle of the stage. */
         mask-image: linear-gradient(to var(--inwards), transparent, #000 12px);
       }
       :host(:dir(rtl)) {
         --inwards: left;
+      }
+      /* A model that walks stands above its bar, where there is the height for both. */
+      @container (min-height: 20rem) {
+        .moving {
+          --bar: calc(var(--target) + 8px + 2 * var(--space-2));
+        }
       }
       .tools {
         position: absolute;
@@ -109,7 +114,9 @@ export class Stage extends EditorElement {
       }
       @media ${narrow} {
         .view {
-          inset: var(--target) 0 var(--rail);
+          --foot: var(--rail);
+          inset-block-start: var(--target);
+          inset-inline-start: 0;
           mask-image: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
         }
         tc-tool-rail {
@@ -173,11 +180,11 @@ export class Stage extends EditorElement {
   }
 
   override render(): TemplateResult {
-    const { model, tasks, view, starting } = this.state;
+    const { model, tasks, view, starting, animation } = this.state;
     const empty = tasks.length === 0 && !starting;
     this.dataset.tone = view.background;
     return html`
-      <div class="view"><slot name="view"></slot></div>
+      <div class=${animation.clip === null ? "view" : "view moving"}><slot name="view"></slot></div>
       ${model ? this.#tools() : empty ? this.#empty() : nothing}
     `;
   }
