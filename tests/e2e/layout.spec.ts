@@ -134,6 +134,9 @@ for (const [name, width, height, hasTouch] of [
       await page.locator("#tool-brush").click();
       await page.locator("#more-options").click();
       await expect(page.locator("tc-bottom-sheet .tool header")).toBeInViewport({ ratio: 1 });
+      await editor.drop([file("knight.glb", "this is no model")], await editor.middleOfStage());
+      const notice = await editor.notices.boundingBox();
+      expect(notice?.x, "a notice lies over the sheet").toBeGreaterThanOrEqual((await box()).x + (await box()).width);
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(width);
     });
   });
@@ -178,6 +181,14 @@ test.describe("in German, whose words are long,", () => {
 
   test.describe("on a small phone", () => {
     test.use({ viewport: { width: 375, height: 667 }, hasTouch: true, isMobile: true });
+
+    test("the texture's maps are all in sight in the sheet, too", async ({ editor, page }) => {
+      await editor.open();
+      await page.locator("#sheet-texture").tap();
+      const tabs = page.locator("tc-texture-panel [role=tablist]");
+      await expect(tabs).toContainText("Überlappung");
+      expect(await tabs.evaluate((list) => list.scrollWidth - list.clientWidth)).toBe(0);
+    });
 
     test("a fault's exact words, which only German folds away, are unfolded by a finger", async ({ editor, page }) => {
       await editor.open();

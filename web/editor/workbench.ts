@@ -173,7 +173,8 @@ export class Workbench extends EditorElement {
         padding: var(--space-2);
       }
       :host([sideways]) tc-notice-stack {
-        inset: auto 0 0 auto;
+        inset-block: auto 0;
+        inset-inline: auto 0;
         width: min(24rem, 56vw);
       }
       :host([compact]) .views {

@@ -50,6 +50,11 @@ export class TexturePanel extends EditorElement {
           font-size: var(--text-small);
         }
       }
+      @container (max-width: 24rem) {
+        [role="tab"] {
+          padding-inline: 3px;
+        }
+      }
       .view {
         position: relative;
         min-height: 0;
