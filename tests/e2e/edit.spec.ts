@@ -173,6 +173,47 @@ test("what is moved or sized by numbers paints the materials that it comes to li
   await expect.poll(materialOfText).toEqual([0, 1]);
 });
 
+test("what is typed is for the layer that it was typed for, when a press on the model chooses another", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const [mark, smiley] = (await editor.design()).layers;
+  if (!mark || !smiley) throw new Error("The mug has no two decals.");
+  const press = await editor.pointOf(mark.id);
+  const depth = async ({ id }: { id: string }) => {
+    const { projector } = await editor.decal(id);
+    return projector.kind === "planar" ? projector.size[2] : 0;
+  };
+  const before = await depth(mark);
+  const pressMark = async () => {
+    await page.mouse.click(press.x, press.y);
+    await expect(page.locator("tc-layer-list [aria-current=true] .name")).toHaveText(mark.name);
+  };
+  await editor.select(smiley.id);
+  await editor.field("size-depth").fill("33");
+  await pressMark();
+  expect([await depth(mark), await depth(smiley)]).toEqual([before, 0.033]);
+  await expect(editor.field("size-depth")).toHaveValue(String(before * 1000));
+
+  await editor.select(smiley.id);
+  await editor.field("layer-opacity").fill("40");
+  await pressMark();
+  expect([(await editor.decal(mark.id)).opacity, (await editor.decal(smiley.id)).opacity]).toEqual([1, 0.4]);
+
+  await editor.select(smiley.id);
+  await page.locator("tc-layer-properties #name").fill("Grin");
+  await pressMark();
+  expect((await editor.design()).layers.map(({ name }) => name)).toEqual([mark.name, "Grin"]);
+  await page.locator("tc-layer-properties #name").fill("  ");
+  await page.locator("tc-layer-properties #name").press("Enter");
+  await expect(page.locator("tc-layer-properties #name"), "no name is none").toHaveValue(mark.name);
+
+  await editor.field("size-depth").fill("20");
+  await editor.field("size-depth").press("ArrowUp");
+  expect(await depth(mark), "a step from what was typed").toBeCloseTo(0.0201, 9);
+});
+
 test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys stay its own", async ({
   editor,
   page,

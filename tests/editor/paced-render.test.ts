@@ -17,7 +17,7 @@ function pacedPanel() {
     requestUpdate: () => shown.push(store.state.value),
     updateComplete: Promise.resolve(true),
   } satisfies ReactiveControllerHost;
-  const pace = { milliseconds: 100, final: ({ step }: Numbers) => step };
+  const pace = { milliseconds: 100, final: ({ step }: Numbers) => [step] };
   new StoreController(
     host,
     () => store,

@@ -19,6 +19,7 @@ import type { Menu } from "../ui/menu.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
 import { thumbnailStyles } from "../ui/thumbnail.ts";
+import { TypingEnd } from "../ui/typing-end.ts";
 import { addItems, barActs, moreItems } from "./layer-acts.ts";
 import { LayerDrag, type LayerDragHost } from "./layer-drag.ts";
 import { handleLayerKey } from "./layer-keys.ts";
@@ -51,6 +52,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
 
   constructor() {
     super();
+    new TypingEnd(this);
     this.renaming = null;
   }
 
@@ -174,10 +176,12 @@ export class LayerList extends EditorElement implements LayerDragHost {
 
   #opacity({ opacity }: Looks, disabled: boolean): TemplateResult {
     const { layers } = this.editor;
+    // What is being typed is for those.
+    const { selection } = this.state;
     const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
     const change = (event: Event): void => {
       const { value, repeated } = detail(event);
-      this.#change({ opacity: value / 100 }, this.#words.opacity, repeated ? "layer-opacity" : undefined);
+      this.#change({ opacity: value / 100 }, this.#words.opacity, repeated ? "layer-opacity" : undefined, selection);
     };
     return html`<tc-number
       data-field="layer-opacity"
@@ -189,14 +193,14 @@ export class LayerList extends EditorElement implements LayerDragHost {
       .min=${0}
       .max=${100}
       ?disabled=${disabled}
-      @field-preview=${(event: Event) => layers.preview(this.state.selection, { opacity: detail(event).value / 100 })}
+      @field-preview=${(event: Event) => layers.preview(selection, { opacity: detail(event).value / 100 })}
       @field-change=${change}
       @field-cancel=${() => layers.cancelPreview()}
     ></tc-number>`;
   }
 
-  #change(patch: Partial<Looks>, field: string, mergeKey?: string): void {
-    this.editor.layers.change(this.state.selection, patch, this.strings.steps.change(field), mergeKey);
+  #change(patch: Partial<Looks>, field: string, mergeKey?: string, ids = this.state.selection): void {
+    this.editor.layers.change(ids, patch, this.strings.steps.change(field), mergeKey);
   }
 
   #bar(): TemplateResult {

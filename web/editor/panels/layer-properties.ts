@@ -11,6 +11,7 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
 import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
+import { TypingEnd } from "../ui/typing-end.ts";
 import { brushFields } from "./brush-fields.ts";
 import { fillFields, partsFields } from "./fill-fields.ts";
 import { mirrorFields } from "./mirror-fields.ts";
@@ -31,6 +32,7 @@ export class LayerProperties extends EditorElement {
 
   constructor() {
     super(PACE);
+    new TypingEnd(this);
   }
 
   get #words(): Strings["properties"] {
@@ -133,6 +135,11 @@ export class LayerProperties extends EditorElement {
       if (event.key === "Escape") input(event).value = layer.name;
       if (event.key === "Escape" || event.key === "Enter") input(event).blur();
     };
+    const rename = (event: Event): void => {
+      this.editor.layers.rename(layer.id, input(event).value);
+      // No name is none.
+      input(event).value = layerById(this.state.design, layer.id)?.name ?? "";
+    };
     const { library, engine } = this.editor;
     const { design, targets } = this.state;
     return html`
@@ -145,7 +152,7 @@ export class LayerProperties extends EditorElement {
           .value=${layer.name}
           maxlength="200"
           @keydown=${keys}
-          @change=${(event: Event) => this.editor.layers.rename(layer.id, input(event).value)}
+          @change=${rename}
         />
       </div>
     `;

@@ -19,6 +19,7 @@ import type { MenuItem } from "../ui/menu.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
 import { recentColors } from "../ui/recent-colors.ts";
+import { TypingEnd } from "../ui/typing-end.ts";
 import { lengthStep, numberField } from "./property-controls.ts";
 import { checkField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
@@ -95,6 +96,11 @@ export class TextFields extends EditorElement {
 
   /** Until what was typed is recorded. */
   #rest: ReturnType<typeof setTimeout> | undefined;
+
+  constructor() {
+    super();
+    new TypingEnd(this);
+  }
 
   get #words(): Strings["text"] {
     return this.strings.text;

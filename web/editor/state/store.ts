@@ -42,8 +42,8 @@ export class Store<State extends object> {
 export interface Pace<State> {
   /** Least milliseconds between two renders. */
   readonly milliseconds: number;
-  /** A change of this value is shown at once: what was shown in passing has become final. */
-  readonly final?: (state: State) => unknown;
+  /** A change of one of these values is shown at once: what was shown in passing has become final. */
+  readonly final?: (state: State) => readonly unknown[];
 }
 
 /** Where frames are slow, as many of them go without a render as where they are fast: at 60 a second these are 100 ms. */
@@ -65,7 +65,7 @@ export class StoreController<State extends object> implements ReactiveController
   readonly #pick: (state: State) => readonly unknown[];
   readonly #pace: Pace<State> | null;
   #seen: readonly unknown[] = [];
-  #final: unknown;
+  #final: readonly unknown[] = [];
   #unsubscribe: (() => void) | undefined;
   #waiting: ReturnType<typeof setTimeout> | undefined;
   #rendered = Number.NEGATIVE_INFINITY;
@@ -97,17 +97,17 @@ export class StoreController<State extends object> implements ReactiveController
     const store = this.#store();
     if (!store || this.#unsubscribe) return;
     this.#seen = this.#pick(store.state);
-    this.#final = this.#pace?.final?.(store.state);
+    this.#final = this.#pace?.final?.(store.state) ?? [];
     this.#unsubscribe = store.subscribe(() => this.#look(store.state));
     this.#host.requestUpdate();
   }
 
   #look(state: State): void {
-    const final = this.#pace?.final?.(state);
-    const isFinal = !Object.is(final, this.#final);
+    const final = this.#pace?.final?.(state) ?? [];
+    const isFinal = differ(final, this.#final);
     this.#final = final;
     const now = this.#pick(state);
-    const changed = now.length !== this.#seen.length || now.some((value, at) => !Object.is(value, this.#seen[at]));
+    const changed = differ(now, this.#seen);
     this.#seen = now;
     if (isFinal && (changed || this.#changes > 0)) this.#render();
     else if (changed) this.#change();
@@ -154,3 +154,6 @@ export class StoreController<State extends object> implements ReactiveController
     this.#unsubscribe = undefined;
   }
 }
+
+const differ = (a: readonly unknown[], b: readonly unknown[]): boolean =>
+  a.length !== b.length || a.some((value, at) => !Object.is(value, b[at]));

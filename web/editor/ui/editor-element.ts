@@ -20,8 +20,9 @@ export abstract class EditorElement extends RemElement {
       this,
       () => this.editor?.store,
       (state) => [state.language, state.readonly, ...this.watched(state)],
-      // What a gesture only shows is no step of the history: a new one, or the old one again, ends it.
-      pace === 0 ? null : { milliseconds: pace, final: ({ history }) => history },
+      // What a gesture only shows is no step of the history: a new one, or the old one again, ends it. And what is typed is for
+      // the layers that the panel shows: it must not be behind with those.
+      pace === 0 ? null : { milliseconds: pace, final: ({ history, selection }) => [history, selection] },
     );
   }
 

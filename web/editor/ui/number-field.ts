@@ -232,9 +232,9 @@ export class NumberField extends LitElement {
       this.#input?.blur();
     } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
       event.preventDefault();
-      this.#commitTyped();
+      const from = this.#commitTyped() ?? this.value;
       const steps = (event.key === "ArrowUp" ? 1 : -1) * factorOf(event);
-      this.#emit("field-change", this.value + steps * this.step, true);
+      this.#emit("field-change", from + steps * this.step, true);
       this.#input?.select();
     } else if ((event.ctrlKey || event.metaKey) && ["z", "y"].includes(event.key.toLowerCase()) && !this.#typing) {
       // Nothing typed that could be undone: the page's own undo is meant.
@@ -243,14 +243,16 @@ export class NumberField extends LitElement {
     }
   }
 
-  #commitTyped(): void {
-    if (!this.#typing) return;
+  /** The number that was typed, if one was. */
+  #commitTyped(): number | undefined {
+    if (!this.#typing) return undefined;
     this.#typing = false;
     const value = this.#typed();
     const outside = value === undefined ? this.#input?.value.trim() !== "" : value < this.min || value > this.max;
     if (value !== undefined && value !== this.value) this.#emit("field-change", value, false);
     this.#show();
     if (outside) this.#refuse();
+    return value && this.#bounded(value);
   }
 
   /**
