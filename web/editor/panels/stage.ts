@@ -46,7 +46,7 @@ export class Stage extends EditorElement {
         --inwards: left;
       }
       /* A model that walks stands above its bar, where there is the height for both. */
-      @container (min-height: 20rem) {
+      @container (min-height: 24em) {
         .moving {
           --bar: calc(var(--target) + 8px + 2 * var(--space-2));
         }

@@ -50,7 +50,7 @@ export class TexturePanel extends EditorElement {
           font-size: var(--text-small);
         }
       }
-      @container (max-width: 24rem) {
+      @container (max-width: 27.5em) {
         [role="tab"] {
           padding-inline: 3px;
         }
