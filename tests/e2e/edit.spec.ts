@@ -141,6 +141,17 @@ test("a key in the midst of a scrub or a slider's drag takes that back, and not 
       expect(await editor.decal(id), `${selector}, ${key}, and the pointer goes on`).toEqual(before);
     }
   }
+  await page.locator("#undo").focus();
+  const { x, y } = await middle('tc-number[data-field="position-x"] label');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 30, y, { steps: 3 });
+  await page.keyboard.press("Delete");
+  await page.mouse.up();
+  expect((await editor.decal(id)).projector, "what is scrubbed is not deleted").not.toEqual(before.projector);
+  await page.locator("#undo").click();
+  expect(await editor.decal(id)).toEqual(before);
+
   await page.locator("tc-layer-properties #opacity").press("ArrowLeft");
   expect((await editor.decal(id)).opacity, "the slider is used again").toBeCloseTo(before.opacity - 0.01, 6);
 });

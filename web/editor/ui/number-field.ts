@@ -317,11 +317,11 @@ export class NumberField extends LitElement {
     }
   }
 
-  /** Before the page hears of the key: it would take back the step before, or the choice of the layer. */
+  /** The page does not hear of keys meanwhile: it would take back the step before, or delete the layer that is scrubbed. */
   readonly #takeBack = (event: KeyboardEvent): void => {
+    event.stopPropagation();
     if (!takesBack(event)) return;
     event.preventDefault();
-    event.stopPropagation();
     this.#abandon();
   };
 
