@@ -68,8 +68,11 @@ describe("the fields of a projector", () => {
 
   it("keep near below far, whichever is changed", () => {
     const [, , near, far] = fieldsOf(slide);
-    expect(near?.set(7)).toMatchObject({ near: 7, far: expect.closeTo(7.0001, 9) });
-    expect(far?.set(0.05)).toMatchObject({ near: expect.closeTo(0.0499, 9), far: 0.05 });
+    expect(near?.set(7)).toMatchObject({ near: 7, far: expect.closeTo(7.001, 9) });
+    expect(far?.set(0.05)).toMatchObject({ near: expect.closeTo(0.049, 9), far: 0.05 });
     expect(far?.set(3)).toMatchObject({ near: 0.1, far: 3 });
+    const furthest = near?.set(5e8);
+    if (furthest?.kind !== "perspective") throw new Error("It is no slide any more.");
+    expect(Math.fround(furthest.far), "in the engine's numbers too").toBeGreaterThan(Math.fround(furthest.near));
   });
 });
