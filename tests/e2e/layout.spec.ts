@@ -190,7 +190,7 @@ test.describe("in German, whose words are long,", () => {
       expect(await tabs.evaluate((list) => list.scrollWidth - list.clientWidth)).toBe(0);
     });
 
-    test("a fault's exact words, which only German folds away, are unfolded by a finger", async ({ editor, page }) => {
+    test("a fault's exact words, which only German folds away, are unfolded by a finger", async ({ editor }) => {
       await editor.open();
       await editor.drop([file("knight.glb", "this is no model")], await editor.middleOfStage());
       const fold = editor.notices.locator("summary");
