@@ -20,7 +20,7 @@ await withSiteInChromium(4180, async (browser, address) => {
   await page.waitForFunction(() => "texelcast" in window);
   await page.evaluate(() => window.texelcast.ready);
   await takeEditor(page);
-  await takeMaps(page);
+  await takeMaps(page, browser);
 });
 
 /** @param {import("@playwright/test").Page} page */
@@ -52,8 +52,8 @@ async function takeEditor(page) {
   console.log(path);
 }
 
-/** @param {import("@playwright/test").Page} page */
-async function takeMaps(page) {
+/** @param {import("@playwright/test").Page} page @param {import("@playwright/test").Browser} browser */
+async function takeMaps(page, browser) {
   /** @type {{ name: string, picture: string }[]} */
   const maps = [];
   await page.setViewportSize(MAPS_SIZE);
@@ -70,12 +70,14 @@ async function takeMaps(page) {
     ({ name, picture }) =>
       `<figure><img src="data:image/png;base64,${picture}"><figcaption>${name}</figcaption></figure>`,
   );
-  await page.setContent(`<!doctype html><style>
+  // Of its own: the editor's page keeps its policy, which takes no style that is written here.
+  const sheet = await browser.newPage({ viewport: MAPS_SIZE });
+  await sheet.setContent(`<!doctype html><style>
     body { margin: 0; display: flex; gap: 16px; width: max-content; padding: 16px; background: #fff; }
     figure { margin: 0; text-align: center; font: 15px/2.2 system-ui, sans-serif; color: #5a616c; }
     img { display: block; border-radius: 8px; }
   </style>${figures.join("")}`);
   const path = inRoot("docs/images/maps.png");
-  await page.locator("body").screenshot({ path });
+  await sheet.locator("body").screenshot({ path });
   console.log(path);
 }
