@@ -40,6 +40,26 @@ async function openPlane(engine: Engine): Promise<void> {
 }
 
 describe("the engine's client", () => {
+  it("refuses what is no file by its field, as the engine in its own thread does, and goes on", async () => {
+    const { engine } = start();
+    const unusable: [unknown, string, string][] = [
+      [undefined, "name", "[object Undefined]"],
+      [{ bytes: MODEL }, "name", "[object Undefined]"],
+      [{ name: "plane.glb" }, "bytes", "[object Undefined]"],
+      [{ name: "plane.glb", bytes: MODEL.slice().buffer }, "bytes", "[object ArrayBuffer]"],
+      [{ name: "plane.glb", bytes: "glTF" }, "bytes", "[object String]"],
+    ];
+    for (const each of [engine, createEngineHost()]) {
+      for (const [file, field, value] of unusable) {
+        const refused = { code: "bad-argument", field, value };
+        await expect(each.loadModel(file as never)).rejects.toMatchObject(refused);
+        await expect(each.setAsset("logo", file as never)).rejects.toMatchObject(refused);
+        await expect(each.setFont("font", file as never)).rejects.toMatchObject(refused);
+      }
+      await openPlane(each);
+    }
+  });
+
   it("gives the same results as the engine in its own thread", async () => {
     const { engine } = start();
     const host = createEngineHost();

@@ -5,6 +5,7 @@
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { CoreSource } from "../core/wasm-module.ts";
+import { checkFile } from "./check-file.ts";
 import type {
   Engine,
   EngineLayer,
@@ -91,6 +92,7 @@ class EngineClient implements Engine {
   }
 
   async loadModel(source: ModelSource): Promise<ModelInfo> {
+    checkFile(source);
     const kept = {
       name: source.name,
       bytes: source.bytes.slice(),
@@ -124,6 +126,7 @@ class EngineClient implements Engine {
     key: string,
     asset: { readonly name: string; readonly bytes: Uint8Array },
   ): Promise<{ width: number; height: number }> {
+    checkFile(asset);
     const kept = { name: asset.name, bytes: asset.bytes.slice() };
     const size = await this.#call("setAsset", [key, kept]);
     this.#assets.set(key, kept);
@@ -140,6 +143,7 @@ class EngineClient implements Engine {
     key: string,
     font: { readonly name: string; readonly bytes: Uint8Array },
   ): Promise<{ readonly name: string }> {
+    checkFile(font);
     const kept = { name: font.name, bytes: font.bytes.slice() };
     const info = await this.#call("setFont", [key, kept]);
     this.#fonts.set(key, kept);

@@ -10,6 +10,7 @@ import { Session } from "../core/session.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { type CoreSource, loadCore } from "../core/wasm-module.ts";
 import { aboutFile } from "./about-file.ts";
+import { checkFile } from "./check-file.ts";
 import { DrawnOnDemand } from "./drawn-on-demand.ts";
 import type {
   Engine,
@@ -112,6 +113,7 @@ export class EngineHost implements Engine {
 
   loadModel(source: ModelSource): Promise<ModelInfo> {
     return this.#enqueue(async (session) => {
+      checkFile(source);
       const model = await loadModelFile(source);
       this.#checkAlive();
       try {
@@ -131,6 +133,7 @@ export class EngineHost implements Engine {
     asset: { readonly name: string; readonly bytes: Uint8Array },
   ): Promise<{ width: number; height: number }> {
     return this.#enqueue(async (session) => {
+      checkFile(asset);
       if (isSvg(asset.bytes)) {
         const size = await this.#drawn.addSvg(key, asset.bytes, asset.name);
         this.#checkAlive();
@@ -170,6 +173,7 @@ export class EngineHost implements Engine {
     font: { readonly name: string; readonly bytes: Uint8Array },
   ): Promise<{ readonly name: string }> {
     return this.#enqueue(async () => {
+      checkFile(font);
       const info = await this.#drawn.addFont(key, font.bytes, font.name);
       this.#checkAlive();
       this.#markStale();
