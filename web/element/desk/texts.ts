@@ -1,5 +1,4 @@
 /** Words on the product: put on, typed, dressed; their box follows them. */
-
 import type { Design, DesignAsset, Projector, TextLayer } from "../../editor/document/design.ts";
 import { freeIdIn } from "../../editor/document/layer-tree.ts";
 import { makeTextLayer } from "../../editor/document/make-layer.ts";
