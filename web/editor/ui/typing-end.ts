@@ -1,6 +1,7 @@
 /** What stands in a field is for the layers that were chosen when it was typed. */
 import type { ReactiveController } from "lit";
 import type { EditorElement } from "./editor-element.ts";
+import { focusedIn } from "./open-field.ts";
 
 /** Leaves a panel's text field before the panel becomes that of other layers: a press on the model chooses them while one types. */
 export class TypingEnd implements ReactiveController {
@@ -16,8 +17,7 @@ export class TypingEnd implements ReactiveController {
     const { selection } = this.#host.editor.store.state;
     if (selection === this.#selection) return;
     this.#selection = selection;
-    let field = this.#host.shadowRoot?.activeElement;
-    while (field?.shadowRoot?.activeElement) field = field.shadowRoot.activeElement;
-    if (field?.matches("textarea, input[type=text]")) (field as HTMLElement).blur();
+    const field = focusedIn(this.#host.shadowRoot);
+    if (field?.matches("textarea, input[type=text]")) field.blur();
   }
 }
