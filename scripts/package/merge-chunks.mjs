@@ -53,9 +53,8 @@ export async function mergeChunks({ dist, metafile, roots, options }) {
     const name = partOf.get(first) ?? first;
     // Of a group the first stands for all; what takes nothing from a merged script, and of no package twice, stays as it is.
     if ((firstOf.get(name) ?? first) !== first) continue;
-    const members = [
-      ...new Set([first, ...[...partOf].filter(([, group]) => group === name).map(([member]) => member)]),
-    ];
+    const merged = [...partOf].filter(([, group]) => group === name).map(([member]) => member);
+    const members = merged.length > 0 ? merged : [first];
     const packages = packageNames(members.map(read));
     const takesMerged = graph.importsOf(first).some((each) => partOf.has(each));
     if (!partOf.has(first) && !takesMerged && packages.size === 0) continue;
