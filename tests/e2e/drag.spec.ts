@@ -118,9 +118,7 @@ test("the outline follows a drag without new styles, on a layer of its own, and 
   editor,
   page,
 }) => {
-  await editor.open();
-  const id = await editor.lowestLayer();
-  await editor.select(id);
+  const id = await editor.openOnLowest();
   const overlays = page.locator(".tcv-root:not(.tcv-texture) .tcv-overlay");
   const overlay = overlays.filter({ has: page.locator("[data-handle]") });
   const path = overlay.locator("path.tcv-outline");
@@ -157,9 +155,7 @@ test("a drag that loses the pointer ends where it was, and the decal does not ha
   editor,
   page,
 }) => {
-  await editor.open();
-  const id = await editor.lowestLayer();
-  await editor.select(id);
+  const id = await editor.openOnLowest();
   const from = await editor.pointOf(id);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();

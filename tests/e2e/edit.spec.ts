@@ -115,9 +115,7 @@ test("a key in the midst of a scrub or a slider's drag takes that back, and not 
   editor,
   page,
 }) => {
-  await editor.open();
-  const id = await editor.lowestLayer();
-  await editor.select(id);
+  const id = await editor.openOnLowest();
   await editor.setField("spin", "12");
   const before = await editor.decal(id);
   const middle = async (selector: string) => {
@@ -172,8 +170,7 @@ test("what is moved or sized by numbers paints the materials that it comes to li
   expect(await material()).toEqual([0, 1]);
   await page.locator("#undo").click();
   expect(await material()).toBe(1);
-  await page.locator("tc-layer-list tc-menu.add button").first().click();
-  await page.getByRole("menuitem", { name: "Add text" }).click();
+  await editor.addLayer("Add text");
   const words = page.locator("tc-text-fields textarea");
   await expect(words).toBeFocused();
   const materialOfText = async () => (await editor.design()).layers.find(({ type }) => type === "text")?.material;

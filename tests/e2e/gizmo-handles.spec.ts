@@ -22,9 +22,7 @@ async function expectWhole(mark: Locator, view: Locator): Promise<void> {
 
 /** Opens the page on its mug, whose decal is seen from the side, and selects that. */
 async function selected(editor: EditorPage): Promise<string> {
-  await editor.open();
-  const id = await editor.lowestLayer();
-  await editor.select(id);
+  const id = await editor.openOnLowest();
   await editor.idle();
   return id;
 }

@@ -136,8 +136,7 @@ test("a gradient's end is dragged over the model as one step, given up by Escape
 }) => {
   await editor.open();
   await editor.openModel([seamedGlb()]);
-  await page.locator("tc-layer-list tc-menu.add button").first().click();
-  await page.getByRole("menuitem", { name: /gradient/i }).click();
+  await editor.addLayer(/gradient/i);
   const ends = async () => {
     const [layer] = (await editor.design()).layers;
     return layer?.type === "fill" && layer.gradient?.kind === "linear" ? layer.gradient : null;
@@ -177,8 +176,7 @@ test("a gradient's colour that is dragged goes back by Escape and by undo, and s
   page,
 }) => {
   await editor.open();
-  await page.locator("tc-layer-list tc-menu.add button").first().click();
-  await page.getByRole("menuitem", { name: /gradient/i }).click();
+  await editor.addLayer(/gradient/i);
   const stops = async () => {
     const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
     return layer?.type === "fill" ? layer.gradient?.stops : undefined;
@@ -207,8 +205,7 @@ test("a gradient's colours keep the focus by keys: past each other, and deleted 
   page,
 }) => {
   await editor.open();
-  await page.locator("tc-layer-list tc-menu.add button").first().click();
-  await page.getByRole("menuitem", { name: /gradient/i }).click();
+  await editor.addLayer(/gradient/i);
   const add = page.getByRole("button", { name: "Add a colour" });
   for (let colors = 3; colors <= 4; colors += 1) {
     await add.click();
@@ -366,8 +363,7 @@ test("a picture that is a brush's tip keeps its proportions", async ({ editor, p
 
 test("a fill's parts and a colour are picked by keys too", async ({ editor, page }) => {
   await editor.open();
-  await page.locator("tc-layer-list tc-menu.add button").first().click();
-  await page.getByRole("menuitem", { name: "Fill One colour" }).click();
+  await editor.addLayer("Fill One colour");
   await page.locator("input[name=parts][value=charts]").check();
   const charts = async () => {
     const layer = (await editor.design()).layers.find(({ type }) => type === "fill");

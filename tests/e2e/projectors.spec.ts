@@ -130,9 +130,7 @@ test("a box is what it was after other kinds were tried on it, and follows what 
   editor,
   page,
 }) => {
-  await editor.open();
-  const id = await editor.lowestLayer();
-  await editor.select(id);
+  const id = await editor.openOnLowest();
   const before = await editor.decal(id);
   const hash = await editor.settledHash();
   const choose = (kind: string): Promise<void> =>
@@ -156,9 +154,7 @@ test("what the camera sees is stuck onto the model, scaled by a corner, and take
   editor,
   page,
 }) => {
-  await editor.open();
-  const id = await editor.lowestLayer();
-  await editor.select(id);
+  const id = await editor.openOnLowest();
   const box = await editor.settledHash();
   const covered = await page.locator(".tcv-overlay .tcv-outline").first().boundingBox();
   await page.locator("tc-stage").hover();
@@ -196,9 +192,7 @@ test("a decal is wrapped around the mug, its arc pulled by a handle, and made a 
   editor,
   page,
 }) => {
-  await editor.open();
-  const id = await editor.lowestLayer();
-  await editor.select(id);
+  const id = await editor.openOnLowest();
   const before = (await editor.decal(id)).projector;
   await page.locator("tc-layer-properties input[value=cylindrical]").check({ force: true });
   const wrapped = (await editor.decal(id)).projector;

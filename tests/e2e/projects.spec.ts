@@ -66,8 +66,7 @@ test("opening a model and undoing it leaves its project the one that a reload an
   expect(await editor.settledHash()).toBe(worked);
   await page.evaluate(() => window.texelcast.kept());
 
-  await page.reload();
-  await page.evaluate(() => window.texelcast.ready);
+  await editor.reload();
   expect(await editor.settledHash()).toBe(worked);
   const context = page.context();
   await page.close();
@@ -79,8 +78,7 @@ test("opening a model and undoing it leaves its project the one that a reload an
   await again.page.getByRole("menuitemradio", { name: "Skateboard" }).click();
   await expect(again.page.locator("tc-top-bar .models")).toContainText("Skateboard");
   await again.idle();
-  await again.page.reload();
-  await again.page.evaluate(() => window.texelcast.ready);
+  await again.reload();
   await expect(again.page.locator("tc-top-bar .models")).toContainText("Skateboard");
 });
 

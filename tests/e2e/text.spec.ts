@@ -190,10 +190,8 @@ test("what was typed in the moment before the page is loaded again is there afte
   await expect(words).toBeFocused();
   await editor.idle();
   await type("Ada");
-  await page.reload();
+  await editor.reload();
   expect(asked).toEqual([]);
-  await page.waitForFunction(() => window.texelcast !== undefined);
-  await page.evaluate(() => window.texelcast.ready);
   expect((await textLayer(editor)).text).toBe("Ada");
 
   await page.locator("tc-layer-list .row").first().click();

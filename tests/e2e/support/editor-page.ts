@@ -52,9 +52,26 @@ export class EditorPage {
   async open({ hint = false } = {}): Promise<void> {
     if (!hint) await this.page.addInitScript(() => localStorage.setItem("texelcast-hint-seen", "yes"));
     await this.page.goto("./");
+    await this.#ready();
+    await this.idle();
+  }
+
+  /** Opens the page on its first demo, whose lowest layer is chosen; returns that layer's id. */
+  async openOnLowest(): Promise<string> {
+    await this.open();
+    const id = await this.lowestLayer();
+    await this.select(id);
+    return id;
+  }
+
+  async reload(): Promise<void> {
+    await this.page.reload();
+    await this.#ready();
+  }
+
+  async #ready(): Promise<void> {
     await this.page.waitForFunction(() => window.texelcast !== undefined);
     await this.page.evaluate(() => window.texelcast.ready);
-    await this.idle();
   }
 
   async idle(): Promise<void> {
@@ -142,6 +159,12 @@ export class EditorPage {
 
   async selectedName(): Promise<string> {
     return ((await this.page.locator("tc-layer-list [aria-current=true] .name").textContent()) ?? "").trim();
+  }
+
+  /** Adds a layer by the menu of the layer list. */
+  async addLayer(name: string | RegExp): Promise<void> {
+    await this.page.locator("tc-layer-list tc-menu.add button").first().click();
+    await this.page.getByRole("menuitem", { name }).click();
   }
 
   /** Adds a demo decal by its button; it lands in the middle of the view. Returns its layer's id. */
