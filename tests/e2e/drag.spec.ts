@@ -119,7 +119,7 @@ test("the outline follows a drag without new styles, on a layer of its own, and 
   page,
 }) => {
   const id = await editor.openOnLowest();
-  const overlays = page.locator(".tcv-root:not(.tcv-texture) .tcv-overlay");
+  const overlays = editor.view.locator(".tcv-overlay");
   const overlay = overlays.filter({ has: page.locator("[data-handle]") });
   const path = overlay.locator("path.tcv-outline");
   const pieces = overlay.locator('polyline.tcv-outline:not([points=""])');
@@ -162,7 +162,7 @@ test("a drag that loses the pointer ends where it was, and the decal does not ha
   await page.mouse.move(from.x + 20, from.y);
   await page.mouse.move(from.x + 30, from.y);
   // As a dialog of the browser does.
-  await page.locator(".tcv-root:not(.tcv-texture)").evaluate((view) => {
+  await editor.view.evaluate((view) => {
     for (let id = 0; id < 99; id += 1) if (view.hasPointerCapture(id)) view.releasePointerCapture(id);
   });
   await page.mouse.move(from.x + 40, from.y);

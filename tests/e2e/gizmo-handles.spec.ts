@@ -78,7 +78,7 @@ test.describe("on a phone, too,", () => {
     const devtools = await page.context().newCDPSession(page);
     const touch = (type: "touchStart" | "touchMove" | "touchEnd", ...touchPoints: Point[]) =>
       devtools.send("Input.dispatchTouchEvent", { type, touchPoints });
-    const view = page.locator(".tcv-root:not(.tcv-texture)");
+    const view = editor.view;
     const box = await view.boundingBox();
     if (!box) throw new Error("The page shows no model.");
     const label = view.locator(".tcv-readout");
@@ -111,9 +111,9 @@ test.describe("on a phone, too,", () => {
 test.describe("in a low window", () => {
   test.use({ viewport: { width: 720, height: 450 } });
 
-  test("the handle that turns stands in the view whole, and turns", async ({ editor, page }) => {
+  test("the handle that turns stands in the view whole, and turns", async ({ editor }) => {
     const id = await selected(editor);
-    const view = page.locator(".tcv-root:not(.tcv-texture)");
+    const view = editor.view;
     await expectWhole(view.locator("[data-handle=rotate] .tcv-mark"), view);
     const before = await editor.decal(id);
     const from = await editor.handle("rotate");

@@ -114,7 +114,7 @@ for (const [name, width, height, hasTouch] of [
       page,
     }) => {
       await editor.open();
-      const view = page.locator(".tcv-root:not(.tcv-texture)");
+      const view = editor.view;
       const box = async () => (await view.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
       for (const tab of ["layers", "properties", "history", "texture", "target"]) {
         const button = page.locator(`#sheet-${tab}`);
@@ -154,9 +154,7 @@ test.describe("the first steps", () => {
       await page.setViewportSize({ width, height });
       await editor.open({ hint: true });
       for (let step = 0; step < 3; step += 1) {
-        const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
-        const hint = await page.locator("tc-first-hint section").boundingBox();
-        if (!view || !hint) throw new Error("A part of the page has no place.");
+        const [view, hint] = await editor.places(editor.view, page.locator("tc-first-hint section"));
         const beside = hint.y >= view.y + view.height || hint.x >= view.x + view.width;
         expect(beside, `step ${step}`).toBe(true);
         expect(hint.y + hint.height, `step ${step}`).toBeLessThanOrEqual(height);
@@ -217,10 +215,9 @@ test.describe("in German, whose words are long,", () => {
 test("the tools stand beside the model's view, so that no handle lies under them", async ({ editor, page }) => {
   await editor.open();
   for (const width of [1440, 1100]) {
-    await page.setViewportSize({ width, height: 900 });
-    const rail = await page.locator("tc-tool-rail [role=radiogroup]").boundingBox();
-    const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
-    expect(view?.x).toBeGreaterThanOrEqual((rail?.x ?? 0) + (rail?.width ?? 0));
+    await editor.resize(width, 900);
+    const [rail, view] = await editor.places(page.locator("tc-tool-rail [role=radiogroup]"), editor.view);
+    expect(view.x).toBeGreaterThanOrEqual(rail.x + rail.width);
   }
 });
 

@@ -274,7 +274,7 @@ test("a stroke ends where the view is given another size, without a streak to it
   const dabs = async () => (await paintLayers(editor))[0]?.strokes[0]?.dabs.length;
   await expect.poll(dabs).toBeGreaterThan(2);
   const before = await dabs();
-  await page.setViewportSize({ width: 1000, height: 640 });
+  await editor.resize(1000, 640);
   await expect.poll(async () => (await editor.stage.boundingBox())?.height).toBeLessThan(600);
   await expect(page.locator("#undo")).toBeEnabled();
   const to = await editor.middleOfStage();

@@ -20,7 +20,7 @@ test("a wheel beside the model comes nearer to it, and does not lose it", async 
   // The view goes there at once.
   await page.emulateMedia({ reducedMotion: "reduce" });
   await editor.open();
-  const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
+  const view = await editor.view.boundingBox();
   if (!view) throw new Error("The page shows no model.");
   const mug = async (): Promise<Point> => (await page.evaluate(() => window.texelcast.project(0, 0.05, 0))) ?? view;
   await page.mouse.move(view.x + view.width - 30, view.y + view.height - 15);
@@ -133,10 +133,8 @@ test("a model that moves stands above its bar, in a window and on a phone", asyn
     [390, 844],
     [844, 390],
   ] as const) {
-    await page.setViewportSize({ width, height });
-    const view = await page.locator(".tcv-root:not(.tcv-texture)").boundingBox();
-    const bar = await page.locator("tc-animation-bar .bar").boundingBox();
-    if (!view || !bar) throw new Error("A part of the page has no place.");
+    await editor.resize(width, height);
+    const [view, bar] = await editor.places(editor.view, page.locator("tc-animation-bar .bar"));
     expect(bar.y, `${width} × ${height}`).toBeGreaterThanOrEqual(view.y + view.height);
   }
 });
@@ -215,12 +213,11 @@ test("the views are chosen by keys, and on a phone the flat texture takes the mo
   await expect(page.locator("tc-texture-panel")).toHaveCount(0);
   await page.keyboard.press("Alt+2");
   await expect(page.locator("tc-texture-panel")).toBeVisible();
-  await page.setViewportSize({ width: 390, height: 844 });
+  await editor.resize(390, 844);
   await page.locator("#swap-views").click();
-  const flat = await page.locator("tc-texture-panel").boundingBox();
-  const sheet = await page.locator("tc-bottom-sheet").boundingBox();
-  expect(flat?.height).toBeGreaterThan(844 * 0.35);
-  expect((flat?.y ?? 0) + (flat?.height ?? 0)).toBeLessThanOrEqual((sheet?.y ?? 0) + 1);
+  const [flat, sheet] = await editor.places(page.locator("tc-texture-panel"), page.locator("tc-bottom-sheet"));
+  expect(flat.height).toBeGreaterThan(844 * 0.35);
+  expect(flat.y + flat.height).toBeLessThanOrEqual(sheet.y + 1);
   await page.locator("#swap-views").click();
   await expect(page.locator("tc-stage")).toBeVisible();
 });

@@ -40,11 +40,14 @@ export const test = base.extend<{ editor: EditorPage }>({
 export class EditorPage {
   readonly page: Page;
   readonly stage: Locator;
+  /** The model's own view on the stage, beside the tools. */
+  readonly view: Locator;
   readonly notices: Locator;
 
   constructor(page: Page) {
     this.page = page;
     this.stage = page.locator("tc-stage");
+    this.view = page.locator(".tcv-root:not(.tcv-texture)");
     this.notices = page.locator("tc-notice-stack section");
   }
 
@@ -67,6 +70,44 @@ export class EditorPage {
   async reload(): Promise<void> {
     await this.page.reload();
     await this.#ready();
+  }
+
+  /**
+   * The places of parts of the page, all read in turn until no frame moves any of them: after a window's change
+   * the panels follow it frames later.
+   */
+  async places<Parts extends readonly Locator[]>(...parts: Parts): Promise<{ [At in keyof Parts]: Region }> {
+    const read = async () => {
+      const places = await Promise.all(parts.map((part) => part.boundingBox()));
+      const missing = places.indexOf(null);
+      if (missing >= 0) throw new Error(`${parts[missing]} has no place on the page.`);
+      return places as { [At in keyof Parts]: Region };
+    };
+    let places = await read();
+    let before: string;
+    do {
+      before = JSON.stringify(places);
+      await this.#drawn();
+      places = await read();
+    } while (JSON.stringify(places) !== before);
+    return places;
+  }
+
+  /** Gives the page's window a size, and waits until the page has been drawn in it. */
+  async resize(width: number, height: number): Promise<void> {
+    await this.page.setViewportSize({ width, height });
+    await this.page.waitForFunction(([across, down]) => innerWidth === across && innerHeight === down, [
+      width,
+      height,
+    ] as const);
+    await this.#drawn();
+  }
+
+  /** Waits two frames: what asks for a frame in the first has had it. */
+  async #drawn(): Promise<void> {
+    await this.page.evaluate(
+      () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+    );
   }
 
   async #ready(): Promise<void> {
@@ -210,7 +251,7 @@ export class EditorPage {
 
   /** The middle of one of the gizmo's handles. */
   async handle(name: string): Promise<Point> {
-    const box = await this.page.locator(`.tcv-root:not(.tcv-texture) [data-handle="${name}"] .tcv-mark`).boundingBox();
+    const box = await this.view.locator(`[data-handle="${name}"] .tcv-mark`).boundingBox();
     if (!box) throw new Error(`The gizmo shows no handle ${name}.`);
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
   }
