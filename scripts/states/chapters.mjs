@@ -55,7 +55,7 @@ const midStroke = (moves) => async (hand) => {
 const viewing = (selector) => async (hand) => {
   const button = hand.page.locator("#view-menu");
   if ((await button.getAttribute("aria-expanded")) !== "true") await button.click();
-  await hand.page.locator(`tc-view-menu ${selector}`).click({ force: true });
+  await hand.page.locator(`tc-view-settings ${selector}`).click({ force: true });
 };
 
 /** @param {string} name of the error that keeping anything ends with @returns {Chapter["before"]} */
@@ -96,7 +96,7 @@ export const CHAPTERS = [
   {
     name: "decal",
     states: [
-      ["nothing-selected", asItIs],
+      ["nothing-selected", (hand) => hand.press("Escape")],
       ["nothing-to-edit", (hand) => hand.panel("properties")],
       ["selected", (hand) => hand.select(0)],
       ["properties", (hand) => hand.panel("properties")],

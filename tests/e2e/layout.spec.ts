@@ -1,4 +1,5 @@
 import { expect, test } from "./support/editor-page.ts";
+import { lookAlike } from "./support/look-alike.ts";
 import { file } from "./support/test-files.ts";
 
 test.describe("on a phone", () => {
@@ -30,10 +31,36 @@ test.describe("on a phone", () => {
     await editor.open();
     await page.locator("#sheet-texture").tap();
     await page.locator("#view-menu").tap();
-    await expect(page.locator("#view-panel")).toBeVisible();
+    await expect(page.locator("tc-bottom-sheet tc-view-settings")).toBeVisible();
     await page.locator("#swap-views").tap();
     await expect(editor.stage).toHaveCount(0);
     await expect(page.locator("tc-texture-panel canvas, .tcv-texture canvas").first()).toBeVisible();
+    await expect(page.locator("tc-view-settings"), "they are the model's").toHaveCount(0);
+  });
+
+  test("the view's settings stand in the sheet, so that what they change is in sight", async ({ editor, page }) => {
+    await editor.open();
+    const opener = page.locator("#view-menu");
+    const settings = page.locator("tc-view-settings");
+    await opener.tap();
+    const [view, panel] = await editor.places(editor.view, settings);
+    expect(view.height).toBeGreaterThan(844 * 0.2);
+    expect(panel.y).toBeGreaterThanOrEqual(view.y + view.height);
+    const before = await editor.stage.screenshot();
+    await settings.locator("#wireframe").tap();
+    await expect.poll(async () => lookAlike(await editor.stage.screenshot(), before)).toBe(false);
+    await page.keyboard.press("Escape");
+    await expect(settings).toHaveCount(0);
+    await expect(opener).toBeFocused();
+    await opener.tap();
+    await page.locator("#close-tool").tap();
+    await expect(settings).toHaveCount(0);
+    await opener.tap();
+    await editor.resize(1180, 820);
+    await expect(page.locator("#view-panel"), "where there is no sheet they stand beside their button").toBeVisible();
+    await editor.resize(390, 844);
+    await expect(page.locator("tc-bottom-sheet tc-view-settings")).toBeVisible();
+    await expect(settings).toHaveCount(1);
   });
 
   test("what a finger has tapped looks as what was chosen without one", async ({ editor, page }) => {
@@ -55,7 +82,10 @@ test.describe("on a phone", () => {
 test.describe("on a phone held sideways", () => {
   test.use({ viewport: { width: 844, height: 390 }, hasTouch: true, isMobile: true });
 
-  test("every tool is reached by scrolling, and the view's panel keeps within the page", async ({ editor, page }) => {
+  test("every tool is reached by scrolling, and the view's settings stand beside the model", async ({
+    editor,
+    page,
+  }) => {
     await editor.open();
     const text = page.locator("#tool-text");
     await text.scrollIntoViewIfNeeded();
@@ -66,13 +96,8 @@ test.describe("on a phone held sideways", () => {
     expect(Math.min(tool.width, tool.height)).toBeGreaterThanOrEqual(43.5);
     expect(tool.y + tool.height).toBeLessThanOrEqual(stage.y + stage.height);
     await page.locator("#view-menu").tap();
-    const panel = await page.locator("#view-panel").boundingBox();
-    const opener = await page.locator("#view-menu").boundingBox();
-    if (!panel || !opener) throw new Error("A part of the page has no place.");
-    expect(panel.x + panel.width <= opener.x || panel.x >= opener.x + opener.width, "it stands beside its button").toBe(
-      true,
-    );
-    expect(panel.x).toBeGreaterThanOrEqual(0);
+    const [view, panel] = await editor.places(editor.view, page.locator("tc-view-settings"));
+    expect(panel.x).toBeGreaterThanOrEqual(view.x + view.width);
     expect(panel.x + panel.width).toBeLessThanOrEqual(844);
     expect(panel.y + panel.height).toBeLessThanOrEqual(390);
   });

@@ -223,6 +223,7 @@ export const german: Strings = {
     withKey: (label, key) => `${label} (${key})`,
     menu: "Ansicht",
     reset: "Ansicht zurücksetzen",
+    close: "Einstellungen der Ansicht schließen",
     shading: "Schattierung",
     shadings: { lit: "Mit Licht", unlit: "Ohne Licht" },
     shows: "Zeigt",

@@ -220,6 +220,7 @@ const english = {
     withKey: (label: string, key: string): string => `${label} (${key})`,
     menu: "View",
     reset: "Back to the usual view",
+    close: "Close the view’s settings",
     shading: "Shading",
     shadings: { lit: "Lit", unlit: "Unlit" },
     shows: "Shows",

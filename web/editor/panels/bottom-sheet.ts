@@ -86,6 +86,11 @@ export class BottomSheet extends EditorElement {
         justify-content: space-between;
         padding-inline: var(--space-4) var(--space-1);
       }
+      tc-view-settings {
+        padding: 0 var(--space-4) var(--space-4);
+        overflow: hidden auto;
+        overscroll-behavior: contain;
+      }
       nav {
         display: grid;
         grid-auto-flow: column;
@@ -123,7 +128,7 @@ export class BottomSheet extends EditorElement {
       this.tab = "properties";
       this.open = true;
     }
-    // What the chosen tool lays open is in front of the tabs' panels until it is closed.
+    // What the chosen tool or the view lays open is in front of the tabs' panels until it is closed.
     if (openToolPanel(this.editor)) this.open = true;
     this.#typed = textToType;
     if (this.tab === "texture" && this.state.view.layout === "texture") this.tab = "layers";

@@ -138,7 +138,7 @@ export class ToolOptions extends EditorElement {
 
   #laidOpen(tool: Tool, seldom: readonly ToolOption[]): TemplateResult | typeof nothing {
     const { toolPanel } = this.state;
-    if (toolPanel === null || !offersToolPanel(this.editor, toolPanel)) return nothing;
+    if (toolPanel === null || toolPanel === "view" || !offersToolPanel(this.editor, toolPanel)) return nothing;
     return html`<div class=${toolPanel === "more" ? "drop end" : "drop"} @keydown=${this.#closeByKey}>
       ${
         toolPanel === "more"
@@ -349,10 +349,10 @@ export class ToolOptions extends EditorElement {
   }
 
   #closeByKey(event: KeyboardEvent): void {
-    if (event.key !== "Escape") return;
+    const { toolPanel } = this.state;
+    if (event.key !== "Escape" || toolPanel === null || toolPanel === "view") return;
     event.stopPropagation();
-    const openers = { more: "#more-options", palette: "#show-palette", tips: "#tool-tip" } as const;
-    const opener = openers[this.state.toolPanel ?? "more"];
+    const opener = { more: "#more-options", palette: "#show-palette", tips: "#tool-tip" }[toolPanel];
     this.editor.store.set({ toolPanel: null });
     this.renderRoot.querySelector<HTMLElement>(opener)?.focus();
   }

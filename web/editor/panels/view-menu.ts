@@ -1,28 +1,31 @@
-/** How the model is shown: shading, light, maps, background. A small panel that a button on the stage opens. */
+/**
+ * A button on the stage that opens the settings of the view: in a small panel beside it, and where one view is seen at a time,
+ * which that would cover, in the sheet.
+ */
 import { css, html, nothing, type TemplateResult } from "lit";
-import { Eye, RotateCcw } from "lucide";
+import { Eye } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
-import { BACKGROUND_TONES, TEXTURE_MODES, type TextureMode, USUAL_VIEW } from "../state/view-state.ts";
 import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { narrow } from "../ui/page-shapes.ts";
-import { checkField, choiceField } from "./property-fields.ts";
-import { propertyStyles } from "./property-styles.ts";
+import { NARROW, SIDEWAYS } from "../ui/page-shapes.ts";
+import "./view-settings.ts";
 
 /** Pixels between the panel and its button, and between it and the page's edges. */
 const GAP = 4;
 
 export class ViewMenu extends EditorElement {
   static override properties = { open: { state: true } };
+  /** Beside its button. */
   declare open: boolean;
+  readonly #hasSheet = matchMedia(`${NARROW}, ${SIDEWAYS}`);
   /** The stage that its button stands in, which the splitter makes narrower. */
   readonly #moves = new ResizeObserver(() => this.#place());
+  #wasInSheet = false;
 
   static override styles = [
     controls,
-    propertyStyles,
     css`
       :host {
         position: relative;
@@ -50,42 +53,12 @@ export class ViewMenu extends EditorElement {
         color: inherit;
         box-shadow: var(--shadow);
       }
-      /* Where a sheet stands below the stage, that stays in sight. */
-      @media ${narrow} {
-        .panel {
-          max-height: calc(100cqh - 4.5rem);
-        }
-      }
       @media (pointer: coarse) {
         .panel {
           width: 20.5rem;
           max-width: calc(100vw - 4.25rem);
           padding-inline: var(--space-3);
         }
-        .panel .field,
-        .panel .slider {
-          grid-template-columns: 5.75rem minmax(0, 1fr);
-        }
-        .panel .slider output {
-          display: none;
-        }
-      }
-      .titled h2 {
-        flex: 1;
-      }
-      .slider {
-        grid-template-columns: 5.5rem minmax(0, 1fr) 2.75rem;
-      }
-      .slider label {
-        color: var(--text-quiet);
-      }
-      .slider output {
-        text-align: end;
-        font-variant-numeric: tabular-nums;
-      }
-      .checks {
-        display: grid;
-        grid-template-columns: 1fr 1fr;
       }
     `,
   ];
@@ -99,12 +72,16 @@ export class ViewMenu extends EditorElement {
   override connectedCallback(): void {
     super.connectedCallback();
     addEventListener("resize", this.#place);
+    this.#hasSheet.addEventListener("change", this.#moveOver);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     removeEventListener("resize", this.#place);
     this.#moves.disconnect();
+    this.#hasSheet.removeEventListener("change", this.#moveOver);
+    // The view has given its place to the other one.
+    this.#inSheet = false;
   }
 
   override firstUpdated(): void {
@@ -114,19 +91,36 @@ export class ViewMenu extends EditorElement {
 
   override updated(): void {
     this.#place();
+    // What had the focus in the sheet went with it.
+    if (this.#wasInSheet && !this.#inSheet && document.activeElement === document.body) this.#opener?.focus();
+    this.#wasInSheet = this.#inSheet;
+  }
+
+  get #opener(): HTMLElement | null {
+    return this.renderRoot.querySelector<HTMLElement>("#view-menu");
+  }
+
+  get #inSheet(): boolean {
+    return this.state.toolPanel === "view";
+  }
+
+  set #inSheet(open: boolean) {
+    if (open !== this.#inSheet) this.editor.store.set({ toolPanel: open ? "view" : null });
   }
 
   get #words(): Strings["views"] {
     return this.strings.views;
   }
 
-  protected watched({ view, model }: EditorState): readonly unknown[] {
-    return [view, model === null];
+  protected watched({ toolPanel }: EditorState): readonly unknown[] {
+    return [toolPanel === "view"];
   }
 
   override render(): TemplateResult {
+    const shown = this.open || this.#inSheet;
     const toggle = (): void => {
-      this.open = !this.open;
+      if (this.#hasSheet.matches) this.#inSheet = !shown;
+      else this.open = !shown;
     };
     return html`
       <button
@@ -134,9 +128,9 @@ export class ViewMenu extends EditorElement {
         id="view-menu"
         aria-label=${this.#words.menu}
         title=${this.#words.menu}
-        aria-expanded=${this.open}
-        aria-pressed=${this.open}
-        aria-controls="view-panel"
+        aria-expanded=${shown}
+        aria-pressed=${shown}
+        aria-controls=${this.open ? "view-panel" : nothing}
         @click=${toggle}
       >
         ${icon(Eye)}
@@ -146,99 +140,24 @@ export class ViewMenu extends EditorElement {
   }
 
   #panel(): TemplateResult {
-    const { view } = this.state;
-    const { views } = this.editor;
-    const backgrounds = Object.fromEntries(
-      BACKGROUND_TONES.map((tone) => [tone, this.#words.backgrounds[tone]]),
-    ) as Record<(typeof BACKGROUND_TONES)[number], string>;
-    const unusual = Object.entries(USUAL_VIEW).some(
-      ([key, value]) => key !== "layout" && key !== "guide" && view[key as keyof typeof view] !== value,
-    );
     return html`
       <div class="panel" id="view-panel" popover="manual" role="group" aria-label=${this.#words.menu}>
-        <div class="titled">
-          <h2>${this.#words.menu}</h2>
-          <button
-            class="icon small"
-            id="reset-view"
-            aria-label=${this.#words.reset}
-            title=${this.#words.reset}
-            ?disabled=${!unusual}
-            @click=${() => views.set({ ...USUAL_VIEW, layout: view.layout, guide: view.guide })}
-          >
-            ${icon(RotateCcw)}
-          </button>
-        </div>
-        ${choiceField("shading", this.#words.shading, this.#words.shadings, view.shading, (shading) => views.set({ shading }))}
-        <div class="field">
-          <label for="model-map">${this.#words.shows}</label>
-          <select
-            id="model-map"
-            @change=${(event: Event) => views.set({ modelMap: (event.target as HTMLSelectElement).value as TextureMode })}
-          >
-            ${TEXTURE_MODES.map(
-              (mode) =>
-                html`<option value=${mode} ?selected=${mode === view.modelMap}>${this.strings.texture.modes[mode]}</option>`,
-            )}
-          </select>
-        </div>
-        <div class="checks">
-          ${checkField("wireframe", this.#words.wireframe, view.wireframe, () => views.toggle("wireframe"))}
-          ${checkField("turntable", this.#words.turntable, view.turntable, () => views.toggle("turntable"))}
-        </div>
-        ${this.#slider(
-          "light-turn",
-          this.#words.lightTurn,
-          view.lightTurn,
-          360,
-          this.#words.degrees(view.lightTurn),
-          (lightTurn) => views.set({ lightTurn }),
-        )}
-        ${this.#slider(
-          "light-strength",
-          this.#words.lightStrength,
-          view.lightStrength * 100,
-          200,
-          this.#words.percent(view.lightStrength * 100),
-          (percent) => views.set({ lightStrength: percent / 100 }),
-        )}
-        ${choiceField("background", this.#words.background, backgrounds, view.background, (background) => views.set({ background }))}
+        <h2>${this.#words.menu}</h2>
+        <tc-view-settings .editor=${this.editor}></tc-view-settings>
       </div>
     `;
   }
 
-  #slider(
-    id: string,
-    label: string,
-    value: number,
-    most: number,
-    text: string,
-    change: (value: number) => void,
-  ): TemplateResult {
-    const lit = this.state.view.shading === "lit" && this.state.view.modelMap === "texture";
-    return html`
-      <div class="slider">
-        <label for=${id}>${label}</label>
-        <input
-          type="range"
-          id=${id}
-          min="0"
-          max=${most}
-          step="5"
-          .value=${String(Math.round(value))}
-          ?disabled=${!lit}
-          aria-valuetext=${text}
-          @input=${(event: Event) => change(Number((event.target as HTMLInputElement).value))}
-        />
-        <output for=${id}>${text}</output>
-      </div>
-    `;
-  }
+  readonly #moveOver = (): void => {
+    if (!this.open && !this.#inSheet) return;
+    this.open = !this.#hasSheet.matches;
+    this.#inSheet = this.#hasSheet.matches;
+  };
 
   /** Beside its button, where there is room: towards the model, else to the other side; and within the page. */
   readonly #place = (): void => {
     const panel = this.renderRoot.querySelector<HTMLElement>("#view-panel");
-    const opener = this.renderRoot.querySelector("#view-menu")?.getBoundingClientRect();
+    const opener = this.#opener?.getBoundingClientRect();
     // The view may have given its place to the other one while this was open.
     if (!panel?.isConnected || !opener) return;
     if (!panel.matches(":popover-open")) panel.showPopover();
@@ -256,7 +175,7 @@ export class ViewMenu extends EditorElement {
     if (event.key !== "Escape" || !this.open) return;
     event.stopPropagation();
     this.open = false;
-    this.renderRoot.querySelector<HTMLElement>("#view-menu")?.focus();
+    this.#opener?.focus();
   };
 }
 customElements.define("tc-view-menu", ViewMenu);

@@ -4,7 +4,7 @@ import { type Design, emptyDesign } from "../document/design.ts";
 import type { DemoCatalogue } from "../files/demo-catalogue.ts";
 import type { ProjectSummary } from "../storage/project.ts";
 import type { Language } from "../strings/language.ts";
-import type { ToolId, ToolPanel } from "../tools/tool.ts";
+import type { LaidOpen, ToolId } from "../tools/tool.ts";
 import { INITIAL_TOOL_SETTINGS, type ToolSettings } from "../tools/tool-settings.ts";
 import { DEFAULT_BUDGET } from "./history.ts";
 import type { Notice } from "./notices.ts";
@@ -124,8 +124,8 @@ export interface EditorState {
   readonly textureMode: TextureMode;
   readonly outlines: boolean;
   readonly tool: ToolId;
-  /** What of the tool is laid open: fields that are seldom used, or the palette. */
-  readonly toolPanel: ToolPanel | null;
+  /** What is laid open beside the tabs' panels: of the tool, or of the view. */
+  readonly toolPanel: LaidOpen | null;
   /** How many of the chosen tool's options its bar has no room for. */
   readonly optionsGivenWay: number;
   readonly toolSettings: ToolSettings;

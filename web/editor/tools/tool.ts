@@ -45,6 +45,9 @@ export type ToolOption = (typeof TOOL_OPTIONS)[number];
 /** What the options bar lays open: seldom used options, colours, brush tips. */
 export type ToolPanel = "more" | "palette" | "tips";
 
+/** What stands in front of the sheet's tabs: that, or how the model is shown. */
+export type LaidOpen = ToolPanel | "view";
+
 export interface Tool {
   readonly id: ToolId;
   /** What it is called in the rail and by screen readers. */
