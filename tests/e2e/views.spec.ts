@@ -115,8 +115,8 @@ test("a part that is hidden lets the pointer through to what is behind it", asyn
 });
 
 /** The block figure with its hand raised; returns the bar of its animations. */
-async function pauseInMidWave(editor: EditorPage, page: Page): Promise<Locator> {
-  await editor.open();
+async function pauseInMidWave(editor: EditorPage, page: Page, { hint = false } = {}): Promise<Locator> {
+  await editor.open({ hint });
   await editor.openModel([blockFigure()]);
   await page.locator("#play").click();
   const bar = page.locator("tc-animation-bar");
@@ -137,6 +137,12 @@ test("a model that moves stands above its bar, in a window and on a phone", asyn
     const [view, bar] = await editor.places(editor.view, page.locator("tc-animation-bar .bar"));
     expect(bar.y, `${width} × ${height}`).toBeGreaterThanOrEqual(view.y + view.height);
   }
+});
+
+test("the first steps stand above the bar of a model that moves", async ({ editor, page }) => {
+  await pauseInMidWave(editor, page, { hint: true });
+  const [hint, bar] = await editor.places(page.locator("tc-first-hint section"), page.locator("tc-animation-bar .bar"));
+  expect(hint.y + hint.height).toBeLessThanOrEqual(bar.y);
 });
 
 test("a decal that is placed on a posed model lies on the same place of the resting one", async ({ editor, page }) => {

@@ -159,6 +159,10 @@ export class Workbench extends EditorElement {
         justify-self: start;
         padding: var(--space-3);
       }
+      /* The bar of a model that moves has the foot of the views. */
+      .moving tc-first-hint {
+        padding-block-end: calc(var(--target) + 8px + 2 * var(--space-3));
+      }
       tc-notice-stack {
         z-index: 10;
         align-self: end;
@@ -238,8 +242,8 @@ export class Workbench extends EditorElement {
     this.#endFingers();
   }
 
-  protected watched({ view, model }: EditorState): readonly unknown[] {
-    return [view.layout, model === null];
+  protected watched({ view, model, animation }: EditorState): readonly unknown[] {
+    return [view.layout, model === null, animation.clip === null];
   }
 
   override render(): TemplateResult {
@@ -291,7 +295,8 @@ export class Workbench extends EditorElement {
 
   #views(): TemplateResult {
     const { editor, compact, upright, textureShare } = this;
-    const { layout } = this.state.view;
+    const { animation, view } = this.state;
+    const { layout } = view;
     const split = !compact && layout === "both";
     const flat = layout === "texture";
     const [first, second] = [`minmax(0, ${1 - textureShare}fr)`, `minmax(0, ${textureShare}fr)`];
@@ -302,7 +307,7 @@ export class Workbench extends EditorElement {
       this.textureShare = event.detail;
     };
     return html`
-      <main class="views" .style=${`grid-template: ${grid}`}>
+      <main class=${animation.clip === null ? "views" : "views moving"} .style=${`grid-template: ${grid}`}>
         ${
           flat
             ? html`<tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>`
