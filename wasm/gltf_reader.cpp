@@ -563,13 +563,18 @@ TxcStatus skin_vertices(Reader& reader, const tinygltf::Primitive& primitive, co
     return TXC_STATUS_OK;
 }
 
+/// Below 0 where what the matrix places is mirrored.
+double handedness(const glm::dmat4& matrix) {
+    return glm::dot(glm::dvec3(matrix[0]), glm::cross(glm::dvec3(matrix[1]), glm::dvec3(matrix[2])));
+}
+
 glm::dvec3 place_normal(const glm::dmat4& matrix, const glm::dvec3& normal) {
     // The cofactor matrix is the inverse transpose times the determinant, and exists for flattened nodes too.
     const glm::dvec3 x(matrix[0]);
     const glm::dvec3 y(matrix[1]);
     const glm::dvec3 z(matrix[2]);
     const glm::dvec3 yz = glm::cross(y, z);
-    const double sign = glm::dot(x, yz) < 0.0 ? -1.0 : 1.0;
+    const double sign = handedness(matrix) < 0.0 ? -1.0 : 1.0;
     return (yz * normal.x + glm::cross(z, x) * normal.y + glm::cross(x, y) * normal.z) * sign;
 }
 
@@ -667,7 +672,12 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
             reader.share.resize(mesh_byte_count(reader.vertex_total, reader.triangle_total), "reading the model");
         status != TXC_STATUS_OK)
         return status;
-    const glm::dmat4& first_matrix = vertex_matrices.empty() ? node_matrix : vertex_matrices[0];
+    // Fronts that are mirrored would be clockwise. One joint may do so and another not.
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+        const std::size_t vertex = indices[i];
+        const glm::dmat4& matrix = vertex < vertex_matrices.size() ? vertex_matrices[vertex] : node_matrix;
+        if (handedness(matrix) < 0.0) std::swap(indices[i + 1], indices[i + 2]);
+    }
     PrimitiveArrays arrays;
     arrays.positions = reinterpret_cast<const glm::vec3*>(positions.data());
     arrays.normals = normals.empty() ? nullptr : reinterpret_cast<const glm::vec3*>(normals.data());
@@ -676,8 +686,6 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
     arrays.indices = indices.data();
     arrays.index_count = static_cast<std::uint32_t>(indices.size());
     arrays.material = static_cast<std::uint32_t>(material);
-    arrays.mirrored = glm::dot(glm::dvec3(first_matrix[0]),
-                               glm::cross(glm::dvec3(first_matrix[1]), glm::dvec3(first_matrix[2]))) < 0.0;
     return append_primitive(reader.mesh, arrays, whose);
 }
 

@@ -15,7 +15,7 @@ bool in_unit_square(const glm::vec2& uv) { return uv.x >= 0.0f && uv.x <= 1.0f &
 
 glm::vec3 unit_or_zero(const glm::vec3& v) {
     const float length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-    // Also false for NaN: a normal that says nothing gives way to the flat one.
+    // Also false for NaN: a normal that says nothing gives way to the triangle's others.
     return length > 1e-20f && length < 1e20f ? v / length : glm::vec3(0.0f);
 }
 
@@ -43,9 +43,8 @@ TxcStatus append_primitive(Mesh& mesh, const PrimitiveArrays& arrays, const char
         mesh.vertex_has_uv.push_back(arrays.uvs != nullptr ? 1 : 0);
     }
     for (std::uint32_t i = 0; i + 2 < arrays.index_count; i += 3) {
-        Triangle triangle{{first + arrays.indices[i], first + arrays.indices[i + 1], first + arrays.indices[i + 2]}};
-        if (arrays.mirrored) std::swap(triangle.vertex[1], triangle.vertex[2]);
-        mesh.triangles.push_back(triangle);
+        mesh.triangles.push_back(
+            {{first + arrays.indices[i], first + arrays.indices[i + 1], first + arrays.indices[i + 2]}});
         mesh.triangle_materials.push_back(arrays.material);
     }
     return TXC_STATUS_OK;

@@ -23,7 +23,7 @@ struct Bounds {
     float diagonal() const { return empty ? 0.0f : glm::length(max - min); }
 };
 
-/// Corners in the order that makes the front counter-clockwise; mirrored nodes are already turned round.
+/// Corners in the order that makes the front counter-clockwise; what a node or joint mirrors is already turned round.
 struct Triangle {
     std::uint32_t vertex[3];
 };
@@ -50,7 +50,7 @@ struct Material {
 
 struct Mesh {
     std::vector<glm::vec3> positions;  // model space, metres
-    std::vector<glm::vec3> normals;    // unit, or zero where the triangle's flat normal holds
+    std::vector<glm::vec3> normals;    // unit, or zero: the triangle's others hold, or else its flat one
     std::vector<glm::vec2> uvs;        // as painted: after KHR_texture_transform, not yet wrapped
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> triangle_materials;
@@ -85,7 +85,6 @@ struct PrimitiveArrays {
     const std::uint32_t* indices = nullptr;  // triangle list
     std::uint32_t index_count = 0;
     std::uint32_t material = 0;
-    bool mirrored = false;  // the front is clockwise
 };
 
 /// Checks the arrays and appends them. BAD_GEOMETRY names the first bad vertex or index; `name` says whose it is.

@@ -138,6 +138,26 @@ TEST_CASE("A joint that mirrors keeps the fronts in front") {
     CHECK(near(model.mesh.flat_normal(model.mesh.triangles.at(0)), 0, 0, 1));
 }
 
+TEST_CASE("A joint that mirrors turns round its own triangles alone") {
+    GlbBuilder glb;
+    Shape two = make_strip();
+    two.normals.clear();
+    for (int i = 0; i < 3; ++i) two.add_vertex(i, i == 2 ? 1 : 0, 0, 0, 0);
+    two.add_triangle(3, 4, 5);
+    Bytes joints(24, 0);
+    for (const std::size_t v : {3, 4, 5}) joints[v * 4] = 1;
+    std::vector<float> weights(24, 0.0f);
+    for (std::size_t v = 0; v < 6; ++v) weights[v * 4] = 1.0f;
+    const int positions = glb.floats(two.positions, 3);
+    const int indices = glb.integers(two.indices, kUnsignedInt, "SCALAR", 1);
+    const int joint_accessor = glb.integers(joints, kUnsignedByte, "VEC4", 4);
+    glb.mesh(text(R"({"attributes":{"POSITION":%d,"JOINTS_0":%d,"WEIGHTS_0":%d},"indices":%d})", positions,
+                  joint_accessor, glb.floats(weights, 4), indices));
+    add_bones(glb, R"({"scale":[-1,1,1]})");
+    const ReadModel model = read(glb.glb());
+    for (const txc::Triangle& triangle : model.mesh.triangles) CHECK(near(model.mesh.flat_normal(triangle), 0, 0, 1));
+}
+
 TEST_CASE("A vertex that names a joint the skin does not have is an error, on every machine") {
     GlbBuilder glb;
     const std::string weights = text(R"("WEIGHTS_0":%d)", glb.floats(kWeights, 4));
