@@ -101,9 +101,8 @@ void make_texel_frame(const Mesh& mesh, std::uint32_t triangle, const TexelTrian
     out.x0 = at.x;
     out.y0 = at.y;
     out.triangle = triangle;
-    const glm::vec3 zero(0.0f);
     const double length_2 = z_x.at[1] * z_x.at[1] + yz.at[0] * yz.at[0] + yz.at[1] * yz.at[1];
-    if (n0 == zero || n1 == zero || n2 == zero || length_2 < 1e-12) {
+    if (length_2 < 1e-12) {
         const glm::vec3 flat = mesh.flat_normal(corners);
         for (int axis = 0; axis < 3; ++axis) out.normal[axis] = {flat[axis], 0.0f, 0.0f};
     }

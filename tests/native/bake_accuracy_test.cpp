@@ -182,6 +182,29 @@ TEST_CASE("A vertex normal of zero, or not a number, gives way to the flat one")
     }
 }
 
+TEST_CASE("Where one corner's normal is zero, or not a number, those of the others are interpolated") {
+    for (const float bad : {0.0f, std::nanf("")}) {
+        Shape plane = make_plane();
+        const float normals[] = {0.0f, 0.0f, 0.0f, 0.6f, 0.0f, 0.8f, 0.0f, 0.6f, 0.8f, -0.6f, 0.0f, 0.8f};
+        plane.normals.assign(std::begin(normals), std::end(normals));
+        const ReferenceMap reference(plane, 32, 32);
+        Shape broken = plane;
+        broken.normals[0] = bad;
+        TestSession session(broken);
+        const MapArrays map = session.map(session.target(32, 32));
+        double worst = 0;
+        for (std::uint32_t y = 0; y < 32; ++y) {
+            for (std::uint32_t x = 0; x < 32; ++x) {
+                const ReferenceTexel& texel = reference.at(x, y);
+                if (!texel.sure) continue;
+                const Vec3 n = reference.normal(texel.triangle, texel.u, texel.v);
+                worst = std::fmax(worst, degrees_between(vec3(map.normal(x, y)), n));
+            }
+        }
+        CHECK(worst < kNormalDegrees);
+    }
+}
+
 TEST_CASE("Normals need not come as unit vectors") {
     Shape plane = make_plane();
     for (float& n : plane.normals) n *= 250.0f;
