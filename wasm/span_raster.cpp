@@ -9,6 +9,9 @@ namespace {
 // A triangle that repeats the texture more often than this is no skin to paint, and would take hours to draw.
 constexpr float kMaxRepeats = 256.0f;
 constexpr std::uint8_t kMostClaims = 255;
+// Of a triangle's box of texels by twice its area, where it is as large as the model: beyond it the gradients are so steep, and
+// cancel so far, that over all of its rows a float's rounding would come to more than 2^-15 of the model (spec section 2).
+constexpr double kSteepest = 32.0;
 constexpr std::uint32_t kTileTexels = kTileSize * kTileSize;
 
 std::int64_t floor_divide(std::int64_t value, std::int64_t by) {
@@ -100,9 +103,18 @@ void SpanRaster::open_triangle(std::uint32_t triangle) {
     raster_ = TriangleRaster(texels_);
     rows_ = raster_.rows();
     open_frames_.clear();
+    is_steep_ = is_steep(high - low);
     wraps_ = any_lane2((low < splat2(0.0)) | (high > size));
     overlaps_itself_ = wraps_ && any_lane2(high - low > size);
     if (overlaps_itself_) claimed_ = CoverageBits(map_.key.texture_width(), map_.key.texture_height());
+}
+
+bool SpanRaster::is_steep(Double2 size) const {
+    const double steepness = size[0] * size[1] / std::fabs(texels_.doubled_area());
+    if (!(steepness > kSteepest)) return false;
+    Bounds place;
+    for (const std::uint32_t vertex : mesh_.triangles[triangle_].vertex) place.add(mesh_.positions[vertex]);
+    return steepness * static_cast<double>(place.diagonal()) > kSteepest * static_cast<double>(mesh_.bounds.diagonal());
 }
 
 TxcStatus SpanRaster::add_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first, std::uint32_t count) {
@@ -160,7 +172,7 @@ TxcStatus SpanRaster::draw_rows(std::int64_t& work) {
                 continue;
             }
             left -= count;
-            if (frame == kNone) {
+            if (frame == kNone || is_steep_) {
                 if (const TxcStatus status = frame_for({span.first, row, 0, 0}, frame); status != TXC_STATUS_OK)
                     return status;
             }
@@ -269,7 +281,7 @@ TxcStatus SpanRaster::frame_for(const RepeatedTexel& at, std::uint32_t& out_fram
     make_texel_frame(mesh_, triangle_, texels_, at, frame);
     frame.x0 -= static_cast<std::int32_t>(map_.key.origin_x);
     frame.y0 -= static_cast<std::int32_t>(map_.key.origin_y);
-    open_frames_.push_back({at.repeat_x, at.repeat_y, out_frame});
+    if (!is_steep_) open_frames_.push_back({at.repeat_x, at.repeat_y, out_frame});
     return TXC_STATUS_OK;
 }
 

@@ -45,6 +45,7 @@ private:
     };
 
     void open_triangle(std::uint32_t triangle);
+    bool is_steep(Double2 size) const;
     TxcStatus draw_rows(std::int64_t& work);
     TxcStatus draw_wrapped_rows(std::int64_t& work);
     TxcStatus claim(std::uint32_t row, std::uint32_t first, std::uint32_t count, std::int64_t repeat_x,
@@ -81,6 +82,7 @@ private:
     TexelRange rows_{0, 0};         // still to be drawn
     bool wraps_ = false;            // leaves the texture's first repeat
     bool overlaps_itself_ = false;  // spans more than one repeat
+    bool is_steep_ = false;         // each of its spans has a frame of its own
     CoverageBits claimed_;          // for such a triangle: each texel counts once
     std::vector<OpenFrame> open_frames_;
 };

@@ -10,7 +10,7 @@
 namespace txc {
 
 /// `x0`, `y0` is the texel at whose centre position and normal hold. A triangle whose UVs wrap has one frame for each
-/// repeat that owns texels.
+/// repeat that owns texels, and a sliver one for each row.
 struct TexelFrame {
     /// One coordinate over the texels. Coordinate by coordinate a projector turns all three parts in one go.
     struct Coordinate {

@@ -144,6 +144,25 @@ TEST_CASE("A model far from the origin and one of tiny size keep their accuracy"
     check(against_reference(make_sphere(1e4, 24, 12), 128, 64), 7000);
 }
 
+TEST_CASE("A sliver far thinner than a texel keeps its few texels on its surface") {
+    Random random(23);
+    std::uint32_t compared = 0;
+    for (int round = 0; round < 40; ++round) {
+        Shape shape;
+        const double thickness = random.between(1e-4, 4e-4);
+        const double slope = random.between(0.7, 0.8);
+        shape.add_vertex(0, 1, 0, 0.05, 0.1);
+        shape.add_vertex(1, 0, 0.5, 0.95, 0.1 + slope);
+        shape.add_vertex(1, 1, 0, 0.95, 0.1 + slope + thickness);
+        shape.add_triangle(0, 1, 2);
+        CAPTURE(round);
+        const Errors errors = against_reference(shape, 512, 512);
+        check(errors, 0);
+        compared += errors.compared;
+    }
+    CHECK(compared > 200);
+}
+
 TEST_CASE("A large texture's far texels are as accurate as its first") {
     TestSession session(make_plane(1.0));
     const TxcTarget target = session.target(4096, 4);
