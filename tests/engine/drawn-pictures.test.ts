@@ -144,6 +144,35 @@ describe("words as decals", () => {
     expect(first.errors).toEqual([]);
   });
 
+  it("are on a small texture what they are on a large one, seen from afar", async () => {
+    const seen = async (size: number): Promise<Uint8Array> => {
+      const { engine, read } = await planeOf(size);
+      const projector = { ...FRONT, size: [0.8, 0.2, 1] } as const;
+      engine.setLayers([decal("a", { ...ADA, text: "Ada Lovelace", color: [0, 0, 0, 1] }, { projector })], 1);
+      return read();
+    };
+    const large = await seen(2048);
+    for (const size of [64, 128, 512]) {
+      const small = await seen(size);
+      const times = 2048 / size;
+      let squares = 0;
+      let painted = 0;
+      for (let texel = 0; texel < size * size; texel++) {
+        const first = (Math.floor(texel / size) * 2048 + (texel % size)) * times;
+        let sum = 0;
+        for (let i = 0; i < times * times; i++)
+          sum += large[4 * (first + Math.floor(i / times) * 2048 + (i % times))] ?? 0;
+        const mean = sum / times ** 2;
+        const is = small[4 * texel] ?? 0;
+        if (is === 255 && mean > 254) continue;
+        squares += (is - mean) ** 2;
+        painted++;
+      }
+      const decibel = 10 * Math.log10((255 ** 2 * painted) / squares);
+      expect(decibel, `${size} x ${size}`).toBeGreaterThan(36);
+    }
+  });
+
   it("wait for a font of the user's, and are painted when it comes", async () => {
     const { engine, read, errors } = await planeOf(128);
     engine.setLayers([decal("a", { ...ADA, font: "mine" })], 1);
@@ -203,12 +232,14 @@ describe("how many pixels a drawing gets", () => {
       rasterSize(2, footprintTexels({ ...FRONT, size: [side, side / 2, 1] }, target)),
     );
     expect(sizes).toEqual([
-      [256, 128],
-      [256, 128],
-      [256, 128],
-      [256, 128],
+      [512, 256],
+      [512, 256],
+      [512, 256],
+      [512, 256],
     ]);
-    expect(rasterSize(0.5, [100, 200])).toEqual([256, 512]);
+    expect(rasterSize(0.5, [100, 200])).toEqual([512, 1024]);
+    // Beyond a million pixels half of that is enough.
+    expect(rasterSize(1, [600, 600])).toEqual([1024, 1024]);
   });
 
   it("has an upper bound, however large the box is", () => {

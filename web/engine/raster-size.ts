@@ -20,6 +20,11 @@ export const LEAST_RASTER_PIXELS = 64;
 export const MOST_RASTER_PIXELS = 4096;
 /** Texels lie askew to a drawing's pixels: with only one for each, edges would blur. */
 const MARGIN = 1.5;
+/**
+ * Up to so many pixels a drawing has twice that margin, since its own softness is seen beside a texel's: small words are then 36 dB
+ * and more like those of a large texture, and were 26 to 34.
+ */
+const CHEAP_PIXELS = 2 ** 20;
 
 /** Width and height of the projector's picture where it lies, in texels. */
 export function footprintTexels(projector: Projector, target: RasterTarget): readonly [number, number] {
@@ -46,8 +51,10 @@ export function footprintTexels(projector: Projector, target: RasterTarget): rea
  */
 export function rasterSize(aspect: number, [wide, high]: readonly [number, number]): readonly [number, number] {
   const longer = Math.max(wide, high * aspect, 1) * MARGIN * (aspect >= 1 ? 1 : 1 / aspect);
+  const narrow = Math.min(aspect, 1 / aspect);
+  const margin = (side: number): number => (side * side * narrow <= CHEAP_PIXELS ? 2 : 1);
   let side = LEAST_RASTER_PIXELS;
-  while (side < longer && side < MOST_RASTER_PIXELS) side *= 2;
+  while (side < longer * margin(2 * side) && side < MOST_RASTER_PIXELS) side *= 2;
   return aspect >= 1 ? [side, Math.max(1, Math.round(side / aspect))] : [Math.max(1, Math.round(side * aspect)), side];
 }
 
