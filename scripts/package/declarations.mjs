@@ -58,9 +58,9 @@ export async function declarations(entries, folder) {
   for (const entry of entries) write(join(emitted, entry.replace(/\.ts$/, ".d.ts")));
 }
 
-/** The element is to a page what every element is: what it has of Lit's is its own affair. @param {string} text */
+/** The element is to a page what every element is: what it has of Lit's, and of its own base, is its own affair. @param {string} text */
 function withoutLit(text) {
   return text
-    .replace(/^import \{ LitElement \} from "lit";\n/m, "")
-    .replace(/\bextends LitElement\b/, "extends HTMLElement");
+    .replace(/^import \{ RemElement \} from ".*";\n/m, "")
+    .replace(/\bextends RemElement\b/, "extends HTMLElement");
 }

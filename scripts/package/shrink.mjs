@@ -18,7 +18,7 @@ export async function shrinkScripts(dist) {
       {
         module: true,
         ecma: 2020,
-        compress: { passes: 2 },
+        compress: { passes: 3 },
         ...(isMapped && {
           sourceMap: { content: readFileSync(map, "utf8"), url: `${name}.map`, includeSources: true },
         }),

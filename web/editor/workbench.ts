@@ -30,6 +30,7 @@ import { endOpenField } from "./ui/open-field.ts";
 import "./ui/menu.ts";
 import "./ui/number-field.ts";
 import "./ui/splitter.ts";
+import { windowOf } from "../viewer/window-of.ts";
 import { controls } from "./ui/controls.ts";
 import { NARROW, SIDEWAYS } from "./ui/page-shapes.ts";
 import { theme } from "./ui/theme.ts";
@@ -228,7 +229,7 @@ export class Workbench extends EditorElement {
     whole.addEventListener("drop", (event) => this.#drop(event as DragEvent), { signal });
     if (!this.embedded) addEventListener("beforeunload", this.#leave, { signal });
     else {
-      const box = new ResizeObserver(this.#resize);
+      const box = new (windowOf(this).ResizeObserver)(this.#resize);
       box.observe(this);
       signal.addEventListener("abort", () => box.disconnect());
     }

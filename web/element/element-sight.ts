@@ -1,4 +1,5 @@
 /** Tells when an element is about to be seen. */
+import { windowOf } from "../viewer/window-of.ts";
 
 /** How far beyond the window it counts as about to be seen. */
 const NEAR = "200px";
@@ -15,7 +16,7 @@ export class Sight {
 
   watch(): void {
     this.end();
-    this.#observer = new IntersectionObserver(
+    this.#observer = new (windowOf(this.#element).IntersectionObserver)(
       (entries) => {
         if (entries.some(({ isIntersecting }) => isIntersecting)) this.#near();
       },

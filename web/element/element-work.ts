@@ -2,6 +2,7 @@
 import type { LitElement } from "lit";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { ToldError } from "../editor/strings/told-error.ts";
+import { adoptStyle } from "../viewer/adopt-style.ts";
 import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
 import type { DesignExport } from "./desk/export-design.ts";
 import type { SubmitDetail, TexelcastEditorProperties } from "./element-api.ts";
@@ -169,7 +170,7 @@ export class Work {
       this.#run = new Run({
         ...{ kind, src, zones, words: voice.words, limits: this.settings.limits },
         design: { given: design, kept: this.#kept?.steps ?? null, keptFirst: this.#kept?.behind === false },
-        base: document.baseURI,
+        base: element.baseURI,
         host: this.#modeHost(this.#view),
         progress: (share) => this.#progress(share),
       });
@@ -309,8 +310,5 @@ function makeView(): HTMLElement {
 }
 
 function adopt({ renderRoot: root }: LitElement, styles: Mode["styles"]): void {
-  if (!(root instanceof ShadowRoot)) return;
-  for (const { styleSheet } of styles) {
-    if (styleSheet && !root.adoptedStyleSheets.includes(styleSheet)) root.adoptedStyleSheets.push(styleSheet);
-  }
+  for (const { cssText } of styles) adoptStyle(root as ShadowRoot, cssText);
 }

@@ -2,8 +2,8 @@
  * `<texelcast-editor>`: the element that a page writes. Light until it is seen or touched; then it brings the mode that the
  * page asks for, and opens the page's model and design in it. Importing this file registers nothing and runs in bare Node.
  */
-import { html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
-import { inOwnRem, keepRem } from "../editor/ui/own-rem.ts";
+import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { RemElement } from "../editor/ui/rem-element.ts";
 import { plainControls } from "../editor/ui/theme.ts";
 import type {
   DecalSource,
@@ -27,6 +27,7 @@ import { Sight } from "./element-sight.ts";
 import { elementStyles } from "./element-styles.ts";
 import { Voice } from "./element-voice.ts";
 import { Work } from "./element-work.ts";
+import { keepRem } from "./keep-rem.ts";
 import type { AtDesk, Mode } from "./mode.ts";
 import { tokens } from "./shop/tokens.ts";
 
@@ -115,11 +116,11 @@ export interface TexelcastEditor {
  * @cssprop --texelcast-font - Families of the type.
  */
 // biome-ignore lint/suspicious/noUnsafeDeclarationMerging: only overloads of what every element has.
-export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
+export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
   /** @internal */
   static override properties = PROPERTIES;
   /** @internal */
-  static override styles = [tokens, plainControls, elementStyles].map(inOwnRem);
+  static override styles = [tokens, plainControls, elementStyles];
 
   declare src: TexelcastEditorProperties["src"];
   declare design: TexelcastEditorProperties["design"];
@@ -185,6 +186,13 @@ export class TexelcastEditor extends LitElement implements TexelcastEditorApi {
       this.#gone = !this.isConnected;
       if (this.#gone) this.#work.close();
     });
+  }
+
+  /** @internal */
+  override adoptedCallback(): void {
+    super.adoptedCallback();
+    // Its graphics and listeners are those of another window; it opens anew in this one.
+    if (this.renderRoot) this.#work.close();
   }
 
   /** Begins to load, whatever `loading` says. */

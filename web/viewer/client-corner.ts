@@ -4,6 +4,7 @@
  * the frame (0.6 ms of each frame in a drag).
  */
 import type { ScreenPoint } from "./screen-space.ts";
+import { windowOf } from "./window-of.ts";
 
 export class ClientCorner {
   readonly #element: HTMLElement;
@@ -16,7 +17,8 @@ export class ClientCorner {
     const forget = (): void => {
       this.#corner = null;
     };
-    this.#resize = new ResizeObserver(forget);
+    const window = windowOf(element);
+    this.#resize = new window.ResizeObserver(forget);
     this.#resize.observe(element);
     const early = { capture: true, passive: true, signal: this.#abort.signal };
     for (const type of ["pointerdown", "scroll", "resize"] as const) {

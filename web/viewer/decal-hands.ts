@@ -2,6 +2,7 @@
 import { Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { PlanarProjector, Projector, Vec3 } from "../engine/engine-api.ts";
+import { adoptStyle } from "./adopt-style.ts";
 import type { HeldRig } from "./camera-rig.ts";
 import { DecalGizmo, type PosedView } from "./decal-gizmo.ts";
 import { GIZMO_STYLE } from "./gizmo-style.ts";
@@ -15,7 +16,6 @@ import type { SurfaceSample } from "./surface-query.ts";
 import type { ThrownKinds } from "./thrown-kinds.ts";
 import { ViewInput } from "./view-input.ts";
 import type { SurfaceHit } from "./viewer-api.ts";
-import { adoptStyle } from "./viewer-style.ts";
 
 export interface DecalHandsParts {
   readonly view: StillView;

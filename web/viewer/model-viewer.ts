@@ -2,6 +2,7 @@
 import { Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Projector, Vec3 } from "../engine/engine-api.ts";
+import { adoptStyle } from "./adopt-style.ts";
 import { ClipClock } from "./clip-clock.ts";
 import { frameDecal } from "./decal-framing.ts";
 import { DecalHands } from "./decal-hands.ts";
@@ -32,7 +33,6 @@ import type {
   ModelViewer,
   TexturePlace,
 } from "./viewer-api.ts";
-import { adoptStyle } from "./viewer-style.ts";
 
 /** Builds a viewer that fills `host`, which must have a size of its own. Throws a TexelcastError without WebGL 2. */
 export function createModelViewer(host: HTMLElement, options: ModelViewOptions = {}): ModelViewer {

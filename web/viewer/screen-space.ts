@@ -1,6 +1,7 @@
 /** Model space to CSS pixels of the view and back, for one camera and one view size. */
 import { type PerspectiveCamera, Ray, Vector2, Vector3 } from "three";
 import { ClientCorner } from "./client-corner.ts";
+import { windowOf } from "./window-of.ts";
 
 export interface ScreenPoint {
   /** CSS pixels from the view's top left corner. */
@@ -21,7 +22,7 @@ export class ScreenSpace {
     this.#corner = new ClientCorner(element);
     // Asked of the document once a size and not once a point: the gizmo changes its drawing in each frame of a drag, and
     // after a change each question makes the browser lay the page out anew.
-    this.#resize = new ResizeObserver(() => {
+    this.#resize = new (windowOf(element).ResizeObserver)(() => {
       this.#size = null;
     });
     this.#resize.observe(element);

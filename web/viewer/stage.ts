@@ -21,6 +21,7 @@ import { LostContext } from "./lost-context.ts";
 import { MotionResolution } from "./motion-resolution.ts";
 import { createStudioEnvironment } from "./studio-environment.ts";
 import { OVERLAY_LAYER } from "./view-layers.ts";
+import { windowOf } from "./window-of.ts";
 
 /** A frame costs four times at 3 what it costs at 1.5, and nobody sees it. */
 const MOST_PIXEL_RATIO = 2;
@@ -97,7 +98,7 @@ export class Stage {
     this.#shadow.mesh.layers.set(OVERLAY_LAYER);
     this.#ground.mesh.layers.set(OVERLAY_LAYER);
 
-    this.#resize = new ResizeObserver(() => {
+    this.#resize = new (windowOf(root).ResizeObserver)(() => {
       this.#resized = true;
       this.requestFrame();
     });

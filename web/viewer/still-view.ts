@@ -4,6 +4,7 @@
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
+import { adoptStyle } from "./adopt-style.ts";
 import { frameModel } from "./camera-framing.ts";
 import type { Orbit } from "./camera-orbit.ts";
 import { EventHub } from "./event-hub.ts";
@@ -13,7 +14,7 @@ import { Stage } from "./stage.ts";
 import { StillModel } from "./still-model.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import type { ModelView, ModelViewerEvents, ViewerDecal } from "./viewer-api.ts";
-import { adoptStyle, VIEW_STYLE } from "./viewer-style.ts";
+import { VIEW_STYLE } from "./viewer-style.ts";
 
 export interface ModelViewOptions {
   /** Accessible name of the view; default "3D view". */

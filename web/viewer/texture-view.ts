@@ -1,6 +1,7 @@
 /** The 2D view: a material's unfolded texture, live, with UV outlines over it. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { MapView, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
+import { adoptStyle } from "./adopt-style.ts";
 import { BoundTexture, type OverlayColors } from "./bound-texture.ts";
 import { readCssColor } from "./css-color.ts";
 import { EventHub } from "./event-hub.ts";
@@ -28,7 +29,8 @@ import type {
   TextureViewEvents,
   ViewerDecal,
 } from "./viewer-api.ts";
-import { adoptStyle, VIEW_STYLE } from "./viewer-style.ts";
+import { VIEW_STYLE } from "./viewer-style.ts";
+import { windowOf } from "./window-of.ts";
 
 export interface TextureViewOptions {
   /** Accessible name of the view; default "Texture". */
@@ -118,7 +120,7 @@ class GlTextureView implements TextureView {
       changed: () => this.#drawTask.request(),
       fit: () => this.resetZoom(),
     });
-    this.#resize = new ResizeObserver(() => this.#applySize());
+    this.#resize = new (windowOf(root).ResizeObserver)(() => this.#applySize());
     this.#resize.observe(root);
     this.#watch();
   }

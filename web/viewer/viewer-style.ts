@@ -1,5 +1,5 @@
 /**
- * The views' style sheet. Constructed, not inlined: a strict content security policy refuses inline styles.
+ * The views' style sheet.
  *
  * Custom properties that a page may set: --viewer-accent (the gizmo), --viewer-on-accent (text on it), --viewer-handle
  * (the handles' fill; it lies on the model, so it stays white on a dark page, too),
@@ -22,20 +22,3 @@ export const VIEW_STYLE = /* css */ `
 }
 .tcv-canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
 `;
-
-const sheets = new Map<string, CSSStyleSheet>();
-
-/** Gives a style to the document or shadow tree in which `host` stands; once each. */
-export function adoptStyle(host: HTMLElement, style: string): void {
-  const tree = host.getRootNode();
-  const owner = tree instanceof ShadowRoot ? tree : document;
-  let sheet = sheets.get(style);
-  if (sheet === undefined) {
-    sheet = new CSSStyleSheet();
-    sheet.replaceSync(style);
-    sheets.set(style, sheet);
-  }
-  if (!owner.adoptedStyleSheets.includes(sheet)) {
-    owner.adoptedStyleSheets.push(sheet);
-  }
-}

@@ -2,16 +2,17 @@
  * Quiet figures under the views. They are not announced: they change in every frame of a drag. What that cost is for whoever
  * asks: it shows over the figure of the painted texels, and is in the test handle's `stats()`.
  */
-import { css, html, LitElement, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type TemplateResult } from "lit";
 import type { Editor } from "../state/editor.ts";
 import type { EditorState, Figures } from "../state/editor-state.ts";
 import { StoreController } from "../state/store.ts";
 import type { Strings } from "../strings.ts";
+import { RemElement } from "../ui/rem-element.ts";
 
 /** Milliseconds between two changes of the figures: faster ones nobody reads. */
 const PACE = 150;
 
-export class StatusLine extends LitElement {
+export class StatusLine extends RemElement {
   static override properties = { editor: { attribute: false } };
   declare editor: Editor;
 

@@ -2,8 +2,9 @@
  * A numeric field: typing, arrow keys, and a label to scrub with the pointer. Emits `field-preview` while a scrub goes
  * on, `field-change` when a value is final, `field-cancel` when a key takes a scrub back; `detail` is a NumberFieldEvent.
  */
-import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from "lit";
+import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { takesBack } from "../../viewer/take-back-key.ts";
+import { RemElement } from "./rem-element.ts";
 import { plainControls } from "./theme.ts";
 import { typedNumber } from "./typed-number.ts";
 
@@ -20,7 +21,7 @@ const FINE = 0.1;
 /** Milliseconds that a field is marked whose number was not understood. */
 const REFUSAL = 1500;
 
-export class NumberField extends LitElement {
+export class NumberField extends RemElement {
   /** A fieldset around it that is disabled disables it. */
   static readonly formAssociated = true;
   static override properties = {

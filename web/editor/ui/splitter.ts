@@ -1,10 +1,11 @@
 /** A bar between two panes (WAI-ARIA window splitter). Emits `split` with the share of the second pane, 0 to 1. */
-import { css, html, LitElement, type TemplateResult } from "lit";
+import { css, html, type TemplateResult } from "lit";
+import { RemElement } from "./rem-element.ts";
 import { plainControls } from "./theme.ts";
 
 const KEY_STEP = 0.02;
 
-export class Splitter extends LitElement {
+export class Splitter extends RemElement {
   static override properties = {
     name: {},
     share: { type: Number },

@@ -1,8 +1,7 @@
 /** The whole editor's box in the element, and the line under it. */
 import { css } from "lit";
-import { inOwnRem } from "../../editor/ui/own-rem.ts";
 
-export const fullStyles = inOwnRem(css`
+export const fullStyles = css`
   .full {
     position: absolute;
     inset: 0;
@@ -36,4 +35,4 @@ export const fullStyles = inOwnRem(css`
   .full .quality {
     margin-inline-end: auto;
   }
-`);
+`;

@@ -1,8 +1,7 @@
 /** What the print's report says in a word, and the colours of its map. */
 import { css } from "lit";
-import { inOwnRem } from "../../editor/ui/own-rem.ts";
 
-export const badgeStyles = inOwnRem(css`
+export const badgeStyles = css`
   .badge {
     flex: none;
     padding: 0.1rem 0.45rem;
@@ -38,4 +37,4 @@ export const badgeStyles = inOwnRem(css`
   .legend .bad {
     color: var(--danger);
   }
-`);
+`;

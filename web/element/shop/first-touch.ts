@@ -3,6 +3,7 @@
  * lost. A pointer that is still down goes on from where it went down; one that came and went was a click.
  */
 import type { DecalViewer } from "../../viewer/viewer-api.ts";
+import { windowOf } from "../../viewer/window-of.ts";
 
 /** Pixels that a press may wander and still be a click. */
 const SLOP = 8;
@@ -37,6 +38,7 @@ export class FirstTouch {
       { signal, passive: false },
     );
     // Wherever it goes: what is pressed may be let go beside the view.
+    const window = windowOf(view);
     window.addEventListener("pointermove", (event) => this.#move(event), { signal });
     window.addEventListener("pointerup", (event) => this.#up(event), { signal });
     window.addEventListener("pointercancel", (event) => this.#presses.delete(event.pointerId), { signal });

@@ -1,8 +1,7 @@
 /** Of the shop mode's panel what shows a design: its list, its fields, what the printer says. */
 import { css } from "lit";
-import { inOwnRem } from "../../editor/ui/own-rem.ts";
 
-export const designStyles = inOwnRem(css`
+export const designStyles = css`
   .legend {
     position: absolute;
     inset-block-end: 0.75rem;
@@ -140,4 +139,4 @@ export const designStyles = inOwnRem(css`
     color: var(--text-quiet);
     font-variant-numeric: tabular-nums;
   }
-`);
+`;

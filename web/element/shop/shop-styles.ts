@@ -1,8 +1,7 @@
 /** The shop mode's layout: the product, and beside it (under it where the element is narrow) what is on it. */
 import { css } from "lit";
-import { inOwnRem } from "../../editor/ui/own-rem.ts";
 
-export const shopStyles = inOwnRem(css`
+export const shopStyles = css`
   .shop {
     display: grid;
     grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(17rem, 21rem);
@@ -130,4 +129,4 @@ export const shopStyles = inOwnRem(css`
       padding: var(--space-2) var(--space-3) max(var(--space-3), env(safe-area-inset-bottom));
     }
   }
-`);
+`;

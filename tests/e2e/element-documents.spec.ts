@@ -1,0 +1,95 @@
+/** `<texelcast-editor>` that a page moves into another document of its own: an iframe without an address, a window. */
+import { expect, type Frame, type Page, test } from "@playwright/test";
+
+type Editor = HTMLElementTagNameMap["texelcast-editor"];
+
+/** A document beside the page's own, tall enough to work in. */
+async function otherDocument(page: Page, kind: "iframe" | "window"): Promise<Frame> {
+  if (kind === "window") {
+    const opened = page.waitForEvent("popup");
+    await page.evaluate(() => void window.open("about:blank", "other", "width=900,height=800"));
+    return (await opened).mainFrame();
+  }
+  await page.evaluate(() => {
+    const iframe = document.createElement("iframe");
+    iframe.name = "other";
+    Object.assign(iframe.style, { width: "900px", height: "700px", border: "0" });
+    document.body.prepend(iframe);
+  });
+  const frame = page.frame("other");
+  if (!frame) throw new Error("The iframe has no document.");
+  return frame;
+}
+
+/** Takes the page's element there; what it tells from then on is its `told`. */
+const moveTo = (page: Page, kind: "iframe" | "window"): Promise<void> =>
+  page.evaluate((kind) => {
+    const editor = document.querySelector("texelcast-editor") as Editor;
+    const target = kind === "iframe" ? window.frames[0] : window.open("", "other");
+    target?.document.body.append(target.document.adoptNode(editor));
+  }, kind);
+
+const look = (frame: Frame): Promise<Record<string, string | undefined>> =>
+  frame.locator("texelcast-editor").evaluate((editor) => {
+    const view = editor.ownerDocument.defaultView as Window;
+    const submit = editor.shadowRoot?.querySelector("[data-act=submit]");
+    const { display, position, contain } = view.getComputedStyle(editor);
+    return {
+      ...{ display, position, contain },
+      rem: view.getComputedStyle(editor).getPropertyValue("--_texelcast-rem"),
+      button: submit ? view.getComputedStyle(submit).backgroundColor : undefined,
+      view: view.getComputedStyle(editor.shadowRoot?.querySelector(".tcv-root") as Element).overflow,
+    };
+  });
+
+for (const kind of ["iframe", "window"] as const) {
+  for (const mode of ["shop", "full"] as const) {
+    test(`moved into another ${kind}, the ${mode} mode keeps its looks and its design, and goes on`, async ({
+      page,
+    }) => {
+      const thrown: string[] = [];
+      page.on("pageerror", (error) => thrown.push(String(error)));
+      await page.goto(`element.html?loading=eager&mode=${mode}`);
+      await page.locator("texelcast-editor").evaluate(async (element: Editor) => {
+        await element.addDecal("demo/decals/smiley.png");
+      });
+      const before = await look(page.mainFrame());
+      const other = await otherDocument(page, kind);
+      await moveTo(page, kind);
+      const editor = other.locator("texelcast-editor");
+      await editor.evaluate((element: Editor) => element.start());
+      await expect.poll(() => look(other)).toEqual(before);
+
+      // The steps came along, too.
+      const counts = await editor.evaluate(async (element: Editor) => {
+        const layers = async (): Promise<number> => (await element.exportDesign()).design.layers.length;
+        const moved = await layers();
+        element.undo();
+        return [moved, await layers(), element.redo(), await layers()];
+      });
+      expect(counts).toEqual([1, 0, true, 1]);
+
+      // A hand finds the decal, and a key of that document takes its drag back.
+      const place = async (): Promise<unknown> =>
+        (await editor.evaluate((element: Editor) => element.exportDesign())).design.layers[0];
+      const rested = await place();
+      const { mouse, keyboard } = kind === "iframe" ? page : other.page();
+      const box = await editor.locator(".tcv-canvas").first().boundingBox();
+      if (!box) throw new Error("The view has no place.");
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+      const drag = async (): Promise<void> => {
+        await mouse.move(x, y);
+        await mouse.down();
+        await mouse.move(x + 20, y, { steps: 4 });
+      };
+      await drag();
+      await keyboard.press("Escape");
+      await mouse.up();
+      expect(await place()).toEqual(rested);
+      await drag();
+      await mouse.up();
+      expect(await place()).not.toEqual(rested);
+      expect(thrown).toEqual([]);
+    });
+  }
+}
