@@ -195,6 +195,30 @@ test("elements come, move and go, and leave no worker, graphics or picture behin
   expect(await codes(page)).toEqual([]);
 });
 
+test("an element that goes from the page while the shop makes up its mind, or a file is slow, lets the calls go", async ({
+  page,
+}) => {
+  await openShop(page, "?loading=eager");
+  // Its answer never comes.
+  await page.route("**/slow.png", () => {});
+  const asked = await page.evaluate(async () => {
+    const editor = document.querySelector("texelcast-editor") as HTMLElementTagNameMap["texelcast-editor"];
+    const asking = new Promise<AbortSignal>((resolve) => {
+      editor.beforeAccept = (_, { signal }) => {
+        resolve(signal);
+        return new Promise(() => {});
+      };
+    });
+    const codeOf = (call: Promise<unknown>): Promise<string> => call.then(String, ({ code }) => code);
+    const calls = [editor.addDecal("slow.png"), editor.addDecal("demo/decals/smiley.png")].map(codeOf);
+    const signal = await asking;
+    editor.remove();
+    return { codes: await Promise.all(calls), aborted: signal.aborted };
+  });
+  expect(asked).toEqual({ codes: ["disposed", "disposed"], aborted: true });
+  expect(await codes(page)).toEqual([]);
+});
+
 test("an element whose graphics stay away says so, and begins anew with its design and its steps when it is asked to", async ({
   page,
 }) => {

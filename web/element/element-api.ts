@@ -94,8 +94,14 @@ export interface CandidateAsset {
 /** Whether the shop takes an asset; a reason is told to the user. */
 export type Acceptance = boolean | { readonly accept: boolean; readonly reason?: string };
 
-/** The shop's say over each asset (moderation). One that throws or rejects refuses the asset. */
-export type BeforeAccept = (asset: CandidateAsset) => Acceptance | Promise<Acceptance>;
+/**
+ * The shop's say over each asset (moderation). One that throws, rejects or does not answer for two minutes refuses the asset. The
+ * signal is aborted when nobody waits for the answer any more: then, and when the element goes from the page.
+ */
+export type BeforeAccept = (
+  asset: CandidateAsset,
+  options: { readonly signal: AbortSignal },
+) => Acceptance | Promise<Acceptance>;
 
 /**
  * What of the print file is wanted. Without a `material` or a `zone` it is the element's material; without `size` and `dpi` the

@@ -47,7 +47,7 @@ export class Desk {
   #seen: Pick<EditorState, "selectedId">;
   /** What the page knows of; null until the desk is open. */
   #recorded: Design | null = null;
-  #closed = false;
+  readonly #closing = new AbortController();
   readonly #loadHands: () => Promise<DecalViewer>;
   #taking: Promise<DecalViewer> | null = null;
   /** What was begun and is not in the design yet. */
@@ -256,13 +256,18 @@ export class Desk {
   }
 
   get closed(): boolean {
-    return this.#closed;
+    return this.signal.aborted;
+  }
+
+  /** Aborted with "disposed" when it is closed. */
+  get signal(): AbortSignal {
+    return this.#closing.signal;
   }
 
   /** Ends the worker and the graphics. */
   close(): void {
-    if (this.#closed) return;
-    this.#closed = true;
+    if (this.closed) return;
+    this.#closing.abort(new TexelcastError("disposed", "The product was closed."));
     this.library.dispose();
     this.engine.dispose();
     this.viewer.dispose();
@@ -272,7 +277,7 @@ export class Desk {
     const { selectedId } = this.store.state;
     const before = this.#seen;
     this.#seen = { selectedId };
-    if (this.#closed) return;
+    if (this.closed) return;
     if (selectedId !== before.selectedId) this.hooks.selected(selectedId);
     if (this.#recorded === null || this.design === this.#recorded) return;
     this.#recorded = this.design;

@@ -1,5 +1,5 @@
 /** Putting pictures and words on the product. */
-import type { TexelcastError } from "../../core/texelcast-error.ts";
+import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { LayerMaterials } from "../../editor/document/design.ts";
 import { freeIdIn } from "../../editor/document/layer-tree.ts";
 import { makeDecalLayer } from "../../editor/document/make-layer.ts";
@@ -16,6 +16,8 @@ import type { Desk } from "./desk.ts";
 import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
 import { startingPlace } from "./zone-place.ts";
 
+/** How long a shop may make up its mind, milliseconds: it may ask a service, or a person. As long as through an iframe. */
+const PATIENCE = 120_000;
 /** Of the model's diagonal: a new decal's longer side. */
 const NEW_SHARE = 0.22;
 
@@ -105,7 +107,7 @@ async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; 
     throw new ToldError("bad-argument", words.errors.badOption("source"), { field: "source", value: typeof source });
   }
   const url = addressOf(String(source), document.baseURI, words);
-  return { name: nameOf(url), bytes: await fetchBytes(url, { words, signal: new AbortController().signal }) };
+  return { name: nameOf(url), bytes: await fetchBytes(url, { words, signal: desk.signal }) };
 }
 
 /** A picture's bytes without metadata: checked, and accepted by the shop. */
@@ -116,8 +118,8 @@ export async function admitPicture(desk: Desk, name: string, bytes: Uint8Array):
   return checked.bytes;
 }
 
-/** Rejects with "refused" where the shop does not take an asset, or its hook fails. */
-export async function askShop({ settings }: Desk, asset: CandidateAsset): Promise<void> {
+/** Rejects with "refused" where the shop does not take an asset, or its hook fails or is silent; "disposed" where the desk is closed. */
+export async function askShop({ settings, signal }: Desk, asset: CandidateAsset): Promise<void> {
   const { beforeAccept, words } = settings;
   if (beforeAccept === null) return;
   const refused = (reason: string | undefined, cause?: unknown): TexelcastError =>
@@ -128,11 +130,29 @@ export async function askShop({ settings }: Desk, asset: CandidateAsset): Promis
     });
   let answer: Acceptance;
   try {
-    answer = await beforeAccept({ ...asset, bytes: asset.bytes.slice() });
+    answer = await inTime(signal, (signal) => beforeAccept({ ...asset, bytes: asset.bytes.slice() }, { signal }));
   } catch (cause) {
+    signal.throwIfAborted();
     throw refused(undefined, cause);
   }
   if (answer === true) return;
   if (typeof answer !== "object" || answer === null) throw refused(undefined);
   if (answer.accept !== true) throw refused(answer.reason);
+}
+
+/** What somebody answers, asked with a signal that is aborted when nobody waits for it any more: then it rejects with the reason. */
+async function inTime<T>(end: AbortSignal, ask: (signal: AbortSignal) => T): Promise<Awaited<T>> {
+  end.throwIfAborted();
+  const patience = new AbortController();
+  const late = new TexelcastError("timeout", "“beforeAccept” did not answer.", { value: String(PATIENCE) });
+  const timer = setTimeout(() => patience.abort(late), PATIENCE);
+  const signal = AbortSignal.any([end, patience.signal]);
+  const silence = new Promise<never>((_, reject) => {
+    signal.addEventListener("abort", () => reject(signal.reason));
+  });
+  try {
+    return await Promise.race([ask(signal), silence]);
+  } finally {
+    clearTimeout(timer);
+  }
 }

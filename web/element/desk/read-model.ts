@@ -36,7 +36,7 @@ async function fetchSideFiles(
   return new Map(files);
 }
 
-/** The whole of what lies at an address. Rejects with "missing-file" or "cancelled". */
+/** The whole of what lies at an address. Rejects with "missing-file", and where it is called off with the signal's own reason or "cancelled". */
 export async function fetchBytes(url: URL, { words, signal, progress }: Fetching): Promise<Uint8Array> {
   try {
     const response = await fetch(url, { signal });
@@ -60,7 +60,7 @@ export async function fetchBytes(url: URL, { words, signal, progress }: Fetching
     }
     return whole;
   } catch (cause) {
-    if (signal.aborted) throw new TexelcastError("cancelled", `${url.href} is not wanted any more.`, { cause });
+    if (signal.aborted) throw TexelcastError.wrap(signal.reason, "cancelled", `${url.href} is not wanted any more.`);
     throw unreachable(url.href, words, cause);
   }
 }
