@@ -191,6 +191,43 @@ test("an error of the element comes over with its words, silence is given up, an
   expect(told).toEqual(["internal", "timeout", "bad-argument", "disposed", "disposed", null]);
 });
 
+test("an iframe that is moved in the page is driven anew: what was on its way is called off, and told", async () => {
+  const told = await inShop(
+    "stub",
+    `const codeOf = (promise) => promise.then((value) => value, (error) => error.code);
+     const unheard = [];
+     addEventListener("unhandledrejection", ({ reason }) => unheard.push(String(reason)));
+     const errors = [];
+     frame.addEventListener("error", ({ detail }) => errors.push(detail.code));
+     let signal;
+     globalThis.hook = (asked) => { signal = asked; return new Promise(() => {}); };
+     await frame.set({ locale: "de" });
+     const waiting = [codeOf(frame.start()), codeOf(frame.addDecal(new Uint8Array(3), { name: "logo" })), frame.start().catch(() => {})];
+     while (!signal) await frame.undo();
+     frame.validate();
+     const box = document.createElement("div");
+     document.body.append(box);
+     box.append(frame.iframe);
+     // At once, and when the page is there again.
+     const later = await Promise.all([codeOf(frame.undo()), codeOf(frame.set({ size: 512 }))]);
+     globalThis.hook = () => true;
+     later.push(await frame.addDecal(new Uint8Array(3), { name: "logo" }));
+     return { waiting: await Promise.all(waiting), aborted: signal.aborted, later, errors, unheard, ignored: frame.ignoredMessages };`,
+    `{ maxDecals: 3, beforeAccept: (asset, { signal }) => hook(signal) }`,
+  );
+  expect(told).toEqual({
+    waiting: ["cancelled", "cancelled", undefined],
+    aborted: true,
+    later: [true, undefined, "logo3"],
+    errors: ["cancelled"],
+    unheard: [],
+    ignored: 0,
+  });
+  const frame = opened.page.frames().at(-1);
+  expect(await frame?.evaluate("[editor.maxDecals, editor.locale, editor.size]")).toEqual([3, "de", 512]);
+  expect(opened.complaints).toEqual([]);
+});
+
 test("malformed, repeated and unasked-for messages of the editor's page are ignored and counted", async () => {
   const told = await inShop(
     "false",

@@ -89,7 +89,8 @@ type Answer<Method> = Method extends (...args: infer Args) => infer Result
   : never;
 
 /**
- * The editor in its iframe. Events have the element's names and details, as CustomEvents of this object that tell of what was:
+ * The editor in its iframe. Where that is moved and its page loaded anew, what waits rejects with "cancelled", "error" tells it, and
+ * later calls go to the new page, which has the properties and not the design. Events have the element's names and details, as CustomEvents of this object that tell of what was:
  * `preventDefault()` of "submit" does nothing, and the editor says that the design is ready.
  */
 export interface TexelcastFrame {

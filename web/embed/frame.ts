@@ -8,8 +8,9 @@ import {
   type MountOptions,
   type TexelcastFrame,
 } from "./frame-api.ts";
-import { EMBED_VERSION, readGreeting, SHOP_PARAMETER } from "./messages.ts";
-import { PortCalls } from "./port-calls.ts";
+import { FrameLink } from "./frame-link.ts";
+import { ACCEPTANCE_PATIENCE_MS, SHOP_PARAMETER } from "./messages.ts";
+import type { PortCalls } from "./port-calls.ts";
 
 const PATIENCE_MS = 30_000;
 const LONG_PATIENCE_MS = 120_000;
@@ -52,78 +53,70 @@ export async function mountTexelcast(container: Element, options: MountOptions):
   Object.assign(iframe.style, { width: "100%", height: "100%", border: "0", display: "block" });
 
   let ignored = 0;
-  const onIgnored = (): void => {
-    ignored += 1;
-  };
   const events = new EventTarget();
-  const answer = async (method: string, args: readonly unknown[]): Promise<unknown> => {
-    if (method !== "beforeAccept") throw new TexelcastError("bad-argument", `The shop's page has no “${method}”.`);
-    // Whatever it is, the element judges it: what is no answer refuses.
-    return beforeAccept === null || (await beforeAccept(args[0] as never));
-  };
-  const onEvent = (name: string, detail: unknown): void => {
+  const tell = (name: string, detail: unknown): void => {
     events.dispatchEvent(new CustomEvent(name, { detail }));
   };
+  const answer = async (method: string, args: readonly unknown[], end: AbortSignal): Promise<unknown> => {
+    if (method !== "beforeAccept") throw new TexelcastError("bad-argument", `The shop's page has no “${method}”.`);
+    const signal = AbortSignal.any([end, AbortSignal.timeout(ACCEPTANCE_PATIENCE_MS)]);
+    // Whatever it is, the element judges it: what is no answer refuses.
+    return beforeAccept === null || (await beforeAccept(args[0] as never, { signal }));
+  };
 
-  const greeting = new AbortController();
-  const connected = new Promise<PortCalls>((resolve, reject) => {
-    const patience = timeoutMs ?? LONG_PATIENCE_MS;
-    const timer = setTimeout(() => reject(silent(address, patience)), patience);
-    let isConnected = false;
-    const listen = (event: MessageEvent): void => {
-      const hello = readGreeting(event.data, "hello");
-      const isFromFrame = event.source === iframe.contentWindow;
-      // Other messages of the page's own traffic are none of ours.
-      if (!isFromFrame && hello === null) return;
-      if (!isFromFrame || event.origin !== address.origin || hello === null || isConnected) {
-        onIgnored();
-        return;
-      }
-      isConnected = true;
-      clearTimeout(timer);
-      if (hello.version !== EMBED_VERSION) {
-        reject(otherVersion(hello.version));
-        return;
-      }
-      const { port1, port2 } = new MessageChannel();
-      const calls = new PortCalls(port1, { answer, onEvent, onIgnored });
-      iframe.contentWindow?.postMessage(
-        { texelcast: "connect", version: EMBED_VERSION, nonce: hello.nonce },
-        address.origin,
-        [port2],
-      );
-      resolve(calls);
-    };
-    addEventListener("message", listen, { signal: greeting.signal });
+  let held = propertiesOf(options);
+  const give = (calls: PortCalls, properties: FrameProperties): Promise<unknown> =>
+    calls.call("set", [properties, beforeAccept !== null], timeoutMs ?? PATIENCE_MS);
+  const link = new FrameLink({
+    iframe,
+    address,
+    answer,
+    patienceMs: timeoutMs ?? LONG_PATIENCE_MS,
+    onEvent: tell,
+    onIgnored: () => {
+      ignored += 1;
+    },
+    // The element took all of it once.
+    connected: (calls, anew) => void (anew && give(calls, held).catch(() => undefined)),
+    lost: (error) => {
+      const { code, message, hint = "" } = error;
+      tell("error", { error: error.toJSON(), code, message, hint });
+    },
   });
 
   address.searchParams.set(SHOP_PARAMETER, location.origin);
   iframe.src = address.href;
   container.append(iframe);
-  let calls: PortCalls;
   try {
-    calls = await connected;
-    await calls.call("set", [propertiesOf(options), beforeAccept !== null], timeoutMs ?? PATIENCE_MS);
+    await give(await link.ready(), held);
   } catch (error) {
-    greeting.abort();
+    link.end(new TexelcastError("disposed", "The editor could not be mounted."));
     iframe.remove();
     throw error;
   }
 
+  /** As with the element: whoever does not wait for it causes no unhandled rejection. */
+  const asked = (ask: (calls: PortCalls) => Promise<unknown>): Promise<unknown> => {
+    const told = link.ready().then(ask);
+    told.catch(() => undefined);
+    return told;
+  };
   const methods = Object.fromEntries(
     FRAME_METHODS.map((method) => [
       method,
-      (...args: unknown[]): Promise<unknown> => calls.call(method, args, timeoutMs ?? patienceFor(method)),
+      (...args: unknown[]) => asked((calls) => calls.call(method, args, timeoutMs ?? patienceFor(method))),
     ]),
   );
   const frame = Object.assign(events, methods, {
     iframe,
-    set: async (properties: FrameProperties): Promise<void> => {
-      await calls.call("set", [propertiesOf(properties), beforeAccept !== null], timeoutMs ?? PATIENCE_MS);
-    },
+    set: (properties: FrameProperties): Promise<unknown> =>
+      asked(async (calls) => {
+        const given = propertiesOf(properties);
+        await give(calls, given);
+        held = { ...held, ...given };
+      }),
     unmount: (): void => {
-      greeting.abort();
-      calls.end(new TexelcastError("disposed", "The editor was taken from the page."));
+      link.end(new TexelcastError("disposed", "The editor was taken from the page."));
       iframe.remove();
     },
   });
@@ -145,19 +138,4 @@ function pageAddress(page: string | URL): URL {
 function propertiesOf(options: FrameProperties): FrameProperties {
   const given = FRAME_PROPERTIES.filter((name) => options[name] !== undefined);
   return Object.fromEntries(given.map((name) => [name, options[name]]));
-}
-
-function silent(address: URL, patience: number): TexelcastError {
-  return new TexelcastError("timeout", `The editor's page did not answer within ${patience / 1000} seconds.`, {
-    subject: address.href,
-    hint: "See whether the address is right, and whether that page lists this shop's origin.",
-  });
-}
-
-function otherVersion(version: number): TexelcastError {
-  return new TexelcastError("unsupported", `The editor's page speaks version ${version} of the iframe's protocol.`, {
-    field: "version",
-    value: String(version),
-    hint: `This shop's side speaks version ${EMBED_VERSION}: use both from the same release.`,
-  });
 }

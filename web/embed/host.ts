@@ -2,11 +2,8 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Acceptance, BeforeAccept, TexelcastEditorApi } from "../element/element-api.ts";
 import { FRAME_EVENTS, FRAME_METHODS, FRAME_PROPERTIES } from "./frame-api.ts";
-import { EMBED_VERSION, makeNonce, readGreeting, SHOP_PARAMETER } from "./messages.ts";
+import { ACCEPTANCE_PATIENCE_MS, EMBED_VERSION, makeNonce, readGreeting, SHOP_PARAMETER } from "./messages.ts";
 import { PortCalls } from "./port-calls.ts";
-
-/** A shop's moderation may ask a service, or a person. */
-const ACCEPTANCE_PATIENCE_MS = 120_000;
 
 export interface HostOptions {
   /** Exact origins that may frame the page; null: any that names itself. */

@@ -11,6 +11,9 @@ export const EMBED_VERSION = 1;
 /** Where the editor's page finds the origin of the shop that framed it. */
 export const SHOP_PARAMETER = "shop";
 
+/** A shop's moderation may ask a service, or a person. */
+export const ACCEPTANCE_PATIENCE_MS = 120_000;
+
 /** Through the channel, either way. */
 export type ChannelMessage =
   | { readonly kind: "request"; readonly id: number; readonly method: string; readonly args: readonly unknown[] }

@@ -3,8 +3,8 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import { type ChannelMessage, readChannelMessage } from "./messages.ts";
 
 export interface PortCallsParts {
-  /** Answers the other side's requests. Throw a TexelcastError to refuse one. */
-  readonly answer: (method: string, args: readonly unknown[]) => unknown;
+  /** Answers the other side's requests, for which nobody waits when `end` is aborted. Throw a TexelcastError to refuse one. */
+  readonly answer: (method: string, args: readonly unknown[], end: AbortSignal) => unknown;
   readonly onEvent: (name: string, detail: unknown) => void;
   /** A message was ignored. */
   readonly onIgnored: () => void;
@@ -22,7 +22,7 @@ export class PortCalls {
   readonly #waiting = new Map<number, Waiting>();
   #nextId = 1;
   #newestAsked = 0;
-  #ended: TexelcastError | null = null;
+  readonly #end = new AbortController();
 
   constructor(port: MessagePort, parts: PortCallsParts) {
     this.#port = port;
@@ -36,7 +36,8 @@ export class PortCalls {
    * it answers later is ignored and counted.
    */
   call(method: string, args: readonly unknown[], timeoutMs: number): Promise<unknown> {
-    if (this.#ended !== null) return Promise.reject(this.#ended);
+    const { signal } = this.#end;
+    if (signal.aborted) return Promise.reject(signal.reason);
     const id = this.#nextId++;
     return new Promise((resolve, reject) => {
       const timer = setTimeout(() => {
@@ -63,13 +64,13 @@ export class PortCalls {
 
   /** Tells the other side something that has no answer. */
   tell(name: string, detail: unknown): void {
-    if (this.#ended === null) this.#send({ kind: "event", name, detail });
+    if (!this.#end.signal.aborted) this.#send({ kind: "event", name, detail });
   }
 
   /** Closes the channel; what waits, and every later call, rejects with the error. */
   end(error: TexelcastError): void {
-    if (this.#ended !== null) return;
-    this.#ended = error;
+    if (this.#end.signal.aborted) return;
+    this.#end.abort(error);
     this.#port.close();
     for (const { reject, timer } of this.#waiting.values()) {
       clearTimeout(timer);
@@ -110,12 +111,13 @@ export class PortCalls {
   }
 
   async #answer(id: number, method: string, args: readonly unknown[]): Promise<void> {
+    const { signal } = this.#end;
     try {
-      const value = await this.#parts.answer(method, args);
-      if (this.#ended === null) this.#send({ kind: "result", id, value });
+      const value = await this.#parts.answer(method, args, signal);
+      if (!signal.aborted) this.#send({ kind: "result", id, value });
     } catch (thrown) {
       const error = TexelcastError.wrap(thrown, "internal", `“${method}” failed: ${String(thrown)}`);
-      if (this.#ended === null) this.#send({ kind: "failure", id, error: error.toJSON() });
+      if (!signal.aborted) this.#send({ kind: "failure", id, error: error.toJSON() });
     }
   }
 }
