@@ -40,6 +40,44 @@ async function openPlane(engine: Engine): Promise<void> {
 }
 
 describe("the engine's client", () => {
+  it("tells what is no layer and no text by its field, as the engine in its own thread does, and goes on", async () => {
+    const { engine } = start();
+    const good = decal("decal", "logo");
+    const unusable: [unknown, string, string][] = [
+      [null, "layers", "null"],
+      [[good, null], "layers[1]", "null"],
+      [[{ ...good, opacity: "most" }], "layers[0].opacity", "most"],
+      [[{ ...good, mask: {} }], "layers[0].mask.layers", "undefined"],
+      [[{ ...good, projector: { ...FRONT, position: [1, 2] } }], "layers[0].projector.position", "[1, 2]"],
+      [[{ ...good, type: "group", layers: [null] }], "layers[0].layers[0]", "null"],
+      [[{ ...good, type: "stroke" }], "layers[0].brush", "undefined"],
+    ];
+    const words = { text: "Moin", font: "texelcast:fonts/inter-700", fontSize: 1, letterSpacing: 0, align: "left" };
+    const text = { ...words, curve: 0, color: [0, 0, 0, 1], outline: null };
+    for (const each of [engine, createEngineHost()]) {
+      await openPlane(each);
+      each.setLayers([good], 1);
+      const painted = await each.hash(0);
+      for (const [layers, field, value] of unusable) {
+        each.setLayers(layers as never, 2);
+        await expect(each.idle()).rejects.toMatchObject({ code: "bad-argument", field, value });
+        each.setLayers([good], 3);
+        expect(await each.hash(0)).toBe(painted);
+      }
+      const unreadable: [unknown, string, string][] = [
+        [null, "text", "null"],
+        [{ ...text, text: 5 }, "text.text", "5"],
+        [{ ...text, fontSize: 0 }, "text.fontSize", "0"],
+        [{ ...text, outline: { width: 1 } }, "text.outline.color", "undefined"],
+      ];
+      for (const [look, field, value] of unreadable) {
+        const measured = each.measureText(look as never);
+        await expect(measured).rejects.toMatchObject({ code: "bad-argument", field, value });
+      }
+      expect(await each.measureText(text as never)).toMatchObject({ missing: [] });
+    }
+  });
+
   it("refuses what is no file by its field, as the engine in its own thread does, and goes on", async () => {
     const { engine } = start();
     const unusable: [unknown, string, string][] = [

@@ -3,8 +3,10 @@
  * and go out with keys of images in the core, drawn at the size that fits the target. What no target shows any more is
  * thrown away.
  */
+
 import type { ImageHandle, Session } from "../core/session.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { checkText } from "./check-text.ts";
 import type { EngineLayer, EnginePicture, EngineText, Picture, Projector, TextMeasure } from "./engine-api.ts";
 import { isShippedFontAddress } from "./font-address.ts";
 import { allPicturesOf, withPictures } from "./layer-picture.ts";
@@ -71,6 +73,7 @@ export class DrawnPictures {
   }
 
   async measure(text: EngineText): Promise<TextMeasure> {
+    checkText(text, "text");
     await this.#loadFonts(text);
     if (this.#shelf.get(text.font) === undefined) {
       throw new TexelcastError("bad-argument", `There is no font “${text.font}” to measure a text in.`, {

@@ -296,7 +296,13 @@ class EngineClient implements Engine {
     this.#layersWaiting = false;
     this.#layersUnderWay = true;
     const { layers, revision } = this.#layers;
-    this.#send({ type: "layers", layers: this.#sender.pack(layers), revision });
+    let message: ClientMessage;
+    try {
+      message = { type: "layers", layers: this.#sender.pack(layers), revision };
+    } catch {
+      message = { type: "unreadable", layers, revision };
+    }
+    this.#send(message);
   }
 
   #startWorker(): void {

@@ -373,7 +373,7 @@ export class EngineHost implements Engine {
       } catch (error) {
         // Work that was under way when the engine was ended fails on whatever it touched next.
         this.#checkAlive();
-        throw error;
+        throw isTold(error) ? error : await this.#explained(error);
       }
     });
     this.#unanswered += 1;
@@ -472,7 +472,14 @@ export class EngineHost implements Engine {
   }
 
   #report(error: Error): void {
-    for (const listener of this.#errorListeners) listener(error);
+    if (isTold(error)) for (const listener of this.#errorListeners) listener(error);
+    else void this.#explained(error).then((told) => this.#errorListeners.forEach((listener) => void listener(told)));
+  }
+
+  /** By what in the layers cannot be drawn, where that is why. */
+  async #explained<Thrown>(error: Thrown): Promise<Thrown | TexelcastError> {
+    const { layersFault } = await import("./check-layers.ts");
+    return layersFault(this.#layers) ?? error;
   }
 
   #checkAlive(): void {
@@ -491,3 +498,6 @@ export class EngineHost implements Engine {
     return target;
   }
 }
+
+/** Whether an error tells a fault by name. */
+const isTold = (error: unknown): boolean => error instanceof TexelcastError && error.code !== "internal";

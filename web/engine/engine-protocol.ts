@@ -1,7 +1,7 @@
 /** What the engine's client and its worker say to each other. */
 import type { TexelcastErrorJson } from "../core/texelcast-error.ts";
 import type { CoreSource } from "../core/wasm-module.ts";
-import type { Engine, ExpectedChange, TargetOptions, TargetUpdate } from "./engine-api.ts";
+import type { Engine, EngineLayer, ExpectedChange, TargetOptions, TargetUpdate } from "./engine-api.ts";
 import type { PrintFileOptions } from "./print-report.ts";
 import type { SentLayer } from "./sent-layers.ts";
 
@@ -48,7 +48,9 @@ export type ClientMessage =
   /** Answered by "pong" as soon as the worker's thread is free. */
   | { readonly type: "ping" }
   | { readonly type: "expect"; readonly change: ExpectedChange | null }
-  | { readonly type: "layers"; readonly layers: readonly SentLayer[]; readonly revision: number };
+  | { readonly type: "layers"; readonly layers: readonly SentLayer[]; readonly revision: number }
+  /** What is no list of layers: the host tells what is wrong with it. */
+  | { readonly type: "unreadable"; readonly layers: readonly EngineLayer[]; readonly revision: number };
 
 export type WorkerMessage =
   | { readonly type: "result"; readonly id: number; readonly value: unknown }

@@ -60,7 +60,8 @@ export function serveEngine(port: ServerPort): void {
         host.expect(data.change);
         break;
       case "layers":
-        host.setLayers(receiver.unpack(data.layers), data.revision);
+      case "unreadable":
+        host.setLayers(data.type === "layers" ? receiver.unpack(data.layers) : data.layers, data.revision);
         // The host draws in a turn that it has just asked for, so this one comes after it.
         callLater(() => send({ type: "drawn" }));
         break;

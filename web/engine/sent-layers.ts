@@ -26,11 +26,12 @@ type LayersById = ReadonlyMap<string, EngineLayer>;
 export class LayerSender {
   #before: LayersById = new Map();
 
-  /** The list as it is to be sent; it must arrive, and in the order of these calls. */
+  /** The list as it is to be sent; it must arrive, and in the order of these calls. Throws where it is no list of layers. */
   pack(layers: readonly EngineLayer[]): SentLayer[] {
     const before = this.#before;
+    const sent = layers.map((layer) => pack(layer, before));
     this.#before = byId(layers);
-    return layers.map((layer) => pack(layer, before));
+    return sent;
   }
 }
 
