@@ -28,7 +28,7 @@ export function addCartRoutes(app: FastifyInstance, shop: Shop): void {
     });
   };
   const itemOf = async (body: unknown): Promise<Item> => {
-    const line = await readLine(body, catalogue.products, store);
+    const line = await readLine(body, catalogue, store);
     const product = catalogue.products.get(line.product) as Product;
     const { areaCm2: area } = (await press.measure(product, line.design)).whole;
     const unitPrice = unitPriceOf(product.price, { decals: line.decals, area });

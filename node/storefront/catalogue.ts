@@ -7,6 +7,7 @@ import { formatPath } from "../../web/editor/document/design-problem.ts";
 import { filledText, numberBetween, strict } from "../../web/editor/document/schema-parts.ts";
 import type { ModelSource } from "../../web/engine/engine-api.ts";
 import type { Product } from "../../web/storefront/api/shop-api.ts";
+import { boxSurface } from "./design-work.ts";
 
 const line = filledText(1000);
 const amount = v.pipe(numberBetween(0, 1e9), v.integer("must be a whole number"));
@@ -50,6 +51,8 @@ export interface Catalogue {
   modelOf(product: Product): Promise<ModelSource>;
   /** What is in the product's zones file. */
   zonesOf(product: Product): Promise<unknown>;
+  /** Square metres of what of it is printed, about; measured when first asked for. */
+  surfaceOf(product: Product): Promise<number>;
 }
 
 /**
@@ -70,10 +73,29 @@ export async function readCatalogue(folder: string): Promise<Catalogue> {
     files.set(name, bytes);
     return bytes;
   };
+  const modelOf = async ({ model }: Product): Promise<ModelSource> => ({ name: model, bytes: await bytesOf(model) });
+  const surfaces = new Map<Product, Promise<number>>();
   return {
     products: new Map(result.output.map((product) => [product.id, product])),
     currency: (result.output[0] as Product).price.currency,
-    modelOf: async ({ model }) => ({ name: model, bytes: await bytesOf(model) }),
+    modelOf,
     zonesOf: async ({ zones }) => JSON.parse(new TextDecoder().decode(await bytesOf(zones))),
+    surfaceOf: (product) => {
+      const surface = surfaces.get(product) ?? modelOf(product).then((model) => measured(model, product.material));
+      surfaces.set(product, surface);
+      return surface;
+    },
   };
+}
+
+async function measured(model: ModelSource, material: number): Promise<number> {
+  const { createEngineHost } = await import("../../web/engine/engine-host.ts");
+  const engine = createEngineHost();
+  try {
+    const { boundsMin, boundsMax, materials } = await engine.loadModel(model);
+    const printed = materials[material] ?? { boundsMin, boundsMax };
+    return boxSurface(printed.boundsMin, printed.boundsMax);
+  } finally {
+    engine.dispose();
+  }
 }

@@ -8,6 +8,8 @@ import { isShippedFontAddress } from "../../web/engine/font-address.ts";
 import { type LineRequest, type Product, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { checkAsset, type StoredType } from "./asset-check.ts";
 import { type AssetStore, isSha256 } from "./asset-store.ts";
+import type { Catalogue } from "./catalogue.ts";
+import { workOf } from "./design-work.ts";
 import { notFound, shopError } from "./shop-error.ts";
 
 const hash = v.pipe(
@@ -71,16 +73,14 @@ export function fileOfAddress(uri: string): string | null {
  * @throws TexelcastError "bad-request", "not-found" for a product or file that is not there, "too-large", "bad-design" for
  * a design that cannot be read, is for another material, or names files other than those it came with.
  */
-export async function readLine(
-  body: unknown,
-  products: ReadonlyMap<string, Product>,
-  store: AssetStore,
-): Promise<CheckedLine> {
+export async function readLine(body: unknown, catalogue: Catalogue, store: AssetStore): Promise<CheckedLine> {
   const { assets, design: sent, ...request } = read(lineRequest, body);
-  const product = products.get(request.product);
+  checkKeys(assets.map(({ key }) => key));
+  const product = catalogue.products.get(request.product);
   if (product === undefined) throw notFound("product", request.product);
   const design = parseDesign(sent, "design");
   const decals = countDecals(design, product);
+  checkWork(workOf(design, await catalogue.surfaceOf(product)));
   const files = new Map(assets.map(({ key, sha256 }) => [key, sha256]));
   const stored: Record<string, Design["assets"][string]> = {};
   for (const [key, asset] of Object.entries(design.assets)) {
@@ -103,11 +103,8 @@ export async function readLine(
 
 /** Also refuses a design that paints what the product does not print. */
 function countDecals(design: Design, product: Product): number {
-  let layers = 0;
   let decals = 0;
   for (const { layer, path, shown, inMask } of walkLayers(design)) {
-    // A dab is as much work for the press as a picture: a stroke of thousands would keep it from everybody else.
-    layers += layer.type === "stroke" ? Math.max(1, layer.dabs.length) : 1;
     if (layer.type === "group" || layer.type === "paint") continue;
     if (materialsOf(layer).some((material) => material !== product.material)) {
       const message = `must be ${product.material}, the material that is printed on this product`;
@@ -115,18 +112,27 @@ function countDecals(design: Design, product: Product): number {
     }
     if ((layer.type === "decal" || layer.type === "text") && shown && !inMask) decals += 1;
   }
-  if (layers > SHOP_LIMITS.layersPerDesign) {
-    throw shopError(
-      "too-large",
-      `the design has ${layers} layers and dabs of a brush, ${SHOP_LIMITS.layersPerDesign} are the most`,
-      {
-        field: "design.layers",
-        value: String(layers),
-        hint: "Use fewer pictures and texts.",
-      },
-    );
-  }
   return decals;
+}
+
+/** @throws TexelcastError "too-large" for a design that would keep the press from everybody else. */
+function checkWork(pictures: number): void {
+  const most = SHOP_LIMITS.layersPerDesign;
+  if (pictures <= most) return;
+  const message = `the design is as much work as ${Math.ceil(pictures)} pictures, ${most} are the most`;
+  throw shopError("too-large", message, {
+    field: "design.layers",
+    value: String(Math.ceil(pictures)),
+    hint: "Use fewer pictures and texts, or paint less of it with large brushes.",
+  });
+}
+
+/** @throws TexelcastError "bad-request": of two files of one key it cannot be known which is meant. */
+function checkKeys(keys: readonly string[]): void {
+  const second = keys.findIndex((key, index) => keys.indexOf(key) < index);
+  if (second < 0) return;
+  const field = `assets[${second}].key`;
+  throw shopError("bad-request", `${field}: must not be named twice`, { field, value: keys[second] as string });
 }
 
 /**

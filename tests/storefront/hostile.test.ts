@@ -2,6 +2,7 @@ import { existsSync, readdirSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, it } from "vitest";
 import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
+import { FACING_DOWN } from "../node/plane-model.ts";
 import { pngChunk } from "../support/png-file.ts";
 import { designWith, LOGO, openShop, SNAPSHOT, sha256 } from "./shop-fixture.ts";
 
@@ -21,10 +22,22 @@ function pngOfSize(width: number, height: number): Uint8Array {
   return new Uint8Array(Buffer.concat([Buffer.from("\x89PNG\r\n\x1a\n", "latin1"), ...chunks]));
 }
 
-const strokeOf = (dabs: number): object => ({
-  type: "stroke",
-  brush: { color: "#ff0000" },
-  dabs: Array.from({ length: dabs }, () => ({ kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 })),
+const WHOLE = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 };
+const SMALL_FLAT = { ...WHOLE, size: [0.01, 0.01] };
+/** Of a thumb's width, on a plane of a metre. */
+const SMALL = { kind: "planar", position: [0.1, 0, 0.1], rotation: FACING_DOWN, size: [0.02, 0.02, 0.02] };
+const BEFORE = {
+  kind: "perspective",
+  position: [0, 1, 0],
+  rotation: FACING_DOWN,
+  fov: 90,
+  aspect: 1,
+  near: 0.1,
+  far: 2,
+};
+const strokeOf = (count: number, dab: object = WHOLE, more: object = {}): object => ({
+  ...{ type: "stroke", material: 0, brush: { color: "#ff0000" }, ...more },
+  dabs: Array.from({ length: count }, () => dab),
 });
 
 it.each([
@@ -39,6 +52,23 @@ it.each([
   const { error } = reply.json();
   expect(error).toMatchObject({ code: "bad-request", field });
   expect(error.message.startsWith(`${field}: must`)).toBe(true);
+});
+
+it("a design that somebody has painted with the brush is taken", async () => {
+  const layers = [strokeOf(3000, SMALL), strokeOf(1000, SMALL_FLAT)];
+  const reply = await shop.addLine(cart, await shop.line({ design: { ...designWith(), layers }, unitPrice: 1000 }));
+  expect(reply.json()).toMatchObject({ line: expect.anything() });
+  expect(reply.statusCode).toBe(201);
+});
+
+it("a line that names an asset twice is refused by the second one, whichever file it names", async () => {
+  const line = (await shop.line()) as { assets: object[] };
+  for (const key of ["logo", "other"]) {
+    const twice = { key, sha256: sha256(SNAPSHOT) };
+    const assets = [...line.assets, { ...twice, key: "other" }, twice];
+    const { error } = (await shop.addLine(cart, { ...line, assets })).json();
+    expect(error).toMatchObject({ code: "bad-request", field: "assets[2].key" });
+  }
 });
 
 describe("a file is refused", () => {
@@ -144,6 +174,27 @@ describe("a design is refused", () => {
     [
       "of a stroke that would keep the press from everybody else",
       { ...designWith(), layers: [strokeOf(SHOP_LIMITS.layersPerDesign + 1)] },
+      "too-large",
+      "design.layers",
+    ],
+    [
+      "of a stroke that looks at the whole product with each dab",
+      { ...designWith(), layers: [strokeOf(SHOP_LIMITS.layersPerDesign + 1, BEFORE)] },
+      "too-large",
+      "design.layers",
+    ],
+    [
+      "of a stroke whose twins are too many",
+      {
+        ...designWith(),
+        layers: [strokeOf(SHOP_LIMITS.layersPerDesign - 1, BEFORE, { mirror: { axis: "x" } })],
+      },
+      "too-large",
+      "design.layers",
+    ],
+    [
+      "of more small dabs than anybody paints",
+      { ...designWith(), layers: [strokeOf(60 * SHOP_LIMITS.layersPerDesign, SMALL_FLAT)] },
       "too-large",
       "design.layers",
     ],

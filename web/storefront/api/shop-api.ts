@@ -141,7 +141,7 @@ export const SHOP_LIMITS = {
   jsonBytes: 2 * 2 ** 20,
   /** Files that one design uses. */
   assetsPerDesign: 64,
-  /** Layers of one design, those within others included; of a stroke, each dab. */
+  /** Layers of one design, those within others included; of a stroke, as many as its dabs cover the product, at least 1/50 a dab. */
   layersPerDesign: 200,
   linesPerCart: 50,
   quantity: 999,
