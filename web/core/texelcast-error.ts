@@ -33,34 +33,22 @@ export interface TexelcastErrorJson {
  */
 export class TexelcastError extends Error {
   readonly code: string;
-  readonly subject?: string;
-  readonly field?: string;
-  readonly value?: string;
-  readonly hint?: string;
-  readonly reason?: string;
+  declare readonly subject?: string;
+  declare readonly field?: string;
+  declare readonly value?: string;
+  declare readonly hint?: string;
+  declare readonly reason?: string;
 
   constructor(code: string, message: string, details: TexelcastErrorDetails = {}) {
     super(message, "cause" in details ? { cause: details.cause } : undefined);
     // DOM code tells a cancelled call by this name alone, whatever library it came from.
     this.name = code === "cancelled" ? "AbortError" : "TexelcastError";
     this.code = code;
-    if (details.subject !== undefined) this.subject = details.subject;
-    if (details.field !== undefined) this.field = details.field;
-    if (details.value !== undefined) this.value = details.value;
-    if (details.hint !== undefined) this.hint = details.hint;
-    if (details.reason !== undefined) this.reason = details.reason;
+    Object.assign(this, given(details));
   }
 
   toJSON(): TexelcastErrorJson {
-    return {
-      code: this.code,
-      message: this.message,
-      ...(this.subject !== undefined && { subject: this.subject }),
-      ...(this.field !== undefined && { field: this.field }),
-      ...(this.value !== undefined && { value: this.value }),
-      ...(this.hint !== undefined && { hint: this.hint }),
-      ...(this.reason !== undefined && { reason: this.reason }),
-    };
+    return { code: this.code, message: this.message, ...given(this) };
   }
 
   static from(json: TexelcastErrorJson): TexelcastError {
@@ -73,3 +61,9 @@ export class TexelcastError extends Error {
     return new TexelcastError(code, message, { ...details, cause: thrown });
   }
 }
+
+const DETAILS = ["subject", "field", "value", "hint", "reason"] as const;
+
+/** Those that are there: what is sent, shown or compared has no others. */
+const given = (details: TexelcastErrorDetails): Omit<TexelcastErrorDetails, "cause"> =>
+  Object.fromEntries(DETAILS.flatMap((name) => (details[name] === undefined ? [] : [[name, details[name]]])));
