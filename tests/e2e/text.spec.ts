@@ -203,3 +203,29 @@ test("what was typed in the moment before the page is loaded again is there afte
   });
   expect(noted).toContain("Grace");
 });
+
+test("words that the engine has not measured when the page is left are there afterwards, in a box that fits them", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const spot = await middleOf(editor);
+  await page.keyboard.press("t");
+  await page.mouse.click(spot.x, spot.y);
+  const words = page.locator("tc-text-fields textarea");
+  await expect(words).toBeFocused();
+  await editor.idle();
+  await page.evaluate(() => window.texelcast.kept());
+  const before = await textLayer(editor);
+  await page.evaluate(() => {
+    window.texelcast.engine.measureText = () => new Promise(() => {});
+  });
+  await words.fill("Far more words than before");
+  await editor.reload();
+  await expect.poll(async () => (await textLayer(editor)).text).toBe("Far more words than before");
+  const wide = ({ projector }: TextLayer): number => (projector.kind === "planar" ? projector.size[0] : 0);
+  expect(wide(await textLayer(editor))).toBeGreaterThan(2 * wide(before));
+  await page.getByRole("button", { name: "Undo change text" }).click();
+  expect(await textLayer(editor)).toEqual(before);
+});

@@ -1,12 +1,13 @@
 import { createHash } from "node:crypto";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
-import { type Design, emptyDesign } from "../../web/editor/document/index.ts";
+import { type Design, emptyDesign, makeTextLayer } from "../../web/editor/document/index.ts";
 import { countedName } from "../../web/editor/files/counted-name.ts";
 import { type EditorState, INITIAL_STATE, type ModelRef } from "../../web/editor/state/editor-state.ts";
 import { Store } from "../../web/editor/state/store.ts";
+import { shippedFont } from "../../web/editor/state/text-commands.ts";
 import { Autosave } from "../../web/editor/storage/autosave.ts";
-import type { LastWords } from "../../web/editor/storage/last-words.ts";
+import type { LastWords, Unmeasured } from "../../web/editor/storage/last-words.ts";
 import type { PackedProject } from "../../web/editor/storage/packed-project.ts";
 import type { TabPlace } from "../../web/editor/storage/tab-memory.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
@@ -15,6 +16,13 @@ const modelRef = (title: string, demoId: string | null): ModelRef => ({
   source: { name: `${title}.glb`, bytes: Uint8Array.of(title.length) },
   title,
   demoId,
+});
+
+const plain = makeTextLayer({
+  id: "words",
+  text: "",
+  font: "inter",
+  projector: { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] },
 });
 
 /** A page with an autosave, and everything that it was told. */
@@ -31,6 +39,7 @@ function page() {
   /** By project: what was noted of it in leaving the page. */
   const noted = new Map<string, LastWords>();
   let refusal: TexelcastError | null = null;
+  const waiting: { current: Unmeasured | null } = { current: null };
   const autosave = new Autosave({
     store,
     strings: stringsIn("en"),
@@ -62,6 +71,7 @@ function page() {
       },
       forget: (project) => noted.delete(project),
     },
+    unmeasured: () => waiting.current,
     thumbnail: async () => "data:image/webp;base64,AA==",
     notices: {
       refused: ({ code }) => told.push(code),
@@ -86,7 +96,7 @@ function page() {
   const refuse = (error: TexelcastError | null): void => {
     refusal = error;
   };
-  return { store, autosave, saves, told, taken, touched, rows, remembered, noted, open, step, settle, refuse };
+  return { store, autosave, saves, told, taken, touched, rows, remembered, noted, waiting, open, step, settle, refuse };
 }
 
 beforeEach(() => {
@@ -132,6 +142,29 @@ describe("autosave", () => {
     expect([...noted].map(([id, { revision, name }]) => [id, revision, name])).toEqual([[first?.id, 1, "Cup"]]);
     await settle(1000);
     expect([saves.length, noted.size]).toEqual([2, 0]);
+  });
+
+  it("notes words that are not measured yet in the box that they had, until what is saved has them", async () => {
+    const { autosave, open, settle, step, noted, waiting } = page();
+    const words = { ...plain, text: "Ada" };
+    open(modelRef("Cup", null), {
+      ...emptyDesign(),
+      assets: { inter: shippedFont("inter-700").asset },
+      layers: [words],
+    });
+    await settle(1000);
+    waiting.current = { id: words.id, before: { text: "Ada" }, after: { text: "Grace" } };
+    expect(autosave.leave()).toBe(true);
+    const [note] = noted.values();
+    expect(note?.unmeasured).toEqual(waiting.current);
+    expect(JSON.parse(note?.design ?? "").layers).toMatchObject([{ text: "Grace", projector: words.projector }]);
+    step();
+    await settle(1000);
+    expect(noted.size).toBe(1);
+    waiting.current = null;
+    step();
+    await settle(1000);
+    expect(noted.size).toBe(0);
   });
 
   it("cannot note what nothing is kept of yet, what was refused, and what needs a picture that is not kept", async () => {

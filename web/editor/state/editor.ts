@@ -131,6 +131,7 @@ export class Editor {
     const keeping = keepProjects({
       ...{ store, library, files: this.files, board, tasks, keeps },
       session,
+      texts: () => this.texts,
       thumbnail: () => viewer.picture(THUMBNAIL_WIDTH, THUMBNAIL_HEIGHT),
     });
     this.projects = keeping.commands;

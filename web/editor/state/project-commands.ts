@@ -1,13 +1,13 @@
 /** Projects that the browser keeps: the one the page begins with, and what the list of them offers. */
 
-import { PROJECT_EXTENSION, type ProjectFile } from "../document/index.ts";
+import { PROJECT_EXTENSION, type ProjectFile, type TextLayer } from "../document/index.ts";
 import { fetchBytes } from "../files/demo-catalogue.ts";
 import { download, fileNameOf } from "../files/download.ts";
 import { packInWorker, unpackInWorker } from "../files/project-client.ts";
 import type { ProjectToPack } from "../files/project-packing.ts";
 import type { Autosave } from "../storage/autosave.ts";
 import { randomId } from "../storage/content-hash.ts";
-import type { LastWordsMemory } from "../storage/last-words.ts";
+import type { LastWordsMemory, Unmeasured } from "../storage/last-words.ts";
 import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/project.ts";
 import type { ProjectLock } from "../storage/project-lock.ts";
 import type { ProjectStore } from "../storage/project-store.ts";
@@ -15,12 +15,14 @@ import type { TabMemory } from "../storage/tab-memory.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import type { AssetLibrary } from "./asset-library.ts";
+import { patchLayer } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { EditorState, ListedProject, ModelRef } from "./editor-state.ts";
 import type { FileCommands } from "./file-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import type { TaskHandle, Tasks } from "./tasks.ts";
+import type { TextCommands } from "./text-commands.ts";
 
 export interface ProjectCommandsParts {
   readonly store: Store<EditorState>;
@@ -34,6 +36,7 @@ export interface ProjectCommandsParts {
   readonly files: FileCommands;
   readonly board: NoticeBoard;
   readonly tasks: Tasks;
+  readonly texts: () => TextCommands;
 }
 
 export class ProjectCommands {
@@ -214,10 +217,10 @@ export class ProjectCommands {
     try {
       await autosave.flush();
       const free = await lock.take(id);
-      if (free) await this.#amend(id);
+      const unmeasured = free ? await this.#amend(id) : null;
       const loaded = await projects.load(id);
       name = loaded.summary.name;
-      const content = await this.#contentOf(loaded, free ? name : this.#words.copyOf(name));
+      const content = await this.#contentOf(loaded, free ? name : this.#words.copyOf(name), unmeasured);
       if (free) autosave.adopt(content, id, loaded.summary.revision);
       else autosave.adopt(content, randomId(), 0, id);
       try {
@@ -226,6 +229,7 @@ export class ProjectCommands {
         this.#parts.library.release(Object.values(content.design.assets));
       }
       this.#tell(loaded, content, free, title);
+      if (unmeasured) await this.#parts.texts().finish(unmeasured);
       return true;
     } catch (thrown) {
       if (before !== null) void lock.take(before);
@@ -234,22 +238,27 @@ export class ProjectCommands {
     }
   }
 
-  /** What was left unsaved when the project was open last is saved first. */
-  async #amend(id: string): Promise<void> {
+  /** What was left unsaved when the project was open last is saved first. Gives the change in it that is to be measured. */
+  async #amend(id: string): Promise<Unmeasured | null> {
     const { lastWords, projects } = this.#parts;
     const words = lastWords.recall(id);
-    if (!words) return;
-    // Without room for it, it stays noted.
-    await projects.amend(id, words).then(
-      () => lastWords.forget(id),
-      () => undefined,
-    );
+    if (!words) return null;
+    try {
+      const amended = await projects.amend(id, words);
+      lastWords.forget(id);
+      return (amended && words.unmeasured) || null;
+    } catch {
+      // Without room for it, it stays noted.
+      return null;
+    }
   }
 
-  async #contentOf(loaded: LoadedProject, name: string): Promise<ProjectContent> {
+  /** @param unmeasured is taken out again: done anew, it is a step that its undo takes back. What is kept has it all the while. */
+  async #contentOf(loaded: LoadedProject, name: string, unmeasured: Unmeasured | null): Promise<ProjectContent> {
     const { library } = this.#parts;
     const model = "kind" in loaded.model ? await this.#demo(loaded.model) : loaded.model;
-    const design = await library.adopt(loaded.design, { path: name });
+    const adopted = await library.adopt(loaded.design, { path: name });
+    const design = unmeasured ? patchLayer<TextLayer>(adopted, unmeasured.id, unmeasured.before) : adopted;
     return { name, design, model, targets: loaded.targets };
   }
 

@@ -15,6 +15,7 @@ import { noticeOf } from "./notices.ts";
 import { ProjectCommands } from "./project-commands.ts";
 import { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
+import type { TextCommands } from "./text-commands.ts";
 
 export interface ProjectKeepingParts {
   readonly store: Store<EditorState>;
@@ -25,6 +26,7 @@ export interface ProjectKeepingParts {
   readonly files: FileCommands;
   readonly board: NoticeBoard;
   readonly tasks: Tasks;
+  readonly texts: () => TextCommands;
   /** Whether the browser keeps what is worked on; else the projects' commands are there, and nothing is kept by itself. */
   readonly keeps: boolean;
 }
@@ -51,6 +53,7 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
     lock,
     tab,
     lastWords,
+    unmeasured: () => parts.texts().unmeasured,
     thumbnail: async () => thumbnail(),
     notices: {
       refused: (error: TexelcastError) => {

@@ -5,6 +5,7 @@ import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
 import { isLocked, walkLayers } from "../document/layer-tree.ts";
 import { resolveWords } from "../document/resolve-layers.ts";
+import type { Unmeasured } from "../storage/last-words.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
@@ -16,12 +17,13 @@ import type { Store } from "./store.ts";
 import { emOf, fitsClosely, fitted, refitted, withEm } from "./text-box.ts";
 import { newlyMissing, shareOfModel } from "./text-troubles.ts";
 
-export type TextPatch = Partial<
-  Pick<TextLayer, "text" | "letterSpacing" | "align" | "curve" | "color" | "outline"> & {
-    /** What takes the place of the layer's font. */
-    readonly fontAsset: { readonly name: string; readonly asset: DesignAsset };
-  }
+export type TextFieldsPatch = Partial<
+  Pick<TextLayer, "text" | "letterSpacing" | "align" | "curve" | "color" | "outline">
 >;
+export interface TextPatch extends TextFieldsPatch {
+  /** What takes the place of the layer's font. */
+  readonly fontAsset?: { readonly name: string; readonly asset: DesignAsset };
+}
 
 export interface TextCommandsParts {
   readonly engine: Pick<Engine, "measureText">;
@@ -41,6 +43,8 @@ export class TextCommands {
   readonly #measured = new Map<string, TextMeasure>();
   /** Counts the changes asked for: of several that wait for their measure only the newest is shown. */
   #asked = 0;
+  /** The change that waits for its measure, to be a step then. */
+  #unmeasured: Unmeasured | null = null;
 
   constructor(parts: TextCommandsParts) {
     this.#parts = parts;
@@ -95,11 +99,30 @@ export class TextCommands {
       this.cancelPreview();
       return;
     }
-    const work = this.#apply(id, patch, (design) => this.#parts.session.record(design, label, mergeKey));
+    const unmeasured =
+      layer?.type === "text" && !patch.fontAsset ? { id, before: picked(layer, patch), after: patch } : null;
+    this.#unmeasured = unmeasured;
+    const work = this.#apply(id, patch, (design) => this.#parts.session.record(design, label, mergeKey)).finally(() => {
+      if (this.#unmeasured === unmeasured) this.#unmeasured = null;
+    });
     // What is saved meanwhile waits until the words are measured.
     this.#parts.session.recordsLater(work);
     await work;
     if (layer?.type === "text") await this.#tellTroubles(layer);
+  }
+
+  /** What a page that is left now would lose, as nobody waits for a measure then. Null for nothing. */
+  get unmeasured(): Unmeasured | null {
+    const { session } = this.#parts;
+    const open = this.#unmeasured;
+    if (!open || isLocked(session.recordedDesign, open.id)) return null;
+    return patchLayer<TextLayer>(session.recordedDesign, open.id, open.after) === session.recordedDesign ? null : open;
+  }
+
+  /** Does in this visit what was unmeasured when the page was left. */
+  async finish({ id, after }: Unmeasured): Promise<void> {
+    const { steps, text } = this.#parts.board.strings;
+    await this.change(id, after, steps.change(text.name));
   }
 
   /** What an export lacks is told with it: characters that no font has. */
@@ -260,6 +283,11 @@ const FITTING_SHARE = 0.6;
 /** More would be no list any more. */
 const MOST_LISTED = 20;
 const listed = (characters: readonly string[]): string => characters.slice(0, MOST_LISTED).join(" ");
+
+/** Those fields of a layer that a patch changes. */
+function picked(layer: TextLayer, patch: TextFieldsPatch): TextFieldsPatch {
+  return Object.fromEntries(Object.keys(patch).map((name) => [name, layer[name as keyof TextFieldsPatch]]));
+}
 
 const keyOf = (words: EngineText): string => JSON.stringify(words);
 const thickness = (outline: EngineText["outline"]): EngineText["outline"] =>

@@ -5,11 +5,13 @@
  * project that is open is the one that the next visit begins with, even where nothing of it was left to save.
  */
 import type { TexelcastError } from "../../core/texelcast-error.ts";
+import type { TextLayer } from "../document/index.ts";
+import { patchLayer } from "../state/design-edits.ts";
 import type { EditorState, ModelRef, Snapshot, TargetSettings } from "../state/editor-state.ts";
 import type { Store } from "../state/store.ts";
 import type { Strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";
-import type { LastWordsMemory } from "./last-words.ts";
+import type { LastWordsMemory, Unmeasured } from "./last-words.ts";
 import { ProjectPacker } from "./packed-project.ts";
 import type { ProjectContent } from "./project.ts";
 import type { ProjectLock } from "./project-lock.ts";
@@ -27,6 +29,8 @@ export interface AutosaveParts {
   readonly notices: AutosaveNotices;
   readonly tab: Pick<TabMemory, "remember">;
   readonly lastWords: Pick<LastWordsMemory, "note" | "forget">;
+  /** The change of a text that is a step as soon as its words are measured. */
+  readonly unmeasured: () => Unmeasured | null;
   readonly strings: Strings;
 }
 
@@ -131,14 +135,21 @@ export class Autosave {
    * would lose it.
    */
   leave(): boolean {
-    const content = this.#content();
+    const recorded = this.#content();
     const project = this.#current;
-    if (!content || !project || !this.pending) return true;
+    const unmeasured = this.#parts.unmeasured();
+    if (!recorded || !project || !(this.pending || unmeasured)) return true;
+    const { design } = recorded;
+    const content = unmeasured
+      ? { ...recorded, design: patchLayer<TextLayer>(design, unmeasured.id, unmeasured.after) }
+      : recorded;
     // The note goes on from what is kept of the same model. Where saving was refused, so would the note be when it is read.
     if (this.#refused || project.kept?.model !== content.model || project.revision === 0) return false;
     try {
       const text = this.#packer.packText(content, project.kept.design);
-      return text !== null && this.#parts.lastWords.note(project.id, { ...text, revision: project.revision });
+      return (
+        text !== null && this.#parts.lastWords.note(project.id, { ...text, revision: project.revision, unmeasured })
+      );
     } catch {
       return false;
     }
@@ -260,7 +271,8 @@ export class Autosave {
       const packed = await this.#packer.pack(named);
       project.revision = await this.#parts.projects.save(project.id, packed, project.revision);
       project.kept = named;
-      this.#parts.lastWords.forget(project.id);
+      // What was noted and is not measured yet is not in what was saved.
+      if (!this.#parts.unmeasured()) this.#parts.lastWords.forget(project.id);
       this.#saved(project);
       return true;
     } catch (thrown) {

@@ -93,20 +93,21 @@ export class ProjectStore {
   }
 
   /**
-   * Writes what a page that was left had not saved. Nothing happens where it does not go on from what is kept: the project was
-   * deleted, somebody else has saved it since, or a picture is missing.
+   * Writes what a page that was left had not saved. Nothing happens, and false is returned, where it does not go on from what
+   * is kept: the project was deleted, somebody else has saved it since, or a picture is missing.
    */
-  amend(id: string, { revision: seen, name, design, targets, layers, pictures }: LastWords): Promise<void> {
+  amend(id: string, { revision: seen, name, design, targets, layers, pictures }: LastWords): Promise<boolean> {
     return this.#write(async (tables) => {
       const row = await tables.objectStore("projects").get(id);
       const kept = row && (await tables.objectStore("revisions").get([id, row.revision]));
-      if (!kept || row.deleted !== null || !pictures.every((picture) => kept.blobs.includes(picture))) return;
+      if (!kept || row.deleted !== null || !pictures.every((picture) => kept.blobs.includes(picture))) return false;
       // A save that was under way may have ended.
-      if (row.revision !== seen && row.revision !== seen + 1) return;
+      if (row.revision !== seen && row.revision !== seen + 1) return false;
       const { thumbnail, modelTitle } = row;
       const size = row.size + design.length - kept.design.length;
       const summary = { id, name, size, layers, modelTitle, thumbnail, revision: row.revision + 1 };
       await this.#addRevision(tables, row, summary, { ...kept, design, targets });
+      return true;
     });
   }
 
