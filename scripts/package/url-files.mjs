@@ -17,6 +17,13 @@ const PATTERN = /new\s+URL\(\s*(["'])([^"'\n]+)\1\s*,\s*import\.meta\.url\s*,?\s
  */
 const ASSIGNED = /\bif\s*\(import\.meta\.url\s*===\s*undefined\)\s*\{\s*import\.meta\.url\s*=\s*[^;}]+;?\s*\}/g;
 
+/**
+ * What the PNG decoder's glue asks of what it is given, to fetch its module by itself: it is always given the module, so no page
+ * need load how else it could be had.
+ */
+const FETCHES =
+  /typeof Response === 'function' && module instanceof Response|typeof input === 'string' \|\| \(.*\)(?=\) \{)/g;
+
 /** What the bundles name: assets by file name in the package, workers by script name in the package. */
 export class NamedFiles {
   /** @type {Map<string, string>} */
@@ -50,10 +57,13 @@ export function urlFiles(files) {
       build.onLoad({ filter: /\.(ts|m?js)$/ }, async ({ path }) => {
         const source = await readFile(path, "utf8");
         if (!source.includes("import.meta.url")) return undefined;
-        const contents = source.replace(ASSIGNED, "").replace(PATTERN, (whole, _quote, specifier) => {
-          const file = locate(specifier, path);
-          return file === null ? whole : `new URL(${JSON.stringify(files.addressOf(file))}, import.meta.url)`;
-        });
+        const contents = source
+          .replace(ASSIGNED, "")
+          .replace(FETCHES, "false")
+          .replace(PATTERN, (whole, _quote, specifier) => {
+            const file = locate(specifier, path);
+            return file === null ? whole : `new URL(${JSON.stringify(files.addressOf(file))}, import.meta.url)`;
+          });
         return { contents, loader: path.endsWith(".ts") ? "ts" : "js", resolveDir: dirname(path) };
       });
       // Vite's way to say "as text".
