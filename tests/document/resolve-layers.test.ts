@@ -5,6 +5,7 @@ import {
   emptyDesign,
   makeDecalLayer,
   makeFillLayer,
+  makePaintLayer,
   makeStrokeLayer,
   parseDesign,
   resolveLayers,
@@ -42,6 +43,29 @@ describe("resolving layers for the engine", () => {
       occlusion: "self",
       projector: planar,
     });
+  });
+
+  it("asks strokes that it has resolved before for nothing again when another one comes", () => {
+    const asked: PropertyKey[] = [];
+    const watched = (id: string) => {
+      const stroke = makeStrokeLayer({ id, brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 }, dabs: [] });
+      return new Proxy(stroke, {
+        get: (layer, field) => {
+          if (field !== "type" && field !== "mask") asked.push(field);
+          return Reflect.get(layer, field);
+        },
+      });
+    };
+    const [first, second] = [watched("a"), watched("b")];
+    const paint = makePaintLayer({ id: "p", strokes: [first, second] });
+    const before = resolveLayers({ ...emptyDesign(), layers: [paint] });
+    asked.length = 0;
+    const third = makeStrokeLayer({ id: "c", brush: first.brush, dabs: [] });
+    asked.length = 0;
+    const after = resolveLayers({ ...emptyDesign(), layers: [{ ...paint, strokes: [first, second, third] }] });
+    expect(asked).toEqual([]);
+    const held = (layers: typeof after) => (layers[0]?.type === "group" ? layers[0].layers : []);
+    expect(held(after).slice(0, 2)).toEqual(held(before));
   });
 
   it("turns a fill's colour into numbers, opaque unless it says otherwise", () => {

@@ -83,7 +83,5 @@ export class DrawnOnDemand {
   }
 }
 
-function hasWords(layers: readonly EngineLayer[]): boolean {
-  for (const picture of allPicturesOf(layers)) if (typeof picture !== "string") return true;
-  return false;
-}
+const hasWords = (layers: readonly EngineLayer[]): boolean =>
+  allPicturesOf(layers).some((picture) => typeof picture !== "string");

@@ -127,7 +127,7 @@ export class DrawnPictures {
     target: () => RasterTarget,
     report: (error: TexelcastError) => void,
   ): readonly EngineLayer[] {
-    if (![...allPicturesOf(layers)].some((picture) => this.isDrawn(picture))) return layers;
+    if (!allPicturesOf(layers).some((picture) => this.isDrawn(picture))) return layers;
     const change = (picture: EnginePicture, projector: Projector | undefined): EnginePicture => {
       if (!this.isDrawn(picture) || projector === undefined) return picture;
       return this.#keyFor(picture, footprintTexels(projector, target()), session, report) ?? picture;
@@ -212,7 +212,7 @@ export class DrawnPictures {
   }
 
   #wordsOf(layers: readonly EngineLayer[]): EngineText[] {
-    return [...allPicturesOf(layers)].filter((picture) => typeof picture !== "string");
+    return allPicturesOf(layers).filter((picture) => typeof picture !== "string");
   }
 
   /** True also for words in a font that is not there and may be given later. */

@@ -3,6 +3,7 @@ import type { CoreGradient } from "../core/abi.ts";
 import type { LayerHandle, Target } from "../core/target.ts";
 import { coreDab } from "./core-layer.ts";
 import type { EngineDab } from "./engine-api.ts";
+import { sameItems } from "./same-items.ts";
 
 export interface LayerDetails {
   readonly dabs: readonly EngineDab[];
@@ -34,21 +35,18 @@ export const sameDetails = (a: LayerDetails, b: LayerDetails): boolean =>
 
 /** How many dabs two lists begin with alike. */
 function commonDabs(a: readonly EngineDab[], b: readonly EngineDab[]): number {
-  const most = Math.min(a.length, b.length);
-  for (let i = 0; i < most; i++) {
+  for (let i = 0; ; i++) {
     const [left, right] = [a[i], b[i]];
     // Lists that grow share their objects, so the numbers are seldom looked at.
-    if (left === undefined || right === undefined) return i;
-    if (left !== right && !sameNumbersOf(coreDab(left), coreDab(right))) return i;
+    if (!left || !right || (left !== right && !sameNumbersOf(coreDab(left), coreDab(right)))) return i;
   }
-  return most;
 }
 
 const sameGradients = (a: Partial<CoreGradient> | null, b: Partial<CoreGradient> | null): boolean =>
   a === b || (a !== null && b !== null && sameNumbersOf(a, b));
 
 const sameTriangles = (a: Uint32Array | null, b: Uint32Array | null): boolean =>
-  a === b || (a !== null && b !== null && a.length === b.length && a.every((triangle, i) => triangle === b[i]));
+  a === b || (a !== null && b !== null && sameItems(a, b));
 
 type Numbers = Readonly<Record<string, number | readonly number[] | undefined>>;
 
@@ -59,6 +57,5 @@ export function sameNumbersOf(a: Numbers, b: Numbers): boolean {
 }
 
 function sameNumbers(a: number | readonly number[] | undefined, b: number | readonly number[] | undefined): boolean {
-  if (typeof a !== "object" || typeof b !== "object") return Object.is(a, b);
-  return a.length === b.length && a.every((number, i) => Object.is(number, b[i]));
+  return typeof a === "object" && typeof b === "object" ? sameItems(a, b) : Object.is(a, b);
 }

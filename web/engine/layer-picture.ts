@@ -2,6 +2,7 @@
 import type { EngineDab, EngineLayer, EnginePicture, Projector } from "./engine-api.ts";
 import { isShippedFontAddress } from "./font-address.ts";
 import { paintingLayers } from "./layer-tree.ts";
+import { sameItems } from "./same-items.ts";
 
 /** The picture that the layer itself throws; null for layers that throw none. */
 export function pictureOf(layer: EngineLayer): EnginePicture | null {
@@ -11,20 +12,18 @@ export function pictureOf(layer: EngineLayer): EnginePicture | null {
 }
 
 /** All pictures that layers show, in groups and masks too, words among them. */
-export function* allPicturesOf(layers: readonly EngineLayer[]): Generator<EnginePicture> {
-  for (const layer of paintingLayers(layers)) {
-    const picture = pictureOf(layer);
-    if (picture !== null) yield picture;
-  }
-}
+export const allPicturesOf = (layers: readonly EngineLayer[]): EnginePicture[] =>
+  paintingLayers(layers)
+    .map(pictureOf)
+    .filter((picture) => picture !== null);
 
 /** The keys of all pictures that layers show, in groups and masks too. */
 export const picturesOf = (layers: readonly EngineLayer[]): Set<string> =>
-  new Set([...allPicturesOf(layers)].filter((picture) => typeof picture === "string"));
+  new Set(allPicturesOf(layers).filter((picture) => typeof picture === "string"));
 
 /** The keys of all fonts that the layers' words are set in, but for those that come with Texelcast. */
 export function fontsOf(layers: readonly EngineLayer[]): Set<string> {
-  const fonts = [...allPicturesOf(layers)].flatMap((picture) => (typeof picture === "string" ? [] : [picture.font]));
+  const fonts = allPicturesOf(layers).flatMap((picture) => (typeof picture === "string" ? [] : [picture.font]));
   return new Set(fonts.filter((font) => !isShippedFontAddress(font)));
 }
 
@@ -34,6 +33,7 @@ export type ChangePicture = (picture: EnginePicture, projector: Projector | unde
 /** The layer with other pictures, in groups and masks too. Equal layers stay the same objects, by which the engine knows them. */
 export function withPictures(layer: EngineLayer, change: ChangePicture): EngineLayer {
   const own = pictureOf(layer);
+  if (own === null && layer.type !== "group" && !layer.mask) return layer;
   const parts: ChangedParts = {
     picture: own === null ? null : change(own, layer.type === "decal" ? layer.projector : dabsOf(layer)[0]),
     held: layer.type === "group" ? layer.layers.map((one) => withPictures(one, change)) : [],
@@ -59,20 +59,16 @@ const CHANGED = new WeakMap<EngineLayer, ChangedParts & { readonly changed: Engi
 const dabsOf = (layer: EngineLayer): readonly EngineDab[] => (layer.type === "stroke" ? layer.dabs : []);
 const heldBy = (layer: EngineLayer): readonly EngineLayer[] => (layer.type === "group" ? layer.layers : []);
 
-function sameParts(a: ChangedParts, b: ChangedParts): boolean {
-  const same = (left: readonly EngineLayer[], right: readonly EngineLayer[]): boolean =>
-    left.length === right.length && left.every((layer, index) => layer === right[index]);
-  return a.picture === b.picture && same(a.held, b.held) && same(a.masking, b.masking);
-}
+const sameParts = (a: ChangedParts, b: ChangedParts): boolean =>
+  a.picture === b.picture && sameItems(a.held, b.held) && sameItems(a.masking, b.masking);
 
 function withParts(layer: EngineLayer, { picture, held, masking }: ChangedParts): EngineLayer {
-  const mask = layer.mask && { ...layer.mask, layers: masking };
-  if (layer.type === "group") return { ...layer, mask, layers: held };
-  if (picture === null) return { ...layer, mask };
-  if (layer.type === "decal") return { ...layer, mask, asset: picture };
-  if (layer.type === "stroke" && layer.brush.tip === "picture")
-    return { ...layer, mask, brush: { ...layer.brush, asset: picture } };
-  return { ...layer, mask };
+  const changed = { ...layer, mask: layer.mask && { ...layer.mask, layers: masking } };
+  if (changed.type === "group") return { ...changed, layers: held };
+  if (picture === null) return changed;
+  return changed.type === "stroke"
+    ? ({ ...changed, brush: { ...changed.brush, asset: picture } } as EngineLayer)
+    : ({ ...changed, asset: picture } as EngineLayer);
 }
 
 /** `withPictures` for whoever keeps pictures and fonts under other keys than the design: one function for both. */

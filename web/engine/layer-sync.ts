@@ -248,8 +248,9 @@ export class LayerSync {
 
   #move(layer: SyncedLayer, to: number): void {
     const siblings = this.#listOf(layer.parent, layer.list);
+    // Almost always it is there already: to look for each of thousands would cost their square.
+    if (siblings[to] === layer) return;
     const from = siblings.indexOf(layer);
-    if (from === to) return;
     this.#target.moveLayer(layer.handle, to);
     siblings.splice(from, 1);
     siblings.splice(to, 0, layer);

@@ -3,6 +3,7 @@
  * layers. Edits take a design and give a new one that shares all that did not change; the same one where nothing did.
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { sameItems } from "../../engine/same-items.ts";
 import { type Design, type DesignLayer, freeLayerId, materialsOf } from "./design.ts";
 import { DESIGN_LIMITS } from "./design-limits.ts";
 import type { DesignPath } from "./design-problem.ts";
@@ -51,10 +52,13 @@ export function childLists(layer: DesignLayer): readonly { list: LayerList; laye
   return lists;
 }
 
+const walkedLists = (layer: DesignLayer, { masks = true, strokes = true }: WalkOptions) =>
+  childLists(layer).filter(({ list }) => (list === "mask" ? masks : list === "layers" || strokes));
+
 /** Every layer, bottom to top, each before those that it holds. */
 export function* walkLayers(
   { layers }: { readonly layers: readonly DesignLayer[] },
-  { masks = true, strokes = true }: WalkOptions = {},
+  options: WalkOptions = {},
 ): Generator<LayerVisit> {
   function* walk(
     list: LayerList,
@@ -75,10 +79,7 @@ export function* walkLayers(
         shown: parent.shown && layer.visible,
       };
       yield visit;
-      for (const child of childLists(layer)) {
-        if ((child.list === "mask" && !masks) || (child.list === "strokes" && !strokes)) continue;
-        yield* walk(child.list, child.layers, visit);
-      }
+      for (const child of walkedLists(layer, options)) yield* walk(child.list, child.layers, visit);
     }
   }
   const top = { parentId: null, list: "layers", index: 0, layer: null, parent: null, depth: 0 } as const;
@@ -86,8 +87,8 @@ export function* walkLayers(
 }
 
 /** Every layer, in the order of `walkLayers`. */
-export const flattenLayers = (design: Pick<Design, "layers">, options?: WalkOptions): DesignLayer[] =>
-  Array.from(walkLayers(design, options), ({ layer }) => layer);
+export const flattenLayers = ({ layers }: Pick<Design, "layers">, options: WalkOptions = {}): DesignLayer[] =>
+  layers.flatMap((layer) => [layer, ...walkedLists(layer, options).flatMap((held) => flattenLayers(held, options))]);
 
 /** The layer of that id, wherever it is. */
 export const findLayer = (design: Pick<Design, "layers">, id: string | null): DesignLayer | undefined =>
@@ -282,11 +283,8 @@ function changeLists(
     return result;
   });
   const result = change(changed ? within : layers);
-  return sameLayers(result, layers) ? layers : result;
+  return sameItems(result, layers) ? layers : result;
 }
-
-const sameLayers = (a: readonly DesignLayer[], b: readonly DesignLayer[]): boolean =>
-  a.length === b.length && a.every((layer, index) => layer === b[index]);
 
 /** The caller answers for the types of what the list holds. */
 function withList(layer: DesignLayer, list: LayerList, layers: readonly DesignLayer[]): DesignLayer {

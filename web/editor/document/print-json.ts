@@ -1,9 +1,11 @@
 /** JSON for people and for version control: as JSON.stringify with an indent of two, but lists of numbers on one line. */
 
-/** The value, which must be plain data, as JSON text with a line feed at the end. */
+/** The value, which must be plain data, as JSON text with a line feed at the end. A function in it gives the text of its place. */
 export const printJson = (value: unknown): string => `${print(value, "")}\n`;
 
-function print(value: unknown, indent: string): string {
+/** A value as it stands inside another, whose indent is given. */
+export function print(value: unknown, indent: string): string {
+  if (typeof value === "function") return value(indent);
   if (typeof value !== "object" || value === null) return JSON.stringify(value);
   const isList = Array.isArray(value);
   if (isList && value.every((item) => typeof item === "number")) return `[${value.map(String).join(", ")}]`;

@@ -9,6 +9,7 @@ import type {
   EngineText,
 } from "../../engine/engine-api.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
+import { sameItems } from "../../engine/same-items.ts";
 import type {
   Brush,
   DecalLayer,
@@ -49,7 +50,8 @@ function resolveLayer(
   outer: Mirror | null = null,
   masked: readonly number[] | null = null,
 ): EngineLayer {
-  const own = masked === null ? materialsIn(layer) : materialsInMask(layer, masked);
+  // Not looked for where nobody asks: a paint layer may hold thousands of strokes.
+  const own = masked ? materialsInMask(layer, masked) : layer.mask ? materialsIn(layer) : [];
   const mask = resolveMask(layer, assets, own);
   const held =
     layer.type === "group"
@@ -116,16 +118,13 @@ function resolvedOnce(layer: DesignLayer, context: LayerContext, resolve: () => 
     known.outer === context.outer &&
     known.font === context.font &&
     String(known.material) === String(context.material) &&
-    sameList(known.held, context.held) &&
-    sameList(known.mask?.layers ?? [], context.mask?.layers ?? []);
+    sameItems(known.held, context.held) &&
+    sameItems(known.mask?.layers ?? [], context.mask?.layers ?? []);
   if (isKnown) return known.engineLayer;
   const engineLayer = resolve();
   RESOLVED.set(layer, { ...context, engineLayer });
   return engineLayer;
 }
-
-const sameList = (a: readonly EngineLayer[], b: readonly EngineLayer[]): boolean =>
-  a.length === b.length && a.every((layer, index) => layer === b[index]);
 
 function resolveMask({ mask }: LayerBase, assets: Assets, masked: readonly number[]): EngineMask | null {
   if (mask === null) return null;

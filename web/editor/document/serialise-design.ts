@@ -1,6 +1,6 @@
 /** Writes a design document: the inverse of `parseDesign`. */
-import type { Design, DesignAsset, DesignLayer, Gradient, Mask, Projector } from "./design.ts";
-import { printJson } from "./print-json.ts";
+import type { Design, DesignAsset, DesignLayer, Gradient, Mask, Projector, StrokeLayer } from "./design.ts";
+import { print, printJson } from "./print-json.ts";
 
 /**
  * The order in which fields are written, whatever order the editor's objects have: a saved design then changes in a
@@ -97,6 +97,17 @@ const orderGradient = (gradient: Gradient): object => ({
   stops: gradient.stops.map((stop) => pick(stop, STOP_FIELDS)),
 });
 
+/** A stroke's text, by its place's indent: in a design of thousands all but the newest were written before. */
+const STROKES = new WeakMap<StrokeLayer, { readonly indent: string; readonly text: string }>();
+
+function strokeText(stroke: StrokeLayer, indent: string): string {
+  const known = STROKES.get(stroke);
+  if (known?.indent === indent) return known.text;
+  const text = print(orderLayer(stroke), indent);
+  STROKES.set(stroke, { indent, text });
+  return text;
+}
+
 function orderLayer(layer: DesignLayer): object {
   const ordered = pick(layer, LAYER_FIELDS);
   if (layer.mask !== null) ordered.mask = orderMask(layer.mask);
@@ -112,6 +123,7 @@ function orderLayer(layer: DesignLayer): object {
     if (layer.parts !== null) ordered.parts = pick(layer.parts, PARTS_FIELDS);
   }
   if (layer.type === "group") ordered.layers = layer.layers.map(orderLayer);
-  if (layer.type === "paint") ordered.strokes = layer.strokes.map(orderLayer);
+  if (layer.type === "paint")
+    ordered.strokes = layer.strokes.map((stroke) => (indent: string) => strokeText(stroke, indent));
   return ordered;
 }

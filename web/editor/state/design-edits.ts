@@ -1,4 +1,5 @@
 /** The edits of a design: each takes a design and gives a new one that shares all that did not change. */
+import { sameItems } from "../../engine/same-items.ts";
 import type { Design, DesignAsset, DesignLayer } from "../document/design.ts";
 import { DESIGN_LIMITS, RESERVED_KEYS } from "../document/design-limits.ts";
 import { assetsOf, findLayer, flattenLayers, insertAt, mapLayer, materialsIn } from "../document/layer-tree.ts";
@@ -86,12 +87,5 @@ function shortened(name: string, most: number): string {
   return name.slice(0, most - LONGEST_NUMBER).replace(/[\ud800-\udbff]$/, "");
 }
 
-function sameValue(a: unknown, b: unknown): boolean {
-  if (Object.is(a, b)) return true;
-  return (
-    Array.isArray(a) &&
-    Array.isArray(b) &&
-    a.length === b.length &&
-    a.every((value, index) => Object.is(value, b[index]))
-  );
-}
+const sameValue = (a: unknown, b: unknown): boolean =>
+  Object.is(a, b) || (Array.isArray(a) && Array.isArray(b) && sameItems(a, b));

@@ -4,7 +4,16 @@
  */
 
 import type { ModelSource } from "../../engine/engine-api.ts";
-import { type Design, type DesignAsset, parseDesign, serialiseDesign } from "../document/index.ts";
+import {
+  type Design,
+  type DesignAsset,
+  type DesignLayer,
+  type Mirror,
+  parseDesign,
+  type StrokeLayer,
+  serialiseDesign,
+} from "../document/index.ts";
+import { assetsOf, flattenLayers, hasRoom } from "../document/layer-tree.ts";
 import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
 import type { ModelRef } from "../state/editor-state.ts";
 import { ToldError } from "../strings/told-error.ts";
@@ -115,15 +124,41 @@ export class ProjectPacker {
   }
 }
 
+/** Strokes that could be read again once, with the mirror of the paint layer that they were in. */
+const READ = new WeakMap<StrokeLayer, Mirror | null>();
+
 function readableText(design: Design, name: string, strings: Strings): string {
   const refusal = strings.storage.unwritable(name);
   try {
-    const text = serialiseDesign(design);
-    if (parseDesign(text, name).layers.length === design.layers.length) return text;
+    const thin = { ...design, layers: design.layers.map(withNewStrokes) };
+    const { length } = parseDesign(serialiseDesign(thin), name).layers;
+    if (length === design.layers.length && isWhole(design)) {
+      for (const layer of flattenLayers(design, { masks: false, strokes: false }))
+        if (layer.type === "paint") for (const stroke of layer.strokes) READ.set(stroke, layer.mirror);
+      return serialiseDesign(design);
+    }
   } catch (thrown) {
     throw new ToldError("bad-design", refusal, { subject: name, cause: thrown });
   }
   throw new ToldError("bad-design", refusal, { subject: name });
+}
+
+/**
+ * A layer as it is to be read for a test: without the strokes that were read before. In a design of ten thousand strokes all but
+ * one are such, and to read them all takes seconds. The first stays, since it tells how deep the others lie.
+ */
+function withNewStrokes<Layer extends DesignLayer>(layer: Layer): Layer {
+  if (layer.type === "group") return { ...layer, layers: layer.layers.map(withNewStrokes) };
+  if (layer.type !== "paint") return layer;
+  const isNew = (stroke: StrokeLayer): boolean => stroke.mask !== null || READ.get(stroke) !== layer.mirror;
+  return { ...layer, strokes: layer.strokes.filter((stroke, index) => index === 0 || isNew(stroke)) };
+}
+
+/** What no single layer can tell: that no two have one id, that they are not too many, and that all their assets are there. */
+function isWhole(design: Design): boolean {
+  const all = flattenLayers(design);
+  const uses = (layer: DesignLayer): boolean => assetsOf(layer).every((key) => Object.hasOwn(design.assets, key));
+  return new Set(all.map(({ id }) => id)).size === all.length && hasRoom(design, 0) && all.every(uses);
 }
 
 async function hashed(uri: string, key: string): Promise<KnownBlob> {

@@ -10,6 +10,9 @@ import type { DesignLayer } from "../document/index.ts";
 const SIDE = 64;
 /** A stroke changes its layer in every frame: its picture can wait for its end. */
 const QUIET_MS = 250;
+/** That of thousands of strokes takes seconds, in which no stroke is drawn: it waits for a rest that many times as long, to a most. */
+const QUIET_SHARE = 5;
+const LONGEST_QUIET_MS = 5000;
 
 export interface MiniatureSource {
   readonly engine: Pick<Engine, "layerMiniature">;
@@ -42,6 +45,8 @@ export const miniatureStyles = css`
 
 class Miniature extends HTMLElement {
   #shown: Shown | null = null;
+  /** Milliseconds that the newest picture took. */
+  #took = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   set shown(shown: Shown) {
@@ -63,12 +68,14 @@ class Miniature extends HTMLElement {
 
   #drawSoon(): void {
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => void this.#draw(), QUIET_MS);
+    const quiet = Math.min(LONGEST_QUIET_MS, Math.max(QUIET_MS, this.#took * QUIET_SHARE));
+    this.#timer = setTimeout(() => void this.#draw(), quiet);
   }
 
   async #draw(): Promise<void> {
     const shown = this.#shown;
     if (shown === null) return;
+    const start = performance.now();
     let rgba: Uint8Array | null;
     try {
       rgba = await shown.engine.layerMiniature(shown.layer.id, shown.of, SIDE);
@@ -76,6 +83,7 @@ class Miniature extends HTMLElement {
       // The engine ended, or is being replaced: a later change asks again.
       return;
     }
+    this.#took = performance.now() - start;
     if (shown !== this.#shown && shown.layer !== this.#shown?.layer) return;
     this.toggleAttribute("drawn", rgba !== null);
     if (rgba === null) return;
