@@ -237,12 +237,24 @@ test.describe("in German, whose words are long,", () => {
   });
 });
 
-test("the tools stand beside the model's view, so that no handle lies under them", async ({ editor, page }) => {
+test("tools and buttons stand beside the model's view, so that no handle lies under them", async ({ editor, page }) => {
   await editor.open();
-  for (const width of [1440, 1100]) {
-    await editor.resize(width, 900);
-    const [rail, view] = await editor.places(page.locator("tc-tool-rail [role=radiogroup]"), editor.view);
-    expect(view.x).toBeGreaterThanOrEqual(rail.x + rail.width);
+  for (const [width, height] of [
+    [1440, 900],
+    [1100, 900],
+    [844, 390],
+    [390, 844],
+    [375, 667],
+    [320, 640],
+  ] as const) {
+    await editor.resize(width, height);
+    const rail = page.locator("tc-tool-rail [role=radiogroup]");
+    const [view, ...others] = await editor.places(editor.view, rail, page.locator("tc-stage .tools"));
+    for (const { x, y, ...box } of others) {
+      const apart =
+        view.x >= x + box.width || x >= view.x + view.width || view.y >= y + box.height || y >= view.y + view.height;
+      expect(apart, `${width} × ${height}: ${JSON.stringify({ view, x, y, ...box })}`).toBe(true);
+    }
   }
 });
 

@@ -132,6 +132,7 @@ test("a model that moves stands above its bar, in a window and on a phone", asyn
     [1280, 800],
     [390, 844],
     [844, 390],
+    [375, 667],
   ] as const) {
     await editor.resize(width, height);
     const [view, bar] = await editor.places(editor.view, page.locator("tc-animation-bar .bar"));

@@ -25,28 +25,25 @@ export class Stage extends EditorElement {
         min-height: 0;
         overflow: hidden;
         background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 55%), var(--stage) 78%);
-        --inwards: right;
         --rail: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
+        --side: calc(var(--target) + 2 * var(--space-2));
       }
       @media (prefers-color-scheme: dark) {
         :host {
           background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 9%), var(--stage) 78%);
         }
       }
-      /* The tools stand beside it: a handle that lay under them could not be taken. */
+      /* Tools and buttons stand beside it: a handle that lay under them could not be taken. */
       .view {
         position: absolute;
         inset: 0;
-        inset-inline-start: var(--rail);
+        inset-inline: var(--rail) var(--side);
         inset-block-end: calc(var(--foot, 0px) + var(--bar, 0px));
         /* A model that reaches beyond it fades out there, and is not cut off in the middle of the stage. */
-        mask-image: linear-gradient(to var(--inwards), transparent, #000 12px);
+        mask-image: linear-gradient(to right, transparent, #000 12px calc(100% - 12px), transparent);
       }
-      :host(:dir(rtl)) {
-        --inwards: left;
-      }
-      /* A model that walks stands above its bar, where there is the height for both. */
-      @container (min-height: 24em) {
+      /* A model that walks stands above its bar, where there is the height for both: on any phone that is held upright. */
+      @container (min-height: 18em) {
         .moving {
           --bar: calc(var(--target) + 8px + 2 * var(--space-2));
         }
@@ -96,14 +93,15 @@ export class Stage extends EditorElement {
         position: absolute;
         z-index: 1;
         inset-block-start: var(--space-2);
-        inset-inline: var(--space-2) calc(var(--target) + 2 * var(--space-2));
+        inset-inline: var(--space-2) var(--side);
       }
       /* What is low has the width for it. */
       @media ${sideways} {
         .view {
           inset-block-start: var(--target);
           mask-composite: intersect;
-          mask-image: linear-gradient(transparent, #000 12px), linear-gradient(to var(--inwards), transparent, #000 12px);
+          mask-image: linear-gradient(transparent, #000 12px),
+            linear-gradient(to right, transparent, #000 12px calc(100% - 12px), transparent);
         }
         tc-tool-options {
           inset-inline-start: var(--rail);
@@ -118,6 +116,16 @@ export class Stage extends EditorElement {
           inset-block-start: var(--target);
           inset-inline-start: 0;
           mask-image: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
+        }
+        /* Where the height is not dear, the buttons stand above it. */
+        @container (max-aspect-ratio: 3 / 4) {
+          .view {
+            inset-block-start: calc(var(--space-2) + var(--buttons, 2) * (var(--target) + var(--space-1)));
+            inset-inline-end: 0;
+          }
+          .still {
+            --buttons: 3;
+          }
         }
         tc-tool-rail {
           inset-block: auto var(--space-2);
@@ -184,7 +192,9 @@ export class Stage extends EditorElement {
     const empty = tasks.length === 0 && !starting;
     this.dataset.tone = view.background;
     return html`
-      <div class=${animation.clip === null ? "view" : "view moving"}><slot name="view"></slot></div>
+      <div class="view ${animation.clip !== null ? "moving" : animation.clips.length > 0 ? "still" : ""}">
+        <slot name="view"></slot>
+      </div>
       ${model ? this.#tools() : empty ? this.#empty() : nothing}
     `;
   }
