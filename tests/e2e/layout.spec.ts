@@ -211,6 +211,17 @@ test.describe("in German, whose words are long,", () => {
       const tabs = page.locator("tc-texture-panel [role=tablist]");
       await expect(tabs).toContainText("Überlappung");
       expect(await tabs.evaluate((list) => list.scrollWidth - list.clientWidth)).toBe(0);
+      // On its side, and as a tablet whose three columns leave the texture little.
+      for (const [width, height, rows] of [
+        [844, 390, 1],
+        [1024, 768, 2],
+      ] as const) {
+        await editor.resize(width, height);
+        const [list, ...each] = await editor.places(tabs, ...(await tabs.getByRole("tab").all()));
+        for (const tab of each)
+          expect(tab.x + tab.width, `${width} × ${height}`).toBeLessThanOrEqual(list.x + list.width);
+        expect(new Set(each.map(({ y }) => y)).size, `${width} × ${height}`).toBe(rows);
+      }
     });
 
     test("a fault's exact words, which only German folds away, are unfolded by a finger", async ({ editor }) => {

@@ -11,9 +11,6 @@ import { icon } from "../ui/icon.ts";
 import { OverflowFade } from "../ui/overflow-fade.ts";
 
 export class TexturePanel extends EditorElement {
-  /** The tab that was scrolled into sight last. */
-  #shown: TextureMode = "texture";
-
   static override styles = [
     controls,
     css`
@@ -27,11 +24,9 @@ export class TexturePanel extends EditorElement {
       }
       [role="tablist"] {
         display: flex;
+        flex-wrap: wrap;
         gap: 2px;
         padding: var(--space-1) var(--space-2);
-        overflow-x: auto;
-        scroll-padding: 2.5rem;
-        scrollbar-width: none;
         border-bottom: 1px solid var(--line);
       }
       [role="tab"] {
@@ -53,6 +48,16 @@ export class TexturePanel extends EditorElement {
       @container (max-width: 27.5em) {
         [role="tab"] {
           padding-inline: 3px;
+        }
+      }
+      /* Beside a phone on its side, in German, in one row; where not even that, in two. */
+      @container (max-width: 25.7em) {
+        [role="tablist"] {
+          padding-inline: 2px;
+        }
+        [role="tab"] {
+          padding-inline: 2px;
+          font-size: 0.6875rem;
         }
       }
       .view {
@@ -111,20 +116,12 @@ export class TexturePanel extends EditorElement {
 
   constructor() {
     super();
-    new OverflowFade(this, "[role=tablist]");
     new OverflowFade(this, "footer");
     new StoreController<Figures>(
       this,
       () => this.editor?.figures,
       ({ texel }) => [texel],
     );
-  }
-
-  override updated(): void {
-    const { textureMode } = this.state;
-    if (textureMode === this.#shown) return;
-    this.#shown = textureMode;
-    this.renderRoot.querySelector("[aria-selected=true]")?.scrollIntoView({ block: "nearest", inline: "nearest" });
   }
 
   get #words(): Strings["texture"] {
