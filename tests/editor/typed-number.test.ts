@@ -16,11 +16,46 @@ describe("a number that is typed", () => {
     expect(typedNumber("5e1 mm", "m")).toBeCloseTo(0.05, 9);
   });
 
+  it("may have its thousands apart as the page's language has them, or the other one where that can mean nothing else", () => {
+    for (const [text, english, german] of [
+      ["1,000", 1000, 1],
+      ["1.000", 1, 1000],
+      ["-12,500 mm", -12500, -12.5],
+      ["1,234,567", 1234567, 1234567],
+      ["1.234.567", 1234567, 1234567],
+      ["1,234.5", 1234.5, 1234.5],
+      ["1.234,5", 1234.5, 1234.5],
+    ] as const) {
+      expect(typedNumber(text, "mm"), text).toBe(english);
+      expect(typedNumber(text, "mm", ","), text).toBe(german);
+    }
+  });
+
+  it("may have a comma or a point before its decimals, in both languages, where no thousands could be meant", () => {
+    for (const text of ["0,125", "0.125"]) {
+      expect(typedNumber(text, "mm"), text).toBe(0.125);
+      expect(typedNumber(text, "mm", ","), text).toBe(0.125);
+    }
+    for (const [text, value] of [
+      ["12,5", 12.5],
+      ["12.5", 12.5],
+      ["1,25", 1.25],
+      ["1.0000", 1],
+      ["1234,567", 1234.567],
+      ["1234.567", 1234.567],
+      [",5", 0.5],
+      [".5", 0.5],
+    ] as const) {
+      expect(typedNumber(text, "mm"), text).toBe(value);
+      expect(typedNumber(text, "mm", ","), text).toBe(value);
+    }
+  });
+
   it("is none with a unit that is none of its field's, or without digits, or beyond all numbers", () => {
     for (const text of ["12 mm", "mm", "", "a lot", "12 mm 3"]) expect(typedNumber(text, "%")).toBeUndefined();
     expect(typedNumber("%", "%")).toBeUndefined();
     expect(typedNumber("10%", "")).toBeUndefined();
-    for (const text of ["10°", "3 ft", "3 constructor", "1e400", "-1e400", "-", "1.2.3", "0x10", "--5", "5-"])
+    for (const text of ["10°", "3 ft", "3 constructor", "1e400", "-1e400", "-", "1.2.3", "1,00,000", "1.000,000,0", "0x10", "--5", "5-"])
       expect(typedNumber(text, "mm")).toBeUndefined();
   });
 });

@@ -206,8 +206,11 @@ export class NumberField extends RemElement {
 
   /** As the language writes it that the field stands in. */
   #shown(value: number, step: number): string {
-    const text = formatNumber(value, step);
-    return this.matches(":lang(de)") ? text.replace(".", ",") : text;
+    return formatNumber(value, step).replace(".", this.#point);
+  }
+
+  get #point(): "." | "," {
+    return this.matches(":lang(de)") ? "," : ".";
   }
 
   #show(value = this.value): void {
@@ -273,7 +276,7 @@ export class NumberField extends RemElement {
 
   /** Undefined where it is none, and where nothing can be so small: what is left of a size of 0 could not be seen. */
   #typed(): number | undefined {
-    const value = typedNumber(this.#input?.value ?? "", this.unit);
+    const value = typedNumber(this.#input?.value ?? "", this.unit, this.#point);
     return value !== undefined && value <= 0 && this.min > 0 ? undefined : value;
   }
 
