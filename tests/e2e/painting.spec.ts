@@ -200,6 +200,36 @@ test("a gradient's colour that is dragged goes back by Escape and by undo, and s
   }
 });
 
+test("a colour that is deleted while it is dragged is gone as one step, and the layer stays", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.addLayer(/gradient/i);
+  const stops = async () => {
+    const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
+    return layer?.type === "fill" ? layer.gradient?.stops : undefined;
+  };
+  await page.getByRole("button", { name: "Add a colour" }).click();
+  const handles = page.locator("tc-gradient-stops .handle");
+  await expect(handles).toHaveCount(3);
+  const before = await stops();
+  const box = await handles.first().boundingBox();
+  if (!box) throw new Error("The gradient has no colours.");
+  const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  // Past its neighbour, and then deleted; the moves after that mean nothing any more.
+  let step = 0;
+  await editor.drag(from, { x: from.x + 160, y: from.y }, 4, async () => {
+    step += 1;
+    if (step === 3) await page.keyboard.press("Delete");
+  });
+  expect(await stops()).toEqual(before?.slice(1));
+  await expect(page.locator("tc-gradient-stops .handle[aria-current=true]")).toBeFocused();
+  await page.keyboard.press("Control+z");
+  expect(await stops()).toEqual(before);
+  expect((await editor.design()).layers).toHaveLength(3);
+});
+
 test("a gradient's colours keep the focus by keys: past each other, and deleted down to two, never the layer", async ({
   editor,
   page,

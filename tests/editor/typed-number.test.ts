@@ -55,7 +55,20 @@ describe("a number that is typed", () => {
     for (const text of ["12 mm", "mm", "", "a lot", "12 mm 3"]) expect(typedNumber(text, "%")).toBeUndefined();
     expect(typedNumber("%", "%")).toBeUndefined();
     expect(typedNumber("10%", "")).toBeUndefined();
-    for (const text of ["10°", "3 ft", "3 constructor", "1e400", "-1e400", "-", "1.2.3", "1,00,000", "1.000,000,0", "0x10", "--5", "5-"])
+    for (const text of [
+      "10°",
+      "3 ft",
+      "3 constructor",
+      "1e400",
+      "-1e400",
+      "-",
+      "1.2.3",
+      "1,00,000",
+      "1.000,000,0",
+      "0x10",
+      "--5",
+      "5-",
+    ])
       expect(typedNumber(text, "mm")).toBeUndefined();
   });
 });

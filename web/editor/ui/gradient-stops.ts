@@ -27,6 +27,7 @@ interface Drag {
   /** Where the stop stood among the others. */
   readonly place: number;
   moved: boolean;
+  readonly before: readonly GradientStop[];
   stops: readonly GradientStop[];
 }
 
@@ -293,10 +294,10 @@ export class GradientStops extends RemElement {
     this.#tell("stops-change", this.stops.toSpliced(place, 0, { offset, color: colorAt(this.stops, offset) }));
   }
 
-  #remove(place: number): void {
-    if (this.stops.length <= LEAST) return;
+  #remove(place: number, stops = this.stops): void {
+    if (stops.length <= LEAST) return;
     this.chosen = Math.max(0, place - 1);
-    this.#tell("stops-change", this.stops.toSpliced(place, 1));
+    this.#tell("stops-change", stops.toSpliced(place, 1));
   }
 
   #key(event: KeyboardEvent, index: number): void {
@@ -327,8 +328,9 @@ export class GradientStops extends RemElement {
     if (event.button !== 0) return;
     this.chosen = index;
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
-    addEventListener("keydown", this.#takeBack, { capture: true });
-    this.#drag = { pointer: event.pointerId, x: event.clientX, place: index, moved: false, stops: this.stops };
+    addEventListener("keydown", this.#dragKey, { capture: true });
+    const { stops } = this;
+    this.#drag = { pointer: event.pointerId, x: event.clientX, place: index, moved: false, before: stops, stops };
   }
 
   readonly #move = (event: PointerEvent): void => {
@@ -349,12 +351,20 @@ export class GradientStops extends RemElement {
     if (drag.moved) this.#tell("stops-change", drag.stops);
   };
 
-  /** Before the page hears of the key: it would take back the step before, or the choice of the layer. */
-  readonly #takeBack = (event: KeyboardEvent): void => {
-    if (!takesBack(event)) return;
-    event.preventDefault();
+  /** The page does not hear of keys meanwhile: it would take back the step before, or delete the layer whose colour is dragged. */
+  readonly #dragKey = (event: KeyboardEvent): void => {
     event.stopPropagation();
-    this.#abandon();
+    const drag = this.#drag;
+    const deletes = event.key === "Delete" || event.key === "Backspace";
+    if (!drag || !(deletes || takesBack(event))) return;
+    event.preventDefault();
+    if (!deletes) this.#abandon();
+    else if (drag.before.length > LEAST) {
+      this.#end();
+      this.#refocus = true;
+      // As it was before the drag: of the two only the deletion is a step.
+      this.#remove(drag.place, drag.before);
+    }
   };
 
   readonly #abandon = (): void => {
@@ -366,7 +376,7 @@ export class GradientStops extends RemElement {
 
   #end(): void {
     this.#drag = null;
-    removeEventListener("keydown", this.#takeBack, { capture: true });
+    removeEventListener("keydown", this.#dragKey, { capture: true });
   }
 }
 customElements.define("tc-gradient-stops", GradientStops);
