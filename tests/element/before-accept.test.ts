@@ -30,7 +30,11 @@ it("a shop that does not answer within two minutes has refused, and may stop ask
   expect(signals[0]?.aborted).toBe(false);
   await vi.advanceTimersByTimeAsync(1_000);
   expect(signals[0]?.aborted).toBe(true);
-  expect(await told).toMatchObject({ code: "refused", subject: "cat.png", cause: { code: "timeout", value: "120000" } });
+  expect(await told).toMatchObject({
+    code: "refused",
+    subject: "cat.png",
+    cause: { code: "timeout", value: "120000" },
+  });
 });
 
 it("a product that is closed while the shop makes up its mind waits for it no longer", async () => {

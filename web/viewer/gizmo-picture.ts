@@ -272,7 +272,8 @@ export function arrowAlong(
     const grip = begin.clone().addScaledVector(direction, least + stretch * perPixel);
     const at = screen.project(grip);
     const tip = screen.project(grip.clone().addScaledVector(direction, ARROW_BEYOND_HANDLE * perPixel));
-    if (from === null || at === null || tip === null || (stand === null && !screen.holds(tip))) {
+    // Its head alone may be out of the view.
+    if (from === null || at === null || tip === null || (stand === null && !screen.holds(at))) {
       break;
     }
     const room = { middle: from, reach: view.reach };

@@ -25,6 +25,7 @@ export class Stage extends EditorElement {
         min-height: 0;
         overflow: hidden;
         background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 55%), var(--stage) 78%);
+        --inwards: right;
         --rail: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
         --side: calc(var(--target) + 2 * var(--space-2));
       }
@@ -33,7 +34,13 @@ export class Stage extends EditorElement {
           background: radial-gradient(ellipse at 50% 38%, color-mix(in oklab, var(--stage), white 9%), var(--stage) 78%);
         }
       }
-      /* Tools and buttons stand beside it: a handle that lay under them could not be taken. */
+      :host(:dir(rtl)) {
+        --inwards: left;
+      }
+      /*
+       * Tools and buttons stand beside it: a handle that lay under them could not be taken. On a phone the two buttons
+       * stand over its corner, as it needs all of the width.
+       */
       .view {
         position: absolute;
         inset: 0;
@@ -99,9 +106,9 @@ export class Stage extends EditorElement {
       @media ${sideways} {
         .view {
           inset-block-start: var(--target);
+          inset-inline-end: 0;
           mask-composite: intersect;
-          mask-image: linear-gradient(transparent, #000 12px),
-            linear-gradient(to right, transparent, #000 12px calc(100% - 12px), transparent);
+          mask-image: linear-gradient(transparent, #000 12px), linear-gradient(to var(--inwards), transparent, #000 12px);
         }
         tc-tool-options {
           inset-inline-start: var(--rail);
@@ -114,14 +121,13 @@ export class Stage extends EditorElement {
         .view {
           --foot: var(--rail);
           inset-block-start: var(--target);
-          inset-inline-start: 0;
+          inset-inline: 0;
           mask-image: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
         }
         /* Where the height is not dear, the buttons stand above it. */
         @container (max-aspect-ratio: 3 / 4) {
           .view {
             inset-block-start: calc(var(--space-2) + var(--buttons, 2) * (var(--target) + var(--space-1)));
-            inset-inline-end: 0;
           }
           .still {
             --buttons: 3;
