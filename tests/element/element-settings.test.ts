@@ -11,6 +11,13 @@ describe("the element in bare Node", () => {
     expect([EDITOR_TAG, typeof TexelcastEditor]).toEqual(["texelcast-editor", "function"]);
     expect(typeof document).toBe("undefined");
   });
+
+  it("gives a server all the names that it gives a page, so that one import serves both", async () => {
+    const page = await import("../../web/element/define.ts");
+    const server = await import("../../web/package/define-server.ts");
+    expect(Object.keys(server).sort()).toEqual(Object.keys(page).sort());
+    expect(server.EDITOR_TAG).toBe(page.EDITOR_TAG);
+  });
 });
 
 describe("the element's settings", () => {

@@ -4,6 +4,8 @@
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 
+export { EDITOR_TAG } from "../element/element-api.ts";
+
 /** Stands for the element's class where code names it. */
 export class TexelcastEditor {
   /** Throws: an element is made by a page. */
