@@ -51,6 +51,10 @@ describe("the engine's client", () => {
       [[{ ...good, projector: { ...FRONT, position: [1, 2] } }], "layers[0].projector.position", "[1, 2]"],
       [[{ ...good, type: "group", layers: [null] }], "layers[0].layers[0]", "null"],
       [[{ ...good, type: "stroke" }], "layers[0].brush", "undefined"],
+      [[{ ...good, type: "sticker" }], "layers[0].type", "sticker"],
+      [[{ ...good, blend: "soft" }], "layers[0].blend", "soft"],
+      [[{ ...good, occlusion: "auto" }], "layers[0].occlusion", "auto"],
+      [[{ ...good, projector: { ...FRONT, kind: "flat" } }], "layers[0].projector.kind", "flat"],
     ];
     const words = { text: "Moin", font: "texelcast:fonts/inter-700", fontSize: 1, letterSpacing: 0, align: "left" };
     const text = { ...words, curve: 0, color: [0, 0, 0, 1], outline: null };

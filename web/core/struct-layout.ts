@@ -64,9 +64,10 @@ export function writeStruct<Fields extends StructFields>(
 ): void {
   let at = offset;
   for (const [name, field] of Object.entries<FieldLayout>(layout.fields)) {
-    const given = value[name as keyof Fields] as number | readonly number[] | undefined;
     const length = field.length ?? 1;
-    if (given !== undefined) {
+    // What is there and undefined is a name without a number, and no default.
+    if (name in value) {
+      const given = value[name as keyof Fields] as number | readonly number[];
       const numbers = typeof given === "number" ? [given] : given;
       if (numbers.length !== length) {
         throw new RangeError(`${name} takes ${length} number(s), ${numbers.length} given`);

@@ -2,6 +2,7 @@
  * Layers as an engine is given them, looked at when they could not be drawn: the types of a design that was parsed hold, and what
  * is drawn in every frame is not checked in each of them.
  */
+import { BlendSpaces, Filters, Occlusions, Wraps } from "../core/abi.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { checkText } from "./check-text.ts";
 import {
@@ -21,6 +22,7 @@ import {
   type Rules,
   TEXT,
 } from "./check-value.ts";
+import { BLEND_NUMBERS } from "./core-layer.ts";
 
 const SHARE = between(0, 1);
 const COLOR = numbers(4);
@@ -29,8 +31,21 @@ const MATERIALS: Rule = {
   holds: (value) => (Array.isArray(value) ? value : [value]).every(Number.isInteger),
 };
 
-const EVERY: Rules = { id: TEXT, type: oneOf("decal", "stroke", "fill", "group"), opacity: SHARE, mask: maybe(OBJECT) };
-const CAST: Rules = { material: MATERIALS, angleFade: numbers(2) };
+const EVERY: Rules = {
+  id: TEXT,
+  type: oneOf("decal", "stroke", "fill", "group"),
+  opacity: SHARE,
+  blend: oneOf(...Object.keys(BLEND_NUMBERS).filter((name) => name === name.toLowerCase())),
+  blendSpace: oneOf(...Object.keys(BlendSpaces)),
+  mask: maybe(OBJECT),
+};
+const CAST: Rules = {
+  material: MATERIALS,
+  filter: oneOf(...Object.keys(Filters)),
+  wrap: oneOf(...Object.keys(Wraps)),
+  angleFade: numbers(2),
+  occlusion: oneOf(...Object.keys(Occlusions)),
+};
 const BY_TYPE: Readonly<Record<string, Rules>> = {
   decal: { ...CAST, asset: either(TEXT, OBJECT) },
   stroke: { ...CAST, brush: OBJECT, dabs: LIST },

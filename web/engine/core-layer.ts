@@ -18,7 +18,7 @@ import type { ImageHandle } from "../core/session.ts";
 import type { BlendMode, EngineBrush, EngineDab, EngineGradient, EngineLayer, Projector } from "./engine-api.ts";
 
 /** The ABI's numbers under the standard's names, which are hyphenated. */
-const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
+export const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
   ...Blends,
   "color-dodge": Blends.colorDodge,
   "color-burn": Blends.colorBurn,
@@ -51,7 +51,7 @@ export function coreLayer(layer: EngineLayer, image: ImageHandle): Partial<Layer
     occlusion: Occlusions[layer.occlusion],
   };
   if (layer.type === "stroke") return { ...cast, kind: LayerKinds.stroke, ...coreBrush(layer.brush) };
-  return { ...cast, kind: LayerKinds.decal, ...coreProjector(layer.projector) };
+  return { ...cast, kind: LayerKinds[layer.type], ...coreProjector(layer.projector) };
 }
 
 /** Stops that a gradient does not have are zeros. */
