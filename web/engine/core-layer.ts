@@ -18,7 +18,7 @@ import type { ImageHandle } from "../core/session.ts";
 import type { BlendMode, EngineBrush, EngineDab, EngineGradient, EngineLayer, Projector } from "./engine-api.ts";
 
 /** The ABI's numbers under the standard's names, which are hyphenated. */
-export const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
+const BLEND_NUMBERS: Readonly<Record<BlendMode, number>> = {
   ...Blends,
   "color-dodge": Blends.colorDodge,
   "color-burn": Blends.colorBurn,
