@@ -130,6 +130,37 @@ test("the clone tool copies what lies at its source to where it paints, and the 
   await expect(editor.notices).toHaveCount(0);
 });
 
+test("a page that is left while what was cloned is still being written asks first", async ({ editor, page }) => {
+  await editor.open();
+  const asked: string[] = [];
+  page.on("dialog", (dialog) => {
+    asked.push(dialog.type());
+    void dialog.accept();
+  });
+  await page.keyboard.press("s");
+  const middle = await editor.middleOfStage();
+  await page.keyboard.down("Alt");
+  await page.mouse.click(middle.x, middle.y);
+  await page.keyboard.up("Alt");
+  await page.evaluate(() => window.texelcast.kept());
+  await editor.reload();
+  expect(asked, "nothing is under way").toEqual([]);
+
+  await page.keyboard.press("s");
+  await page.keyboard.down("Alt");
+  await page.mouse.click(middle.x, middle.y);
+  await page.keyboard.up("Alt");
+  await page.evaluate(() => {
+    window.texelcast.engine.setAsset = () => new Promise(() => {});
+  });
+  await page.mouse.move(middle.x, middle.y + 40);
+  await page.mouse.down();
+  await page.mouse.move(middle.x + 30, middle.y + 40, { steps: 4 });
+  await page.mouse.up();
+  await editor.reload();
+  expect(asked).toEqual(["beforeunload"]);
+});
+
 test("a gradient's end is dragged over the model as one step, given up by Escape, and moved by keys; its colours are added", async ({
   editor,
   page,

@@ -395,10 +395,11 @@ export class Workbench extends EditorElement {
   };
 
   readonly #leave = (event: BeforeUnloadEvent): void => {
-    const { autosave, store } = this.editor;
+    const { autosave, session, store, texts } = this.editor;
+    const { recording } = session;
     endOpenField();
-    // In the browser or in a file: either is enough.
-    if (autosave.leave() || !store.state.unsaved) return;
+    // In the browser or in a file: either is enough. What is still being written is in neither, but for words, which are noted.
+    if ((autosave.leave() || !store.state.unsaved) && (!recording || texts.unmeasured)) return;
     void autosave.flush();
     event.preventDefault();
   };

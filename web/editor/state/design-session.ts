@@ -110,6 +110,11 @@ export class DesignSession {
     this.#recording.add(work);
   }
 
+  /** Whether something is under way that `settled` waits for. */
+  get recording(): boolean {
+    return this.#recording.underWay;
+  }
+
   /** Resolves when all that the user has done is recorded, or has failed: what goes back, saves or exports waits for it. */
   settled(): Promise<void> {
     return this.#recording.settled();

@@ -9,6 +9,10 @@ export class OpenWork {
     work.then(ended, ended);
   }
 
+  get underWay(): boolean {
+    return this.#begun.size > 0;
+  }
+
   /** Resolves when none is left, that which was begun in the meantime included. */
   async settled(): Promise<void> {
     while (this.#begun.size > 0) await Promise.allSettled(this.#begun);
