@@ -301,6 +301,32 @@ TEST_CASE("Small footprints keep close to the mean on the hardest pictures, in a
     CHECK(cut > 400);
 }
 
+TEST_CASE("Footprints up to three pixels, turned by any angle, keep what is asked on the finest checkers and stripes") {
+    constexpr std::uint32_t kSide = 48;
+    Random random(59);
+    double worst = 1e9;
+    for (const bool checker : {true, false}) {
+        Picture picture(kSide, kSide);
+        for (std::uint32_t y = 0; y < kSide; ++y) {
+            for (std::uint32_t x = 0; x < kSide; ++x) {
+                const std::uint8_t byte = (checker ? x + y : x) % 2 == 0 ? 255 : 0;
+                picture.set(x, y, {byte, byte, byte, 255});
+            }
+        }
+        txc::MemoryBudget budget(1u << 22);
+        txc::ImagePyramid image(budget);
+        REQUIRE(image.build(kSide, kSide, picture.rgba.data()) == TXC_STATUS_OK);
+        for (int round = 0; round < 1200; ++round) {
+            const double across = random.between(0.2, 3.0);
+            const double down = round % 3 == 0 ? across : across * random.between(0.05, 1.0);
+            const double corner = kPi / 2 + (round % 2 == 0 ? 0.0 : random.between(-0.9, 0.9));
+            const txc::Footprint f = make_turned(image, across, down, random.between(0.0, kPi), corner);
+            worst = std::fmin(worst, closeness(image, f, random, 10.0, 120, 8));
+        }
+    }
+    CHECK(worst >= 40.0);
+}
+
 TEST_CASE("Long footprints keep close to the reference of 8 x 8 samples on the finest stripes and checkers") {
     constexpr std::uint32_t kSide = 64;
     Random random(53);
