@@ -99,6 +99,21 @@ TEST_CASE("The finest pictures agree on a sphere, of which a tile sees more than
     }
 }
 
+TEST_CASE("The finest stripes agree on a sphere of coarse facets on a texture of middling size") {
+    Comparison sphere(make_sphere(1.0, 48, 24), 640, 448);
+    TxcLayerDef def = decal_def(0);
+    place(def, 0.2, 0.1, 1.0);
+    resize(def, 1.0, 1.0, 1.5);
+    turn(def, 0.1, 0.1, 1, 27.0);
+    def.occlusion = TXC_OCCLUSION_NONE;
+    // 2.6 pixels a texel.
+    Picture stripes(264, 264, {0, 0, 0, 255});
+    for (std::uint32_t y = 0; y < 264; ++y) {
+        for (std::uint32_t x = 1; x < 264; x += 2) stripes.set(x, y, kWhite);
+    }
+    check(sphere.paint(def, stripes), 18000);
+}
+
 TEST_CASE("A box turned about every axis agrees where the surface slants through it") {
     Comparison plane(make_plane(), 128, 128);
     for (const double tilt : {15.0, 40.0, 60.0, 75.0}) {
