@@ -202,21 +202,29 @@ test("a gradient's end is dragged over the model as one step, given up by Escape
   expect((await ends())?.stops, "each colour is a step, however soon it follows").toHaveLength(3);
 });
 
+/** Of the design's gradient. */
+async function stopsOf(editor: EditorPage) {
+  const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
+  return layer?.type === "fill" ? layer.gradient?.stops : undefined;
+}
+
+/** The middle of the first of its colours, in its panel. */
+async function firstColor({ page }: EditorPage): Promise<Point> {
+  const box = await page.locator("tc-gradient-stops .handle").first().boundingBox();
+  if (!box) throw new Error("The gradient has no colours.");
+  return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+}
+
 test("a gradient's colour that is dragged goes back by Escape and by undo, and stays chosen", async ({
   editor,
   page,
 }) => {
   await editor.open();
   await editor.addLayer(/gradient/i);
-  const stops = async () => {
-    const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
-    return layer?.type === "fill" ? layer.gradient?.stops : undefined;
-  };
+  const stops = () => stopsOf(editor);
   const before = await stops();
   const bare = await editor.settledHash();
-  const box = await page.locator("tc-gradient-stops .handle").first().boundingBox();
-  if (!box) throw new Error("The gradient has no colours.");
-  const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const from = await firstColor(editor);
   for (const key of ["Escape", "Control+z"]) {
     let shown: typeof before;
     await editor.drag(from, { x: from.x + 60, y: from.y }, 2, async () => {
@@ -237,17 +245,12 @@ test("a colour that is deleted while it is dragged is gone as one step, and the 
 }) => {
   await editor.open();
   await editor.addLayer(/gradient/i);
-  const stops = async () => {
-    const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
-    return layer?.type === "fill" ? layer.gradient?.stops : undefined;
-  };
+  const stops = () => stopsOf(editor);
   await page.getByRole("button", { name: "Add a colour" }).click();
   const handles = page.locator("tc-gradient-stops .handle");
   await expect(handles).toHaveCount(3);
   const before = await stops();
-  const box = await handles.first().boundingBox();
-  if (!box) throw new Error("The gradient has no colours.");
-  const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const from = await firstColor(editor);
   // Past its neighbour, and then deleted; the moves after that mean nothing any more.
   let step = 0;
   await editor.drag(from, { x: from.x + 160, y: from.y }, 4, async () => {

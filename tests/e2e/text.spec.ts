@@ -1,6 +1,7 @@
 /** Words on the model: put there, typed, bent, saved, opened again, and rendered by the command line to the same bytes. */
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import type { Locator } from "@playwright/test";
 import type { TextLayer } from "../../web/editor/document/index.ts";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
 import { rendered } from "./support/rendered.ts";
@@ -22,6 +23,16 @@ async function middleOf(editor: EditorPage): Promise<Point> {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
+/** Puts words on the middle of the model with the text's tool; returns the field that they are typed into, which has the focus. */
+async function putWords(editor: EditorPage): Promise<Locator> {
+  const spot = await middleOf(editor);
+  await editor.page.keyboard.press("t");
+  await editor.page.mouse.click(spot.x, spot.y);
+  const words = editor.page.locator("tc-text-fields textarea");
+  await expect(words).toBeFocused();
+  return words;
+}
+
 test("words are put on the model, typed, bent and outlined, stay editable, and Node renders the same bytes", async ({
   editor,
   page,
@@ -37,11 +48,7 @@ test("words are put on the model, typed, bent and outlined, stay editable, and N
   ).toEqual([]);
   const model = squareGlb();
   await editor.openModel([model]);
-  const spot = await middleOf(editor);
-  await page.keyboard.press("t");
-  await page.mouse.click(spot.x, spot.y);
-  const words = page.locator("tc-text-fields textarea");
-  await expect(words).toBeFocused();
+  const words = await putWords(editor);
   const first = await textLayer(editor);
 
   // Latin with a combining accent, Hebrew and Arabic; live while it is typed, one step when it is done.
@@ -144,11 +151,7 @@ test("what no font has is named when it is typed and when it is exported, and wh
 }) => {
   await editor.open();
   await editor.openModel([squareGlb()]);
-  const spot = await middleOf(editor);
-  await page.keyboard.press("t");
-  await page.mouse.click(spot.x, spot.y);
-  const words = page.locator("tc-text-fields textarea");
-  await expect(words).toBeFocused();
+  const words = await putWords(editor);
   await page.keyboard.insertText("Ada 字 😀");
   await words.blur();
   await expect(editor.notices).toHaveCount(1);
@@ -210,11 +213,7 @@ test("words that the engine has not measured when the page is left are there aft
 }) => {
   await editor.open();
   await editor.openModel([squareGlb()]);
-  const spot = await middleOf(editor);
-  await page.keyboard.press("t");
-  await page.mouse.click(spot.x, spot.y);
-  const words = page.locator("tc-text-fields textarea");
-  await expect(words).toBeFocused();
+  const words = await putWords(editor);
   await editor.idle();
   await page.evaluate(() => window.texelcast.kept());
   const before = await textLayer(editor);
