@@ -61,6 +61,14 @@ export async function readAsset(
   return { name: target, bytes: await readFileBytes(target, { code, namedBy: { file, field } }) };
 }
 
+/** The files beside it that a design names, as far as they may be read. */
+export async function assetFilesOf({ file, design, project }: LoadedDesign): Promise<string[]> {
+  const uris = Object.values(design.assets).map(({ uri }) => uri);
+  const beside = uris.filter((uri) => !/^data:/i.test(uri) && project?.assetBytes(uri) === undefined);
+  const files = await Promise.allSettled(beside.map((uri) => resolveInFolder(uri, { file })));
+  return files.flatMap((found) => (found.status === "fulfilled" ? [found.value] : []));
+}
+
 /** @throws TexelcastError "bad-design" for an address that is broken. */
 export async function readDataUri(uri: string, file: string, field: string): Promise<Uint8Array> {
   try {

@@ -28,7 +28,7 @@ export interface Reference {
  */
 export async function readFileBytes(filePath: string, options: ReadOptions): Promise<Uint8Array> {
   const { maxBytes = MAX_FILE_BYTES, namedBy } = options;
-  const details = namedBy === undefined ? { subject: filePath } : detailsOf(namedBy);
+  const details = namedBy === undefined ? { subject: filePath || '""' } : detailsOf(namedBy);
   const about = namedBy === undefined ? "" : `${prefixOf(namedBy)}${quote(filePath)}: `;
   const refuse = (message: string, hint: string, value?: string) =>
     new TexelcastError(options.code, about + message, { ...details, hint, ...(value === undefined ? {} : { value }) });

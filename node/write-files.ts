@@ -80,11 +80,19 @@ export class PendingFiles {
 /**
  * Tells of an output that cannot be before the work is done that would be lost.
  *
- * @throws TexelcastError "cannot-write" where something that is no file stands in the file's place, or a file in that of its folder.
+ * @param inputs what the command reads: painted once more, a model or picture that was overwritten would be painted twice
+ * @throws TexelcastError "cannot-write" where something that is no file stands in the file's place, or a file in that of its folder;
+ * "bad-argument" where the file is one of the inputs, by whatever name.
  */
-export async function checkOutputFile(target: string): Promise<void> {
+export async function checkOutputFile(target: string, inputs: readonly string[] = []): Promise<void> {
   await checkOutputFolder(path.dirname(target));
   const found = await stat(target).catch(() => null);
+  for (const input of found ? inputs : []) {
+    const read = await stat(input).catch(() => null);
+    if (read?.dev !== found?.dev || read?.ino !== found?.ino) continue;
+    const why = `--out: ${JSON.stringify(target)} is read by this command, and would be lost`;
+    throw new TexelcastError("bad-argument", why, { field: "out", value: target, hint: "Give --out another name." });
+  }
   if (found === null || found.isFile()) return;
   if (found.isDirectory()) throw cannotWrite(target, "there is a folder of that name");
   throw cannotWrite(target, "it is a pipe or a device, and a result takes the place of what has its name");

@@ -4,7 +4,7 @@ import type { PrintFileOptions } from "../../web/engine/print-report.ts";
 import { withPrintJob } from "../print-job.ts";
 import { checkPrintedMaterial } from "../printed-material.ts";
 import { Progress } from "../progress.ts";
-import { readAsset, readDesign } from "../read-design.ts";
+import { assetFilesOf, readAsset, readDesign } from "../read-design.ts";
 import { readModel } from "../read-model.ts";
 import { formatCount, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
@@ -22,9 +22,10 @@ export interface PrintOptions extends Omit<PrintFileOptions, "size" | "base"> {
 export async function print(modelFile: string, designFile: string, options: PrintOptions): Promise<void> {
   const { out, zones: zonesFile, size, base, ...rest } = options;
   checkZoneOptions(options);
-  await checkOutputFile(out);
+  await checkOutputFile(out, [modelFile, designFile, ...(zonesFile === undefined ? [] : [zonesFile])]);
   const zones = zonesFile === undefined ? null : await readZones(zonesFile);
   const design = await readDesign(designFile);
+  await checkOutputFile(out, await assetFilesOf(design));
   const model = await readModel(modelFile);
   const job = { ...design, model, readAsset: (key: string) => readAsset(design, key), zones };
   const wanted: PrintFileOptions = {

@@ -9,7 +9,7 @@ import { findMaterial } from "../find-material.ts";
 import { openEngine } from "../open-engine.ts";
 import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from "../options.ts";
 import { Progress } from "../progress.ts";
-import { type LoadedDesign, readAsset, readDesign } from "../read-design.ts";
+import { assetFilesOf, type LoadedDesign, readAsset, readDesign } from "../read-design.ts";
 import { readFileBytes } from "../read-file.ts";
 import { readModel } from "../read-model.ts";
 import { formatCount, plural, printable } from "../terminal-text.ts";
@@ -29,8 +29,11 @@ const DEFAULT_MATERIAL = 0;
 /** @param modelFile null: the model that is inside the project. */
 export async function render(modelFile: string | null, designFile: string, options: RenderOptions): Promise<void> {
   const { out } = options;
-  await checkOutputFile(out.kind === "pngs" ? fileOfMaterial(out.file, DEFAULT_MATERIAL) : out.file);
+  const given = [modelFile, designFile, options.base && "file" in options.base ? options.base.file : null];
+  const inputs = given.filter((file) => file !== null);
+  await checkOutputFile(out.kind === "pngs" ? fileOfMaterial(out.file, DEFAULT_MATERIAL) : out.file, inputs);
   const design = await readDesign(designFile);
+  inputs.push(...(await assetFilesOf(design)));
   const model = modelFile === null ? modelInside(design) : await readModel(modelFile);
   const base = await readBase(options.base);
   const engine = openEngine();
@@ -40,7 +43,7 @@ export async function render(modelFile: string | null, designFile: string, optio
     progress.report("Reading the model");
     const info = await engine.loadModel(model);
     const materials = chooseMaterials(info, design, options);
-    for (const result of resultsOf(out, materials)) await checkOutputFile(result.file);
+    for (const result of resultsOf(out, materials)) await checkOutputFile(result.file, inputs);
     checkPaintable(info, design.design, design.file, materials);
     const layers = design.layers.filter(
       (layer) => layer.visible && materialsIn(layer).some((material) => materials.includes(material)),

@@ -107,6 +107,13 @@ describe("a file that the user names", () => {
     expect((await refusal(readFileBytes(inside("skin.png/a.glb"), { code: "bad-model" }))).code).toBe("missing-file");
   });
 
+  it("is told as an empty name where a script has given one", async () => {
+    expect(await refusal(readFileBytes("", { code: "bad-model" }))).toMatchObject({
+      code: "missing-file",
+      subject: '""',
+    });
+  });
+
   it("is refused when it is a folder or a device", async () => {
     const folder = await refusal(readFileBytes(inside("textures"), { code: "bad-model" }));
     expect(folder).toMatchObject({ code: "bad-model", message: "is a folder", subject: inside("textures") });

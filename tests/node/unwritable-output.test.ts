@@ -1,6 +1,7 @@
-import { closeSync, existsSync, openSync, writeFileSync } from "node:fs";
+import { closeSync, existsSync, linkSync, openSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, it, onTestFinished } from "vitest";
+import { solidPng } from "../support/png-file.ts";
 import { planeGlb } from "./plane-model.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
@@ -30,6 +31,35 @@ describe.runIf(existsSync("/proc/self"))("a folder in which none can be made", (
     expect(wrong).toContain("mkdir '/proc/no-such'");
     expect(hint).toMatch(/^ {2}Give --out another place/);
     expect(rest).toEqual([""]);
+  });
+});
+
+describe("an output that is one of the inputs", () => {
+  const PICTURE = '"logo":{"type":"image/png","uri":"logo.png"}';
+
+  it.each([
+    ["the model", ["render", "plane.glb", "design.json", "--out", "plane.glb"], "plane.glb"],
+    ["the model by another name", ["render", "plane.glb", "design.json", "--out", "same.glb"], "same.glb"],
+    [
+      "the picture below",
+      ["render", "plane.glb", "design.json", "--base", "skin.png", "--out", "skin.png"],
+      "skin.png",
+    ],
+    ["one of the design's pictures", ["render", "plane.glb", "design.json", "--out", "logo.png"], "logo.png"],
+    ["one of the design's pictures", ["print", "plane.glb", "design.json", "--out", "logo.png"], "logo.png"],
+  ] as const)("is refused as wrong usage, and left as it is: %s (%j)", async (_what, args, out) => {
+    const folder = folderWithPlane();
+    const at = (name: string): string => path.join(folder, name);
+    linkSync(at("plane.glb"), at("same.glb"));
+    writeFileSync(at("design.json"), `{"format":"texelcast-design","version":1,"assets":{${PICTURE}},"layers":[]}`);
+    for (const name of ["skin.png", "logo.png"]) writeFileSync(at(name), solidPng(8, 8, [1, 2, 3, 255]));
+    const before = readFileSync(at(out));
+    const { code, stdout, stderr } = await texelcast([...args, "--size", "8"], { cwd: folder });
+    expect(stderr).toBe(
+      `texelcast: --out: "${out}" is read by this command, and would be lost\n  Give --out another name.\n`,
+    );
+    expect({ code, stdout }).toEqual({ code: 2, stdout: "" });
+    expect(readFileSync(at(out)).equals(before)).toBe(true);
   });
 });
 
