@@ -87,13 +87,14 @@ export class PendingFiles {
 export async function checkOutputFile(target: string, inputs: readonly string[] = []): Promise<void> {
   await checkOutputFolder(path.dirname(target));
   const found = await stat(target).catch(() => null);
-  for (const input of found ? inputs : []) {
+  if (found === null) return;
+  for (const input of inputs) {
     const read = await stat(input).catch(() => null);
-    if (read?.dev !== found?.dev || read?.ino !== found?.ino) continue;
+    if (read?.dev !== found.dev || read.ino !== found.ino) continue;
     const why = `--out: ${JSON.stringify(target)} is read by this command, and would be lost`;
     throw new TexelcastError("bad-argument", why, { field: "out", value: target, hint: "Give --out another name." });
   }
-  if (found === null || found.isFile()) return;
+  if (found.isFile()) return;
   if (found.isDirectory()) throw cannotWrite(target, "there is a folder of that name");
   throw cannotWrite(target, "it is a pipe or a device, and a result takes the place of what has its name");
 }

@@ -202,10 +202,14 @@ test("a gradient's end is dragged over the model as one step, given up by Escape
   expect((await ends())?.stops, "each colour is a step, however soon it follows").toHaveLength(3);
 });
 
-/** Of the design's gradient. */
-async function stopsOf(editor: EditorPage) {
-  const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
-  return layer?.type === "fill" ? layer.gradient?.stops : undefined;
+/** Opens the first demo and adds a gradient; returns how its colours are read. */
+async function openOnGradient(editor: EditorPage) {
+  await editor.open();
+  await editor.addLayer(/gradient/i);
+  return async () => {
+    const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
+    return layer?.type === "fill" ? layer.gradient?.stops : undefined;
+  };
 }
 
 /** The middle of the first of its colours, in its panel. */
@@ -219,9 +223,7 @@ test("a gradient's colour that is dragged goes back by Escape and by undo, and s
   editor,
   page,
 }) => {
-  await editor.open();
-  await editor.addLayer(/gradient/i);
-  const stops = () => stopsOf(editor);
+  const stops = await openOnGradient(editor);
   const before = await stops();
   const bare = await editor.settledHash();
   const from = await firstColor(editor);
@@ -243,9 +245,7 @@ test("a colour that is deleted while it is dragged is gone as one step, and the 
   editor,
   page,
 }) => {
-  await editor.open();
-  await editor.addLayer(/gradient/i);
-  const stops = () => stopsOf(editor);
+  const stops = await openOnGradient(editor);
   await page.getByRole("button", { name: "Add a colour" }).click();
   const handles = page.locator("tc-gradient-stops .handle");
   await expect(handles).toHaveCount(3);

@@ -23,6 +23,13 @@ async function middleOf(editor: EditorPage): Promise<Point> {
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
+/** Opens the square model, with words on its middle; returns the field that they are typed into. */
+async function openOnWords(editor: EditorPage): Promise<Locator> {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  return putWords(editor);
+}
+
 /** Puts words on the middle of the model with the text's tool; returns the field that they are typed into, which has the focus. */
 async function putWords(editor: EditorPage): Promise<Locator> {
   const spot = await middleOf(editor);
@@ -149,9 +156,7 @@ test("what no font has is named when it is typed and when it is exported, and wh
   editor,
   page,
 }) => {
-  await editor.open();
-  await editor.openModel([squareGlb()]);
-  const words = await putWords(editor);
+  const words = await openOnWords(editor);
   await page.keyboard.insertText("Ada 字 😀");
   await words.blur();
   await expect(editor.notices).toHaveCount(1);
@@ -211,9 +216,7 @@ test("words that the engine has not measured when the page is left are there aft
   editor,
   page,
 }) => {
-  await editor.open();
-  await editor.openModel([squareGlb()]);
-  const words = await putWords(editor);
+  const words = await openOnWords(editor);
   await editor.idle();
   await page.evaluate(() => window.texelcast.kept());
   const before = await textLayer(editor);
