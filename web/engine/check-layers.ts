@@ -3,6 +3,7 @@
  * is drawn in every frame is not checked in each of them.
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { BLEND_MODES } from "./blend-modes.ts";
 import { checkText } from "./check-text.ts";
 import {
   between,
@@ -21,28 +22,7 @@ import {
   type Rules,
   TEXT,
 } from "./check-value.ts";
-import type { BlendMode } from "./engine-api.ts";
 
-// Written out: what takes them from the core's own tables makes those a file apart, which every page loads.
-const BLENDS: readonly BlendMode[] = [
-  "normal",
-  "multiply",
-  "screen",
-  "overlay",
-  "darken",
-  "lighten",
-  "color-dodge",
-  "color-burn",
-  "hard-light",
-  "soft-light",
-  "difference",
-  "exclusion",
-  "hue",
-  "saturation",
-  "color",
-  "luminosity",
-  "erase",
-];
 const SHARE = between(0, 1);
 const COLOR = numbers(4);
 const MATERIALS: Rule = {
@@ -54,7 +34,7 @@ const EVERY: Rules = {
   id: TEXT,
   type: oneOf("decal", "stroke", "fill", "group"),
   opacity: SHARE,
-  blend: oneOf(...BLENDS),
+  blend: oneOf(...BLEND_MODES),
   blendSpace: oneOf("srgb", "linear"),
   mask: maybe(OBJECT),
 };

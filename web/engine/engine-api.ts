@@ -3,11 +3,13 @@
  * worker's client (browser) and by the host itself (Node), so the page and the command line run the same engine.
  */
 
+import type { BlendMode } from "./blend-modes.ts";
 import type { EnginePicture, EngineText, TextMeasure } from "./engine-text.ts";
 import type { LayerMaterials } from "./layer-materials.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
 import type { PrintZones } from "./print-zones.ts";
 
+export type { BlendMode } from "./blend-modes.ts";
 export type { EnginePicture, EngineText, TextMeasure } from "./engine-text.ts";
 
 /** A model's bytes with the side files that its `.gltf` names (relative address to bytes). */
@@ -61,26 +63,6 @@ export interface UvProjector {
 }
 
 export type Projector = PlanarProjector | PerspectiveProjector | CylindricalProjector | UvProjector;
-
-/** W3C Compositing and Blending Level 1 by its own names, and `erase` (destination out). */
-export type BlendMode =
-  | "normal"
-  | "multiply"
-  | "screen"
-  | "overlay"
-  | "darken"
-  | "lighten"
-  | "color-dodge"
-  | "color-burn"
-  | "hard-light"
-  | "soft-light"
-  | "difference"
-  | "exclusion"
-  | "hue"
-  | "saturation"
-  | "color"
-  | "luminosity"
-  | "erase";
 
 interface EngineLayerBase {
   /** Unique among all layers, those in groups and masks included. */

@@ -2,6 +2,7 @@
  * The design document: the recipe that the editor edits, files hold and the engine replays (spec.md, 8). Plain data;
  * every type here has all its fields set, because reading a file fills in the defaults (`parseDesign`).
  */
+import type { BlendMode } from "../../engine/blend-modes.ts";
 import type {
   CylindricalProjector,
   PerspectiveProjector,
@@ -13,29 +14,11 @@ import type {
 } from "../../engine/engine-api.ts";
 import type { LayerMaterials } from "../../engine/layer-materials.ts";
 
+export { BLEND_MODES, type BlendMode } from "../../engine/blend-modes.ts";
+
 export const DESIGN_FORMAT = "texelcast-design";
 export const DESIGN_VERSION = 1;
 
-/** W3C Compositing and Blending Level 1, in its order, and `erase` (destination out). */
-export const BLEND_MODES = [
-  "normal",
-  "multiply",
-  "screen",
-  "overlay",
-  "darken",
-  "lighten",
-  "color-dodge",
-  "color-burn",
-  "hard-light",
-  "soft-light",
-  "difference",
-  "exclusion",
-  "hue",
-  "saturation",
-  "color",
-  "luminosity",
-  "erase",
-] as const;
 export const BLEND_SPACES = ["srgb", "linear"] as const;
 export const FILTERS = ["linear", "nearest"] as const;
 export const WRAPS = ["none", "repeat"] as const;
@@ -45,7 +28,6 @@ export const PICTURE_TYPES = ["image/png", "image/jpeg", "image/webp", "image/sv
 export const ALIGNS = ["left", "center", "right"] as const;
 export const FONT_TYPES = ["font/ttf", "font/otf"] as const;
 
-export type BlendMode = (typeof BLEND_MODES)[number];
 export type BlendSpace = (typeof BLEND_SPACES)[number];
 export type Filter = (typeof FILTERS)[number];
 export type Wrap = (typeof WRAPS)[number];
