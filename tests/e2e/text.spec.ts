@@ -212,6 +212,46 @@ test("what was typed in the moment before the page is loaded again is there afte
   expect(noted).toContain("Grace");
 });
 
+test("what was typed in the moment before a phone hides the page is noted, and is typed on where it was left", async ({
+  editor,
+  page,
+}) => {
+  const words = await openOnWords(editor);
+  await editor.idle();
+  await page.evaluate(() => window.texelcast.kept());
+  const hide = (): Promise<string> =>
+    page.evaluate(() => {
+      Object.defineProperty(document, "visibilityState", { value: "hidden", configurable: true });
+      document.dispatchEvent(new Event("visibilitychange"));
+      Reflect.deleteProperty(document, "visibilityState");
+      return Object.values(localStorage).join();
+    });
+  await words.fill("Grace");
+  expect(await hide()).toContain("Grace");
+  await expect(words).toBeFocused();
+  await page.keyboard.type(" H");
+  await expect.poll(async () => (await textLayer(editor)).text).toBe("Grace H");
+
+  // A number that is not left yet, too.
+  const curve = page.locator('tc-number[data-field="curve"] input');
+  await curve.fill("77");
+  expect(await hide()).toContain('"curve":77');
+});
+
+test("above a phone's keyboard the words that are typed and the model are both in sight", async ({ editor, page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const words = await openOnWords(editor);
+  expect(await page.locator("meta[name=viewport]").getAttribute("content")).toContain(
+    "interactive-widget=resizes-content",
+  );
+  // What such a page is left by the keyboard.
+  await page.setViewportSize({ width: 390, height: 508 });
+  await expect(words).toBeFocused();
+  await expect(words).toBeInViewport({ ratio: 1 });
+  const { height } = (await editor.view.boundingBox()) ?? { height: 0 };
+  expect(height, "pixels of the model's view").toBeGreaterThan(80);
+});
+
 test("words that the engine has not measured when the page is left are there afterwards, in a box that fits them", async ({
   editor,
   page,

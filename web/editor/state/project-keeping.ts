@@ -5,7 +5,7 @@ import { LastWordsMemory } from "../storage/last-words.ts";
 import { ProjectLock } from "../storage/project-lock.ts";
 import { ProjectStore } from "../storage/project-store.ts";
 import { TabMemory } from "../storage/tab-memory.ts";
-import { endOpenField } from "../ui/open-field.ts";
+import { endOpenField, takeTyped } from "../ui/open-field.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DesignSession } from "./design-session.ts";
 import { type EditorState, INITIAL_STATE } from "./editor-state.ts";
@@ -78,9 +78,11 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
     void autosave.flush();
   };
   document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState === "hidden") leave();
+    if (document.visibilityState !== "hidden") return;
+    // A phone may end a page that is not seen, and says no more to it. Who comes back goes on typing.
+    takeTyped();
+    leave();
   });
-  // Phones' browsers tell nothing of a page's end but this.
   addEventListener("pagehide", () => {
     endOpenField();
     leave();

@@ -1,4 +1,5 @@
 /** Keys of the page. What has the focus comes first: a text field keeps every key, a slider or a list its arrows. */
+import { takeTyped } from "../ui/open-field.ts";
 import type { Editor } from "./editor.ts";
 import type { LayerCommands } from "./layer-commands.ts";
 import { VIEW_LAYOUTS } from "./view-state.ts";
@@ -16,7 +17,8 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
   if (event.ctrlKey || event.metaKey) {
     if (focus === "text") {
       if (!["s", "o"].includes(event.key.toLowerCase())) return false;
-      takeTyped(event);
+      // What stands in a field is recorded when it is left: what is saved must hold it.
+      takeTyped(event.composedPath()[0]);
     }
     return handleCommand(event, editor, actions);
   }
@@ -161,14 +163,6 @@ function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Ed
     default:
       return false;
   }
-}
-
-/** What stands in a field is recorded when it is left: what is saved must hold it. */
-function takeTyped(event: KeyboardEvent): void {
-  const [field] = event.composedPath();
-  if (!(field instanceof HTMLElement)) return;
-  field.blur();
-  field.focus();
 }
 
 /** What the focused element does with keys: takes them as text, chooses with them, or leaves them to the page. */

@@ -11,3 +11,10 @@ export function focusedIn(root: DocumentOrShadowRoot | null): HTMLElement | null
 export function endOpenField(): void {
   focusedIn(document)?.blur();
 }
+
+/** What is typed in it so far becomes a step, and it is typed in on. */
+export function takeTyped(field: unknown = focusedIn(document)): void {
+  if (!(field instanceof HTMLElement) || !field.matches("input, textarea")) return;
+  field.blur();
+  field.focus({ preventScroll: true });
+}
