@@ -223,6 +223,11 @@ export class Workbench extends EditorElement {
     this.#resize();
     const whole: EventTarget = this.embedded ? this : window;
     whole.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
+    // Before a view takes the press for itself.
+    const press = (event: Event): void => {
+      this.editor.decals.copiesDragged = (event as PointerEvent).altKey;
+    };
+    whole.addEventListener("pointerdown", press, { capture: true, signal });
     for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
     whole.addEventListener("dragover", (event) => this.#dragOver(event as DragEvent), { signal });
     whole.addEventListener("dragleave", (event) => this.#dragLeave(event as DragEvent), { signal });

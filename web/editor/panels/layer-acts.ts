@@ -56,8 +56,15 @@ export function barActs({ layers, store, strings }: Editor): LayerAct[] {
   ];
 }
 
-/** What can be done with the chosen layers, as the bar's menu and the rows' context menu have it. */
-export function moreItems({ layers, clipboard, store, strings }: Editor, rename: (id: string) => void): MenuItem[] {
+/**
+ * What can be done with the chosen layers, as the bar's menu and the context menus of the rows and of the model have it.
+ *
+ * @param rename null where there is no field for a name
+ */
+export function moreItems(
+  { layers, clipboard, store, strings }: Editor,
+  rename: ((id: string) => void) | null,
+): MenuItem[] {
   const words = strings.layers;
   const { selection, selectedId, design } = store.state;
   const layer = findLayer(design, selectedId);
@@ -65,8 +72,14 @@ export function moreItems({ layers, clipboard, store, strings }: Editor, rename:
   const masked = layer !== undefined && layer.mask !== null;
   const grouped = selection.some((id) => findLayer(design, id)?.type === "group");
   const above = selectedId !== null && layerBelow(design, selectedId) !== undefined;
+  const naming = (name: (id: string) => void): MenuItem => ({
+    label: words.rename,
+    icon: Pencil,
+    disabled: selection.length !== 1,
+    run: () => name(selectedId ?? ""),
+  });
   return [
-    { label: words.rename, icon: Pencil, disabled: selection.length !== 1, run: () => rename(selectedId ?? "") },
+    ...(rename ? [naming(rename)] : []),
     { label: words.duplicate, icon: Copy, disabled: none, run: () => layers.duplicate() },
     { label: words.remove, icon: Trash, disabled: none, run: () => layers.remove() },
     { label: words.copy, icon: ClipboardCopy, disabled: none, separated: true, run: () => copyNow(clipboard) },

@@ -2,6 +2,7 @@
  * Dragging rows of the layer list. A mouse or pen drags a row by any part of it; a finger, whose stroke scrolls the list, by
  * its grip, and a long press of it takes the row into the choice.
  */
+import { takesBack } from "../../viewer/take-back-key.ts";
 import { dropAt, type LayerDrop, type LayerRow } from "../state/layer-rows.ts";
 
 export interface LayerDragHost {
@@ -113,9 +114,11 @@ export class LayerDrag {
   };
 
   readonly #key = (event: KeyboardEvent): void => {
-    if (event.key !== "Escape" || this.#ids.length === 0) return;
-    event.preventDefault();
+    if (this.#ids.length === 0) return;
+    // The page does not hear of keys meanwhile: it would delete what is dragged, or take back the step before.
     event.stopPropagation();
+    if (!takesBack(event)) return;
+    event.preventDefault();
     this.#swallow = true;
     this.#end();
   };

@@ -9,6 +9,8 @@ import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import { narrow, sideways } from "../ui/page-shapes.ts";
 import "./animation-bar.ts";
+import type { ModelMenu } from "./model-menu.ts";
+import "./model-menu.ts";
 import "./tool-options.ts";
 import "./tool-rail.ts";
 import "./view-menu.ts";
@@ -198,11 +200,29 @@ export class Stage extends EditorElement {
     const empty = tasks.length === 0 && !starting;
     this.dataset.tone = view.background;
     return html`
-      <div class="view ${animation.clip !== null ? "moving" : animation.clips.length > 0 ? "still" : ""}">
+      <div
+        class="view ${animation.clip !== null ? "moving" : animation.clips.length > 0 ? "still" : ""}"
+        @pointerdown=${(event: PointerEvent) => this.#menu?.press(event)}
+        @pointerup=${(event: PointerEvent) => this.#menu?.release(event)}
+        @contextmenu=${(event: MouseEvent) => this.#menu?.ask(event)}
+        @dblclick=${() => this.#type()}
+      >
         <slot name="view"></slot>
       </div>
+      <tc-model-menu .editor=${this.editor}></tc-model-menu>
       ${model ? this.#tools() : empty ? this.#empty() : nothing}
     `;
+  }
+
+  get #menu(): ModelMenu | null {
+    return this.renderRoot.querySelector("tc-model-menu");
+  }
+
+  /** The words that were pressed twice: the first press has chosen them. */
+  #type(): void {
+    const { store, texts } = this.editor;
+    if (texts.selected && store.state.tool === "move" && !store.state.readonly)
+      store.set({ textToType: texts.selected.id });
   }
 
   #tools(): TemplateResult {

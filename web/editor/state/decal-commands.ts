@@ -7,7 +7,7 @@ import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { clearPlace } from "./clear-place.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
-import { addOnTop, layerById, withAsset } from "./design-edits.ts";
+import { addOnTop, layerById, patchLayer, withAsset } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf, type EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
@@ -37,6 +37,10 @@ export class DecalCommands {
   readonly #layers: LayerCommands;
   readonly #reach: DecalReach;
   readonly #tried = new TriedKinds();
+  /** Whether a decal that is dragged from here on leaves a copy of itself where it lay, as it does in other editors. */
+  copiesDragged = false;
+  /** The recorded design, with that copy in it, while such a drag goes on. */
+  #copied: Design | null = null;
 
   constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
     this.#session = session;
@@ -195,15 +199,29 @@ export class DecalCommands {
 
   /** A view's drag of a decal: shown while it goes on, a step of the history when it ends. */
   followGesture({ id, kind, phase, projector, material: onto }: DecalGesture): void {
-    if (phase === "start") this.#layers.select(id);
-    else if (phase === "cancel") this.#session.cancelPreview();
+    if (phase === "start") {
+      this.#layers.select(id);
+      this.#copied = this.copiesDragged && kind === "slide" ? this.#layers.withCopyBelow(id) : null;
+    } else if (phase === "cancel") this.#session.cancelPreview();
     else {
       const layer = layerById(this.#session.recordedDesign, id);
       if (layer?.type !== "decal" && layer?.type !== "text") return;
       const patch = { projector, material: this.#reach.movedTo(layer, projector, onto) };
-      if (phase === "move") this.#layers.preview(id, patch);
+      if (this.#copied) this.#dragCopy(this.#copied, id, patch, phase);
+      else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
     }
+  }
+
+  #dragCopy(copied: Design, id: string, patch: Partial<PlacedLayer>, phase: "move" | "end"): void {
+    const design = patchLayer<PlacedLayer>(copied, id, patch);
+    if (phase === "move") {
+      this.#session.preview(design);
+      return;
+    }
+    const { steps, announce } = this.#board.strings;
+    this.#session.record(design, steps.duplicate(1));
+    this.#board.announce(announce.duplicated(layerById(design, id)?.name ?? ""));
   }
 
   #diagonal(): number {

@@ -21,6 +21,7 @@ import { diagonalOf, type EditorState } from "./editor-state.ts";
 import { fitToModel, putClip } from "./layer-clip.ts";
 import {
   addMask,
+  copyBelow,
   duplicateLayers,
   groupLayers,
   insertAbove,
@@ -167,6 +168,20 @@ export class LayerCommands {
     this.#session.record(design, this.#board.strings.steps.duplicate(copies.length));
     this.#chooseMade(copies);
     this.#board.announce(said);
+  }
+
+  /**
+   * The recorded design with a copy of a layer right below it, which has its name: whoever goes on with the layer itself takes
+   * the copy away. Null where there is no room for one, which is said.
+   */
+  withCopyBelow(id: string): Design | null {
+    return (
+      this.#attempt(() => {
+        const design = copyBelow(this.#session.recordedDesign, id);
+        this.#admission?.checkRoom(1);
+        return design;
+      }) ?? null
+    );
   }
 
   /** A copied decal is seen beside its original. */

@@ -135,6 +135,16 @@ export function duplicateLayers(
   return { design: made, ids: copies };
 }
 
+/** A copy right below a layer takes its name and its place; the layer itself has the copy's name. Throws as `insertAt`. */
+export function copyBelow(design: Design, id: string): Design {
+  const visit = visitOf(design, id);
+  if (!visit) return design;
+  const { layer, parentId, list, index } = visit;
+  const name = freeName(design, layer.name);
+  const made = insertAt(design, { parentId, list, index }, withFreeIds(design, layer));
+  return mapLayer(made, id, (each) => ({ ...each, name }) as DesignLayer);
+}
+
 /** A mask that shows all of the layer, or hides all of it until it is painted on. One that has a mask keeps it. Throws as `insertAt`. */
 export function addMask(design: Design, id: string, hideAll: boolean): Design {
   const { material, mask = null } = findLayer(design, id) ?? {};

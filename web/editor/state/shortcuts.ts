@@ -45,6 +45,10 @@ function handleCommand(event: KeyboardEvent, { files, layers, store }: Editor, a
     case "y":
       void files.travel("redo");
       return true;
+    case "a":
+      // Not the words of the page, which the browser would mark.
+      layers.selectAll();
+      return true;
     case "d":
       layers.duplicate();
       return true;

@@ -8,6 +8,7 @@ export const germanKeys: readonly KeyGroup[] = [
       ["Pfeiltasten", "Den gewählten Aufkleber verschieben; mit Umschalt zehnmal so weit"],
       ["[ und ]", "Ihn drehen; mit Umschalt zehnmal so weit"],
       ["− und +", "Ihn kleiner oder größer machen"],
+      ["Alt und ziehen", "Eine Kopie von ihm ziehen"],
       ["Alt an einem Griff", "Seine Größe um seine Mitte ändern"],
       ["Umschalt beim Drehen am Griff", "In Schritten von 15°"],
       ["Alt S, Alt U, Alt V", "Ihn ausrichten: an der Oberfläche, aufrecht, an der Ansicht"],
@@ -18,6 +19,7 @@ export const germanKeys: readonly KeyGroup[] = [
   {
     name: "Ebenen",
     keys: [
+      ["Strg oder ⌘ A", "Alle Ebenen auswählen"],
       ["Entf", "Die gewählten Ebenen löschen"],
       ["Strg oder ⌘ D", "Sie duplizieren"],
       [
@@ -57,6 +59,8 @@ export const germanKeys: readonly KeyGroup[] = [
         "Das Modell drehen, näher oder ferner, solange kein Aufkleber gewählt ist",
       ],
       ["Rechte Taste und ziehen", "Die Ansicht schieben"],
+      ["Rechte Taste auf dem Modell", "Was mit dem Aufkleber dort getan werden kann"],
+      ["Doppelklick auf einen Text", "Ihn schreiben"],
       ["Leertaste und ziehen", "Das Modell drehen oder die Textur schieben, während ein Werkzeug malt"],
       ["F", "Das ganze Modell zeigen"],
       ["Alt 1, 2, 3", "Nur das Modell, Modell und Textur, nur die Textur"],

@@ -14,6 +14,7 @@ export const keyGroups: readonly KeyGroup[] = [
       ["Arrow keys", "Move the selected decal; with Shift ten times as far"],
       ["[ and ]", "Turn it; with Shift ten times as far"],
       ["− and +", "Make it smaller or larger"],
+      ["Alt and a drag", "Drag a copy of it"],
       ["Alt with a handle", "Size it about its middle"],
       ["Shift while it is turned by its handle", "In steps of 15°"],
       ["Alt S, Alt U, Alt V", "Align it to the surface, upright, to the view"],
@@ -24,6 +25,7 @@ export const keyGroups: readonly KeyGroup[] = [
   {
     name: "Layers",
     keys: [
+      ["Ctrl or ⌘ A", "Select all layers"],
       ["Delete", "Delete the selected layers"],
       ["Ctrl or ⌘ D", "Duplicate them"],
       ["Ctrl or ⌘ C, X, V", "Copy, cut and paste them, also into another project; paste a picture as a decal"],
@@ -57,6 +59,8 @@ export const keyGroups: readonly KeyGroup[] = [
     keys: [
       ["Arrow keys, − and + in the view", "Turn the model, nearer or further, while no decal is selected"],
       ["Right button and a drag", "Move the view"],
+      ["Right button on the model", "What can be done with the decal there"],
+      ["Double click on a text", "Type it"],
       ["Space and a drag", "Turn the model, or move the texture, while a tool paints"],
       ["F", "Show the whole model"],
       ["Alt 1, 2, 3", "The model alone, model and texture, the texture alone"],

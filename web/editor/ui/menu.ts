@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { Check, ChevronDown, type IconNode } from "lucide";
 import { controls } from "./controls.ts";
 import { icon } from "./icon.ts";
+import { focusedIn } from "./open-field.ts";
 import { RemElement } from "./rem-element.ts";
 
 /** Pixels between the menu and its opener, and between it and the page's edges. */
@@ -34,6 +35,7 @@ export class Menu extends RemElement {
     icon: { attribute: false },
     items: { attribute: false },
     alignEnd: { type: Boolean },
+    loose: { type: Boolean },
     open: { state: true },
   };
   /** On the button; "" shows the icon alone. */
@@ -45,6 +47,8 @@ export class Menu extends RemElement {
   declare icon: IconNode | null;
   declare items: readonly MenuItem[];
   declare alignEnd: boolean;
+  /** It has no button, and opens where it is asked for alone. */
+  declare loose: boolean;
   declare open: boolean;
   declare disabled: boolean;
 
@@ -56,6 +60,7 @@ export class Menu extends RemElement {
     this.icon = null;
     this.items = [];
     this.alignEnd = false;
+    this.loose = false;
     this.open = false;
     this.disabled = false;
   }
@@ -133,6 +138,13 @@ export class Menu extends RemElement {
 
   override render(): TemplateResult {
     return html`
+      ${this.loose ? nothing : this.#opener()}
+      ${this.open ? this.#menu() : nothing}
+    `;
+  }
+
+  #opener(): TemplateResult {
+    return html`
       <button
         class=${this.label ? "opener" : "opener icon"}
         aria-haspopup="menu"
@@ -147,7 +159,6 @@ export class Menu extends RemElement {
         ${this.label && this.kind ? html`<span class="kind">${this.kind}</span>` : nothing}
         ${this.label ? html`<span>${this.label}</span>${icon(ChevronDown)}` : nothing}
       </button>
-      ${this.open ? this.#menu() : nothing}
     `;
   }
 
@@ -185,8 +196,12 @@ export class Menu extends RemElement {
   /** Client pixels that a context menu was asked for at; null: it hangs at its button. */
   #at: { readonly x: number; readonly y: number } | null = null;
 
+  /** What had the focus before it was opened without a button, and gets it back. */
+  #before: HTMLElement | null = null;
+
   /** Opens it as a context menu. */
   async openAt(x: number, y: number): Promise<void> {
+    this.#before = focusedIn(document);
     // One that is open already stands elsewhere.
     this.open = false;
     await this.updateComplete;
@@ -228,7 +243,8 @@ export class Menu extends RemElement {
 
   #close(): void {
     this.open = false;
-    this.renderRoot.querySelector<HTMLElement>(".opener")?.focus();
+    const opener = this.loose ? this.#before : this.renderRoot.querySelector<HTMLElement>(".opener");
+    opener?.focus();
   }
 
   #choose(item: MenuItem): void {

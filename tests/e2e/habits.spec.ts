@@ -1,0 +1,135 @@
+/** What hands bring along from other editors: a copy by Alt, a menu by the right button, a double click, all of it chosen. */
+import { type EditorPage, expect, test } from "./support/editor-page.ts";
+import { squareGlb } from "./support/test-files.ts";
+
+const names = async (editor: EditorPage): Promise<string[]> => (await editor.design()).layers.map(({ name }) => name);
+
+async function openOnBadge(editor: EditorPage): Promise<string> {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  return editor.addDemoDecal("badge");
+}
+
+test("a decal that is dragged with Alt leaves a copy where it lay; Escape and undo leave neither", async ({
+  editor,
+  page,
+}) => {
+  const id = await openOnBadge(editor);
+  const before = await editor.design();
+  const start = await editor.settledHash();
+  const from = await editor.pointOf(id);
+  const to = { x: from.x + 60, y: from.y + 30 };
+
+  await page.keyboard.down("Alt");
+  let shown = 0;
+  await editor.drag(from, to, 6, async () => {
+    shown = (await editor.design()).layers.length;
+  });
+  await page.keyboard.up("Alt");
+  expect(shown, "while it is dragged").toBe(2);
+  const copied = await editor.design();
+  expect(copied.layers).toMatchObject([
+    { ...before.layers[0], id: expect.not.stringMatching(`^${id}$`) },
+    { id, name: "Travel badge 2" },
+  ]);
+  expect(copied.layers[1]).not.toMatchObject({
+    projector: (await editor.decal(copied.layers[0]?.id as string)).projector,
+  });
+  expect(await editor.selectedName()).toBe("Travel badge 2");
+  expect(await editor.settledHash()).not.toBe(start);
+  await page.keyboard.press("Control+z");
+  await editor.idle();
+  expect(await editor.design()).toEqual(before);
+
+  await page.keyboard.down("Alt");
+  await editor.drag(from, to, 6, async () => page.keyboard.press("Escape"));
+  await page.keyboard.up("Alt");
+  expect(await editor.design()).toEqual(before);
+  expect(await editor.settledHash()).toBe(start);
+
+  // Without it the decal itself is moved.
+  await editor.drag(from, to, 6);
+  expect(await names(editor)).toEqual(["Travel badge"]);
+});
+
+test("the right button on the model offers what can be done with the decal there, and a drag with it moves the view", async ({
+  editor,
+  page,
+}) => {
+  const id = await openOnBadge(editor);
+  const at = await editor.pointOf(id);
+  await page.keyboard.press("Escape");
+  const menu = page.locator("tc-model-menu [role=menu]");
+
+  await page.mouse.click(at.x, at.y, { button: "right" });
+  await expect(menu).toBeVisible();
+  expect(await editor.selectedName()).toBe("Travel badge");
+  await page.keyboard.press("Escape");
+  await expect(menu).toBeHidden();
+  await expect(editor.view).toBeFocused();
+  expect(await editor.selectedName(), "closed by Escape, it leaves the choice").toBe("Travel badge");
+
+  await page.mouse.click(at.x, at.y, { button: "right" });
+  await menu.getByRole("menuitem", { name: "Duplicate" }).click();
+  expect(await names(editor)).toEqual(["Travel badge", "Travel badge 2"]);
+
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(at.x + 40, at.y, { steps: 4 });
+  await page.mouse.up({ button: "right" });
+  await expect(menu).toBeHidden();
+  await expect.poll(async () => (await editor.pointOf(id)).x).toBeGreaterThan(at.x + 10);
+
+  // A brush has the pointer for itself.
+  await page.keyboard.press("b");
+  await page.mouse.click(at.x, at.y, { button: "right" });
+  await expect(menu).toBeHidden();
+});
+
+test("the key for it opens the chosen layers' menu over the focused model", async ({ editor, page }) => {
+  const id = await openOnBadge(editor);
+  await editor.addDemoDecal("number");
+  await editor.select(id);
+  await editor.view.focus();
+  await page.keyboard.press("ContextMenu");
+  const menu = page.locator("tc-model-menu [role=menu]");
+  await expect(menu).toBeVisible();
+  await expect(menu.getByRole("menuitem", { name: "Duplicate" })).toBeFocused();
+  await page.keyboard.press("Enter");
+  await expect.poll(() => names(editor)).toEqual(["Travel badge", "Travel badge 2", "Number 07"]);
+});
+
+test("a double click on words has them typed, wherever the keyboard was", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  await page.locator("#add-text").click();
+  const words = page.locator("tc-text-fields textarea");
+  await expect(words).toBeFocused();
+  await page.locator("tc-side-panel #tab-history").click();
+  const { x, y } = await editor.middleOfStage();
+  await page.mouse.dblclick(x, y);
+  await expect(words).toBeFocused();
+  await page.keyboard.type("Ada");
+  await expect.poll(async () => (await editor.design()).layers.at(-1)).toMatchObject({ text: "Ada" });
+});
+
+test("Ctrl A chooses all layers wherever the keyboard is, and marks no words of the page", async ({ editor, page }) => {
+  await openOnBadge(editor);
+  await editor.addDemoDecal("number");
+  await editor.view.focus();
+  await page.keyboard.press("Control+a");
+  await expect(page.locator("tc-layer-list .row[aria-selected=true]")).toHaveCount(2);
+  expect(await page.evaluate(() => getSelection()?.toString())).toBe("");
+});
+
+test("while a row is dragged an undo ends the drag, and neither it nor Delete does more", async ({ editor, page }) => {
+  await openOnBadge(editor);
+  await editor.addDemoDecal("number");
+  const [upper, lower] = await editor.places(editor.row("Number 07"), editor.row("Travel badge"));
+  const row = ({ x, y, height }: typeof upper) => ({ x: x + 60, y: y + height / 2 });
+  await editor.drag(row(upper), { ...row(lower), y: lower.y + lower.height - 2 }, 5, async () => {
+    await page.keyboard.press("Delete");
+    await page.keyboard.press("Control+z");
+  });
+  expect(await names(editor)).toEqual(["Travel badge", "Number 07"]);
+});
