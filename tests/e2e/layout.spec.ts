@@ -191,6 +191,33 @@ test.describe("the first steps", () => {
   }
 });
 
+test("a notice has the place of the first steps' card to itself, which is back when it is closed", async ({
+  editor,
+  page,
+}) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await editor.open({ hint: true });
+  const card = page.locator("tc-first-hint section");
+  await expect(card).toBeVisible();
+  await editor.drop([file("knight.glb", "this is no model")], await editor.middleOfStage());
+  await expect(editor.notices).toBeVisible();
+  await expect(card).toBeHidden();
+  await editor.notices.locator(".dismiss").click();
+  await expect(card).toBeVisible();
+});
+
+test.describe("on a tablet", () => {
+  test.use({ viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
+
+  test("the examples fill their rows, each as large as a finger", async ({ editor, page }) => {
+    await editor.open();
+    const tiles = await editor.places(...(await page.locator("tc-decal-palette [data-decal]").all()));
+    const rows = [...new Set(tiles.map(({ y }) => y))].map((top) => tiles.filter(({ y }) => y === top).length);
+    expect(new Set(rows).size, `tiles in the rows: ${rows}`).toBe(1);
+    for (const { width, height } of tiles) expect(Math.min(width, height)).toBeGreaterThanOrEqual(44);
+  });
+});
+
 test.describe("in German, whose words are long,", () => {
   test.use({ locale: "de-DE" });
 

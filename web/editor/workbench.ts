@@ -160,6 +160,10 @@ export class Workbench extends EditorElement {
         justify-self: start;
         padding: var(--space-3);
       }
+      /* It would lie over the card, and is read first. */
+      .views:has(tc-notice-stack[filled]) tc-first-hint {
+        visibility: hidden;
+      }
       /* The bar of a model that moves has the foot of the views. */
       .moving tc-first-hint {
         padding-block-end: calc(var(--target) + 8px + 2 * var(--space-3));

@@ -45,9 +45,14 @@ export class DecalPalette extends EditorElement {
           background: var(--tile-checker);
         }
       }
+      /* A finger's tiles do not all have room in one row: two rows of as many each leave none over. */
       @media (pointer: coarse) {
         .palette {
-          grid-template-columns: repeat(auto-fill, minmax(44px, 1fr));
+          grid-template-columns: repeat(4, 1fr);
+        }
+        .palette button {
+          height: 44px;
+          aspect-ratio: auto;
         }
       }
       /* On a phone one row that scrolls, so that the layers have the room. */

@@ -131,6 +131,7 @@ export class NoticeStack extends EditorElement {
 
   override render(): TemplateResult {
     const { notices, tasks, announcement } = this.state;
+    this.toggleAttribute("filled", notices.length > 0);
     return html`
       <div class="visually-hidden" id="announcer" aria-live="polite">${announcement}</div>
       ${repeat(
