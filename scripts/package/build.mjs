@@ -99,7 +99,8 @@ export async function buildPackage() {
     target: "node20",
     splitting: true,
     chunkNames: "node-[hash]",
-    // Draco's glue is CommonJS.
+    // Draco's glue is CommonJS: it asks for both at once, before it looks at the WebAssembly that it is given.
+    define: { __dirname: "import.meta.dirname" },
     banner: {
       js: 'import { createRequire as __createRequire } from "node:module"; const require = __createRequire(import.meta.url);',
     },

@@ -1,12 +1,9 @@
-import { type Document, WebIO } from "@gltf-transform/core";
-import { EXTMeshoptCompression, KHRDracoMeshCompression, KHRMaterialsUnlit } from "@gltf-transform/extensions";
-import createDracoEncoder from "draco3dgltf/draco_encoder_gltf_nodejs.js";
-import { MeshoptEncoder } from "meshoptimizer/encoder";
 import { beforeAll, describe, expect, it } from "vitest";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
 import { readContainer, writeGlb } from "../../web/engine/gltf-container.ts";
 import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { loadModelFile } from "../../web/engine/model-loader.ts";
+import { compressedModels } from "../support/compressed-models.ts";
 import { buildGlb, cube, cylinder, plane } from "../support/model-builder.ts";
 import { solidPng } from "../support/png-file.ts";
 import { haveSharedModels, noteSkipped, sharedModel } from "../support/shared-models.ts";
@@ -28,22 +25,7 @@ let draco: Uint8Array;
 let meshopt: Uint8Array;
 
 beforeAll(async () => {
-  const io = new WebIO()
-    .registerExtensions([KHRDracoMeshCompression, EXTMeshoptCompression, KHRMaterialsUnlit])
-    .registerDependencies({ "draco3d.encoder": await createDracoEncoder(), "meshopt.encoder": MeshoptEncoder });
-  await MeshoptEncoder.ready;
-  const compress = async (change: (document: Document) => void): Promise<Uint8Array> => {
-    const document = await io.readBinary(plain as Uint8Array<ArrayBuffer>);
-    change(document);
-    return await io.writeBinary(document);
-  };
-  const bits = { POSITION: 16, NORMAL: 12, TEX_COORD: 16 };
-  draco = await compress((document) => {
-    document.createExtension(KHRDracoMeshCompression).setRequired(true).setEncoderOptions({ quantizationBits: bits });
-  });
-  meshopt = await compress((document) => {
-    document.createExtension(EXTMeshoptCompression).setRequired(true);
-  });
+  ({ draco, meshopt } = await compressedModels(plain));
 });
 
 /** The same model with one of its JSON's members changed. */
