@@ -10,7 +10,7 @@ import {
   resolveLayers,
 } from "../web/editor/document/index.ts";
 import type { EngineLayer } from "../web/engine/engine-api.ts";
-import { MAX_FILE_BYTES, readFileBytes, resolveInFolder } from "./read-file.ts";
+import { decodeText, MAX_FILE_BYTES, readFileBytes, resolveInFolder } from "./read-file.ts";
 
 /** JavaScript holds no longer text in one string on every platform; embedded pictures are the bulk of it. */
 const MAX_DESIGN_BYTES = 256 * 2 ** 20;
@@ -37,7 +37,9 @@ export async function readDesign(file: string): Promise<LoadedDesign> {
     return { file, design: project.design, layers: resolveLayers(project.design), project };
   }
   const bytes = await readFileBytes(file, { code: "bad-design", maxBytes: MAX_DESIGN_BYTES });
-  const design = parseDesign(decodeText(bytes, file), file);
+  const hint = "A design is a JSON file; give the model first and the design second.";
+  const text = decodeText(bytes, { code: "bad-design", what: "the design", file, hint });
+  const design = parseDesign(text, file);
   return { file, design, layers: resolveLayers(design), project: null };
 }
 
@@ -79,18 +81,6 @@ export async function readDataUri(uri: string, file: string, field: string): Pro
       subject: file,
       field,
       hint: 'Write it as "data:image/png;base64,…".',
-      cause,
-    });
-  }
-}
-
-function decodeText(bytes: Uint8Array, file: string): string {
-  try {
-    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  } catch (cause) {
-    throw new TexelcastError("bad-design", "the design is not UTF-8 text", {
-      subject: file,
-      hint: "A design is a JSON file; give the model first and the design second.",
       cause,
     });
   }

@@ -49,17 +49,39 @@ export async function readFileBytes(filePath: string, options: ReadOptions): Pro
     }
   } catch (cause) {
     if (cause instanceof TexelcastError) throw cause;
-    const { code, message } = cause as NodeJS.ErrnoException;
+    const { code } = cause as NodeJS.ErrnoException;
     if (code === "ENOENT" || code === "ENOTDIR") {
       const hint = "Check the name; upper and lower case differ.";
       const value = namedBy === undefined ? {} : { value: filePath };
       throw new TexelcastError("missing-file", `${about}there is no such file`, { ...details, ...value, hint, cause });
     }
-    throw new TexelcastError(options.code, `${about}cannot be read: ${message}`, {
+    throw new TexelcastError(options.code, `${about}cannot be read: ${systemReason(cause)}`, {
       ...details,
       hint: "Check that you may read the file.",
       cause,
     });
+  }
+}
+
+/** What a system call complains of; the rest of its message repeats the path, however long. */
+const systemReason = (cause: unknown): string =>
+  cause instanceof Error ? (/^[A-Z0-9]+: [^,]+/.exec(cause.message)?.[0] ?? cause.message) : String(cause);
+
+/** Who is told where a document is no text. */
+export interface TextReference {
+  readonly code: string;
+  /** As in "the design". */
+  readonly what: string;
+  readonly file: string;
+  readonly hint: string;
+}
+
+/** @throws TexelcastError with the code that is given, for bytes that are not UTF-8: letters that stand for others would pass for the author's. */
+export function decodeText(bytes: Uint8Array, { code, what, file, hint }: TextReference): string {
+  try {
+    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+  } catch (cause) {
+    throw new TexelcastError(code, `${what} is not UTF-8 text`, { subject: file, hint, cause });
   }
 }
 

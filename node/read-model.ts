@@ -19,3 +19,7 @@ export async function readModel(file: string): Promise<ModelSource> {
   }
   return { name: file, bytes, resources };
 }
+
+/** The side files of a model that `readModel` has read. */
+export const sideFilesOf = ({ name, resources }: ModelSource): Promise<string[]> =>
+  Promise.all([...(resources?.keys() ?? [])].map((uri) => resolveInFolder(uri, { file: name })));

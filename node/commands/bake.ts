@@ -8,7 +8,7 @@ import { type NpyType, npyHeader } from "../npy.ts";
 import { openEngine } from "../open-engine.ts";
 import type { Size } from "../options.ts";
 import { Progress } from "../progress.ts";
-import { readModel } from "../read-model.ts";
+import { readModel, sideFilesOf } from "../read-model.ts";
 import { formatCount, formatShare, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
 
@@ -52,11 +52,11 @@ const ARRAYS = [vectors("positions"), vectors("normals"), counts("coverage"), co
 export async function bake(file: string, options: BakeOptions): Promise<void> {
   const { out, gutter } = options;
   const pathOf = (name: MapView, extension: "npy" | "png"): string => path.join(out, `${name}.${extension}`);
-  for (const { name } of ARRAYS) {
-    await checkOutputFile(pathOf(name, "npy"));
-    await checkOutputFile(pathOf(name, "png"));
-  }
+  const outputs = ARRAYS.flatMap(({ name }) => [pathOf(name, "npy"), pathOf(name, "png")]);
+  for (const output of outputs) await checkOutputFile(output, [file]);
   const model = await readModel(file);
+  const inputs = await sideFilesOf(model);
+  for (const output of outputs) await checkOutputFile(output, inputs);
   const engine = openEngine();
   const progress = new Progress();
   const files = new PendingFiles();

@@ -5,7 +5,7 @@ import { withPrintJob } from "../print-job.ts";
 import { checkPrintedMaterial } from "../printed-material.ts";
 import { Progress } from "../progress.ts";
 import { assetFilesOf, readAsset, readDesign } from "../read-design.ts";
-import { readModel } from "../read-model.ts";
+import { readModel, sideFilesOf } from "../read-model.ts";
 import { formatCount, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
 import { readZones } from "./check.ts";
@@ -21,12 +21,12 @@ export interface PrintOptions extends Omit<PrintFileOptions, "size" | "base"> {
 /** Writes the file and prints its hash. @throws TexelcastError for what cannot be read, printed or written */
 export async function print(modelFile: string, designFile: string, options: PrintOptions): Promise<void> {
   const { out, zones: zonesFile, size, base, ...rest } = options;
-  checkZoneOptions(options);
+  checkOptions(options);
   await checkOutputFile(out, [modelFile, designFile, ...(zonesFile === undefined ? [] : [zonesFile])]);
   const zones = zonesFile === undefined ? null : await readZones(zonesFile);
   const design = await readDesign(designFile);
-  await checkOutputFile(out, await assetFilesOf(design));
   const model = await readModel(modelFile);
+  await checkOutputFile(out, [...(await assetFilesOf(design)), ...(await sideFilesOf(model))]);
   const job = { ...design, model, readAsset: (key: string) => readAsset(design, key), zones };
   const wanted: PrintFileOptions = {
     ...rest,
@@ -40,7 +40,7 @@ export async function print(modelFile: string, designFile: string, options: Prin
       checkPrintedMaterial(info, rest, zones, { zones: zonesFile ?? "" });
       return engine.exportPrint(wanted, (share) => progress.report("Printing", share));
     }).catch((error: unknown) => {
-      throw zonesFile === undefined ? error : namingZones(error, zonesFile);
+      throw namingOptions(error, zonesFile);
     });
     await files.write(out, file.bytes);
     await files.commit();
@@ -54,8 +54,8 @@ export async function print(modelFile: string, designFile: string, options: Prin
   }
 }
 
-/** What is asked of a zone asks for one. @throws TexelcastError "bad-argument" */
-function checkZoneOptions({ zones, zone, flattened }: PrintOptions): void {
+/** What is asked of a zone asks for one, and no texture has two sizes. @throws TexelcastError "bad-argument" */
+function checkOptions({ zones, zone, flattened, size, dpi }: PrintOptions): void {
   const wrong = (option: string, why: string, hint: string) =>
     new TexelcastError("bad-argument", `--${option}: ${why}`, { field: option, hint });
   if (zone !== undefined && zones === undefined) {
@@ -72,12 +72,26 @@ function checkZoneOptions({ zones, zone, flattened }: PrintOptions): void {
       "Name the zones file with --zones and one of its zones with --zone.",
     );
   }
+  if (size !== undefined && dpi !== undefined && !flattened) {
+    throw wrong(
+      "dpi",
+      `--size has said already how many texels are printed, so ${dpi} DPI cannot be kept`,
+      "Give one of the two.",
+    );
+  }
 }
 
-/** The engine knows no files and no options: those that a zone was asked for by are named here. */
-function namingZones(error: unknown, file: string): unknown {
-  if (!(error instanceof TexelcastError) || error.code !== "bad-argument") return error;
+/** The engine knows no files and no options: those that a print was asked for by are named here. */
+function namingOptions(error: unknown, file: string | undefined): unknown {
+  if (!(error instanceof TexelcastError)) return error;
+  if (error.code === "bad-size" && error.field === "dpi") {
+    return new TexelcastError(error.code, `--dpi: ${error.message}`, { ...error.toJSON(), cause: error });
+  }
+  if (file === undefined) return error;
   const details = { ...error.toJSON(), subject: file, cause: error };
+  if (error.code === "bad-zones" && error.field === "zone")
+    return new TexelcastError(error.code, error.message, details);
+  if (error.code !== "bad-argument") return error;
   if (error.field === "zone") {
     const hint = "Check the id; upper and lower case differ.";
     return new TexelcastError(error.code, `--zone: ${error.message}`, { ...details, hint });

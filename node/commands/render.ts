@@ -11,7 +11,7 @@ import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from ".
 import { Progress } from "../progress.ts";
 import { assetFilesOf, type LoadedDesign, readAsset, readDesign } from "../read-design.ts";
 import { readFileBytes } from "../read-file.ts";
-import { readModel } from "../read-model.ts";
+import { readModel, sideFilesOf } from "../read-model.ts";
 import { formatCount, plural, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
 
@@ -35,6 +35,7 @@ export async function render(modelFile: string | null, designFile: string, optio
   const design = await readDesign(designFile);
   inputs.push(...(await assetFilesOf(design)));
   const model = modelFile === null ? modelInside(design) : await readModel(modelFile);
+  if (modelFile !== null) inputs.push(...(await sideFilesOf(model)));
   const base = await readBase(options.base);
   const engine = openEngine();
   const progress = new Progress();

@@ -164,6 +164,63 @@ describe("texelcast print", () => {
     });
   });
 
+  it("refuses two sizes of one texture as wrong usage, and takes both where the art is laid out flat", async () => {
+    const { run } = await workbench([decal()]);
+    expect(await run("print", "--size", "16", "--dpi", "300", "--out", "x.png")).toEqual({
+      code: 2,
+      signal: null,
+      stdout: "",
+      stderr:
+        "texelcast: --dpi: --size has said already how many texels are printed, so 300 DPI cannot be kept\n" +
+        "  Give one of the two.\n",
+    });
+    const flat = ["--zones", "zones.json", "--zone", "left", "--flattened"];
+    expect(await run("print", ...flat, "--size", "16", "--dpi", "100", "--out", "x.png")).toMatchObject({ code: 0 });
+  });
+
+  it("names the option whose DPI no texture has, and the zones file whose zone lies on nothing", async () => {
+    const { run } = await workbench(
+      [decal()],
+      zones([
+        zone({
+          shape: {
+            kind: "uv",
+            polygon: [
+              [0, 0],
+              [0.1, 0],
+              [0.1, 0.1],
+            ],
+          },
+        }),
+      ]),
+    );
+    const dense = await run("print", "--dpi", "10000", "--out", "x.png");
+    expect(dense.stderr).toMatch(
+      /^texelcast: --dpi: 10000 DPI would need a texture larger than 16384 × 16384 texels\.\n {2}Ask for \d+ DPI/,
+    );
+    expect(dense.code).toBe(3);
+    const empty = await run("print", "--zones", "zones.json", "--zone", "left", "--out", "x.png");
+    expect(empty.stderr).toMatch(/^texelcast: zones\.json: The zone “left” has no surface to print\.\n {2}[A-Z]/);
+    expect(empty.code).toBe(3);
+  });
+
+  it("refuses a zones file that is no UTF-8, whose letters would stand for others", async () => {
+    const { folder, run } = await workbench([decal()]);
+    writeFileSync(
+      path.join(folder, "zones.json"),
+      Buffer.from(JSON.stringify(zones([zone({ id: "Größe" })])), "latin1"),
+    );
+    for (const [command, ...more] of [["check"], ["print", "--out", "x.png"]] as const) {
+      expect(await run(command, "--zones", "zones.json", ...more)).toEqual({
+        code: 3,
+        signal: null,
+        stdout: "",
+        stderr:
+          "texelcast: zones.json: the zones file is not UTF-8 text\n  A zones file is a JSON file: save it as UTF-8.\n",
+      });
+    }
+  });
+
   it("refuses a zone or flat art as wrong usage where no file or no zone is named", async () => {
     const { run } = await workbench([decal()]);
     const withoutFile = await run("print", "--zone", "left", "--out", "x.png");

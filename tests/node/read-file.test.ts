@@ -114,6 +114,15 @@ describe("a file that the user names", () => {
     });
   });
 
+  it("is told once and cut short, however long its name is", async () => {
+    const name = `${"long ".repeat(1000)}.glb`;
+    const refused = await refusal(readFileBytes(name, { code: "bad-picture", namedBy: { file: "design.json" } }));
+    expect(refused).toMatchObject({ code: "bad-picture", subject: "design.json" });
+    expect(refused.message).toHaveLength(
+      `"${name.slice(0, 119)}…": cannot be read: ENAMETOOLONG: name too long`.length,
+    );
+  });
+
   it("is refused when it is a folder or a device", async () => {
     const folder = await refusal(readFileBytes(inside("textures"), { code: "bad-model" }));
     expect(folder).toMatchObject({ code: "bad-model", message: "is a folder", subject: inside("textures") });

@@ -2,7 +2,7 @@ import { closeSync, existsSync, linkSync, openSync, readFileSync, writeFileSync 
 import path from "node:path";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { solidPng } from "../support/png-file.ts";
-import { planeGlb } from "./plane-model.ts";
+import { planeDocument, planeGlb } from "./plane-model.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
 function folderWithPlane(): string {
@@ -60,6 +60,40 @@ describe("an output that is one of the inputs", () => {
     );
     expect({ code, stdout }).toEqual({ code: 2, stdout: "" });
     expect(readFileSync(at(out)).equals(before)).toBe(true);
+  });
+});
+
+describe("a side file of a .gltf", () => {
+  /** The plane beside its two files, which have the names of what a bake writes. */
+  function folderWithSideFiles(): string {
+    const folder = temporaryFolder();
+    const { gltf, bin } = planeDocument({ texture: solidPng(8, 8, [1, 2, 3, 255]) });
+    const [picture] = gltf.images as { bufferView?: number; mimeType?: string; uri?: string }[];
+    const view = (gltf.bufferViews as { byteOffset: number; byteLength: number }[])[picture?.bufferView ?? -1];
+    if (!picture || !view) throw new Error("the plane has no picture");
+    writeFileSync(path.join(folder, "normals.png"), bin.subarray(view.byteOffset, view.byteOffset + view.byteLength));
+    delete picture.bufferView;
+    picture.uri = "normals.png";
+    gltf.buffers = [{ byteLength: bin.length, uri: "overlap.npy" }];
+    writeFileSync(path.join(folder, "overlap.npy"), bin);
+    writeFileSync(path.join(folder, "plane.gltf"), JSON.stringify(gltf));
+    writeFileSync(path.join(folder, "design.json"), '{"format":"texelcast-design","version":1,"layers":[]}');
+    return folder;
+  }
+
+  it.each([
+    ["render", ["render", "plane.gltf", "design.json", "--out", "normals.png"], "normals.png"],
+    ["print", ["print", "plane.gltf", "design.json", "--out", "normals.png"], "normals.png"],
+    ["bake", ["bake", "plane.gltf", "--out", "."], "normals.png"],
+  ])("is no place for what %s writes, and is left as it is", async (_what, args, out) => {
+    const folder = folderWithSideFiles();
+    const before = readFileSync(path.join(folder, out));
+    const { code, stdout, stderr } = await texelcast([...args, "--size", "8"], { cwd: folder });
+    expect(stderr).toBe(
+      `texelcast: --out: "${out}" is read by this command, and would be lost\n  Give --out another name.\n`,
+    );
+    expect({ code, stdout }).toEqual({ code: 2, stdout: "" });
+    expect(readFileSync(path.join(folder, out)).equals(before)).toBe(true);
   });
 });
 
