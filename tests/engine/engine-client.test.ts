@@ -53,6 +53,11 @@ describe("the engine's client", () => {
       [[{ ...good, type: "stroke" }], "layers[0].brush", "undefined"],
       [[{ ...good, type: "sticker" }], "layers[0].type", "sticker"],
       [[{ ...good, blend: "soft" }], "layers[0].blend", "soft"],
+      [[good, { ...good }], "layers[1].id", "decal"],
+      [[{ ...good, id: "other", mask: { layers: [good] } }, good], "layers[1].id", "decal"],
+      [[{ ...good, id: undefined }], "layers[0].id", "undefined"],
+      [[good, { ...good, id: "" }], "layers[1].id", ""],
+      [[{ ...good, opacity: () => 1 }], "layers[0].opacity", expect.stringMatching(/undefined|=>/)],
       [[{ ...good, occlusion: "auto" }], "layers[0].occlusion", "auto"],
       [[{ ...good, projector: { ...FRONT, kind: "flat" } }], "layers[0].projector.kind", "flat"],
     ];
@@ -80,6 +85,33 @@ describe("the engine's client", () => {
       }
       expect(await each.measureText(text as never)).toMatchObject({ missing: [] });
     }
+  });
+
+  it("draws layers that hold functions or are a framework's proxies as plain ones, and those that come after them", async () => {
+    const { engine } = start();
+    await openPlane(engine);
+    const good = decal("decal", "logo");
+    engine.setLayers([good], 1);
+    const painted = await engine.hash(0);
+    for (const odd of [{ ...good, onPick: () => 1 }, new Proxy(good, {})]) {
+      engine.setLayers([], 2);
+      expect(await engine.hash(0)).not.toBe(painted);
+      engine.setLayers([odd, fill("below", [0, 0, 1, 0])], 3);
+      expect(await engine.hash(0)).toBe(painted);
+      engine.setLayers([good], 4);
+      expect(await engine.hash(0)).toBe(painted);
+    }
+  });
+
+  it("refuses a call that no worker can be sent, and goes on", async () => {
+    const { engine } = start();
+    await openPlane(engine);
+    const refused = (field: string) => ({ name: "TexelcastError", code: "bad-argument", field });
+    await expect(engine.setZones(new Proxy(zones(), {}))).rejects.toMatchObject(refused("setZones"));
+    await expect(engine.openTarget({ material: 0, base: (() => 1) as never })).rejects.toMatchObject(
+      refused("openTarget"),
+    );
+    await expect(engine.idle()).resolves.toBeUndefined();
   });
 
   it("refuses what is no file by its field, as the engine in its own thread does, and goes on", async () => {

@@ -31,7 +31,7 @@ const MATERIALS: Rule = {
 };
 
 const EVERY: Rules = {
-  id: TEXT,
+  id: { must: "a text, and not empty", holds: (value) => typeof value === "string" && value !== "" },
   type: oneOf("decal", "stroke", "fill", "group"),
   opacity: SHARE,
   blend: oneOf(...BLEND_MODES),
@@ -63,26 +63,32 @@ const PROJECTORS: Readonly<Record<string, Rules>> = {
 /** The first thing that is no layer's: a "bad-argument" with its field ("layers[0].projector.size") and value; null without one. */
 export function layersFault(layers: unknown): TexelcastError | null {
   try {
-    checkLayers(layers, "layers");
+    checkLayers(layers, "layers", new Map());
     return null;
   } catch (thrown) {
     return TexelcastError.wrap(thrown, "internal", "The layers could not be read.");
   }
 }
 
-function checkLayers(layers: unknown, field: string): void {
+/** Where each id was met first. */
+type Ids = Map<unknown, string>;
+
+function checkLayers(layers: unknown, field: string, ids: Ids): void {
   checkValue(layers, LIST, field);
-  for (const [index, layer] of (layers as readonly unknown[]).entries()) checkLayer(layer, `${field}[${index}]`);
+  for (const [index, layer] of (layers as readonly unknown[]).entries()) checkLayer(layer, `${field}[${index}]`, ids);
 }
 
-function checkLayer(layer: unknown, field: string): void {
+function checkLayer(layer: unknown, field: string, ids: Ids): void {
   checkFields(layer, EVERY, field);
-  const { type, mask, layers, asset, brush, dabs, gradient, parts, projector } = layer as Readonly<
+  const { id, type, mask, layers, asset, brush, dabs, gradient, parts, projector } = layer as Readonly<
     Record<string, unknown>
   >;
+  const first = ids.get(id);
+  checkValue(id, { must: `another than that of “${first}”`, holds: () => first === undefined }, `${field}.id`);
+  ids.set(id, field);
   checkFields(layer, BY_TYPE[type as string] ?? {}, field);
-  if (isObject(mask)) checkLayers(mask.layers, `${field}.mask.layers`);
-  if (type === "group") checkLayers(layers, `${field}.layers`);
+  if (isObject(mask)) checkLayers(mask.layers, `${field}.mask.layers`, ids);
+  if (type === "group") checkLayers(layers, `${field}.layers`, ids);
   if (type === "decal") {
     if (isObject(asset)) checkText(asset, `${field}.asset`);
     checkProjector(projector, `${field}.projector`);

@@ -21,7 +21,7 @@ import type {
   TargetUpdate,
   TextMeasure,
 } from "./engine-api.ts";
-import { cancelled, crashError, disposed, haltError } from "./engine-faults.ts";
+import { cancelled, crashError, disposed, haltError, notSendable } from "./engine-faults.ts";
 import type { Call, CallArguments, CallName, CallResult, ClientMessage, WorkerMessage } from "./engine-protocol.ts";
 import { foreignWorker, isForeign } from "./foreign-worker.ts";
 import type { CallOptions, PendingCall } from "./pending-call.ts";
@@ -283,7 +283,11 @@ class EngineClient implements Engine {
       const settle = resolve as (value: never) => void;
       this.#pending.set(id, { call, resolve: settle, reject, onProgress, signal, replay, attempts: 1 });
     });
-    this.#send({ type: "call", id, call });
+    try {
+      this.#send({ type: "call", id, call });
+    } catch (thrown) {
+      this.#settle(id)?.reject(notSendable(name, thrown));
+    }
     return result.finally(() => signal?.removeEventListener("abort", cancel));
   }
 
@@ -294,15 +298,16 @@ class EngineClient implements Engine {
   #sendLayers(): void {
     if (this.#layers === null) return;
     this.#layersWaiting = false;
-    this.#layersUnderWay = true;
     const { layers, revision } = this.#layers;
-    let message: ClientMessage;
     try {
-      message = { type: "layers", layers: this.#sender.pack(layers), revision };
+      this.#send({ type: "layers", layers: this.#sender.pack(layers), revision });
     } catch {
-      message = { type: "unreadable", layers, revision };
+      // No layers, or such as no worker can be sent: with functions, or a framework's proxies. What is plain of them goes.
+      this.#sender = new LayerSender();
+      const [plain] = JSON.parse(JSON.stringify([layers]));
+      this.#send({ type: "unreadable", layers: plain, revision });
     }
-    this.#send(message);
+    this.#layersUnderWay = true;
   }
 
   #startWorker(): void {

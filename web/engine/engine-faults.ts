@@ -19,6 +19,10 @@ export function haltError(crash: TexelcastError, times: number): TexelcastError 
 /** Whoever called has called it off. */
 export const cancelled = (): TexelcastError => new TexelcastError("cancelled", "The call was cancelled.");
 
+/** What holds functions, or a framework's proxies. */
+export const notSendable = (field: string, thrown: unknown): TexelcastError =>
+  new TexelcastError("bad-argument", `No worker can be sent what “${field}” was given: ${thrown}.`, { field });
+
 /** Whatever is asked of an engine after `dispose`. */
 export const disposed = (): TexelcastError => new TexelcastError("disposed", "The engine was ended.");
 

@@ -97,6 +97,8 @@ export class LayerSync {
     const places = new Map<string, { layer: WantedLayer; parentId: string | null; list: List }>();
     const note = (layers: readonly WantedLayer[], parentId: string | null, list: List): void => {
       for (const layer of layers) {
+        // The check of layers then says which, and what is wrong with its id.
+        if (!layer.id || places.has(layer.id)) throw new Error(layer.id);
         places.set(layer.id, { layer, parentId, list });
         note(layer.mask, layer.id, "mask");
         note(layer.content, layer.id, "content");
