@@ -93,3 +93,52 @@ for (const kind of ["iframe", "window"] as const) {
     });
   }
 }
+
+for (const kind of ["iframe", "window"] as const) {
+  test(`in another ${kind}, rows of the full mode's list are dragged, and keys of that document take a drag back`, async ({
+    page,
+  }) => {
+    await page.goto("element.html?loading=eager&mode=full");
+    await page.locator("texelcast-editor").evaluate(async (element: Editor) => {
+      await element.addDecal("demo/decals/smiley.png", { name: "below" });
+      await element.addDecal("demo/decals/smiley.png", { name: "above" });
+    });
+    const other = await otherDocument(page, kind);
+    await moveTo(page, kind);
+    const editor = other.locator("texelcast-editor");
+    await editor.evaluate((element: Editor) => element.start());
+    const { mouse, keyboard } = kind === "iframe" ? page : other.page();
+    const layers = async (): Promise<readonly unknown[]> =>
+      (await editor.evaluate((element: Editor) => element.exportDesign())).design.layers;
+    const names = async (): Promise<unknown> => (await layers()).map((layer) => (layer as { name: string }).name);
+    const press = async (selector: string, text?: string): Promise<{ x: number; y: number; height: number }> => {
+      const place = editor.locator(selector, text === undefined ? {} : { hasText: text });
+      await place.scrollIntoViewIfNeeded();
+      const box = await place.boundingBox();
+      if (!box) throw new Error(`There is no ${selector}.`);
+      const at = { x: box.x + box.width / 2, y: box.y + box.height / 2, height: box.height };
+      await mouse.move(at.x, at.y);
+      await mouse.down();
+      return at;
+    };
+
+    const dragDown = async (): Promise<void> => {
+      const { x, y, height } = await press("tc-layer-list .row .name", "above");
+      await mouse.move(x, y + 3 * height, { steps: 6 });
+    };
+    await dragDown();
+    await keyboard.press("Escape");
+    await mouse.up();
+    expect(await names()).toEqual(["below", "above"]);
+    await dragDown();
+    await mouse.up();
+    expect(await names()).toEqual(["above", "below"]);
+
+    const rested = await layers();
+    const { x, y } = await press('tc-number[data-field="position-x"] label');
+    await mouse.move(x + 30, y, { steps: 3 });
+    await keyboard.press("Escape");
+    await mouse.up();
+    expect(await layers()).toEqual(rested);
+  });
+}

@@ -3,6 +3,7 @@
  * its grip, and a long press of it takes the row into the choice.
  */
 import { takesBack } from "../../viewer/take-back-key.ts";
+import { windowOf } from "../../viewer/window-of.ts";
 import { dropAt, type LayerDrop, type LayerRow } from "../state/layer-rows.ts";
 
 export interface LayerDragHost {
@@ -27,6 +28,8 @@ const SCROLL_STEP = 10;
 
 export class LayerDrag {
   readonly #host: LayerDragHost;
+  /** Where the newest press is followed: that which the row is seen in. */
+  #window: Window = window;
   #press: { readonly id: string; readonly pointer: number; readonly x: number; readonly y: number } | null = null;
   #ids: readonly string[] = [];
   #drop: LayerDrop | null = null;
@@ -57,16 +60,17 @@ export class LayerDrag {
   press(event: PointerEvent, id: string, byGrip: boolean): void {
     this.#swallow = false;
     if (event.button !== 0 || this.#press) return;
+    this.#window = windowOf(event.target as Element);
     const touch = event.pointerType === "touch";
     if (touch && !byGrip) {
       this.#waitForLongPress(event, id);
       return;
     }
     this.#press = { id, pointer: event.pointerId, x: event.clientX, y: event.clientY };
-    addEventListener("pointermove", this.#move);
-    addEventListener("pointerup", this.#release);
-    addEventListener("pointercancel", this.#cancel);
-    addEventListener("keydown", this.#key, { capture: true });
+    this.#window.addEventListener("pointermove", this.#move);
+    this.#window.addEventListener("pointerup", this.#release);
+    this.#window.addEventListener("pointercancel", this.#cancel);
+    this.#window.addEventListener("keydown", this.#key, { capture: true });
   }
 
   /** Ends a drag without its effect, and takes back what was listened for. */
@@ -75,15 +79,17 @@ export class LayerDrag {
   };
 
   #waitForLongPress({ clientX, clientY, pointerId }: PointerEvent, id: string): void {
+    const seenIn = this.#window;
+    const types = ["pointermove", "pointerup", "pointercancel"] as const;
     const stop = (): void => {
       clearTimeout(this.#timer);
-      for (const type of ["pointermove", "pointerup", "pointercancel"] as const) removeEventListener(type, follow);
+      for (const type of types) seenIn.removeEventListener(type, follow);
     };
     const follow = (event: PointerEvent): void => {
       const moved = Math.hypot(event.clientX - clientX, event.clientY - clientY) > 2 * DRAG_START;
       if (event.pointerId === pointerId && (event.type !== "pointermove" || moved)) stop();
     };
-    for (const type of ["pointermove", "pointerup", "pointercancel"] as const) addEventListener(type, follow);
+    for (const type of types) seenIn.addEventListener(type, follow);
     this.#timer = setTimeout(() => {
       stop();
       this.#swallow = true;
@@ -127,10 +133,10 @@ export class LayerDrag {
     this.#press = null;
     this.#ids = [];
     this.#drop = null;
-    removeEventListener("pointermove", this.#move);
-    removeEventListener("pointerup", this.#release);
-    removeEventListener("pointercancel", this.#cancel);
-    removeEventListener("keydown", this.#key, { capture: true });
+    this.#window.removeEventListener("pointermove", this.#move);
+    this.#window.removeEventListener("pointerup", this.#release);
+    this.#window.removeEventListener("pointercancel", this.#cancel);
+    this.#window.removeEventListener("keydown", this.#key, { capture: true });
     this.#host.requestUpdate();
   }
 

@@ -4,6 +4,7 @@
  */
 import { html, nothing, type TemplateResult } from "lit";
 import { ArrowLeftRight, ChevronDown, Palette, SlidersHorizontal } from "lucide";
+import { windowOf } from "../../viewer/window-of.ts";
 import type { Editor } from "../state/editor.ts";
 import { diagonalOf, type EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
@@ -45,6 +46,7 @@ export class ToolOptions extends EditorElement {
   #measured = "";
   readonly #width = new ResizeObserver(() => this.requestUpdate());
   readonly #beside = matchMedia(BESIDE);
+  #seenIn: Window = window;
 
   static override styles = [controls, propertyStyles, toolOptionsStyles];
 
@@ -64,14 +66,15 @@ export class ToolOptions extends EditorElement {
     super.connectedCallback();
     this.#beside.addEventListener("change", this.#resize);
     if (this.sheet) return;
-    addEventListener("pointerdown", this.#pressed, { capture: true });
+    this.#seenIn = windowOf(this);
+    this.#seenIn.addEventListener("pointerdown", this.#pressed, { capture: true });
     this.#width.observe(this);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#beside.removeEventListener("change", this.#resize);
-    removeEventListener("pointerdown", this.#pressed, { capture: true });
+    this.#seenIn.removeEventListener("pointerdown", this.#pressed, { capture: true });
     this.#width.disconnect();
   }
 

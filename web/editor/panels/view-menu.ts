@@ -4,6 +4,7 @@
  */
 import { css, html, nothing, type TemplateResult } from "lit";
 import { Eye } from "lucide";
+import { windowOf } from "../../viewer/window-of.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
@@ -23,6 +24,7 @@ export class ViewMenu extends EditorElement {
   /** The stage that its button stands in, which the splitter makes narrower. */
   readonly #moves = new ResizeObserver(() => this.#place());
   #wasInSheet = false;
+  #seenIn: Window = window;
 
   static override styles = [
     controls,
@@ -71,13 +73,14 @@ export class ViewMenu extends EditorElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    addEventListener("resize", this.#place);
+    this.#seenIn = windowOf(this);
+    this.#seenIn.addEventListener("resize", this.#place);
     this.#hasSheet.addEventListener("change", this.#moveOver);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    removeEventListener("resize", this.#place);
+    this.#seenIn.removeEventListener("resize", this.#place);
     this.#moves.disconnect();
     this.#hasSheet.removeEventListener("change", this.#moveOver);
     // The view has given its place to the other one.

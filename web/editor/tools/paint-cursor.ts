@@ -1,5 +1,6 @@
 /** Painting by keys: arrows move a cursor over the surface, Space or Enter paints where it is, for as long as it is held. */
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import { windowOf } from "../../viewer/window-of.ts";
 import type { ToolContext } from "./tool-context.ts";
 
 export interface PaintCursorHooks {
@@ -25,6 +26,8 @@ export class PaintCursor {
   readonly #hooks: PaintCursorHooks;
   #hit: SurfaceHit | null = null;
   #heldKey: string | null = null;
+  /** Where the held key comes up again: that in which it went down. */
+  #window: Window = window;
 
   constructor(context: Pick<ToolContext, "viewer" | "board">, hooks: PaintCursorHooks) {
     this.#context = context;
@@ -49,7 +52,10 @@ export class PaintCursor {
     }
     if (event.key !== "Enter" && event.key !== " ") return false;
     if (!focused || this.#hit === null) return false;
-    if (this.#heldKey === null) this.#press(event.key, this.#hit);
+    if (this.#heldKey === null) {
+      this.#window = windowOf(event.target as Element);
+      this.#press(event.key, this.#hit);
+    }
     return true;
   }
 
@@ -73,8 +79,8 @@ export class PaintCursor {
 
   #press(key: string, hit: SurfaceHit): void {
     this.#heldKey = key;
-    addEventListener("keyup", this.#keyUp, { capture: true });
-    addEventListener("blur", this.#release);
+    this.#window.addEventListener("keyup", this.#keyUp, { capture: true });
+    this.#window.addEventListener("blur", this.#release);
     this.#hooks.begin(hit);
   }
 
@@ -85,8 +91,8 @@ export class PaintCursor {
   readonly #release = (): void => {
     if (this.#heldKey === null) return;
     this.#heldKey = null;
-    removeEventListener("keyup", this.#keyUp, { capture: true });
-    removeEventListener("blur", this.#release);
+    this.#window.removeEventListener("keyup", this.#keyUp, { capture: true });
+    this.#window.removeEventListener("blur", this.#release);
     this.#hooks.end();
   };
 }

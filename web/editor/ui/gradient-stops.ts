@@ -6,6 +6,7 @@
 import { css, html, type PropertyValues, type TemplateResult } from "lit";
 import { Minus, Plus } from "lucide";
 import { takesBack } from "../../viewer/take-back-key.ts";
+import { windowOf } from "../../viewer/window-of.ts";
 import type { GradientStop } from "../document/index.ts";
 import type { Strings } from "../strings.ts";
 import { controls } from "./controls.ts";
@@ -328,7 +329,7 @@ export class GradientStops extends RemElement {
     if (event.button !== 0) return;
     this.chosen = index;
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
-    addEventListener("keydown", this.#dragKey, { capture: true });
+    windowOf(this).addEventListener("keydown", this.#dragKey, { capture: true });
     const { stops } = this;
     this.#drag = { pointer: event.pointerId, x: event.clientX, place: index, moved: false, before: stops, stops };
   }
@@ -376,7 +377,7 @@ export class GradientStops extends RemElement {
 
   #end(): void {
     this.#drag = null;
-    removeEventListener("keydown", this.#dragKey, { capture: true });
+    windowOf(this).removeEventListener("keydown", this.#dragKey, { capture: true });
   }
 }
 customElements.define("tc-gradient-stops", GradientStops);

@@ -4,6 +4,7 @@
  */
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { takesBack } from "../../viewer/take-back-key.ts";
+import { windowOf } from "../../viewer/window-of.ts";
 import { RemElement } from "./rem-element.ts";
 import { plainControls } from "./theme.ts";
 import { typedNumber } from "./typed-number.ts";
@@ -285,7 +286,7 @@ export class NumberField extends RemElement {
     event.preventDefault();
     (event.currentTarget as HTMLElement).setPointerCapture(event.pointerId);
     this.#scrub = { pointer: event.pointerId, x: event.clientX, from: this.value, active: false, value: this.value };
-    addEventListener("keydown", this.#takeBack, { capture: true });
+    windowOf(this).addEventListener("keydown", this.#takeBack, { capture: true });
   }
 
   #drag(event: PointerEvent): void {
@@ -331,7 +332,7 @@ export class NumberField extends RemElement {
 
   #endScrub(): void {
     this.#scrub = null;
-    removeEventListener("keydown", this.#takeBack, { capture: true });
+    windowOf(this).removeEventListener("keydown", this.#takeBack, { capture: true });
   }
 
   #bounded(value: number): number {
