@@ -1,4 +1,4 @@
-import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, expect, it, onTestFinished, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { Desk } from "../../web/element/desk/desk.ts";
 import { askShop } from "../../web/element/desk/placing.ts";
@@ -44,4 +44,22 @@ it("a product that is closed while the shop makes up its mind waits for it no lo
   expect(signals[0]?.aborted).toBe(true);
   expect(await told).toMatchObject({ code: "disposed" });
   expect(vi.getTimerCount()).toBe(0);
+});
+
+it("a shop that throws at once has refused, and a product that is closed afterwards leaves nothing unheard", async () => {
+  const unheard: unknown[] = [];
+  const hear = (reason: unknown): void => void unheard.push(reason);
+  process.on("unhandledRejection", hear);
+  onTestFinished(() => void process.off("unhandledRejection", hear));
+  vi.useRealTimers();
+  const closing = new AbortController();
+  const beforeAccept = (): never => {
+    throw new Error("the shop's own fault");
+  };
+  const desk = { settings: { beforeAccept, words: english }, signal: closing.signal } as unknown as Desk;
+  await expect(askShop(desk, ASSET)).rejects.toMatchObject({ code: "refused", subject: "cat.png" });
+  closing.abort(new TexelcastError("disposed", "The product was closed."));
+  // Node tells of them once its other work is done.
+  await new Promise((resolve) => setImmediate(resolve));
+  expect(unheard).toEqual([]);
 });

@@ -151,7 +151,8 @@ async function inTime<T>(end: AbortSignal, ask: (signal: AbortSignal) => T): Pro
     signal.addEventListener("abort", () => reject(signal.reason));
   });
   try {
-    return await Promise.race([ask(signal), silence]);
+    // One that throws at once is raced, too: alone, the silence would reject unheard.
+    return await Promise.race([Promise.resolve(signal).then(ask), silence]);
   } finally {
     clearTimeout(timer);
   }
