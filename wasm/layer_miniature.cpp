@@ -13,19 +13,13 @@ constexpr std::uint32_t kSamples = 2;  // along a side of a pixel
 /// Where a miniature looks at the target: row by row, kSamples x kSamples of a pixel apart in the list.
 class Samples {
 public:
-    Samples(const MiniatureArea& area, std::uint32_t columns, std::uint32_t rows, std::uint32_t side) {
-        const std::uint32_t across = side * kSamples;
-        places_.reserve(std::size_t{across} * across);
-        const auto at = [&](std::uint32_t index) {
-            return static_cast<std::int32_t>((2 * std::int64_t{index} + 1) * area.side / (2 * across));
-        };
-        for (std::uint32_t j = 0; j < across; ++j) {
-            const std::int32_t y = area.y + at(j);
-            for (std::uint32_t i = 0; i < across; ++i) places_.push_back(place(area.x + at(i), y, columns, rows));
-        }
+    Samples(const MiniatureArea& area, std::uint32_t columns, std::uint32_t rows, std::uint32_t side)
+        : area_(area), columns_(columns), rows_(rows), across_(side * kSamples), steps_(across_) {
+        for (std::uint32_t i = 0; i < across_; ++i)
+            steps_[i] = static_cast<std::int32_t>((2 * std::int64_t{i} + 1) * area.side / (2 * across_));
     }
 
-    std::size_t size() const { return places_.size(); }
+    std::size_t size() const { return std::size_t{across_} * across_; }
 
     /// The node's own colours, premultiplied, on 0 to 1.
     std::vector<Float4> colors_of(const LayerNode& node) const {
@@ -37,9 +31,16 @@ public:
             }
         } else if (node.layer->is_everywhere()) {
             const Float4 color = Float4{def.color[0], def.color[1], def.color[2], 1.0f} * splat(def.color[3]);
-            for (std::size_t s = 0; s < size(); ++s) colors[s] = places_[s].tile == kNoTile ? splat(0.0f) : color;
+            const auto is_within = [](std::int32_t at, std::uint32_t tiles) {
+                return at >= 0 && static_cast<std::uint32_t>(at) < tiles * kTileSize;
+            };
+            for (std::size_t s = 0; s < size(); ++s) {
+                if (is_within(area_.x + steps_[s % across_], columns_) &&
+                    is_within(area_.y + steps_[s / across_], rows_))
+                    colors[s] = color;
+            }
         } else {
-            read(node.layer->tiles, colors);
+            lay_tiles(node.layer->tiles, 1.0f, false, colors);
         }
         return colors;
     }
@@ -61,43 +62,48 @@ public:
     }
 
 private:
-    struct Place {
-        std::uint32_t tile;  // kNoTile beyond the target
-        std::uint32_t texel;
-    };
-
-    static Place place(std::int32_t x, std::int32_t y, std::uint32_t columns, std::uint32_t rows) {
-        constexpr auto kSize = static_cast<std::int32_t>(kTileSize);
-        if (x < 0 || y < 0) return {kNoTile, 0};
-        const auto column = static_cast<std::uint32_t>(x / kSize);
-        const auto row = static_cast<std::uint32_t>(y / kSize);
-        if (column >= columns || row >= rows) return {kNoTile, 0};
-        return {row * columns + column, static_cast<std::uint32_t>(y % kSize * kSize + x % kSize)};
+    static void lay_one(Float4 color, bool erases, Float4& below) {
+        below = below * splat(1.0f - color[3]);
+        if (!erases) below += color;
     }
 
-    void read(const LayerTiles& tiles, std::vector<Float4>& colors) const {
-        std::uint32_t known = kNoTile;
-        const std::uint16_t* texels = nullptr;
-        for (std::size_t s = 0; s < size(); ++s) {
-            if (places_[s].tile == kNoTile) continue;
-            if (places_[s].tile != known) {
-                known = places_[s].tile;
-                texels = tiles.find(known);
+    /// Looks at no samples but those on the tiles: a group may hold thousands of strokes, each on a few.
+    void lay_tiles(const LayerTiles& tiles, float opacity, bool erases, std::vector<Float4>& below) const {
+        constexpr auto kSize = static_cast<std::int32_t>(kTileSize);
+        const std::uint16_t* texels = tiles.texels.data();
+        for (const std::uint32_t tile : tiles.indices) {
+            const std::int32_t x0 = static_cast<std::int32_t>(tile % columns_) * kSize - area_.x;
+            const std::int32_t y0 = static_cast<std::int32_t>(tile / columns_) * kSize - area_.y;
+            const std::size_t first = first_at(x0);
+            for (std::size_t j = first_at(y0); j < across_ && steps_[j] < y0 + kSize; ++j) {
+                for (std::size_t i = first; i < across_ && steps_[i] < x0 + kSize; ++i) {
+                    const std::int32_t texel = (steps_[j] - y0) * kSize + steps_[i] - x0;
+                    lay_one(load_ushort4(texels + texel * 4) * splat(1.0f / kFullScale) * splat(opacity), erases,
+                            below[j * across_ + i]);
+                }
             }
-            if (texels != nullptr)
-                colors[s] = load_ushort4(texels + std::size_t{places_[s].texel} * 4) * splat(1.0f / kFullScale);
+            texels += kTileTexels * 4;
         }
+    }
+
+    /// The first step that is `least` or more.
+    std::size_t first_at(std::int32_t least) const {
+        std::size_t at = 0;
+        while (at < across_ && steps_[at] < least) ++at;
+        return at;
     }
 
     void lay(const LayerNode& node, std::vector<Float4>& below) const {
-        const std::vector<Float4> colors = colors_of(node);
         const TxcLayerDef& def = node.layer->def;
-        const std::vector<float> shares = node.has_mask() ? shares_of(node) : std::vector<float>{};
-        for (std::size_t s = 0; s < size(); ++s) {
-            const Float4 color = colors[s] * splat(shares.empty() ? def.opacity : def.opacity * shares[s]);
-            below[s] = below[s] * splat(1.0f - color[3]);
-            if (def.blend != TXC_BLEND_ERASE) below[s] += color;
+        const bool erases = def.blend == TXC_BLEND_ERASE;
+        if (def.kind != TXC_LAYER_GROUP && !node.layer->is_everywhere() && !node.has_mask()) {
+            lay_tiles(node.layer->tiles, def.opacity, erases, below);
+            return;
         }
+        const std::vector<Float4> colors = colors_of(node);
+        const std::vector<float> shares = node.has_mask() ? shares_of(node) : std::vector<float>{};
+        for (std::size_t s = 0; s < size(); ++s)
+            lay_one(colors[s] * splat(shares.empty() ? def.opacity : def.opacity * shares[s]), erases, below[s]);
     }
 
     std::vector<float> alphas_of(const LayerNode& node) const {
@@ -109,7 +115,11 @@ private:
         return alphas;
     }
 
-    std::vector<Place> places_;
+    MiniatureArea area_;
+    std::uint32_t columns_;  // of the target, tiles
+    std::uint32_t rows_;
+    std::uint32_t across_;
+    std::vector<std::int32_t> steps_;  // from the area's edge to a sample, texels
 };
 
 /// Calls `visit(pixel, sample)` for each sample of each pixel.

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "support/allocation_meter.h"
 #include "support/test_session.h"
 
 using namespace support;
@@ -72,4 +73,41 @@ TEST_CASE("The square is the smallest around the marks, and all of the target wi
     CHECK(tall.side == 48);
     CHECK(tall.x == 16);
     CHECK(tall.y == 16);
+}
+
+TEST_CASE("What lies in a group is laid over another where it paints, without a picture for each of them") {
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(128, 128);
+    TxcLayerDef group;
+    txc_layer_def_default(&group);
+    group.kind = TXC_LAYER_GROUP;
+    const TxcLayer holder = session.layer(target, group);
+    const auto put = [&](float u, float v, float size, std::uint32_t blend, float opacity) {
+        TxcLayerDef def = stamp(session, u, v, size);
+        def.parent = holder;
+        def.blend = blend;
+        def.opacity = opacity;
+        session.layer(target, def);
+    };
+    const TxcLayer alone = session.layer(target, stamp(session, 0.5f, 0.5f, 1.0f));
+    put(0.5f, 0.5f, 1.0f, TXC_BLEND_NORMAL, 0.5f);
+    // The left half a second time, and a hole in the middle.
+    put(0.25f, 0.5f, 0.5f, TXC_BLEND_NORMAL, 0.5f);
+    put(0.5f, 0.5f, 0.25f, TXC_BLEND_ERASE, 1.0f);
+    session.update(target);
+    const Picture picture = miniature(session, holder);
+    CHECK(picture.at(2, 5).alpha == 191);
+    CHECK(picture.at(13, 8).alpha == 128);
+    CHECK(picture.at(8, 8).alpha == 0);
+    CHECK(picture.at(8, 2).red == 255);
+    if (!support::kMetersAllocations) return;
+    const auto peak_of = [&](TxcLayer layer) {
+        miniature(session, layer);
+        support::take_allocation_peak();
+        const std::uint64_t before = support::allocated_bytes();
+        miniature(session, layer);
+        return support::take_allocation_peak() - before;
+    };
+    // Beside what the one layer's takes, the nodes of those in the group.
+    CHECK(peak_of(holder) < peak_of(alone) + 2048);
 }
