@@ -2,7 +2,13 @@ import "fake-indexeddb/auto";
 import { IDBFactory } from "fake-indexeddb";
 import { openDB } from "idb";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { type Design, parseDesign } from "../../web/editor/document/index.ts";
+import {
+  type Design,
+  makePaintLayer,
+  makeStrokeLayer,
+  parseDesign,
+  serialiseDesign,
+} from "../../web/editor/document/index.ts";
 import { encodeDataUri } from "../../web/editor/files/data-uri.ts";
 import type { ModelRef } from "../../web/editor/state/editor-state.ts";
 import { ProjectPacker } from "../../web/editor/storage/packed-project.ts";
@@ -28,6 +34,26 @@ function design(count: number, uri = LOGO): Design {
     layers,
   });
 }
+
+/** Each with some 40 kB of text. */
+const strokes = (count: number, from = 0) =>
+  Array.from({ length: count }, (_, index) =>
+    makeStrokeLayer({
+      id: `stroke-${from + index}`,
+      brush: { tip: "round", color: "#c02050", hardness: 0.5, flow: 0.5 },
+      dabs: Array.from({ length: 200 }, (_, dab) => ({
+        kind: "planar",
+        position: [index, dab, 0],
+        rotation: [0, 0, 0, 1],
+        size: [1, 1, 1],
+        flow: 0.5,
+      })),
+    }),
+  );
+const painted = (of: ReturnType<typeof strokes>, below = design(1)): Design => ({
+  ...below,
+  layers: [...below.layers, makePaintLayer({ id: "paint", strokes: of })],
+});
 
 const content = (of: Design, name = "Cup"): ProjectContent => ({
   name,
@@ -99,6 +125,66 @@ describe("a project kept in the browser", () => {
       ["a", 1],
       ["a", 2],
     ]);
+  });
+
+  it("of many strokes has them written once: a save more writes the newest, and all come back", async () => {
+    const many = strokes(40);
+    await save("a", content(painted(many)), 0);
+    const written = vi.spyOn(IDBObjectStore.prototype, "put");
+    const bytes = () => written.mock.calls.reduce((sum, [row]) => sum + JSON.stringify(row).length, 0);
+    const more = [...many, ...strokes(1, 40)];
+    await save("a", content(painted(more)), 1);
+    expect(bytes()).toBeLessThan(40 * 40_000 * 0.3);
+    const { design: back } = await store.load("a");
+    expect(back).toEqual(painted(more));
+    // What was read is not written again either, by a page that comes back to it.
+    written.mockClear();
+    const [below, paint] = back.layers;
+    if (!below || paint?.type !== "paint") throw new Error("both layers are there");
+    const next = { ...back, layers: [below, { ...paint, strokes: [...paint.strokes, ...strokes(1, 41)] }] };
+    packer = new ProjectPacker(stringsIn("en"));
+    await save("a", content(next), 2);
+    expect(bytes()).toBeLessThan(40 * 40_000 * 0.3);
+    expect((await store.load("a")).design).toEqual(next);
+    // Steps back, and forth again after what they left behind was given up.
+    for (const [seen, of] of [painted(many.slice(0, 5)), painted(many.slice(0, 4)), painted(many)].entries())
+      await save("a", content(of), 3 + seen);
+    expect((await store.load("a")).design).toEqual(painted(many));
+    await store.remove("a");
+    await store.sweep(0);
+    expect(await tables()).toEqual({ revisions: [], blobs: 0 });
+  });
+
+  it("takes up last words of many strokes by what is kept of them, and needs nothing else", async () => {
+    const many = strokes(40);
+    const kept = painted(many);
+    await save("a", content(kept), 0);
+    const next = painted([...many, ...strokes(1, 40)]);
+    const words = packer.packText(content(next), kept);
+    if (!words) throw new Error("the picture is kept");
+    expect(words.design.length).toBeLessThan(40 * 40_000 * 0.3);
+    // A save under way has made more parts, and may never end.
+    const further = painted([...many, ...strokes(20, 40)]);
+    await packer.pack(content(further));
+    const later = packer.packText(content(further), kept);
+    if (!later) throw new Error("the picture is kept");
+    expect(await store.amend("a", { ...words, revision: 1 })).toBe(true);
+    expect((await store.load("a")).design).toEqual(next);
+    expect(await store.amend("a", { ...later, revision: 2 })).toBe(true);
+    expect((await store.load("a")).design).toEqual(further);
+  });
+
+  it("opens as older pages wrote it, all text in one", async () => {
+    const whole = painted(strokes(20));
+    await save("a", content(whole), 0);
+    const database = await openDB("texelcast");
+    const row = await database.get("revisions", ["a", 1]);
+    const logo = row.blobs.find((blob: string) => row.design.includes(`sha256/${blob}`));
+    const old = serialiseDesign(whole).replace(LOGO, `sha256/${logo}`);
+    expect(old).not.toContain(LOGO);
+    await database.put("revisions", { ...row, design: old, blobs: row.blobs });
+    database.close();
+    expect((await store.load("a")).design).toEqual(whole);
   });
 
   it("takes up nothing that does not go on from what is kept", async () => {

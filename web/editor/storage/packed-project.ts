@@ -20,6 +20,16 @@ import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import { contentHash } from "./content-hash.ts";
 import type { ProjectContent, StoredModel } from "./project.ts";
+import {
+  gatherParts,
+  hasParts,
+  joinParts,
+  knowParts,
+  noteParts,
+  partBytes,
+  partsOf,
+  printParts,
+} from "./stroke-parts.ts";
 
 const PREFIX = "sha256/";
 
@@ -75,7 +85,10 @@ export class ProjectPacker {
     }
     this.#pictures = pictures;
     const blobs = new Map<string, StoredBlob>();
-    const text = this.#packDesign(content, blobs);
+    const named = this.#named(content, blobs);
+    await gatherParts(named);
+    const text = packText(content, named, blobs);
+    noteParts(content.design, new Set(blobs.keys()));
     const model = await this.#packModel(content.model, blobs);
     const size = [...blobs.values()].reduce((sum, blob) => sum + blob.size, text.design.length);
     return { ...text, model, blobs, size };
@@ -91,21 +104,21 @@ export class ProjectPacker {
     const uris = Object.values(content.design.assets).map(({ uri }) => uri);
     if (uris.some((uri) => uri.startsWith("data:") && !isReady(uri))) return null;
     const blobs = new Map<string, StoredBlob>();
-    const text = this.#packDesign(content, blobs);
+    const text = packText(content, this.#named(content, blobs), blobs, partsOf(kept));
     return { ...text, pictures: [...blobs.keys()] };
   }
 
-  /** The pictures are known by their names; they are added to `blobs`. */
-  #packDesign({ name, design, targets }: ProjectContent, blobs: Map<string, StoredBlob>): PackedText {
+  /** A design that can be read again, its pictures by their names; they are added to `blobs`. */
+  #named({ name, design }: ProjectContent, blobs: Map<string, StoredBlob>): Design {
     const assets: Record<string, DesignAsset> = {};
     for (const [key, asset] of Object.entries(design.assets)) {
       const blob = this.#pictures.get(asset.uri);
       assets[key] = blob ? { ...asset, uri: PREFIX + blob.hash } : asset;
       if (blob) blobs.set(blob.hash, { size: blob.size, bytes: () => decodeDataUri(asset.uri, key) });
     }
-    const text = readableText({ ...design, assets }, name, this.#strings);
-    const list = [...targets].map(([material, settings]) => ({ material, ...settings }));
-    return { name, design: text, targets: list, layers: design.layers.length };
+    const named = { ...design, assets };
+    checkReadable(named, name, this.#strings);
+    return named;
   }
 
   async #packModel({ source, title, demoId }: ModelRef, blobs: Map<string, StoredBlob>): Promise<StoredModel> {
@@ -124,18 +137,44 @@ export class ProjectPacker {
   }
 }
 
+/** Strokes by the names of the parts that they are in, of `parts` if given; these are added to `blobs`. */
+function packText(
+  { name, targets }: ProjectContent,
+  named: Design,
+  blobs: Map<string, StoredBlob>,
+  parts?: ReadonlySet<string>,
+): PackedText {
+  const printer = printParts((part) => {
+    blobs.set(part.hash, { size: part.size, bytes: () => partBytes(part) });
+  }, parts);
+  const text = serialiseDesign(named, printer);
+  const list = [...targets].map(([material, settings]) => ({ material, ...settings }));
+  return { name, design: text, targets: list, layers: named.layers.length };
+}
+
 /** Strokes that could be read again once, with the mirror of the paint layer that they were in. */
 const READ = new WeakMap<StrokeLayer, Mirror | null>();
 
-function readableText(design: Design, name: string, strings: Strings): string {
+function noteRead(design: Design): void {
+  for (const layer of flattenLayers(design, { masks: false, strokes: false }))
+    if (layer.type === "paint") for (const stroke of layer.strokes) READ.set(stroke, layer.mirror);
+}
+
+/** Throws "bad-design" for one that could not be read again. */
+function checkReadable(design: Design, name: string, strings: Strings): void {
   const refusal = strings.storage.unwritable(name);
   try {
     const thin = { ...design, layers: design.layers.map(withNewStrokes) };
-    const { length } = parseDesign(serialiseDesign(thin), name).layers;
+    const { length } = parseDesign(
+      serialiseDesign(
+        thin,
+        printParts(() => {}, new Set()),
+      ),
+      name,
+    ).layers;
     if (length === design.layers.length && isWhole(design)) {
-      for (const layer of flattenLayers(design, { masks: false, strokes: false }))
-        if (layer.type === "paint") for (const stroke of layer.strokes) READ.set(stroke, layer.mirror);
-      return serialiseDesign(design);
+      noteRead(design);
+      return;
     }
   } catch (thrown) {
     throw new ToldError("bad-design", refusal, { subject: name, cause: thrown });
@@ -177,7 +216,9 @@ export function unpackDesign(
   bytesOf: (hash: string) => Uint8Array | undefined,
   strings: Strings,
 ): Design {
-  const design = parseDesign(text, name);
+  const { data, places } = readParts(text, (hash) => present(bytesOf(hash), name, hash, strings));
+  const design = parseDesign(data, name);
+  noteRead(design);
   const assets: Record<string, DesignAsset> = {};
   for (const [key, asset] of Object.entries(design.assets)) {
     if (!asset.uri.startsWith(PREFIX)) {
@@ -187,7 +228,14 @@ export function unpackDesign(
     const bytes = present(bytesOf(asset.uri.slice(PREFIX.length)), name, key, strings);
     assets[key] = { ...asset, uri: encodeDataUri(asset.type, bytes) };
   }
-  return { ...design, assets };
+  const whole = { ...design, assets };
+  knowParts(whole, places);
+  return whole;
+}
+
+/** A text without parts stays a text: what is wrong with it `parseDesign` says best. */
+function readParts(text: string, bytesOf: (hash: string) => Uint8Array): ReturnType<typeof joinParts> {
+  return hasParts(text) ? joinParts(text, bytesOf) : { data: text, places: [] };
 }
 
 /** @throws TexelcastError "missing-file" for a file that is not there. */

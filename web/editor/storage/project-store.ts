@@ -87,7 +87,8 @@ export class ProjectStore {
       const { name, size, layers, model } = packed;
       const summary = { id, name, size, layers, modelTitle: model.title, thumbnail: row?.thumbnail ?? null };
       const revision = Math.max(seen, row?.revision ?? 0) + 1;
-      await addBlobs(tables, packed.blobs);
+      const kept = row && (await tables.objectStore("revisions").get([id, row.revision]));
+      await addBlobs(tables, packed.blobs, new Set(kept?.blobs));
       return this.#addRevision(tables, row, { ...summary, revision }, rowOf(packed));
     });
   }
@@ -122,7 +123,7 @@ export class ProjectStore {
     await tables.objectStore("revisions").put({ ...content, project: id, revision });
     const previous = row?.revision ?? null;
     await tables.objectStore("projects").put({ ...summary, modified: this.#now(), previous, deleted: null });
-    if (row?.previous != null) await dropRevision(tables, id, row.previous);
+    if (row?.previous != null) await dropRevision(tables, id, row.previous, new Set(content.blobs));
     return revision;
   }
 
@@ -280,9 +281,11 @@ function rowOf({ design, model, targets, blobs }: PackedProject): Omit<RevisionR
   return { design, model, targets, blobs: [...blobs.keys()] };
 }
 
-async function addBlobs(tables: Writing, blobs: PackedProject["blobs"]): Promise<void> {
+/** `known`: of those that are there. */
+async function addBlobs(tables: Writing, blobs: PackedProject["blobs"], known: ReadonlySet<string>): Promise<void> {
   const store = tables.objectStore("blobs");
   for (const [hash, { bytes }] of blobs) {
+    if (known.has(hash)) continue;
     if ((await store.getKey(hash)) === undefined) await store.put({ hash, bytes: bytes() });
   }
 }
@@ -292,12 +295,18 @@ async function erase(tables: Writing, { id, revision, previous }: ProjectRow): P
   for (const each of [revision, previous]) if (each !== null) await dropRevision(tables, id, each);
 }
 
-/** Its blobs go with it, unless another revision needs them. */
-async function dropRevision(tables: Writing, project: string, revision: number): Promise<void> {
+/** Its blobs go with it, unless another revision needs them; `needed`: of those that one does. */
+async function dropRevision(
+  tables: Writing,
+  project: string,
+  revision: number,
+  needed: ReadonlySet<string> = new Set(),
+): Promise<void> {
   const revisions = tables.objectStore("revisions");
   const row = await revisions.get([project, revision]);
   await revisions.delete([project, revision]);
   for (const hash of row?.blobs ?? []) {
+    if (needed.has(hash)) continue;
     if ((await revisions.index("blobs").getKey(hash)) === undefined) await tables.objectStore("blobs").delete(hash);
   }
 }
