@@ -157,9 +157,9 @@ TxcStatus txc_image_destroy(TxcSession session, TxcImage image) {
 
 // ---- Update and read --------------------------------------------------------------------------------------------------
 
-TxcStatus txc_target_update(TxcSession session, TxcTarget target, TxcUpdate* out_update) {
+TxcStatus txc_target_update(TxcSession session, TxcTarget target, uint32_t work_limit, TxcUpdate* out_update) {
     return in_session(session, out_update, "out_update",
-                      [&](Session& s) { return s.update_target(target, *out_update); });
+                      [&](Session& s) { return s.update_target(target, work_limit, *out_update); });
 }
 
 const TxcRect* txc_target_update_rects(TxcSession session, TxcTarget id) {

@@ -63,7 +63,7 @@ public:
     TxcStatus find_measured(TxcLayer id, const LocalSpaceMap*& out_map, const Layer*& out_layer,
                             const ImagePyramid*& out_image) const;
 
-    TxcStatus update_target(TxcTarget target, TxcUpdate& out_update);
+    TxcStatus update_target(TxcTarget target, std::uint32_t work_limit, TxcUpdate& out_update);
     TxcStatus prepare_layer(TxcLayer layer, bool inside, std::uint32_t first_tile, std::uint32_t tile_count,
                             std::uint32_t& out_next_tile);
     TxcStatus draw_layer_miniature(TxcLayer layer, bool of_mask, std::uint32_t side, std::uint8_t* out_rgba) const;
@@ -87,7 +87,7 @@ private:
     void note_move(Target& target, Layer& layer);
     TxcStatus find_fill(TxcLayer id, Layer*& out_layer) const;
     void change_fill(Target& target, Layer& layer);
-    /// Projects what is shown and behind, in groups and masks too.
+    /// Projects what is shown and behind, in groups and masks too, as long as there is work left to do.
     TxcStatus project_layers(Target& target, const std::vector<TxcLayer>& ids, TxcUpdate& update);
     /// `split`: of the backdrops; where it is the end of a group, that stands there as a layer which paints nothing.
     std::vector<LayerNode> nodes_of(const std::vector<TxcLayer>& ids, TxcLayer split) const;
@@ -125,6 +125,7 @@ private:
     std::uint32_t projection_count_ = 0;
     std::uint32_t projected_texels_ = 0;
     std::uint32_t composited_texels_ = 0;
+    WorkLeft work_left_;  // of the update under way
 };
 
 }  // namespace txc

@@ -43,6 +43,7 @@ TxcStatus Session::project_layer(Target& target, Layer& layer, TxcUpdate& update
     ++projection_count_;
     ++update.projected_layers;
     update.projected_texels += texels;
+    work_left_.spend(texels);
     mark_dirty(target, layer);
     return TXC_STATUS_OK;
 }
@@ -97,14 +98,14 @@ TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& updat
     const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
     std::uint64_t texels = 0;
     target.ensure_tile_marks();
-    const TxcStatus status =
-        paint_dabs(scene, layer.cast, brush, stroke.dabs, stroke.painted, layer.tiles, target.dirty_tiles, texels);
+    const TxcStatus status = paint_dabs(scene, layer.cast, brush, stroke.dabs, stroke.painted, layer.tiles,
+                                        target.dirty_tiles, work_left_, texels);
     if (status != TXC_STATUS_OK) {
         // Some of the dabs may be there: the next update begins anew.
         layer.needs_projection = true;
         return status;
     }
-    stroke.painted = stroke.dabs.size();
+    if (layer.is_behind()) update.unfinished = 1;
     ++projection_count_;
     ++update.projected_layers;
     update.projected_texels += static_cast<std::uint32_t>(std::min<std::uint64_t>(texels, 0xffffffffu));
@@ -122,6 +123,10 @@ TxcStatus Session::project_layers(Target& target, const std::vector<TxcLayer>& i
         // What a hidden layer paints can wait until it is shown.
         if (layer.def.visible == 0) continue;
         if (layer.is_behind()) {
+            if (!work_left_.any()) {
+                update.unfinished = 1;
+                return TXC_STATUS_OK;
+            }
             if (const TxcStatus status = project_layer(target, layer, update); status != TXC_STATUS_OK) return status;
         }
         for (const auto* held : {&layer.mask, &layer.content}) {
@@ -197,11 +202,16 @@ void Session::follow_changes(Target& target) {
     target.backdrops.follow(lowest, places);
 }
 
-TxcStatus Session::update_target(TxcTarget id, TxcUpdate& out_update) {
+TxcStatus Session::update_target(TxcTarget id, std::uint32_t work_limit, TxcUpdate& out_update) {
     Target* target = nullptr;
     if (const TxcStatus status = find_baked(id, target); status != TXC_STATUS_OK) return status;
     TxcUpdate update{};
+    work_left_.begin(work_limit);
     if (const TxcStatus status = project_layers(*target, target->order, update); status != TXC_STATUS_OK) return status;
+    if (update.unfinished != 0 && work_limit != 0) {
+        out_update = update;
+        return TXC_STATUS_OK;
+    }
     target->bleed.forget();
     follow_changes(*target);
     const std::vector<LayerNode> nodes = nodes_of(target->order, target->backdrops.split());

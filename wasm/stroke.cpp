@@ -207,7 +207,7 @@ void Stroke::clear() {
 }
 
 TxcStatus paint_dabs(const CastScene& scene, PictureCast cast, const Brush& brush, const std::vector<TxcDab>& dabs,
-                     std::size_t first, LayerTiles& tiles, std::vector<std::uint8_t>& dirty_tiles,
+                     std::size_t& first, LayerTiles& tiles, std::vector<std::uint8_t>& dirty_tiles, WorkLeft& work_left,
                      std::uint64_t& out_texels) {
     out_texels = 0;
     TilesUnderWay under_way(tiles, scene.budget);
@@ -217,11 +217,12 @@ TxcStatus paint_dabs(const CastScene& scene, PictureCast cast, const Brush& brus
     LayerTiles dab_tiles(scene.budget);  // one for all dabs
     std::vector<std::uint32_t> near_tiles;
     const bool flip_x = cast.settings.flip_x;
-    for (std::size_t d = first; d < dabs.size(); ++d) {
-        const float flow = brush.flow * dabs[d].flow;
+    for (; first < dabs.size() && work_left.any(); ++first) {
+        const TxcDab& dab = dabs[first];
+        const float flow = brush.flow * dab.flow;
         if (!(flow > 0.0f)) continue;
-        if (const TxcStatus status = read_dab(dabs[d], cast); status != TXC_STATUS_OK) return status;
-        cast.settings.flip_x = flip_x != (dabs[d].flip_x != 0);
+        if (const TxcStatus status = read_dab(dab, cast); status != TXC_STATUS_OK) return status;
+        cast.settings.flip_x = flip_x != (dab.flip_x != 0);
         const ImagePyramid* picture = brush.picture;
         if (brush.round_tips != nullptr) {
             const TxcStatus status = brush.round_tips->find(texels_across(scene.map, cast, near_tiles), picture);
@@ -231,6 +232,7 @@ TxcStatus paint_dabs(const CastScene& scene, PictureCast cast, const Brush& brus
         if (const TxcStatus status = cast_picture(scene, cast, *picture, dab_tiles, texels); status != TXC_STATUS_OK)
             return status;
         out_texels += texels;
+        work_left.spend(texels);
         const Ink ink(brush, flow);
         for (std::size_t t = 0; t < dab_tiles.indices.size(); ++t) {
             const std::uint32_t tile = dab_tiles.indices[t];

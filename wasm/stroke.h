@@ -31,6 +31,18 @@ TxcDab dab_from_def(const TxcLayerDef& def);
 /// BAD_ARGUMENT names the field; `cast` takes the projector.
 TxcStatus read_dab(const TxcDab& dab, PictureCast& cast);
 
+/// Of a limit of work: texels, and what a picture costs that paints none.
+class WorkLeft {
+public:
+    void begin(std::uint32_t limit) { left_ = limit == TXC_NONE ? INT64_MAX : limit; }
+    bool any() const { return left_ > 0; }
+    void spend(std::uint32_t texels) { left_ -= std::int64_t{texels} + kCast; }
+
+private:
+    static constexpr std::int64_t kCast = 2048;
+    std::int64_t left_ = 0;
+};
+
 /// What each dab prints.
 struct Brush {
     const ImagePyramid* picture = nullptr;  // either this...
@@ -41,10 +53,10 @@ struct Brush {
 };
 
 /// Lays dabs [first, end) over `tiles`, which hold those before, and marks the tiles that they change in `dirty_tiles`
-/// (one byte a tile of the map). `cast` without a projector. `out_texels`: how many texels took colour, dab by dab.
-/// Errors: OUT_OF_BUDGET; `tiles` may then hold some of the dabs.
+/// (one byte a tile of the map). `cast` without a projector. `out_texels`: how many texels took colour, dab by dab. Ends early
+/// where `work_left` does; `first` is then the dab to go on with. Errors: OUT_OF_BUDGET; `tiles` may then hold some of the dabs.
 TxcStatus paint_dabs(const CastScene& scene, PictureCast cast, const Brush& brush, const std::vector<TxcDab>& dabs,
-                     std::size_t first, LayerTiles& tiles, std::vector<std::uint8_t>& dirty_tiles,
+                     std::size_t& first, LayerTiles& tiles, std::vector<std::uint8_t>& dirty_tiles, WorkLeft& work_left,
                      std::uint64_t& out_texels);
 
 /// Empties tiles and gives their memory back.

@@ -35,7 +35,7 @@ extern "C" {
 #define TXC_API
 #endif
 
-#define TXC_ABI_VERSION 8u
+#define TXC_ABI_VERSION 9u
 #define TXC_MAX_SIZE 8192u          /* texels along one side of a target or an image */
 #define TXC_MAX_TEXTURE_SIZE 16384u /* texels along one side of a texture that is painted by windows */
 #define TXC_MAX_ZONES 100u
@@ -431,11 +431,14 @@ typedef struct TxcUpdate {
     uint32_t projected_layers; /* that this update projected */
     uint32_t projected_texels;
     uint32_t composited_texels;
+    uint32_t unfinished; /* 1: layers wait that `work_limit` left no time for */
 } TxcUpdate;
 
 /* Projects the layers that changed, composites where they were and are, and finds the rectangles that changed since the
- * update before (the first one: everything). Rectangles of a level do not overlap. */
-TXC_API TxcStatus txc_target_update(TxcSession session, TxcTarget target, TxcUpdate* out_update);
+ * update before (the first one: everything). Rectangles of a level do not overlap. `work_limit`: of projections, in texels
+ * about; TXC_NONE does all. What is left `unfinished` by it the next update goes on with, and until one is done the picture
+ * stays as it was; a limit of 0 projects nothing, and shows what is there so far. */
+TXC_API TxcStatus txc_target_update(TxcSession session, TxcTarget target, uint32_t work_limit, TxcUpdate* out_update);
 /* Gets ready for changes of a layer that are likely to come, a drag or a stroke, so that the first of them is as quick as those
  * after it: keeps what lies below it on the tiles that it paints and those around them, within a quarter of the budget at
  * most. Changes no texel. `inside` 1: of a group, for what will be put on top in it, and for its mask. At most `tile_count`

@@ -44,6 +44,25 @@ describe("a stroke", () => {
     expect(await engine.hash(0)).toBe(expected);
   });
 
+  it("of many dabs is painted in turns, in which the engine goes on with other things, and ends as in one", async () => {
+    const dabs = Array.from({ length: 1000 }, (_, i) => dab(-0.4 + 0.0008 * i, 0.1, 0.02, 0.5));
+    const whole = await paintablePlane();
+    whole.engine.setLayers([stroke("s", dabs)], 1);
+    const expected = await whole.engine.hash(0);
+    const { engine, updates } = await paintablePlane();
+    // Each look at the time finds the turn over.
+    let now = 0;
+    vi.spyOn(performance, "now").mockImplementation(() => (now += 1000));
+    updates.length = 0;
+    engine.setLayers([stroke("s", dabs)], 1);
+    const seen: number[] = [];
+    const look = (): void => void (seen.push(updates.length) < 100 && setImmediate(look));
+    setImmediate(look);
+    expect(await engine.hash(0)).toBe(expected);
+    expect(updates.length).toBeGreaterThan(2);
+    expect(seen.some((count) => count > 0 && count < updates.length)).toBe(true);
+  });
+
   it("waits for its picture", async () => {
     const { engine } = await paintablePlane();
     const before = await engine.hash(0);

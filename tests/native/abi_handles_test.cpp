@@ -93,7 +93,7 @@ std::vector<Call> calls_on_target(TxcTarget target) {
         {"txc_target_update",
          [=](TxcSession s) {
              TxcUpdate update;
-             return txc_target_update(s, target, &update);
+             return txc_target_update(s, target, TXC_NONE, &update);
          }},
         {"txc_target_read", [=](TxcSession s) { return txc_target_read(s, target, 0, 0, 0, 1, 1, bytes.data()); }},
         {"txc_target_read_bled", [=](TxcSession s) { return txc_target_read_bled(s, target, 0, 1, bytes.data()); }},
@@ -278,7 +278,7 @@ TEST_CASE("Null pointers are refused, not followed") {
         txc_stroke_add_dabs(s, handles.layer, nullptr, 0),
         txc_stroke_dab_count(s, handles.layer, nullptr),
         txc_stroke_dabs(s, handles.layer, 0, 0, nullptr),
-        txc_target_update(s, handles.target, nullptr),
+        txc_target_update(s, handles.target, TXC_NONE, nullptr),
         txc_target_read(s, handles.target, 0, 0, 0, 1, 1, nullptr),
         txc_target_read_bled(s, handles.target, 0, 1, nullptr),
         txc_target_hash(s, handles.target, 0, 0, 1, 1, nullptr),

@@ -151,7 +151,7 @@ TEST_CASE("Nothing can be read or painted before the bake has finished") {
     CHECK(txc_map_read_positions(session.id(), target, 0, 64, floats.data()) == TXC_STATUS_NOT_BAKED);
     CHECK(txc_map_read_coverage(session.id(), target, 0, 64, bytes.data()) == TXC_STATUS_NOT_BAKED);
     CHECK(txc_map_view(session.id(), target, TXC_VIEW_NORMALS, 0, 64, bytes.data()) == TXC_STATUS_NOT_BAKED);
-    CHECK(txc_target_update(session.id(), target, &update) == TXC_STATUS_NOT_BAKED);
+    CHECK(txc_target_update(session.id(), target, TXC_NONE, &update) == TXC_STATUS_NOT_BAKED);
     CHECK(txc_target_read(session.id(), target, 0, 0, 0, 1, 1, bytes.data()) == TXC_STATUS_NOT_BAKED);
 }
 

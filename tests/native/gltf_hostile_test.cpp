@@ -74,7 +74,7 @@ void survive(const Bytes& file) {
     def.occlusion = TXC_OCCLUSION_SELF;
     session.layer(target, def);
     TxcUpdate update{};
-    CHECK_UNARY(txc_target_update(session.id(), target, &update) == TXC_STATUS_OK);
+    CHECK_UNARY(txc_target_update(session.id(), target, TXC_NONE, &update) == TXC_STATUS_OK);
 }
 
 }  // namespace

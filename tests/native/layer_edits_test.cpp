@@ -194,6 +194,10 @@ void run(std::uint64_t seed, int steps) {
         edit(random, design, stage, layers);
         // Sometimes several edits go into one update.
         if (step % 10 != 0 && random.coin()) stage.session().update(stage.target());
+        // Sometimes an update has time for a layer or a dab or two, or for none.
+        TxcUpdate part{};
+        if (step % 10 != 0 && random.coin())
+            must(txc_target_update(stage.session().id(), stage.target(), random.below(3) * 2048, &part));
         if (step % 10 != 0) continue;
         CAPTURE(seed);
         CAPTURE(step);

@@ -417,7 +417,7 @@ TEST_CASE("An update that runs out of budget changes nothing, and works once the
     while (txc_image_create(session.id(), 256, 256, picture.rgba.data(), &image) == TXC_STATUS_OK)
         ballast.push_back(image);
     TxcUpdate update{};
-    REQUIRE(txc_target_update(session.id(), target, &update) == TXC_STATUS_OUT_OF_BUDGET);
+    REQUIRE(txc_target_update(session.id(), target, TXC_NONE, &update) == TXC_STATUS_OUT_OF_BUDGET);
     CHECK(session.read(target) == before);
     for (const TxcImage one : ballast) must(txc_image_destroy(session.id(), one));
     CHECK(session.paint(target).at(256, 256) == kRed);

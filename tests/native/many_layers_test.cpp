@@ -390,7 +390,7 @@ std::string paint_many_layers() {
     }
     Tree(session, target, pictures).add();
     TxcUpdate update;
-    REQUIRE(txc_target_update(session, target, &update) == TXC_STATUS_OK);
+    REQUIRE(txc_target_update(session, target, TXC_NONE, &update) == TXC_STATUS_OK);
     REQUIRE(update.projected_layers == 48);
     uint32_t hash[2] = {0, 0};
     REQUIRE(txc_target_hash(session, target, 0, 0, kSize, kSize, hash) == TXC_STATUS_OK);

@@ -79,8 +79,8 @@ TEST_CASE("An update whose texture does not fit is refused before anything is al
     const TxcTarget target = session.target(512, 512);
     fill_budget(session);
     TxcUpdate update{};
-    const std::uint64_t allocated =
-        allocation_of([&] { CHECK(txc_target_update(session.id(), target, &update) == TXC_STATUS_OUT_OF_BUDGET); });
+    const std::uint64_t allocated = allocation_of(
+        [&] { CHECK(txc_target_update(session.id(), target, TXC_NONE, &update) == TXC_STATUS_OUT_OF_BUDGET); });
     CHECK(allocated < 64 * 1024);
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("What a session allocates stays within what it counts") {
     });
     step("image", [&] { must(txc_image_create(session.id(), 512, 512, rgba.data(), &image)); });
     step("base", [&] { must(txc_target_set_base(session.id(), target, 512, 512, rgba.data(), TXC_FILTER_LINEAR)); });
-    step("first update", [&] { must(txc_target_update(session.id(), target, &update)); });
+    step("first update", [&] { must(txc_target_update(session.id(), target, TXC_NONE, &update)); });
     step("decals", [&] {
         for (int i = 0; i < 8; ++i) {
             TxcLayerDef layer = decal_def(image);
@@ -134,7 +134,7 @@ TEST_CASE("What a session allocates stays within what it counts") {
             place(layer, 0.1 * i, 0, 0);
             session.layer(target, layer);
         }
-        must(txc_target_update(session.id(), target, &update));
+        must(txc_target_update(session.id(), target, TXC_NONE, &update));
     });
 }
 

@@ -220,7 +220,7 @@ TEST_CASE("A stroke that runs out of budget is painted whole once there is room"
     TxcUpdate update{};
     bool ran_out = false;
     std::uint32_t tries = 0;
-    while (txc_target_update(session.id(), target, &update) != TXC_STATUS_OK) {
+    while (txc_target_update(session.id(), target, TXC_NONE, &update) != TXC_STATUS_OK) {
         ran_out = true;
         CHECK(session.hash(target) == blank);
         REQUIRE_FALSE(ballast.empty());
@@ -289,4 +289,39 @@ TEST_CASE("Strokes of one hardness share their tip") {
     CHECK(first > 700);
     CHECK(memory_of(0.5) < first / 2);
     CHECK(memory_of(0.75) > 700);
+}
+
+TEST_CASE("An update in steps ends where one at once ends, and the picture waits for the end unless it is asked for") {
+    const auto add_layers = [](TestSession& session, TxcTarget target) {
+        for (int s = 0; s < 3; ++s) {
+            const TxcLayer layer = session.layer(target, stroke_def(0.5, 0.5));
+            for (int d = 0; d < 5; ++d) add_dabs(session, layer, {dab_at(-0.4 + 0.2 * d, -0.3 + 0.3 * s, 0.2)});
+        }
+    };
+    TestSession at_once(make_plane());
+    const TxcTarget whole = at_once.target(64, 64);
+    add_layers(at_once, whole);
+    at_once.update(whole);
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(64, 64);
+    session.update(target);
+    const std::uint64_t bare = session.hash(target);
+    add_layers(session, target);
+    TxcUpdate update{};
+    for (int dab = 1; dab < 15; ++dab) {
+        must(txc_target_update(session.id(), target, 1, &update));
+        CHECK(update.unfinished == 1);
+        CHECK(update.rect_count == 0);
+        if (dab < 5) CHECK(session.hash(target) == bare);
+        if (dab != 5) continue;
+        must(txc_target_update(session.id(), target, 0, &update));
+        CHECK(update.unfinished == 1);
+        CHECK(update.projected_layers == 0);
+        CHECK(update.rect_count > 0);
+        CHECK(session.hash(target) != bare);
+        CHECK(session.hash(target) != at_once.hash(whole));
+    }
+    must(txc_target_update(session.id(), target, 1, &update));
+    CHECK(update.unfinished == 0);
+    CHECK(session.hash(target) == at_once.hash(whole));
 }

@@ -4,10 +4,10 @@
  */
 import { defineStruct, f32, f32Array, type StructFields, type StructValue, u32 } from "./struct-layout.ts";
 
-export const ABI_VERSION = 8;
+export const ABI_VERSION = 9;
 /** Stops of a gradient, at most. */
 export const MAX_STOPS = 16;
-/** TXC_NONE: "no such index", and "the default" for a gutter. */
+/** TXC_NONE: "no such index", "the default" for a gutter, and no limit of work. */
 export const NONE = 0xffffffff;
 
 export const MapViews = { positions: 0, normals: 1, coverage: 2, overlap: 3 } as const;
@@ -171,6 +171,7 @@ export const UpdateLayout = defineStruct({
   projectedLayers: u32,
   projectedTexels: u32,
   compositedTexels: u32,
+  unfinished: u32,
 });
 
 export const ZoneLayout = defineStruct({
@@ -278,7 +279,7 @@ export const CORE_FUNCTIONS = {
   txc_stroke_clear: 2,
   txc_stroke_dab_count: 3,
   txc_stroke_dabs: 5,
-  txc_target_update: 3,
+  txc_target_update: 4,
   txc_layer_prepare: 6,
   txc_layer_miniature: 5,
   txc_target_update_rects: 2,

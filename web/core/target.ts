@@ -30,6 +30,8 @@ export interface CoreUpdate {
   readonly projectedLayers: number;
   readonly projectedTexels: number;
   readonly compositedTexels: number;
+  /** Layers wait that the limit left no room for. */
+  readonly unfinished: boolean;
 }
 
 export class Target {
@@ -241,11 +243,12 @@ export class Target {
   /**
    * Projects and composites what changed since the update before.
    * @param into memory for the update's bytes, written over where it is large enough; the caller's from then on, as any
+   * @param workLimit of projections, in texels about (texelcast.h); 0 shows what is there so far
    */
-  update(into?: ArrayBuffer): CoreUpdate {
+  update(into?: ArrayBuffer, workLimit = NONE): CoreUpdate {
     const core = this.#core;
     const update = core.collectStruct(UpdateLayout, (out) => {
-      core.run("txc_target_update", this.#session, this.#handle, out);
+      core.run("txc_target_update", this.#session, this.#handle, workLimit, out);
     });
     const rects: Rect[] = [];
     const rectPointer = core.call("txc_target_update_rects", this.#session, this.#handle);
@@ -258,6 +261,7 @@ export class Target {
       projectedLayers: update.projectedLayers,
       projectedTexels: update.projectedTexels,
       compositedTexels: update.compositedTexels,
+      unfinished: update.unfinished !== 0,
     };
   }
 

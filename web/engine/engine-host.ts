@@ -30,7 +30,7 @@ import type {
 import { cancelled, disposed, noModel, notDrawn, notOpen } from "./engine-faults.ts";
 import { EnginePrints } from "./engine-prints.ts";
 import { engineStats } from "./engine-stats.ts";
-import { callLater } from "./event-loop.ts";
+import { callLater, nextTurn } from "./event-loop.ts";
 import { modelInfo } from "./model-info.ts";
 import { type LoadedModel, loadModelFile } from "./model-loader.ts";
 import type { TextureEdit } from "./model-writer.ts";
@@ -42,6 +42,11 @@ import { Readying } from "./readying.ts";
 import { isSvg } from "./svg-start.ts";
 
 export type { MapChannel } from "./open-target.ts";
+
+/** What the thread draws in one turn of its event loop, as long as there is more to project. */
+const LONGEST_TURN_MS = 500;
+/** Until something of what is not finished is shown for the first time; from picture to picture it takes twice as long. */
+const FIRST_SHOWN_MS = 1000;
 
 export interface EngineHostOptions {
   /** The core's WebAssembly: an address, its bytes, or compiled. Default: build/wasm/texelcast.wasm. */
@@ -71,6 +76,9 @@ export class EngineHost implements Engine {
   /** The newest layers (or what they refer to) were not drawn yet. */
   #stale = false;
   #drawingSoon = false;
+  /** Since when there is more to project than a turn has time for; null: there is not. */
+  #unfinishedSince: number | null = null;
+  #showAfter = FIRST_SHOWN_MS;
 
   #unanswered = 0;
   readonly #readying = new Readying({
@@ -207,6 +215,11 @@ export class EngineHost implements Engine {
       // Another may have lacked the memory.
       this.#markStale();
     });
+  }
+
+  /** Whether a turn is to come that draws the newest layers, or goes on with them. */
+  get drawingSoon(): boolean {
+    return this.#drawingSoon;
   }
 
   setLayers(layers: readonly EngineLayer[], revision: number): void {
@@ -419,6 +432,11 @@ export class EngineHost implements Engine {
       this.#stale = true;
     }
     this.#draw(session);
+    while (this.#stale) {
+      await nextTurn();
+      this.#checkAlive();
+      this.#draw(session);
+    }
   }
 
   /** Words whose fonts are not there yet are drawn as soon as they are. */
@@ -437,10 +455,19 @@ export class EngineHost implements Engine {
     );
   }
 
-  /** Draws the newest layers on every open target and reports what changed, and which could not be drawn; a crash is thrown. */
+  /**
+   * Draws the newest layers on every open target and reports what changed, and which could not be drawn; a crash is thrown. What
+   * takes longer goes on in the next turns: a design of thousands of strokes takes minutes on a phone, in which the worker must
+   * answer, or it is taken for dead.
+   */
   #draw(session: Session): void {
     if (!this.#stale) return;
     this.#stale = false;
+    const now = performance.now();
+    const until = now + LONGEST_TURN_MS;
+    const shows = now - (this.#unfinishedSince ?? now) >= this.#showAfter;
+    if (shows) this.#showAfter *= 2;
+    let unfinished = false;
     if (!this.#drawn.isReady(this.#layers)) this.#loadSoon();
     const report = (error: Error): void => this.#report(error);
     const pictures = this.#pictures(session, report);
@@ -448,7 +475,8 @@ export class EngineHost implements Engine {
       let update: TargetUpdate | null = null;
       target.fault = null;
       try {
-        update = target.draw(this.#layers, this.#revision, pictures, report);
+        update = target.draw(this.#layers, this.#revision, pictures, report, until, shows);
+        unfinished ||= target.unfinished;
       } catch (error) {
         if (session.core.crashed) throw error;
         target.fault = notDrawn(error);
@@ -459,6 +487,9 @@ export class EngineHost implements Engine {
       // A listener may have disposed of the engine.
       if (this.#session !== session) return;
     }
+    this.#unfinishedSince = unfinished ? (this.#unfinishedSince ?? now) : null;
+    if (unfinished) this.#markStale();
+    else this.#showAfter = FIRST_SHOWN_MS;
     this.#drawn.sweep(session);
     this.#readying.restart();
   }

@@ -42,6 +42,12 @@ export function serveEngine(port: ServerPort): void {
     }
   };
 
+  /** Once the newest layers are drawn, however many turns that takes. */
+  const tellDrawn = (engine: EngineHost): void => {
+    if (engine.drawingSoon) callLater(() => tellDrawn(engine));
+    else send({ type: "drawn" });
+  };
+
   port.onmessage = ({ data }) => {
     host ??= start(data.type === "start" ? data : {});
     switch (data.type) {
@@ -62,8 +68,7 @@ export function serveEngine(port: ServerPort): void {
       case "layers":
       case "unreadable":
         host.setLayers(data.type === "layers" ? receiver.unpack(data.layers) : data.layers, data.revision);
-        // The host draws in a turn that it has just asked for, so this one comes after it.
-        callLater(() => send({ type: "drawn" }));
+        tellDrawn(host);
         break;
     }
   };

@@ -33,6 +33,8 @@ const SHORT_STEP_MS = 6;
 const LONG_STEP_MS = 20;
 /** Most texels that a view or a map is copied in at once: bounds the scratch memory inside the module. */
 const COPY_TEXELS = 1 << 22;
+/** What is projected between two looks at the time, in texels about: some hundred dabs, a fraction of a second on a slow phone. */
+const PROJECTED_AT_ONCE = 1 << 19;
 
 export type MapChannel = "positions" | "normals" | "coverage" | "overlap";
 
@@ -74,6 +76,8 @@ export class OpenTarget {
   readonly factorBaked: boolean;
   /** Why the newest layers could not be drawn: what is asked for is refused with it, as it would show older ones. */
   fault: TexelcastError | null = null;
+  /** The newest `draw` came to its end before all was projected. */
+  unfinished = false;
   readonly #target: Target;
   readonly #layers: LayerSync;
   readonly #makeClip: (Clip: typeof ZoneClip) => ZoneClip;
@@ -176,12 +180,17 @@ export class OpenTarget {
     return this.#raster;
   }
 
-  /** Draws the layers of this material; null when no texel changed. */
+  /**
+   * Draws the layers of this material; null when no texel changed. What is not projected when `until` has come
+   * (`performance.now`) is left to the next call; with `shows` the picture has what there is of it by then.
+   */
   draw(
     layers: readonly EngineLayer[],
     revision: number,
     pictures: TargetPictures,
     report: (error: TexelcastError) => void,
+    until = Number.POSITIVE_INFINITY,
+    shows = false,
   ): TargetUpdate | null {
     const start = performance.now();
     const { material } = this.info;
@@ -194,9 +203,15 @@ export class OpenTarget {
       imageOf: pictures.imageOf,
     };
     this.#layers.apply(clipped, { imageOf, report });
-    const update = this.#target.update();
-    if (update.rects.length === 0) return null;
-    return { material, revision, ...update, milliseconds: performance.now() - start };
+    this.unfinished = false;
+    let update = this.#target.update(undefined, PROJECTED_AT_ONCE);
+    while (update.unfinished && !this.unfinished) {
+      this.unfinished = performance.now() >= until;
+      if (!this.unfinished || shows) update = this.#target.update(undefined, this.unfinished ? 0 : PROJECTED_AT_ONCE);
+    }
+    const { unfinished: _unfinished, ...shown } = update;
+    if (shown.rects.length === 0) return null;
+    return { material, revision, ...shown, milliseconds: performance.now() - start };
   }
 
   /**

@@ -162,7 +162,7 @@ public:
 
     TxcUpdate update(TxcTarget target) {
         TxcUpdate update{};
-        must(txc_target_update(id_, target, &update));
+        must(txc_target_update(id_, target, TXC_NONE, &update));
         return update;
     }
     UpdateReport report(TxcTarget target) {
