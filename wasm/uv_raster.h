@@ -38,12 +38,16 @@ struct EdgePair {
     Double2 x_extent{};
     Double2 y_extent{};
 
-    /// The first centres at or after the edges, on a row that both cross.
+    /// The first centres at or after the edges, on a row that both cross. Rounding can put a crossing that falls exactly on a
+    /// centre to either side of it (in a square from 0.05 to 0.95, cut in two, at 333 x 333): the products tell which.
     WholePair first_centres(std::int32_t row) const {
-        // Multiplied before divided: a crossing that falls exactly on a centre is then exact for edges of small
-        // rational slope, so ties go where the top-left rule says.
         const Double2 below = splat2(static_cast<double>(row) + 0.5) - y;
-        return first_centres_from(x + below * x_extent / y_extent);
+        const Double2 nearest = floor2(x + below * x_extent / y_extent);
+        const Double2 to_nearest = nearest + splat2(0.5) - x;
+        const Long2 is_before = product_difference2(to_nearest, y_extent, below, x_extent) < splat2(0.0);
+        const WholePair centres = whole_to_int(nearest);
+        return {centres.first - static_cast<std::int32_t>(is_before[0]),
+                centres.second - static_cast<std::int32_t>(is_before[1])};
     }
 };
 
