@@ -49,6 +49,57 @@ function compressedView(json: JsonObject): CompressedView {
   return view;
 }
 
+interface DenseGltf {
+  readonly meshes: readonly [{ readonly primitives: readonly [unknown, unknown, Primitive] }];
+  readonly accessors: readonly { readonly bufferView: number; readonly byteOffset?: number }[];
+  readonly bufferViews: readonly { readonly byteOffset?: number }[];
+}
+
+interface Primitive {
+  readonly attributes: { readonly TEXCOORD_0: number };
+  readonly indices: number;
+}
+
+/** The model whose third part has UVs and indices of its own: zeros but for one each, which only `sparse` tells. */
+function withSparseParts(glb: Uint8Array): Uint8Array {
+  const { json, binary } = readContainer({ name: "x", bytes: glb });
+  const copy = structuredClone(json) as unknown as {
+    buffers: { byteLength: number }[];
+    bufferViews: object[];
+    accessors: { count: number }[];
+    meshes: { primitives: { attributes: Record<string, number>; indices: number }[] }[];
+  };
+  const plain = binary ?? new Uint8Array();
+  const start = Math.ceil(plain.length / 4) * 4;
+  // UV 0 is (1/4, 3/4); index 1 is vertex 2.
+  const parts = new Uint8Array([0, 0, 0, 0, 0x00, 0x40, 0x00, 0xc0, 1, 0, 0, 0, 2, 0, 0, 0]);
+  const extended = new Uint8Array(start + parts.length);
+  extended.set(plain);
+  extended.set(parts, start);
+  const view = (at: number, byteLength: number): number =>
+    copy.bufferViews.push({ buffer: 0, byteOffset: start + at, byteLength }) - 1;
+  const sparse = (type: string, count: number, at: number): number =>
+    copy.accessors.push({
+      componentType: 5123,
+      type,
+      count,
+      normalized: type === "VEC2",
+      sparse: {
+        count: 1,
+        indices: { bufferView: view(at, 1), componentType: 5121 },
+        values: { bufferView: view(at + 4, type === "VEC2" ? 4 : 2) },
+      },
+    } as { count: number }) - 1;
+  const primitive = copy.meshes[0]?.primitives[2];
+  if (primitive === undefined) throw new Error("the model has no third part");
+  const vertices = copy.accessors[primitive.attributes.POSITION ?? 0]?.count ?? 0;
+  primitive.attributes.TEXCOORD_0 = sparse("VEC2", vertices, 0);
+  primitive.indices = sparse("SCALAR", 3, 8);
+  const buffer = copy.buffers[0];
+  if (buffer !== undefined) buffer.byteLength = extended.length;
+  return writeGlb(copy as unknown as JsonObject, extended);
+}
+
 describe("a compressed model", () => {
   it.each([
     ["Draco", () => draco],
@@ -97,6 +148,21 @@ describe("a compressed model", () => {
     });
     const { glb } = await loadModelFile({ name: "m.glb", bytes: renamed });
     expect(glb).toEqual((await loadModelFile({ name: "m.glb", bytes: meshopt })).glb);
+  });
+
+  it("keeps what is sparse: fractions as integers, and indices that no view holds", async () => {
+    const bytes = withSparseParts(meshopt);
+    const { json, binary } = readContainer({ name: "x", bytes: (await loadModelFile({ name: "m.glb", bytes })).glb });
+    const gltf = json as unknown as DenseGltf;
+    const { attributes, indices } = gltf.meshes[0].primitives[2];
+    const read = (accessor: number): DataView => {
+      const { bufferView, byteOffset = 0 } = gltf.accessors[accessor] as DenseGltf["accessors"][0];
+      const start = (gltf.bufferViews[bufferView]?.byteOffset ?? 0) + byteOffset;
+      return new DataView((binary as Uint8Array).slice(start).buffer);
+    };
+    expect([0, 2].map((at) => read(attributes.TEXCOORD_0).getUint16(at, true))).toEqual([0x4000, 0xc000]);
+    expect([0, 2, 4].map((at) => read(indices).getUint16(at, true))).toEqual([0, 2, 0]);
+    expect(gltf.accessors[indices]).toMatchObject({ count: 3, componentType: 5123 });
   });
 
   it("is refused with a typed error when its data is damaged", async () => {
