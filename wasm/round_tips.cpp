@@ -57,6 +57,8 @@ std::vector<std::uint8_t> draw_tip(std::uint32_t size, double hardness) {
 
 }  // namespace
 
+RoundTips::~RoundTips() = default;
+
 TxcStatus RoundTips::find(double texels_across, const ImagePyramid*& out_picture) {
     std::size_t place = 0;
     while (place + 1 < kSizeCount && kSizes[place] < texels_across * kPixelsPerTexel) ++place;

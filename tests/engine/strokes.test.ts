@@ -31,6 +31,20 @@ describe("a stroke", () => {
     expect(await middle(engine)).toEqual([255, 128, 128, 255]);
   });
 
+  it("has as sharp a rim under a dab of a thousand texels as under a small one", async () => {
+    const { engine } = await paintablePlane();
+    const size = 1024;
+    await engine.openTarget({ material: 0, width: size, height: size, base: [1, 1, 1, 1] });
+    for (const across of [60, 500, 970]) {
+      engine.setLayers([stroke("s", [dab(0, 0, across / size)])], across);
+      const texels = await engine.readTexels(0, 0, 0, size, size);
+      const red = texels.filter((_, at) => at % 4 === 0);
+      // A band of three texels or less along the rim.
+      expect(red.filter((value) => value !== 0 && value !== 255).length).toBeLessThan(3 * Math.PI * across);
+      expect(red.filter((value) => value === 0).length).toBeGreaterThan(Math.PI * (across / 2 - 2) ** 2);
+    }
+  });
+
   it("of one picture dab is the decal of that picture", async () => {
     const { engine } = await paintablePlane();
     engine.setLayers([decal("a", "logo", at(0.1, 0.2, 0.5))], 1);
