@@ -45,8 +45,6 @@ export type { MapChannel } from "./open-target.ts";
 
 /** What the thread draws in one turn of its event loop, as long as there is more to project. */
 const LONGEST_TURN_MS = 500;
-/** Until something of what is not finished is shown for the first time; from picture to picture it takes twice as long. */
-const FIRST_SHOWN_MS = 1000;
 
 export interface EngineHostOptions {
   /** The core's WebAssembly: an address, its bytes, or compiled. Default: build/wasm/texelcast.wasm. */
@@ -76,9 +74,6 @@ export class EngineHost implements Engine {
   /** The newest layers (or what they refer to) were not drawn yet. */
   #stale = false;
   #drawingSoon = false;
-  /** Since when there is more to project than a turn has time for; null: there is not. */
-  #unfinishedSince: number | null = null;
-  #showAfter = FIRST_SHOWN_MS;
 
   #unanswered = 0;
   readonly #readying = new Readying({
@@ -463,10 +458,7 @@ export class EngineHost implements Engine {
   #draw(session: Session): void {
     if (!this.#stale) return;
     this.#stale = false;
-    const now = performance.now();
-    const until = now + LONGEST_TURN_MS;
-    const shows = now - (this.#unfinishedSince ?? now) >= this.#showAfter;
-    if (shows) this.#showAfter *= 2;
+    const until = performance.now() + LONGEST_TURN_MS;
     let unfinished = false;
     if (!this.#drawn.isReady(this.#layers)) this.#loadSoon();
     const report = (error: Error): void => this.#report(error);
@@ -475,7 +467,7 @@ export class EngineHost implements Engine {
       let update: TargetUpdate | null = null;
       target.fault = null;
       try {
-        update = target.draw(this.#layers, this.#revision, pictures, report, until, shows);
+        update = target.draw(this.#layers, this.#revision, pictures, report, until);
         unfinished ||= target.unfinished;
       } catch (error) {
         if (session.core.crashed) throw error;
@@ -487,9 +479,7 @@ export class EngineHost implements Engine {
       // A listener may have disposed of the engine.
       if (this.#session !== session) return;
     }
-    this.#unfinishedSince = unfinished ? (this.#unfinishedSince ?? now) : null;
     if (unfinished) this.#markStale();
-    else this.#showAfter = FIRST_SHOWN_MS;
     this.#drawn.sweep(session);
     this.#readying.restart();
   }

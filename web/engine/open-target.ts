@@ -182,7 +182,7 @@ export class OpenTarget {
 
   /**
    * Draws the layers of this material; null when no texel changed. What is not projected when `until` has come
-   * (`performance.now`) is left to the next call; with `shows` the picture has what there is of it by then.
+   * (`performance.now`) is left to the next call, and the picture stays as it was.
    */
   draw(
     layers: readonly EngineLayer[],
@@ -190,7 +190,6 @@ export class OpenTarget {
     pictures: TargetPictures,
     report: (error: TexelcastError) => void,
     until = Number.POSITIVE_INFINITY,
-    shows = false,
   ): TargetUpdate | null {
     const start = performance.now();
     const { material } = this.info;
@@ -203,15 +202,11 @@ export class OpenTarget {
       imageOf: pictures.imageOf,
     };
     this.#layers.apply(clipped, { imageOf, report });
-    this.unfinished = false;
     let update = this.#target.update(undefined, PROJECTED_AT_ONCE);
-    while (update.unfinished && !this.unfinished) {
-      this.unfinished = performance.now() >= until;
-      if (!this.unfinished || shows) update = this.#target.update(undefined, this.unfinished ? 0 : PROJECTED_AT_ONCE);
-    }
-    const { unfinished: _unfinished, ...shown } = update;
-    if (shown.rects.length === 0) return null;
-    return { material, revision, ...shown, milliseconds: performance.now() - start };
+    while (update.unfinished && performance.now() < until) update = this.#target.update(undefined, PROJECTED_AT_ONCE);
+    this.unfinished = update.unfinished;
+    if (update.rects.length === 0) return null;
+    return { material, revision, ...update, milliseconds: performance.now() - start };
   }
 
   /**

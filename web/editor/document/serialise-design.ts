@@ -70,18 +70,13 @@ const STOP_FIELDS = ["offset", "color"] as const;
 const PARTS_FIELDS = ["kind", "charts", "faces"] as const;
 const BRUSH_FIELDS = ["tip", "asset", "color", "hardness", "flow"] as const;
 
-/** Gives the texts of a paint layer's strokes, by their place's indent. */
-export type StrokePrinter = (strokes: readonly StrokeLayer[]) => readonly ((indent: string) => string)[];
-
-const printEach: StrokePrinter = (strokes) => strokes.map((stroke) => (indent) => strokeText(stroke, indent));
-
-/** The design as JSON text, two spaces of indent, one line feed at the end; with other texts for strokes than their own, if asked. */
-export function serialiseDesign(design: Design, printer = printEach): string {
+/** The design as JSON text, two spaces of indent, one line feed at the end. */
+export function serialiseDesign(design: Design): string {
   const document = {
     format: design.format,
     version: design.version,
     assets: Object.fromEntries(Object.entries(design.assets).map(([key, asset]) => [key, orderAsset(asset)])),
-    layers: design.layers.map((layer) => orderLayer(layer, printer)),
+    layers: design.layers.map(orderLayer),
   };
   return printJson(document);
 }
@@ -96,10 +91,7 @@ function pick(source: object, fields: readonly string[]): Record<string, unknown
 const orderAsset = (asset: DesignAsset): object => pick(asset, ["type", "uri"]);
 const orderProjector = (projector: Projector): object => pick(projector, PROJECTOR_FIELDS);
 
-const orderMask = (mask: Mask): object => ({
-  invert: mask.invert,
-  layers: mask.layers.map((layer) => orderLayer(layer)),
-});
+const orderMask = (mask: Mask): object => ({ invert: mask.invert, layers: mask.layers.map(orderLayer) });
 const orderGradient = (gradient: Gradient): object => ({
   ...pick(gradient, GRADIENT_FIELDS),
   stops: gradient.stops.map((stop) => pick(stop, STOP_FIELDS)),
@@ -119,7 +111,7 @@ export function strokeText(stroke: StrokeLayer, indent: string): string {
 /** Of a stroke that will not be written again soon. */
 export const forgetText = (stroke: StrokeLayer): boolean => STROKES.delete(stroke);
 
-function orderLayer(layer: DesignLayer, printer = printEach): object {
+function orderLayer(layer: DesignLayer): object {
   const ordered = pick(layer, LAYER_FIELDS);
   if (layer.mask !== null) ordered.mask = orderMask(layer.mask);
   if ("mirror" in layer && layer.mirror !== null) ordered.mirror = pick(layer.mirror, MIRROR_FIELDS);
@@ -133,7 +125,11 @@ function orderLayer(layer: DesignLayer, printer = printEach): object {
     if (layer.gradient !== null) ordered.gradient = orderGradient(layer.gradient);
     if (layer.parts !== null) ordered.parts = pick(layer.parts, PARTS_FIELDS);
   }
-  if (layer.type === "group") ordered.layers = layer.layers.map((held) => orderLayer(held, printer));
-  if (layer.type === "paint") ordered.strokes = printer(layer.strokes);
+  if (layer.type === "group") ordered.layers = layer.layers.map(orderLayer);
+  if (layer.type === "paint")
+    // Storage has functions in the place of strokes, which give the text of many.
+    ordered.strokes = layer.strokes.map((stroke) =>
+      typeof stroke === "function" ? stroke : (indent: string) => strokeText(stroke, indent),
+    );
   return ordered;
 }

@@ -11,7 +11,6 @@ import {
   type Mirror,
   parseDesign,
   type StrokeLayer,
-  serialiseDesign,
 } from "../document/index.ts";
 import { assetsOf, flattenLayers, hasRoom } from "../document/layer-tree.ts";
 import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
@@ -29,6 +28,7 @@ import {
   partBytes,
   partsOf,
   printParts,
+  type StrokePart,
 } from "./stroke-parts.ts";
 
 const PREFIX = "sha256/";
@@ -144,10 +144,10 @@ function packText(
   blobs: Map<string, StoredBlob>,
   parts?: ReadonlySet<string>,
 ): PackedText {
-  const printer = printParts((part) => {
+  const note = (part: StrokePart): void => {
     blobs.set(part.hash, { size: part.size, bytes: () => partBytes(part) });
-  }, parts);
-  const text = serialiseDesign(named, printer);
+  };
+  const text = printParts(named, note, parts);
   const list = [...targets].map(([material, settings]) => ({ material, ...settings }));
   return { name, design: text, targets: list, layers: named.layers.length };
 }
@@ -166,10 +166,7 @@ function checkReadable(design: Design, name: string, strings: Strings): void {
   try {
     const thin = { ...design, layers: design.layers.map(withNewStrokes) };
     const { length } = parseDesign(
-      serialiseDesign(
-        thin,
-        printParts(() => {}, new Set()),
-      ),
+      printParts(thin, () => {}, new Set()),
       name,
     ).layers;
     if (length === design.layers.length && isWhole(design)) {
