@@ -31,7 +31,6 @@ const MATERIALS: Rule = {
 };
 
 const EVERY: Rules = {
-  id: { must: "a text, and not empty", holds: (value) => typeof value === "string" && value !== "" },
   type: oneOf("decal", "stroke", "fill", "group"),
   opacity: SHARE,
   blend: oneOf(...BLEND_MODES),
@@ -63,29 +62,27 @@ const PROJECTORS: Readonly<Record<string, Rules>> = {
 /** The first thing that is no layer's: a "bad-argument" with its field ("layers[0].projector.size") and value; null without one. */
 export function layersFault(layers: unknown): TexelcastError | null {
   try {
-    checkLayers(layers, "layers", new Map());
+    checkLayers(layers, "layers", new Set());
     return null;
   } catch (thrown) {
     return TexelcastError.wrap(thrown, "internal", "The layers could not be read.");
   }
 }
 
-/** Where each id was met first. */
-type Ids = Map<unknown, string>;
-
-function checkLayers(layers: unknown, field: string, ids: Ids): void {
+/** `ids`: those of the layers before. */
+function checkLayers(layers: unknown, field: string, ids: Set<unknown>): void {
   checkValue(layers, LIST, field);
   for (const [index, layer] of (layers as readonly unknown[]).entries()) checkLayer(layer, `${field}[${index}]`, ids);
 }
 
-function checkLayer(layer: unknown, field: string, ids: Ids): void {
+function checkLayer(layer: unknown, field: string, ids: Set<unknown>): void {
   checkFields(layer, EVERY, field);
   const { id, type, mask, layers, asset, brush, dabs, gradient, parts, projector } = layer as Readonly<
     Record<string, unknown>
   >;
-  const first = ids.get(id);
-  checkValue(id, { must: `another than that of “${first}”`, holds: () => first === undefined }, `${field}.id`);
-  ids.set(id, field);
+  const holds = (): boolean => typeof id === "string" && id !== "" && !ids.has(id);
+  checkValue(id, { must: "a text that no other layer has", holds }, `${field}.id`);
+  ids.add(id);
   checkFields(layer, BY_TYPE[type as string] ?? {}, field);
   if (isObject(mask)) checkLayers(mask.layers, `${field}.mask.layers`, ids);
   if (type === "group") checkLayers(layers, `${field}.layers`, ids);

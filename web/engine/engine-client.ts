@@ -304,8 +304,7 @@ class EngineClient implements Engine {
     } catch {
       // No layers, or such as no worker can be sent: with functions, or a framework's proxies. What is plain of them goes.
       this.#sender = new LayerSender();
-      const [plain] = JSON.parse(JSON.stringify([layers]));
-      this.#send({ type: "unreadable", layers: plain, revision });
+      this.#send({ type: "unreadable", layers: JSON.parse(JSON.stringify(layers ?? null)), revision });
     }
     this.#layersUnderWay = true;
   }

@@ -21,7 +21,7 @@ export const cancelled = (): TexelcastError => new TexelcastError("cancelled", "
 
 /** What holds functions, or a framework's proxies. */
 export const notSendable = (field: string, thrown: unknown): TexelcastError =>
-  new TexelcastError("bad-argument", `No worker can be sent what “${field}” was given: ${thrown}.`, { field });
+  new TexelcastError("bad-argument", `“${field}” was given what cannot be sent: ${thrown}.`, { field });
 
 /** Whatever is asked of an engine after `dispose`. */
 export const disposed = (): TexelcastError => new TexelcastError("disposed", "The engine was ended.");

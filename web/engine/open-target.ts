@@ -1,7 +1,7 @@
 /** One material's texture while it is open: the core's target, its layers, and what the engine says about it. */
 import { type MapInfo, MapViews, NONE } from "../core/abi.ts";
 import type { ImageHandle, Session } from "../core/session.ts";
-import type { LayerHandle, Target } from "../core/target.ts";
+import type { CoreUpdate, LayerHandle, Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { applyBase, type BasePicture, loadBasePicture, targetSize } from "./base-picture.ts";
 import { coreGradient } from "./core-layer.ts";
@@ -189,7 +189,7 @@ export class OpenTarget {
     revision: number,
     pictures: TargetPictures,
     report: (error: TexelcastError) => void,
-    until = Number.POSITIVE_INFINITY,
+    until: number,
   ): TargetUpdate | null {
     const start = performance.now();
     const { material } = this.info;
@@ -202,8 +202,9 @@ export class OpenTarget {
       imageOf: pictures.imageOf,
     };
     this.#layers.apply(clipped, { imageOf, report });
-    let update = this.#target.update(undefined, PROJECTED_AT_ONCE);
-    while (update.unfinished && performance.now() < until) update = this.#target.update(undefined, PROJECTED_AT_ONCE);
+    let update: CoreUpdate;
+    do update = this.#target.update(undefined, PROJECTED_AT_ONCE);
+    while (update.unfinished && performance.now() < until);
     this.unfinished = update.unfinished;
     if (update.rects.length === 0) return null;
     return { material, revision, ...update, milliseconds: performance.now() - start };

@@ -45,7 +45,7 @@ export async function withTarget<Result>(
 export function drawWhole(context: PrintContext, target: OpenTarget): void {
   const errors: Error[] = [];
   const report = (error: Error): void => void errors.push(error);
-  target.draw(context.layers, 0, context.pictures(report), report);
+  target.draw(context.layers, 0, context.pictures(report), report, Number.POSITIVE_INFINITY);
   if (errors[0] !== undefined) throw errors[0];
 }
 
