@@ -80,6 +80,13 @@ test("the right button on the model offers what can be done with the decal there
   await expect(menu).toBeHidden();
   await expect.poll(async () => (await editor.pointOf(id)).x).toBeGreaterThan(at.x + 10);
 
+  // Where no decal lies, what needs one is not offered.
+  await page.keyboard.press("Escape");
+  const [view] = await editor.places(editor.view);
+  await page.mouse.click(view.x + view.width / 2, view.y + 12, { button: "right" });
+  await expect(menu.getByRole("menuitem")).toHaveText(["Select all"]);
+  await page.keyboard.press("Escape");
+
   // A brush has the pointer for itself.
   await page.keyboard.press("b");
   await page.mouse.click(at.x, at.y, { button: "right" });

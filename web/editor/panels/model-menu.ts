@@ -4,7 +4,7 @@
  */
 import { css, html, type TemplateResult } from "lit";
 import { EditorElement } from "../ui/editor-element.ts";
-import type { Menu } from "../ui/menu.ts";
+import type { Menu, MenuItem } from "../ui/menu.ts";
 import { moreItems } from "./layer-acts.ts";
 
 /** Pixels that the right button may wander: further, it moves the view. */
@@ -61,10 +61,23 @@ export class ModelMenu extends EditorElement {
     if (chooses) viewer.clickAt(x, y);
     const menu = this.renderRoot.querySelector<Menu>("tc-menu");
     if (!menu) return;
-    menu.items = moreItems(this.editor, null);
+    menu.items = possible(moreItems(this.editor, null));
     void menu.openAt(x, y);
   }
 }
+/** Beside the model, where nothing is chosen, most of them would be grey. */
+function possible(items: readonly MenuItem[]): MenuItem[] {
+  const kept: MenuItem[] = [];
+  let separated = false;
+  for (const item of items) {
+    separated ||= item.separated === true;
+    if (item.disabled) continue;
+    kept.push({ ...item, separated: separated && kept.length > 0 });
+    separated = false;
+  }
+  return kept;
+}
+
 customElements.define("tc-model-menu", ModelMenu);
 
 declare global {
