@@ -4,6 +4,7 @@ import { openDB } from "idb";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import {
   type Design,
+  makeGroupLayer,
   makePaintLayer,
   makeStrokeLayer,
   parseDesign,
@@ -153,6 +154,40 @@ describe("a project kept in the browser", () => {
     await store.remove("a");
     await store.sweep(0);
     expect(await tables()).toEqual({ revisions: [], blobs: 0 });
+  });
+
+  it("of several paintings, in groups and beside painted masks, gives each its own strokes back, save after save", async () => {
+    const mask = (from: number) => ({ invert: false, layers: strokes(8, from) });
+    const paintings = (count: number): Design => ({
+      ...design(1),
+      layers: [
+        makeGroupLayer({
+          id: "group",
+          mask: mask(900),
+          layers: [
+            makePaintLayer({ id: "empty", strokes: [] }),
+            makePaintLayer({ id: "first", mask: mask(950), strokes: strokes(count) }),
+          ],
+        }),
+        ...design(1).layers,
+        makePaintLayer({ id: "second", strokes: strokes(count + 9, 300) }),
+      ],
+    });
+    let of = paintings(20);
+    await save("a", content(of), 0);
+    for (const seen of [1, 2]) {
+      packer = new ProjectPacker(stringsIn("en"));
+      const { design: back } = await store.load("a");
+      expect(back).toEqual(of);
+      const [group, below, second] = back.layers;
+      if (group?.type !== "group" || !below || second?.type !== "paint") throw new Error("all three are there");
+      of = {
+        ...back,
+        layers: [group, below, { ...second, strokes: [...second.strokes, ...strokes(1, 600 + seen)] }],
+      };
+      await save("a", content(of), seen);
+    }
+    expect((await store.load("a")).design).toEqual(of);
   });
 
   it("takes up last words of many strokes by what is kept of them, and needs nothing else", async () => {
