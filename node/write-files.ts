@@ -1,6 +1,6 @@
 /** Writing results so that no reader, and no interruption, ever meets half a file. */
 import { randomUUID } from "node:crypto";
-import { closeSync, openSync, rmSync } from "node:fs";
+import { closeSync, constants, openSync, rmSync } from "node:fs";
 import { type FileHandle, open, rename, stat } from "node:fs/promises";
 import path from "node:path";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
@@ -38,7 +38,8 @@ export class PendingFiles {
       const pending: { readonly temporary: string; file?: FileHandle } = { temporary };
       closeSync(openSync(temporary, "wx"));
       this.#pending.set(target, pending);
-      pending.file = await open(temporary, "a");
+      // Not made anew, as "a" would, where a signal has taken it away meanwhile.
+      pending.file = await open(temporary, constants.O_WRONLY | constants.O_APPEND);
       // Before a byte is in it: what nobody else might read must not become readable by being written anew.
       await keepMode(pending.file, target);
       return pending.file;

@@ -182,15 +182,15 @@ TEST_CASE("Edges through texel centres belong to the triangle on their right or 
 
 TEST_CASE("A diagonal through texel centres belongs to the triangle on its right whatever decimals its corners have") {
     for (const std::int64_t size : {77, 100, 333, 1000}) {
-        for (const auto& [low, high] : {std::pair{0.05f, 0.95f}, {0.1f, 0.9f}, {0.2f, 0.6f}, {0.15f, 0.85f}}) {
-            const double from = static_cast<double>(low) * static_cast<double>(size);
-            const double to = static_cast<double>(high) * static_cast<double>(size);
+        for (const auto& side : {std::pair{0.05f, 0.95f}, {0.1f, 0.9f}, {0.2f, 0.6f}, {0.15f, 0.85f}}) {
+            const double from = static_cast<double>(side.first) * static_cast<double>(size);
+            const double to = static_cast<double>(side.second) * static_cast<double>(size);
             Claims right(size);
             Claims left(size);
             right.add(TexelTriangle{{from, to, to}, {from, from, to}});
             left.add(TexelTriangle{{from, to, from}, {from, to, to}});
             CAPTURE(size);
-            CAPTURE(low);
+            CAPTURE(side.first);
             for (std::int64_t i = 0; i < size; ++i) {
                 const double centre = static_cast<double>(i) + 0.5;
                 REQUIRE(right.at(i, i) == (centre > from && centre < to ? 1u : 0u));

@@ -27,7 +27,7 @@ export class PaintCursor {
   #hit: SurfaceHit | null = null;
   #heldKey: string | null = null;
   /** Where the held key comes up again: that in which it went down. */
-  #window: Window = window;
+  #window: Window | null = null;
 
   constructor(context: Pick<ToolContext, "viewer" | "board">, hooks: PaintCursorHooks) {
     this.#context = context;
@@ -79,8 +79,8 @@ export class PaintCursor {
 
   #press(key: string, hit: SurfaceHit): void {
     this.#heldKey = key;
-    this.#window.addEventListener("keyup", this.#keyUp, { capture: true });
-    this.#window.addEventListener("blur", this.#release);
+    this.#window?.addEventListener("keyup", this.#keyUp, { capture: true });
+    this.#window?.addEventListener("blur", this.#release);
     this.#hooks.begin(hit);
   }
 
@@ -91,8 +91,8 @@ export class PaintCursor {
   readonly #release = (): void => {
     if (this.#heldKey === null) return;
     this.#heldKey = null;
-    this.#window.removeEventListener("keyup", this.#keyUp, { capture: true });
-    this.#window.removeEventListener("blur", this.#release);
+    this.#window?.removeEventListener("keyup", this.#keyUp, { capture: true });
+    this.#window?.removeEventListener("blur", this.#release);
     this.#hooks.end();
   };
 }
