@@ -70,13 +70,18 @@ const STOP_FIELDS = ["offset", "color"] as const;
 const PARTS_FIELDS = ["kind", "charts", "faces"] as const;
 const BRUSH_FIELDS = ["tip", "asset", "color", "hardness", "flow"] as const;
 
+/** Gives a paint layer's strokes as text, each item for the indent at which it will stand. */
+export type StrokePrinter = (strokes: readonly StrokeLayer[]) => readonly ((indent: string) => string)[];
+
+const eachStroke: StrokePrinter = (strokes) => strokes.map((stroke) => (indent) => strokeText(stroke, indent));
+
 /** The design as JSON text, two spaces of indent, one line feed at the end. */
-export function serialiseDesign(design: Design): string {
+export function serialiseDesign(design: Design, printStrokes?: StrokePrinter): string {
   const document = {
     format: design.format,
     version: design.version,
     assets: Object.fromEntries(Object.entries(design.assets).map(([key, asset]) => [key, orderAsset(asset)])),
-    layers: design.layers.map(orderLayer),
+    layers: design.layers.map((layer) => orderLayer(layer, printStrokes)),
   };
   return printJson(document);
 }
@@ -91,7 +96,10 @@ function pick(source: object, fields: readonly string[]): Record<string, unknown
 const orderAsset = (asset: DesignAsset): object => pick(asset, ["type", "uri"]);
 const orderProjector = (projector: Projector): object => pick(projector, PROJECTOR_FIELDS);
 
-const orderMask = (mask: Mask): object => ({ invert: mask.invert, layers: mask.layers.map(orderLayer) });
+const orderMask = (mask: Mask): object => ({
+  invert: mask.invert,
+  layers: mask.layers.map((layer) => orderLayer(layer)),
+});
 const orderGradient = (gradient: Gradient): object => ({
   ...pick(gradient, GRADIENT_FIELDS),
   stops: gradient.stops.map((stop) => pick(stop, STOP_FIELDS)),
@@ -111,7 +119,7 @@ export function strokeText(stroke: StrokeLayer, indent: string): string {
 /** Of a stroke that will not be written again soon. */
 export const forgetText = (stroke: StrokeLayer): boolean => STROKES.delete(stroke);
 
-function orderLayer(layer: DesignLayer): object {
+function orderLayer(layer: DesignLayer, printStrokes = eachStroke): object {
   const ordered = pick(layer, LAYER_FIELDS);
   if (layer.mask !== null) ordered.mask = orderMask(layer.mask);
   if ("mirror" in layer && layer.mirror !== null) ordered.mirror = pick(layer.mirror, MIRROR_FIELDS);
@@ -125,11 +133,7 @@ function orderLayer(layer: DesignLayer): object {
     if (layer.gradient !== null) ordered.gradient = orderGradient(layer.gradient);
     if (layer.parts !== null) ordered.parts = pick(layer.parts, PARTS_FIELDS);
   }
-  if (layer.type === "group") ordered.layers = layer.layers.map(orderLayer);
-  if (layer.type === "paint")
-    // Storage has functions in the place of strokes, which give the text of many.
-    ordered.strokes = layer.strokes.map((stroke) =>
-      typeof stroke === "function" ? stroke : (indent: string) => strokeText(stroke, indent),
-    );
+  if (layer.type === "group") ordered.layers = layer.layers.map((held) => orderLayer(held, printStrokes));
+  if (layer.type === "paint") ordered.strokes = printStrokes(layer.strokes);
   return ordered;
 }

@@ -2,7 +2,7 @@
  * Strokes that follow each other in a paint layer, kept once under the name of what they hold: a save then writes the newest
  * strokes, and not again all that were painted before. A long session's text is tens of megabytes, and each step is saved.
  */
-import type { Design, DesignLayer, StrokeLayer } from "../document/index.ts";
+import type { Design, StrokeLayer } from "../document/index.ts";
 import { flattenLayers } from "../document/layer-tree.ts";
 import { forgetText, serialiseDesign, strokeText } from "../document/serialise-design.ts";
 import { contentHash } from "./content-hash.ts";
@@ -66,7 +66,7 @@ async function makePart(strokes: readonly StrokeLayer[]): Promise<void> {
 
 /** The design's text with parts by their names, as far as `allowed` has them; `used` is told of these. */
 export function printParts(design: Design, used: (part: StrokePart) => void, allowed?: ReadonlySet<string>): string {
-  const textsOf = (strokes: readonly StrokeLayer[]): (() => string)[] => {
+  return serialiseDesign(design, (strokes) => {
     const texts: (() => string)[] = [];
     for (let at = 0; at < strokes.length; ) {
       const stroke = strokes[at] as StrokeLayer;
@@ -81,12 +81,7 @@ export function printParts(design: Design, used: (part: StrokePart) => void, all
       at += part.strokes.length;
     }
     return texts;
-  };
-  const printed = (layer: DesignLayer): DesignLayer => {
-    if (layer.type === "group") return { ...layer, layers: layer.layers.map(printed) };
-    return layer.type === "paint" ? { ...layer, strokes: textsOf(layer.strokes) as never[] } : layer;
-  };
-  return serialiseDesign({ ...design, layers: design.layers.map(printed) });
+  });
 }
 
 export const partsOf = (design: Design): ReadonlySet<string> => PARTS_OF.get(design) ?? new Set();
