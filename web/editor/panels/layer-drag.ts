@@ -8,8 +8,10 @@ import { dropAt, type LayerDrop, type LayerRow } from "../state/layer-rows.ts";
 
 export interface LayerDragHost {
   readonly rows: readonly LayerRow[];
-  /** What scrolls, with the rows' elements in it. */
+  /** What scrolls. */
   readonly list: HTMLElement | null;
+  /** As high as all rows together, whose elements it holds as far as they are near. */
+  readonly content: HTMLElement | null;
   /** Pixels a level of depth. */
   readonly indent: number;
   requestUpdate(): void;
@@ -22,9 +24,14 @@ export interface LayerDragHost {
 /** Pixels before a press becomes a drag. */
 const DRAG_START = 4;
 const LONG_PRESS = 450;
-/** Pixels from the list's ends within which it scrolls, and by how much a move. */
+/** Pixels from the list's ends from which on it scrolls, faster the further the pointer is past that. */
 const SCROLL_EDGE = 24;
-const SCROLL_STEP = 10;
+/** Of what the pointer is past it, each 60th of a second. */
+const SCROLL_SHARE = 0.4;
+/** A frame that took longer scrolls no further: one must see what goes by. */
+const LONGEST_FRAME_MS = 50;
+
+type Pointer = Pick<PointerEvent, "clientX" | "clientY">;
 
 export class LayerDrag {
   readonly #host: LayerDragHost;
@@ -33,6 +40,9 @@ export class LayerDrag {
   #press: { readonly id: string; readonly pointer: number; readonly x: number; readonly y: number } | null = null;
   #ids: readonly string[] = [];
   #drop: LayerDrop | null = null;
+  #pointer: Pointer | null = null;
+  /** The frame in which the list scrolls on; 0: none is asked for. */
+  #frame = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #swallow = false;
 
@@ -43,6 +53,11 @@ export class LayerDrag {
   /** Ids of the layers that are being dragged. */
   get ids(): readonly string[] {
     return this.#ids;
+  }
+
+  /** Id of the layer whose row is being pressed. */
+  get pressed(): string | undefined {
+    return this.#press?.id;
   }
 
   /** Where they would go now. */
@@ -105,9 +120,10 @@ export class LayerDrag {
       this.#ids = this.#host.dragged(press.id);
     }
     event.preventDefault();
-    this.#scroll(event.clientY);
+    this.#pointer = event;
     this.#drop = this.#dropUnder(event);
     this.#host.requestUpdate();
+    this.#scrollSoon();
   };
 
   readonly #release = (event: PointerEvent): void => {
@@ -133,6 +149,9 @@ export class LayerDrag {
     this.#press = null;
     this.#ids = [];
     this.#drop = null;
+    this.#pointer = null;
+    this.#window.cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
     this.#window.removeEventListener("pointermove", this.#move);
     this.#window.removeEventListener("pointerup", this.#release);
     this.#window.removeEventListener("pointercancel", this.#cancel);
@@ -140,24 +159,45 @@ export class LayerDrag {
     this.#host.requestUpdate();
   }
 
-  #scroll(clientY: number): void {
+  #scrollSoon(since = performance.now()): void {
+    if (this.#frame !== 0 || this.#pastEdge() === 0) return;
+    this.#frame = this.#window.requestAnimationFrame(() => {
+      this.#frame = 0;
+      this.#scroll(Math.min(LONGEST_FRAME_MS, performance.now() - since));
+    });
+  }
+
+  /** While the pointer rests at an end of the list, the rows go on under it. */
+  #scroll(milliseconds: number): void {
     const { list } = this.#host;
-    if (!list) return;
+    if (!list || !this.#pointer) return;
+    const before = list.scrollTop;
+    // A whole pixel at least: browsers may take no less.
+    const by = this.#pastEdge() * SCROLL_SHARE * (milliseconds / 1000) * 60;
+    list.scrollTop += Math.sign(by) * Math.ceil(Math.abs(by));
+    if (list.scrollTop === before) return;
+    this.#drop = this.#dropUnder(this.#pointer);
+    this.#host.requestUpdate();
+    this.#scrollSoon();
+  }
+
+  /** Pixels; less than 0 above. */
+  #pastEdge(): number {
+    const { list } = this.#host;
+    if (!list || !this.#pointer) return 0;
+    const { clientY } = this.#pointer;
     const { top, bottom } = list.getBoundingClientRect();
-    if (clientY < top + SCROLL_EDGE) list.scrollTop -= SCROLL_STEP;
-    else if (clientY > bottom - SCROLL_EDGE) list.scrollTop += SCROLL_STEP;
+    return Math.min(0, clientY - top - SCROLL_EDGE) + Math.max(0, clientY - bottom + SCROLL_EDGE);
   }
 
   /** Null where the layers cannot go: into one of themselves. */
-  #dropUnder({ clientX, clientY }: PointerEvent): LayerDrop | null {
-    const { list, rows, indent } = this.#host;
-    if (!list || rows.length === 0) return null;
-    const elements = [...list.querySelectorAll<HTMLElement>(".row")];
-    const boxes = elements.map((element) => element.getBoundingClientRect());
-    const under = boxes.findIndex(({ bottom }) => clientY < bottom);
-    const row = under < 0 ? rows.length : under;
-    const box = boxes[row];
-    const share = box ? Math.max(0, (clientY - box.top) / box.height) : 0;
+  #dropUnder({ clientX, clientY }: Pointer): LayerDrop | null {
+    const { list, content, rows, indent } = this.#host;
+    if (!list || !content || rows.length === 0) return null;
+    const { top, height } = content.getBoundingClientRect();
+    const down = (rows.length * Math.max(0, clientY - top)) / height;
+    const row = Math.min(rows.length, Math.floor(down));
+    const share = row < rows.length ? down - row : 0;
     const { left, right } = list.getBoundingClientRect();
     const inward = getComputedStyle(list).direction === "rtl" ? right - clientX : clientX - left;
     // The row's own head is as wide as a level or two: a pointer within it means the outermost.

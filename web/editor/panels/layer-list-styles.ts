@@ -30,7 +30,6 @@ export const layerListStyles = css`
     grid-row: 3;
   }
   .rows {
-    position: relative;
     min-height: 0;
     overflow: hidden auto;
     overscroll-behavior: contain;
@@ -44,8 +43,17 @@ export const layerListStyles = css`
     padding: var(--space-2) var(--space-4) var(--space-3);
     line-height: 1.45;
   }
-  .row {
+  .content {
     position: relative;
+    height: calc(var(--row) * var(--rows));
+  }
+  .row,
+  .line {
+    position: absolute;
+    inset-block-start: calc(var(--row) * var(--at));
+  }
+  .row {
+    inset-inline: 0;
     display: flex;
     align-items: center;
     height: var(--row);
@@ -75,9 +83,8 @@ export const layerListStyles = css`
     outline-offset: -2px;
   }
   .line {
-    position: absolute;
     z-index: 2;
-    inset-inline-end: var(--space-2);
+    inset-inline-end: 0;
     height: 2px;
     margin-block-start: -1px;
     border-radius: 1px;

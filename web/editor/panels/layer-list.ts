@@ -1,6 +1,7 @@
 /**
  * The layers as a tree (WAI-ARIA treegrid), the topmost first. Rows are chosen by click or arrow keys, reordered by
- * dragging, by Alt and the arrows, or by buttons; what stands above and below the rows is for all chosen ones.
+ * dragging, by Alt and the arrows, or by buttons; what stands above and below the rows is for all chosen ones. Of thousands of
+ * rows only those near the ones in sight are in the document; the others have their places kept.
  */
 import { html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { live } from "lit/directives/live.js";
@@ -25,6 +26,8 @@ import { LayerDrag, type LayerDragHost } from "./layer-drag.ts";
 import { handleLayerKey } from "./layer-keys.ts";
 import { layerListStyles } from "./layer-list-styles.ts";
 import { INDENT, layerRow, type RowActs } from "./layer-row.ts";
+import { FIRST_WINDOW, renderedRows, rowWindow } from "./row-window.ts";
+import { ShownRows } from "./shown-rows.ts";
 
 type Looks = Pick<DesignLayer, "blend" | "opacity" | "lockAlpha">;
 
@@ -43,6 +46,11 @@ export class LayerList extends EditorElement implements LayerDragHost {
   rows: readonly LayerRow[] = [];
   readonly indent = INDENT;
   readonly #drag = new LayerDrag(this);
+  readonly #shownRows = new ShownRows();
+  #window = FIRST_WINDOW;
+  readonly #sizes = new ResizeObserver(() => this.#look());
+  /** The list whose size is followed. */
+  #sized: HTMLElement | null = null;
   /** The row that the keyboard shall be on after the next render; undefined: where it is. */
   #focusNext: string | undefined;
   /** The row that it was on before this render, and the rows that there were; null: on none. */
@@ -62,13 +70,17 @@ export class LayerList extends EditorElement implements LayerDragHost {
 
   protected watched(state: EditorState): readonly unknown[] {
     const { design, selectedId, selection, collapsed, editingMask, model, material, starting } = state;
-    const shown = layerRows(design, collapsed).flatMap(shownOf);
+    const shown = this.#shownRows.of(layerRows(design, collapsed));
     const { holds } = this.editor.clipboard;
-    return [design.assets, selectedId, selection, collapsed, editingMask, model, material, starting, holds, ...shown];
+    return [design.assets, selectedId, selection, collapsed, editingMask, model, material, starting, holds, shown];
   }
 
   get list(): HTMLElement | null {
     return this.renderRoot.querySelector<HTMLElement>(".rows");
+  }
+
+  get content(): HTMLElement | null {
+    return this.list?.firstElementChild as HTMLElement | null;
   }
 
   override render(): TemplateResult {
@@ -89,42 +101,54 @@ export class LayerList extends EditorElement implements LayerDragHost {
     const { drop, ids } = this.#drag;
     const twists = this.rows.some(({ layer }) => layer.type === "group");
     const reachable = this.rows.find(({ layer }) => layer.id === selectedId) ?? this.rows[0];
+    // What the keyboard or a finger is on, or comes to, must not go while the list is scrolled.
+    const needed = new Set([reachable?.layer.id, this.#held?.id, this.#focusNext, this.renaming, this.#drag.pressed]);
+    const rendered = renderedRows(this.rows, this.#window, ({ layer }) => needed.has(layer.id));
+    const chosen = new Set(selection);
     return html`
-      <div class="rows" role="treegrid" aria-label=${this.#words.list} aria-multiselectable="true" @keydown=${this.#key} @contextmenu=${this.#contextMenu}>
-        ${repeat(
-          this.rows,
-          ({ layer }) => layer.id,
-          (row) =>
-            layerRow(
-              row,
-              {
-                thumbnails,
-                chosen: selection.includes(row.layer.id),
-                primary: row.layer.id === selectedId,
-                reachable: row === reachable,
-                renaming: row.layer.id === this.renaming,
-                dragged: ids.includes(row.layer.id),
-                into: drop?.gap === null && drop.parentId === row.layer.id,
-                editsMask: editingMask === row.layer.id,
-                twists,
-                words: this.#words,
-                readonly: this.state.readonly,
-              },
-              this.#acts,
-            ),
-        )}
-        ${drop && drop.gap !== null ? this.#line(drop, drop.gap) : nothing}
+      <div
+        class="rows"
+        role="treegrid"
+        aria-label=${this.#words.list}
+        aria-multiselectable="true"
+        aria-rowcount=${this.rows.length}
+        @keydown=${this.#key}
+        @contextmenu=${this.#contextMenu}
+        @scroll=${this.#look}
+      >
+        <div class="content" role="presentation" .style=${`--rows: ${this.rows.length}`}>
+          ${repeat(
+            rendered.map((at) => [at, this.rows[at] as LayerRow] as const),
+            ([, { layer }]) => layer.id,
+            ([at, row]) =>
+              layerRow(
+                row,
+                {
+                  at,
+                  thumbnails,
+                  chosen: chosen.has(row.layer.id),
+                  primary: row.layer.id === selectedId,
+                  reachable: row === reachable,
+                  renaming: row.layer.id === this.renaming,
+                  dragged: ids.includes(row.layer.id),
+                  into: drop?.gap === null && drop.parentId === row.layer.id,
+                  editsMask: editingMask === row.layer.id,
+                  twists,
+                  words: this.#words,
+                  readonly: this.state.readonly,
+                },
+                this.#acts,
+              ),
+          )}
+          ${drop && drop.gap !== null ? this.#line(drop, drop.gap) : nothing}
+        </div>
       </div>
     `;
   }
 
   #line({ depth }: LayerDrop, gap: number): TemplateResult {
-    const rows = this.renderRoot.querySelectorAll<HTMLElement>(".row");
-    const before = rows[gap];
-    const last = rows[rows.length - 1];
-    const top = before?.offsetTop ?? (last ? last.offsetTop + last.offsetHeight : 0);
-    const start = (depth - 1) * INDENT + 12;
-    return html`<div class="line" .style=${`inset-block-start: ${top}px; inset-inline-start: ${start}px`}></div>`;
+    const start = (depth - 1) * INDENT + 4;
+    return html`<div class="line" .style=${`--at: ${gap}; inset-inline-start: ${start}px`}></div>`;
   }
 
   /**
@@ -240,6 +264,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
   }
 
   override updated(changed: PropertyValues<this>): void {
+    this.#followSize();
     if (this.#held && this.renaming === null) this.#follow(this.#held);
     if (changed.has("renaming") && this.renaming !== null) {
       const field = this.renderRoot.querySelector<HTMLInputElement>("input.name");
@@ -255,7 +280,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
     this.#focusNext = undefined;
     this.#shown = selectedId;
     row?.focus({ preventScroll: true });
-    row?.scrollIntoView({ block: "nearest" });
+    this.#bringIntoSight(row);
   }
 
   #shown: string | null = null;
@@ -265,7 +290,39 @@ export class LayerList extends EditorElement implements LayerDragHost {
     const { selectedId } = this.state;
     if (selectedId === this.#shown) return;
     this.#shown = selectedId;
-    if (selectedId !== null) this.#rowElement(selectedId)?.scrollIntoView({ block: "nearest" });
+    if (selectedId !== null) this.#bringIntoSight(this.#rowElement(selectedId));
+  }
+
+  /** With the rows around it, in the same frame. */
+  #bringIntoSight(row: HTMLElement | null): void {
+    row?.scrollIntoView({ block: "nearest" });
+    this.#look();
+  }
+
+  #followSize(): void {
+    if (this.list === this.#sized) return;
+    this.#sizes.disconnect();
+    this.#sized = this.list;
+    if (this.list && this.content) for (const part of [this.list, this.content]) this.#sizes.observe(part);
+  }
+
+  /** Renders again where rows have come into sight, or near it, that are not there. */
+  #look(): void {
+    const { list, content } = this;
+    const rowHeight = content ? content.offsetHeight / this.rows.length : 0;
+    // Not shown.
+    if (!list || rowHeight === 0) return;
+    const seen = rowWindow(list.scrollTop / rowHeight, list.clientHeight / rowHeight);
+    if (seen.first === this.#window.first && seen.end === this.#window.end) return;
+    this.#window = seen;
+    this.requestUpdate();
+  }
+
+  /** @internal */
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#sizes.disconnect();
+    this.#sized = null;
   }
 
   #rowElement(id: string): HTMLElement | null {
@@ -275,6 +332,17 @@ export class LayerList extends EditorElement implements LayerDragHost {
   /** The keyboard follows the selected layer, whose row may be a new one; without one, it goes to the list's first. */
   focusSelected(): void {
     this.#focusNext = "";
+    this.requestUpdate();
+  }
+
+  /** At once where the row is there, so that the next key is for it. */
+  #focusRow(id: string): void {
+    const row = this.#rowElement(id);
+    if (row) {
+      row.focus();
+      return;
+    }
+    this.#focusNext = id;
     this.requestUpdate();
   }
 
@@ -354,7 +422,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
       state: this.state,
       rename: (id) => this.#acts.startRename(id),
       focusSelected: () => this.focusSelected(),
-      focusRow: (id) => this.#rowElement(id)?.focus(),
+      focusRow: (id) => this.#focusRow(id),
       show: (id) => this.#acts.show(id),
     });
   }
@@ -368,37 +436,3 @@ export class LayerList extends EditorElement implements LayerDragHost {
   }
 }
 customElements.define("tc-layer-list", LayerList);
-
-/** What a row reads of its layer: of a decal all but its place, which changes in each frame of a drag. */
-function shownOf({ layer, depth, place, count, hiddenAbove, lockedAbove }: LayerRow): readonly unknown[] {
-  const { id, name, visible, locked, opacity, blend, lockAlpha, mask } = layer;
-  const own = [
-    id,
-    name,
-    visible,
-    locked,
-    opacity,
-    blend,
-    lockAlpha,
-    mask,
-    depth,
-    place,
-    count,
-    hiddenAbove,
-    lockedAbove,
-  ];
-  switch (layer.type) {
-    case "decal":
-      return [...own, layer.asset];
-    case "text":
-      return [...own, layer.text, layer.color];
-    case "stroke":
-      return [...own, layer.brush];
-    case "fill":
-      return [...own, layer.color, layer.gradient];
-    case "paint":
-      return [...own, layer.strokes];
-    case "group":
-      return own;
-  }
-}

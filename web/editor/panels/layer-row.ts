@@ -11,6 +11,8 @@ import { maskPicture, type ThumbnailSource, thumbnail } from "../ui/thumbnail.ts
 export const INDENT = 14;
 
 export interface RowLook {
+  /** Place among all rows, from the top. */
+  readonly at: number;
   readonly thumbnails: ThumbnailSource;
   readonly chosen: boolean;
   /** The one that the properties are about. */
@@ -60,6 +62,7 @@ export function layerRow(row: LayerRow, look: RowLook, acts: RowActs): TemplateR
       role="row"
       data-id=${id}
       tabindex=${look.reachable ? 0 : -1}
+      aria-rowindex=${look.at + 1}
       aria-level=${depth}
       aria-posinset=${place}
       aria-setsize=${count}
@@ -67,7 +70,7 @@ export function layerRow(row: LayerRow, look: RowLook, acts: RowActs): TemplateR
       aria-current=${look.primary ? "true" : nothing}
       aria-expanded=${layer.type === "group" ? row.expanded : nothing}
       aria-label=${spokenName(row, words)}
-      .style=${`padding-inline-start: ${(depth - 1) * INDENT + 2}px`}
+      .style=${`--at: ${look.at}; padding-inline-start: ${(depth - 1) * INDENT + 2}px`}
       @pointerdown=${(event: PointerEvent) => acts.press(event, id, false)}
       @click=${(event: MouseEvent) => acts.choose(event, id)}
     >
