@@ -22,6 +22,7 @@ import {
   walkLayers,
   withFreeIds,
 } from "../../web/editor/document/index.ts";
+import { isLocked, mapLayers, removeByIds } from "../../web/editor/document/layer-tree.ts";
 import { addMask, duplicateLayers } from "../../web/editor/state/layer-edits.ts";
 
 const fill = (id: string, material = 0) => makeFillLayer({ id, color: "#102030", material });
@@ -53,6 +54,52 @@ describe("the tree of layers", () => {
     expect(visits.get("s")).toMatchObject({ parentId: "p", list: "strokes", depth: 3, inMask: false });
     expect(visits.get("b")?.parent?.id).toBe("g");
     expect(visits.get("a")?.parent).toBeNull();
+  });
+
+  it("is walked once however many of its layers are asked for, and no further than to the last of them", () => {
+    let reads = 0;
+    const counted = (layer: DesignLayer): DesignLayer =>
+      Object.defineProperty({ ...layer }, "visible", { enumerable: true, get: () => Boolean(++reads) });
+    const layers = Array.from({ length: 300 }, (_, at) => counted(fill(`f${at}`)));
+    const design = { ...emptyDesign(), layers };
+    expect(isLocked(design, "f9")).toBe(false);
+    expect(reads).toBe(10);
+    for (const { id } of layers) expect(findLayer(design, id)?.id).toBe(id);
+    expect(findLayer(design, "none")).toBeUndefined();
+    expect(reads).toBe(300);
+  });
+
+  it("tells what is locked: a layer in a locked group, a stroke of a locked paint layer", () => {
+    const locked = mapLayer(tree(), "g", (layer) => ({ ...layer, locked: true }));
+    const ids = idsOf(locked);
+    expect(ids.filter((id) => isLocked(locked, id))).toEqual(["g", "b", "m", "p", "s"]);
+    expect(isLocked(locked, "none")).toBe(false);
+  });
+
+  it("is changed in one walk for any number of layers, wherever they are", () => {
+    let reads = 0;
+    const counted = (layer: DesignLayer): DesignLayer =>
+      new Proxy(layer, {
+        get: (from, key) => {
+          if (key === "mask") reads += 1;
+          return Reflect.get(from, key);
+        },
+      });
+    const layers = Array.from({ length: 300 }, (_, at) => counted(fill(`f${at}`)));
+    const design = { ...emptyDesign(), layers };
+    const ids = new Set(layers.map(({ id }) => id));
+    const hidden = mapLayers(design, ids, (layer) => ({ ...layer, visible: false }));
+    expect(hidden.layers.every(({ visible }) => !visible)).toBe(true);
+    expect(reads).toBeLessThanOrEqual(3 * layers.length);
+    const few = mapLayers(tree(), new Set(["m", "s", "z", "none"]), (layer) => ({ ...layer, opacity: 0.5 }));
+    expect(
+      flattenLayers(few)
+        .filter(({ opacity }) => opacity === 0.5)
+        .map(({ id }) => id),
+    ).toEqual(["m", "s", "z"]);
+    expect(mapLayers(design, ids, (layer) => layer)).toBe(design);
+    expect(idsOf(removeByIds(tree(), new Set(["g", "m", "z"])))).toEqual(["a"]);
+    expect(idsOf(removeByIds(tree(), new Set(["m", "s"])))).toEqual(["a", "g", "b", "p", "z"]);
   });
 
   it("tells what is shown: a layer in a hidden group is not", () => {

@@ -34,6 +34,8 @@ export interface LayerVisit<Layer extends DesignLayer = DesignLayer> extends Lay
   readonly inMask: boolean;
   /** It and all that it is in are shown. */
   readonly shown: boolean;
+  /** It, or something that it is in, is locked. */
+  readonly locked: boolean;
 }
 
 export interface WalkOptions {
@@ -77,13 +79,14 @@ export function* walkLayers(
         path: [...parent.path, ...key, index],
         inMask: parent.inMask || list === "mask",
         shown: parent.shown && layer.visible,
+        locked: parent.locked || layer.locked,
       };
       yield visit;
       for (const child of walkedLists(layer, options)) yield* walk(child.list, child.layers, visit);
     }
   }
   const top = { parentId: null, list: "layers", index: 0, layer: null, parent: null, depth: 0 } as const;
-  yield* walk("layers", layers, { ...top, path: [], inMask: false, shown: true });
+  yield* walk("layers", layers, { ...top, path: [], inMask: false, shown: true, locked: false });
 }
 
 /** Every layer, in the order of `walkLayers`. */
@@ -94,24 +97,40 @@ export const flattenLayers = ({ layers }: Pick<Design, "layers">, options: WalkO
 export const findLayer = (design: Pick<Design, "layers">, id: string | null): DesignLayer | undefined =>
   visitOf(design, id)?.layer;
 
+/** A walk through a design that goes on when a layer is asked for that it has not come to yet. */
+interface OpenWalk {
+  readonly met: Map<string, LayerVisit>;
+  readonly rest: Iterator<LayerVisit>;
+}
+
 /**
- * What `visitOf` has found, by a design's list, which never changes. In each frame of a drag a dozen panels and tools ask for
- * the selected layer of that frame's design.
+ * By a design's list, which never changes. In each frame of a drag a dozen panels and tools ask for the selected layer of that
+ * frame's design, and some for each of its layers: a walk for each of those would cost their square.
  */
-const found = new WeakMap<readonly DesignLayer[], Map<string, LayerVisit | undefined>>();
+const walks = new WeakMap<readonly DesignLayer[], OpenWalk>();
+/** Of these, the oldest first: a history holds hundreds of lists, and what was met in each would be as large again. */
+const walked: WeakRef<readonly DesignLayer[]>[] = [];
+const MOST_WALKS = 8;
 
 /** Where the layer of that id is. */
 export function visitOf(design: Pick<Design, "layers">, id: string | null): LayerVisit | undefined {
   if (id === null) return undefined;
-  const known = found.get(design.layers) ?? new Map<string, LayerVisit | undefined>();
-  found.set(design.layers, known);
-  if (!known.has(id)) known.set(id, walkTo(design, id));
-  return known.get(id);
+  const { met, rest } = walks.get(design.layers) ?? beginWalk(design.layers);
+  while (!met.has(id)) {
+    const { done, value } = rest.next();
+    if (done) return undefined;
+    // The first of that id, as a walk of its own would find it.
+    if (!met.has(value.layer.id)) met.set(value.layer.id, value);
+  }
+  return met.get(id);
 }
 
-function walkTo(design: Pick<Design, "layers">, id: string): LayerVisit | undefined {
-  for (const visit of walkLayers(design)) if (visit.layer.id === id) return visit;
-  return undefined;
+function beginWalk(layers: readonly DesignLayer[]): OpenWalk {
+  const walk = { met: new Map<string, LayerVisit>(), rest: walkLayers({ layers }) };
+  walks.set(layers, walk);
+  const oldest = walked.push(new WeakRef(layers)) > MOST_WALKS ? walked.shift()?.deref() : undefined;
+  if (oldest) walks.delete(oldest);
+  return walk;
 }
 
 /** The list that `place` names, as it is. */
@@ -179,24 +198,33 @@ export const layerDepth = (layer: DesignLayer): number =>
   1 + Math.max(0, ...childLists(layer).flatMap(({ layers }) => layers.map(layerDepth)));
 
 /** Replaces one layer by what `change` makes of it. */
-export function mapLayer(design: Design, id: string, change: (layer: DesignLayer) => DesignLayer): Design {
-  return withLayers(
+export const mapLayer = (design: Design, id: string, change: (layer: DesignLayer) => DesignLayer): Design =>
+  mapLayers(design, new Set([id]), change);
+
+/** Replaces each of those layers by what `change` makes of it, in one walk. */
+export const mapLayers = (
+  design: Design,
+  ids: ReadonlySet<string>,
+  change: (layer: DesignLayer) => DesignLayer,
+): Design =>
+  withLayers(
     design,
     changeLists(design.layers, (list) =>
-      list.some((layer) => layer.id === id) ? list.map((layer) => (layer.id === id ? change(layer) : layer)) : list,
+      list.some(({ id }) => ids.has(id)) ? list.map((layer) => (ids.has(layer.id) ? change(layer) : layer)) : list,
     ),
   );
-}
+
+/** Takes layers out, with all that they hold. */
+export const removeByIds = (design: Design, ids: ReadonlySet<string>): Design =>
+  withLayers(
+    design,
+    changeLists(design.layers, (list) =>
+      list.some(({ id }) => ids.has(id)) ? list.filter(({ id }) => !ids.has(id)) : list,
+    ),
+  );
 
 /** Takes a layer out, with all that it holds. */
-export function removeById(design: Design, id: string): Design {
-  return withLayers(
-    design,
-    changeLists(design.layers, (list) =>
-      list.some((layer) => layer.id === id) ? list.filter((layer) => layer.id !== id) : list,
-    ),
-  );
-}
+export const removeById = (design: Design, id: string): Design => removeByIds(design, new Set([id]));
 
 /**
  * Puts a layer that is not in the design yet at a place; `index` is clamped to the list's ends. A mask is made where the
@@ -301,9 +329,4 @@ function refusal(reason: string, field: string, value: string | null, message: s
 }
 
 /** It, or a group that it lies in, is locked. */
-export function isLocked(design: Pick<Design, "layers">, id: string): boolean {
-  for (let visit = visitOf(design, id); visit; visit = visitOf(design, visit.parentId)) {
-    if (visit.layer.locked) return true;
-  }
-  return false;
-}
+export const isLocked = (design: Pick<Design, "layers">, id: string): boolean => visitOf(design, id)?.locked ?? false;

@@ -2,7 +2,7 @@
 import { sameItems } from "../../engine/same-items.ts";
 import type { Design, DesignAsset, DesignLayer } from "../document/design.ts";
 import { DESIGN_LIMITS, RESERVED_KEYS } from "../document/design-limits.ts";
-import { assetsOf, findLayer, flattenLayers, insertAt, mapLayer, materialsIn } from "../document/layer-tree.ts";
+import { assetsOf, findLayer, flattenLayers, insertAt, mapLayers, materialsIn } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
 import { countedName } from "../files/counted-name.ts";
 
@@ -18,16 +18,21 @@ export function placedCount(design: Design): number {
 }
 
 /** `patch` may hold any field of the layer but its id and type. An unknown id or an equal value changes nothing. */
-export function patchLayer<L extends DesignLayer>(
+export const patchLayer = <L extends DesignLayer>(
   design: Design,
   id: string,
   patch: Partial<Omit<L, "id" | "type">>,
+): Design => patchLayers(design, [id], patch);
+
+/** `patchLayer` for several, in one walk. */
+export function patchLayers<L extends DesignLayer>(
+  design: Design,
+  ids: readonly string[],
+  patch: Partial<Omit<L, "id" | "type">>,
 ): Design {
-  const layer = findLayer(design, id);
-  if (!layer) return design;
   const fields = Object.entries(patch) as [keyof DesignLayer, unknown][];
-  if (fields.every(([key, value]) => sameValue(layer[key], value))) return design;
-  return mapLayer(design, id, (before) => {
+  return mapLayers(design, new Set(ids), (before) => {
+    if (fields.every(([key, value]) => sameValue(before[key], value))) return before;
     const after = { ...before, ...patch } as DesignLayer;
     // Documents refuse it; a patch for several layers does not know which of them lie on the texture.
     return "mirror" in after && after.mirror !== null && liesOnTexture(after) ? { ...after, mirror: null } : after;

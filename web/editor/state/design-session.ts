@@ -3,7 +3,7 @@ import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
 import { withKeys } from "../../engine/layer-picture.ts";
 import type { ModelView, ViewerDecal } from "../../viewer/viewer-api.ts";
 import { type Design, type DesignLayer, emptyDesign, materialsOf } from "../document/design.ts";
-import { isLocked, walkLayers } from "../document/layer-tree.ts";
+import { walkLayers } from "../document/layer-tree.ts";
 import { mirroredProjector } from "../document/mirror-layer.ts";
 import { resolveLayers } from "../document/resolve-layers.ts";
 import type { AssetLibrary } from "./asset-library.ts";
@@ -248,9 +248,9 @@ export class DesignSession {
   #showDecals(): void {
     const { design } = this;
     const decals: ViewerDecal[] = [];
-    for (const { layer, shown } of walkLayers(design, { masks: false, strokes: false })) {
+    for (const { layer, shown, locked } of walkLayers(design, { masks: false, strokes: false })) {
       // A locked one cannot be taken hold of, and does not stand before those that can.
-      if ((layer.type !== "decal" && layer.type !== "text") || isLocked(design, layer.id)) continue;
+      if (locked || (layer.type !== "decal" && layer.type !== "text")) continue;
       const picture = layer.type === "decal" ? this.#library.get(design.assets[layer.asset]) : undefined;
       const { id, name, projector } = layer;
       const aspect = picture ? picture.width / picture.height : 1;

@@ -15,7 +15,7 @@ import {
 import { isLocked } from "../document/layer-tree.ts";
 import type { Admission } from "./admission.ts";
 import { clearPlace } from "./clear-place.ts";
-import { layerById, patchLayer, placedCount } from "./design-edits.ts";
+import { layerById, patchLayers, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf, type EditorState } from "./editor-state.ts";
 import { fitToModel, putClip } from "./layer-clip.ts";
@@ -399,6 +399,5 @@ export class LayerCommands {
 
 const listed = (ids: string | readonly string[]): readonly string[] => (typeof ids === "string" ? [ids] : ids);
 
-function patched(design: Design, ids: readonly string[], patch: LayerPatch): Design {
-  return ids.reduce((made, id) => patchLayer(made, id, patch as Partial<DesignLayer>), design);
-}
+const patched = (design: Design, ids: readonly string[], patch: LayerPatch): Design =>
+  patchLayers(design, ids, patch as Partial<DesignLayer>);

@@ -7,7 +7,7 @@ import {
   type LayerVisit,
   layersAt,
   mapLayer,
-  removeById,
+  removeByIds,
   visitOf,
   walkLayers,
   withFreeIds,
@@ -37,7 +37,7 @@ export function outermost(design: Pick<Design, "layers">, ids: readonly string[]
 
 /** Takes layers out, and the pictures that nothing uses any more. */
 export function removeLayers(design: Design, ids: readonly string[]): Design {
-  const without = outermost(design, ids).reduce((left, { layer }) => removeById(left, layer.id), design);
+  const without = removeByIds(design, idsOf(outermost(design, ids)));
   return without === design ? design : withoutUnusedAssets(without);
 }
 
@@ -54,7 +54,7 @@ export function moveLayers(design: Design, ids: readonly string[], place: TreePl
   const start = place.index - below;
   const stays = moved.every(({ parentId, index }, offset) => parentId === place.parentId && index === start + offset);
   if (stays) return design;
-  const without = moved.reduce((left, { layer }) => removeById(left, layer.id), design);
+  const without = removeByIds(design, idsOf(moved));
   return moved.reduce(
     (made, { layer }, offset) =>
       insertAt(made, { parentId: place.parentId, list: "layers", index: start + offset }, layer),
@@ -112,7 +112,7 @@ export function groupLayers(
   });
   const { parentId } = top;
   const index = top.index + 1 - members.filter((member) => member.parentId === parentId).length;
-  const without = members.reduce((left, { layer }) => removeById(left, layer.id), design);
+  const without = removeByIds(design, idsOf(members));
   return { design: insertAt(without, { parentId, list: "layers", index }, group), id };
 }
 
@@ -185,6 +185,8 @@ export function insertAbove(
       : { parentId: visit?.parentId ?? null, index: visit ? visit.index + 1 : design.layers.length };
   return { design: insertAt(design, { ...place, list: "layers" }, layer), id: layer.id };
 }
+
+const idsOf = (visits: readonly LayerVisit[]): Set<string> => new Set(visits.map(({ layer }) => layer.id));
 
 function holds(layer: DesignLayer, id: string | null): boolean {
   return id !== null && findLayer({ layers: [layer] }, id) !== undefined;
