@@ -1,5 +1,14 @@
 import { describe, expect, it } from "vitest";
-import { type Design, emptyDesign, makePaintLayer, makeStrokeLayer } from "../../web/editor/document/index.ts";
+import {
+  type DecalLayer,
+  type Design,
+  emptyDesign,
+  type GroupLayer,
+  makeDecalLayer,
+  makeGroupLayer,
+  makePaintLayer,
+  makeStrokeLayer,
+} from "../../web/editor/document/index.ts";
 import { ProjectPacker } from "../../web/editor/storage/packed-project.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 import { FRONT } from "../support/layers.ts";
@@ -10,6 +19,15 @@ const stroke = (id: string, opacity = 1) =>
 const painted = (strokes: ReturnType<typeof stroke>[]): Design => ({
   ...emptyDesign(),
   layers: [makePaintLayer({ id: "paint", strokes })],
+});
+
+const decal = (id: string, opacity = 1) =>
+  makeDecalLayer({ id, asset: "dot", opacity, projector: { ...FRONT, size: [0.1, 0.1, 0.1] } });
+const DOT = { type: "image/png", uri: "https://example.com/dot.png" } as const;
+const placed = (layers: readonly (DecalLayer | GroupLayer)[]): Design => ({
+  ...emptyDesign(),
+  assets: { dot: DOT },
+  layers: [...layers],
 });
 
 const pack = (packer: ProjectPacker, design: Design) =>
@@ -39,6 +57,46 @@ describe("a design that is packed to be kept", () => {
     expect(asked).toBe(0);
     const [paint] = JSON.parse(design).layers;
     expect(paint.strokes.map(({ id }: { id: string }) => id)).toEqual(["a", "b", "c", "d"]);
+  });
+
+  it("has no layer written or read again that did not change, in groups neither", async () => {
+    const packer = new ProjectPacker(stringsIn("en"));
+    let asked = 0;
+    const watched = (id: string): DecalLayer =>
+      new Proxy(decal(id), {
+        get: (layer, field) => {
+          if (field === "projector") asked += 1;
+          return Reflect.get(layer, field);
+        },
+      });
+    const [a, b, c, d] = ["a", "b", "c", "d"].map(watched) as [DecalLayer, DecalLayer, DecalLayer, DecalLayer];
+    await pack(packer, placed([a, b, makeGroupLayer({ id: "g", layers: [c, d] })]));
+    expect(asked).toBeGreaterThan(0);
+    asked = 0;
+    const moved = makeGroupLayer({ id: "g", layers: [c, decal("e", 0.5), d], opacity: 0.25 });
+    const { design } = await pack(packer, placed([a, moved, b]));
+    expect(asked).toBe(0);
+    expect(JSON.parse(design).layers).toMatchObject([
+      { id: "a", projector: { kind: "planar" } },
+      { id: "g", opacity: 0.25, layers: [{ id: "c" }, { id: "e", opacity: 0.5 }, { id: "d" }] },
+      { id: "b", projector: { kind: "planar" } },
+    ]);
+  });
+
+  it("is refused for a layer that could not be read again, wherever it is, and for what layers have to do with each other", async () => {
+    const packer = new ProjectPacker(stringsIn("en"));
+    const kept = [decal("a"), decal("b")];
+    await pack(packer, placed(kept));
+    const deep = (layer: DecalLayer) => makeGroupLayer({ id: "g", layers: [decal("c"), layer] });
+    const lone = { ...emptyDesign(), layers: kept };
+    for (const design of [
+      placed([...kept, decal("c", 7)]),
+      placed([...kept, deep(decal("d", 7))]),
+      placed([...kept, deep({ ...decal("d"), mask: { layers: [decal("m", 7)], invert: false } })]),
+      placed([...kept, deep(decal("b"))]),
+      lone,
+    ])
+      await expect(pack(packer, design)).rejects.toMatchObject({ code: "bad-design" });
   });
 
   it("is refused where it could not be read again: by a new stroke, and by what strokes have to do with each other", async () => {

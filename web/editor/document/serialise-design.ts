@@ -70,10 +70,8 @@ const STOP_FIELDS = ["offset", "color"] as const;
 const PARTS_FIELDS = ["kind", "charts", "faces"] as const;
 const BRUSH_FIELDS = ["tip", "asset", "color", "hardness", "flow"] as const;
 
-/** Gives a paint layer's strokes as text, each item for the indent at which it will stand. */
-export type StrokePrinter = (strokes: readonly StrokeLayer[]) => readonly ((indent: string) => string)[];
-
-const eachStroke: StrokePrinter = (strokes) => strokes.map((stroke) => (indent) => strokeText(stroke, indent));
+/** Gives a paint layer's strokes as what is printed: items that give their text for the indent at which it will stand. */
+export type StrokePrinter = (strokes: readonly StrokeLayer[]) => readonly unknown[];
 
 /** The design as JSON text, two spaces of indent, one line feed at the end. */
 export function serialiseDesign(design: Design, printStrokes?: StrokePrinter): string {
@@ -81,7 +79,7 @@ export function serialiseDesign(design: Design, printStrokes?: StrokePrinter): s
     format: design.format,
     version: design.version,
     assets: Object.fromEntries(Object.entries(design.assets).map(([key, asset]) => [key, orderAsset(asset)])),
-    layers: design.layers.map((layer) => orderLayer(layer, printStrokes)),
+    layers: listed(design.layers, printStrokes),
   };
   return printJson(document);
 }
@@ -96,30 +94,35 @@ function pick(source: object, fields: readonly string[]): Record<string, unknown
 const orderAsset = (asset: DesignAsset): object => pick(asset, ["type", "uri"]);
 const orderProjector = (projector: Projector): object => pick(projector, PROJECTOR_FIELDS);
 
-const orderMask = (mask: Mask): object => ({
-  invert: mask.invert,
-  layers: mask.layers.map((layer) => orderLayer(layer)),
-});
+const orderMask = (mask: Mask): object => ({ invert: mask.invert, layers: listed(mask.layers) });
 const orderGradient = (gradient: Gradient): object => ({
   ...pick(gradient, GRADIENT_FIELDS),
   stops: gradient.stops.map((stop) => pick(stop, STOP_FIELDS)),
 });
 
-/** A stroke's text, by its place's indent: in a design of thousands all but the newest were written before. */
-const STROKES = new WeakMap<StrokeLayer, { readonly indent: string; readonly text: string }>();
+/** A layer's text, by its place's indent: in a design of thousands all but the newest were written before. */
+const TEXTS = new WeakMap<DesignLayer, { readonly indent: string; readonly text: string }>();
 
-export function strokeText(stroke: StrokeLayer, indent: string): string {
-  const known = STROKES.get(stroke);
+export function layerText(layer: DesignLayer, indent: string): string {
+  const known = TEXTS.get(layer);
   if (known?.indent === indent) return known.text;
-  const text = print(orderLayer(stroke), indent);
-  STROKES.set(stroke, { indent, text });
+  const text = print(orderLayer(layer), indent);
+  TEXTS.set(layer, { indent, text });
   return text;
 }
 
-/** Of a stroke that will not be written again soon. */
-export const forgetText = (stroke: StrokeLayer): boolean => STROKES.delete(stroke);
+/** Of a layer that will not be written again soon. */
+export const forgetText = (layer: DesignLayer): boolean => TEXTS.delete(layer);
 
-function orderLayer(layer: DesignLayer, printStrokes = eachStroke): object {
+/** What holds layers is another with each change of one of them, and has the texts of these. */
+const listed = (layers: readonly DesignLayer[], printStrokes?: StrokePrinter): readonly unknown[] =>
+  layers.map((layer) =>
+    layer.type === "group" || layer.type === "paint"
+      ? orderLayer(layer, printStrokes)
+      : (indent: string) => layerText(layer, indent),
+  );
+
+function orderLayer(layer: DesignLayer, printStrokes: StrokePrinter = listed): object {
   const ordered = pick(layer, LAYER_FIELDS);
   if (layer.mask !== null) ordered.mask = orderMask(layer.mask);
   if ("mirror" in layer && layer.mirror !== null) ordered.mirror = pick(layer.mirror, MIRROR_FIELDS);
@@ -133,7 +136,7 @@ function orderLayer(layer: DesignLayer, printStrokes = eachStroke): object {
     if (layer.gradient !== null) ordered.gradient = orderGradient(layer.gradient);
     if (layer.parts !== null) ordered.parts = pick(layer.parts, PARTS_FIELDS);
   }
-  if (layer.type === "group") ordered.layers = layer.layers.map((held) => orderLayer(held, printStrokes));
+  if (layer.type === "group") ordered.layers = listed(layer.layers, printStrokes);
   if (layer.type === "paint") ordered.strokes = printStrokes(layer.strokes);
   return ordered;
 }

@@ -4,14 +4,7 @@
  */
 
 import type { ModelSource } from "../../engine/engine-api.ts";
-import {
-  type Design,
-  type DesignAsset,
-  type DesignLayer,
-  type Mirror,
-  parseDesign,
-  type StrokeLayer,
-} from "../document/index.ts";
+import { type Design, type DesignAsset, type DesignLayer, type Mirror, parseDesign } from "../document/index.ts";
 import { assetsOf, flattenLayers, hasRoom } from "../document/layer-tree.ts";
 import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
 import type { ModelRef } from "../state/editor-state.ts";
@@ -152,24 +145,26 @@ function packText(
   return { name, design: text, targets: list, layers: named.layers.length };
 }
 
-/** Strokes that could be read again once, with the mirror of the paint layer that they were in. */
-const READ = new WeakMap<StrokeLayer, Mirror | null>();
+/** Layers that hold no others and could be read again once, with the mirror of the paint layer that they were in. */
+const READ = new WeakMap<DesignLayer, Mirror | null>();
 
 function noteRead(design: Design): void {
-  for (const layer of flattenLayers(design, { masks: false, strokes: false }))
+  for (const layer of flattenLayers(design, { masks: false, strokes: false })) {
     if (layer.type === "paint") for (const stroke of layer.strokes) READ.set(stroke, layer.mirror);
+    else if (layer.type !== "group") READ.set(layer, null);
+  }
 }
 
 /** Throws "bad-design" for one that could not be read again. */
 function checkReadable(design: Design, name: string, strings: Strings): void {
   const refusal = strings.storage.unwritable(name);
   try {
-    const thin = { ...design, layers: design.layers.map(withNewStrokes) };
+    const thin = { ...design, layers: withNewLayers(design.layers) };
     const { length } = parseDesign(
       printParts(thin, () => {}, new Set()),
       name,
     ).layers;
-    if (length === design.layers.length && isWhole(design)) {
+    if (length === thin.layers.length && isWhole(design)) {
       noteRead(design);
       return;
     }
@@ -180,14 +175,17 @@ function checkReadable(design: Design, name: string, strings: Strings): void {
 }
 
 /**
- * A layer as it is to be read for a test: without the strokes that were read before. In a design of ten thousand strokes all but
- * one are such, and to read them all takes seconds. The first stays, since it tells how deep the others lie.
+ * A list of layers as it is to be read for a test: without those that were read before. In a design of ten thousand strokes all
+ * but one are such, and to read them all takes seconds. The first stays, since it tells how deep the others lie.
  */
-function withNewStrokes<Layer extends DesignLayer>(layer: Layer): Layer {
-  if (layer.type === "group") return { ...layer, layers: layer.layers.map(withNewStrokes) };
-  if (layer.type !== "paint") return layer;
-  const isNew = (stroke: StrokeLayer): boolean => stroke.mask !== null || READ.get(stroke) !== layer.mirror;
-  return { ...layer, strokes: layer.strokes.filter((stroke, index) => index === 0 || isNew(stroke)) };
+function withNewLayers<Layer extends DesignLayer>(layers: readonly Layer[], mirror: Mirror | null = null): Layer[] {
+  const isNew = (layer: Layer): boolean => layer.mask !== null || READ.get(layer) !== mirror;
+  return layers.filter((layer, index) => index === 0 || isNew(layer)).map(withNewHeld);
+}
+
+function withNewHeld<Layer extends DesignLayer>(layer: Layer): Layer {
+  if (layer.type === "group") return { ...layer, layers: withNewLayers(layer.layers) };
+  return layer.type === "paint" ? { ...layer, strokes: withNewLayers(layer.strokes, layer.mirror) } : layer;
 }
 
 /** What no single layer can tell: that no two have one id, that they are not too many, and that all their assets are there. */

@@ -4,7 +4,7 @@
  */
 import type { Design, StrokeLayer } from "../document/index.ts";
 import { flattenLayers } from "../document/layer-tree.ts";
-import { forgetText, serialiseDesign, strokeText } from "../document/serialise-design.ts";
+import { forgetText, layerText, serialiseDesign } from "../document/serialise-design.ts";
 import { contentHash } from "./content-hash.ts";
 
 /** Characters of JSON: what a save writes of strokes beside the parts, at most, for each paint layer. */
@@ -26,7 +26,7 @@ const PARTS_OF = new WeakMap<Design, ReadonlySet<string>>();
 
 /** Of the part, as it is kept: strokes of a JSON list. */
 export const partBytes = ({ strokes }: StrokePart): Uint8Array =>
-  new TextEncoder().encode(strokes.map((stroke) => strokeText(stroke, "")).join(","));
+  new TextEncoder().encode(strokes.map((stroke) => layerText(stroke, "")).join(","));
 
 /** The part that stands at a place of the list. */
 function partAt(strokes: readonly StrokeLayer[], at: number): StrokePart | undefined {
@@ -46,7 +46,7 @@ export async function gatherParts(design: Design): Promise<void> {
       at += part?.strokes.length ?? 1;
       if (part === undefined) {
         open.push(stroke);
-        length += strokeText(stroke, "").length;
+        length += layerText(stroke, "").length;
       }
       if (length >= PART_LENGTH) await makePart(open);
       if (part !== undefined || length >= PART_LENGTH) {
@@ -72,7 +72,7 @@ export function printParts(design: Design, used: (part: StrokePart) => void, all
       const stroke = strokes[at] as StrokeLayer;
       const part = partAt(strokes, at);
       if (part === undefined || allowed?.has(part.hash) === false) {
-        texts.push(() => strokeText(stroke, ""));
+        texts.push(() => layerText(stroke, ""));
         at += 1;
         continue;
       }
