@@ -6,6 +6,7 @@ import { germanError } from "../../web/editor/strings/german-errors.ts";
 import { ARGUMENTS, BROWSERS, FONTS, PICTURES } from "../../web/editor/strings/german-reasons.ts";
 import { ToldError } from "../../web/editor/strings/told-error.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
+import { sentence } from "../../web/editor/ui/sentence.ts";
 import { typedError } from "../../web/element/element-errors.ts";
 import { english } from "../../web/element/words/english.ts";
 import { german } from "../../web/element/words/german.ts";
@@ -119,6 +120,45 @@ describe("what the engine reports", () => {
     expect(typedError(bare, german).message).toBe("Die Zone „front“ hat keine Fläche zum Bedrucken.");
     const hidden = { code: "low-dpi", layer: "a", zone: null, message: "Only 31 DPI", hint: "", value: 31, limit: 150 };
     expect(german.finding(hidden as Parameters<typeof german.finding>[0], true).message).toContain("Nur 31 DPI");
+  });
+});
+
+describe("a part of the page that cannot be fetched", () => {
+  const GONE = [
+    "Failed to fetch dynamically imported module: http://localhost/assets/png-encoder.js",
+    "error loading dynamically imported module: http://localhost/assets/png-encoder.js",
+    "Importing a module script failed.",
+  ].map((words) => new TypeError(words));
+  const inEngine = (error: Error): TexelcastError => new TexelcastError("internal", `The engine failed: ${error}`);
+
+  it("is told in plain words, with what to do, whether the page or its engine asked for it", () => {
+    for (const language of ["en", "de"] as const) {
+      const { partMissing: message, partMissingHint: hint } = stringsIn(language).errors;
+      for (const thrown of GONE.flatMap((error) => [error, inEngine(error)])) {
+        const told = noticeOf(1, "", thrown, stringsIn(language));
+        expect(told).toMatchObject({ code: "missing-file", message, hint, exact: "" });
+      }
+    }
+  });
+
+  it("is not what other faults are", () => {
+    const { code, message } = noticeOf(1, "", inEngine(new TypeError("x is undefined")), stringsIn("en"));
+    expect([code, message]).toEqual(["internal", "The engine failed: TypeError: x is undefined"]);
+  });
+});
+
+describe("a sentence in a notice", () => {
+  it("begins with a capital letter and ends with a full stop, but a file keeps its name", () => {
+    expect(sentence("it was cut short")).toBe("It was cut short.");
+    const { unknownFile } = stringsIn("en").errors;
+    for (const name of ["i", "logo", "my logo", "i.txt"]) {
+      expect(sentence(unknownFile(name), name)).toBe(unknownFile(name));
+    }
+  });
+
+  it("knows the file that its notice is about", () => {
+    const error = new ToldError("unsupported", stringsIn("en").errors.unknownFile("i"), { subject: "i" });
+    expect(noticeOf(1, "Could not open i", error, stringsIn("en")).subject).toBe("i");
   });
 });
 

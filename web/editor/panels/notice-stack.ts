@@ -6,6 +6,7 @@ import type { EditorState, Task } from "../state/editor-state.ts";
 import type { Notice } from "../state/notices.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
+import { sentence } from "../ui/sentence.ts";
 import { plainControls } from "../ui/theme.ts";
 
 export class NoticeStack extends EditorElement {
@@ -160,15 +161,15 @@ export class NoticeStack extends EditorElement {
   }
 
   /** In the engine's English, which a screen reader is told of. */
-  #exact(text: string): TemplateResult {
+  #exact(text: string, subject?: string): TemplateResult {
     return html`<details>
       <summary>${this.strings.notices.exact}</summary>
-      <p lang="en">${sentence(text)}</p>
+      <p lang="en">${sentence(text, subject)}</p>
     </details>`;
   }
 
   #notice(notice: Notice): TemplateResult {
-    const { id, tone, title, code, message, where, hint, exact, action } = notice;
+    const { id, tone, title, code, subject, message, where, hint, exact, action } = notice;
     const dismiss = (): void => this.editor.board.dismiss(id);
     const act = (): void => {
       dismiss();
@@ -179,9 +180,9 @@ export class NoticeStack extends EditorElement {
         ${icon(tone === "error" ? TriangleAlert : Info)}
         <div class="words">
           <h2>${title}</h2>
-          <p>${sentence(message)}${hint ? ` ${sentence(hint)}` : ""}</p>
+          <p>${sentence(message, subject)}${hint ? ` ${sentence(hint)}` : ""}</p>
           ${where ? html`<p class="where">${where}</p>` : nothing}
-          ${exact ? this.#exact(exact) : nothing}
+          ${exact ? this.#exact(exact, subject) : nothing}
           ${action ? html`<button class="outlined action" @click=${act}>${action.label}</button>` : nothing}
         </div>
         <button class="icon dismiss" aria-label=${this.strings.notices.dismiss} title=${this.strings.notices.dismiss} @click=${dismiss}>
@@ -192,9 +193,3 @@ export class NoticeStack extends EditorElement {
   }
 }
 customElements.define("tc-notice-stack", NoticeStack);
-
-/** The engine's messages are written to stand after a colon as well: here they begin and end a sentence. */
-function sentence(text: string): string {
-  const start = /^[a-z]+[\s,]/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
-  return /[.!?…]$/.test(start) ? start : `${start}.`;
-}

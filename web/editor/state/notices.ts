@@ -16,6 +16,8 @@ export interface Notice {
   readonly title: string;
   /** A TexelcastError's code; "" for other notices. */
   readonly code: string;
+  /** The file that it is about, which `message` may begin with; left out for none. */
+  readonly subject?: string;
   readonly message: string;
   /** File, field and value. */
   readonly where: string;
@@ -28,10 +30,13 @@ export interface Notice {
   readonly stays?: boolean;
 }
 
+/** How browsers, in English whatever their language, say that a script which is fetched when it is needed cannot be had. */
+const SCRIPT_MISSING = /dynamically imported module|Importing a module script failed/;
+
 /** `title` says what was being done ("Could not open Fox.glb"); the error says why. */
 export function noticeOf(id: number, title: string, thrown: unknown, strings: Strings): Notice {
-  const error = TexelcastError.wrap(thrown, "unexpected", thrown instanceof Error ? thrown.message : String(thrown));
-  const { code, subject, field, value } = error;
+  const error = plainly(thrown, strings);
+  const { code, subject = "", field, value } = error;
   const { message, hint, exact = "" } = (error instanceof ToldError ? ownWords : strings.told)(error.toJSON());
   const where = [subject, field, value === undefined ? undefined : strings.notices.value(shortened(value))];
   return {
@@ -39,11 +44,23 @@ export function noticeOf(id: number, title: string, thrown: unknown, strings: St
     tone: "error",
     title,
     code,
+    subject,
     message,
     where: where.filter((part) => part !== undefined && part !== "" && !title.includes(part)).join(" · "),
     hint,
     exact,
   };
+}
+
+/** A line that is gone, or a page that has been renewed meanwhile, is no fault of the engine's. */
+function plainly(thrown: unknown, { errors }: Strings): TexelcastError {
+  const words = thrown instanceof Error ? thrown.message : String(thrown);
+  const code = thrown instanceof TexelcastError ? thrown.code : "unexpected";
+  if (["internal", "unexpected"].includes(code) && SCRIPT_MISSING.test(words)) {
+    const hint = errors.partMissingHint;
+    return new ToldError("missing-file", errors.partMissing, { hint, reason: "not-loaded", cause: thrown });
+  }
+  return TexelcastError.wrap(thrown, "unexpected", words);
 }
 
 export function isCancelled(thrown: unknown): boolean {
