@@ -20,10 +20,14 @@ function chosen(...names: readonly string[]) {
   } as unknown as AssetLibrary;
   const decals = { add: (name: string) => void added.push(name) } as unknown as DecalCommands;
   const board = new NoticeBoard(store);
-  const parts = { store, library, decals, board, tasks: new Tasks(store), admission: null };
+  const opened: string[] = [];
+  const palettes = () => ({ open: async ({ name }: File) => void opened.push(name) });
+  const parts = { store, library, decals, board, palettes, tasks: new Tasks(store), admission: null };
   const files = new FileCommands(parts as unknown as FileCommandsParts);
   return {
     added,
+    /** The palettes that were opened. */
+    opened,
     told: () => store.state.notices.map(({ title }) => title),
     open: () => files.openFiles(names.map((name) => ({ path: name, file: new File(["bytes"], name) }))),
   };
@@ -42,5 +46,13 @@ describe("several pictures at once", () => {
     await open();
     expect(added).toEqual(["a"]);
     expect(told()).toEqual(["Could not open broken1.png, broken2.png, broken3.png, broken4.png"]);
+  });
+});
+
+describe("a palette that is dropped on the page", () => {
+  it("is opened as its own button opens it, beside the pictures that came with it", async () => {
+    const { open, added, opened, told } = chosen("warm.gpl", "logo.png");
+    await open();
+    expect([opened, added, told()]).toEqual([["warm.gpl"], ["logo"], []]);
   });
 });

@@ -35,3 +35,14 @@ describe("what comes together with a model", () => {
     expect(await added(WHOLE, "work.design.json", "logo.png")).toEqual([]);
   });
 });
+
+describe("a palette", () => {
+  const file = (name: string) => ({ path: name, file: new File(["bytes"], name) });
+
+  it("is taken by itself, and beside what else came", async () => {
+    for (const names of [["warm.gpl"], ["logo.png", "Warm.GPL"]]) {
+      const { palette } = await sortFiles(names.map(file), stringsIn("en"));
+      expect(palette?.path).toMatch(/warm\.gpl/i);
+    }
+  });
+});

@@ -16,6 +16,8 @@ export interface Intake {
   readonly pictures: readonly CollectedFile[];
   /** For texts, as the pictures are for decals. Web fonts are among them: what is wrong with them is told when they are read. */
   readonly fonts: readonly CollectedFile[];
+  /** Colours to paint with, which are no part of a design. */
+  readonly palette?: CollectedFile;
   /** Everything that came along: a design's relative addresses are looked up here. */
   readonly companions: readonly CollectedFile[];
 }
@@ -25,6 +27,7 @@ const PICTURE = /\.(png|jpe?g|webp|svgz?)$/i;
 const FONT = /\.(ttf|otf|ttc|otc|woff2?)$/i;
 const DESIGN = /\.json$/i;
 const PROJECT = /\.texelcast$/i;
+const PALETTE = /\.gpl$/i;
 
 /** Throws a TexelcastError of code "unsupported" when nothing of it can be used or when it holds two models. */
 export async function sortFiles(files: readonly CollectedFile[], strings: Strings): Promise<Intake> {
@@ -42,7 +45,8 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
   const spare = design || project ? [] : read ? files.filter((file) => isBeside(file, read.own)) : files;
   const pictures = spare.filter(({ path }) => PICTURE.test(path));
   const fonts = spare.filter(({ path }) => FONT.test(path));
-  if (!modelFile && !design && !project && pictures.length + fonts.length === 0) {
+  const palette = files.find(({ path }) => PALETTE.test(path));
+  if (!modelFile && !design && !project && !palette && pictures.length + fonts.length === 0) {
     const first = files[0];
     throw new ToldError("unsupported", strings.errors.unknownFile(first?.path ?? ""), {
       ...(first && { subject: first.path }),
@@ -55,6 +59,7 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
     ...(project && { project }),
     pictures,
     fonts,
+    ...(palette && { palette }),
     companions: files,
   };
 }

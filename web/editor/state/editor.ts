@@ -126,6 +126,7 @@ export class Editor {
       projects,
       admission,
       texts: () => this.texts,
+      palettes: () => this.palettes,
       giveUp: () => this.tools.cancel(),
     });
     const keeping = keepProjects({

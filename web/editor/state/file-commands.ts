@@ -11,6 +11,7 @@ import type { CollectedFile } from "../files/file-collection.ts";
 import { sortFiles } from "../files/file-intake.ts";
 import type { ProjectContent } from "../storage/project.ts";
 import { ToldError } from "../strings/told-error.ts";
+import type { PaletteCommands } from "../tools/palette-commands.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
@@ -36,6 +37,7 @@ export interface FileCommandsParts {
   /** Null: whatever can be opened may be. */
   readonly admission: Admission | null;
   readonly texts: () => TextCommands;
+  readonly palettes: () => Pick<PaletteCommands, "open">;
   /** Takes back what a tool has under way; false where nothing is. */
   readonly giveUp: () => boolean;
   /** A function, because the two need each other. */
@@ -90,11 +92,12 @@ export class FileCommands {
         collected.length === 1
           ? (collected[0]?.file.name ?? "")
           : this.#parts.board.strings.files.several(collected.length);
-      const { model, design, project, pictures, fonts, companions } = await sortFiles(
+      const { model, design, project, palette, pictures, fonts, companions } = await sortFiles(
         collected,
         this.#parts.board.strings,
       );
       if (this.#parts.admission && (model || design || project)) throw this.#notHere(collected);
+      if (palette) await this.#parts.palettes().open(palette.file);
       if (project) {
         name = project.file.name;
         const own = model && { source: model, title: model.name, demoId: null };
