@@ -57,4 +57,12 @@ describe("a decal's materials", () => {
     expect(reachOf(1).movedTo(layer(0, 0), at(5), null)).toBe(0);
     expect(reachOf(1).movedTo(layer(0, 5), at(5), 0)).toBe(0);
   });
+
+  it("tell of a bare part where it reaches nothing that takes decals", () => {
+    const reach = reachOf();
+    expect(reach.bareOf(at(100), false, 2)).toMatchObject({ index: 2 });
+    expect(reach.bareOf(at(0), false, 2)).toBeNull();
+    expect(reach.bareOf(at(100), false, 0)).toBeNull();
+    expect(reach.bareOf(at(100), false, null)).toBeNull();
+  });
 });

@@ -13,6 +13,9 @@ import { stringsIn } from "../../web/editor/strings.ts";
 import { withStroke } from "../../web/editor/tools/paint-target.ts";
 import type { PathStep } from "../../web/editor/tools/pointer-path.ts";
 import { StrokeGesture } from "../../web/editor/tools/stroke-gesture.ts";
+import type { MaterialInfo } from "../../web/engine/engine-api.ts";
+
+const MEETS: Partial<DecalReach> = { all: () => [0] };
 
 /** As much of the editor as a stroke asks for: a history of one step, and what is shown of a gesture. */
 class Scene {
@@ -36,14 +39,15 @@ class Scene {
     this.shown = null;
   }
 
-  stroke(layerId: string, blend: "normal" | "erase" = "normal"): StrokeGesture {
+  /** @param reach what the stroke meets */
+  stroke(layerId: string, blend: "normal" | "erase" = "normal", reach: Partial<DecalReach> = MEETS): StrokeGesture {
     const put = (design: Design, stroke: StrokeLayer) =>
       withStroke(design, { kind: "strokes", layerId }, stroke, stringsIn("en"));
     return new StrokeGesture({
       brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 },
       ...{ name: "Stroke", size: 1, spacing: 0.5, pressure: "none", opacity: 1, mirror: null, alphaLock: false },
       ...{ erases: blend === "erase", put, session: this as unknown as DesignSession },
-      reach: { all: () => [0] } as unknown as DecalReach,
+      reach: reach as DecalReach,
     });
   }
 }
@@ -102,5 +106,35 @@ describe("a stroke under way while the design changes", () => {
     expect(stroke.end("Erase")).toBeNull();
     expect(scene.recordedDesign).toBe(empty);
     expect(scene.shown).toBeNull();
+  });
+});
+
+describe("a stroke on a part that takes no paint", () => {
+  const BARE = { index: 0, name: "Bare", refusal: { code: "no-uvs", message: "" } } as MaterialInfo;
+  const scene = (): Scene => new Scene(paint);
+  beforeEach(() => {
+    vi.stubGlobal("requestAnimationFrame", () => 1);
+    vi.stubGlobal("cancelAnimationFrame", () => {});
+  });
+  afterEach(() => void vi.unstubAllGlobals());
+
+  it("is no step of the history, and tells of which material the part is", () => {
+    const there = scene();
+    const before = there.recordedDesign;
+    const stroke = there.stroke("paint", "normal", { all: () => [], bareOf: () => BARE });
+    stroke.extend([STEP]);
+    expect(stroke.end("brush stroke")).toBeNull();
+    expect(there.recordedDesign).toBe(before);
+    expect(stroke.bare).toBe(BARE);
+  });
+
+  it("is whole where it goes on to one that takes paint", () => {
+    const there = scene();
+    const met = [[], [1]];
+    const stroke = there.stroke("paint", "normal", { all: () => met.shift() ?? [1], bareOf: () => BARE });
+    stroke.extend([STEP]);
+    stroke.extend([{ ...STEP, hit: { ...STEP.hit, position: [4, 0, 0], material: 1 } }]);
+    expect(stroke.end("brush stroke")).toBe("paint");
+    expect(stroke.bare).toBeNull();
   });
 });

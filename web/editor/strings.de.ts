@@ -556,6 +556,8 @@ export const german: Strings = {
       "Der Browser hat dieser Seite die Grafikkarte weggenommen. Von deiner Arbeit ist nichts verloren.",
     graphicsLostHint: "Lade die Seite neu; hilft das nicht, starte den Browser neu.",
     reload: "Neu laden",
+    barePart: "Dort lässt sich nichts malen",
+    barePartWhy: (name, why) => `Das Material dieses Teils, ${name}, nimmt keine Farbe an: ${why}.`,
     otherModel: "Dieses Design wurde für ein anderes Modell gemacht",
     lostLayers: (count) =>
       `${plural(count, "Ebene bemalt ein Material, das", "Ebenen bemalen Materialien, die")} dieses Modell nicht hat.`,

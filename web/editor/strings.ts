@@ -550,6 +550,8 @@ const english = {
     graphicsLostBody: "The browser has taken the graphics card away from this page. Nothing of your work is lost.",
     graphicsLostHint: "Load the page again; if that does not help, restart the browser.",
     reload: "Load again",
+    barePart: "Nothing can be painted there",
+    barePartWhy: (name: string, why: string): string => `The material of that part, ${name}, takes no paint: ${why}.`,
     otherModel: "This design was made for another model",
     lostLayers: (count: number): string =>
       `${plural(count, "layer paints a material", "layers paint materials")} that this model does not have.`,

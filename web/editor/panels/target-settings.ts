@@ -1,5 +1,6 @@
 /** The paint target of a material: its size, its gutter, and how well the model is unwrapped. */
 import { css, html, nothing, type TemplateResult } from "lit";
+import { whyNotPaintable } from "../state/bare-part.ts";
 import type { EditorState, TargetSettings as Settings } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
@@ -75,11 +76,6 @@ export class TargetSettings extends EditorElement {
     return [model, material, targets, targetSettings, usualTarget, toolSettings.pixelMode];
   }
 
-  #whyNot(code: string): string {
-    const { whyNot } = this.#words;
-    return Object.hasOwn(whyNot, code) ? whyNot[code as keyof typeof whyNot] : whyNot.other;
-  }
-
   override render(): TemplateResult {
     const { model, material, targets, targetSettings, usualTarget, readonly } = this.state;
     if (!model || material === null) return html`<p class="quiet">${this.strings.stage.emptyTitle}</p>`;
@@ -95,7 +91,7 @@ export class TargetSettings extends EditorElement {
           ${model.info.materials.map(({ index, name, refusal }) => {
             const label = this.strings.materialName(index, name);
             return html`<option value=${index} ?disabled=${refusal !== null} ?selected=${index === material}>
-              ${refusal ? this.#words.notPaintable(label, this.#whyNot(refusal.code)) : label}
+              ${refusal ? this.#words.notPaintable(label, whyNotPaintable(refusal.code, this.strings)) : label}
             </option>`;
           })}
         </select>

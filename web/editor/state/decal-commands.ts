@@ -5,6 +5,7 @@ import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf
 import { isLocked } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
+import { tellBarePart } from "./bare-part.ts";
 import { clearPlace } from "./clear-place.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
 import { addOnTop, layerById, patchLayer, withAsset } from "./design-edits.ts";
@@ -92,6 +93,7 @@ export class DecalCommands {
     const { design, layer } = make(id, projector, material);
     this.#session.record(addOnTop(design, layer, this.#group()), label);
     this.#session.select(id);
+    tellBarePart(this.#reach.bareOf(projector, false, spot?.material ?? null), this.#board);
   }
 
   /** The group that is worked in: new decals lie on top of it. */
@@ -210,6 +212,7 @@ export class DecalCommands {
       if (this.#copied) this.#dragCopy(this.#copied, id, patch, phase);
       else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
+      if (phase === "end") tellBarePart(this.#reach.bareOf(projector, layer.backfaces, onto), this.#board);
     }
   }
 

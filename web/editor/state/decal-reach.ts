@@ -34,6 +34,13 @@ export class DecalReach {
     return this.#paintable(projector, backfaces);
   }
 
+  /** The material of the surface that a projector was put on, where that takes no paint and neither does all else that it reaches. */
+  bareOf(projector: Projector, backfaces: boolean, onto: number | null): MaterialInfo | null {
+    const material = this.#materials().find(({ index }) => index === onto);
+    if (!material || material.refusal === null) return null;
+    return this.#paintable(projector, backfaces).length === 0 ? material : null;
+  }
+
   /**
    * The materials of a decal that was moved. One that painted everything it reached goes on to do so: over a border it
    * paints both sides. One that was kept off a material it reached stays on its own, until it is dragged onto another.

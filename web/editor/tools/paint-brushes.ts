@@ -1,6 +1,7 @@
 /** Brush and eraser: what they paint with, and where it goes. */
 import { Brush as BrushIcon, Eraser } from "lucide";
 import type { Brush, Design } from "../document/index.ts";
+import { tellBarePart } from "../state/bare-part.ts";
 import { withAsset } from "../state/design-edits.ts";
 import type { BrushKind } from "./brush-tool.ts";
 import { mirrorOf } from "./mirror-setting.ts";
@@ -77,7 +78,10 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     extend: (steps) => stroke.extend(steps),
     end: () => {
       const layerId = stroke.end(strings.tools.steps[id]);
-      if (layerId === null) return;
+      if (layerId === null) {
+        tellBarePart(stroke.bare, board);
+        return;
+      }
       if (store.state.selectedId !== layerId) session.select(layerId);
       board.announce(strings.tools.painted[id]);
     },

@@ -1,4 +1,6 @@
 /** A stroke under way: shown in each frame, one step of the history when it ends. */
+
+import type { MaterialInfo } from "../../engine/engine-api.ts";
 import {
   type Brush,
   type Design,
@@ -60,6 +62,13 @@ export class StrokeGesture {
     return this.#chain.full;
   }
 
+  /** The material of the part that it began on, where it met nothing that takes paint. */
+  get bare(): MaterialInfo | null {
+    const [dab] = this.#chain.dabs;
+    if (this.#materials.size > 0 || !dab) return null;
+    return this.#options.reach.bareOf(dab, false, this.#firstMaterial);
+  }
+
   extend(steps: readonly PathStep[]): void {
     const { reach, mirror } = this.#options;
     for (const dab of this.#chain.extend(steps)) {
@@ -78,7 +87,7 @@ export class StrokeGesture {
   /** Ends the stroke without recording it, and gives it; null when it painted nothing. */
   finish(): StrokeLayer | null {
     this.#stopFrame();
-    if (this.#chain.dabs.length > 0) return this.#stroke(this.#options.session.recordedDesign);
+    if (this.#chain.dabs.length > 0 && this.bare === null) return this.#stroke(this.#options.session.recordedDesign);
     this.#options.session.cancelPreview();
     return null;
   }
