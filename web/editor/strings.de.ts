@@ -515,7 +515,7 @@ export const german: Strings = {
     texels: (count) => `${count} Texel`,
     share: (percent) => `${percent} %`,
     overlapWarning:
-      "Teile dieses Modells nutzen dieselbe Textur: Ein Aufkleber auf dem einen erscheint auch auf dem anderen.",
+      "Teile dieses Modells nutzen dieselbe Textur: Nur einer davon nimmt Farbe an, und die anderen zeigen sie auch.",
   },
 
   status: {

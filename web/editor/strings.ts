@@ -510,7 +510,7 @@ const english = {
     overlap: "Overlap",
     texels: (count: string): string => (count === "1" ? "1 texel" : `${count} texels`),
     share: (percent: string): string => `${percent} %`,
-    overlapWarning: "Parts of this model share texture: a decal on one shows on the other too.",
+    overlapWarning: "Parts of this model share texture: only one of them takes paint, and the others show it too.",
   },
 
   status: {
