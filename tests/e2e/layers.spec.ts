@@ -79,9 +79,17 @@ test("a mask hides what it hides, a lock refuses, and the history goes to any st
   expect(await editor.settledHash()).toBe(bare);
 });
 
-test("ungrouping says first what would change, and goes on when it is told to", async ({ editor, page }) => {
+test("merging says what it did instead; ungrouping says first what would change, and goes on when it is told to", async ({
+  editor,
+  page,
+}) => {
   await editor.open();
   const { layers } = await editor.design();
+  await editor.row(layers[1]?.name ?? "").click();
+  await page.keyboard.press("Control+e");
+  await expect(editor.notices).toContainText("Put into a group instead");
+  await page.locator("#undo").click();
+  await expect(editor.notices, "what was worth a glance goes with the next step").toHaveCount(0);
   await editor.row(layers[0]?.name ?? "").click();
   await editor.row(layers[1]?.name ?? "").click({ modifiers: ["Shift"] });
   await page.keyboard.press("Control+g");

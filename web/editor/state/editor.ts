@@ -313,7 +313,7 @@ export class Editor {
     if (before.history.dropped === 0 && now.history.dropped > 0) this.#tellOfDroppedSteps(now);
     if (now.switching) return;
     if (before.design !== now.design) {
-      if (before.model === now.model) this.board.dismissInfos();
+      if (before.model === now.model) this.board.dismissInfos(before.notices);
       this.#attempt(this.strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
     }
     this.textureView.setStamp(shownStamp(now));

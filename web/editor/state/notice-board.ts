@@ -37,9 +37,10 @@ export class NoticeBoard {
     this.#store.set({ notices: this.#store.state.notices.filter((notice) => notice.id !== id) });
   }
 
-  /** What was only worth a glance goes once the user works on. */
-  dismissInfos(): void {
-    const notices = this.#store.state.notices.filter(({ tone, stays }) => tone !== "info" || stays);
+  /** What was only worth a glance goes once the user works on: of `seen`, as what a change has brought about is told with it. */
+  dismissInfos(seen: readonly Notice[]): void {
+    const glanced = new Set(seen.filter(({ tone, stays }) => tone === "info" && !stays));
+    const notices = this.#store.state.notices.filter((notice) => !glanced.has(notice));
     if (notices.length < this.#store.state.notices.length) this.#store.set({ notices });
   }
 
