@@ -291,14 +291,15 @@ for (const [name, width, height] of [
   ["a small phone", 360, 640],
   ["a phone held sideways", 844, 390],
 ] as const) {
-  test(`on ${name} the model has the width up to the stage's end, and all of a decal's handles are in sight`, async ({
+  test(`on ${name} the model has the width up to the stage's end, and all of a decal's handles are in sight and under no button`, async ({
     editor,
     page,
   }) => {
     await page.setViewportSize({ width, height });
     await editor.openOnLowest();
-    const [view, stage] = await editor.places(editor.view, editor.stage);
+    const [view, stage, buttons] = await editor.places(editor.view, editor.stage, page.locator("tc-stage .tools"));
     expect(view.x + view.width).toBe(stage.x + stage.width);
+    expect(view.y).toBeGreaterThanOrEqual(buttons.y + buttons.height);
     for (const handle of ["nw", "se", "rotate", "depth"]) {
       const at = await editor.handle(handle);
       expect(at.x, handle).toBeGreaterThan(view.x);

@@ -30,6 +30,7 @@ export class Stage extends EditorElement {
         --inwards: right;
         --rail: calc(max(32px, var(--target)) + 8px + 2 * var(--space-2));
         --side: calc(var(--target) + 2 * var(--space-2));
+        --head: calc(var(--target) + var(--space-2));
       }
       @media (prefers-color-scheme: dark) {
         :host {
@@ -40,8 +41,8 @@ export class Stage extends EditorElement {
         --inwards: left;
       }
       /*
-       * Tools and buttons stand beside it: a handle that lay under them could not be taken. On a phone the two buttons
-       * stand over its corner, as it needs all of the width.
+       * Tools and buttons stand beside it: a handle that lay under them could not be taken. On a phone, where it needs all
+       * of the width, the buttons stand above it.
        */
       .view {
         position: absolute;
@@ -106,8 +107,11 @@ export class Stage extends EditorElement {
       }
       /* What is low has the width for it. */
       @media ${sideways} {
+        .tools.beside {
+          flex-direction: row;
+        }
         .view {
-          inset-block-start: var(--target);
+          inset-block-start: var(--head);
           inset-inline-end: 0;
           mask-composite: intersect;
           mask-image: linear-gradient(transparent, #000 12px), linear-gradient(to var(--inwards), transparent, #000 12px);
@@ -122,12 +126,19 @@ export class Stage extends EditorElement {
       @media ${narrow} {
         .view {
           --foot: var(--rail);
-          inset-block-start: var(--target);
+          inset-block-start: var(--head);
           inset-inline: 0;
           mask-image: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
         }
-        /* Where the height is not dear, the buttons stand above it. */
+        /* One beside the other, while no tool's settings need that place: with a tool, decals have no handles. */
+        .tools.beside {
+          flex-direction: row;
+        }
+        /* Where the height is not dear, they stand one below the other. */
         @container (max-aspect-ratio: 3 / 4) {
+          .tools.beside {
+            flex-direction: column;
+          }
           .view {
             inset-block-start: calc(var(--space-2) + var(--buttons, 2) * (var(--target) + var(--space-1)));
           }
@@ -182,9 +193,10 @@ export class Stage extends EditorElement {
     return this.strings.stage;
   }
 
-  protected watched({ model, animation, tasks, view, shown, starting, demos }: EditorState): readonly unknown[] {
+  protected watched({ model, tool, animation, tasks, view, shown, starting, demos }: EditorState): readonly unknown[] {
     return [
       model,
+      tool === "move",
       animation.clips,
       animation.clip === null,
       tasks.length === 0,
@@ -236,7 +248,7 @@ export class Stage extends EditorElement {
           : html`<tc-tool-options .editor=${this.editor}></tc-tool-options>
               <tc-tool-rail .editor=${this.editor}></tc-tool-rail>`
       }
-      <div class="tools">
+      <div class="tools ${this.state.tool === "move" ? "beside" : ""}">
         <button class="icon" aria-label=${this.#words.frame} title=${this.#words.frame} @click=${() => viewer.frameModel()}>${icon(Maximize)}</button>
         <tc-view-menu .editor=${this.editor}></tc-view-menu>
         ${
