@@ -1,7 +1,7 @@
 /** The palette's own file work: from a .gpl, from a picture, and back into a .gpl. */
 import { decodePicture } from "../../engine/picture-decoder.ts";
 import { bytesOf } from "../files/companions.ts";
-import { download, fileStem } from "../files/download.ts";
+import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import { ToldError } from "../strings/told-error.ts";
 import { DEFAULT_PALETTE } from "./default-palette.ts";
@@ -46,7 +46,7 @@ export class PaletteCommands {
   save(): void {
     const { palette } = this.#tools.settings;
     const name = palette.name || this.#board.strings.palette.basic;
-    download(`${fileStem(name)}.gpl`, "text/plain", printGimpPalette({ ...palette, name }));
+    download(`${fileNameOf(name)}.gpl`, "text/plain", printGimpPalette({ ...palette, name }));
   }
 
   reset(): void {
