@@ -93,6 +93,25 @@ describe("setting text", () => {
     expect((await measure("क्षत्रिय")).missing).toEqual([]);
   });
 
+  it.each([
+    ["Marathi's eyelash ra", "र\u094d\u200dय", "noto-sans-devanagari-700"],
+    ["a half letter before another", "क\u094d\u200dष", "noto-sans-devanagari-700"],
+    ["an initial letter that stands alone", "ه\u200d", "noto-sans-arabic-700"],
+    ["a word with a soft hyphen inside", "بب\u00adبب", "noto-sans-arabic-700"],
+  ])("keeps %s as its joiners ask, be its font named or one that stands in", async (_, text, own) => {
+    expect(await pathOf(text)).toBe(await pathOf(text, { font: `texelcast:fonts/${own}` }));
+  });
+
+  it("parts two numbers where a mark of direction stands between them", async () => {
+    const font = "texelcast:fonts/noto-sans-hebrew-700";
+    // Right to left the first number stands on the right; without the mark they are one number.
+    const shapes = (path: string): string[] => path.split("M").slice(1).map(shapeOf);
+    const apart = shapes(await pathOf("א 1\u200f7", { font }));
+    const one = shapes(await pathOf("א 17", { font }));
+    expect(apart.slice(0, 2)).toEqual(one.slice(0, 2).reverse());
+    expect(apart[0]).not.toBe(apart[1]);
+  });
+
   it("names the characters that no font has, each once, and draws a sign for them", async () => {
     expect((await measure("a☃b☃漢")).missing).toEqual(["☃", "漢"]);
     expect((await measure("Ada\u200d \u00a0")).missing).toEqual([]);

@@ -46,8 +46,12 @@ export function scriptOf(character: string): string | null {
 /** Whether letters of the script may be set apart. */
 export const takesSpacing = (script: string): boolean => !JOINED.has(script);
 
-/** A character that is written onto the one before it. */
-export const isMark = (character: string): boolean => /\p{Mark}/u.test(character);
+/**
+ * A character that is written onto the one before it, or that only says how it joins (U+200D): in a font of its own it would part
+ * the letters on either side. Hangul's fillers stand for letters, and a direction's marks have directions of their own.
+ */
+export const isMark = (character: string): boolean =>
+  /(?![\p{Script=Hangul}\p{Bidi_Control}])[\p{Mark}\p{Default_Ignorable_Code_Point}]/u.test(character);
 
 /** A character that no font needs a picture for. */
 export const isInvisible = (character: string): boolean => /[\p{Default_Ignorable_Code_Point}\s]/u.test(character);
