@@ -47,6 +47,29 @@ describe("SVG files as decals", () => {
     expect(at(56, 32)).toEqual([255, 255, 255, 255]);
   });
 
+  it.each([
+    ['viewBox="0 0 1.4 1"', { width: 1.4, height: 1 }],
+    ['viewBox="0 0 0.04 0.03"', { width: 0.04, height: 0.03 }],
+    ['width="30.5" height="10.25" viewBox="0 0 10 10"', { width: 30.5, height: 10.25 }],
+    ['width="100%" height="50%" viewBox="0 0 20.5 10"', { width: 20.5, height: 5 }],
+  ])("have the size that they give, however small and not in whole pixels: %s", async (attributes, size) => {
+    const { engine } = await planeOf(16);
+    const bytes = svgOf('<rect width="10" height="10"/>', attributes);
+    expect(await engine.setAsset("drawing", { name: "small.svg", bytes })).toEqual(size);
+  });
+
+  it("are painted on small targets too, however long and thin they are", async () => {
+    const { engine, read } = await planeOf(64);
+    const bytes = svgOf('<rect width="300" height="1" fill="#ff0000"/>', 'viewBox="0 0 300 1"');
+    await engine.setAsset("line", { name: "line.svg", bytes });
+    const projector = { ...FRONT, position: [0, 1 / 128, 0] as const, size: [0.6, 0.002, 1] as const };
+    engine.setLayers([decal("a", "line", { projector })], 1);
+    await engine.idle();
+    const green = (await read())[4 * (31 * 64 + 32) + 1] ?? 0;
+    const lineInTexels = 0.002 * 64;
+    expect(Math.abs(green - 255 * (1 - lineInTexels))).toBeLessThan(4);
+  });
+
   it("are sharp at any size of the target", async () => {
     const { engine, read } = await planeOf(512);
     await engine.setAsset("drawing", { name: "half.svg", bytes: RED_HALF });

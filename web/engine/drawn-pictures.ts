@@ -185,6 +185,8 @@ export class DrawnPictures {
     while (!canDraw(file.cost, width, height) && Math.max(width, height) > LEAST_RASTER_PIXELS) {
       [width, height] = [Math.max(1, width >> 1), Math.max(1, height >> 1)];
     }
+    // What comes to less than half a pixel's height the renderer takes for nothing, and refuses.
+    if (aspect > 1.9 * width) width = Math.ceil(aspect);
     const draw = (): Picture => {
       try {
         const buffers = file.fonts.map((id) => this.#svgFonts.get(id)).filter((bytes) => bytes !== undefined);

@@ -46,8 +46,10 @@ export interface SvgDocument {
 /** Throws what resvg says of a document that it cannot read. */
 export function readSvg(svg: string, fonts: SvgFonts | null = null): SvgDocument {
   return withDocument(svg, {}, fonts, (document) => {
-    const { width, height } = document;
-    return { width, height, simplified: document.toString() };
+    const simplified = document.toString();
+    // Its own width and height are whole pixels: of an icon one pixel wide they would say nothing.
+    const [, width, height] = /^<svg width="(.+?)" height="(.+?)"/.exec(simplified) ?? [];
+    return { width: Number(width), height: Number(height), simplified };
   });
 }
 
