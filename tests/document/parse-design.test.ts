@@ -161,6 +161,27 @@ describe("refusing a design", () => {
     );
   });
 
+  it("names every key that stands twice in one object: programs do not agree which of the two holds", () => {
+    const error = refusal(
+      '{"format":"texelcast-design","version":1,"assets":{"a\\"b":{"type":"image/png","uri":"a\\\\"},"a\\u0022b":{"type":"image/png",' +
+        '"uri":"{"}},"layers":[{"type":"fill","color":"#000000"},{"type":"fill","color":"#000000","opacity":1,"mask":{"layers":[],' +
+        '"invert":true,"invert":false},"opacity":0.5}]}',
+    );
+    expect(error.code).toBe("bad-design");
+    expect(error.message).toBe(
+      'assets["a\\"b"]: stands twice in one object; layers[1].mask.invert: stands twice in one object; ' +
+        "layers[1].opacity: stands twice in one object",
+    );
+    expect(error.field).toBe('assets["a\\"b"]');
+  });
+
+  it("takes one key in several objects, and a text like a key, for nothing that stands twice", () => {
+    const text =
+      '{"format":"texelcast-design","version":1,"layers":[{"type":"fill","color":"#000000","name":"opacity"},' +
+      '{"type":"fill","color":"#000000","name":"{\\"id\\":1,\\"id\\":2}\\\\","opacity":1}]}';
+    expect(parseDesign(text).layers.map(({ name }) => name)).toEqual(["opacity", '{"id":1,"id":2}\\']);
+  });
+
   it("stops telling after twenty problems and counts the rest", () => {
     const { message } = refusal(design(Array.from({ length: 1000 }, () => ({ type: "fill", color: "red" }))));
     expect(message.split("; ")).toHaveLength(21);
@@ -280,6 +301,21 @@ describe("refusing a design", () => {
       "a fade beyond 90 degrees",
       decal({ angleFade: [80, 100] }),
       "layers[0].angleFade[1]: must be a number from 0 to 90 degrees, is 100",
+    ],
+    [
+      "a far end that lies before the near one",
+      decal({
+        projector: {
+          kind: "perspective",
+          position: [0, 0, 1],
+          rotation: [0, 0, 0, 1],
+          fov: 40,
+          aspect: 1,
+          near: 2,
+          far: 1,
+        },
+      }),
+      "layers[0].projector.far: must be above near, is 1",
     ],
     ["a material of half a number", decal({ material: 0.5 }), "layers[0].material: must be a glTF material index"],
     ["a material below zero", decal({ material: -1 }), "layers[0].material: must be a glTF material index"],

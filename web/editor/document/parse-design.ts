@@ -6,6 +6,7 @@ import { SHIPPED_FONTS, shippedFontOf } from "../../engine/shipped-fonts.ts";
 import { DESIGN_FORMAT, DESIGN_VERSION, type Design, type DesignLayer, freeLayerNumber, layerIdOf } from "./design.ts";
 import { type DesignPath, type DesignProblem, describeValue, designError, formatPath } from "./design-problem.ts";
 import { DESIGN_LIMITS, designSchema, type ParsedDesign, type ParsedLayer } from "./design-schema.ts";
+import { repeatedKeys } from "./repeated-keys.ts";
 
 /** Turns the plain data of a version into that of the version after it. May throw a TexelcastError. */
 export type Migration = (document: Readonly<Record<string, unknown>>) => Record<string, unknown>;
@@ -65,10 +66,12 @@ export function migrateDesign(data: unknown, name: string, migrations: ReadonlyM
   }
 }
 
-function parseJson(text: string, name: string): unknown {
+function parseJson(source: string, name: string): unknown {
+  // Editors on Windows may put a byte order mark first, which JSON does not allow.
+  const text = source.startsWith("\ufeff") ? source.slice(1) : source;
+  let data: unknown;
   try {
-    // Editors on Windows may put a byte order mark first, which JSON does not allow.
-    return JSON.parse(text.startsWith("\ufeff") ? text.slice(1) : text);
+    data = JSON.parse(text);
   } catch (cause) {
     const reason = cause instanceof Error ? cause.message : String(cause);
     throw new TexelcastError("bad-design", `the design is not valid JSON: ${reason}`, {
@@ -77,14 +80,23 @@ function parseJson(text: string, name: string): unknown {
       cause,
     });
   }
+  const repeated = repeatedKeys(text);
+  if (repeated.length === 0) return data;
+  throw designError(
+    name,
+    repeated.map((path) => ({ path, message: "stands twice in one object" })),
+    "Keep one of the two: programs do not agree which of them holds.",
+  );
 }
 
 function problemsOf(issues: readonly v.BaseIssue<unknown>[]): DesignProblem[] {
   return issues.map((issue) => {
     const path = (issue.path ?? []).map((item) => item.key as string | number);
     const unknownField = issue.type === "strict_object" && issue.expected === "never";
+    // A check of several fields has been given all of them; which one it names, its path knows.
+    const value = issue.path ? issue.path.at(-1)?.value : issue.input;
     // The value of an unknown field says nothing about the fault; its name, in the path, does.
-    return { path, message: issue.message, ...(unknownField ? {} : { value: issue.input }) };
+    return { path, message: issue.message, ...(unknownField ? {} : { value }) };
   });
 }
 
