@@ -53,8 +53,7 @@ export function parseBase(text: string): BaseOption {
   if (text === "white") return [1, 1, 1, 1];
   if (isHexColor(text)) return parseHexColor(text);
   if (text.startsWith("#")) throw new InvalidArgumentError('A colour must be "#rrggbb" or "#rrggbbaa".');
-  if (text === "") throw new InvalidArgumentError("It must not be empty.");
-  return { file: text };
+  return { file: parsePath(text) };
 }
 
 /** Stands in the name of a picture for the index of the material that it shows. */
@@ -83,8 +82,9 @@ export function fileOfMaterial(file: string, material: number): string {
   return path.join(path.dirname(file), path.basename(file).replaceAll(MATERIAL_IN_NAME, String(material)));
 }
 
-/** A path that is not empty. */
-export function parseFolder(text: string): string {
+/** A path that is not empty, and no option that stands where a path was forgotten. */
+export function parsePath(text: string): string {
   if (text === "") throw new InvalidArgumentError("It must not be empty.");
-  return text;
+  if (!text.startsWith("-")) return text;
+  throw new InvalidArgumentError(`It begins as an option does: write "./${text}" where it is a name.`);
 }

@@ -11,9 +11,9 @@ import { EXIT_BAD_INPUT } from "./exit-codes.ts";
 import {
   parseBase,
   parseDpi,
-  parseFolder,
   parseGutter,
   parseMaterial,
+  parsePath,
   parsePrintOutput,
   parsePrintSize,
   parseRenderOutput,
@@ -66,7 +66,7 @@ export function createProgram(): Command {
     .description("Paints decals into a 3D model's own texture.")
     .version(packageJson.version, "-V, --version", "print the version")
     .helpOption("-h, --help", "print this help")
-    .helpCommand("help [command]", "print the help of a command")
+    .helpCommand(false)
     .addHelpText(
       "after",
       `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(CHECK_EXAMPLES, 1)}${withoutHeading(PRINT_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
@@ -96,7 +96,7 @@ export function createProgram(): Command {
         "Writes positions, normals, coverage and overlap, each as a NumPy array and as a picture.",
     )
     .argument("<model>", "a .glb, or a .gltf with its side files")
-    .addOption(new Option("--out <dir>", "folder for the files").argParser(parseFolder).makeOptionMandatory())
+    .addOption(new Option("--out <dir>", "folder for the files").argParser(parsePath).makeOptionMandatory())
     .addOption(new Option("--material <index>", "glTF material index").argParser(parseMaterial).default(0))
     .addOption(sizeOption("default: the material's texture, 1024 without"))
     .addOption(
@@ -153,7 +153,11 @@ export function createProgram(): Command {
     )
     .argument("<model>", "a .glb, or a .gltf with its side files")
     .argument("<design>", "a design document, JSON, or a project, .texelcast")
-    .option("--zones <file>", "the product's print areas, JSON (default: printed everywhere, at the model's own size)")
+    .option(
+      "--zones <file>",
+      "the product's print areas, JSON (default: printed everywhere, at the model's own size)",
+      parsePath,
+    )
     .option("--json", "print the report as JSON")
     .addHelpText("after", CHECK_EXAMPLES)
     .action(async (model: string, design: string, options: CheckOptions) => {
@@ -171,7 +175,7 @@ export function createProgram(): Command {
     .argument("<model>", "a .glb, or a .gltf with its side files")
     .argument("<design>", "a design document, JSON, or a project, .texelcast")
     .addOption(new Option("--out <file>", "FILE.png").argParser(parsePrintOutput).makeOptionMandatory())
-    .option("--zones <file>", "the product's print areas, JSON")
+    .option("--zones <file>", "the product's print areas, JSON", parsePath)
     .option("--zone <id>", "one zone alone, with its bleed; all around it is transparent")
     .option("--flattened", "the zone laid out flat, at its true size and upright")
     .addOption(
@@ -202,6 +206,18 @@ export function createProgram(): Command {
     .addHelpText("after", SCHEMA_EXAMPLES)
     .action(async (options: SchemaOptions) => {
       await (await import("./commands/schema.ts")).schema(options);
+    });
+
+  program
+    .command("help")
+    .summary("print the help of a command")
+    .description("Prints the help of a command, or without one that of the program.")
+    .argument("[command]", "as in `texelcast help render`")
+    .action(async (name?: string) => {
+      const asked = name === undefined ? program : program.commands.find((command) => command.name() === name);
+      if (asked) asked.help();
+      // Commander's own help command prints all of the usage and does not say why; called, a command that is none is named.
+      else await program.parseAsync([name as string], { from: "user" });
     });
 
   return program;

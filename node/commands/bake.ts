@@ -3,7 +3,7 @@ import path from "node:path";
 import type { MapView, MaterialInfo, TargetInfo } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
-import { findMaterial } from "../find-material.ts";
+import { findPaintable } from "../find-material.ts";
 import { type NpyType, npyHeader } from "../npy.ts";
 import { openEngine } from "../open-engine.ts";
 import type { Size } from "../options.ts";
@@ -62,7 +62,7 @@ export async function bake(file: string, options: BakeOptions): Promise<void> {
   const files = new PendingFiles();
   try {
     progress.report("Reading the model");
-    const material = findMaterial(await engine.loadModel(model), options.material);
+    const material = findPaintable(await engine.loadModel(model), options.material);
     const size = options.size ?? textureSize(material);
     // The map does not hang on the picture, so a broken one need not stop the bake: a plain colour stands in for it.
     const target = await engine.openTarget(

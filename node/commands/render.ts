@@ -5,7 +5,7 @@ import type { EngineHost } from "../../web/engine/engine-host.ts";
 import { allPicturesOf, fontsOf, picturesOf } from "../../web/engine/layer-picture.ts";
 import { materialsIn } from "../../web/engine/layer-tree.ts";
 import { checkFit, checkPaintable } from "../check-fit.ts";
-import { findMaterial } from "../find-material.ts";
+import { findMaterial, findPaintable } from "../find-material.ts";
 import { openEngine } from "../open-engine.ts";
 import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from "../options.ts";
 import { Progress } from "../progress.ts";
@@ -46,6 +46,8 @@ export async function render(modelFile: string | null, designFile: string, optio
     const materials = chooseMaterials(info, design, options);
     for (const result of resultsOf(out, materials)) await checkOutputFile(result.file, inputs);
     checkPaintable(info, design.design, design.file, materials);
+    // No layer need ask for the one that --material names.
+    for (const material of materials) findPaintable(info, material);
     const layers = design.layers.filter(
       (layer) => layer.visible && materialsIn(layer).some((material) => materials.includes(material)),
     );

@@ -6,6 +6,10 @@ import { plainPng, planeGlb, planePosition } from "./plane-model.ts";
 import { readNpy } from "./read-npy.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
+const UNPAINTABLE =
+  'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: no triangle uses that material\n' +
+  '  Choose one that can: 0 ("paint").\n';
+
 /** Bakes a plane into `maps` and gives the folder's reader. */
 async function bakePlane(args: readonly string[], glb = planeGlb()) {
   const folder = temporaryFolder();
@@ -110,7 +114,7 @@ describe("texelcast bake", () => {
       ["--material", "2"],
       "--material: the model has no material 2, it has materials 0 to 1",
     ],
-    ["a material without triangles", ["--material", "1"], "plane.glb: No triangle uses"],
+    ["a material without triangles", ["--material", "1"], UNPAINTABLE],
   ])("refuses %s with exit code 3 and writes nothing", async (_what, args, told) => {
     const { folder, run } = await bakePlane(args);
     expect(run.code).toBe(3);

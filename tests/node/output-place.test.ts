@@ -16,8 +16,8 @@ function folderWith(layers: readonly object[]): string {
   return folder;
 }
 
-const render = (cwd: string, out: string) =>
-  texelcast(["render", "plane.glb", "design.json", "--size", "8", "--out", out], { cwd });
+const render = (cwd: string, out: string, ...more: string[]) =>
+  texelcast(["render", "plane.glb", "design.json", "--size", "8", "--out", out, ...more], { cwd });
 
 describe.skipIf(process.platform === "win32")("an output that is no file", () => {
   const wrong =
@@ -69,6 +69,16 @@ describe("one picture for each material", () => {
     const { code, stderr } = await render(folder, "m-{material}.png");
     expect(stderr).toMatch(
       /^texelcast: design\.json: layers\[1\]\.material: material 1[^\n]* cannot be painted: [^\n]+\n {2}[^\n]+\n$/,
+    );
+    expect(code).toBe(3);
+  });
+
+  it("names the option where it asks for one that no layer is on and that cannot be painted", async () => {
+    const folder = folderWith([fill(0)]);
+    const { code, stderr } = await render(folder, "m-{material}.png", "--material", "1");
+    expect(stderr).toBe(
+      'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: no triangle uses that material\n' +
+        '  Choose one that can: 0 ("paint").\n',
     );
     expect(code).toBe(3);
   });

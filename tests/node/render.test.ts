@@ -327,6 +327,10 @@ describe("texelcast render to .glb", () => {
   });
 });
 
+const UNPAINTABLE =
+  'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: no triangle uses that material\n' +
+  '  Choose one that can: 0 ("paint").\n';
+
 describe("what texelcast render refuses", () => {
   it.each<[string, object[], string[], string]>([
     [
@@ -347,7 +351,7 @@ describe("what texelcast render refuses", () => {
       ["--material", "2"],
       "--material: the model has no material 2",
     ],
-    ["a material without triangles", [], ["--material", "1"], "plane.glb: No triangle uses"],
+    ["a material without triangles", [], ["--material", "1"], UNPAINTABLE],
     ["a ground that is missing", [], ["--base", "ground.png"], "ground.png: there is no such file"],
     ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
     [

@@ -7,6 +7,7 @@ import { temporaryFolder, texelcast } from "./run-cli.ts";
 describe("the command line's usage", () => {
   it.each([
     ["--help", ["--help"]],
+    ["help", ["help"]],
     ["help render", ["help", "render"]],
     ["inspect --help", ["inspect", "--help"]],
     ["bake --help", ["bake", "--help"]],
@@ -29,6 +30,8 @@ describe("the command line's usage", () => {
   it.each<[string, string[], string]>([
     ["no command", [], "Usage: texelcast"],
     ["an unknown command", ["rendr"], "unknown command 'rendr'"],
+    ["a question for help with no command", ["help", "nothing"], "texelcast: unknown command 'nothing'\n"],
+    ["a question for help with two commands", ["help", "bake", "render"], "too many arguments for 'help'"],
     ["an unknown option", ["inspect", "a.glb", "--jsn"], "unknown option '--jsn'"],
     ["a missing argument", ["inspect"], "missing required argument 'model'"],
     ["a missing design", ["render", "a.glb", "--out", "a.png"], "missing required argument 'design'"],
@@ -36,6 +39,23 @@ describe("the command line's usage", () => {
     ["a bake without --out", ["bake", "a.glb"], "required option '--out <dir>' not specified"],
     ["an empty --out", ["bake", "a.glb", "--out", ""], "must not be empty"],
     ["an option without its value", ["bake", "a.glb", "--out"], "argument missing"],
+    ["a folder that was forgotten", ["bake", "a.glb", "--out", "--size", "16"], "'--out <dir>' argument '--size'"],
+    [
+      "a ground that was forgotten",
+      ["render", "a.glb", "b.json", "--out", "a.png", "--base", "--size", "16"],
+      "'--base <ground>' argument '--size'",
+    ],
+    [
+      "a zones file that was forgotten by check",
+      ["check", "a.glb", "b.json", "--zones", "--json"],
+      "'--zones <file>' argument '--json'",
+    ],
+    [
+      "a zones file that was forgotten by print",
+      ["print", "a.glb", "b.json", "--out", "a.png", "--zones", "--zone", "front"],
+      "'--zones <file>' argument '--zone'",
+    ],
+    ["a zones file without a name", ["check", "a.glb", "b.json", "--zones", ""], "must not be empty"],
     [
       "a material that is no number",
       ["bake", "a.glb", "--out", "x", "--material", "one"],
