@@ -1,9 +1,9 @@
 import { afterEach, describe, expect, it, onTestFinished, vi } from "vitest";
 import type { TexelcastError } from "../../web/core/texelcast-error.ts";
-import type { Engine, TargetUpdate } from "../../web/engine/engine-api.ts";
+import type { Engine, EngineLayer, TargetUpdate } from "../../web/engine/engine-api.ts";
 import { createEngineClient } from "../../web/engine/engine-client.ts";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
-import { decal, FRONT, fill } from "../support/layers.ts";
+import { decal, FRONT, fill, group } from "../support/layers.ts";
 import { buildGlb, plane, sphere } from "../support/model-builder.ts";
 import { paintPng, solidPng } from "../support/png-file.ts";
 import { ThreadWorker } from "../support/thread-worker.ts";
@@ -99,6 +99,28 @@ describe("the engine's client", () => {
       engine.setLayers([odd, fill("below", [0, 0, 1, 0])], 3);
       expect(await engine.hash(0)).toBe(painted);
       engine.setLayers([good], 4);
+      expect(await engine.hash(0)).toBe(painted);
+    }
+  });
+
+  it("refuses layers that hold themselves and functions besides, and draws those that come after them", async () => {
+    const { engine } = start();
+    await openPlane(engine);
+    const good = decal("decal", "logo");
+    engine.setLayers([good], 1);
+    const painted = await engine.hash(0);
+    const self: EngineLayer[] = [];
+    self.push(group("round", self));
+    const tied: Record<string, unknown> = { ...good, onPick: () => 1 };
+    tied.owner = tied;
+    for (const odd of [self, [tied as never]]) {
+      engine.setLayers(odd, 2);
+      await expect(engine.hash(0)).rejects.toMatchObject({
+        name: "TexelcastError",
+        code: "bad-argument",
+        field: "layers",
+      });
+      engine.setLayers([good], 3);
       expect(await engine.hash(0)).toBe(painted);
     }
   });

@@ -304,7 +304,13 @@ class EngineClient implements Engine {
     } catch {
       // No layers, or such as no worker can be sent: with functions, or a framework's proxies. What is plain of them goes.
       this.#sender = new LayerSender();
-      this.#send({ type: "unreadable", layers: JSON.parse(JSON.stringify(layers ?? null)), revision });
+      let plain: unknown;
+      try {
+        plain = JSON.parse(JSON.stringify(layers));
+      } catch {
+        // What holds itself has no plain form: nothing goes, and is refused as no list.
+      }
+      this.#send({ type: "unreadable", layers: plain as EngineLayer[], revision });
     }
     this.#layersUnderWay = true;
   }
@@ -340,32 +346,27 @@ class EngineClient implements Engine {
   }
 
   #receive(message: WorkerMessage): void {
+    // Of a "pong" this is all.
     this.#watch?.heard();
     switch (message.type) {
       case "alive":
         this.#watch?.guard(message.lock);
         break;
-      case "pong":
-        break;
       case "result":
         this.#settle(message.id)?.resolve(message.value as never);
         break;
-      case "failure": {
-        const error = TexelcastError.from(message.error);
-        if (error.code === "engine-crashed") this.#crash(error);
-        else this.#settle(message.id)?.reject(error);
-        break;
-      }
       case "progress":
         this.#pending.get(message.id)?.onProgress?.(message.share);
         break;
       case "update":
         for (const listener of this.#updateListeners) listener(message.update);
         break;
+      case "failure":
       case "error": {
         const error = TexelcastError.from(message.error);
         if (error.code === "engine-crashed") this.#crash(error);
-        else this.#report(error);
+        else if (message.type === "error") this.#report(error);
+        else this.#settle(message.id)?.reject(error);
         break;
       }
       case "drawn":
