@@ -52,6 +52,23 @@ describe("the element's settings", () => {
     expect(readSettings(apart, english).faults.size).toBe(0);
   });
 
+  it("name a beforeAccept that is no function, and keep it, so that it refuses and does not let all in", () => {
+    for (const [beforeAccept, value] of [
+      ["yes", "yes"],
+      [true, "true"],
+      [{}, "object"],
+    ]) {
+      const { settings, faults } = readSettings({ ...DEFAULTS, beforeAccept } as typeof DEFAULTS, english);
+      expect([...faults.values()]).toMatchObject([
+        { code: "bad-argument", field: "beforeAccept", value, hint: "function" },
+      ]);
+      expect(settings.beforeAccept).toBe(beforeAccept);
+    }
+    for (const beforeAccept of [null, undefined, () => true]) {
+      expect(readSettings({ ...DEFAULTS, beforeAccept } as typeof DEFAULTS, english).faults.size).toBe(0);
+    }
+  });
+
   it("read orbits as angles and a distance", () => {
     const { orbit, settings } = readSettings(
       { ...DEFAULTS, cameraOrbit: "30deg 1.5rad 40cm", maxCameraOrbit: "auto 90deg 150%" },

@@ -55,7 +55,7 @@ export class Run {
   /** Rejects with a TexelcastError, closed; "cancelled" where `close` was faster. */
   async open(): Promise<Mode> {
     const { kind, src, zones, words, base, host, progress } = this.#parts;
-    const { kept } = this.#parts.design;
+    const { given, kept } = this.#parts.design;
     try {
       if (!src) {
         throw new ToldError("missing-file", words.errors.noModel, {
@@ -79,7 +79,7 @@ export class Run {
       const mode = openMode(host);
       this.#made = mode;
       await host.made(mode);
-      await mode.open(source, this.#hasDesign ? (library) => this.#firstDesign(library) : null);
+      await mode.open(source, given != null || kept ? (library) => this.#firstDesign(library) : null);
       if (kept) mode.desk?.session.resume(kept);
       if (zones) {
         await this.#useZones(mode, zones);
@@ -92,11 +92,6 @@ export class Run {
       this.#check();
       throw thrown;
     }
-  }
-
-  get #hasDesign(): boolean {
-    const { given, kept } = this.#parts.design;
-    return given != null || kept !== null;
   }
 
   /** Zones that cannot be used are told to the page, which can correct them: the product is shown without. */

@@ -34,23 +34,27 @@ export function readSettings(element: TexelcastEditorProperties, words: Words): 
   };
   const number = (name: Numbers, least: number, most: number, whole = true): number | null => {
     const value: unknown = element[name];
-    if (value === null || value === undefined || value === "") return DEFAULTS[name];
-    const given = typeof value === "string" || typeof value === "number" ? Number(value) : Number.NaN;
-    if (given >= least && given <= most && (!whole || Number.isInteger(given))) return given;
-    wrong(name, `${least} – ${most}`);
+    if (value !== null && value !== undefined && value !== "") {
+      const given = typeof value === "string" || typeof value === "number" ? Number(value) : Number.NaN;
+      if (given >= least && given <= most && (!whole || Number.isInteger(given))) return given;
+      wrong(name, `${least} – ${most}`);
+    }
     return DEFAULTS[name];
   };
   const orbit = (name: Orbits): Orbit => {
     try {
-      return element[name] ? parseOrbit(element[name], name) : ANY_ORBIT;
+      if (element[name]) return parseOrbit(element[name], name);
     } catch {
       wrong(name, ORBIT);
-      return ANY_ORBIT;
     }
+    return ANY_ORBIT;
   };
   for (const [name, allowed] of Object.entries(CHOICES) as [keyof typeof CHOICES, readonly string[]][]) {
     if (element[name] && !allowed.includes(element[name])) wrong(name, allowed.join(", "));
   }
+  const { beforeAccept } = element;
+  // It stays, and refuses all: a default that asks nobody would let in what the shop wanted to see first.
+  if (beforeAccept && typeof beforeAccept !== "function") wrong("beforeAccept", "function");
   const camera = (): DeskSettings["camera"] => {
     const [min, max] = [orbit("minCameraOrbit"), orbit("maxCameraOrbit")];
     if (!isCrossed(min, max)) return { min, max };
@@ -68,7 +72,7 @@ export function readSettings(element: TexelcastEditorProperties, words: Words): 
       bytes: number("maxFileSize", 1, 2 ** 40) ?? DEFAULTS.maxFileSize,
     },
     camera: camera(),
-    beforeAccept: element.beforeAccept ?? null,
+    beforeAccept: beforeAccept ?? null,
   };
   const start = orbit("cameraOrbit");
   return { settings, orbit: start === ANY_ORBIT ? null : start, faults };
