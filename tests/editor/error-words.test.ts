@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from "node:fs";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { fetchBytes } from "../../web/editor/files/demo-catalogue.ts";
 import { noticeOf } from "../../web/editor/state/notices.ts";
 import { germanError } from "../../web/editor/strings/german-errors.ts";
 import { ARGUMENTS, BROWSERS, FONTS, PICTURES } from "../../web/editor/strings/german-reasons.ts";
@@ -139,6 +140,16 @@ describe("a part of the page that cannot be fetched", () => {
         expect(told).toMatchObject({ code: "missing-file", message, hint, exact: "" });
       }
     }
+  });
+
+  it("has what to do beside it where it is an example that could not be fetched, too", async () => {
+    vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
+    const thrown = await fetchBytes("demo/mug.glb", "http://localhost/").catch((error: unknown) => error);
+    vi.unstubAllGlobals();
+    expect(noticeOf(1, "", thrown, stringsIn("en"))).toMatchObject({
+      message: "demo/mug.glb could not be fetched.",
+      hint: stringsIn("en").errors.partMissingHint,
+    });
   });
 
   it("is not what other faults are", () => {

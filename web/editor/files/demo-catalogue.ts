@@ -65,6 +65,9 @@ export async function loadDemoCatalogue(page: string, strings: Strings): Promise
 /** Rejects with a TexelcastError of code "missing-file". */
 export async function fetchBytes(address: string, base: string): Promise<Uint8Array> {
   const response = await fetch(new URL(address, base)).catch(() => undefined);
-  if (!response?.ok) throw new TexelcastError("missing-file", `${address} could not be fetched.`, { subject: address });
+  if (!response?.ok) {
+    const details = { subject: address, reason: "not-loaded" };
+    throw new TexelcastError("missing-file", `${address} could not be fetched.`, details);
+  }
   return new Uint8Array(await response.arrayBuffer());
 }

@@ -36,8 +36,10 @@ const SCRIPT_MISSING = /dynamically imported module|Importing a module script fa
 /** `title` says what was being done ("Could not open Fox.glb"); the error says why. */
 export function noticeOf(id: number, title: string, thrown: unknown, strings: Strings): Notice {
   const error = plainly(thrown, strings);
-  const { code, subject = "", field, value } = error;
-  const { message, hint, exact = "" } = (error instanceof ToldError ? ownWords : strings.told)(error.toJSON());
+  const { code, subject = "", field, value, reason } = error;
+  const told = (error instanceof ToldError ? ownWords : strings.told)(error.toJSON());
+  const { message, exact = "" } = told;
+  const hint = told.hint || (reason === "not-loaded" ? strings.errors.partMissingHint : "");
   const where = [subject, field, value === undefined ? undefined : strings.notices.value(shortened(value))];
   return {
     id,
