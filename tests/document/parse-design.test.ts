@@ -193,6 +193,11 @@ describe("refusing a design", () => {
     expect(error.message).toBe("layers[0].dabs: must not hold more than 100000 dabs, is a list of 1000000");
   });
 
+  it("tells of a hundred thousand faulty dabs as of one", () => {
+    const { message } = refusal(stroke({ dabs: new Array(100_000).fill({ kind: "planar" }) }));
+    expect(message).toMatch(/^layers\[0\]\.dabs\[0\]\.position: is missing; .*; and 299980 more$/);
+  });
+
   it.each<[string, unknown, string]>([
     ["text that is not JSON", "{ format:", "the design is not valid JSON: "],
     ["a list", [], "the design must be a JSON object, is []"],
@@ -218,6 +223,11 @@ describe("refusing a design", () => {
     ],
     ["layers that are no list", design({}), "layers: must be a list, is an object"],
     ["a layer that is no object", design(["decal"]), 'layers[0]: must be an object, is "decal"'],
+    [
+      "a stroke in a paint layer that is no object",
+      design([{ type: "paint", strokes: [null] }]),
+      "layers[0].strokes[0]: must be an object, is null",
+    ],
     ["a layer without a type", design([{}]), 'layers[0].type: is missing: must be one of "decal", "text", "stroke"'],
     [
       "an unknown type",

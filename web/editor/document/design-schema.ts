@@ -38,6 +38,7 @@ import {
   angle,
   assetName,
   boundedList,
+  checkAt,
   coordinate,
   cylindrical,
   dab,
@@ -112,10 +113,7 @@ const decal = v.pipe(
     projector,
     ...mirrorEntries,
   }),
-  v.forward(
-    v.check((layer) => layer.mirror === null || layer.projector.kind !== "uv", MIRROR_OF_UV),
-    ["mirror"],
-  ),
+  checkAt("mirror", (layer) => layer.mirror === null || layer.projector.kind !== "uv", MIRROR_OF_UV),
 );
 
 const textLayer = v.pipe(
@@ -135,10 +133,7 @@ const textLayer = v.pipe(
     projector,
     ...mirrorEntries,
   }),
-  v.forward(
-    v.check((layer) => layer.mirror === null || layer.projector.kind !== "uv", MIRROR_OF_UV),
-    ["mirror"],
-  ),
+  checkAt("mirror", (layer) => layer.mirror === null || layer.projector.kind !== "uv", MIRROR_OF_UV),
 );
 
 const roundBrush = strict({
@@ -172,10 +167,7 @@ const stroke = v.pipe(
     ...pictureEntries,
     ...mirrorEntries,
   }),
-  v.forward(
-    v.check((layer) => layer.mirror === null || !hasUvDab(layer), MIRROR_OF_UV),
-    ["mirror"],
-  ),
+  checkAt("mirror", (layer) => layer.mirror === null || !hasUvDab(layer), MIRROR_OF_UV),
 );
 
 const stops = v.pipe(
@@ -191,12 +183,10 @@ const gradient = v.variant(
   [
     v.pipe(
       strict({ kind: v.literal("linear"), from: point, to: point, stops }),
-      v.forward(
-        v.check(
-          ({ from, to }) => from.some((part, axis) => Math.fround(part) !== Math.fround(to[axis] as number)),
-          "must not be where from is",
-        ),
-        ["to"],
+      checkAt(
+        "to",
+        ({ from, to }) => from.some((part, axis) => Math.fround(part) !== Math.fround(to[axis] as number)),
+        "must not be where from is",
       ),
     ),
     strict({ kind: v.literal("radial"), center: point, radius: length, stops }),
@@ -229,12 +219,10 @@ const fill = v.pipe(
     gradient: v.optional(v.nullable(gradient), null),
     parts: v.optional(v.nullable(parts), null),
   }),
-  v.forward(
-    v.check(
-      (layer) => layer.parts === null || typeof layer.material === "number" || layer.material.length === 1,
-      "must be null where material names several: triangles are those of one material",
-    ),
-    ["parts"],
+  checkAt(
+    "parts",
+    (layer) => layer.parts === null || typeof layer.material === "number" || layer.material.length === 1,
+    "must be null where material names several: triangles are those of one material",
   ),
 );
 
@@ -245,10 +233,7 @@ const paint = v.pipe(
     strokes: boundedList(DESIGN_LIMITS.layers, "strokes", stroke),
     ...mirrorEntries,
   }),
-  v.forward(
-    v.check((layer) => layer.mirror === null || !layer.strokes.some(hasUvDab), MIRROR_OF_UV),
-    ["mirror"],
-  ),
+  checkAt("mirror", (layer) => layer.mirror === null || !layer.strokes.some(hasUvDab), MIRROR_OF_UV),
 );
 
 const group = strict({
