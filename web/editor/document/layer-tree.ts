@@ -97,40 +97,29 @@ export const flattenLayers = ({ layers }: Pick<Design, "layers">, options: WalkO
 export const findLayer = (design: Pick<Design, "layers">, id: string | null): DesignLayer | undefined =>
   visitOf(design, id)?.layer;
 
-/** A walk through a design that goes on when a layer is asked for that it has not come to yet. */
-interface OpenWalk {
-  readonly met: Map<string, LayerVisit>;
-  readonly rest: Iterator<LayerVisit>;
-}
-
 /**
- * By a design's list, which never changes. In each frame of a drag a dozen panels and tools ask for the selected layer of that
- * frame's design, and some for each of its layers: a walk for each of those would cost their square.
+ * The walk through the newest list that was asked about, which goes on when a layer is asked for that it has not come to yet:
+ * in each frame of a drag a dozen panels and tools ask for the selected layer of that frame's design, some for each of its
+ * layers. Of no other list, as a history holds hundreds.
  */
-const walks = new WeakMap<readonly DesignLayer[], OpenWalk>();
-/** Of these, the oldest first: a history holds hundreds of lists, and what was met in each would be as large again. */
-const walked: WeakRef<readonly DesignLayer[]>[] = [];
-const MOST_WALKS = 8;
+let walked: readonly DesignLayer[] | undefined;
+let met: Map<string, LayerVisit>;
+let rest: Iterator<LayerVisit>;
 
 /** Where the layer of that id is. */
-export function visitOf(design: Pick<Design, "layers">, id: string | null): LayerVisit | undefined {
+export function visitOf({ layers }: Pick<Design, "layers">, id: string | null): LayerVisit | undefined {
   if (id === null) return undefined;
-  const { met, rest } = walks.get(design.layers) ?? beginWalk(design.layers);
+  if (walked !== layers) {
+    walked = layers;
+    met = new Map();
+    rest = walkLayers({ layers });
+  }
   while (!met.has(id)) {
     const { done, value } = rest.next();
     if (done) return undefined;
-    // The first of that id, as a walk of its own would find it.
-    if (!met.has(value.layer.id)) met.set(value.layer.id, value);
+    met.set(value.layer.id, value);
   }
   return met.get(id);
-}
-
-function beginWalk(layers: readonly DesignLayer[]): OpenWalk {
-  const walk = { met: new Map<string, LayerVisit>(), rest: walkLayers({ layers }) };
-  walks.set(layers, walk);
-  const oldest = walked.push(new WeakRef(layers)) > MOST_WALKS ? walked.shift()?.deref() : undefined;
-  if (oldest) walks.delete(oldest);
-  return walk;
 }
 
 /** The list that `place` names, as it is. */
@@ -209,22 +198,22 @@ export const mapLayers = (
 ): Design =>
   withLayers(
     design,
-    changeLists(design.layers, (list) =>
-      list.some(({ id }) => ids.has(id)) ? list.map((layer) => (ids.has(layer.id) ? change(layer) : layer)) : list,
-    ),
+    changeLists(design.layers, (list) => list.map((layer) => (ids.has(layer.id) ? change(layer) : layer))),
   );
 
 /** Takes layers out, with all that they hold. */
 export const removeByIds = (design: Design, ids: ReadonlySet<string>): Design =>
   withLayers(
     design,
-    changeLists(design.layers, (list) =>
-      list.some(({ id }) => ids.has(id)) ? list.filter(({ id }) => !ids.has(id)) : list,
-    ),
+    changeLists(design.layers, (list) => list.filter(({ id }) => !ids.has(id))),
   );
 
 /** Takes a layer out, with all that it holds. */
-export const removeById = (design: Design, id: string): Design => removeByIds(design, new Set([id]));
+export const removeById = (design: Design, id: string): Design =>
+  withLayers(
+    design,
+    changeLists(design.layers, (list) => list.filter((layer) => layer.id !== id)),
+  );
 
 /**
  * Puts a layer that is not in the design yet at a place; `index` is clamped to the list's ends. A mask is made where the
