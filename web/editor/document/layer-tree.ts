@@ -289,17 +289,15 @@ function changeLists(
   layers: readonly DesignLayer[],
   change: (list: readonly DesignLayer[]) => readonly DesignLayer[],
 ): readonly DesignLayer[] {
-  let changed = false;
   const within = layers.map((layer) => {
     let result = layer;
     for (const { list, layers: held } of childLists(layer)) {
       const next = changeLists(held, change);
       if (next !== held) result = withList(result, list, next);
     }
-    changed ||= result !== layer;
     return result;
   });
-  const result = change(changed ? within : layers);
+  const result = change(within);
   return sameItems(result, layers) ? layers : result;
 }
 
