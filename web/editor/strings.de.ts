@@ -533,6 +533,7 @@ export const german: Strings = {
     opening: (name) => `${name} wird geöffnet`,
     packing: (name) => `${name} wird gepackt`,
     baking: "Die Oberfläche wird vermessen",
+    drawing: "Die Ebenen werden gemalt",
     restoring: (name) => `${name} wird wiederhergestellt`,
     exporting: (name) => `${name} wird exportiert`,
     cancel: "Abbrechen",

@@ -528,6 +528,7 @@ const english = {
     opening: (name: string): string => `Opening ${name}`,
     packing: (name: string): string => `Packing ${name}`,
     baking: "Mapping the surface",
+    drawing: "Painting the layers",
     restoring: (name: string): string => `Bringing back ${name}`,
     exporting: (name: string): string => `Exporting ${name}`,
     cancel: "Cancel",

@@ -132,11 +132,12 @@ export class NoticeStack extends EditorElement {
 
   override render(): TemplateResult {
     const { notices, tasks, announcement } = this.state;
-    this.toggleAttribute("filled", notices.length > 0);
+    const shown = tasks.filter(({ visible }) => visible);
+    this.toggleAttribute("filled", notices.length + shown.length > 0);
     return html`
       <div class="visually-hidden" id="announcer" aria-live="polite">${announcement}</div>
       ${repeat(
-        tasks.filter(({ visible }) => visible),
+        shown,
         ({ id }) => id,
         (task) => this.#task(task),
       )}

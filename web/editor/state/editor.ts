@@ -24,6 +24,7 @@ import { DecalCommands } from "./decal-commands.ts";
 import { DecalReach } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
 import { DesignSession } from "./design-session.ts";
+import { DrawingTask } from "./drawing-task.ts";
 import {
   type EditorState,
   type Figures,
@@ -89,6 +90,7 @@ export class Editor {
   readonly autosave: Autosave;
   readonly #models: ModelSession;
   readonly #router: UpdateRouter;
+  readonly #drawing: DrawingTask;
   #modeRequest = 0;
 
   constructor({ engine, viewer, textureView, keeps = true, admission = null, language = "en" }: EditorParts) {
@@ -99,6 +101,7 @@ export class Editor {
     this.viewer = viewer;
     this.textureView = textureView;
     const { store, board, tasks } = this;
+    this.#drawing = new DrawingTask({ engine, tasks, label: () => this.strings.tasks.drawing });
     this.library = new AssetLibrary(engine);
     this.#router = new UpdateRouter(engine, viewer, textureView, this.figures);
     this.session = new DesignSession({
@@ -311,6 +314,7 @@ export class Editor {
     if (shownTarget(before) !== shownTarget(now) && now.textureMode !== "texture") this.setTextureMode(now.textureMode);
     if (before.model !== now.model) this.textureView.setMode("texture");
     if (before.history.dropped === 0 && now.history.dropped > 0) this.#tellOfDroppedSteps(now);
+    if (before.history !== now.history) this.#drawing.follow();
     if (now.switching) return;
     if (before.design !== now.design) {
       if (before.model === now.model) this.board.dismissInfos(before.notices);
