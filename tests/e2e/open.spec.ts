@@ -15,6 +15,37 @@ test("opens on the mug with a decal that is selected and painted", async ({ edit
   expect(await editor.hash()).not.toBe(painted);
 });
 
+test("asks the GPU for no setting once it draws: the page's thread would wait until it is done", async ({
+  editor,
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const drawing = new WeakSet<object>();
+    const asked: string[] = [];
+    Object.assign(window, { askedWhileDrawing: asked });
+    const { getParameter, drawArrays, drawElements } = WebGL2RenderingContext.prototype;
+    Object.assign(WebGL2RenderingContext.prototype, {
+      getParameter(this: WebGL2RenderingContext, name: number) {
+        if (drawing.has(this)) asked.push(`0x${name.toString(16)}`);
+        return getParameter.call(this, name);
+      },
+      drawArrays(this: WebGL2RenderingContext, ...how: Parameters<typeof drawArrays>) {
+        drawing.add(this);
+        drawArrays.apply(this, how);
+      },
+      drawElements(this: WebGL2RenderingContext, ...how: Parameters<typeof drawElements>) {
+        drawing.add(this);
+        drawElements.apply(this, how);
+      },
+    });
+  });
+  await editor.open();
+  const hash = await editor.hash();
+  await editor.removeAllDecals();
+  expect(await editor.hash()).not.toBe(hash);
+  expect(await page.evaluate(() => Reflect.get(window, "askedWhileDrawing"))).toEqual([]);
+});
+
 test("offers all demo models, and each opens with its own design", async ({ editor, page }) => {
   await editor.open();
   for (const name of ["Avatar", "Skateboard"]) {

@@ -2,9 +2,9 @@
  * A material's texture on the GPU, kept up to date rectangle by rectangle.
  *
  * Why not `needsUpdate`: it uploads the whole texture. Why not `addUpdateRange`: over several rows it uploads the
- * wrong pixels. `copyTextureToTexture` from a DataTexture that was never bound goes straight from the packed bytes to
- * `texSubImage2D`, and nothing is copied on the way. It sets six things anew for each rectangle, of which an update in a
- * drag has a score, so only the first goes through it (1.33 ms of this thread for an update of both views against 1.58).
+ * wrong pixels. Why not `copyTextureToTexture`: it sets six things anew for each rectangle, of which an update in a drag
+ * has a score, and asks the GPU how bytes are read, so that the first one waited until all was drawn that had been asked
+ * for (in software most of a second of a page's opening).
  */
 import {
   DataTexture,
@@ -16,10 +16,9 @@ import {
   SRGBColorSpace,
   type Texture,
   UnsignedByteType,
-  Vector2,
   type WebGLRenderer,
 } from "three";
-import type { DirtyRect, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
+import type { TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
 
 /** Anisotropy beyond this is not seen on painted colours, and costs fill rate. */
 const MOST_ANISOTROPY = 8;
@@ -31,8 +30,6 @@ export class LiveTexture {
   readonly #levels: number;
   readonly #nearestByModel: boolean;
   readonly #renderer: WebGLRenderer;
-  readonly #staging = new DataTexture(new Uint8Array(4), 1, 1);
-  readonly #position = new Vector2();
 
   /** @param like the model's own texture, whose transform, UV set and magnification are kept; null where it has none. */
   constructor(renderer: WebGLRenderer, info: TargetInfo, like: Texture | null) {
@@ -93,20 +90,24 @@ export class LiveTexture {
 
   /** Uploads an update's rectangles; levels that this texture does not have are left out. Returns the bytes uploaded. */
   upload({ rects, bytes }: TargetUpdate): number {
-    const [first, ...rest] = rects.filter(
-      ({ level, width, height }) => level < this.#levels && width > 0 && height > 0,
-    );
-    if (first === undefined) {
-      return 0;
-    }
-    // By three, which says how bytes are to be read; what it says holds for the others.
-    this.#uploadFirst(first, bytes);
+    const { state } = this.#renderer;
     const gl = this.#renderer.getContext() as WebGL2RenderingContext;
-    this.#renderer.state.bindTexture(gl.TEXTURE_2D, this.#handle as WebGLTexture);
-    for (const { x, y, width, height, level, byteOffset } of rest) {
-      gl.texSubImage2D(gl.TEXTURE_2D, level, x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes, byteOffset);
+    // Made anew where the graphics context was lost.
+    this.#renderer.initTexture(this.texture);
+    state.bindTexture(gl.TEXTURE_2D, this.#handle as WebGLTexture);
+    // How bytes are read, told by way of three, which keeps what was told; older ones keep nothing. All else it puts back.
+    const tell = state.pixelStorei ?? gl.pixelStorei;
+    tell.call(gl, gl.UNPACK_FLIP_Y_WEBGL, false);
+    tell.call(gl, gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    tell.call(gl, gl.UNPACK_ALIGNMENT, 4);
+    let sum = 0;
+    for (const { x, y, width, height, level, byteOffset } of rects) {
+      if (level < this.#levels && width > 0 && height > 0) {
+        gl.texSubImage2D(gl.TEXTURE_2D, level, x, y, width, height, gl.RGBA, gl.UNSIGNED_BYTE, bytes, byteOffset);
+        sum += width * height * 4;
+      }
     }
-    return [first, ...rest].reduce((sum, rect) => sum + byteLength(rect), 0);
+    return sum;
   }
 
   dispose(): void {
@@ -116,17 +117,6 @@ export class LiveTexture {
   get #handle(): WebGLTexture | undefined {
     return (this.#renderer.properties.get(this.texture) as { __webglTexture?: WebGLTexture }).__webglTexture;
   }
-
-  #uploadFirst(rect: DirtyRect, bytes: Uint8Array): void {
-    const data = bytes.subarray(rect.byteOffset, rect.byteOffset + byteLength(rect)) as Uint8Array<ArrayBuffer>;
-    this.#staging.image = { data, width: rect.width, height: rect.height };
-    this.#position.set(rect.x, rect.y);
-    this.#renderer.copyTextureToTexture(this.#staging, this.texture, null, this.#position, 0, rect.level);
-  }
-}
-
-function byteLength({ width, height }: DirtyRect): number {
-  return width * height * 4;
 }
 
 function levelSize(width: number, height: number, level: number): { width: number; height: number } {

@@ -179,6 +179,8 @@ export class Stage {
     this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
     this.#rig.limit({ minDistance: this.#bounds.radius * 0.05, maxDistance: this.#bounds.radius * 12 });
     this.#rig.enclose(bounds.clone().expandByScalar(this.#bounds.radius));
+    // Begun before the shadow's own shaders are waited for.
+    this.renderer.compile(this.scene, this.camera);
     this.castShadow(model, bounds);
     this.requestFrame();
   }
@@ -358,7 +360,10 @@ export class Stage {
 
 function makeRenderer(): WebGLRenderer {
   try {
-    return new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
+    const renderer = new WebGLRenderer({ antialias: true, alpha: true, powerPreference: "high-performance" });
+    // Kept by three. Asked for once the model is being drawn, the page's thread would wait for the GPU until it is.
+    renderer.capabilities.getMaxAnisotropy();
+    return renderer;
   } catch (cause) {
     throw new TexelcastError("unsupported", "This browser cannot show 3D: WebGL 2 is switched off or missing.", {
       hint: "Switch on hardware acceleration in the browser's settings, or use another browser.",

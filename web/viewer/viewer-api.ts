@@ -146,7 +146,7 @@ export interface ModelView {
   /** Makes the GPU texture of a material's target; the material shows its own picture until the first update. */
   bindTarget(info: TargetInfo): void;
   /**
-   * Uploads the dirty rectangles (packed staging buffer, copyTextureToTexture, every mip level that is reported). True where
+   * Uploads the dirty rectangles (packed staging buffer, every mip level that is reported). True where
    * that is done, and the bytes are not read any more; false where it waits until the GPU is free.
    */
   applyUpdate(update: TargetUpdate): boolean;
