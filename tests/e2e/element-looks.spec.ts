@@ -77,7 +77,7 @@ for (const mode of ["shop", "full"]) {
       return before.length > 20 && before.join() === seen.join();
     };
     // Further apart than two changes of the status line's figures.
-    await expect.poll(settled, { intervals: [500] }).toBe(true);
+    await expect.poll(settled, { intervals: [1000] }).toBe(true);
     await addRules(page, PAGE_RULES);
     await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
     const after = await looks(page);

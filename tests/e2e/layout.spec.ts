@@ -1,5 +1,6 @@
 import { expect, test } from "./support/editor-page.ts";
 import { lookAlike } from "./support/look-alike.ts";
+import { readPng } from "./support/read-png.ts";
 import { file } from "./support/test-files.ts";
 
 test.describe("on a phone", () => {
@@ -36,6 +37,43 @@ test.describe("on a phone", () => {
     await expect(editor.stage).toHaveCount(0);
     await expect(page.locator("tc-texture-panel canvas, .tcv-texture canvas").first()).toBeVisible();
     await expect(page.locator("tc-view-settings"), "they are the model's").toHaveCount(0);
+  });
+
+  test("the texture takes no room on the GPU before it is looked at, and is there when it is", async ({
+    editor,
+    page,
+  }) => {
+    await page.addInitScript(() => {
+      const stored: string[] = [];
+      Object.assign(window, { stored });
+      const { texStorage2D } = WebGL2RenderingContext.prototype;
+      WebGL2RenderingContext.prototype.texStorage2D = function (kind, levels, format, width, height) {
+        if ((this.canvas as HTMLCanvasElement).closest(".tcv-texture")) stored.push(`${width} × ${height}`);
+        texStorage2D.call(this, kind, levels, format, width, height);
+      };
+    });
+    await editor.open();
+    const stored = () => page.evaluate(() => Reflect.get(window, "stored"));
+    expect(await stored()).toEqual([]);
+    // The inside of the mug.
+    const [red = 0, green = 0, blue = 0] = await editor.texels({ x: 600, y: 1000, width: 1, height: 1 });
+    expect(red - blue).toBeGreaterThan(100);
+    await page.locator("#sheet-texture").tap();
+    const flat = page.locator(".tcv-texture canvas");
+    // They tint what lies between them.
+    await page.getByLabel("UV outlines").tap();
+    await expect
+      .poll(async () => {
+        const { rgba } = readPng(await flat.screenshot());
+        let found = 0;
+        for (let at = 0; at < rgba.length; at += 4) {
+          const [r = 0, g = 0, b = 0] = rgba.subarray(at, at + 3);
+          if (Math.abs(r - red) + Math.abs(g - green) + Math.abs(b - blue) < 9) found += 1;
+        }
+        return found / (rgba.length / 4);
+      }, "the share of the view that shows the inside's colour")
+      .toBeGreaterThan(0.05);
+    expect(await stored()).toEqual(["2048 × 2048"]);
   });
 
   test("the view's settings stand in the sheet, so that what they change is in sight", async ({ editor, page }) => {

@@ -91,7 +91,7 @@ export class BoundTexture {
   }
 
   /** `sparesFinest`: the finest mip level of an update that brings more of them is left out, as nobody sees it now. */
-  upload(update: TargetUpdate, sparesFinest: boolean): void {
+  upload(update: Pick<TargetUpdate, "rects" | "bytes">, sparesFinest: boolean): void {
     const hasLevels = update.rects.some(({ level }) => level > 0);
     const isSpared = hasLevels && sparesFinest;
     this.#painter.upload(this.#texture, update, isSpared ? 1 : 0);

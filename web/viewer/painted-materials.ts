@@ -110,13 +110,15 @@ export class PaintedMaterials {
       if (material.map === live.texture) {
         continue;
       }
-      const hadTexture = this.#own.get(material) !== null;
+      const own = this.#own.get(material);
       if (material.map === null) {
         // A map where there was none changes the shader; a swap of pictures does not.
         material.needsUpdate = true;
       }
       material.map = live.texture;
-      if (!hadTexture) {
+      // Not seen any more: 22 MB of the GPU's memory for one of 2048².
+      own?.dispose();
+      if (own === null) {
         // The target's own base is the colour factor, so the factor would count twice.
         material.color.setRGB(1, 1, 1);
         material.opacity = 1;

@@ -179,8 +179,8 @@ export class Stage {
     this.#bounds.radius = Math.max(this.#bounds.radius, 1e-6);
     this.#rig.limit({ minDistance: this.#bounds.radius * 0.05, maxDistance: this.#bounds.radius * 12 });
     this.#rig.enclose(bounds.clone().expandByScalar(this.#bounds.radius));
-    // Begun before the shadow's own shaders are waited for.
-    this.renderer.compile(this.scene, this.camera);
+    // The model's shaders, begun before the shadow's own are waited for.
+    this.renderer.compile(model, this.camera, this.scene);
     this.castShadow(model, bounds);
     this.requestFrame();
   }

@@ -76,6 +76,8 @@ class GlTextureView implements TextureView {
   );
   #painter: TexturePainter;
   #target: BoundTexture | null = null;
+  /** The first target, while the view has never had room in the page, as on a phone: nothing of it is on the GPU yet. */
+  #unseen: Parameters<TextureView["bindTarget"]> | null = null;
   #map: { readonly picture: MapPicture; texture: PaintedTexture } | null = null;
   #outlines = true;
   #markedUv: readonly [number, number] | null = null;
@@ -126,8 +128,12 @@ class GlTextureView implements TextureView {
   }
 
   bindTarget(info: TargetInfo, uvTriangles: Float32Array): void {
-    this.#target = new BoundTexture(this.#painter, info, uvTriangles, this.#target);
     this.#camera.setTexture(info);
+    if (this.#pixelRatio === 0 && this.#target === null && this.#options.readTexels !== undefined) {
+      this.#unseen = [info, uvTriangles];
+      return;
+    }
+    this.#target = new BoundTexture(this.#painter, info, uvTriangles, this.#target);
     this.#drawTask.request();
   }
 
@@ -332,8 +338,29 @@ class GlTextureView implements TextureView {
     this.#canvas.height = Math.round(height * this.#pixelRatio);
     this.#camera.setView({ width, height });
     this.#colors = null;
+    void this.#bindUnseen();
     // A canvas that was resized is empty until it is drawn again.
     this.#draw();
+  }
+
+  /** The first room: the target that waits for it, and its picture, which came when there was nothing to take it. */
+  async #bindUnseen(): Promise<void> {
+    if (this.#unseen === null) {
+      return;
+    }
+    const [info, uvTriangles] = this.#unseen;
+    this.#unseen = null;
+    this.bindTarget(info, uvTriangles);
+    const { material, width, height } = info;
+    try {
+      const bytes = (await this.#options.readTexels?.(material, 0, 0, width, height)) ?? new Uint8Array();
+      if (this.#target?.info === info && !this.#gl.isContextLost()) {
+        this.#target.upload({ rects: [{ x: 0, y: 0, width, height, level: 0, byteOffset: 0 }], bytes }, false);
+        this.#drawTask.request();
+      }
+    } catch {
+      // The engine was ended or started anew; what it tells again comes as an update.
+    }
   }
 
   #watch(): void {
