@@ -4,9 +4,11 @@ import path from "node:path";
 import * as v from "valibot";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { formatPath } from "../../web/editor/document/design-problem.ts";
+import { parseJson } from "../../web/editor/document/parse-json.ts";
 import { filledText, numberBetween, strict } from "../../web/editor/document/schema-parts.ts";
 import type { ModelSource } from "../../web/engine/engine-api.ts";
 import type { Product } from "../../web/storefront/api/shop-api.ts";
+import { decodeText, readFileBytes } from "../read-file.ts";
 import { boxSurface } from "./design-work.ts";
 
 const line = filledText(1000);
@@ -49,19 +51,27 @@ export interface Catalogue {
   readonly currency: string;
   /** Files are read when first asked for, and kept. */
   modelOf(product: Product): Promise<ModelSource>;
-  /** What is in the product's zones file. */
-  zonesOf(product: Product): Promise<unknown>;
+  /** The text of the product's zones file. */
+  zonesOf(product: Product): Promise<string>;
   /** Square metres of what of it is printed, about; measured when first asked for. */
   surfaceOf(product: Product): Promise<number>;
 }
 
 /**
  * @param folder with `shop/products.json` and what it names
- * @throws TexelcastError "bad-argument" naming the field that is wrong.
+ * @throws TexelcastError "missing-file" without that list, "bad-argument" naming the field that is wrong in it.
  */
 export async function readCatalogue(folder: string): Promise<Catalogue> {
   const file = path.join(folder, "shop", "products.json");
-  const result = v.safeParse(products, JSON.parse(await readFile(file, "utf8")), { abortEarly: true });
+  const about = {
+    code: "bad-argument",
+    what: "the list of products",
+    file,
+    hint: "It comes with the shop's built pages.",
+  };
+  const text = decodeText(await readFileBytes(file, about), about);
+  const list = parseJson(text, file, about.what, about.code);
+  const result = v.safeParse(products, list, { abortEarly: true });
   if (!result.success) {
     const [issue] = result.issues;
     const field = formatPath((issue.path ?? []).map((item) => item.key as string | number));
@@ -79,7 +89,7 @@ export async function readCatalogue(folder: string): Promise<Catalogue> {
     products: new Map(result.output.map((product) => [product.id, product])),
     currency: (result.output[0] as Product).price.currency,
     modelOf,
-    zonesOf: async ({ zones }) => JSON.parse(new TextDecoder().decode(await bytesOf(zones))),
+    zonesOf: async ({ zones }) => new TextDecoder().decode(await bytesOf(zones)),
     surfaceOf: (product) => {
       const surface = surfaces.get(product) ?? modelOf(product).then((model) => measured(model, product.material));
       surfaces.set(product, surface);

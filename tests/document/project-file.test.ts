@@ -227,6 +227,17 @@ describe("a hostile project file", () => {
     expect(refusal(withFiles({ "project.json": strToU8("nope") })).message).toContain("not valid JSON");
   });
 
+  it("is refused with a key that stands twice in one object of its manifest, by the path", () => {
+    const manifest = new TextDecoder().decode(GOOD["project.json"]);
+    const twice = manifest.replace('"title":', '"title": "Another cup",\n    "title":');
+    expect(twice).not.toBe(manifest);
+    expect(refusal(withFiles({ "project.json": strToU8(twice) }))).toMatchObject({
+      code: "bad-project",
+      field: "project.json",
+      message: expect.stringContaining("model.title twice in one object"),
+    });
+  });
+
   it("is refused when it names a picture or a model that it does not hold", () => {
     const { "assets/logo.png": _logo, ...withoutPicture } = GOOD;
     expect(refusal(zipSync(withoutPicture))).toMatchObject({ code: "bad-project", value: "assets/logo.png" });

@@ -98,6 +98,13 @@ describe("a zones file", () => {
     expect(refusal("{ zones").message).toContain("not valid JSON");
   });
 
+  it("is refused with a key that stands twice in one object, by its path", () => {
+    const twice = '{"texelcastZones":1,"dpi":{"least":100,"least":50},"zones":[]}';
+    expect(refusal(twice)).toMatchObject({ code: "bad-zones", subject: "mug.zones.json", field: "dpi.least" });
+    expect(refusal(twice).message).toBe("dpi.least: stands twice in one object");
+    expect(parseZones('\ufeff{"texelcastZones":1,"zones":[]}').zones).toEqual([]);
+  });
+
   it("is accepted by its published JSON Schema as by its reader", () => {
     expect(accepts(file([zone()]))).toBe(true);
     expect(accepts(file([zone({ bleed: -1 })]))).toBe(false);

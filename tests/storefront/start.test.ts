@@ -55,3 +55,18 @@ it("refuses a data folder that is a file, or that can never be made", () => {
     expect(status).toBe(2);
   }
 });
+
+it.each([
+  ["is not there", null, "products.json: there is no such file."],
+  ["is not JSON", "[{", "products.json: the list of products is not valid JSON: "],
+  ["says one thing twice", '[{"id":"mug","id":"cup"}]', "products.json: [0].id: stands twice in one object."],
+])("refuses pages whose list of products %s, in words", (_what, list, told) => {
+  const site = mkdtempSync(path.join(tmpdir(), "texelcast-start-"));
+  onTestFinished(() => rmSync(site, { recursive: true, force: true }));
+  mkdirSync(path.join(site, "shop"));
+  if (list !== null) writeFileSync(path.join(site, "shop", "products.json"), list);
+  const { status, stderr } = start("--site", site, "--data", path.join(site, "data"));
+  expect(stderr).toContain(told);
+  expect(stderr).not.toMatch(/^ {4}at /m);
+  expect(status).toBe(2);
+});

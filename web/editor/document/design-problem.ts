@@ -50,7 +50,12 @@ function formatProblem({ path, message, ...rest }: DesignProblem): string {
 /**
  * The typed error of one or more problems. A place with several is told by its first: the others follow from it.
  */
-export function designError(name: string, problems: readonly DesignProblem[], hint?: string): TexelcastError {
+export function designError(
+  name: string,
+  problems: readonly DesignProblem[],
+  hint?: string,
+  code = "bad-design",
+): TexelcastError {
   const byPlace = new Map<string, DesignProblem>();
   for (const problem of problems) {
     const place = formatPath(problem.path);
@@ -60,7 +65,7 @@ export function designError(name: string, problems: readonly DesignProblem[], hi
   const lines = distinct.slice(0, MAX_REPORTED).map(formatProblem);
   const untold = distinct.length - lines.length;
   const first = distinct[0];
-  return new TexelcastError("bad-design", lines.join("; ") + (untold > 0 ? `; and ${untold} more` : ""), {
+  return new TexelcastError(code, lines.join("; ") + (untold > 0 ? `; and ${untold} more` : ""), {
     subject: name,
     hint: hint ?? "The fields of a design are described in docs/design-document.md.",
     ...(first === undefined ? {} : { field: formatPath(first.path) }),

@@ -1,12 +1,11 @@
 /** Reads a design document: text or plain data in, a `Design` with every field set out, or an error that says all. */
 import * as v from "valibot";
-import { TexelcastError } from "../../core/texelcast-error.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import { SHIPPED_FONTS, shippedFontOf } from "../../engine/shipped-fonts.ts";
 import { DESIGN_FORMAT, DESIGN_VERSION, type Design, type DesignLayer, freeLayerNumber, layerIdOf } from "./design.ts";
 import { type DesignPath, type DesignProblem, describeValue, designError, formatPath } from "./design-problem.ts";
 import { DESIGN_LIMITS, designSchema, type ParsedDesign, type ParsedLayer } from "./design-schema.ts";
-import { repeatedKeys } from "./repeated-keys.ts";
+import { parseJson } from "./parse-json.ts";
 
 /** Turns the plain data of a version into that of the version after it. May throw a TexelcastError. */
 export type Migration = (document: Readonly<Record<string, unknown>>) => Record<string, unknown>;
@@ -25,7 +24,7 @@ const MAX_LAYERS_WITH_PROBLEMS = 50;
  * @throws TexelcastError "bad-design": `field` and `value` are those of the first problem, the message tells them all.
  */
 export function parseDesign(source: unknown, name = "design"): Design {
-  const data = typeof source === "string" ? parseJson(source, name) : source;
+  const data = typeof source === "string" ? parseJson(source, name, "the design", "bad-design") : source;
   const current = migrateDesign(data, name, MIGRATIONS);
   checkSize(current, name);
   const result = v.safeParse(designSchema, current);
@@ -64,29 +63,6 @@ export function migrateDesign(data: unknown, name: string, migrations: ReadonlyM
     }
     document = migration(document);
   }
-}
-
-function parseJson(source: string, name: string): unknown {
-  // Editors on Windows may put a byte order mark first, which JSON does not allow.
-  const text = source.startsWith("\ufeff") ? source.slice(1) : source;
-  let data: unknown;
-  try {
-    data = JSON.parse(text);
-  } catch (cause) {
-    const reason = cause instanceof Error ? cause.message : String(cause);
-    throw new TexelcastError("bad-design", `the design is not valid JSON: ${reason}`, {
-      subject: name,
-      hint: "Open it in an editor that checks JSON; commas and quotes are the usual fault.",
-      cause,
-    });
-  }
-  const repeated = repeatedKeys(text);
-  if (repeated.length === 0) return data;
-  throw designError(
-    name,
-    repeated.map((path) => ({ path, message: "stands twice in one object" })),
-    "Keep one of the two: programs do not agree which of them holds.",
-  );
 }
 
 function problemsOf(issues: readonly v.BaseIssue<unknown>[]): DesignProblem[] {

@@ -11,6 +11,7 @@ import { ASSET_ENDINGS, type Design, type DesignAsset } from "./design.ts";
 import { describeValue, formatPath } from "./design-problem.ts";
 import { parseDesign } from "./parse-design.ts";
 import { printJson } from "./print-json.ts";
+import { repeatedKeys } from "./repeated-keys.ts";
 import { serialiseDesign } from "./serialise-design.ts";
 import { ZipReader, zipError } from "./zip-reader.ts";
 
@@ -190,6 +191,8 @@ function parseManifest(text: string, archive: string): Manifest {
   } catch (cause) {
     throw zipError(archive, "is not valid JSON", MANIFEST, undefined, cause);
   }
+  const [repeated] = repeatedKeys(text);
+  if (repeated) throw zipError(archive, `has ${formatPath(repeated)} twice in one object`, MANIFEST);
   const { format, version } = (typeof data === "object" && data !== null ? data : {}) as Record<string, unknown>;
   if (format !== PROJECT_FORMAT) {
     throw zipError(archive, `must have the format "${PROJECT_FORMAT}"`, MANIFEST, describeValue(format));

@@ -4,6 +4,7 @@ import { TexelcastError } from "../../core/texelcast-error.ts";
 import { NO_ZONES, type PrintZones } from "../../engine/print-zones.ts";
 import { DESIGN_LIMITS, RESERVED_KEYS } from "./design-limits.ts";
 import { type DesignProblem, describeValue, formatPath } from "./design-problem.ts";
+import { parseJson } from "./parse-json.ts";
 import {
   boundedList,
   filledText,
@@ -100,24 +101,11 @@ const MAX_REPORTED = 20;
  * @throws TexelcastError "bad-zones": `field` and `value` are those of the first problem, the message tells them all.
  */
 export function parseZones(source: unknown, name = "the zones file"): PrintZones {
-  const data = typeof source === "string" ? parseJson(source, name) : source;
+  const data = typeof source === "string" ? parseJson(source, name, "the zones file", "bad-zones") : source;
   const result = v.safeParse(zonesSchema, data);
   if (!result.success) throw zonesError(name, result.issues.map(problemOf));
   const { zones, ...rest } = result.output;
   return { ...rest, zones: zones.map((one) => ({ ...one, name: one.name ?? one.id })) };
-}
-
-function parseJson(json: string, name: string): unknown {
-  try {
-    return JSON.parse(json.startsWith("\ufeff") ? json.slice(1) : json);
-  } catch (cause) {
-    const reason = cause instanceof Error ? cause.message : String(cause);
-    throw new TexelcastError("bad-zones", `the zones file is not valid JSON: ${reason}`, {
-      subject: name,
-      hint: "Open it in an editor that checks JSON; commas and quotes are the usual fault.",
-      cause,
-    });
-  }
 }
 
 function problemOf(issue: v.BaseIssue<unknown>): DesignProblem {
