@@ -1,5 +1,7 @@
 /** How the shop refuses: a TexelcastError, and the HTTP status that goes with its code. */
-import type { FastifyReply, FastifyRequest } from "fastify";
+import { STATUS_CODES } from "node:http";
+import type { Socket } from "node:net";
+import type { FastifyError, FastifyReply, FastifyRequest } from "fastify";
 import { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../../web/core/texelcast-error.ts";
 
 /** Codes that are the shop's own; those of designs and pictures are the editor's. */
@@ -91,6 +93,37 @@ function replyToFramework(thrown: unknown): Omit<ErrorReply, "unexpected"> | nul
   });
   return { status: statusCode, body: { error: error.toJSON() } };
 }
+
+/** A server's options for what is refused before any route is asked, in the form of every refusal. */
+export const REFUSALS = {
+  /** An address that cannot be decoded. */
+  frameworkErrors: (error: FastifyError, _request: FastifyRequest, reply: FastifyReply): void => {
+    const { status, body } = replyTo(error);
+    void reply.code(status).send(body);
+  },
+  /** What is no HTTP, or none that comes to an end: there is no request to reply to, so the answer is written by hand. */
+  clientErrorHandler: (thrown: NodeJS.ErrnoException, socket: Socket): void => {
+    if (thrown.code !== "ECONNRESET" && socket.writable) {
+      const [statusCode, message] = NO_REQUEST.get(thrown.code ?? "") ?? [400, "that is no request of HTTP"];
+      const { body } = replyTo({ statusCode, message });
+      const text = JSON.stringify(body);
+      const head = [
+        `HTTP/1.1 ${statusCode} ${STATUS_CODES[statusCode]}`,
+        "content-type: application/json; charset=utf-8",
+        `content-length: ${Buffer.byteLength(text)}`,
+        "connection: close",
+      ];
+      socket.write(`${head.join("\r\n")}\r\n\r\n${text}`);
+    }
+    socket.destroy();
+  },
+};
+
+/** By Node's code of them. */
+const NO_REQUEST: ReadonlyMap<string, readonly [status: number, message: string]> = new Map([
+  ["HPE_HEADER_OVERFLOW", [431, "the request's head has more bytes than the shop takes"]],
+  ["ERR_HTTP_REQUEST_TIMEOUT", [408, "the request did not come to its end in time"]],
+]);
 
 /** Answers who asks for an address that a server does not have, as any other fault is answered. */
 export function answerNoAddress(request: FastifyRequest, reply: FastifyReply): FastifyReply {

@@ -2,7 +2,7 @@
 import helmet from "@fastify/helmet";
 import rateLimit from "@fastify/rate-limit";
 import serveStatic from "@fastify/static";
-import Fastify, { type FastifyInstance, type FastifyReply } from "fastify";
+import Fastify, { type FastifyInstance } from "fastify";
 import type { Design } from "../../web/editor/document/index.ts";
 import { type EditorReply, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { AssetStore } from "./asset-store.ts";
@@ -15,7 +15,7 @@ import { addOrderRoutes } from "./order-routes.ts";
 import { Press, type PressOptions } from "./press.ts";
 import { PrintQueue, type RenderLine } from "./print-queue.ts";
 import { ShopDatabase } from "./shop-database.ts";
-import { answerNoAddress, notFound, replyTo, tooManyRequests } from "./shop-error.ts";
+import { answerNoAddress, notFound, REFUSALS, replyTo, tooManyRequests } from "./shop-error.ts";
 
 export interface ShopServerOptions {
   /** The built pages, with `shop/products.json` and the models. */
@@ -82,11 +82,7 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     bodyLimit: SHOP_LIMITS.jsonBytes,
     forceCloseConnections: true,
     trustProxy: options.behindProxy ?? false,
-    // An address that cannot be decoded, which is refused before any route is asked.
-    frameworkErrors: (error, _request, reply: FastifyReply) => {
-      const { status, body } = replyTo(error);
-      void reply.code(status).send(body);
-    },
+    ...REFUSALS,
   });
   let isEnding = false;
   app.setErrorHandler((error, _request, reply) => {

@@ -1,0 +1,44 @@
+/** What reaches neither a route nor Fastify's hooks, on both servers: it is told as any other refusal. */
+import { connect } from "node:net";
+import path from "node:path";
+import type { FastifyInstance } from "fastify";
+import { afterAll, describe, expect, it } from "vitest";
+import { createEditorServer, originOf } from "../../node/storefront/editor-server.ts";
+import { openShop } from "./shop-fixture.ts";
+
+const { app: shop, folder } = await openShop();
+const editor = await createEditorServer(path.join(folder, "site"), { shop: null, editor: null });
+afterAll(() => editor.close());
+
+/** All that the server answers to these bytes before it hangs up. */
+function answerTo(server: FastifyInstance, bytes: string): Promise<string> {
+  return new Promise((resolve, reject) => {
+    let answer = "";
+    const socket = connect(Number(new URL(originOf(server, "127.0.0.1")).port), "127.0.0.1", () => socket.write(bytes));
+    socket.setEncoding("utf8").on("data", (part) => {
+      answer += part;
+    });
+    socket.on("end", () => resolve(answer)).on("error", reject);
+  });
+}
+
+describe.each([
+  ["the shop", shop],
+  ["the editor's server", editor],
+])("%s", (_name, server) => {
+  it.each([
+    ["what is no HTTP", "Guten Tag\r\n\r\n", 400],
+    ["a method that HTTP does not know", "SHOP / HTTP/1.1\r\nHost: shop\r\n\r\n", 400],
+    ["a head that is too long", `GET / HTTP/1.1\r\nHost: shop\r\nX: ${"x".repeat(20_000)}\r\n\r\n`, 431],
+    ["an address that cannot be decoded", "GET /%ff HTTP/1.1\r\nHost: shop\r\nConnection: close\r\n\r\n", 400],
+  ])("refuses %s in its own form", async (_what, bytes, status) => {
+    if (server.addresses().length === 0) await server.listen({ port: 0, host: "127.0.0.1" });
+    const [head = "", body = ""] = (await answerTo(server, bytes)).split("\r\n\r\n");
+    expect(head).toMatch(new RegExp(`^HTTP/1.1 ${status} `));
+    expect(head).toMatch(/^content-type: application\/json/im);
+    expect(Number(/^content-length: (\d+)$/im.exec(head)?.[1])).toBe(Buffer.byteLength(body));
+    const { error } = JSON.parse(body);
+    expect(error).toMatchObject({ code: "bad-request", hint: expect.stringContaining("docs/storefront.md") });
+    expect(error.message).toMatch(/\w/);
+  });
+});
