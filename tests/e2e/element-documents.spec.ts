@@ -142,3 +142,22 @@ for (const kind of ["iframe", "window"] as const) {
     expect(await layers()).toEqual(rested);
   });
 }
+
+test("a wide window that a narrow one's full mode is moved into gives it the room of a wide one", async ({ page }) => {
+  await page.setViewportSize({ width: 420, height: 800 });
+  await page.goto("element.html?loading=eager&mode=full&size=256&locale=en");
+  await page.locator("texelcast-editor").evaluate((element: Editor) => element.start());
+  const other = await otherDocument(page, "window");
+  await other.page().setViewportSize({ width: 1200, height: 800 });
+  await moveTo(page, "window");
+  const editor = other.locator("texelcast-editor");
+  await editor.evaluate((element: Editor) => element.start());
+  await editor.locator("#view-menu").click();
+  const panel = editor.locator("#view-panel");
+  await expect(panel).toBeVisible();
+  // Beside its button, towards the model: not where a window as narrow as the script's would end.
+  const [button, box] = [await editor.locator("#view-menu").boundingBox(), await panel.boundingBox()];
+  if (!button || !box) throw new Error("The view's settings have no place.");
+  expect(box.x + box.width).toBeLessThanOrEqual(button.x);
+  expect(button.x - (box.x + box.width)).toBeLessThan(10);
+});

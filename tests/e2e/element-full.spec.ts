@@ -186,3 +186,40 @@ test("taken away and put back, the whole editor goes on with its design and leav
   await expect.poll(() => page.workers().length).toBe(0);
   expect((await told(page)).errors).toEqual([]);
 });
+
+test("in a narrow box of a wide page, what its buttons lay open stands in the sheet, and moves beside them where it is wide", async ({
+  page,
+}) => {
+  await page.goto("element.html?mode=full&loading=eager&size=256&locale=en");
+  const editor = page.locator("texelcast-editor");
+  await editor.evaluate(async (element: Element) => {
+    element.style.width = "380px";
+    await element.start();
+  });
+  const rail = editor.getByRole("radiogroup", { name: "Tools" });
+  const isRow = async (): Promise<boolean> => {
+    const box = await rail.boundingBox();
+    return box !== null && box.width > box.height;
+  };
+  const sheet = editor.locator("tc-bottom-sheet");
+  const [view, panel] = [editor.locator("#view-menu"), editor.locator("#view-panel")];
+  await expect(sheet).toBeVisible();
+  expect(await isRow()).toBe(true);
+  await view.click();
+  await expect(sheet.locator("tc-view-settings")).toBeVisible();
+  await expect(panel).toHaveCount(0);
+
+  await editor.evaluate((element) => element.style.removeProperty("width"));
+  await expect(panel).toBeVisible();
+  await expect(sheet).toHaveCount(0);
+  expect(await isRow()).toBe(false);
+  await page.keyboard.press("Escape");
+  await editor.getByRole("radio", { name: "Brush" }).click();
+  await editor.locator("#show-palette").click();
+  await expect(editor.locator("tc-stage tc-color-palette")).toBeVisible();
+  await editor.evaluate((element) => {
+    element.style.width = "380px";
+  });
+  await expect(sheet.locator("tc-color-palette")).toBeVisible();
+  await expect(editor.locator("tc-stage tc-color-palette")).toHaveCount(0);
+});

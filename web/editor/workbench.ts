@@ -361,6 +361,12 @@ export class Workbench extends EditorElement {
       ? narrow && width >= SIDEWAYS_WIDTH && height <= SIDEWAYS_HEIGHT
       : this.#sideways.matches;
     this.compact = narrow || this.sideways;
+    if (this.embedded) {
+      // What the sheet takes its share of, in the place of the page's.
+      this.style.setProperty("--box-width", `${width}px`);
+      this.style.setProperty("--box-height", `${height}px`);
+    }
+    this.editor.store.set({ sheet: this.sideways ? "beside" : narrow ? "below" : null });
     this.low = this.#lowWindow.matches;
     this.upright = this.embedded ? width <= TABLET_WIDTH && height > width : this.#tablet.matches;
   };

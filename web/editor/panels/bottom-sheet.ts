@@ -41,7 +41,7 @@ export class BottomSheet extends EditorElement {
       .panel {
         display: grid;
         grid-template-rows: auto minmax(0, 1fr);
-        height: min(42dvh, 24rem);
+        height: min(0.42 * var(--box-height, 100dvh), 24rem);
         min-height: 0;
         overflow: hidden;
         border-bottom: 1px solid var(--line);
@@ -53,7 +53,7 @@ export class BottomSheet extends EditorElement {
         border-inline-start: 1px solid var(--line);
       }
       :host([sideways]) .panel {
-        width: min(20rem, 44vw);
+        width: min(20rem, 0.44 * var(--box-width, 100vw));
         height: auto;
         border-width: 0;
         border-inline-end: 1px solid var(--line);

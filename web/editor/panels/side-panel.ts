@@ -3,6 +3,7 @@
  * one of these at a time.
  */
 import { css, html, nothing, type TemplateResult } from "lit";
+import { windowOf } from "../../viewer/window-of.ts";
 import type { EditorState, ModelRef } from "../state/editor-state.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
@@ -277,7 +278,7 @@ export class SidePanel extends EditorElement {
 
   /** Where a finger is the pointer it would cover the model if it hung at its bar. */
   #tool(): TemplateResult | typeof nothing {
-    const laidOpen = matchMedia("(pointer: coarse)").matches ? openToolPanel(this.editor) : null;
+    const laidOpen = windowOf(this).matchMedia("(pointer: coarse)").matches ? openToolPanel(this.editor) : null;
     return laidOpen ? toolPanel(this.editor, laidOpen) : nothing;
   }
 

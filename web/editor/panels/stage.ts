@@ -7,7 +7,6 @@ import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
-import { narrow, sideways } from "../ui/page-shapes.ts";
 import "./animation-bar.ts";
 import type { ModelMenu } from "./model-menu.ts";
 import "./model-menu.ts";
@@ -106,54 +105,50 @@ export class Stage extends EditorElement {
         inset-inline: var(--space-2) var(--side);
       }
       /* What is low has the width for it. */
-      @media ${sideways} {
-        .tools.beside {
-          flex-direction: row;
+      :host([data-sheet="beside"]) .tools.beside {
+        flex-direction: row;
+      }
+      :host([data-sheet="beside"]) .view {
+        inset-block-start: var(--head);
+        inset-inline-end: 0;
+        mask-composite: intersect;
+        mask-image: linear-gradient(transparent, #000 12px), linear-gradient(to var(--inwards), transparent, #000 12px);
+      }
+      :host([data-sheet="beside"]) tc-tool-options {
+        inset-inline-start: var(--rail);
+      }
+      :host([data-sheet="beside"]) tc-tool-rail {
+        inset-block-start: var(--space-2);
+      }
+      :host([data-sheet="below"]) .view {
+        --foot: var(--rail);
+        inset-block-start: var(--head);
+        inset-inline: 0;
+        mask-image: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
+      }
+      /* One beside the other, while no tool's settings need that place: with a tool, decals have no handles. */
+      :host([data-sheet="below"]) .tools.beside {
+        flex-direction: row;
+      }
+      /* Where the height is not dear, they stand one below the other. */
+      @container (max-aspect-ratio: 3 / 4) {
+        :host([data-sheet="below"]) .tools.beside {
+          flex-direction: column;
         }
-        .view {
-          inset-block-start: var(--head);
-          inset-inline-end: 0;
-          mask-composite: intersect;
-          mask-image: linear-gradient(transparent, #000 12px), linear-gradient(to var(--inwards), transparent, #000 12px);
+        :host([data-sheet="below"]) .view {
+          inset-block-start: calc(var(--space-2) + var(--buttons, 2) * (var(--target) + var(--space-1)));
         }
-        tc-tool-options {
-          inset-inline-start: var(--rail);
-        }
-        tc-tool-rail {
-          inset-block-start: var(--space-2);
+        :host([data-sheet="below"]) .still {
+          --buttons: 3;
         }
       }
-      @media ${narrow} {
-        .view {
-          --foot: var(--rail);
-          inset-block-start: var(--head);
-          inset-inline: 0;
-          mask-image: linear-gradient(transparent, #000 12px calc(100% - 12px), transparent);
-        }
-        /* One beside the other, while no tool's settings need that place: with a tool, decals have no handles. */
-        .tools.beside {
-          flex-direction: row;
-        }
-        /* Where the height is not dear, they stand one below the other. */
-        @container (max-aspect-ratio: 3 / 4) {
-          .tools.beside {
-            flex-direction: column;
-          }
-          .view {
-            inset-block-start: calc(var(--space-2) + var(--buttons, 2) * (var(--target) + var(--space-1)));
-          }
-          .still {
-            --buttons: 3;
-          }
-        }
-        tc-tool-rail {
-          inset-block: auto var(--space-2);
-          inset-inline: var(--space-2);
-        }
-        tc-animation-bar {
-          inset-block-end: calc(var(--target) + 3 * var(--space-2));
-          inset-inline: var(--space-2);
-        }
+      :host([data-sheet="below"]) tc-tool-rail {
+        inset-block: auto var(--space-2);
+        inset-inline: var(--space-2);
+      }
+      :host([data-sheet="below"]) tc-animation-bar {
+        inset-block-end: calc(var(--target) + 3 * var(--space-2));
+        inset-inline: var(--space-2);
       }
       .empty {
         position: absolute;
@@ -193,7 +188,8 @@ export class Stage extends EditorElement {
     return this.strings.stage;
   }
 
-  protected watched({ model, tool, animation, tasks, view, shown, starting, demos }: EditorState): readonly unknown[] {
+  protected watched(state: EditorState): readonly unknown[] {
+    const { model, tool, animation, tasks, view, shown, starting, demos, sheet } = state;
     return [
       model,
       tool === "move",
@@ -204,13 +200,15 @@ export class Stage extends EditorElement {
       shown,
       starting,
       demos,
+      sheet,
     ];
   }
 
   override render(): TemplateResult {
-    const { model, tasks, view, starting, animation } = this.state;
+    const { model, tasks, view, starting, animation, sheet } = this.state;
     const empty = tasks.length === 0 && !starting;
     this.dataset.tone = view.background;
+    this.dataset.sheet = sheet ?? "";
     return html`
       <div
         class="view ${animation.clip !== null ? "moving" : animation.clips.length > 0 ? "still" : ""}"

@@ -16,7 +16,6 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { OverflowFade } from "../ui/overflow-fade.ts";
-import { NARROW, SIDEWAYS } from "../ui/page-shapes.ts";
 import { recentColors } from "../ui/recent-colors.ts";
 import "./color-palette.ts";
 import { checkField, choiceField } from "./property-fields.ts";
@@ -34,19 +33,18 @@ const GIVES_WAY: readonly ToolOption[] = [
   ...(["mirror", "filled", "contiguous", "opacity", "hardness", "tolerance"] as const),
   ...(["size", "pixelSize", "tip"] as const),
 ];
-/** Where what is laid open would cover the model: it stands in the sheet or in the side's panel. */
-const BESIDE = `(pointer: coarse), ${NARROW}, ${SIDEWAYS}`;
 
 export class ToolOptions extends EditorElement {
-  static override properties = { beside: { state: true }, sheet: { type: Boolean, reflect: true } };
-  declare beside: boolean;
+  static override properties = { coarse: { state: true }, sheet: { type: Boolean, reflect: true } };
+  /** A finger is the pointer. */
+  declare coarse: boolean;
   /** Shows only what is laid open, as a panel of the sheet. */
   declare sheet: boolean;
   /** What the bar's width follows from, as it was measured last. */
   #measured = "";
-  readonly #width = new ResizeObserver(() => this.requestUpdate());
-  readonly #beside = matchMedia(BESIDE);
-  #seenIn: Window = window;
+  #width: ResizeObserver | null = null;
+  #pointer: MediaQueryList | null = null;
+  #seenIn: Window & typeof globalThis = window;
 
   static override styles = [controls, propertyStyles, toolOptionsStyles];
 
@@ -55,7 +53,7 @@ export class ToolOptions extends EditorElement {
     // Where even the last of its options have no room.
     new OverflowFade(this, ".often");
     this.sheet = false;
-    this.beside = this.#beside.matches;
+    this.coarse = false;
   }
 
   get #words(): Strings["tools"] {
@@ -64,33 +62,41 @@ export class ToolOptions extends EditorElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    this.#beside.addEventListener("change", this.#resize);
     if (this.sheet) return;
     this.#seenIn = windowOf(this);
+    this.#pointer = this.#seenIn.matchMedia("(pointer: coarse)");
+    this.#pointer.addEventListener("change", this.#takeUp);
+    this.#takeUp();
     this.#seenIn.addEventListener("pointerdown", this.#pressed, { capture: true });
+    this.#width = new this.#seenIn.ResizeObserver(() => this.requestUpdate());
     this.#width.observe(this);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
-    this.#beside.removeEventListener("change", this.#resize);
+    this.#pointer?.removeEventListener("change", this.#takeUp);
     this.#seenIn.removeEventListener("pointerdown", this.#pressed, { capture: true });
-    this.#width.disconnect();
+    this.#width?.disconnect();
   }
 
-  readonly #resize = (): void => {
-    this.beside = this.#beside.matches;
+  readonly #takeUp = (): void => {
+    this.coarse = this.#pointer?.matches ?? false;
   };
+
+  /** Where what is laid open would cover the model: it stands in the sheet or in the side's panel. */
+  get #beside(): boolean {
+    return this.coarse || Boolean(this.state.sheet);
+  }
 
   /** A press elsewhere closes the seldom used fields; the palette stays while one paints. */
   readonly #pressed = (event: Event): void => {
-    if (this.beside || this.state.toolPanel !== "more" || event.composedPath().includes(this)) return;
+    if (this.#beside || this.state.toolPanel !== "more" || event.composedPath().includes(this)) return;
     this.editor.store.set({ toolPanel: null });
   };
 
   protected watched(state: EditorState): readonly unknown[] {
-    const { tool, toolSettings, model, design, selectedId, toolPanel, optionsGivenWay } = state;
-    return [tool, toolSettings, model, design.assets, selectedId, toolPanel, optionsGivenWay];
+    const { tool, toolSettings, model, design, selectedId, toolPanel, optionsGivenWay, sheet } = state;
+    return [tool, toolSettings, model, design.assets, selectedId, toolPanel, optionsGivenWay, sheet];
   }
 
   override render(): TemplateResult | typeof nothing {
@@ -120,7 +126,7 @@ export class ToolOptions extends EditorElement {
               </button>`
             : nothing
         }
-        ${this.beside ? nothing : this.#laidOpen(tool, seldom)}
+        ${this.#beside ? nothing : this.#laidOpen(tool, seldom)}
       </div>
     `;
   }

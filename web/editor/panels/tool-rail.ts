@@ -7,7 +7,6 @@ import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { OverflowFade } from "../ui/overflow-fade.ts";
-import { narrow } from "../ui/page-shapes.ts";
 
 const STEPS: Readonly<Record<string, number>> = { ArrowDown: 1, ArrowRight: 1, ArrowUp: -1, ArrowLeft: -1 };
 
@@ -61,12 +60,10 @@ export class ToolRail extends EditorElement {
           color: var(--accent-text);
         }
       }
-      @media ${narrow} {
-        [role="radiogroup"] {
-          flex-direction: row;
-          max-width: 100%;
-          margin-inline: auto;
-        }
+      :host([data-sheet="below"]) [role="radiogroup"] {
+        flex-direction: row;
+        max-width: 100%;
+        margin-inline: auto;
       }
     `,
   ];
@@ -76,13 +73,14 @@ export class ToolRail extends EditorElement {
   }
 
   protected watched(state: EditorState): readonly unknown[] {
-    const { tool, model, targets, design, selectedId, material, toolSettings } = state;
-    return [tool, model === null, targets, design.layers.length, selectedId, material, toolSettings.pixelMode];
+    const { tool, model, targets, design, selectedId, material, toolSettings, sheet } = state;
+    return [tool, model === null, targets, design.layers.length, selectedId, material, toolSettings.pixelMode, sheet];
   }
 
   override render(): TemplateResult {
     const { tools } = this.editor;
-    const { tool } = this.state;
+    const { tool, sheet } = this.state;
+    this.dataset.sheet = sheet ?? "";
     return html`
       <div role="radiogroup" aria-label=${this.#words.label} aria-orientation="vertical" @keydown=${this.#key}>
         ${tools.offered.map(

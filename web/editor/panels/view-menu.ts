@@ -10,7 +10,6 @@ import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
-import { NARROW, SIDEWAYS } from "../ui/page-shapes.ts";
 import "./view-settings.ts";
 
 /** Pixels between the panel and its button, and between it and the page's edges. */
@@ -20,11 +19,11 @@ export class ViewMenu extends EditorElement {
   static override properties = { open: { state: true } };
   /** Beside its button. */
   declare open: boolean;
-  readonly #hasSheet = matchMedia(`${NARROW}, ${SIDEWAYS}`);
   /** The stage that its button stands in, which the splitter makes narrower. */
-  readonly #moves = new ResizeObserver(() => this.#place());
+  #moves: ResizeObserver | null = null;
   #wasInSheet = false;
-  #seenIn: Window = window;
+  #hadSheet = false;
+  #seenIn: Window & typeof globalThis = window;
 
   static override styles = [
     controls,
@@ -75,27 +74,33 @@ export class ViewMenu extends EditorElement {
     super.connectedCallback();
     this.#seenIn = windowOf(this);
     this.#seenIn.addEventListener("resize", this.#place);
-    this.#hasSheet.addEventListener("change", this.#moveOver);
+    this.#moves = new this.#seenIn.ResizeObserver(this.#place);
+    const stage = this.getRootNode();
+    if (stage instanceof ShadowRoot) this.#moves.observe(stage.host);
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#seenIn.removeEventListener("resize", this.#place);
-    this.#moves.disconnect();
-    this.#hasSheet.removeEventListener("change", this.#moveOver);
+    this.#moves?.disconnect();
     // The view has given its place to the other one.
     this.#inSheet = false;
   }
 
-  override firstUpdated(): void {
-    const stage = this.getRootNode();
-    if (stage instanceof ShadowRoot) this.#moves.observe(stage.host);
+  /** What was open goes on where it now has its place. */
+  override willUpdate(): void {
+    if (this.#hasSheet !== this.#hadSheet && (this.open || this.#inSheet)) {
+      this.open = !this.#hasSheet;
+      this.#inSheet = this.#hasSheet;
+    }
+    this.#hadSheet = this.#hasSheet;
   }
 
   override updated(): void {
     this.#place();
     // What had the focus in the sheet went with it.
-    if (this.#wasInSheet && !this.#inSheet && document.activeElement === document.body) this.#opener?.focus();
+    if (this.#wasInSheet && !this.#inSheet && this.ownerDocument.activeElement === this.ownerDocument.body)
+      this.#opener?.focus();
     this.#wasInSheet = this.#inSheet;
   }
 
@@ -115,14 +120,18 @@ export class ViewMenu extends EditorElement {
     return this.strings.views;
   }
 
-  protected watched({ toolPanel }: EditorState): readonly unknown[] {
-    return [toolPanel === "view"];
+  get #hasSheet(): boolean {
+    return Boolean(this.state.sheet);
+  }
+
+  protected watched({ toolPanel, sheet }: EditorState): readonly unknown[] {
+    return [toolPanel === "view", Boolean(sheet)];
   }
 
   override render(): TemplateResult {
     const shown = this.open || this.#inSheet;
     const toggle = (): void => {
-      if (this.#hasSheet.matches) this.#inSheet = !shown;
+      if (this.#hasSheet) this.#inSheet = !shown;
       else this.open = !shown;
     };
     return html`
@@ -151,12 +160,6 @@ export class ViewMenu extends EditorElement {
     `;
   }
 
-  readonly #moveOver = (): void => {
-    if (!this.open && !this.#inSheet) return;
-    this.open = !this.#hasSheet.matches;
-    this.#inSheet = this.#hasSheet.matches;
-  };
-
   /** Beside its button, where there is room: towards the model, else to the other side; and within the page. */
   readonly #place = (): void => {
     const panel = this.renderRoot.querySelector<HTMLElement>("#view-panel");
@@ -167,10 +170,10 @@ export class ViewMenu extends EditorElement {
     const { offsetWidth: width, offsetHeight: height } = panel;
     const [before, after] = [opener.left - GAP - width, opener.right + GAP];
     const rightToLeft = getComputedStyle(this).direction === "rtl";
-    const [fitsBefore, fitsAfter] = [before >= GAP, after + width + GAP <= innerWidth];
+    const [fitsBefore, fitsAfter] = [before >= GAP, after + width + GAP <= this.#seenIn.innerWidth];
     const left = fitsAfter && (rightToLeft || !fitsBefore) ? after : Math.max(GAP, before);
     panel.style.left = `${left}px`;
-    panel.style.top = `${Math.max(GAP, Math.min(opener.top, innerHeight - height - GAP))}px`;
+    panel.style.top = `${Math.max(GAP, Math.min(opener.top, this.#seenIn.innerHeight - height - GAP))}px`;
   };
 
   /** Its button too: where the focus stays when it is opened by the pointer. */

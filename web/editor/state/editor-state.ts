@@ -126,6 +126,8 @@ export interface EditorState {
   readonly tool: ToolId;
   /** What is laid open beside the tabs' panels: of the tool, or of the view. */
   readonly toolPanel: LaidOpen | null;
+  /** Where the sheet stands, if one view is seen at a time; not set by whoever has no workbench. */
+  readonly sheet?: "below" | "beside" | null;
   /** How many of the chosen tool's options its bar has no room for. */
   readonly optionsGivenWay: number;
   readonly toolSettings: ToolSettings;

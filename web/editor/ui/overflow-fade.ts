@@ -1,5 +1,6 @@
 /** Where a row or a column that scrolls goes on, it fades out; and a plain wheel moves a row, too. */
 import type { ReactiveController, ReactiveControllerHost } from "lit";
+import { windowOf } from "../../viewer/window-of.ts";
 
 /** How far the fade reaches in, CSS length. */
 const REACH = "2.5rem";
@@ -50,7 +51,7 @@ function fadeOverflow(list: HTMLElement, signal: AbortSignal): void {
   };
   list.addEventListener("scroll", update, { passive: true, signal });
   list.addEventListener("wheel", (event) => moveRow(list, event), { signal });
-  const size = new ResizeObserver(update);
+  const size = new (windowOf(list).ResizeObserver)(update);
   const children = new MutationObserver(update);
   size.observe(list);
   children.observe(list, { childList: true, characterData: true, subtree: true });
