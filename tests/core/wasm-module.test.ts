@@ -34,13 +34,18 @@ describe("loading the core", () => {
     }
   });
 
-  it("names the address that cannot be read", async () => {
+  it("names the address that cannot be read, and says to look at it", async () => {
     const missing = new URL("no-such.wasm", address);
-    await expect(loadCore(missing)).rejects.toMatchObject({ code: "missing-file", subject: missing.href });
+    const told = { code: "missing-file", subject: missing.href, hint: expect.stringContaining("address") };
+    await expect(loadCore(missing)).rejects.toMatchObject(told);
   });
 
-  it("refuses bytes that are no WebAssembly", async () => {
-    await expect(loadCore(new TextEncoder().encode("not a module"))).rejects.toMatchObject({ code: "unsupported" });
+  it("refuses bytes that are no WebAssembly, as a server's page for what it does not have", async () => {
+    const page = new TextEncoder().encode("<!doctype html><title>Not found</title>");
+    await expect(loadCore(page)).rejects.toMatchObject({ code: "unsupported" });
+    const address = `data:text/html,${encodeURIComponent("<!doctype html>")}`;
+    const told = { code: "unsupported", subject: address, hint: expect.stringContaining("address") };
+    await expect(loadCore(address)).rejects.toMatchObject(told);
   });
 
   it("refuses a WebAssembly module that is not the core, naming what it lacks", async () => {

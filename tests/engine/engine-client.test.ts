@@ -329,6 +329,21 @@ describe("a worker that crashes", () => {
     expect(await engine.hash(0)).toBe(before);
   });
 
+  it("that never begins, as its page's policy forbids it, is told once: by what waits for it", async () => {
+    const { engine, workers } = start(() => new ThreadWorker(false));
+    const errors: Error[] = [];
+    engine.onError((error) => errors.push(error));
+    const opening = openPlane(engine);
+    for (let i = 0; i < 2; i++) workers.at(-1)?.fail("");
+    await expect(opening).rejects.toMatchObject({
+      code: "engine-crashed",
+      message: expect.stringContaining("worker-src"),
+    });
+    expect(errors).toEqual([]);
+    workers.at(-1)?.fail("");
+    expect(errors).toMatchObject([{ code: "engine-halted" }]);
+  });
+
   it("brings over a model that was being opened when it crashed, and a wish that was cancelled is over", async () => {
     const { engine, workers } = start();
     const opening = openPlane(engine);

@@ -25,6 +25,7 @@ export async function readBytes(address: URL | string, what: string): Promise<Ui
     throw new TexelcastError("missing-file", `${what} could not be read from ${address}: ${reason}.`, {
       subject: String(address),
       reason: "not-loaded",
+      hint: "Check its address.",
       cause,
     });
   }

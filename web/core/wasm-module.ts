@@ -17,7 +17,9 @@ declare global {
 
 export type CoreSource = URL | string | ArrayBuffer | ArrayBufferView<ArrayBuffer> | WebAssembly.Module;
 
-const NEEDS_SIMD = "WebAssembly with SIMD is needed: Chrome 91, Firefox 89, Safari 16.4, Node 20 or newer.";
+const NEEDS_SIMD =
+  "Check its address. WebAssembly with SIMD is needed: Chrome 91, Firefox 89, Safari 16.4, Node 20 or newer.";
+const SAME_RELEASE = "Build or install both from the same release.";
 
 /**
  * Loads the core: an address, its bytes, or a compiled module; the project's own build by default. Rejects with
@@ -93,7 +95,7 @@ export class CoreModule {
       throw new TexelcastError(
         "unsupported",
         `The engine's WebAssembly has ABI version ${version}, but this program needs version ${ABI_VERSION}.`,
-        { field: "txc_abi_version", value: String(version), hint: "Build or install both from the same release." },
+        { field: "txc_abi_version", value: String(version), hint: SAME_RELEASE },
       );
     }
     const names: string[] = [];
@@ -261,7 +263,7 @@ export class CoreModule {
 function notACore(missing: string): TexelcastError {
   return new TexelcastError("unsupported", `The WebAssembly given is not Texelcast's engine: it lacks ${missing}.`, {
     field: missing,
-    hint: "Build the module with the project's own preset, or point to build/wasm/texelcast.wasm.",
+    hint: SAME_RELEASE,
   });
 }
 

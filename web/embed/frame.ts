@@ -39,13 +39,21 @@ const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
 
 /**
  * Puts the editor's page into `container` and resolves when it has answered. Rejects with a TexelcastError: "bad-argument"
- * for a page without an http(s) address, "timeout" when the page does not answer, "unsupported" when it speaks another
+ * for a page without an http(s) address or a `beforeAccept` that is no function, "timeout" when the page does not answer, "unsupported" when it speaks another
  * version; the iframe is then taken away again.
  */
 export async function mountTexelcast(container: Element, options: MountOptions): Promise<TexelcastFrame> {
   const { page, title = "Product designer", timeoutMs } = options;
-  const beforeAccept = options.beforeAccept ?? null;
+  const beforeAccept = options.beforeAccept || null;
   const address = pageAddress(page);
+  // The shop's say must not be missed: its page would learn of it file by file.
+  if (beforeAccept && typeof beforeAccept !== "function") {
+    throw new TexelcastError("bad-argument", "“beforeAccept” must be a function.", {
+      field: "beforeAccept",
+      value: String(beforeAccept),
+      hint: "Give a function that answers whether a file may be used, or leave it out.",
+    });
+  }
   const iframe = container.ownerDocument.createElement("iframe");
   iframe.title = title;
   iframe.setAttribute("sandbox", SANDBOX);

@@ -323,7 +323,9 @@ class EngineClient implements Engine {
         ? foreignWorker({ type: "module", name: "texelcast" })
         : new Worker(new URL("./engine-worker.ts", import.meta.url), { type: "module", name: "texelcast" }));
     worker.onmessage = ({ data }: MessageEvent<WorkerMessage>) => this.#receive(data);
-    worker.onerror = (event) => this.#crash(crashError(event.message || "its script could not be loaded or run"));
+    // Without a message it never began, which whoever waits for it is told.
+    worker.onerror = ({ message }) =>
+      this.#crash(crashError(message || "its script could not be loaded (see worker-src)"), !message);
     worker.onmessageerror = () => this.#crash(crashError("one of its messages could not be read"));
     this.#worker = worker;
     this.#watch = new WorkerWatch({
@@ -405,7 +407,7 @@ class EngineClient implements Engine {
     for (const { reject } of pending) reject(error);
   }
 
-  #crash(error: TexelcastError): void {
+  #crash(error: TexelcastError, silently = false): void {
     const now = Date.now();
     this.#crashes = [...this.#crashes.filter((time) => now - time < CRASH_WINDOW_MS), now];
     if (this.#crashes.length >= MAX_CRASHES) {
@@ -414,7 +416,7 @@ class EngineClient implements Engine {
       this.#report(this.#halted);
       return;
     }
-    this.#report(error);
+    if (!silently) this.#report(error);
     this.#restart(error);
   }
 
