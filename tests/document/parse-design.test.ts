@@ -161,6 +161,14 @@ describe("refusing a design", () => {
     );
   });
 
+  it("takes a hundred unknown fields of one object for enough of them", () => {
+    const unknown = Object.fromEntries(Array.from({ length: 900 }, (_, at) => [`field${at}`, at]));
+    const { message, field } = refusal({ format: "texelcast-design", version: 1, layers: [], ...unknown });
+    expect(field).toBe("field0");
+    expect(message.split("; ")).toHaveLength(21);
+    expect(message).toMatch(/; and 80 more$/);
+  });
+
   it("names every key that stands twice in one object: programs do not agree which of the two holds", () => {
     const error = refusal(
       '{"format":"texelcast-design","version":1,"assets":{"a\\"b":{"type":"image/png","uri":"a\\\\"},"a\\u0022b":{"type":"image/png",' +
