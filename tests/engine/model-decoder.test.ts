@@ -165,6 +165,23 @@ describe("a compressed model", () => {
     expect(gltf.accessors[indices]).toMatchObject({ count: 3, componentType: 5123 });
   });
 
+  it("may have a texture without a picture, which says no more than the material's coordinates", async () => {
+    const [expected, ...found] = await Promise.all(
+      [plain, draco, meshopt].map(async (model) => {
+        const bytes = changed(model, (json) => {
+          delete (json.textures as [JsonObject])[0].source;
+          for (const material of json.materials as JsonObject[]) material.normalTexture = { index: 0 };
+        });
+        const engine = createEngineHost();
+        const { materials } = await engine.loadModel({ name: "bare.glb", bytes });
+        engine.dispose();
+        return materials.map(({ refusal, textureSize, texCoord }) => ({ refusal, textureSize, texCoord }));
+      }),
+    );
+    expect(expected?.[0]).toEqual({ refusal: null, textureSize: null, texCoord: 0 });
+    expect(found).toEqual([expected, expected]);
+  });
+
   it("is refused with a typed error when its data is damaged", async () => {
     for (const bytes of [draco, meshopt]) {
       const start = 28 + new DataView(bytes.buffer, bytes.byteOffset).getUint32(12, true);

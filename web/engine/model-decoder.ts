@@ -6,7 +6,7 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { readCodec } from "./codec-wasm.ts";
 import { stringifyExact } from "./exact-numbers.ts";
-import { badContainer, indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
+import { badContainer, indexAt, isObject, type JsonObject, listForWriting, listOf, objectAt } from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
 import { compressionOf, DRACO } from "./model-compression.ts";
 
@@ -15,6 +15,10 @@ const [EXT_MESHOPT, KHR_MESHOPT] = MESHOPT_EXTENSIONS;
 /** Meshopt's counts are not bounded by the compressed size, so they are bounded here, before anything is allocated. */
 const MAX_DECODED_BYTES = 2 ** 30;
 
+/** Stands for a picture that is not there: one white pixel, which shows nothing. */
+const BLANK = "blank.png";
+const BLANK_PNG = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4DwABAQEAHLCMmQAAAABJRU5ErkJggg==";
+
 /**
  * The model without compression, as a GLB; materials keep their indices. `packed` is left as it was. Throws "bad-model"
  * when the compressed data cannot be decoded.
@@ -22,6 +26,7 @@ const MAX_DECODED_BYTES = 2 ** 30;
 export async function decodeModel(packed: PackedGltf, name: string): Promise<Uint8Array> {
   const json = withExtMeshopt(JSON.parse(stringifyExact(packed.json)) as JsonObject, name);
   checkMeshoptSizes(json, name);
+  fillTextures(json, name);
   const used = compressionOf(json);
   const [{ GLB_BUFFER, Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([
     import("@gltf-transform/core"),
@@ -36,8 +41,12 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
   }
   try {
     const binary = (packed.binary ?? new Uint8Array()) as Uint8Array<ArrayBuffer>;
+    const blank = Uint8Array.from(atob(BLANK_PNG), (byte) => byte.charCodeAt(0));
     type Gltf = Parameters<typeof io.readJSON>[0]["json"];
-    const document = await io.readJSON({ json: json as unknown as Gltf, resources: { [GLB_BUFFER]: binary } });
+    const document = await io.readJSON({
+      json: json as unknown as Gltf,
+      resources: { [GLB_BUFFER]: binary, [BLANK]: blank },
+    });
     const root = document.getRoot();
     for (const extension of root.listExtensionsUsed()) {
       if (used.includes(extension.extensionName)) extension.dispose();
@@ -78,6 +87,22 @@ function withExtMeshopt(json: JsonObject, name: string): JsonObject {
     if (Array.isArray(list)) json[key] = [...new Set(list.map((item) => (item === KHR_MESHOPT ? EXT_MESHOPT : item)))];
   }
   return json;
+}
+
+/** A texture may name no picture, which @gltf-transform does not take: its place still says which coordinates a material has. */
+function fillTextures(json: JsonObject, name: string): void {
+  const textures = listOf(json, "textures", name);
+  const bare = new Set<unknown>();
+  for (const [index, texture] of textures.entries()) {
+    const others = Object.values(objectAt(texture, "extensions") ?? {}).some((extension) => isObject(extension));
+    if (texture.source === undefined && !others) bare.add(index);
+  }
+  if (bare.size === 0) return;
+  const source = listForWriting(json, "images", name).push({ uri: BLANK }) - 1;
+  for (const index of bare) Object.assign(textures[index as number] as JsonObject, { source });
+  // As a direction, white would tilt the surface.
+  for (const material of listOf(json, "materials", name))
+    if (bare.has(objectAt(material, "normalTexture")?.index)) delete material.normalTexture;
 }
 
 function checkMeshoptSizes(json: JsonObject, name: string): void {
