@@ -12,7 +12,8 @@ export { resolveLayers } from "../web/editor/document/resolve-layers.ts";
 export { parseZones } from "../web/editor/document/zones.ts";
 export type * from "../web/engine/engine-api.ts";
 export type { EngineHost } from "../web/engine/engine-host.ts";
-export type { PrintFinding, PrintMeasures, PrintReport } from "../web/engine/print-report.ts";
+export type * from "../web/engine/print-report.ts";
+export type { PrintZone, PrintZones } from "../web/engine/print-zones.ts";
 export * from "./print.ts";
 
 export type EngineOptions = EngineHostOptions;

@@ -99,6 +99,8 @@ export async function buildPackage() {
     target: "node20",
     splitting: true,
     chunkNames: "node-[hash]",
+    // What a server logs of an error begins with its class's name.
+    keepNames: true,
     // Draco's glue is CommonJS: it asks for both at once, before it looks at the WebAssembly that it is given.
     define: { __dirname: "import.meta.dirname" },
     banner: {

@@ -5,7 +5,8 @@
  * @type {Readonly<Record<string, {source: string, name: string, runs: "page" | "node", server?: string}>>}
  */
 export const ENTRIES = {
-  ".": { source: "web/package/index.ts", name: "index", runs: "page" },
+  // Of Node's own bundle there: what `texelcast/node` throws must be of the class that this one names.
+  ".": { source: "web/package/index.ts", name: "index", runs: "page", server: "web/package/index.ts" },
   "./define": {
     source: "web/element/define.ts",
     name: "define",

@@ -71,6 +71,16 @@ test.each(Object.keys(ENTRIES))("the import %s works in bare Node and starts not
   expect(JSON.parse(await runInNode(installed.folder, script))).toEqual({ names: !TYPES_ALONE.includes(path), added });
 });
 
+test("what a server's entry throws is of the class that the root import names, and is logged by that name", async () => {
+  const script = `
+    import { inspect } from "node:util";
+    import { TexelcastError } from "texelcast";
+    import { renderPrint } from "texelcast/node";
+    const error = await renderPrint({}).catch((thrown) => thrown);
+    console.log(error instanceof TexelcastError, inspect(error).split(":")[0]);`;
+  expect(await runInNode(installed.folder, script)).toBe("true TexelcastError");
+});
+
 test("the installed command line tells its version", async () => {
   const { version } = JSON.parse(readFileSync(join(CHECKOUT, "package.json"), "utf8")) as { version: string };
   const cli = join(installed.folder, "node_modules/texelcast/dist/cli.js");

@@ -32,9 +32,11 @@ const PAGE_FILES = {
   "core.ts": `
     import { EDITOR_TAG, TexelcastError } from "texelcast";
     import { createEngine, parseDesign } from "texelcast/core";
+    import type { LayerPrint, PrintFile, PrintFileOptions, PrintMapKind, PrintReport, PrintZone, PrintZones } from "texelcast/core";
     import { mountTexelcast } from "texelcast/embed";
     import { hostEditor } from "texelcast/host";
     const { hash } = createEngine({ wasm: "/texelcast.wasm" });
+    export type PrintWork = [LayerPrint, PrintFile, PrintFileOptions, PrintMapKind, PrintReport, PrintZone, PrintZones];
     export const all = [EDITOR_TAG, TexelcastError, parseDesign, mountTexelcast, hostEditor, hash];`,
   "three.ts": `
     import { Mesh, WebGLRenderer } from "three";
@@ -44,8 +46,10 @@ const PAGE_FILES = {
 
 const NODE_FILES = {
   "print.ts": `
-    import { parseZones, renderPrint } from "texelcast/node";
+    import { parseZones, renderPrint, type PrintMapKind, type PrintZones } from "texelcast/node";
     const { sha256 } = await renderPrint({ model: "mug.glb", design: "{}", size: 512 });
+    export const read: PrintZones = parseZones("{}");
+    export const map: PrintMapKind = "dpi";
     export const zones: number = parseZones("{}").zones.length + sha256.length;
     // @ts-expect-error A zones file's content is no number.
     export const wrong: number = parseZones("{}");`,

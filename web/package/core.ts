@@ -11,6 +11,9 @@ export type { Design, DesignAsset, DesignLayer } from "../editor/document/design
 export { parseDesign } from "../editor/document/parse-design.ts";
 export { resolveLayers } from "../editor/document/resolve-layers.ts";
 export type * from "../engine/engine-api.ts";
+// What its methods take and give.
+export type * from "../engine/print-report.ts";
+export type { PrintZone, PrintZones } from "../engine/print-zones.ts";
 
 export type EngineOptions = EngineClientOptions;
 
