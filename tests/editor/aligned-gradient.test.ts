@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { roundGradient } from "../../web/editor/state/aligned-gradient.ts";
-import type { OpenModel } from "../../web/editor/state/editor-state.ts";
+import type { OpenModel } from "../../web/editor/state/design-state.ts";
 
 test("a round gradient reaches as far as the model's longest side, so that its circle is in the view whole", () => {
   const info = { boundsMin: [-1, 0, 2], boundsMax: [1, 6, 5] };

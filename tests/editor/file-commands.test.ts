@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import type { AssetLibrary } from "../../web/editor/state/asset-library.ts";
 import type { DecalCommands } from "../../web/editor/state/decal-commands.ts";
-import { type EditorState, INITIAL_STATE, type OpenModel } from "../../web/editor/state/editor-state.ts";
+import type { OpenModel } from "../../web/editor/state/design-state.ts";
+import { type EditorState, INITIAL_STATE } from "../../web/editor/state/editor-state.ts";
 import { FileCommands, type FileCommandsParts } from "../../web/editor/state/file-commands.ts";
 import { NoticeBoard } from "../../web/editor/state/notice-board.ts";
 import { Store } from "../../web/editor/state/store.ts";

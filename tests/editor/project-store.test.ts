@@ -11,7 +11,7 @@ import {
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
 import { encodeDataUri } from "../../web/editor/files/data-uri.ts";
-import type { ModelRef } from "../../web/editor/state/editor-state.ts";
+import type { ModelRef } from "../../web/editor/state/design-state.ts";
 import { ProjectPacker } from "../../web/editor/storage/packed-project.ts";
 import type { ProjectContent } from "../../web/editor/storage/project.ts";
 import { ProjectStore } from "../../web/editor/storage/project-store.ts";

@@ -2,8 +2,9 @@
 import { html, type TemplateResult } from "lit";
 import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import type { DesignLayer } from "../document/index.ts";
+import { diagonalOf } from "../state/design-state.ts";
 import type { Editor } from "../state/editor.ts";
-import { diagonalOf, type EditorState } from "../state/editor-state.ts";
+import type { EditorState } from "../state/editor-state.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
 import { type LengthUnit, unitFor } from "../tools/length-unit.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";

@@ -4,7 +4,8 @@
  */
 import { css, html, nothing, type TemplateResult } from "lit";
 import { windowOf } from "../../viewer/window-of.ts";
-import type { EditorState, ModelRef } from "../state/editor-state.ts";
+import type { ModelRef } from "../state/design-state.ts";
+import type { EditorState } from "../state/editor-state.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import "./parts-list.ts";

@@ -5,8 +5,9 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { ArrowLeftRight, ChevronDown, Palette, SlidersHorizontal } from "lucide";
 import { windowOf } from "../../viewer/window-of.ts";
+import { diagonalOf } from "../state/design-state.ts";
 import type { Editor } from "../state/editor.ts";
-import { diagonalOf, type EditorState } from "../state/editor-state.ts";
+import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
 import { stepFor, unitFor } from "../tools/length-unit.ts";
 import type { Tool, ToolOption, ToolPanel } from "../tools/tool.ts";

@@ -1,7 +1,7 @@
 /** Gradients that are laid over the whole model. */
 import type { Vec3 } from "../../engine/engine-api.ts";
 import type { Gradient, GradientStop } from "../document/index.ts";
-import type { OpenModel } from "./editor-state.ts";
+import type { OpenModel } from "./design-state.ts";
 
 export type ModelAxis = "x" | "y" | "z";
 

@@ -8,7 +8,8 @@ import { mirroredProjector } from "../document/mirror-layer.ts";
 import { resolveLayers } from "../document/resolve-layers.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import { layerById } from "./design-edits.ts";
-import type { EditorState, HistorySteps, ModelRef, Snapshot } from "./editor-state.ts";
+import type { DesignState, HistorySteps, ModelRef, Snapshot } from "./design-state.ts";
+
 import { History } from "./history.ts";
 import { OpenWork } from "./open-work.ts";
 import type { Store } from "./store.ts";
@@ -17,7 +18,7 @@ export interface DesignSessionParts {
   readonly engine: Engine;
   readonly viewer: ModelView;
   readonly library: AssetLibrary;
-  readonly store: Store<EditorState>;
+  readonly store: Store<DesignState>;
   /** Sees to work that goes on after a call, and tells the user where it fails. */
   readonly later: (work: Promise<void>) => void;
 }
@@ -26,7 +27,7 @@ export class DesignSession {
   readonly #engine: Engine;
   readonly #viewer: ModelView;
   readonly #library: AssetLibrary;
-  readonly #store: Store<EditorState>;
+  readonly #store: Store<DesignState>;
   readonly #later: (work: Promise<void>) => void;
   readonly #history = new History<Snapshot>({ design: emptyDesign(), model: null });
   #saved: Design = this.#history.present.design;
@@ -179,7 +180,7 @@ export class DesignSession {
   #present(
     id: string | null,
     others: readonly string[],
-  ): Pick<EditorState, "selectedId" | "selection" | "editingMask"> {
+  ): Pick<DesignState, "selectedId" | "selection" | "editingMask"> {
     const { design } = this;
     const selection = [...new Set(id === null ? others : [id, ...others])].filter((each) => layerById(design, each));
     const { selection: before, editingMask } = this.#store.state;

@@ -24,15 +24,9 @@ import { DecalCommands } from "./decal-commands.ts";
 import { DecalReach } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
 import { DesignSession } from "./design-session.ts";
+import type { ModelRef } from "./design-state.ts";
 import { DrawingTask } from "./drawing-task.ts";
-import {
-  type EditorState,
-  type Figures,
-  INITIAL_FIGURES,
-  INITIAL_STATE,
-  type ModelRef,
-  type TargetSettings,
-} from "./editor-state.ts";
+import { type EditorState, type Figures, INITIAL_FIGURES, INITIAL_STATE, type TargetSettings } from "./editor-state.ts";
 import { FileCommands } from "./file-commands.ts";
 import { tellOfLostGraphics } from "./graphics-loss.ts";
 import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";

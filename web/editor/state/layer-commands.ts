@@ -17,7 +17,8 @@ import type { Admission } from "./admission.ts";
 import { clearPlace } from "./clear-place.ts";
 import { layerById, patchLayers, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
-import { diagonalOf, type EditorState } from "./editor-state.ts";
+import { diagonalOf } from "./design-state.ts";
+import type { EditorState } from "./editor-state.ts";
 import { fitToModel, putClip } from "./layer-clip.ts";
 import {
   addMask,

@@ -1,6 +1,6 @@
 /** What of a text cannot come onto the model as it was meant: characters that no font has, and words wider than the model. */
 import type { Projector, TextMeasure } from "../../engine/engine-api.ts";
-import type { OpenModel } from "./editor-state.ts";
+import type { OpenModel } from "./design-state.ts";
 
 /** Of the characters that no font has, those that none had before the change. */
 export function newlyMissing(before: TextMeasure, now: TextMeasure): readonly string[] {

@@ -7,7 +7,8 @@
 import type { TexelcastError } from "../../core/texelcast-error.ts";
 import type { TextLayer } from "../document/index.ts";
 import { patchLayer } from "../state/design-edits.ts";
-import type { EditorState, ModelRef, Snapshot, TargetSettings } from "../state/editor-state.ts";
+import type { ModelRef, Snapshot } from "../state/design-state.ts";
+import type { EditorState, TargetSettings } from "../state/editor-state.ts";
 import type { Store } from "../state/store.ts";
 import type { Strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";

@@ -1,6 +1,7 @@
 /** A project: a design with the model it is for, under a name. What is kept in the browser, and what a file holds. */
 import type { Design } from "../document/index.ts";
-import type { ModelRef, TargetSettings } from "../state/editor-state.ts";
+import type { ModelRef } from "../state/design-state.ts";
+import type { TargetSettings } from "../state/editor-state.ts";
 
 /** A project as the editor has it: every picture is inside the design, as a `data:` URI. */
 export interface ProjectContent {

@@ -1,7 +1,7 @@
 /** What a clone stroke copies, in either view: read once when the stroke begins, and cut to the stroke when it ends. */
 import type { Picture } from "../../engine/engine-api.ts";
 import type { PerspectiveProjector, Projector, StrokeLayer, UvProjector } from "../document/index.ts";
-import { diagonalOf } from "../state/editor-state.ts";
+import { diagonalOf } from "../state/design-state.ts";
 import { areaOf, eyeOf, joinedArea, type Look, type LookArea } from "./clone-look.ts";
 import { areaAround, type PixelArea, pictureOfSight, pieceOf } from "./clone-picture.ts";
 import type { ToolContext } from "./tool-context.ts";

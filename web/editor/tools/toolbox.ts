@@ -1,7 +1,8 @@
 /** The tools and which of them is chosen. Tools register themselves here; the rail and the options bar read it. */
 import { LOOK_ONLY } from "../../viewer/look-only.ts";
 import type { ModelViewer, TextureView, ToolInput } from "../../viewer/viewer-api.ts";
-import { diagonalOf, type EditorState } from "../state/editor-state.ts";
+import { diagonalOf } from "../state/design-state.ts";
+import type { EditorState } from "../state/editor-state.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import type { Store } from "../state/store.ts";
 import { isPixelated } from "./pixel-mode.ts";

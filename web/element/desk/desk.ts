@@ -15,7 +15,7 @@ import {
   withoutUnusedAssets,
 } from "../../editor/state/design-edits.ts";
 import type { DesignSession } from "../../editor/state/design-session.ts";
-import type { EditorState } from "../../editor/state/editor-state.ts";
+import type { DesignState } from "../../editor/state/design-state.ts";
 import { OpenWork } from "../../editor/state/open-work.ts";
 import type { Store } from "../../editor/state/store.ts";
 import { ToldError } from "../../editor/strings/told-error.ts";
@@ -30,7 +30,7 @@ export interface DeskParts {
   readonly viewer: ModelView;
   /** Loads what takes hold of the view; asked for once, and again where it failed. */
   readonly loadHands: () => Promise<DecalViewer>;
-  readonly store: Store<EditorState>;
+  readonly store: Store<DesignState>;
   readonly session: DesignSession;
   readonly library: AssetLibrary;
   readonly hooks: DeskHooks;
@@ -39,12 +39,12 @@ export interface DeskParts {
 export class Desk {
   readonly engine: Engine;
   readonly viewer: ModelView;
-  readonly store: Store<EditorState>;
+  readonly store: Store<DesignState>;
   readonly session: DesignSession;
   readonly library: AssetLibrary;
   readonly reach: DecalReach;
   readonly hooks: DeskHooks;
-  #seen: Pick<EditorState, "selectedId">;
+  #seen: Pick<DesignState, "selectedId">;
   /** What the page knows of; null until the desk is open. */
   #recorded: Design | null = null;
   readonly #closing = new AbortController();

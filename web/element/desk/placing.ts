@@ -5,7 +5,7 @@ import { freeIdIn } from "../../editor/document/layer-tree.ts";
 import { makeDecalLayer } from "../../editor/document/make-layer.ts";
 import { fileStem } from "../../editor/files/download.ts";
 import { addOnTop, withAsset } from "../../editor/state/design-edits.ts";
-import { diagonalOf } from "../../editor/state/editor-state.ts";
+import { diagonalOf } from "../../editor/state/design-state.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
 import { ToldError } from "../../editor/strings/told-error.ts";
 import type { Projector } from "../../engine/engine-api.ts";

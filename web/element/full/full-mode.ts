@@ -109,7 +109,7 @@ class FullMode implements Mode {
     this.#editor.resizeTargets(this.desk.settings.size);
     await this.#editor.open(ref, (await readDesign?.(this.desk.library)) ?? emptyDesign());
     this.#chooseMaterial();
-    this.desk.store.set({ starting: false });
+    this.#editor.store.set({ starting: false });
     this.desk.opened();
     this.configure();
     await this.#settled();
@@ -169,7 +169,8 @@ class FullMode implements Mode {
 
   configure(): void {
     const { camera, readonly, words } = this.desk.settings;
-    const { viewer, store, session } = this.desk;
+    const { viewer, session } = this.desk;
+    const { store } = this.#editor;
     viewer.setCamera(null, camera);
     if (readonly && !store.state.readonly) session.select(null);
     store.set({ language: words.language, readonly });
@@ -181,7 +182,7 @@ class FullMode implements Mode {
   async resize(): Promise<void> {
     this.#chooseMaterial();
     const { size } = this.desk.settings;
-    if (size !== this.desk.store.state.usualTarget.size) this.#editor.resizeTargets(size);
+    if (size !== this.#editor.store.state.usualTarget.size) this.#editor.resizeTargets(size);
     await this.#settled();
   }
 

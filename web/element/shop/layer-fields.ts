@@ -1,7 +1,7 @@
 /** The fields of what is chosen: its words, its size, its turn. */
 import { html, nothing, type TemplateResult } from "lit";
 import type { DesignLayer, TextLayer } from "../../editor/document/design.ts";
-import { diagonalOf } from "../../editor/state/editor-state.ts";
+import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import { orientationOf } from "../../editor/state/rotation.ts";
 import "../../editor/ui/number-field.ts";

@@ -3,7 +3,7 @@ import { type Design, emptyDesign } from "../../editor/document/design.ts";
 import { AssetLibrary } from "../../editor/state/asset-library.ts";
 import { usedMaterials } from "../../editor/state/design-edits.ts";
 import { DesignSession } from "../../editor/state/design-session.ts";
-import { type EditorState, INITIAL_STATE } from "../../editor/state/editor-state.ts";
+import { type DesignState, INITIAL_DESIGN_STATE } from "../../editor/state/design-state.ts";
 import { Store } from "../../editor/state/store.ts";
 import type { HeldView } from "../../viewer/decal-viewer.ts";
 import type { DecalGesture, DecalViewer, MapPicture } from "../../viewer/viewer-api.ts";
@@ -13,13 +13,13 @@ import type { OpenProduct, ShopProduct } from "./shop-product.ts";
 export class ShopDesk extends Desk {
   readonly #product: ShopProduct;
   readonly #held: { readonly view: HeldView | null };
-  #shown: Pick<EditorState, "design" | "selectedId">;
+  #shown: Pick<DesignState, "design" | "selectedId">;
   /** Materials whose targets were asked for and are not open yet: a drag asks with every move. */
   readonly #coming = new Set<number>();
 
   constructor(product: ShopProduct) {
     const { engine, viewer, hooks } = product;
-    const store = new Store<EditorState>(INITIAL_STATE);
+    const store = new Store<DesignState>(INITIAL_DESIGN_STATE);
     const library = new AssetLibrary(engine);
     const later = (work: Promise<void>): void => product.attempt(this.during(work));
     const session = new DesignSession({ engine, viewer, library, store, later });

@@ -1,6 +1,6 @@
 /** Keys inside the element. What has the focus comes first: a text field keeps every key, a choice its arrows. */
 
-import { diagonalOf } from "../../editor/state/editor-state.ts";
+import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import type { Desk } from "../desk/desk.ts";
 
