@@ -7,6 +7,7 @@ import {
   findLayer,
   flattenLayers,
   freeIdIn,
+  freeIdsIn,
   insertAt,
   layerDepth,
   layerIds,
@@ -20,7 +21,7 @@ import {
   parseDesign,
   removeById,
   walkLayers,
-  withFreeIds,
+  withIds,
 } from "../../web/editor/document/index.ts";
 import { isLocked, mapLayers, removeByIds } from "../../web/editor/document/layer-tree.ts";
 import { addMask, duplicateLayers } from "../../web/editor/state/layer-edits.ts";
@@ -176,7 +177,7 @@ describe("the tree of layers", () => {
   });
 
   it("gives copies ids that no layer has, down to the strokes and masks", () => {
-    const copy = withFreeIds(tree(), findLayer(tree(), "g") as DesignLayer);
+    const copy = withIds(findLayer(tree(), "g") as DesignLayer, freeIdsIn(tree()));
     const ids = flattenLayers({ layers: [copy] }).map(({ id }) => id);
     expect(new Set(ids).size).toBe(5);
     expect(ids.some((id) => layerIds(tree()).has(id))).toBe(false);

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { type Design, emptyDesign, makeDecalLayer, makeGroupLayer } from "../../web/editor/document/index.ts";
-import { clearPlace } from "../../web/editor/state/clear-place.ts";
+import { clearPlaces } from "../../web/editor/state/clear-place.ts";
 import type { PlanarProjector, Projector, UvProjector } from "../../web/engine/engine-api.ts";
 
 const box = (x: number, y: number): PlanarProjector => ({
@@ -23,25 +23,25 @@ const wall = {
 };
 
 it("leaves a place as it is where no other decal lies, or one beside it", () => {
-  expect(clearPlace(box(0, 0), designOf(box(3, 0)), 100, wall)).toEqual(box(0, 0));
+  expect(clearPlaces(designOf(box(3, 0)), 100, wall)(box(0, 0))).toEqual(box(0, 0));
 });
 
 it("goes down to the right past every decal that lies on the way", () => {
-  expect(clearPlace(box(0, 0), designOf(box(0, 0), box(4, -4)), 100, wall)).toEqual(box(8, -8));
+  expect(clearPlaces(designOf(box(0, 0), box(4, -4)), 100, wall)(box(0, 0))).toEqual(box(8, -8));
 });
 
 it("sees what lies in a group", () => {
   const { layers } = designOf(box(0, 0));
   const grouped = { layers: [makeGroupLayer({ id: "g", layers })] };
-  expect(clearPlace(box(0, 0), grouped, 100, wall)).toEqual(box(4, -4));
+  expect(clearPlaces(grouped, 100, wall)(box(0, 0))).toEqual(box(4, -4));
 });
 
 it("ends where the model does", () => {
   const end = { nudge: (projector: Projector) => projector };
-  expect(clearPlace(box(0, 0), designOf(box(0, 0)), 100, end)).toEqual(box(0, 0));
+  expect(clearPlaces(designOf(box(0, 0)), 100, end)(box(0, 0))).toEqual(box(0, 0));
 });
 
 it("sets a stamp apart in the texture, and leaves alone what covers all of it", () => {
-  expect(clearPlace(stamp(0.2), designOf(stamp(0.2)), 100, wall).center[0]).toBeCloseTo(0.54);
-  expect(clearPlace(stamp(1), designOf(stamp(1)), 100, wall)).toEqual(stamp(1));
+  expect(clearPlaces(designOf(stamp(0.2)), 100, wall)(stamp(0.2)).center[0]).toBeCloseTo(0.54);
+  expect(clearPlaces(designOf(stamp(1)), 100, wall)(stamp(1))).toEqual(stamp(1));
 });

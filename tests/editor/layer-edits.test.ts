@@ -14,6 +14,7 @@ import {
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
 import { isLocked } from "../../web/editor/document/layer-tree.ts";
+import { clipOf, putClip } from "../../web/editor/state/layer-clip.ts";
 import {
   addMask,
   duplicateLayers,
@@ -163,5 +164,54 @@ describe("masks", () => {
     expect(findLayer(invertMask(hides, "a"), "a")?.mask?.invert).toBe(true);
     expect(removeMask(hides, "a")).toEqual(design);
     expect(addMask(hides, "a", false), "a mask that is there stays").toBe(hides);
+  });
+});
+
+describe("very many chosen layers", () => {
+  /** How often an edit of all of so many layers asks what one of them holds, as every walk of the tree does. */
+  function looks(count: number, edit: (design: Design, ids: string[]) => unknown): number {
+    let asked = 0;
+    const layers = Array.from({ length: count }, (_, k) =>
+      Object.defineProperty(fill(`l${k}`), "mask", {
+        enumerable: true,
+        get: () => {
+          asked += 1;
+          return null;
+        },
+      }),
+    );
+    edit(
+      designOf(fill("below"), ...layers, group("g")),
+      layers.map(({ id }) => id),
+    );
+    return asked / count;
+  }
+
+  it.each<[string, (design: Design, ids: string[]) => unknown]>([
+    ["copied beside themselves", (design, ids) => duplicateLayers(design, ids)],
+    ["put into a group", (design, ids) => moveLayers(design, ids, { parentId: "g", index: 0 })],
+    ["made a group", (design, ids) => groupLayers(design, ids, { name: "Group" })],
+    ["pasted", (design, ids) => putClip(design, clipOf(design, ids), null)],
+    [
+      "taken out of their group",
+      (design, ids) => ungroupLayers(groupLayers(design, ids, { name: "Group" })?.design as Design, ["layer-203"]),
+    ],
+  ])("are not walked once for each when they are %s", (_, edit) => {
+    expect(looks(200, edit)).toBeLessThan(25);
+  });
+
+  it("each have a copy with a name and an id of its own, right above them", () => {
+    const twins = designOf(...["a", "b", "c"].map((id) => ({ ...fill(id), name: "Star" }) as DesignLayer), group("g"));
+    const made = duplicateLayers(twins, ["c", "a", "g"]);
+    expect(made.design.layers.map(({ id, name }) => `${id} ${name}`)).toEqual([
+      "a Star",
+      "layer-5 Star 2",
+      "b Star",
+      "c Star",
+      "layer-6 Star 3",
+      "g g",
+      "layer-7 g 2",
+    ]);
+    expect(made.ids).toEqual(["layer-5", "layer-6", "layer-7"]);
   });
 });

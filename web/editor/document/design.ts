@@ -312,6 +312,3 @@ export function freeLayerNumber(taken: ReadonlySet<string>, start: number): numb
 
 /** "layer-7": the form of the ids that are made up. */
 export const layerIdOf = (number: number): string => `layer-${number}`;
-
-/** An id of that form that none of `taken` uses; counting starts at `start`. */
-export const freeLayerId = (taken: ReadonlySet<string>, start = 1): string => layerIdOf(freeLayerNumber(taken, start));

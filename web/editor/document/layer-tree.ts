@@ -4,7 +4,7 @@
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { sameItems } from "../../engine/same-items.ts";
-import { type Design, type DesignLayer, freeLayerId, materialsOf } from "./design.ts";
+import { type Design, type DesignLayer, freeLayerNumber, layerIdOf, materialsOf } from "./design.ts";
 import { DESIGN_LIMITS } from "./design-limits.ts";
 import type { DesignPath } from "./design-problem.ts";
 import { liesOnTexture } from "./mirror-layer.ts";
@@ -143,23 +143,27 @@ export const topOf = ({ layers }: Pick<Design, "layers">): LayerPlace => ({
 export const layerIds = (design: Pick<Design, "layers">): Set<string> =>
   new Set(flattenLayers(design).map(({ id }) => id));
 
-/** An id that no layer of the design has. */
-export function freeIdIn(design: Pick<Design, "layers">): string {
+/** Ids that no layer of the design has, another one with each call. */
+export function freeIdsIn(design: Pick<Design, "layers">): () => string {
   const taken = layerIds(design);
-  return freeLayerId(taken, taken.size + 1);
+  let number = taken.size;
+  return () => {
+    number = freeLayerNumber(taken, number + 1);
+    return layerIdOf(number);
+  };
 }
 
-/** A copy of the layer in which it, and all that it holds, have ids that the design has not. */
-export function withFreeIds(design: Pick<Design, "layers">, layer: DesignLayer): DesignLayer {
-  const taken = layerIds(design);
-  const rename = (one: DesignLayer): DesignLayer => {
-    const id = freeLayerId(taken, taken.size + 1);
-    taken.add(id);
-    let result: DesignLayer = { ...one, id };
-    for (const { list, layers } of childLists(one)) result = withList(result, list, layers.map(rename));
-    return result;
-  };
-  return rename(layer);
+/** An id that no layer of the design has. */
+export const freeIdIn = (design: Pick<Design, "layers">): string => freeIdsIn(design)();
+
+/** A copy of the layer in which it, and all that it holds, have ids of those. */
+export function withIds(layer: DesignLayer, nextId: () => string): DesignLayer {
+  let result: DesignLayer = { ...layer, id: nextId() };
+  for (const { list, layers } of childLists(layer)) {
+    const held = layers.map((each) => withIds(each, nextId));
+    result = withList(result, list, held);
+  }
+  return result;
 }
 
 /** Whether a design may have so many more layers, those within others counted. */
@@ -201,6 +205,20 @@ export const mapLayers = (
     changeLists(design.layers, (list) => list.map((layer) => (ids.has(layer.id) ? change(layer) : layer))),
   );
 
+/**
+ * Puts a layer that is not in the design yet right above each that `above` names by its id, in one walk. They must fit there: be
+ * of the same type, and no deeper.
+ *
+ * @throws TexelcastError "bad-argument" where layers would be more than a design may have.
+ */
+export function insertAboveEach(design: Design, above: ReadonlyMap<string, DesignLayer>): Design {
+  checkRoom(design, [...above.values()]);
+  const layers = changeLists(design.layers, (list) =>
+    list.flatMap((layer) => [layer].concat(above.get(layer.id) ?? [])),
+  );
+  return withLayers(design, layers);
+}
+
 /** Takes layers out, with all that they hold. */
 export const removeByIds = (design: Design, ids: ReadonlySet<string>): Design =>
   withLayers(
@@ -209,31 +227,34 @@ export const removeByIds = (design: Design, ids: ReadonlySet<string>): Design =>
   );
 
 /** Takes a layer out, with all that it holds. */
-export const removeById = (design: Design, id: string): Design =>
-  withLayers(
-    design,
-    changeLists(design.layers, (list) => list.filter((layer) => layer.id !== id)),
-  );
+export const removeById = (design: Design, id: string): Design => removeByIds(design, new Set([id]));
+
+function checkRoom(design: Pick<Design, "layers">, layers: readonly DesignLayer[]): void {
+  if (hasRoom(design, flattenLayers({ layers }).length)) return;
+  const most = `A design holds ${DESIGN_LIMITS.layers} layers, those within others included, and no more.`;
+  throw refusal("too-many", "layers", String(layers[0]?.type), most);
+}
 
 /**
- * Puts a layer that is not in the design yet at a place; `index` is clamped to the list's ends. A mask is made where the
- * parent has none.
+ * Puts layers that are not in the design yet at a place, beside each other, bottom to top; `index` is clamped to the list's
+ * ends. A mask is made where the parent has none.
  *
  * @throws TexelcastError "bad-argument" where there is no such list, where it takes no layers of that type, and where
  * layers would lie deeper, or be more, than a design may have them.
  */
-export function insertAt(design: Design, { parentId, list, index }: LayerPlace, layer: DesignLayer): Design {
-  const put = (layers: readonly DesignLayer[]): DesignLayer[] =>
-    layers.toSpliced(Math.max(0, Math.min(index, layers.length)), 0, layer);
+export function insertAt(
+  design: Design,
+  { parentId, list, index }: LayerPlace,
+  ...layers: readonly DesignLayer[]
+): Design {
+  const put = (present: readonly DesignLayer[]): DesignLayer[] =>
+    present.toSpliced(Math.max(0, Math.min(index, present.length)), 0, ...layers);
   const parent = visitOf(design, parentId);
   const depth = parent?.depth ?? 0;
-  if (depth + layerDepth(layer) > DESIGN_LIMITS.depth) {
+  if (depth + Math.max(0, ...layers.map(layerDepth)) > DESIGN_LIMITS.depth) {
     throw refusal("too-deep", "parentId", parentId, `Layers can lie ${DESIGN_LIMITS.depth} deep and no deeper.`);
   }
-  if (!hasRoom(design, flattenLayers({ layers: [layer] }).length)) {
-    const most = `A design holds ${DESIGN_LIMITS.layers} layers, those within others included, and no more.`;
-    throw refusal("too-many", "layers", layer.type, most);
-  }
+  checkRoom(design, layers);
   if (parentId === null && list === "layers") return { ...design, layers: put(design.layers) };
   if (parent === undefined)
     throw refusal("no-layer", "parentId", parentId, "There is no such layer to put another into.");
@@ -242,12 +263,11 @@ export function insertAt(design: Design, { parentId, list, index }: LayerPlace, 
     (list === "layers" && parent.layer.type === "group") ||
     (list === "strokes" && parent.layer.type === "paint");
   if (!isHolder) throw refusal("no-list", "list", list, `A layer of type “${parent.layer.type}” has no such list.`);
-  const takes =
-    list === "layers" ||
-    (list === "strokes" ? layer.type === "stroke" : layer.type !== "group" && layer.type !== "paint");
-  if (!takes)
-    throw refusal("not-taken", "type", layer.type, `The list “${list}” takes no layers of type “${layer.type}”.`);
-  if (list === "strokes" && parent.layer.type === "paint" && parent.layer.mirror !== null && liesOnTexture(layer)) {
+  const takes = ({ type }: DesignLayer): boolean =>
+    list === "layers" || (list === "strokes" ? type === "stroke" : type !== "group" && type !== "paint");
+  const other = layers.find((layer) => !takes(layer))?.type;
+  if (other) throw refusal("not-taken", "type", other, `The list “${list}” takes no layers of type “${other}”.`);
+  if (list === "strokes" && parent.layer.type === "paint" && parent.layer.mirror && layers.some(liesOnTexture)) {
     throw refusal(
       "not-mirrored",
       "mirror",

@@ -6,7 +6,7 @@ import { isLocked } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { tellBarePart } from "./bare-part.ts";
-import { clearPlace } from "./clear-place.ts";
+import { clearPlaces } from "./clear-place.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
 import { addOnTop, layerById, patchLayer, withAsset } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -88,7 +88,7 @@ export class DecalCommands {
     const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
     const wished = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
     const { recordedDesign } = this.#session;
-    const projector = hit ? wished : clearPlace(wished, recordedDesign, this.#diagonal(), this.#viewer);
+    const projector = hit ? wished : clearPlaces(recordedDesign, this.#diagonal(), this.#viewer)(wished);
     const material = this.#reach.at(projector, false, spot?.material ?? this.#store.state.material ?? 0);
     const id = freeIdIn(recordedDesign);
     const { design, layer } = make(id, projector, material);

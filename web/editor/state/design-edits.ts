@@ -4,7 +4,7 @@ import type { Design, DesignAsset, DesignLayer } from "../document/design.ts";
 import { DESIGN_LIMITS, RESERVED_KEYS } from "../document/design-limits.ts";
 import { assetsOf, findLayer, flattenLayers, insertAt, mapLayers, materialsIn } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
-import { countedName } from "../files/counted-name.ts";
+import { countedNames } from "../files/counted-name.ts";
 
 export const layerById = findLayer;
 
@@ -79,12 +79,13 @@ export function withoutUnusedAssets(design: Design): Design {
 }
 
 /** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. */
-export function freeName(design: Design, name: string): string {
-  const short = shortened(name, DESIGN_LIMITS.nameLength);
-  return countedName(
-    short,
-    new Set(flattenLayers(design, { masks: false, strokes: false }).map((layer) => layer.name)),
-  );
+export const freeName = (design: Design, name: string): string => freeNames(design)(name);
+
+/** Such names for several new layers, one after the other. */
+export function freeNames(design: Design): (name: string) => string {
+  const layers = flattenLayers(design, { masks: false, strokes: false });
+  const next = countedNames(new Set(layers.map(({ name }) => name)));
+  return (name) => next(shortened(name, DESIGN_LIMITS.nameLength));
 }
 
 /** As much of a name as a document takes, with room for a number that tells it from others, and no character cut in two. */

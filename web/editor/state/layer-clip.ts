@@ -1,7 +1,16 @@
 /** Layers on their way from one design to another, or to another place in the same one: a design of their own. */
 import { type Design, type DesignLayer, layerMaterials, materialsOf } from "../document/design.ts";
-import { childLists, findLayer, insertAt, isLocked, topOf, visitOf, withFreeIds } from "../document/layer-tree.ts";
-import { freeName, withAsset, withoutUnusedAssets } from "./design-edits.ts";
+import {
+  childLists,
+  findLayer,
+  freeIdsIn,
+  insertAt,
+  isLocked,
+  topOf,
+  visitOf,
+  withIds,
+} from "../document/layer-tree.ts";
+import { freeNames, withAsset, withoutUnusedAssets } from "./design-edits.ts";
 import { outermost, type TreePlace } from "./layer-edits.ts";
 
 /** The named layers alone, with the pictures and fonts that they use. */
@@ -30,14 +39,14 @@ export function putClip(
     made = kept.design;
     keys.set(name, kept.key);
   }
-  const ids: string[] = [];
-  for (const [offset, layer] of clip.layers.entries()) {
+  const nextId = freeIdsIn(made);
+  const held = clip.layers.flatMap((layer) => (layer.type === "group" ? layer.layers : []));
+  const nextName = freeNames({ ...made, layers: [...made.layers, ...held] });
+  const copies = clip.layers.map((layer) => {
     const put = fitted(throughout(layer, (each) => withKeys(each, keys)));
-    const copy = withFreeIds(made, { ...put, name: freeName(made, layer.name) });
-    made = insertAt(made, { ...place, index: place.index + offset, list: "layers" }, copy);
-    ids.push(copy.id);
-  }
-  return { design: made, ids };
+    return withIds({ ...put, name: nextName(layer.name) }, nextId);
+  });
+  return { design: insertAt(made, { ...place, list: "layers" }, ...copies), ids: copies.map(({ id }) => id) };
 }
 
 /**

@@ -14,7 +14,7 @@ import {
 } from "../document/index.ts";
 import { isLocked } from "../document/layer-tree.ts";
 import type { Admission } from "./admission.ts";
-import { clearPlace } from "./clear-place.ts";
+import { clearPlaces } from "./clear-place.ts";
 import { layerById, patchLayers, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf } from "./design-state.ts";
@@ -159,7 +159,7 @@ export class LayerCommands {
   duplicate(ids = this.#store.state.selection): void {
     const before = this.#session.recordedDesign;
     const made = this.#attempt(() => {
-      const copied = duplicateLayers(before, ids, (layer) => this.#apart(layer));
+      const copied = duplicateLayers(before, ids, this.#apart());
       this.#admission?.checkRoom(placedCount(copied.design) - placedCount(before));
       return copied;
     });
@@ -186,10 +186,10 @@ export class LayerCommands {
   }
 
   /** A copied decal is seen beside its original. */
-  #apart(layer: DesignLayer): Partial<DecalLayer> {
-    if (layer.type !== "decal" && layer.type !== "text") return {};
+  #apart(): (layer: DesignLayer) => Partial<DecalLayer> {
     const diagonal = diagonalOf(this.#store.state.model);
-    return { projector: clearPlace(layer.projector, this.#session.recordedDesign, diagonal, this.#viewer) };
+    const cleared = clearPlaces(this.#session.recordedDesign, diagonal, this.#viewer);
+    return (layer) => (layer.type === "decal" || layer.type === "text" ? { projector: cleared(layer.projector) } : {});
   }
 
   /** The neighbour is selected next, so that the keyboard can go on. `step` names the step of the history. */
@@ -302,8 +302,9 @@ export class LayerCommands {
   put(clip: Design): void {
     const { selectedId, model, material } = this.#store.state;
     const materials = new Set(model?.info.materials.map(({ index }) => index));
+    const apart = this.#apart();
     const fit = (layer: DesignLayer): DesignLayer =>
-      ({ ...fitToModel(layer, materials, material ?? 0), ...this.#apart(layer) }) as DesignLayer;
+      ({ ...fitToModel(layer, materials, material ?? 0), ...apart(layer) }) as DesignLayer;
     const made = this.#attempt(() => putClip(this.#session.recordedDesign, clip, selectedId, fit));
     if (!made) return;
     this.#session.record(made.design, this.#board.strings.steps.paste(made.ids.length));

@@ -3,6 +3,8 @@ import type { Design, DesignLayer, GroupLayer } from "../document/design.ts";
 import {
   findLayer,
   freeIdIn,
+  freeIdsIn,
+  insertAboveEach,
   insertAt,
   type LayerVisit,
   layersAt,
@@ -10,10 +12,10 @@ import {
   removeByIds,
   visitOf,
   walkLayers,
-  withFreeIds,
+  withIds,
 } from "../document/layer-tree.ts";
 import { makeFillLayer, makeGroupLayer } from "../document/make-layer.ts";
-import { freeName, withoutUnusedAssets } from "./design-edits.ts";
+import { freeName, freeNames, withoutUnusedAssets } from "./design-edits.ts";
 
 /** A place among the layers of the design, or of a group; `index` counts from the bottom. */
 export interface TreePlace {
@@ -55,11 +57,7 @@ export function moveLayers(design: Design, ids: readonly string[], place: TreePl
   const stays = moved.every(({ parentId, index }, offset) => parentId === place.parentId && index === start + offset);
   if (stays) return design;
   const without = removeByIds(design, idsOf(moved));
-  return moved.reduce(
-    (made, { layer }, offset) =>
-      insertAt(made, { parentId: place.parentId, list: "layers", index: start + offset }, layer),
-    without,
-  );
+  return insertAt(without, { ...place, list: "layers", index: start }, ...moved.map(({ layer }) => layer));
 }
 
 /**
@@ -122,17 +120,13 @@ export function duplicateLayers(
   ids: readonly string[],
   patchOf: (layer: DesignLayer) => Partial<DesignLayer> = () => ({}),
 ): { design: Design; ids: string[] } {
-  const copies: string[] = [];
-  let made = design;
+  const nextId = freeIdsIn(design);
+  const nextName = freeNames(design);
+  const copies = new Map<string, DesignLayer>();
   for (const { layer } of outermost(design, ids)) {
-    const visit = visitOf(made, layer.id);
-    if (!visit) continue;
-    const name = freeName(made, layer.name);
-    const copy = withFreeIds(made, { ...layer, ...patchOf(layer), name } as DesignLayer);
-    made = insertAt(made, { parentId: visit.parentId, list: "layers", index: visit.index + 1 }, copy);
-    copies.push(copy.id);
+    copies.set(layer.id, withIds({ ...layer, ...patchOf(layer), name: nextName(layer.name) } as DesignLayer, nextId));
   }
-  return { design: made, ids: copies };
+  return { design: insertAboveEach(design, copies), ids: [...copies.values()].map(({ id }) => id) };
 }
 
 /** A copy right below a layer takes its name and its place; the layer itself has the copy's name. Throws as `insertAt`. */
@@ -141,7 +135,7 @@ export function copyBelow(design: Design, id: string): Design {
   if (!visit) return design;
   const { layer, parentId, list, index } = visit;
   const name = freeName(design, layer.name);
-  const made = insertAt(design, { parentId, list, index }, withFreeIds(design, layer));
+  const made = insertAt(design, { parentId, list, index }, withIds(layer, freeIdsIn(design)));
   return mapLayer(made, id, (each) => ({ ...each, name }) as DesignLayer);
 }
 

@@ -21,12 +21,11 @@ export function ungroupLayers(design: Design, ids: readonly string[]): Ungrouped
     const visit = visitOf(left, group.id);
     if (!visit || group.type !== "group") continue;
     const { parentId, index } = visit;
-    const place = (offset: number) => ({ parentId, list: "layers", index: index + offset }) as const;
     const alone = aloneInPlaceOf(group);
     if (alone === null) for (const field of ownFields(group)) lost.add(field);
     const layers = alone === null ? group.layers : [alone];
     const members = layers.map((layer) => (group.visible ? layer : { ...layer, visible: false }));
-    left = members.reduce((made, layer, offset) => insertAt(made, place(offset), layer), removeById(left, group.id));
+    left = insertAt(removeById(left, group.id), { parentId, list: "layers", index }, ...members);
     freed.push(...members.map(({ id }) => id));
   }
   return { design: left, ids: freed, lost };

@@ -9,13 +9,12 @@ import {
   type DesignAsset,
   type DesignLayer,
   findLayer,
-  freeLayerId,
+  freeIdsIn,
   type GroupLayer,
   insertAt,
   isLocked,
   type LayerMaterials,
   type LayerPlace,
-  layerIds,
   type Mirror,
   makeDecalLayer,
   makeGroupLayer,
@@ -84,12 +83,7 @@ export function withClone(
   words: Strings["clone"],
 ): { readonly design: Design; readonly layerId: string } {
   const { design: more, key } = withAsset(design, words.name, patch.asset);
-  const taken = layerIds(more);
-  const nextId = (): string => {
-    const id = freeLayerId(taken, taken.size + 1);
-    taken.add(id);
-    return id;
-  };
+  const nextId = freeIdsIn(more);
   const joined = target.kind === "group" && findLayer(design, target.groupId)?.type === "group" ? target.groupId : null;
   const groupId = joined ?? nextId();
   const layers: DecalLayer[] = [];
@@ -113,7 +107,7 @@ export function withClone(
   }
   if (joined !== null) {
     const place = { parentId: groupId, list: "layers", index: Number.MAX_SAFE_INTEGER } as const;
-    return { design: layers.reduce((before, layer) => insertAt(before, place, layer), more), layerId: groupId };
+    return { design: insertAt(more, place, ...layers), layerId: groupId };
   }
   const group = makeGroupLayer({ id: groupId, name: freeName(more, words.name), layers });
   const place = placeOrTop(more, target.kind === "new" ? target.place : null);
