@@ -30,6 +30,14 @@ it("goes down to the right past every decal that lies on the way", () => {
   expect(clearPlaces(designOf(box(0, 0), box(4, -4)), 100, wall)(box(0, 0))).toEqual(box(8, -8));
 });
 
+it("takes what lies as good as there for its place, on either side, and nothing that is half a step away", () => {
+  for (const aside of [-1.9, -0.1, 0.1, 1.9]) {
+    expect(clearPlaces(designOf(box(aside, 0)), 100, wall)(box(0, 0))).toEqual(box(4, -4));
+  }
+  for (const aside of [-2, 2, 4]) expect(clearPlaces(designOf(box(aside, 0)), 100, wall)(box(0, 0))).toEqual(box(0, 0));
+  expect(clearPlaces(designOf(box(0, 1.9)), 100, wall)(box(0, 0))).toEqual(box(4, -4));
+});
+
 it("sees what lies in a group", () => {
   const { layers } = designOf(box(0, 0));
   const grouped = { layers: [makeGroupLayer({ id: "g", layers })] };

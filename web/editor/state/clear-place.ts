@@ -20,34 +20,56 @@ export function clearPlaces(
   viewer: Pick<ModelViewer, "nudge">,
 ): <P extends Projector>(projector: P) => P {
   const step = STEP_SHARE * diagonal;
-  const taken = flattenLayers(design, { masks: false, strokes: false }).flatMap((layer) =>
-    layer.type === "decal" || layer.type === "text" ? [layer.projector] : [],
-  );
+  // A stamp's place is a share of the texture, as the step is one of the model.
+  const [flat, solid] = [new Places(STEP_SHARE / 4), new Places(step / 2)];
+  const among = ({ kind }: Projector): Places => (kind === "uv" ? flat : solid);
+  for (const layer of flattenLayers(design, { masks: false, strokes: false })) {
+    if (layer.type === "decal" || layer.type === "text") among(layer.projector).add(placeOf(layer.projector));
+  }
   return <P extends Projector>(projector: P): P => {
     // What covers the whole texture, as pixel layers do, has that one place.
     if (projector.kind === "uv" && Math.min(...projector.size) >= 1) return projector;
+    const places = among(projector);
     let free = projector;
-    for (let steps = 0; steps < MOST_STEPS && taken.some((other) => liesOn(free, other, step)); steps += 1) {
+    for (let steps = 0; steps < MOST_STEPS && places.hasNear(placeOf(free)); steps += 1) {
       const next = viewer.nudge(free, step, -step) as P;
-      if (liesOn(next, free, step)) break;
+      if (places.areNear(placeOf(next), placeOf(free))) break;
       free = next;
     }
     return free;
   };
 }
 
-/** A stamp's place is a share of the texture, as the step is one of the model. */
-function liesOn(one: Projector, other: Projector, step: number): boolean {
-  if (one.kind === "uv") return other.kind === "uv" && isNear(one.center, other.center, STEP_SHARE / 4);
-  return other.kind !== "uv" && isNear(one.position, other.position, step / 2);
-}
+const placeOf = (projector: Projector): readonly number[] =>
+  projector.kind === "uv" ? projector.center : projector.position;
 
-/** Asked for each of many copies about each of many layers: most are far off along the first axis already. */
-function isNear(one: readonly number[], other: readonly number[], reach: number): boolean {
-  let squares = 0;
-  for (const [axis, value] of one.entries()) {
-    squares += (value - (other[axis] ?? 0)) ** 2;
-    if (squares >= reach ** 2) return false;
+/** By the slice of the first axis that they lie in, which is as wide as near is: of thousands few are looked at. */
+class Places {
+  readonly #reach: number;
+  readonly #slices = new Map<number, (readonly number[])[]>();
+
+  constructor(reach: number) {
+    this.#reach = reach;
   }
-  return true;
+
+  add(place: readonly number[]): void {
+    const slice = this.#sliceOf(place);
+    const present = this.#slices.get(slice);
+    if (present) present.push(place);
+    else this.#slices.set(slice, [place]);
+  }
+
+  hasNear(place: readonly number[]): boolean {
+    const slice = this.#sliceOf(place);
+    const around = [slice - 1, slice, slice + 1];
+    return around.some((each) => this.#slices.get(each)?.some((other) => this.areNear(place, other)));
+  }
+
+  areNear(one: readonly number[], other: readonly number[]): boolean {
+    return Math.hypot(...one.map((value, axis) => value - (other[axis] ?? 0))) < this.#reach;
+  }
+
+  #sliceOf([first = 0]: readonly number[]): number {
+    return Math.floor(first / this.#reach);
+  }
 }
