@@ -15,7 +15,7 @@ export function fileStem(name: string): string {
   return base.replace(/(\.design)?\.[^.]+$/, "").replace(/[\\/:*?"<>|]+/g, "-") || "texelcast";
 }
 
-/** A name as a file may have it: characters that a file system refuses become "-". */
+/** A name as a file may have it before its ending: characters that a file system refuses become "-". */
 export function fileNameOf(name: string): string {
-  return name.replace(/[\\/:*?"<>|]+/g, "-").trim() || "texelcast";
+  return name.replace(/[\\/:*?"<>|]+/g, "-").replace(/^\s+|[.\s]+$/g, "") || "texelcast";
 }
