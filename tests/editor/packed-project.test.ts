@@ -9,7 +9,7 @@ import {
   makePaintLayer,
   makeStrokeLayer,
 } from "../../web/editor/document/index.ts";
-import { ProjectPacker } from "../../web/editor/storage/packed-project.ts";
+import { noteRead, ProjectPacker } from "../../web/editor/storage/packed-project.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 import { FRONT } from "../support/layers.ts";
 
@@ -81,6 +81,13 @@ describe("a design that is packed to be kept", () => {
       { id: "g", opacity: 0.25, layers: [{ id: "c" }, { id: "e", opacity: 0.5 }, { id: "d" }] },
       { id: "b", projector: { kind: "planar" } },
     ]);
+  });
+
+  it("is not read again where it was read from a file a moment ago: its faults would have been met there", async () => {
+    const opened = placed([decal("a"), decal("b", 7)]);
+    await expect(pack(new ProjectPacker(stringsIn("en")), opened)).rejects.toMatchObject({ code: "bad-design" });
+    noteRead(opened);
+    expect(JSON.parse((await pack(new ProjectPacker(stringsIn("en")), opened)).design).layers).toHaveLength(2);
   });
 
   it("is refused for a layer that could not be read again, wherever it is, and for what layers have to do with each other", async () => {

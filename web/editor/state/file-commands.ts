@@ -9,6 +9,7 @@ import { type DemoDecal, type DemoModel, type DemoTemplate, fetchBytes } from ".
 import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { sortFiles } from "../files/file-intake.ts";
+import { noteRead } from "../storage/packed-project.ts";
 import type { ProjectContent } from "../storage/project.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { PaletteCommands } from "../tools/palette-commands.ts";
@@ -279,6 +280,7 @@ export class FileCommands {
 
   async #readDesign(file: CollectedFile, companions: readonly CollectedFile[]): Promise<Design> {
     const parsed = parseDesign(await file.file.text(), file.file.name);
+    noteRead(parsed);
     const place: DesignPlace = { path: file.path, files: companions };
     return this.#parts.tasks.run(
       this.#parts.board.strings.tasks.opening(file.file.name),
@@ -289,9 +291,10 @@ export class FileCommands {
     );
   }
 
-  /** Opens a model with a design that is whole; what was open before stays in the history. */
+  /** Opens a model with a design that was read and is whole; what was open before stays in the history. */
   async openProject({ name, design, model, targets }: ProjectContent): Promise<void> {
     const { session, models, store, board } = this.#parts;
+    noteRead(design);
     models.rememberSettings(model, targets);
     await models.open(model, design, () => {
       store.set({ designName: name });

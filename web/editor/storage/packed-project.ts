@@ -148,7 +148,8 @@ function packText(
 /** Layers that hold no others and could be read again once, with the mirror of the paint layer that they were in. */
 const READ = new WeakMap<DesignLayer, Mirror | null>();
 
-function noteRead(design: Design): void {
+/** Says that a design came out of the reading as it is: to read it once more before it is kept takes seconds where it is large. */
+export function noteRead(design: Design): void {
   for (const layer of flattenLayers(design, { masks: false, strokes: false })) {
     if (layer.type === "paint") for (const stroke of layer.strokes) READ.set(stroke, layer.mirror);
     else if (layer.type !== "group") READ.set(layer, null);
