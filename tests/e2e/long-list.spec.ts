@@ -95,3 +95,35 @@ test("of hundreds of layers few have rows in the page, and none is out of the ke
   await expect(crest).toBeFocused();
   await few();
 });
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test("the chosen row of a long list stays in sight when the phone is turned or another panel was open, and stays away where it was scrolled away", async ({
+    editor,
+    page,
+  }) => {
+    await editor.open();
+    await editor.drop([file("many.design.json", manyDecals(), "application/json")], { x: 190, y: 200 });
+    await expect(editor.row(`Decal ${COUNT - 1}`)).toBeInViewport();
+    const chosen = editor.row("Decal 200");
+    await editor.select("d200");
+    await expect(chosen).toBeInViewport({ ratio: 0.9 });
+    await editor.resize(844, 390);
+    await expect(chosen).toBeInViewport({ ratio: 0.9 });
+    await editor.resize(390, 844);
+    const tabs = page.locator("tc-bottom-sheet nav button");
+    await tabs.nth(1).tap();
+    await expect(chosen).toHaveCount(0);
+    await tabs.nth(0).tap();
+    await expect(chosen).toBeInViewport({ ratio: 0.9 });
+    await editor.resize(390, 600);
+    await expect(chosen).toBeInViewport({ ratio: 0.9 });
+
+    await page.locator("tc-layer-list .rows").evaluate((list) => list.scrollBy(0, 3000));
+    await expect(chosen).not.toBeInViewport();
+    await editor.resize(390, 844);
+    await expect(editor.row("Decal 131")).toBeInViewport();
+    await expect(chosen).not.toBeInViewport();
+  });
+});

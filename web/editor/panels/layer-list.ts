@@ -48,9 +48,13 @@ export class LayerList extends EditorElement implements LayerDragHost {
   readonly #drag = new LayerDrag(this);
   readonly #shownRows = new ShownRows();
   #window = FIRST_WINDOW;
-  readonly #sizes = new ResizeObserver(() => this.#look());
+  readonly #sizes = new ResizeObserver(() => this.#resized());
   /** The list whose size is followed. */
   #sized: HTMLElement | null = null;
+  /** Pixels of it that were seen when its size was told last. */
+  #height = 0;
+  /** The selected layer's row is in sight, and is to stay there when a phone is turned or the list gives way to something else. */
+  #seesSelected = false;
   /** The row that the keyboard shall be on after the next render; undefined: where it is. */
   #focusNext: string | undefined;
   /** The row that it was on before this render, and the rows that there were; null: on none. */
@@ -114,7 +118,7 @@ export class LayerList extends EditorElement implements LayerDragHost {
         aria-rowcount=${this.rows.length}
         @keydown=${this.#key}
         @contextmenu=${this.#contextMenu}
-        @scroll=${this.#look}
+        @scroll=${this.#scrolled}
       >
         <div class="content" role="presentation" .style=${`--rows: ${this.rows.length}`}>
           ${repeat(
@@ -296,6 +300,29 @@ export class LayerList extends EditorElement implements LayerDragHost {
   /** With the rows around it, in the same frame. */
   #bringIntoSight(row: HTMLElement | null): void {
     row?.scrollIntoView({ block: "nearest" });
+    this.#seesSelected ||= row !== null;
+    this.#look();
+  }
+
+  #resized(): void {
+    const height = this.list?.clientHeight ?? 0;
+    const hasGivenWay = height !== this.#height;
+    this.#height = height;
+    const { selectedId } = this.state;
+    if (hasGivenWay && height > 0 && this.#seesSelected && selectedId !== null) {
+      this.#bringIntoSight(this.#rowElement(selectedId));
+    } else this.#look();
+  }
+
+  #scrolled(): void {
+    const { list } = this;
+    // A list that has another height by now is told of below, and what was seen before that counts.
+    if (list?.clientHeight === this.#height) {
+      const { top, bottom } = list.getBoundingClientRect();
+      const row = this.#rowElement(this.state.selectedId ?? "")?.getBoundingClientRect();
+      const middle = row && (row.top + row.bottom) / 2;
+      this.#seesSelected = middle !== undefined && middle > top && middle < bottom;
+    }
     this.#look();
   }
 
