@@ -14,11 +14,16 @@ const WITHIN_TAG = /\n\s+(?=[@?.]?[a-zA-Z-]+=["$]|\/?>|<\/)/g;
 
 /** @param {string} sheet What stands between the backticks. */
 function tightSheet(sheet) {
-  return sheet
-    .replace(/\/\*.*?\*\//gs, "")
-    .replace(/\s+/g, " ")
-    .replace(/ ?([{};]) ?/g, "$1")
-    .trim();
+  return (
+    sheet
+      .replace(/\/\*.*?\*\//gs, "")
+      .replace(/\s+/g, " ")
+      .replace(/ ?([{};]) ?/g, "$1")
+      // Before a colon a space means "any element within"; after one, and after a comma, it means nothing.
+      .replace(/([:,]) /g, "$1")
+      .replaceAll(";}", "}")
+      .trim()
+  );
 }
 
 /** @param {string} source */
