@@ -52,6 +52,54 @@ test("a decal that is dragged with Alt leaves a copy where it lay; Escape and un
   expect(await names(editor)).toEqual(["Travel badge"]);
 });
 
+test("Shift holds a drag to the row or the column that it began in, in both views, for as long as it is pressed", async ({
+  editor,
+  page,
+}) => {
+  const id = await openOnBadge(editor);
+  const from = await editor.pointOf(id);
+  const moved = async (): Promise<number[]> => {
+    await editor.idle();
+    const { x, y } = await editor.pointOf(id);
+    return [x - from.x, y - from.y].map((pixels) => Math.round(pixels) + 0);
+  };
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 10, from.y + 9);
+  await page.mouse.move(from.x + 60, from.y + 24);
+  await expect.poll(moved).toEqual([60, 24]);
+  await page.keyboard.down("Shift");
+  await expect.poll(moved, "at once").toEqual([60, 0]);
+  await page.mouse.move(from.x + 20, from.y - 50);
+  await expect.poll(moved).toEqual([0, -50]);
+  await page.keyboard.up("Shift");
+  await expect.poll(moved).toEqual([20, -50]);
+  await page.mouse.up();
+
+  await page.locator("tc-layer-properties input[value=uv]").check({ force: true });
+  const stamp = async (): Promise<readonly number[]> => {
+    await editor.idle();
+    const { projector } = await editor.decal(id);
+    return projector.kind === "uv" ? projector.center : [];
+  };
+  const [u = 0, v = 0] = await stamp();
+  const flat = page.locator(".tcv-texture");
+  const mark = await editor.places(
+    flat.locator("[data-handle=w] .tcv-mark"),
+    flat.locator("[data-handle=e] .tcv-mark"),
+  );
+  const [x, y] = (["x", "y"] as const).map((axis) => {
+    const size = axis === "x" ? "width" : "height";
+    return mark.reduce((sum, place) => sum + place[axis] + place[size] / 2, 0) / 2;
+  }) as [number, number];
+  await page.keyboard.down("Shift");
+  await editor.drag({ x, y }, { x: x + 9, y: y + 30 }, 4);
+  await page.keyboard.up("Shift");
+  const [atU = 0, atV = 0] = await stamp();
+  expect(atU).toBeCloseTo(u, 9);
+  expect(Math.abs(atV - v)).toBeGreaterThan(0.01);
+});
+
 test("the right button on the model offers what can be done with the decal there, and a drag with it moves the view", async ({
   editor,
   page,

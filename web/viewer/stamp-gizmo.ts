@@ -12,6 +12,7 @@ import {
 import { line } from "./gizmo-picture.ts";
 import { degreesOf, pushedOut, scaleHandlePlaces } from "./handle-places.ts";
 import { distance } from "./handle-under.ts";
+import { heldToAxis } from "./held-to-axis.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import { movedStamp, scaledStamp, stampHolds, turnedStamp, type Uv, uvOfStamp } from "./stamp-drag.ts";
 import { takesBack } from "./take-back-key.ts";
@@ -124,7 +125,8 @@ export class StampGizmo {
     }
     if (drag === null || drag.pointerId !== event.pointerId) return;
     event.stopImmediatePropagation();
-    drag.projector = dragged(drag, this.#uvOf(event), event);
+    const from = event.shiftKey && drag.handle === null ? this.#hooks.pixelOf(drag.from) : null;
+    drag.projector = dragged(drag, this.#uvOf(event, from), event);
     this.#tell(drag, "move");
     this.draw();
   }
@@ -167,8 +169,10 @@ export class StampGizmo {
     return this.#overlay.handleAt(this.#corner.pointOf(clientX, clientY), pointerType);
   }
 
-  #uvOf(event: PointerEvent): Uv {
-    const { x, y } = this.#corner.pointOf(event.clientX, event.clientY);
+  /** @param from Where a slide began that is held to an axis. */
+  #uvOf(event: PointerEvent, from: ScreenPoint | null = null): Uv {
+    const point = this.#corner.pointOf(event.clientX, event.clientY);
+    const { x, y } = from === null ? point : heldToAxis(from, point);
     return this.#hooks.uvOf(x, y);
   }
 

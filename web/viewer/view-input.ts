@@ -8,6 +8,7 @@ import type { DecalGizmo } from "./decal-gizmo.ts";
 import { FrameTask } from "./frame-task.ts";
 import type { DragPointer } from "./gizmo-drag.ts";
 import type { HandleName } from "./gizmo-overlay.ts";
+import { heldToAxis } from "./held-to-axis.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceSample } from "./surface-query.ts";
 import { takesBack } from "./take-back-key.ts";
@@ -47,6 +48,8 @@ export class ViewInput {
   readonly #abort = new AbortController();
   #press: Press | null = null;
   #dragPointer: PointerEvent | null = null;
+  /** Where the press was that a slide began with; null in a drag of a handle. */
+  #slideFrom: ScreenPoint | null = null;
   /** The press of a finger that has not left its place on a handle: a tap changes nothing. */
   #restingTouch: PointerEvent | null = null;
   #hoverEvent: PointerEvent | null = null;
@@ -157,6 +160,7 @@ export class ViewInput {
       return false;
     }
     this.#dragPointer = event;
+    this.#slideFrom = null;
     this.#restingTouch = event.pointerType === "touch" ? event : null;
     this.#take(event);
     return true;
@@ -201,6 +205,7 @@ export class ViewInput {
     this.#press = null;
     if (press.decal !== null && press.grab !== null) {
       this.#dragPointer = event;
+      this.#slideFrom = this.#screen.pointOf(press.event.clientX, press.event.clientY);
       this.#gizmo.startSlide(press.decal, press.grab);
     }
   }
@@ -208,7 +213,7 @@ export class ViewInput {
   #followPointer(event: PointerEvent): void {
     if (this.#restingTouch !== null && distance(this.#restingTouch, event) <= TOUCH_SLOP) return;
     this.#restingTouch = null;
-    this.#gizmo.moveTo(this.#pointerOf(event));
+    this.#gizmo.moveTo(this.#pointerOf(event, this.#slideFrom));
   }
 
   #onUp(event: PointerEvent): void {
@@ -270,8 +275,7 @@ export class ViewInput {
     }
     if ((event.key === "Alt" || event.key === "Shift") && this.#dragPointer !== null) {
       event.preventDefault();
-      const pointer = this.#pointerOf(this.#dragPointer);
-      this.#gizmo.moveTo({ ...pointer, alt: event.altKey, shift: event.shiftKey });
+      this.#gizmo.moveTo(this.#pointerOf(this.#dragPointer, this.#slideFrom, event));
     }
   }
 
@@ -308,11 +312,17 @@ export class ViewInput {
     this.#root.setPointerCapture(event.pointerId);
   }
 
-  #pointerOf(event: PointerEvent): DragPointer & { at: ScreenPoint } {
-    const at = this.#screen.pointOf(event.clientX, event.clientY);
+  /** @param from Where a slide began, which Shift holds to an axis. */
+  #pointerOf(
+    event: PointerEvent,
+    from: ScreenPoint | null = null,
+    { altKey, shiftKey }: PointerEvent | KeyboardEvent = event,
+  ): DragPointer & { at: ScreenPoint } {
+    const point = this.#screen.pointOf(event.clientX, event.clientY);
+    const at = from && shiftKey ? heldToAxis(from, point) : point;
     const ray = this.#screen.rayThrough(at);
     const posed = this.#hooks.isPosed() ? { met: this.#hooks.pick(ray) } : {};
-    return { at, ray, alt: event.altKey, shift: event.shiftKey, ...posed };
+    return { at, ray, alt: altKey, shift: shiftKey, ...posed };
   }
 }
 

@@ -9,6 +9,7 @@ export const germanKeys: readonly KeyGroup[] = [
       ["[ und ]", "Ihn drehen; mit Umschalt zehnmal so weit"],
       ["− und +", "Ihn kleiner oder größer machen"],
       ["Alt und ziehen", "Eine Kopie von ihm ziehen"],
+      ["Umschalt und ziehen", "Nur waagerecht oder nur senkrecht"],
       ["Alt an einem Griff", "Seine Größe um seine Mitte ändern"],
       ["Umschalt beim Drehen am Griff", "In Schritten von 15°"],
       ["Alt S, Alt U, Alt V", "Ihn ausrichten: an der Oberfläche, aufrecht, an der Ansicht"],

@@ -15,6 +15,7 @@ export const keyGroups: readonly KeyGroup[] = [
       ["[ and ]", "Turn it; with Shift ten times as far"],
       ["− and +", "Make it smaller or larger"],
       ["Alt and a drag", "Drag a copy of it"],
+      ["Shift in a drag", "Straight across, or straight up or down"],
       ["Alt with a handle", "Size it about its middle"],
       ["Shift while it is turned by its handle", "In steps of 15°"],
       ["Alt S, Alt U, Alt V", "Align it to the surface, upright, to the view"],
