@@ -5,11 +5,12 @@ import {
   emptyDesign,
   findLayer,
   freeIdIn,
+  insertAt,
   makeDecalLayer,
   makePaintLayer,
   makeStrokeLayer,
-  moveTo,
   parseDesign,
+  removeById,
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
 import { addOnTop, patchLayer, withAsset } from "../../web/editor/state/design-edits.ts";
@@ -67,7 +68,8 @@ describe("edits of a design", () => {
     };
     const decalId = idOf(design, "A");
     for (const id of ["flat", "flats", "rounds", decalId]) design = patchLayer<DecalLayer>(design, id, { mirror });
-    expect(() => moveTo(design, "flat", { parentId: "rounds", list: "strokes", index: 0 })).toThrow(
+    const moved = removeById(design, "flat");
+    expect(() => insertAt(moved, { parentId: "rounds", list: "strokes", index: 0 }, flat)).toThrow(
       "cannot be mirrored",
     );
     design = patchLayer<DecalLayer>(design, decalId, { projector: stamp });

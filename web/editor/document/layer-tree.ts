@@ -286,24 +286,6 @@ export function insertAt(
   );
 }
 
-/**
- * Takes a layer from where it is to `place`, whose index counts without it.
- *
- * @throws TexelcastError "bad-argument" as `insertAt`, and for a place inside the layer itself.
- */
-export function moveTo(design: Design, id: string, place: LayerPlace): Design {
-  const visit = visitOf(design, id);
-  if (visit === undefined) return design;
-  if (visit.parentId === place.parentId && visit.list === place.list && visit.index === place.index) return design;
-  if (
-    place.parentId !== null &&
-    flattenLayers({ layers: [visit.layer] }).some((layer) => layer.id === place.parentId)
-  ) {
-    throw refusal("into-itself", "parentId", place.parentId, "A layer cannot be put into itself.");
-  }
-  return insertAt(removeById(design, id), place, visit.layer);
-}
-
 /** Changes every list of the tree, each after those below it; lists that stay as they are are shared. */
 function changeLists(
   layers: readonly DesignLayer[],

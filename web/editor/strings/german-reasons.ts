@@ -68,7 +68,6 @@ export const BROWSERS: Reasons = {
 
 /** Of "bad-argument": what can be asked for in the page, and what a design may ask for. */
 export const ARGUMENTS: Reasons = {
-  "into-itself": ["Eine Ebene kann nicht in sich selbst liegen.", ""],
   "no-layer": ["Die Ebene, in die sie soll, gibt es nicht mehr.", ""],
   "no-list": ["In diese Ebene lässt sich keine andere legen.", ""],
   "not-mirrored": ["Ein Strich, der auf der Textur liegt, lässt sich nicht spiegeln.", ""],
