@@ -57,6 +57,8 @@ export class EditorPage {
     await this.page.goto("./");
     await this.#ready();
     await this.idle();
+    // The engine is done before the first picture is: what stands on it, as handles do, has no place until then.
+    await this.#drawn();
   }
 
   /** Opens the page on its first demo, whose lowest layer is chosen; returns that layer's id. */
@@ -251,6 +253,7 @@ export class EditorPage {
 
   /** The middle of one of the gizmo's handles. */
   async handle(name: string): Promise<Point> {
+    await this.#drawn();
     const box = await this.view.locator(`[data-handle="${name}"] .tcv-mark`).boundingBox();
     if (!box) throw new Error(`The gizmo shows no handle ${name}.`);
     return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
