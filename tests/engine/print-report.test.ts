@@ -66,10 +66,10 @@ describe("the print report", () => {
         outline: null,
       },
     });
-    const engine = await whitePlane([words("greek", "Ada"), words("both", "字 Ada 😀 字")]);
+    const engine = await whitePlane([words("greek", "Ada"), words("both", "字 Ada 漢 字")]);
     const lacking = (await engine.printReport()).violations.filter(({ code }) => code === "missing-characters");
-    expect(lacking).toMatchObject([{ layer: "both", value: 2, characters: ["字", "😀"] }]);
-    expect(lacking[0]?.message).toContain("字 😀");
+    expect(lacking).toMatchObject([{ layer: "both", value: 2, characters: ["字", "漢"] }]);
+    expect(lacking[0]?.message).toContain("字 漢");
   });
 
   it("tells what lies outside of a zone: a warning where it is clipped, else a violation", async () => {

@@ -113,9 +113,49 @@ describe("setting text", () => {
   });
 
   it("names the characters that no font has, each once, and draws a sign for them", async () => {
-    expect((await measure("a☃b☃漢")).missing).toEqual(["☃", "漢"]);
+    expect((await measure("a𓀀b𓀀漢")).missing).toEqual(["𓀀", "漢"]);
     expect((await measure("Ada\u200d \u00a0")).missing).toEqual([]);
-    expect((await measure("a☃")).width).toBeGreaterThan((await measure("a")).width);
+    expect((await measure("a𓀀")).width).toBeGreaterThan((await measure("a")).width);
+  });
+
+  it("has a picture in one colour for every emoji, as large as letters", async () => {
+    for (const text of ["😀", "🎂", "☃", "⚽", "1️⃣", "🇩🇪", "👍🏽", "👩‍🚀", "🏳️‍🌈", "❤️‍🔥", "🏴󠁧󠁢󠁳󠁣󠁴󠁿"]) {
+      const { missing, width } = await measure(text, { font: "texelcast:fonts/lobster-400" });
+      expect(missing, text).toEqual([]);
+      expect(width, text).toBeGreaterThan(0.8);
+      expect(width, text).toBeLessThan(1.6);
+    }
+    const { rgba } = await draw("🎂", { color: [1, 0, 0, 1] });
+    for (let i = 0; i < rgba.length; i += 4) expect([rgba[i + 1], rgba[i + 2]]).toEqual([0, 0]);
+  });
+
+  it.each([
+    ["a flag's two letters", "🇫🇷"],
+    ["a keycap", "#️⃣"],
+    ["a profession", "👩‍🚒"],
+    ["a family that hearts join", "👩‍❤️‍👩"],
+    ["a tone of skin", "👋🏿"],
+    ["a heart on fire", "❤️‍🔥"],
+  ])("makes one sign of %s, also between letters and from right to left", async (_, text) => {
+    expect((await measure(text)).width).toBeLessThan(1.6);
+    // Twice: two signs, and not one of all.
+    expect((await measure(text + text)).width).toBeCloseTo(2 * (await measure(text)).width, 6);
+    for (const around of ["ab", "אב"]) {
+      const [alone, within] = [await measure(text), await measure(around + text)];
+      expect(within.width).toBeLessThan((await measure(around)).width + alone.width + 0.2);
+      expect(within.missing).toEqual([]);
+    }
+  });
+
+  it("leaves signs that letters' fonts have to them, be they emoji too", async () => {
+    const [inter, lobster] = ["texelcast:fonts/inter-400", "texelcast:fonts/lobster-400"];
+    for (const font of [inter, lobster]) await shelf.load(font);
+    for (const text of ["©", "♥", "★", "❤️", "☀", "7"]) {
+      expect(fontsFor(text, inter, shelf), text).toEqual([inter]);
+      expect(fontsFor(text, lobster, shelf), text).not.toContain("texelcast:fonts/noto-emoji-400");
+    }
+    // Where the text's own font lacks them, Inter stands in.
+    expect(fontsFor("★", lobster, shelf)).toContain(inter);
   });
 
   it("sets letters apart, but not those that hang together, and no space behind the last", async () => {

@@ -10,21 +10,18 @@ export interface ShippedFont {
   readonly name: string;
   readonly weight: 400 | 700;
   readonly file: PackageFile;
-  readonly copyright: string;
   /** Scripts (ISO 15924) in which this font stands in for one that lacks them. */
   readonly standsInFor?: readonly string[];
 }
 
-const INTER = "The Inter Project Authors, 2020";
-const SOURCE_SERIF = "The Source Serif 4 Project Authors, 2014";
-const NOTO = "The Noto Project Authors, 2022";
+/** Emoji as a script; ISO 15924. */
+export const EMOJI = "Zsye";
 
 /** By id; the order is the one in which people are offered them. */
 const FONTS = {
   "inter-400": {
     name: "Inter",
     weight: 400,
-    copyright: INTER,
     file: {
       specifier: "@expo-google-fonts/inter/400Regular/Inter_400Regular.ttf",
       url: () => new URL("@expo-google-fonts/inter/400Regular/Inter_400Regular.ttf", import.meta.url),
@@ -33,7 +30,6 @@ const FONTS = {
   "inter-700": {
     name: "Inter Bold",
     weight: 700,
-    copyright: INTER,
     file: {
       specifier: "@expo-google-fonts/inter/700Bold/Inter_700Bold.ttf",
       url: () => new URL("@expo-google-fonts/inter/700Bold/Inter_700Bold.ttf", import.meta.url),
@@ -42,7 +38,6 @@ const FONTS = {
   "source-serif-4-400": {
     name: "Source Serif",
     weight: 400,
-    copyright: SOURCE_SERIF,
     file: {
       specifier: "@expo-google-fonts/source-serif-4/400Regular/SourceSerif4_400Regular.ttf",
       url: () => new URL("@expo-google-fonts/source-serif-4/400Regular/SourceSerif4_400Regular.ttf", import.meta.url),
@@ -51,7 +46,6 @@ const FONTS = {
   "source-serif-4-700": {
     name: "Source Serif Bold",
     weight: 700,
-    copyright: SOURCE_SERIF,
     file: {
       specifier: "@expo-google-fonts/source-serif-4/700Bold/SourceSerif4_700Bold.ttf",
       url: () => new URL("@expo-google-fonts/source-serif-4/700Bold/SourceSerif4_700Bold.ttf", import.meta.url),
@@ -60,7 +54,6 @@ const FONTS = {
   "jetbrains-mono-700": {
     name: "JetBrains Mono",
     weight: 700,
-    copyright: "The JetBrains Mono Project Authors, 2020",
     file: {
       specifier: "@expo-google-fonts/jetbrains-mono/700Bold/JetBrainsMono_700Bold.ttf",
       url: () => new URL("@expo-google-fonts/jetbrains-mono/700Bold/JetBrainsMono_700Bold.ttf", import.meta.url),
@@ -69,7 +62,6 @@ const FONTS = {
   "bebas-neue-400": {
     name: "Bebas Neue",
     weight: 400,
-    copyright: "Dharma Type, 2010",
     file: {
       specifier: "@expo-google-fonts/bebas-neue/400Regular/BebasNeue_400Regular.ttf",
       url: () => new URL("@expo-google-fonts/bebas-neue/400Regular/BebasNeue_400Regular.ttf", import.meta.url),
@@ -78,7 +70,6 @@ const FONTS = {
   "lobster-400": {
     name: "Lobster",
     weight: 400,
-    copyright: "The Lobster Project Authors, 2010",
     file: {
       specifier: "@expo-google-fonts/lobster/400Regular/Lobster_400Regular.ttf",
       url: () => new URL("@expo-google-fonts/lobster/400Regular/Lobster_400Regular.ttf", import.meta.url),
@@ -87,7 +78,6 @@ const FONTS = {
   "press-start-2p-400": {
     name: "Press Start 2P",
     weight: 400,
-    copyright: "The Press Start 2P Project Authors, 2012",
     file: {
       specifier: "@expo-google-fonts/press-start-2p/400Regular/PressStart2P_400Regular.ttf",
       url: () => new URL("@expo-google-fonts/press-start-2p/400Regular/PressStart2P_400Regular.ttf", import.meta.url),
@@ -96,7 +86,6 @@ const FONTS = {
   "noto-sans-arabic-400": {
     name: "Noto Sans Arabic",
     weight: 400,
-    copyright: NOTO,
     standsInFor: ["Arab"],
     file: {
       specifier: "@expo-google-fonts/noto-sans-arabic/400Regular/NotoSansArabic_400Regular.ttf",
@@ -107,7 +96,6 @@ const FONTS = {
   "noto-sans-arabic-700": {
     name: "Noto Sans Arabic Bold",
     weight: 700,
-    copyright: NOTO,
     standsInFor: ["Arab"],
     file: {
       specifier: "@expo-google-fonts/noto-sans-arabic/700Bold/NotoSansArabic_700Bold.ttf",
@@ -117,7 +105,6 @@ const FONTS = {
   "noto-sans-hebrew-400": {
     name: "Noto Sans Hebrew",
     weight: 400,
-    copyright: NOTO,
     standsInFor: ["Hebr"],
     file: {
       specifier: "@expo-google-fonts/noto-sans-hebrew/400Regular/NotoSansHebrew_400Regular.ttf",
@@ -128,7 +115,6 @@ const FONTS = {
   "noto-sans-hebrew-700": {
     name: "Noto Sans Hebrew Bold",
     weight: 700,
-    copyright: NOTO,
     standsInFor: ["Hebr"],
     file: {
       specifier: "@expo-google-fonts/noto-sans-hebrew/700Bold/NotoSansHebrew_700Bold.ttf",
@@ -138,7 +124,6 @@ const FONTS = {
   "noto-sans-devanagari-400": {
     name: "Noto Sans Devanagari",
     weight: 400,
-    copyright: NOTO,
     standsInFor: ["Deva"],
     file: {
       specifier: "@expo-google-fonts/noto-sans-devanagari/400Regular/NotoSansDevanagari_400Regular.ttf",
@@ -152,12 +137,29 @@ const FONTS = {
   "noto-sans-devanagari-700": {
     name: "Noto Sans Devanagari Bold",
     weight: 700,
-    copyright: NOTO,
     standsInFor: ["Deva"],
     file: {
       specifier: "@expo-google-fonts/noto-sans-devanagari/700Bold/NotoSansDevanagari_700Bold.ttf",
       url: () =>
         new URL("@expo-google-fonts/noto-sans-devanagari/700Bold/NotoSansDevanagari_700Bold.ttf", import.meta.url),
+    },
+  },
+  "noto-emoji-400": {
+    name: "Noto Emoji",
+    weight: 400,
+    standsInFor: [EMOJI],
+    file: {
+      specifier: "@expo-google-fonts/noto-emoji/400Regular/NotoEmoji_400Regular.ttf",
+      url: () => new URL("@expo-google-fonts/noto-emoji/400Regular/NotoEmoji_400Regular.ttf", import.meta.url),
+    },
+  },
+  "noto-emoji-700": {
+    name: "Noto Emoji Bold",
+    weight: 700,
+    standsInFor: [EMOJI],
+    file: {
+      specifier: "@expo-google-fonts/noto-emoji/700Bold/NotoEmoji_700Bold.ttf",
+      url: () => new URL("@expo-google-fonts/noto-emoji/700Bold/NotoEmoji_700Bold.ttf", import.meta.url),
     },
   },
 } as const satisfies Record<string, ShippedFont>;

@@ -4,12 +4,13 @@
  */
 import { badPicture } from "./picture-header.ts";
 import { rasterSize } from "./raster-size.ts";
-import { readShippedFont, SHIPPED_FONTS, type ShippedFontId, standIn } from "./shipped-fonts.ts";
+import { EMOJI, readShippedFont, SHIPPED_FONTS, type ShippedFontId, standIn } from "./shipped-fonts.ts";
 import { canDraw, canFilter, costOf, type SvgCost } from "./svg-cost.ts";
 import { checkInnerPictures, costOfInner } from "./svg-inside.ts";
 import { checkGrowth } from "./svg-limits.ts";
 import { readSvg, type SvgDocument, type SvgFonts, startSvgRenderer } from "./svg-renderer.ts";
 import { encodingOf } from "./svg-start.ts";
+import { isEmoji } from "./text-emoji.ts";
 import { isInvisible, scriptOf } from "./text-script.ts";
 
 export interface SvgFile {
@@ -106,7 +107,7 @@ function fontsOf(svg: string): ShippedFontId[] {
   const scripts = new Set<string>();
   for (const character of svg) {
     if (character < "\u0250" || isInvisible(character)) continue;
-    const script = scriptOf(character);
+    const script = isEmoji(character) ? EMOJI : scriptOf(character);
     if (script !== null) scripts.add(script);
   }
   const fonts = new Set<ShippedFontId>(["inter-400", "inter-700"]);

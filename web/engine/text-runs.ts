@@ -3,7 +3,8 @@
  * left to right. Directions by the Unicode Bidirectional Algorithm (UAX 9).
  */
 import bidiFactory from "bidi-js";
-import { shippedFontAddress, standIn } from "./shipped-fonts.ts";
+import { EMOJI, shippedFontAddress, standIn } from "./shipped-fonts.ts";
+import { isEmoji, joinsEmoji } from "./text-emoji.ts";
 import type { FontShelf, TextFont } from "./text-fonts.ts";
 import { isInvisible, isMark, scriptOf } from "./text-script.ts";
 
@@ -85,7 +86,7 @@ function inVisualOrder<Run extends { readonly level: number }>(runs: readonly Ru
 }
 
 interface Cluster {
-  /** A character and the marks on it. */
+  /** A character and the marks on it, or an emoji of several. */
   readonly text: string;
   readonly script: string;
   /** Key of the font that stands in; null: the text's own. */
@@ -97,13 +98,14 @@ function* clustersOf(text: string, own: TextFont): Iterable<Cluster> {
   const clusters: string[] = [];
   for (const character of text) {
     const last = clusters.length - 1;
-    if (last >= 0 && isMark(character)) clusters[last] += character;
+    if (last >= 0 && (isMark(character) || joinsEmoji(clusters[last] ?? "", character))) clusters[last] += character;
     else clusters.push(character);
   }
   let script = clusters.map(firstScript).find((tag) => tag !== null) ?? "Latn";
   for (const cluster of clusters) {
     script = firstScript(cluster) ?? script;
-    yield { text: cluster, script, font: fontOf(cluster, script, own) };
+    const written = isEmoji(cluster) && lacks(own, cluster) ? EMOJI : script;
+    yield { text: cluster, script: written, font: fontOf(cluster, written, own) };
   }
 }
 
@@ -116,8 +118,10 @@ function firstScript(cluster: string): string | null {
 }
 
 function fontOf(cluster: string, script: string, own: TextFont): string | null {
-  const lacks = [...cluster].some((character) => !isInvisible(character) && !hasGlyph(own, character));
-  return lacks ? shippedFontAddress(standIn(script, own.weight)) : null;
+  return lacks(own, cluster) ? shippedFontAddress(standIn(script, own.weight)) : null;
 }
+
+const lacks = (font: TextFont, cluster: string): boolean =>
+  [...cluster].some((character) => !isInvisible(character) && !hasGlyph(font, character));
 
 const hasGlyph = (font: TextFont, character: string): boolean => font.covers(character.codePointAt(0) ?? 0);
