@@ -80,7 +80,7 @@ describe("SVG files as decals", () => {
     };
     // Of a character that no font has the renderer draws its sign for that, or nothing.
     const unknown = await painted("漢");
-    for (const word of ["א", "🎂"]) {
+    for (const word of ["א", "🎂", "&#x5d0;", "&#127874;"]) {
       const texels = await painted(word);
       expect(texels, word).not.toEqual(unknown);
       expect(

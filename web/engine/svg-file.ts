@@ -101,11 +101,18 @@ export function describeFault(thrown: unknown): readonly [reason: string, proble
     : ["not-well-formed", `it is not well-formed: ${cause}`];
 }
 
+/** A character by its number: "&#x1f382;", "&#127874;". */
+const NUMBERED = /&#(?:x([\da-f]{1,8})|(\d{1,8}));/gi;
+const MOST_CODE = 0x10ffff;
+
 /** The fonts that the words of a document may need. Which characters are words and which are markup does not matter. */
 function fontsOf(svg: string): ShippedFontId[] {
   if (!/<(?:[\w-]+:)?text[\s>]/.test(svg)) return [];
   const scripts = new Set<string>();
-  for (const character of svg) {
+  for (const character of svg.replace(NUMBERED, (whole, hex, decimal) => {
+    const code = hex === undefined ? Number(decimal) : Number.parseInt(hex, 16);
+    return code <= MOST_CODE ? String.fromCodePoint(code) : whole;
+  })) {
     if (character < "\u0250" || isInvisible(character)) continue;
     const script = isEmoji(character) ? EMOJI : scriptOf(character);
     if (script !== null) scripts.add(script);
