@@ -7,15 +7,19 @@ import { type Design, flattenLayers } from "../document/index.ts";
 const STEP_SHARE = 0.04;
 /** After so many the cascade has left the model, or goes in circles. */
 const MOST_STEPS = 24;
+/** The steps of all together: each is a search on the surface, a thousand take a fifth of a second. */
+const MOST_SEARCHES = 1000;
 
 /**
- * Gives for a projector itself, or where another decal of the design has its very place, as many steps to the right and down
- * from there as bring it to one that is free.
+ * Gives for each of some projectors itself, or where one of them has the very place of a decal of the design, as many steps to
+ * the right and down from there as bring them all to free ones. All go as far: what was arranged stays so, and copies do not
+ * meet each other. Many in a dense design, which find no free places together, go one step.
  *
  * @param diagonal the model's, metres
  */
 export function clearPlaces(
   design: Pick<Design, "layers">,
+  projectors: readonly Projector[],
   diagonal: number,
   viewer: Pick<ModelViewer, "nudge">,
 ): <P extends Projector>(projector: P) => P {
@@ -26,18 +30,48 @@ export function clearPlaces(
   for (const layer of flattenLayers(design, { masks: false, strokes: false })) {
     if (layer.type === "decal" || layer.type === "text") among(layer.projector).add(placeOf(layer.projector));
   }
-  return <P extends Projector>(projector: P): P => {
-    // What covers the whole texture, as pixel layers do, has that one place.
-    if (projector.kind === "uv" && Math.min(...projector.size) >= 1) return projector;
-    const places = among(projector);
-    let free = projector;
-    for (let steps = 0; steps < MOST_STEPS && places.hasNear(placeOf(free)); steps += 1) {
-      const next = viewer.nudge(free, step, -step) as P;
-      if (places.areNear(placeOf(next), placeOf(free))) break;
-      free = next;
+  const ways = new Map(
+    projectors
+      // What covers the whole texture, as pixel layers do, has that one place.
+      .filter((projector) => projector.kind !== "uv" || Math.min(...projector.size) < 1)
+      .map((projector) => [projector, new Way(projector, among(projector), (from) => viewer.nudge(from, step, -step))]),
+  );
+  const isCovered = (steps: number): boolean => [...ways.values()].some((way) => way.isCovered(steps));
+  const most = Math.max(1, Math.min(MOST_STEPS, Math.floor(MOST_SEARCHES / ways.size)));
+  let steps = 0;
+  while (steps < most && isCovered(steps)) steps += 1;
+  if (steps === most && ways.size > 1 && isCovered(steps)) steps = 1;
+  return <P extends Projector>(projector: P) => (ways.get(projector)?.after(steps) ?? projector) as P;
+}
+
+/** Where a projector gets to. No further than it is asked for. */
+class Way {
+  readonly #stops: Projector[];
+  readonly #places: Places;
+  readonly #next: (from: Projector) => Projector;
+  #ends = false;
+
+  constructor(start: Projector, places: Places, next: (from: Projector) => Projector) {
+    this.#stops = [start];
+    this.#places = places;
+    this.#next = next;
+  }
+
+  after(steps: number): Projector {
+    while (!this.#ends && this.#stops.length <= steps) {
+      const last = this.#stops.at(-1) as Projector;
+      const next = this.#next(last);
+      this.#ends = this.#places.areNear(placeOf(next), placeOf(last));
+      if (!this.#ends) this.#stops.push(next);
     }
-    return free;
-  };
+    return (this.#stops[steps] ?? this.#stops.at(-1)) as Projector;
+  }
+
+  /** Another decal lies there, and the way goes on. */
+  isCovered(steps: number): boolean {
+    const stop = this.after(steps);
+    return this.#places.hasNear(placeOf(stop)) && this.after(steps + 1) !== stop;
+  }
 }
 
 const placeOf = (projector: Projector): readonly number[] =>

@@ -88,7 +88,7 @@ export class DecalCommands {
     const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
     const wished = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
     const { recordedDesign } = this.#session;
-    const projector = hit ? wished : clearPlaces(recordedDesign, this.#diagonal(), this.#viewer)(wished);
+    const projector = hit ? wished : clearPlaces(recordedDesign, [wished], this.#diagonal(), this.#viewer)(wished);
     const material = this.#reach.at(projector, false, spot?.material ?? this.#store.state.material ?? 0);
     const id = freeIdIn(recordedDesign);
     const { design, layer } = make(id, projector, material);

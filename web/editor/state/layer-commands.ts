@@ -159,7 +159,8 @@ export class LayerCommands {
   duplicate(ids = this.#store.state.selection): void {
     const before = this.#session.recordedDesign;
     const made = this.#attempt(() => {
-      const copied = duplicateLayers(before, ids, this.#apart());
+      const originals = outermost(before, ids).map(({ layer }) => layer);
+      const copied = duplicateLayers(before, ids, this.#apart(originals));
       this.#admission?.checkRoom(placedCount(copied.design) - placedCount(before));
       return copied;
     });
@@ -185,11 +186,12 @@ export class LayerCommands {
     );
   }
 
-  /** A copied decal is seen beside its original. */
-  #apart(): (layer: DesignLayer) => Partial<DecalLayer> {
+  /** Copied decals are seen beside their originals. */
+  #apart(originals: readonly DesignLayer[]): (layer: DesignLayer) => Partial<DecalLayer> {
     const diagonal = diagonalOf(this.#store.state.model);
-    const cleared = clearPlaces(this.#session.recordedDesign, diagonal, this.#viewer);
-    return (layer) => (layer.type === "decal" || layer.type === "text" ? { projector: cleared(layer.projector) } : {});
+    const placed = originals.flatMap((layer) => ("projector" in layer ? [layer.projector] : []));
+    const cleared = clearPlaces(this.#session.recordedDesign, placed, diagonal, this.#viewer);
+    return (layer) => ("projector" in layer ? { projector: cleared(layer.projector) } : {});
   }
 
   /** The neighbour is selected next, so that the keyboard can go on. `step` names the step of the history. */
@@ -302,7 +304,7 @@ export class LayerCommands {
   put(clip: Design): void {
     const { selectedId, model, material } = this.#store.state;
     const materials = new Set(model?.info.materials.map(({ index }) => index));
-    const apart = this.#apart();
+    const apart = this.#apart(clip.layers);
     const fit = (layer: DesignLayer): DesignLayer =>
       ({ ...fitToModel(layer, materials, material ?? 0), ...apart(layer) }) as DesignLayer;
     const made = this.#attempt(() => putClip(this.#session.recordedDesign, clip, selectedId, fit));
