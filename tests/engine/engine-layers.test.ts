@@ -1,5 +1,6 @@
-import { afterEach, describe, expect, it } from "vitest";
+import { afterEach, describe, expect, it, vi } from "vitest";
 import type { EngineLayer, TargetUpdate } from "../../web/engine/engine-api.ts";
+import { OpenTarget } from "../../web/engine/open-target.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { dab, decal, FRONT, fill, group, stroke } from "../support/layers.ts";
 import { buildGlb, cylinder, plane, sphere } from "../support/model-builder.ts";
@@ -16,7 +17,10 @@ import {
 } from "../support/painted-plane.ts";
 import { solidPng } from "../support/png-file.ts";
 
-afterEach(endHosts);
+afterEach(() => {
+  endHosts();
+  vi.restoreAllMocks();
+});
 
 const RED = [255, 0, 0, 255] as const;
 
@@ -25,6 +29,34 @@ describe("updates", () => {
     const { engine, updates } = await paintablePlane();
     expect(updates).toHaveLength(1);
     expect(patched(new Uint8Array(SIZE * SIZE * 4), updates)).toEqual(await allTexels(engine));
+  });
+
+  it("show what takes many turns from the bottom up, in ever fewer pictures", async () => {
+    const { engine, updates } = await paintablePlane();
+    const before = await allTexels(engine);
+    const rows = Array.from({ length: 24 }, (_, row) => 0.023 * (row - 12));
+    const dabs = (y: number) => Array.from({ length: 1000 }, (_, i) => dab(-0.4 + 0.0008 * i, y, 0.02, 0.5));
+    // Each look at the time finds the turn over.
+    let now = 0;
+    vi.spyOn(performance, "now").mockImplementation(() => (now += 1000));
+    const turns = vi.spyOn(OpenTarget.prototype, "draw");
+    updates.length = 0;
+    engine.setLayers(
+      rows.map((y, row) => stroke(`s${row}`, dabs(y))),
+      1,
+    );
+    const after = await allTexels(engine);
+    expect(patched(before, updates)).toEqual(after);
+    const changed = updates.map((_, count) => {
+      const known = patched(before, updates.slice(0, count + 1));
+      return known.reduce((sum, value, place) => sum + (value === before[place] ? 0 : 1), 0);
+    });
+    expect(changed).toEqual(changed.toSorted((one, other) => one - other));
+    expect(new Set(changed).size).toBeGreaterThan(2);
+    expect(updates.length).toBeLessThanOrEqual(1 + Math.log2(turns.mock.calls.length));
+    // Row 0 is the top one, and y grows upward.
+    const topOf = (all: Uint8Array): number => all.findIndex((value, place) => value !== before[place]) / (SIZE * 4);
+    expect(topOf(patched(before, updates.slice(0, 1)))).toBeGreaterThan(topOf(after) + 10);
   });
 
   it("cover exactly what changed, whatever is done to the layers", async () => {

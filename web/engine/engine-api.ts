@@ -271,7 +271,10 @@ export interface DirtyRect {
 /** What changed in one target. `bytes` belongs to the receiver. */
 export interface TargetUpdate {
   readonly material: number;
-  /** The revision that the design was given with in `setLayers`: tells which transform this picture shows. */
+  /**
+   * The revision that the design was given with in `setLayers`: tells which transform this picture shows. A design that takes
+   * seconds is shown in parts before, from the bottom up.
+   */
   readonly revision: number;
   readonly rects: readonly DirtyRect[];
   readonly bytes: Uint8Array;

@@ -468,7 +468,7 @@ export class EngineHost implements Engine {
       target.fault = null;
       try {
         update = target.draw(this.#layers, this.#revision, pictures, report, until);
-        unfinished ||= target.unfinished;
+        unfinished ||= target.turns > 0;
       } catch (error) {
         if (session.core.crashed) throw error;
         target.fault = notDrawn(error);

@@ -76,8 +76,8 @@ export class OpenTarget {
   readonly factorBaked: boolean;
   /** Why the newest layers could not be drawn: what is asked for is refused with it, as it would show older ones. */
   fault: TexelcastError | null = null;
-  /** The newest `draw` came to its end before all was projected. */
-  unfinished = false;
+  /** How often in a row `draw` came to its end before all was projected. */
+  turns = 0;
   readonly #target: Target;
   readonly #layers: LayerSync;
   readonly #makeClip: (Clip: typeof ZoneClip) => ZoneClip;
@@ -182,7 +182,8 @@ export class OpenTarget {
 
   /**
    * Draws the layers of this material; null when no texel changed. What is not projected when `until` has come
-   * (`performance.now`) is left to the next call, and the picture stays as it was.
+   * (`performance.now`) is left to the next call. The picture stays as it was in the meantime, but for the second turn, the
+   * fourth, the eighth and so on: after those it has the layers that are there so far, from the bottom up.
    */
   draw(
     layers: readonly EngineLayer[],
@@ -205,7 +206,9 @@ export class OpenTarget {
     let update: CoreUpdate;
     do update = this.#target.update(undefined, PROJECTED_AT_ONCE);
     while (update.unfinished && performance.now() < until);
-    this.unfinished = update.unfinished;
+    this.turns = update.unfinished ? this.turns + 1 : 0;
+    // To composite and upload the whole picture at each would cost as much as it has layers.
+    if (this.turns > 1 && (this.turns & (this.turns - 1)) === 0) update = this.#target.update(undefined, 0);
     if (update.rects.length === 0) return null;
     return { material, revision, ...update, milliseconds: performance.now() - start };
   }
