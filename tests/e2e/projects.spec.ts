@@ -149,3 +149,33 @@ test("where the browser keeps nothing the page says so once, works on, and offer
   await editor.notices.getByRole("button", { name: "Save as one file" }).click();
   expect((await download).suggestedFilename()).toBe("Mug.texelcast");
 });
+
+test("the picture of a project is read back once the GPU has drawn it, not while the page waits", async ({
+  editor,
+  page,
+}) => {
+  await page.addInitScript(() => {
+    const told: string[] = Object.assign(window, { told: [] as string[] }).told;
+    const context = CanvasRenderingContext2D.prototype;
+    const [draw, pack] = [context.drawImage, HTMLCanvasElement.prototype.toDataURL];
+    const fence = WebGL2RenderingContext.prototype.getSyncParameter;
+    context.drawImage = function (this: CanvasRenderingContext2D, ...args: Parameters<typeof draw>) {
+      if (args[0] instanceof HTMLCanvasElement) told.push("drawn");
+      draw.apply(this, args);
+    } as typeof draw;
+    WebGL2RenderingContext.prototype.getSyncParameter = function (...args) {
+      told.push("asked");
+      return fence.apply(this, args);
+    };
+    HTMLCanvasElement.prototype.toDataURL = function (...args) {
+      told.push("read");
+      return pack.apply(this, args);
+    };
+  });
+  const told = (): Promise<string[]> => page.evaluate(() => (window as unknown as { told: string[] }).told);
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  await expect.poll(told).toContain("read");
+  const all = await told();
+  expect(all.slice(all.indexOf("drawn"), all.indexOf("read"))).toContain("asked");
+});

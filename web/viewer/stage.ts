@@ -192,7 +192,7 @@ export class Stage {
   }
 
   /** The middle of the view in this size, pixels, as a `data:` URI; null while the context is lost. */
-  picture(width: number, height: number): string | null {
+  async picture(width: number, height: number): Promise<string | null> {
     const { canvas } = this;
     const small = document.createElement("canvas");
     small.width = width;
@@ -207,6 +207,9 @@ export class Stage {
     const [drawnWidth, drawnHeight] = [canvas.width * scale, canvas.height * scale];
     context.imageSmoothingQuality = "high";
     context.drawImage(canvas, (width - drawnWidth) / 2, (height - drawnHeight) / 2, drawnWidth, drawnHeight);
+    // Read back at once, it would hold the page up until the GPU has done all that it was given. The fence that is under way, if
+    // there is one, lies before this picture.
+    await new Promise<void>((done) => this.whenGpuDone(() => this.whenGpuDone(done)));
     return small.toDataURL("image/webp", 0.85);
   }
 

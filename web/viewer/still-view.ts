@@ -138,8 +138,8 @@ export class StillView implements ModelView {
     if (model !== null) this.stage.castShadow(model.scene.root, model.bounds);
   }
 
-  picture(width: number, height: number): string | null {
-    return this.#model === null ? null : this.stage.picture(width, height);
+  async picture(width: number, height: number): Promise<string | null> {
+    return this.#model && this.stage.picture(width, height);
   }
 
   setCamera(orbit: Orbit | null, limits: CameraLimits): void {

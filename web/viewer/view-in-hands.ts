@@ -37,7 +37,7 @@ export abstract class ViewInHands implements DecalViewer {
     this.view.frameModel();
   }
 
-  picture(width: number, height: number): string | null {
+  picture(width: number, height: number): Promise<string | null> {
     return this.view.picture(width, height);
   }
 

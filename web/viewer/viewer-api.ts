@@ -154,7 +154,7 @@ export interface ModelView {
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void;
   frameModel(): void;
   /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
-  picture(width: number, height: number): string | null;
+  picture(width: number, height: number): Promise<string | null>;
   /** How far the camera may go about the open model, and (not null) where it goes now. Another model is free of both. */
   setCamera(orbit: Orbit | null, limits: CameraLimits): void;
   /**

@@ -21,7 +21,7 @@ export interface ProjectKeepingParts {
   readonly store: Store<EditorState>;
   readonly session: DesignSession;
   /** A small picture of the model as a `data:` URI; null where there is none. */
-  readonly thumbnail: () => string | null;
+  readonly thumbnail: () => Promise<string | null>;
   readonly library: AssetLibrary;
   readonly files: FileCommands;
   readonly board: NoticeBoard;
@@ -54,7 +54,7 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
     tab,
     lastWords,
     unmeasured: () => parts.texts().unmeasured,
-    thumbnail: async () => thumbnail(),
+    thumbnail,
     notices: {
       refused: (error: TexelcastError) => {
         const { message, hint } = noticeOf(0, "", error, strings);
