@@ -16,13 +16,18 @@ export function decodeDataUri(uri: string, subject: string): Uint8Array<ArrayBuf
   if (!uri.startsWith("data:") || comma < 0) throw malformed(subject);
   const body = uri.slice(comma + 1);
   try {
-    if (/;base64$/i.test(uri.slice(5, comma)))
-      return Uint8Array.from(atob(body), (character) => character.charCodeAt(0));
-    const text = body.replace(/%([0-9a-f]{2})/gi, (_, hex: string) => String.fromCharCode(Number.parseInt(hex, 16)));
-    return Uint8Array.from(text, (character) => character.charCodeAt(0));
+    if (/;base64$/i.test(uri.slice(5, comma))) return bytesOf(atob(body));
+    return bytesOf(body.replace(/%([0-9a-f]{2})/gi, (_, hex: string) => String.fromCharCode(Number.parseInt(hex, 16))));
   } catch (cause) {
     throw malformed(subject, cause);
   }
+}
+
+/** In a loop: `Uint8Array.from` with a function takes thirty times as long, a second for a large photograph. */
+function bytesOf(binary: string): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(binary.length);
+  for (let place = 0; place < binary.length; place += 1) bytes[place] = binary.charCodeAt(place);
+  return bytes;
 }
 
 function malformed(subject: string, cause?: unknown): TexelcastError {
