@@ -54,6 +54,7 @@ describe("updates", () => {
     expect(changed).toEqual(changed.toSorted((one, other) => one - other));
     expect(new Set(changed).size).toBeGreaterThan(2);
     expect(updates.length).toBeLessThanOrEqual(1 + Math.log2(turns.mock.calls.length));
+    expect(updates.every(({ projectedTexels }) => projectedTexels > 0)).toBe(true);
     // Row 0 is the top one, and y grows upward.
     const topOf = (all: Uint8Array): number => all.findIndex((value, place) => value !== before[place]) / (SIZE * 4);
     expect(topOf(patched(before, updates.slice(0, 1)))).toBeGreaterThan(topOf(after) + 10);

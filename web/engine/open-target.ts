@@ -208,7 +208,9 @@ export class OpenTarget {
     while (update.unfinished && performance.now() < until);
     this.turns = update.unfinished ? this.turns + 1 : 0;
     // To composite and upload the whole picture at each would cost as much as it has layers.
-    if (this.turns > 1 && (this.turns & (this.turns - 1)) === 0) update = this.#target.update(undefined, 0);
+    if (this.turns > 1 && (this.turns & (this.turns - 1)) === 0) {
+      update = { ...this.#target.update(undefined, 0), projectedTexels: update.projectedTexels };
+    }
     if (update.rects.length === 0) return null;
     return { material, revision, ...update, milliseconds: performance.now() - start };
   }
