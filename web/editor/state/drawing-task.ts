@@ -1,6 +1,6 @@
 /**
  * Says that the layers are being painted where that lasts: a design of a thousand long strokes takes tens of seconds, and the
- * picture is the one before until then.
+ * picture is not whole until then.
  */
 import type { Engine } from "../../engine/engine-api.ts";
 import type { Tasks } from "./tasks.ts";
