@@ -104,18 +104,18 @@ export class AssetStore {
   }
 
   /**
-   * Takes away the files that nothing names, and that nobody stored or read since then: what is on its way into a cart is
+   * Takes away the files that nothing names, and that nobody stored or read since then (milliseconds, -Infinity for none): what is on its way into a cart is
    * younger.
    *
    * @returns how many
    */
-  async removeUnused(used: ReadonlySet<Sha256>, since: Date): Promise<number> {
+  async removeUnused(used: ReadonlySet<Sha256>, since: number): Promise<number> {
     let removed = 0;
     for (const entry of await readdir(this.#folder, { withFileTypes: true, recursive: true })) {
       if (!entry.isFile() || !isSha256(entry.name) || used.has(entry.name)) continue;
       const file = this.#fileOf(entry.name);
-      const { size, mtime } = await stat(file);
-      if (mtime >= since) continue;
+      const { size, mtimeMs } = await stat(file);
+      if (mtimeMs >= since) continue;
       await rm(file);
       this.#storedBytes -= size;
       removed += 1;

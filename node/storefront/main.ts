@@ -36,7 +36,11 @@ if (values.help) {
   process.exit(0);
 }
 const { host } = values;
-const [site, data] = [folderOf(values.site), folderOf(values.data)];
+const [site, data] = [folderOf(values.site, "--site"), folderOf(values.data, "--data")];
+const proxy: ShopOrigins = {
+  shop: originAt(values.origin, "--origin"),
+  editor: originAt(values["editor-origin"], "--editor-origin"),
+};
 const port = portOf(values.port, "--port");
 const editorPort = portOf(values["editor-port"] ?? String(port === 0 ? 0 : port + 1), "--editor-port");
 
@@ -48,7 +52,7 @@ const { app } = await createShopServer({
   store: path.join(data, "files"),
   database: path.join(data, "shop.sqlite"),
   origins,
-  behindProxy: values.origin !== undefined,
+  behindProxy: proxy.shop !== null,
   unusedDays: daysOf(values["keep-days"]),
 }).catch((error: unknown) => {
   if (!(error instanceof TexelcastError)) throw error;
@@ -61,15 +65,15 @@ const close = async (): Promise<void> => {
 for (const signal of ["SIGINT", "SIGTERM"] as const) process.once(signal, () => void close());
 const editorAt = await listen(editor, editorPort, "--editor-port");
 const shopAt = await listen(app, port, "--port");
-origins.editor = values["editor-origin"] ?? editorAt;
-origins.shop = values.origin ?? shopAt;
+origins.editor = proxy.editor ?? editorAt;
+origins.shop = proxy.shop ?? shopAt;
 process.stdout.write(`The shop is open: ${origins.shop}\n`);
 
 function readOptions() {
   try {
     return parseArgs({
       options: {
-        port: { type: "string", default: process.env.PORT ?? String(DEFAULT_PORT) },
+        port: { type: "string", default: process.env.PORT || String(DEFAULT_PORT) },
         "editor-port": { type: "string" },
         "keep-days": { type: "string", default: String(SHOP_LIMITS.unusedDays) },
         origin: { type: "string" },
@@ -86,7 +90,9 @@ function readOptions() {
 }
 
 /** As seen from where the command was typed: npm runs it in the checkout, and says so. */
-function folderOf(given: string): string {
+function folderOf(given: string, option: string): string {
+  // Nothing would be the checkout itself.
+  if (given === "") return refuse(`${option} must name a folder.`);
   return path.resolve(process.env.INIT_CWD ?? "", given);
 }
 
@@ -102,6 +108,14 @@ function daysOf(given: string): number {
   const days = Number(given);
   if (given.trim() !== "" && days >= 0) return days;
   return refuse(`--keep-days must be a number of days, is "${given}".`);
+}
+
+/** As browsers send it, without a slash at its end: with anything more it would be compared in vain. */
+function originAt(given: string | undefined, option: string): string | null {
+  if (given === undefined) return null;
+  const { protocol, origin, href } = URL.canParse(given) ? new URL(given) : { protocol: "", origin: "", href: given };
+  if (/^https?:$/.test(protocol) && href === `${origin}/`) return origin;
+  return refuse(`${option} must be as "https://shop.example", is "${given}".`);
 }
 
 function portOf(given: string, option: string): number {

@@ -28,7 +28,7 @@ export interface ShopServerOptions {
   readonly storedBytes?: number;
   /** Where the editor's page is that product pages may frame; default: nowhere. */
   readonly origins?: ShopOrigins;
-  /** Days that a file is kept which no cart and no order uses; default `SHOP_LIMITS.unusedDays`. */
+  /** Days that a file is kept which no cart and no order uses; default `SHOP_LIMITS.unusedDays`, Infinity for ever. */
   readonly unusedDays?: number;
   /** Requests a minute from one address; default `SHOP_LIMITS.requestsPerMinute`. */
   readonly requestsPerMinute?: number;
@@ -124,7 +124,7 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
   });
   const tidyUp = (): Promise<unknown> =>
     store
-      .removeUnused(database.filesInUse(), new Date(Date.now() - (options.unusedDays ?? SHOP_LIMITS.unusedDays) * DAY))
+      .removeUnused(database.filesInUse(), Date.now() - (options.unusedDays ?? SHOP_LIMITS.unusedDays) * DAY)
       .catch(report);
   await tidyUp();
   const tidying = setInterval(tidyUp, DAY / 4).unref();

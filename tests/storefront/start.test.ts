@@ -26,10 +26,29 @@ it.each([
   ["an unknown option", ["--nope"], "Unknown option '--nope'"],
   ["a port without a number", ["--port"], "Option '--port <value>' argument missing"],
   ["a site that is not there", ["--site", "/no-such"], "--site must be a folder"],
+  ["a data folder without a name", ["--data", ""], "--data must name a folder."],
+  [
+    "an origin without a scheme",
+    ["--origin", "shop.example"],
+    '--origin must be as "https://shop.example", is "shop.example".',
+  ],
+  ["an origin that is a page", ["--origin", "https://shop.example/cart"], "--origin must be as"],
+  ["an origin of no web server", ["--editor-origin", "file:///"], "--editor-origin must be as"],
+  [
+    "an origin with a name and a password",
+    ["--editor-origin", "https://a:b@shop.example"],
+    "--editor-origin must be as",
+  ],
 ])("refuses %s in words", (_what, args, told) => {
   const { status, stderr } = start(...args);
   expect(stderr).toContain(told);
   expect(stderr).not.toMatch(/^ {4}at /m);
+  expect(status).toBe(2);
+});
+
+it("takes an origin with the slash that browsers show at its end, and an empty PORT for none", () => {
+  const { status, stderr } = startFrom({ PORT: "" }, "--origin", "https://shop.example/", "--site", "/no-such");
+  expect(stderr).toContain("--site must be a folder");
   expect(status).toBe(2);
 });
 

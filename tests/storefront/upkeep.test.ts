@@ -100,6 +100,15 @@ describe("files that are too old", () => {
     expect(existsSync(placeOf(third, SNAPSHOT))).toBe(true);
   });
 
+  it.each([1e9, Number.POSITIVE_INFINITY])("are all kept where %s days have to pass", async (unusedDays) => {
+    const first = await openShop();
+    await first.line();
+    age(first);
+    await first.app.close();
+    const second = await openShop({ folder: first.folder, unusedDays });
+    expect([LOGO, SNAPSHOT].map((file) => existsSync(placeOf(second, file)))).toEqual([true, true]);
+  });
+
   it("of an earlier visit are young again when they are sent or read", async () => {
     const first = await openShop();
     await first.line();
