@@ -71,6 +71,13 @@ test.each(Object.keys(ENTRIES))("the import %s works in bare Node and starts not
   expect(JSON.parse(await runInNode(installed.folder, script))).toEqual({ names: !TYPES_ALONE.includes(path), added });
 });
 
+test("a page's engine says on a server that it needs a page, and what there is instead", async () => {
+  const script = `
+    import { createEngine, TexelcastError } from "texelcast/core";
+    try { createEngine(); } catch (error) { console.log(error instanceof TexelcastError, error.code, error.hint); }`;
+  expect(await runInNode(installed.folder, script)).toBe("true unsupported On a server, create it by texelcast/node.");
+});
+
 test("what a server's entry throws is of the class that the root import names, and is logged by that name", async () => {
   const script = `
     import { inspect } from "node:util";

@@ -31,11 +31,12 @@ const PAGE_FILES = {
     export const tag: keyof GlobalComponents = "texelcast-editor";`,
   "core.ts": `
     import { EDITOR_TAG, TexelcastError } from "texelcast";
-    import { createEngine, parseDesign } from "texelcast/core";
+    import { createEngine, parseDesign, parseZones } from "texelcast/core";
     import type { LayerPrint, PrintFile, PrintFileOptions, PrintMapKind, PrintReport, PrintZone, PrintZones } from "texelcast/core";
     import { mountTexelcast } from "texelcast/embed";
     import { hostEditor } from "texelcast/host";
-    const { hash } = createEngine({ wasm: "/texelcast.wasm" });
+    const { hash, setZones } = createEngine({ wasm: "/texelcast.wasm" });
+    export const set: Promise<void> = setZones(parseZones("{}"));
     export type PrintWork = [LayerPrint, PrintFile, PrintFileOptions, PrintMapKind, PrintReport, PrintZone, PrintZones];
     export const all = [EDITOR_TAG, TexelcastError, parseDesign, mountTexelcast, hostEditor, hash];`,
   "three.ts": `
