@@ -140,6 +140,30 @@ test("a page takes the element from another origin, as from a CDN, and exports t
   await Promise.all([cdn.stop(), shop.stop()]);
 });
 
+test("under Trusted Types the guide's policy lets the element in, whole, and nothing of other origins", async () => {
+  const trusted = page("/element.js").replace("<title>", '<script src="/trusted-types.js"></script><title>');
+  const files = { "trusted.html": trusted, "trusted-types.js": guideFile("trusted-types.js") };
+  addShopFiles(installed.folder, files);
+  const policy = `${STRICT_POLICY}; require-trusted-types-for 'script'; trusted-types lit-html default`;
+  const server = await serveFolder(installed.folder, { "content-security-policy": policy });
+  const { story, complaints } = await tell(`${server.origin}/trusted.html`);
+  expect({ story, complaints }).toMatchObject({
+    story: { sha256: expect.stringMatching(/^[0-9a-f]{64}$/) },
+    complaints: [],
+  });
+  const { page: opened } = await openPage(browser, `${server.origin}/trusted.html`);
+  const elsewhere = await opened.evaluate(() => {
+    try {
+      return new Worker("https://other.example/worker.js").toString();
+    } catch (error) {
+      return (error as Error).name;
+    }
+  });
+  expect(elsewhere).toBe("TypeError");
+  await opened.close();
+  await server.stop();
+});
+
 test("Vite builds a shop with the guide's two settings", async () => {
   const outDir = join(installed.folder, "built");
   await build({ ...viteOptions(), build: { outDir, target: "es2022" } });
