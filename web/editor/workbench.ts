@@ -228,10 +228,16 @@ export class Workbench extends EditorElement {
     const whole: EventTarget = this.embedded ? this : window;
     whole.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
     // Before a view takes the press for itself.
-    const press = (event: Event): void => {
-      this.editor.decals.copiesDragged = (event as PointerEvent).altKey;
-    };
-    whole.addEventListener("pointerdown", press, { capture: true, signal });
+    whole.addEventListener("pointerdown", (event) => this.editor.decals.press(event as PointerEvent), {
+      capture: true,
+      signal,
+    });
+    // After a view has: it keeps from here what was a drag.
+    whole.addEventListener("pointerup", (event) => this.#release(event as PointerEvent), { signal });
+    whole.addEventListener("keydown", (event) => this.#keyBeforeView(event as KeyboardEvent), {
+      capture: true,
+      signal,
+    });
     for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
     whole.addEventListener("dragover", (event) => this.#dragOver(event as DragEvent), { signal });
     whole.addEventListener("dragleave", (event) => this.#dragLeave(event as DragEvent), { signal });
@@ -378,6 +384,19 @@ export class Workbench extends EditorElement {
     if (handleShortcut(event, this.editor, { openModel: this.embedded ? null : openModel, help }))
       event.preventDefault();
   };
+
+  /** The right button's menu is for all that is chosen. */
+  #release(event: PointerEvent): void {
+    if (event.button === 0) this.editor.decals.release();
+  }
+
+  /** A view takes for its camera what moves and fades the chosen layers, where it shows no decal's handles, as of a group. */
+  #keyBeforeView(event: KeyboardEvent): void {
+    const { decals, store, viewer } = this.editor;
+    const meant = store.state.tool === "move" && /^(Arrow|[-+=0]$)/.test(event.key);
+    if (!meant || !event.composedPath().includes(viewer.element)) return;
+    if (event.key === "0" || decals.moveUnheld) this.#key(event);
+  }
 
   readonly #clipboard = (event: Event): void => {
     if (handleClipboard(event as ClipboardEvent, this.editor)) event.preventDefault();

@@ -254,12 +254,12 @@ export class DecalGizmo {
   }
 
   #pictureOf(view: GizmoView, decal: ViewerDecal, hover: string): GizmoPicture {
-    return { ...this.#ownPictureOf(view, decal, hover), twin: this.#twinPath(view, decal) };
+    return { ...this.#ownPictureOf(view, decal, hover), beside: this.#besidePath(view, decal) };
   }
 
-  /** Its mirrored place is not drawn in a drag: the picture that is painted there shows it. */
-  #twinPath(view: GizmoView, { twin }: ViewerDecal): string {
-    return twin && this.#drag === null ? hoverPath(view, this.#outlineOf(twin)) : "";
+  /** Not drawn in a drag: the pictures that are painted there show it. */
+  #besidePath(view: GizmoView, { beside = [] }: ViewerDecal): string {
+    return this.#drag ? "" : beside.map((each) => hoverPath(view, this.#outlineOf(each))).join("");
   }
 
   #ownPictureOf(view: GizmoView, decal: ViewerDecal, hover: string): GizmoPicture {
@@ -398,7 +398,7 @@ const NOTHING = {
   arrow: "",
   arrowHead: "",
   hover: "",
-  twin: "",
+  beside: "",
   middle: null,
   stand: null,
   handles: new Map(),

@@ -39,7 +39,7 @@ export interface GizmoPicture {
   readonly arrowHead: string;
   readonly hover: string;
   /** The mirrored copy's outline. */
-  readonly twin: string;
+  readonly beside: string;
   /** What a press nearer to it than to any handle takes hold of is the decal itself; null where it is out of sight. */
   readonly middle: ScreenPoint | null;
   readonly stand: HandleStand | null;
@@ -66,7 +66,7 @@ type PathName = Exclude<keyof GizmoPicture, "handles" | "middle" | "stand">;
 const PATHS: readonly { readonly data: PathName; readonly className: string }[] = [
   { data: "boxHidden", className: "tcv-box-hidden" },
   { data: "box", className: "tcv-box" },
-  { data: "twin", className: "tcv-twin" },
+  { data: "beside", className: "tcv-beside" },
   { data: "outlineHidden", className: "tcv-outline-hidden" },
   { data: "hover", className: "tcv-casing" },
   { data: "hover", className: "tcv-hover" },

@@ -109,7 +109,7 @@ export function drawGizmo(
     arrowHead: arrow.head,
     stand: { knob: knob.place, stretch: arrow.stretch },
     hover: options.hover,
-    twin: "",
+    beside: "",
     middle,
     handles,
   };

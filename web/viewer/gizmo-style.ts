@@ -9,7 +9,7 @@ export const GIZMO_STYLE = /* css */ `
 .tcv-box { stroke: var(--tcv-accent); stroke-width: 1; stroke-opacity: 0.5; }
 .tcv-box-hidden { stroke: var(--tcv-accent); stroke-width: 1; stroke-opacity: 0.18; }
 .tcv-hover { stroke: var(--tcv-accent); stroke-width: 1.75; stroke-opacity: 0.85; }
-.tcv-twin { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 5 4; stroke-opacity: 0.6; }
+.tcv-beside { stroke: var(--tcv-accent); stroke-width: 1.5; stroke-dasharray: 5 4; stroke-opacity: 0.6; }
 .tcv-arrow { stroke: var(--tcv-accent); stroke-width: 2; }
 .tcv-overlay .tcv-arrow-head { fill: var(--tcv-accent); stroke: none; }
 .tcv-guide { stroke: var(--tcv-accent); stroke-width: 1.25; }

@@ -44,7 +44,7 @@ export function drawThrown(
     boxHidden: box.hidden,
     ...marks,
     hover: options.hover,
-    twin: "",
+    beside: "",
     handles,
   };
 }

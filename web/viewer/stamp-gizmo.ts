@@ -199,7 +199,7 @@ export class StampGizmo {
       handles.set("rotate", { ...knob, angle: degreesOf(foot, knob) + 90, hidden: false, cursor: "grab" });
     }
     return {
-      ...{ outlineHidden: "", box: "", boxHidden: "", arrow: "", arrowHead: "", hover: "", twin: "", stand: null },
+      ...{ outlineHidden: "", box: "", boxHidden: "", arrow: "", arrowHead: "", hover: "", beside: "", stand: null },
       outline: [line(sw, se), line(se, ne), line(ne, nw), line(nw, sw)].join(""),
       guide: free ? line(foot, knob) : "",
       middle,

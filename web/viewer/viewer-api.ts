@@ -91,8 +91,8 @@ export interface ViewerDecal {
   readonly visible: boolean;
   readonly locked?: boolean;
   readonly projector: Projector;
-  /** Where the mirror shows it, drawn faintly while it is selected; absent or null without a mirror. */
-  readonly twin?: Projector | null;
+  /** Outlined faintly while it is selected: where its mirror shows it, and what is chosen with it. */
+  readonly beside?: readonly Projector[];
   /** Width / height of its picture: scaling by a corner handle keeps the box's own proportions, this is for resets. */
   readonly aspect: number;
 }

@@ -2,13 +2,14 @@
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf, visitOf } from "../document/index.ts";
-import { isLocked } from "../document/layer-tree.ts";
+import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { tellBarePart } from "./bare-part.ts";
+import { carriedProjector, type NearSurface } from "./carried-projector.ts";
 import { clearPlaces } from "./clear-place.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
-import { addOnTop, layerById, patchLayer, withAsset } from "./design-edits.ts";
+import { addOnTop, layerById, patchEach, patchLayer, withAsset } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf } from "./design-state.ts";
 import type { EditorState } from "./editor-state.ts";
@@ -22,6 +23,9 @@ import { type Placement, TriedKinds } from "./tried-kinds.ts";
 const NEW_SHARE = 0.22;
 const NUDGE_SHARE = 0.002;
 const COARSE = 10;
+
+/** What a layer takes on where it is put. */
+type LayerMove = Pick<PlacedLayer, "projector" | "material">;
 
 export interface DecalCommandsParts {
   readonly session: DesignSession;
@@ -40,9 +44,15 @@ export class DecalCommands {
   readonly #reach: DecalReach;
   readonly #tried = new TriedKinds();
   /** Whether a decal that is dragged from here on leaves a copy of itself where it lay, as it does in other editors. */
-  copiesDragged = false;
+  #copiesDragged = false;
+  /** Whether a click adds to what is chosen, or takes out of it. */
+  #addsClicked = false;
+  /** What a press on one of several chosen decals does if no drag comes of it. */
+  #onRelease: (() => void) | null = null;
   /** The recorded design, with that copy in it, while such a drag goes on. */
   #copied: Design | null = null;
+  /** The other chosen ones, which go along while one of them is dragged. */
+  #carried: readonly PlacedLayer[] = [];
 
   constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
     this.#session = session;
@@ -52,12 +62,58 @@ export class DecalCommands {
     this.#layers = layers;
     this.#reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     viewer.on("gesture", (gesture) => this.followGesture(gesture));
-    viewer.on("select", ({ id }) => layers.select(id));
+    viewer.on("select", ({ id }) => this.#clicked(id));
+  }
+
+  /** A pointer goes down: before a view hears of it, for what is held with it decides what a drag or a click means. */
+  press({ altKey, shiftKey }: Pick<PointerEvent, "altKey" | "shiftKey">): void {
+    this.#copiesDragged = altKey;
+    this.#addsClicked = shiftKey;
+    this.#onRelease = null;
+  }
+
+  /** It goes up, and no view has taken it for a drag. */
+  release(): void {
+    this.#onRelease?.();
+    this.#onRelease = null;
+  }
+
+  /** Several are dragged by any of them: what is chosen stays so until it is clear that a press is no drag. */
+  #clicked(id: string | null): void {
+    const adds = this.#addsClicked;
+    if (adds && id === null) return;
+    const act = (): void => (adds && id !== null ? this.#layers.toggleSelected(id) : this.#layers.select(id));
+    if (this.#isChosen(id)) this.#onRelease = act;
+    else act();
+  }
+
+  /** Whether a decal is one of several that are chosen, or in a chosen group. */
+  #isChosen(id: string | null): boolean {
+    const { selectedId, selection } = this.#store.state;
+    return (id !== selectedId || selection.length > 1) && this.chosen.some(({ layer }) => layer.id === id);
   }
 
   get selected(): PlacedLayer | undefined {
     const { selected } = this.#session;
     return selected?.type === "decal" || selected?.type === "text" ? selected : undefined;
+  }
+
+  /** All chosen pictures and words, also those in chosen groups, from the bottom to the top. */
+  get chosen(): readonly LayerVisit<PlacedLayer>[] {
+    const held = new Set(this.#store.state.selection);
+    const chosen: LayerVisit<PlacedLayer>[] = [];
+    for (const visit of walkLayers(this.#session.recordedDesign, { masks: false, strokes: false })) {
+      const { layer, parentId } = visit;
+      if (parentId !== null && held.has(parentId)) held.add(layer.id);
+      if (held.has(layer.id) && (layer.type === "decal" || layer.type === "text")) chosen.push({ ...visit, layer });
+    }
+    return chosen;
+  }
+
+  /** Whether keys move chosen decals though none of them has handles, as those of a group. */
+  get moveUnheld(): boolean {
+    const free = this.chosen.filter(({ locked }) => !locked);
+    return free.length > 0 && !free.some(({ layer }) => layer.id === this.#store.state.selectedId);
   }
 
   /**
@@ -108,7 +164,7 @@ export class DecalCommands {
     return visit?.parent?.type === "group" && visit.list === "layers" ? visit.parentId : null;
   }
 
-  /** Slides the selected decal along the surface by steps of the view: +1 right, +1 up. False without a selection. */
+  /** Slides the chosen decals along the surface by steps of the view: +1 right, +1 up. False where none is chosen. */
   nudge(right: number, up: number, coarse: boolean): boolean {
     return this.#step("nudge", this.#board.strings.steps.move, (projector) => {
       const step = NUDGE_SHARE * this.#diagonal() * (coarse ? COARSE : 1);
@@ -116,14 +172,14 @@ export class DecalCommands {
     });
   }
 
-  /** Turns the selected decal by `steps` degrees. */
+  /** Turns the chosen decals by `steps` degrees, each where it lies. */
   spin(steps: number, coarse: boolean): boolean {
     return this.#step("spin", this.#board.strings.steps.rotate, (projector) =>
       spunProjector(projector, steps * (coarse ? COARSE : 1)),
     );
   }
 
-  /** Scales the selected decal by `steps` percent. */
+  /** Scales the chosen decals by `steps` percent, each where it lies. */
   scale(steps: number, coarse: boolean): boolean {
     const factor = 1 + (steps * (coarse ? COARSE : 1)) / 100;
     return this.#step("scale", this.#board.strings.steps.scale, (projector) => scaledProjector(projector, factor));
@@ -173,7 +229,11 @@ export class DecalCommands {
   placed(id: string, projector: Projector): Pick<PlacedLayer, "projector"> & Partial<Pick<PlacedLayer, "material">> {
     const layer = layerById(this.#session.recordedDesign, id);
     if (layer?.type !== "decal" && layer?.type !== "text") return { projector };
-    return { projector, material: this.#reach.movedTo(layer, projector, null) };
+    return this.#moved(layer, projector)[1];
+  }
+
+  #moved(layer: PlacedLayer, projector: Projector, onto: number | null = null): [string, LayerMove] {
+    return [layer.id, { projector, material: this.#reach.movedTo(layer, projector, onto) }];
   }
 
   /** The material in whose texture a layer lies as a stamp: the shown one where it paints that, too. */
@@ -194,27 +254,49 @@ export class DecalCommands {
   }
 
   #step(kind: string, label: string, change: (projector: Projector) => Projector): boolean {
-    const layer = this.selected;
-    if (!layer) return false;
-    this.#layers.change(layer.id, this.placed(layer.id, change(layer.projector)), label, `${kind}:${layer.id}`);
+    const { chosen } = this;
+    if (chosen.length === 0) return false;
+    const ids = this.#layers.unlocked(chosen.map(({ layer }) => layer.id));
+    const free = chosen.filter(({ locked }) => !locked).map(({ layer }) => layer);
+    const patches = free.map((layer) => this.#moved(layer, change(layer.projector)));
+    this.#session.record(patchEach(this.#session.recordedDesign, new Map(patches)), label, `${kind}:${ids}`);
     return true;
   }
 
   /** A view's drag of a decal: shown while it goes on, a step of the history when it ends. */
   followGesture({ id, kind, phase, projector, material: onto }: DecalGesture): void {
     if (phase === "start") {
-      this.#layers.select(id);
-      this.#copied = this.copiesDragged && kind === "slide" ? this.#layers.withCopyBelow(id) : null;
+      const copies = this.#copiesDragged && kind === "slide";
+      const together = !copies && this.#isChosen(id);
+      this.#onRelease = null;
+      if (!together) this.#layers.select(id);
+      this.#carried = together && kind === "slide" ? this.#othersThan(id) : [];
+      this.#copied = copies ? this.#layers.withCopyBelow(id) : null;
     } else if (phase === "cancel") this.#session.cancelPreview();
     else {
       const layer = layerById(this.#session.recordedDesign, id);
       if (layer?.type !== "decal" && layer?.type !== "text") return;
-      const patch = { projector, material: this.#reach.movedTo(layer, projector, onto) };
+      const [, patch] = this.#moved(layer, projector, onto);
       if (this.#copied) this.#dragCopy(this.#copied, id, patch, phase);
+      else if (this.#carried.length > 0) this.#dragTogether(layer, patch, phase);
       else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
       if (phase === "end") tellBarePart(this.#reach.bareOf(projector, layer.backfaces, onto), this.#board);
     }
+  }
+
+  #othersThan(id: string): readonly PlacedLayer[] {
+    return this.chosen.filter(({ layer, locked }) => !locked && layer.id !== id).map(({ layer }) => layer);
+  }
+
+  #dragTogether({ id, projector }: PlacedLayer, patch: LayerMove, phase: "move" | "end"): void {
+    const near: NearSurface = (place) => this.#viewer.surface.near(place);
+    const others = this.#carried.map((other) =>
+      this.#moved(other, carriedProjector(projector, patch.projector, other.projector, near)),
+    );
+    const design = patchEach(this.#session.recordedDesign, new Map([[id, patch], ...others]));
+    if (phase === "move") this.#session.preview(design);
+    else this.#session.record(design, this.#board.strings.steps.slide);
   }
 
   #dragCopy(copied: Design, id: string, patch: Partial<PlacedLayer>, phase: "move" | "end"): void {

@@ -30,8 +30,17 @@ export function patchLayers<L extends DesignLayer>(
   ids: readonly string[],
   patch: Partial<Omit<L, "id" | "type">>,
 ): Design {
-  const fields = Object.entries(patch) as [keyof DesignLayer, unknown][];
-  return mapLayers(design, new Set(ids), (before) => {
+  return patchEach(design, new Map(ids.map((id) => [id, patch])));
+}
+
+/** Patches for several layers, one each, in one walk. */
+export function patchEach<L extends DesignLayer>(
+  design: Design,
+  patches: ReadonlyMap<string, Partial<Omit<L, "id" | "type">>>,
+): Design {
+  return mapLayers(design, new Set(patches.keys()), (before) => {
+    const patch = patches.get(before.id) ?? {};
+    const fields = Object.entries(patch) as [keyof DesignLayer, unknown][];
     if (fields.every(([key, value]) => sameValue(before[key], value))) return before;
     const after = { ...before, ...patch } as DesignLayer;
     // Documents refuse it; a patch for several layers does not know which of them lie on the texture.

@@ -142,6 +142,15 @@ export class LayerCommands {
     this.#session.record(patched(this.#session.recordedDesign, free, patch), label, mergeKey);
   }
 
+  /** Gives all chosen layers an opacity. False where none is chosen. */
+  fade(opacity: number): boolean {
+    const { selection } = this.#store.state;
+    const { steps, properties } = this.#board.strings;
+    if (selection.length === 0) return false;
+    this.change(selection, { opacity }, steps.change(properties.opacity), `fade:${selection}`);
+    return true;
+  }
+
   /** Of those layers the ones that may be changed; says which may not. */
   unlocked(ids: readonly string[]): string[] {
     const design = this.#session.recordedDesign;

@@ -165,7 +165,7 @@ function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Ed
       viewer.frameModel();
       return true;
     default:
-      return false;
+      return /^\d$/.test(event.key) && layers.fade(Number(event.key) / 10 || 1);
   }
 }
 

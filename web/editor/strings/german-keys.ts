@@ -5,14 +5,18 @@ export const germanKeys: readonly KeyGroup[] = [
   {
     name: "Aufkleber",
     keys: [
-      ["Pfeiltasten", "Den gewählten Aufkleber verschieben; mit Umschalt zehnmal so weit"],
-      ["[ und ]", "Ihn drehen; mit Umschalt zehnmal so weit"],
-      ["− und +", "Ihn kleiner oder größer machen"],
-      ["Alt und ziehen", "Eine Kopie von ihm ziehen"],
+      [
+        "Pfeiltasten",
+        "Die gewählten Aufkleber verschieben, auch die einer gewählten Gruppe; mit Umschalt zehnmal so weit",
+      ],
+      ["[ und ]", "Sie drehen; mit Umschalt zehnmal so weit"],
+      ["− und +", "Sie kleiner oder größer machen"],
+      ["Einen von mehreren ziehen", "Alle gewählten ziehen"],
+      ["Alt und ziehen", "Eine Kopie ziehen"],
       ["Umschalt und ziehen", "Nur waagerecht oder nur senkrecht"],
       ["Alt an einem Griff", "Seine Größe um seine Mitte ändern"],
       ["Umschalt beim Drehen am Griff", "In Schritten von 15°"],
-      ["Alt S, Alt U, Alt V", "Ihn ausrichten: an der Oberfläche, aufrecht, an der Ansicht"],
+      ["Alt S, Alt U, Alt V", "Den Aufkleber ausrichten: an der Oberfläche, aufrecht, an der Ansicht"],
       ["Alt P", "Ihn aus der Ansicht projizieren"],
       ["Alt W", "Ihn rundum legen"],
     ],
@@ -21,6 +25,8 @@ export const germanKeys: readonly KeyGroup[] = [
     name: "Ebenen",
     keys: [
       ["Strg oder ⌘ A", "Alle Ebenen auswählen"],
+      ["Umschalt und Klick auf das Modell", "Eine mehr auswählen, oder eine weniger"],
+      ["0 bis 9", "Deckkraft der gewählten Ebenen in Zehnteln; 0 ist voll"],
       ["Entf", "Die gewählten Ebenen löschen"],
       ["Strg oder ⌘ D", "Sie duplizieren"],
       [

@@ -1,0 +1,61 @@
+/** What goes along with a decal that is dragged: it keeps its place beside it, round a mug as well as over a table. */
+import type { CylindricalProjector, Projector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
+
+/** Where the surface is nearest to a place; null where there is none. */
+export type NearSurface = (place: Vec3) => { readonly position: Vec3 } | null;
+
+/**
+ * `other`, carried as one body with what was dragged from `start` to `now`. Of a stamp and what is no stamp neither carries
+ * the other: one lies in the texture, the other on the model.
+ */
+export function carriedProjector(start: Projector, now: Projector, other: Projector, near: NearSurface): Projector {
+  if (start.kind === "uv" || now.kind === "uv" || other.kind === "uv") {
+    if (start.kind !== "uv" || now.kind !== "uv" || other.kind !== "uv") return other;
+    const [u, v] = other.center;
+    return { ...other, center: [u + now.center[0] - start.center[0], v + now.center[1] - start.center[1]] };
+  }
+  const turn = times(now.rotation, inverse(start.rotation));
+  const carry = (place: Vec3): Vec3 => plus(now.position, turned(turn, minus(place, start.position)));
+  if (other.kind === "cylindrical") return carriedRound(other, carry);
+  const position = carry(other.position);
+  const rotation = times(turn, other.rotation);
+  if (other.kind === "perspective") return { ...other, position, rotation };
+  // The surface need not go on as it did under the dragged one: the foot stays on it.
+  const foot = near(other.position);
+  const carriedFoot = foot && carry(foot.position);
+  const landing = carriedFoot && near(carriedFoot);
+  const settled = landing ? plus(position, minus(landing.position, carriedFoot)) : position;
+  return { ...other, position: settled, rotation };
+}
+
+/** A label stays on its axis: it goes round it, and along it. */
+function carriedRound(label: CylindricalProjector, carry: (place: Vec3) => Vec3): CylindricalProjector {
+  const { position, rotation, radius } = label;
+  const front = plus(position, turned(rotation, [0, 0, radius]));
+  const [x, y, z] = turned(inverse(rotation), minus(carry(front), position));
+  const half = Math.atan2(x, z) / 2;
+  return {
+    ...label,
+    position: plus(position, turned(rotation, [0, y, 0])),
+    rotation: times(rotation, [0, Math.sin(half), 0, Math.cos(half)]),
+  };
+}
+
+const plus = ([a, b, c]: Vec3, [x, y, z]: Vec3): Vec3 => [a + x, b + y, c + z];
+const minus = ([a, b, c]: Vec3, [x, y, z]: Vec3): Vec3 => [a - x, b - y, c - z];
+const inverse = ([x, y, z, w]: Quaternion): Quaternion => [-x, -y, -z, w];
+
+/** First `b`, then `a`; kept a unit, as a long drag multiplies its rounding. */
+function times([ax, ay, az, aw]: Quaternion, [bx, by, bz, bw]: Quaternion): Quaternion {
+  const x = aw * bx + ax * bw + ay * bz - az * by;
+  const y = aw * by - ax * bz + ay * bw + az * bx;
+  const z = aw * bz + ax * by - ay * bx + az * bw;
+  const w = aw * bw - ax * bx - ay * by - az * bz;
+  const length = Math.hypot(x, y, z, w);
+  return [x / length, y / length, z / length, w / length];
+}
+
+function turned([x, y, z, w]: Quaternion, [a, b, c]: Vec3): Vec3 {
+  const [i, j, k] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
+  return [a + w * i + y * k - z * j, b + w * j + z * i - x * k, c + w * k + x * j - y * i];
+}
