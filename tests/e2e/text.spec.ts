@@ -152,7 +152,7 @@ test("what is typed is a step after a moment's rest, and is in what is saved bef
   expect((await textLayer(editor)).text).toBe(text);
 });
 
-test("what no font has is named when it is typed and when it is exported, and what is wider than the model is told", async ({
+test("what no font has is named when it is typed and when it is exported, and what is wider or higher than the model is told", async ({
   editor,
   page,
 }) => {
@@ -166,17 +166,63 @@ test("what no font has is named when it is typed and when it is exported, and wh
   await words.blur();
   // What is mended is told no more.
   await expect(editor.notices).toHaveCount(1);
-  await expect(editor.notices).toContainText("The text is wider than the model");
+  await expect(editor.notices).toContainText("The text is larger than the model");
   await editor.notices.getByRole("button", { name: "Make it fit" }).click();
   const { projector } = await textLayer(editor);
   expect(projector.kind === "planar" && projector.size[0]).toBeCloseTo(0.6, 6);
   await page.keyboard.press("Control+z");
+  await words.fill("lines");
+  await words.blur();
+  await expect(editor.notices).toHaveCount(0);
+  await words.fill(Array.from({ length: 12 }, () => "lines").join("\n"));
+  await words.blur();
+  await expect(editor.notices).toContainText("The text is larger than the model");
+  await editor.notices.getByRole("button", { name: "Make it fit" }).click();
+  const high = (await textLayer(editor)).projector;
+  expect(high.kind === "planar" && high.size[1]).toBeCloseTo(0.6, 6);
   await words.fill("漢");
   await words.blur();
   await expect(editor.notices).toContainText("漢, which no font here has.");
   await editor.notices.getByRole("button", { name: "Dismiss" }).click();
   await editor.exported("Texture as PNG");
   await expect(editor.notices).toContainText("漢, which no font here has.");
+});
+
+test("a text is called by its words, each by other ones, until somebody calls it otherwise; undo takes that back", async ({
+  editor,
+  page,
+}) => {
+  const words = await openOnWords(editor);
+  const called = (name: string): Promise<void> => expect.poll(async () => (await textLayer(editor)).name).toBe(name);
+  await called("Text");
+  await words.fill("\n  Happy birthday\nGrandma ");
+  await called("Happy birthday");
+  await words.blur();
+  await page.locator("#undo").click();
+  await called("Text");
+  await page.locator("#redo").click();
+  await called("Happy birthday");
+
+  await page.locator("#add-text").click();
+  await expect(words).toBeFocused();
+  await called("Text");
+  await words.fill("Happy birthday");
+  await called("Happy birthday 2");
+  await words.fill("");
+  await called("Text");
+  await words.fill("مرحبا بالعالم");
+  await called("مرحبا بالعالم");
+  await words.blur();
+  // What does not fit is left out at its end, which is at the left, and is read by the pointer.
+  const name = editor.row("مرحبا بالعالم").locator(".name");
+  await expect(name).toHaveCSS("direction", "rtl");
+  await expect(name).toHaveAttribute("title", "مرحبا بالعالم");
+
+  await page.locator("tc-layer-properties #name").fill("Motto");
+  await page.locator("tc-layer-properties #name").blur();
+  await words.fill("Grace");
+  await expect.poll(async () => (await textLayer(editor)).text).toBe("Grace");
+  await called("Motto");
 });
 
 test("what was typed in the moment before the page is loaded again is there afterwards", async ({ editor, page }) => {

@@ -24,6 +24,14 @@ describe("a text's box", () => {
     expect(fitsClosely(layer, { width: 6, height: 1.25 }, 1)).toBe(false);
   });
 
+  it("of words that are longer than the way round a cylinder is made as low as goes with going round it once", () => {
+    const layer = textOn(OTHERS[0] as Projector);
+    const room = { width: 200, height: 1.25 };
+    const after = { ...layer, ...fitted(layer, room, 1) };
+    expect(after.projector).toMatchObject({ arc: 360, height: expect.closeTo((Math.PI * 1.25) / 200, 9) });
+    expect(fitsClosely(after, room, 1)).toBe(true);
+  });
+
   it.each([PLANAR, ...OTHERS])("follows words that change, and letters keep their size: $kind", (projector) => {
     const before = { ...textOn(projector), ...fitted(textOn(projector), ROOM, 1) };
     const room = { width: 8, height: 2.5 };

@@ -489,9 +489,9 @@ export const german: Strings = {
     missingIn: (name, characters) => `„${name}“ hat ${characters}: Keine Schrift hier hat diese Zeichen.`,
     missingHint:
       "An ihrer Stelle stehen Platzhalter und würden gedruckt. Nimm eine eigene Schrift, die sie hat, oder andere Worte.",
-    wideTitle: "Der Text ist breiter als das Modell",
+    largeTitle: "Der Text ist größer als das Modell",
     makeFit: "Passend machen",
-    wide: "Was darüber hinausreicht, wird nicht gemalt. Mach den Text kleiner, oder brich ihn in Zeilen um.",
+    large: "Was darüber hinausreicht, wird nicht gemalt. Mach den Text kleiner, oder brich ihn anders in Zeilen um.",
   },
 
   target: {

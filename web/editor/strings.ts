@@ -485,9 +485,9 @@ const english = {
     missingIn: (name: string, characters: string): string => `“${name}” has ${characters}, which no font here has.`,
     missingHint:
       "A placeholder stands for each of them, and would be printed. Use a font of your own that has them, or other words.",
-    wideTitle: "The text is wider than the model",
+    largeTitle: "The text is larger than the model",
     makeFit: "Make it fit",
-    wide: "What reaches beyond it is not painted. Make the text smaller, or break it into lines.",
+    large: "What reaches beyond it is not painted. Make the text smaller, or break it into lines otherwise.",
   },
 
   target: {

@@ -7,8 +7,7 @@ export function countedNames(taken: ReadonlySet<string>): (name: string) => stri
   /** By stem, the number that came last: what is below it is taken, and stays so. */
   const numbers = new Map<string, number>();
   return (name) => {
-    // Only what was counted on before: the 07 of "Number 07" is part of the name.
-    const stem = name.replace(/ (?:[2-9]|[1-9]\d+)$/, "");
+    const stem = withoutCount(name);
     let free = name;
     let number = numbers.get(stem) ?? 1;
     while (given.has(free)) free = `${stem} ${++number}`;
@@ -17,3 +16,6 @@ export function countedNames(taken: ReadonlySet<string>): (name: string) => stri
     return free;
   };
 }
+
+/** A name as it was before it was counted on: the 07 of "Number 07" is part of it. */
+export const withoutCount = (name: string): string => name.replace(/ (?:[2-9]|[1-9]\d+)$/, "");

@@ -148,6 +148,7 @@ export class LayerProperties extends EditorElement {
         <input
           type="text"
           id="name"
+          dir="auto"
           aria-label=${this.#words.name}
           .value=${layer.name}
           maxlength="200"

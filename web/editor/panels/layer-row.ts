@@ -124,7 +124,7 @@ function nameCell(row: LayerRow, look: RowLook, acts: RowActs): TemplateResult {
             ${maskPicture(look.thumbnails, layer, mask)}
           </button>`
     }
-    ${look.renaming ? nameField(layer, words, acts) : html`<span class="name" @dblclick=${() => acts.startRename(id)}>${name}</span>`}
+    ${look.renaming ? nameField(layer, words, acts) : html`<span class="name" dir="auto" title=${name} @dblclick=${() => acts.startRename(id)}>${name}</span>`}
   </div>`;
 }
 
@@ -140,6 +140,7 @@ function nameField({ id, name }: DesignLayer, words: Strings["layers"], acts: Ro
   return html`<input
     class="name"
     type="text"
+    dir="auto"
     maxlength="200"
     aria-label=${words.nameOf(name)}
     .value=${name}

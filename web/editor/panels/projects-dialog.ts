@@ -188,7 +188,7 @@ export class ProjectsDialog extends EditorElement {
                 <button class="open" aria-label=${this.#words.open(name)} aria-describedby=${`about-${id}`} @click=${() => this.#open(project)}>
                   ${picture(project)}
                   <span class="words">
-                    <span class="name">${name}</span>
+                    <span class="name" dir="auto">${name}</span>
                     <span class="about" id=${`about-${id}`}>
                       ${open ? html`<span class="here">${open === "here" ? this.#words.openHere : this.#words.openElsewhere}</span> · ` : nothing}${aboutOf(project, this.strings)}
                     </span>
@@ -212,7 +212,7 @@ export class ProjectsDialog extends EditorElement {
         <div class="still">
           ${picture(project)}
           <span class="words">
-            <span class="name">${project.name}</span>
+            <span class="name" dir="auto">${project.name}</span>
             <span class="about">${this.#words.deleted}</span>
           </span>
         </div>
@@ -239,7 +239,7 @@ export class ProjectsDialog extends EditorElement {
     };
     const leave = (event: FocusEvent): void => end(true, event.target as HTMLInputElement);
     return html`
-      <input type="text" aria-label=${this.#words.nameOf(name)} .value=${name} maxlength="120" @keydown=${key} @blur=${leave} />
+      <input type="text" dir="auto" aria-label=${this.#words.nameOf(name)} .value=${name} maxlength="120" @keydown=${key} @blur=${leave} />
     `;
   }
 

@@ -87,12 +87,12 @@ export function withoutUnusedAssets(design: Design): Design {
   return kept.length === Object.keys(design.assets).length ? design : { ...design, assets: Object.fromEntries(kept) };
 }
 
-/** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. */
-export const freeName = (design: Design, name: string): string => freeNames(design)(name);
+/** "Star", "Star 2", "Star 3": two rows of a list must be told apart by ear too. `own`: the layer that it is for, if it has a name. */
+export const freeName = (design: Design, name: string, own?: string): string => freeNames(design, own)(name);
 
 /** Such names for several new layers, one after the other. */
-export function freeNames(design: Design): (name: string) => string {
-  const layers = flattenLayers(design, { masks: false, strokes: false });
+export function freeNames(design: Design, own?: string): (name: string) => string {
+  const layers = flattenLayers(design, { masks: false, strokes: false }).filter(({ id }) => id !== own);
   const next = countedNames(new Set(layers.map(({ name }) => name)));
   return (name) => next(shortened(name, DESIGN_LIMITS.nameLength));
 }

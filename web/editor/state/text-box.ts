@@ -30,14 +30,18 @@ export function refitted(
   return { projector: grown(layer.projector, wide, high, layer.align), fontSize: 1 / after.height };
 }
 
-/** A box for words that ask for that room, its height as it is. */
+/** A box for words that ask for that room, its height as it is where they go round a cylinder no more than once. */
 export function fitted(
   layer: Pick<TextLayer, "projector" | "align">,
   room: Room,
   texture: number,
 ): Pick<TextLayer, "projector" | "fontSize"> {
-  const wide = room.width / room.height / aspectOf(layer.projector, texture);
-  return { projector: grown(layer.projector, wide, 1, layer.align), fontSize: 1 / room.height };
+  const wanted = room.width / room.height;
+  const projector = grown(layer.projector, wanted / aspectOf(layer.projector, texture), 1, layer.align);
+  const fontSize = 1 / room.height;
+  if (projector.kind !== "cylindrical") return { projector, fontSize };
+  // Once round there is no more: what is longer is made as low as goes with that.
+  return { projector: { ...projector, height: projector.height * (aspectOf(projector, texture) / wanted) }, fontSize };
 }
 
 /** Height of the em, in the unit of the box's height; degrees for a lens. */

@@ -1,15 +1,17 @@
 /** What a user does with words: put on the model, typed, dressed; their box follows them. */
+import { cutText } from "../../core/cut-text.ts";
 import type { Engine, EngineText, Projector, TextMeasure } from "../../engine/engine-api.ts";
 import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
 import { isLocked, walkLayers } from "../document/layer-tree.ts";
 import { resolveWords } from "../document/resolve-layers.ts";
+import { withoutCount } from "../files/counted-name.ts";
 import type { Unmeasured } from "../storage/last-words.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary } from "./asset-library.ts";
 import type { DecalCommands } from "./decal-commands.ts";
-import { layerById, patchLayer, withAsset, withoutUnusedAssets } from "./design-edits.ts";
+import { freeName, layerById, patchLayer, withAsset, withoutUnusedAssets } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";
@@ -154,11 +156,11 @@ export class TextCommands {
     const { model } = store.state;
     if (shareOfModel(model, now.projector) > 1 && !(shareOfModel(model, before.projector) > 1)) {
       const action = { label: words.makeFit, run: () => this.#makeFit(now.id) };
-      board.info({ title: words.wideTitle, message: words.wide, action });
+      board.info({ title: words.largeTitle, message: words.large, action });
     }
   }
 
-  /** Makes a text that is wider than the model as small as lies well on it. */
+  /** Makes a text that is larger than the model as small as lies well on it. */
   #makeFit(id: string): void {
     const { session, board, store } = this.#parts;
     const layer = layerById(session.recordedDesign, id);
@@ -228,12 +230,13 @@ export class TextCommands {
     const { design, key } = fontAsset
       ? withAsset(before, fontAsset.name, fontAsset.asset)
       : { design: before, key: layer.font };
+    const name = this.#nameFor(layer, fields.text);
     const changed: TextLayer = { ...layer, ...fields, font: key };
     const finish = (old: TextMeasure, now: TextMeasure): void => {
       const close = fitsClosely(layer, old, this.#textureAspect(layer));
       const box = close ? refitted({ ...layer, align: changed.align }, old, now) : null;
       const placed = box && this.#parts.decals.placed(id, box.projector);
-      const edited = patchLayer<TextLayer>(design, id, { ...fields, font: key, ...box, ...placed });
+      const edited = patchLayer<TextLayer>(design, id, { ...fields, name, font: key, ...box, ...placed });
       put(fontAsset ? withoutUnusedAssets(edited) : edited);
     };
     const words = [this.#wordsOf(layer, design.assets), this.#wordsOf(changed, design.assets)] as const;
@@ -249,6 +252,14 @@ export class TextCommands {
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotWrite, thrown);
     }
+  }
+
+  /** A text is called by its words for as long as nobody has called it otherwise. */
+  #nameFor({ id, name, text: before }: TextLayer, text = before): string {
+    const { sample } = this.#parts.board.strings.text;
+    const [old, now] = [titleOf(before) || sample, titleOf(text) || sample];
+    if (old === now || ![name, withoutCount(name)].includes(old)) return name;
+    return freeName(this.#parts.session.recordedDesign, now, id);
   }
 
   #wordsOf(layer: TextLayer, assets: Readonly<Record<string, DesignAsset>>): EngineText {
@@ -280,6 +291,8 @@ const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 
 
 /** Of the model's width: further out, round forms turn away. */
 const FITTING_SHARE = 0.6;
+/** Characters of a name that is made of words. */
+const MOST_IN_TITLE = 60;
 /** More would be no list any more. */
 const MOST_LISTED = 20;
 const listed = (characters: readonly string[]): string => characters.slice(0, MOST_LISTED).join(" ");
@@ -288,6 +301,9 @@ const listed = (characters: readonly string[]): string => characters.slice(0, MO
 function picked(layer: TextLayer, patch: TextFieldsPatch): TextFieldsPatch {
   return Object.fromEntries(Object.keys(patch).map((name) => [name, layer[name as keyof TextFieldsPatch]]));
 }
+
+/** What a text says first, as long as a row of the layer list shows. */
+const titleOf = (text: string): string => cutText(/\S.*/.exec(text)?.[0].trimEnd() ?? "", MOST_IN_TITLE);
 
 const keyOf = (words: EngineText): string => JSON.stringify(words);
 const thickness = (outline: EngineText["outline"]): EngineText["outline"] =>

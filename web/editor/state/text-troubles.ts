@@ -1,4 +1,4 @@
-/** What of a text cannot come onto the model as it was meant: characters that no font has, and words wider than the model. */
+/** What of a text cannot come onto the model as it was meant: characters that no font has, and words larger than the model. */
 import type { Projector, TextMeasure } from "../../engine/engine-api.ts";
 import type { OpenModel } from "./design-state.ts";
 
@@ -7,12 +7,14 @@ export function newlyMissing(before: TextMeasure, now: TextMeasure): readonly st
   return now.missing.filter((character) => !before.missing.includes(character));
 }
 
-/** A box's width as a share of the model's in the box's own direction: of more than 1 the rest is surely not painted. */
+/** A box's width or height as a share of the model's in the box's own direction, whichever is more: beyond 1 the rest is surely not painted. */
 export function shareOfModel(model: OpenModel | null, projector: Projector): number {
   if (projector.kind !== "planar" || !model) return 0;
   const [x, y, z, w] = projector.rotation;
-  const across = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)] as const;
+  const across = [1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)];
+  const up = [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)];
   const { boundsMin: low, boundsMax: high } = model.info;
-  const extent = across.reduce((sum, part, axis) => sum + Math.abs(part) * ((high[axis] ?? 0) - (low[axis] ?? 0)), 0);
-  return projector.size[0] / extent;
+  const extent = (way: readonly number[]): number =>
+    way.reduce((sum, part, axis) => sum + Math.abs(part) * ((high[axis] ?? 0) - (low[axis] ?? 0)), 0);
+  return Math.max(projector.size[0] / extent(across), projector.size[1] / extent(up));
 }
