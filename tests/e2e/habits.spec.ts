@@ -188,3 +188,23 @@ test("while a row is dragged an undo ends the drag, and neither it nor Delete do
   });
   expect(await names(editor)).toEqual(["Travel badge", "Number 07"]);
 });
+
+test("a view that is worked in by pointer has no frame of the keyboard's, whatever tools are chosen by keys; the tab key's has one", async ({
+  editor,
+  page,
+}) => {
+  await openOnBadge(editor);
+  const framed = (): Promise<boolean> =>
+    editor.view.evaluate((view) => view.matches(":focus") && getComputedStyle(view, "::after").content !== "none");
+  const at = await editor.middleOfStage();
+  await page.keyboard.press("b");
+  await editor.drag(at, { x: at.x + 30, y: at.y }, 3);
+  await page.keyboard.press("]");
+  await editor.drag(at, { x: at.x + 30, y: at.y + 20 }, 3);
+  await expect(editor.view).toBeFocused();
+  expect(await framed()).toBe(false);
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Shift+Tab");
+  await expect(editor.view).toBeFocused();
+  expect(await framed()).toBe(true);
+});

@@ -228,10 +228,11 @@ export class Workbench extends EditorElement {
     const whole: EventTarget = this.embedded ? this : window;
     whole.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
     // Before a view takes the press for itself.
-    whole.addEventListener("pointerdown", (event) => this.editor.decals.press(event as PointerEvent), {
-      capture: true,
-      signal,
-    });
+    const press = (event: Event): void => {
+      this.editor.decals.press(event as PointerEvent);
+      this.#frameViews(false);
+    };
+    whole.addEventListener("pointerdown", press, { capture: true, signal });
     // After a view has: it keeps from here what was a drag.
     whole.addEventListener("pointerup", (event) => this.#release(event as PointerEvent), { signal });
     whole.addEventListener("keydown", (event) => this.#keyBeforeView(event as KeyboardEvent), {
@@ -390,9 +391,16 @@ export class Workbench extends EditorElement {
     if (event.button === 0) this.editor.decals.release();
   }
 
+  /** Browsers frame what has the keyboard after any key: whoever works by pointer, and tools by keys, is not to have it around the model. */
+  #frameViews(framed: boolean): void {
+    const { viewer, textureView } = this.editor;
+    for (const { element } of [viewer, textureView]) element.toggleAttribute("data-pointed", !framed);
+  }
+
   /** A view takes for its camera what moves and fades the chosen layers, where it shows no decal's handles, as of a group. */
   #keyBeforeView(event: KeyboardEvent): void {
     const { decals, store, viewer } = this.editor;
+    if (/^(Tab|Arrow)/.test(event.key)) this.#frameViews(true);
     const meant = store.state.tool === "move" && /^(Arrow|[-+=0]$)/.test(event.key);
     if (!meant || !event.composedPath().includes(viewer.element)) return;
     if (event.key === "0" || decals.moveUnheld) this.#key(event);

@@ -16,7 +16,7 @@ export const VIEW_STYLE = /* css */ `
   --tcv-handle: var(--viewer-handle, #ffffff);
   --tcv-casing: var(--viewer-casing, rgb(255 255 255 / 0.75));
 }
-.tcv-root:focus-visible::after {
+.tcv-root:focus-visible:not([data-pointed])::after {
   content: ""; position: absolute; inset: 2px; border-radius: 6px; pointer-events: none;
   box-shadow: inset 0 0 0 2px var(--tcv-accent);
 }
