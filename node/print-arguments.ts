@@ -11,7 +11,8 @@ const numeric = v.number("must be a number");
 const isBytes = (value: unknown): boolean => types.isUint8Array(value);
 const isObject = (value: unknown): value is object => typeof value === "object" && value !== null;
 
-const MODEL = "must be a path, the bytes of a .glb (a Uint8Array), or { name, bytes, resources }";
+const MODEL =
+  "must be a path, the bytes of a .glb (a Uint8Array), or { name, bytes, resources }, resources a Map of addresses to bytes";
 const isModel = (value: unknown): boolean => {
   if (typeof value === "string" || isBytes(value)) return true;
   if (!isObject(value)) return false;

@@ -13,6 +13,7 @@ import { checkAssetBytes, checkCheckArguments, checkRenderArguments } from "./pr
 import { type PrintJob, withPrintJob } from "./print-job.ts";
 import { checkPrintedMaterial } from "./printed-material.ts";
 import { readDataUri } from "./read-design.ts";
+import { decodeText } from "./read-file.ts";
 import { readModel } from "./read-model.ts";
 
 export type { PrintFile, PrintFileOptions, PrintReport } from "../web/engine/print-report.ts";
@@ -33,11 +34,11 @@ const DESIGN_NAME = "design";
 export interface PrintSubject {
   /** A path, the bytes of a .glb, or a model with its side files. */
   readonly model: string | Uint8Array | ModelSource;
-  /** A design document: JSON text, or what it holds. */
+  /** A design document: JSON text, its bytes, or what it holds. */
   readonly design: unknown;
   /** The design's files, or who has them. Those in `data:` addresses and fonts that come with Texelcast need none. */
   readonly assets?: readonly PrintAsset[] | AssetReader;
-  /** A zones file: JSON text, or what it holds. */
+  /** A zones file: JSON text, its bytes, or what it holds. */
   readonly zones?: unknown;
 }
 
@@ -84,19 +85,31 @@ export async function checkPrint(options: CheckPrintOptions): Promise<PrintRepor
 }
 
 async function printJob({ model, design, assets, zones }: PrintSubject): Promise<PrintJob> {
-  const document = parseDesign(design);
+  const document = parseDesign(textOf(design, "bad-design", "the design"));
   return {
     model: await modelSource(model),
     design: document,
     file: DESIGN_NAME,
     layers: resolveLayers(document),
     readAsset: (key) => readAsset(document, key, assets ?? []),
-    zones: zones === undefined || zones === null ? null : parseZones(zones),
+    zones: zones === undefined || zones === null ? null : parseZones(textOf(zones, "bad-zones", "the zones file")),
   };
 }
 
+/** As `readFile` gives a file without being asked for text. */
+function textOf(given: unknown, code: string, what: string): unknown {
+  if (!types.isUint8Array(given)) return given;
+  return decodeText(given, { code, what, file: what, hint: "It is a JSON file: save it as UTF-8." });
+}
+
 async function modelSource(model: PrintSubject["model"]): Promise<ModelSource> {
-  if (typeof model === "string") return readModel(model);
+  if (typeof model === "string") {
+    return await readModel(model).catch((thrown: unknown) => {
+      if (!(thrown instanceof TexelcastError) || thrown.message.includes(model)) throw thrown;
+      // The command line says the file before the message; what a server logs is the message.
+      throw new TexelcastError(thrown.code, `“${model}”: ${thrown.message}`, { ...thrown.toJSON(), cause: thrown });
+    });
+  }
   return types.isUint8Array(model) ? { name: "model.glb", bytes: model } : model;
 }
 

@@ -298,6 +298,31 @@ describe("a design for another model", () => {
 
 describe("renderPrint and checkPrint", () => {
   const subject = { model: planeGlb(), design: design([decal()]), zones: zones([zone()]) };
+
+  it("take a design and zones as the bytes of their files, and refuse bytes that are no text", async () => {
+    const files = { ...subject, assets: [{ name: "logo.png", bytes: LOGO }], size: 16 };
+    const bytesOf = (data: object): Uint8Array => Buffer.from(JSON.stringify(data));
+    const { sha256 } = await renderPrint(files);
+    const read = { ...files, design: bytesOf(files.design), zones: bytesOf(files.zones) };
+    expect((await renderPrint(read)).sha256).toBe(sha256);
+    const wrong = Uint8Array.of(0xff, 0xfe);
+    await expect(renderPrint({ ...files, design: wrong })).rejects.toMatchObject({ code: "bad-design" });
+    await expect(checkPrint({ ...subject, zones: wrong })).rejects.toMatchObject({ code: "bad-zones" });
+  });
+
+  it("name a model that is not there in the message alone, which is what a server logs", async () => {
+    await expect(renderPrint({ ...subject, model: "no-such.glb" })).rejects.toMatchObject({
+      code: "missing-file",
+      subject: "no-such.glb",
+      message: "“no-such.glb”: there is no such file",
+    });
+  });
+
+  it("say that a model's side files come as a Map", async () => {
+    const model = { name: "plane.gltf", bytes: planeGlb(), resources: {} };
+    const message = /^model: must be .* resources a Map of addresses to bytes/;
+    await expect(checkPrint({ ...subject, model: model as never })).rejects.toThrow(message);
+  });
   const assets = [{ name: "logo.png", bytes: LOGO }];
 
   it("gives the bytes that the engine of the page exports", async () => {
