@@ -44,12 +44,20 @@ describe("the element's settings", () => {
       ["mode", "ful"],
       ["loading", "soon"],
       ["minCameraOrbit", "90deg"],
+      ["maxCameraOrbit", "90deg"],
     ]);
     expect(settings.camera.min).toEqual(settings.camera.max);
     const lost = readSettings({ ...DEFAULTS, cameraOrbit: "north" }, german).faults.get("cameraOrbit");
     expect(lost?.message).toBe(german.errors.badOption("cameraOrbit"));
     const apart = { ...DEFAULTS, minCameraOrbit: "auto auto 50%", maxCameraOrbit: "auto auto 0.4m" };
     expect(readSettings(apart, english).faults.size).toBe(0);
+  });
+
+  it("have one fault for two limits that cross, whichever of them was written last", () => {
+    const crossed = { ...DEFAULTS, minCameraOrbit: "90deg auto auto", maxCameraOrbit: "10deg auto auto" };
+    const { faults } = readSettings(crossed, english);
+    expect(faults.get("maxCameraOrbit")).toBeDefined();
+    expect(faults.get("maxCameraOrbit")).toBe(faults.get("minCameraOrbit"));
   });
 
   it("name a beforeAccept that is no function, and keep it, so that it refuses and does not let all in", () => {

@@ -11,7 +11,7 @@ export interface ReadSettings {
   readonly settings: DeskSettings;
   /** Where the camera begins; null: where it usually does. */
   readonly orbit: Orbit | null;
-  /** By property: what it says cannot be used, and the default holds. */
+  /** By property: what it says cannot be used, and the default holds. Two that do not go together have one fault. */
   readonly faults: ReadonlyMap<keyof TexelcastEditorProperties, TexelcastError>;
 }
 
@@ -27,10 +27,11 @@ type Orbits = "cameraOrbit" | "minCameraOrbit" | "maxCameraOrbit";
 /** Throws nothing: a page that writes a wrong number has an element that works, and is told. */
 export function readSettings(element: TexelcastEditorProperties, words: Words): ReadSettings {
   const faults = new Map<keyof TexelcastEditorProperties, TexelcastError>();
-  const wrong = (name: keyof TexelcastEditorProperties, hint: string): void => {
+  const wrong = (name: keyof TexelcastEditorProperties, hint: string, also = name): void => {
     const value: unknown = element[name];
     const details = { field: name, value: typeof value === "object" ? "object" : String(value), hint };
-    faults.set(name, new ToldError("bad-argument", words.errors.badOption(name), details));
+    const fault = new ToldError("bad-argument", words.errors.badOption(name), details);
+    faults.set(name, fault).set(also, fault);
   };
   const number = (name: Numbers, least: number, most: number, whole = true): number | null => {
     const value: unknown = element[name];
@@ -58,7 +59,7 @@ export function readSettings(element: TexelcastEditorProperties, words: Words): 
   const camera = (): DeskSettings["camera"] => {
     const [min, max] = [orbit("minCameraOrbit"), orbit("maxCameraOrbit")];
     if (!isCrossed(min, max)) return { min, max };
-    wrong("minCameraOrbit", `– ${element.maxCameraOrbit}`);
+    wrong("minCameraOrbit", `– ${element.maxCameraOrbit}`, "maxCameraOrbit");
     return { min: ANY_ORBIT, max: ANY_ORBIT };
   };
   const settings: DeskSettings = {

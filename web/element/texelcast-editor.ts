@@ -300,8 +300,9 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
     // In the language that was just asked for.
     void speaking.then(() => {
       if (has("locale")) this.#work.configure();
-      for (const [name, fault] of readSettings(this, this.#voice.words).faults)
-        if (has(name)) this.#voice.report(fault);
+      const { faults } = readSettings(this, this.#voice.words);
+      const told = new Set([...faults].flatMap(([name, fault]) => (has(name) ? [fault] : [])));
+      for (const fault of told) this.#voice.report(fault);
     });
     if (has("loading", "src")) this.#watchSight();
     if (changed.size > 0) this.#work.follow(has);
