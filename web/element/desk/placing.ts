@@ -107,8 +107,11 @@ async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; 
     throw new ToldError("bad-argument", words.errors.badOption("source"), { field: "source", value: typeof source });
   }
   const url = addressOf(String(source), document.baseURI, words);
-  return { name: nameOf(url), bytes: await fetchBytes(url, { words, signal: desk.signal }) };
+  return { name: pictureName(url), bytes: await fetchBytes(url, { words, signal: desk.signal }) };
 }
+
+/** What a picture from an address is called; those of `data:` and `blob:` hold no name. */
+export const pictureName = (url: URL): string => (/^(data|blob):/.test(url.protocol) ? "picture" : nameOf(url));
 
 /** A picture's bytes without metadata: checked, and accepted by the shop. */
 export async function admitPicture(desk: Desk, name: string, bytes: Uint8Array): Promise<Uint8Array> {

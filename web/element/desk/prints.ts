@@ -1,6 +1,7 @@
 /** What a shop gets of a design: the texture as it is printed, and what the printer would say of it. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { findLayer } from "../../editor/document/layer-tree.ts";
+import type { PrintZones } from "../../engine/print-zones.ts";
 import type { MapPicture } from "../../viewer/viewer-api.ts";
 import type { ExportedTexture, ExportTextureOptions, LayerArea, PrintReport } from "../element-api.ts";
 import type { AtDesk } from "../mode.ts";
@@ -38,8 +39,9 @@ export function layerAreas({ desk }: AtDesk, report: PrintReport): readonly Laye
 }
 
 /** Reads a zones file, or what is in one. Rejects with "bad-zones", "missing-file". */
-export async function readZones(input: string | object, base: string, fetching: Fetching) {
+export async function readZones(input: string | object, base: string, fetching: Fetching): Promise<PrintZones> {
   const { parseZones } = await import("../../editor/document/zones.ts");
+  if (input instanceof URL) return await readZones(input.href, base, fetching);
   if (typeof input !== "string") return parseZones(plain(input));
   if (input.trimStart().startsWith("{")) return parseZones(input);
   const url = addressOf(input, base, fetching.words);

@@ -55,6 +55,7 @@ interface GivenDesign {
 
 async function dataOf(input: DesignInput, reading: DesignReading): Promise<GivenDesign> {
   const { words, base } = reading;
+  if (input instanceof URL) return await dataOf(input.href, reading);
   if (typeof input === "string") {
     if (input.trimStart().startsWith("{")) return { data: input, name: "design", base };
     const url = addressOf(input, base, words);
