@@ -116,8 +116,18 @@ export class PortCalls {
       const value = await this.#parts.answer(method, args, signal);
       if (!signal.aborted) this.#send({ kind: "result", id, value });
     } catch (thrown) {
-      const error = TexelcastError.wrap(thrown, "internal", `“${method}” failed: ${String(thrown)}`);
+      const error = isOurs(thrown)
+        ? thrown
+        : new TexelcastError("internal", `“${method}” failed: ${String(thrown)}`, { cause: thrown });
       if (!signal.aborted) this.#send({ kind: "failure", id, error: error.toJSON() });
     }
   }
+}
+
+/**
+ * A TexelcastError of any copy of the package: an editor's page may take the element from standalone.js, whose class is another
+ * than this script's.
+ */
+function isOurs(thrown: unknown): thrown is Pick<TexelcastError, "toJSON"> {
+  return thrown instanceof Error && /^(Texelcast|Abort)Error$/.test(thrown.name) && "toJSON" in thrown;
 }
