@@ -9,3 +9,8 @@ test.each([
   const mounted = mountTexelcast(null as never, options as never);
   await expect(mounted).rejects.toMatchObject({ code: "bad-argument", field, value, hint: expect.any(String) });
 });
+
+test("a container that the page does not have is told as such", async () => {
+  const mounted = mountTexelcast(null as never, { page: "https://editor.example/embed.html" });
+  await expect(mounted).rejects.toMatchObject({ code: "bad-argument", field: "container", value: "null" });
+});

@@ -39,7 +39,7 @@ const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
 
 /**
  * Puts the editor's page into `container` and resolves when it has answered. Rejects with a TexelcastError: "bad-argument"
- * for a page without an http(s) address or a `beforeAccept` that is no function, "timeout" when the page does not answer, "unsupported" when it speaks another
+ * for a page without an http(s) address, a `beforeAccept` that is no function or a container that is not there, "timeout" when the page does not answer, "unsupported" when it speaks another
  * version; the iframe is then taken away again.
  */
 export async function mountTexelcast(container: Element, options: MountOptions): Promise<TexelcastFrame> {
@@ -52,6 +52,13 @@ export async function mountTexelcast(container: Element, options: MountOptions):
       field: "beforeAccept",
       value: String(beforeAccept),
       hint: "Give a function that answers whether a file may be used, or leave it out.",
+    });
+  }
+  if (!container?.ownerDocument) {
+    throw new TexelcastError("bad-argument", "The editor needs an element of the page to be put into.", {
+      field: "container",
+      value: String(container),
+      hint: "Call it when the page has that element.",
     });
   }
   const iframe = container.ownerDocument.createElement("iframe");
