@@ -38,7 +38,7 @@ export interface GizmoPicture {
   readonly arrow: string;
   readonly arrowHead: string;
   readonly hover: string;
-  /** The mirrored copy's outline. */
+  /** The outlines of its mirrored copy and of what is chosen with it. */
   readonly beside: string;
   /** What a press nearer to it than to any handle takes hold of is the decal itself; null where it is out of sight. */
   readonly middle: ScreenPoint | null;
