@@ -1,4 +1,5 @@
 import { expect, test } from "./support/editor-page.ts";
+import { readPng } from "./support/read-png.ts";
 import { sharedFile, skipWithoutShared } from "./support/shared-files.ts";
 import { boardPicture, demoFile, file, ringPicture, squareGlb, squareGltf } from "./support/test-files.ts";
 
@@ -13,6 +14,21 @@ test("opens on the mug with a decal that is selected and painted", async ({ edit
   const painted = await editor.hash();
   await editor.removeAllDecals();
   expect(await editor.hash()).not.toBe(painted);
+});
+
+test("when the page is idle, the flat view shows the texture", async ({ page }) => {
+  await page.goto("./");
+  await page.waitForFunction(() => "texelcast" in window);
+  await page.evaluate(async () => {
+    await window.texelcast.ready;
+    await window.texelcast.idle();
+  });
+  const box = await page.locator(".tcv-texture canvas").boundingBox();
+  if (!box) throw new Error("The page shows no texture.");
+  // The mug's inner side, which is red, lies in the middle of its texture.
+  const clip = { x: box.x + box.width / 2 - 8, y: box.y + box.height / 2 - 8, width: 16, height: 16 };
+  const { rgba } = readPng(await page.screenshot({ clip }));
+  expect((rgba[0] ?? 0) - (rgba[2] ?? 0)).toBeGreaterThan(60);
 });
 
 test("asks the GPU for no setting once it draws: the page's thread would wait until it is done", async ({

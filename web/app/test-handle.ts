@@ -51,7 +51,10 @@ export function makeTestHandle(editor: Editor, ready: Promise<void>): TestHandle
   return {
     ready,
     engine: editor.engine,
-    idle: () => editor.idle(),
+    idle: async () => {
+      do await editor.idle();
+      while (editor.textureView.isBehind);
+    },
     kept: () => editor.autosave.flush(),
     readTexels: async (x, y, width, height) => editor.engine.readTexels(material(), x, y, width, height),
     hash: async (region) => editor.engine.hash(material(), region),

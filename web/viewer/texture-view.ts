@@ -74,6 +74,7 @@ class GlTextureView implements TextureView {
     (update) => this.#applyNow(update),
     (task) => this.#whenFree(task),
   );
+  #isBehind = false;
   #painter: TexturePainter;
   #target: BoundTexture | null = null;
   /** The first target, while the view has never had room in the page, as on a phone: nothing of it is on the GPU yet. */
@@ -138,7 +139,13 @@ class GlTextureView implements TextureView {
   }
 
   applyUpdate(update: TargetUpdate): boolean {
-    return this.#updates.push(update);
+    const isBrought = this.#updates.push(update);
+    this.#isBehind = !isBrought;
+    return isBrought;
+  }
+
+  get isBehind(): boolean {
+    return this.#isBehind;
   }
 
   setMode(mode: "texture" | MapView, picture?: MapPicture): void {
@@ -208,11 +215,13 @@ class GlTextureView implements TextureView {
     this.#pointer.dispose();
     this.#drawTask.cancel();
     this.#pace.dispose();
+    this.#isBehind = false;
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
     this.element.remove();
   }
 
   #applyNow(update: TargetUpdate): void {
+    this.#isBehind = false;
     if (this.#target?.takes(update) && !this.#gl.isContextLost()) {
       this.#target.upload(update, this.#options.readTexels !== undefined && !this.#showsFinest());
       this.#showSoon();

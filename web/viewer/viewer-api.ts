@@ -271,6 +271,8 @@ export interface TextureViewEvents {
 /** The unfolded texture: the live target or a map view, UV outlines over it, zoom and pan. */
 export interface TextureView {
   readonly element: HTMLElement;
+  /** An update waits for the GPU, which is busy: the view shows what was there before, at first nothing. */
+  readonly isBehind: boolean;
   bindTarget(info: TargetInfo, uvTriangles: Float32Array): void;
   /** As `ModelView.applyUpdate`. */
   applyUpdate(update: TargetUpdate): boolean;
