@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { carriedProjector, type NearSurface } from "../../web/editor/state/carried-projector.ts";
+import { carriedProjector, footOf, type NearSurface } from "../../web/editor/state/carried-projector.ts";
 import { spun } from "../../web/editor/state/rotation.ts";
 import type {
   CylindricalProjector,
@@ -9,6 +9,9 @@ import type {
   UvProjector,
   Vec3,
 } from "../../web/engine/engine-api.ts";
+
+const carried = (start: Projector, now: Projector, other: Projector, near: NearSurface): Projector =>
+  carriedProjector(start, now, other, footOf(other, near), near);
 
 const ABOUT_Y = (degrees: number): Quaternion => {
   const half = (degrees * Math.PI) / 360;
@@ -35,14 +38,14 @@ function expectSame(projector: Projector, wanted: Projector): void {
 }
 
 it("carries what lies on a mug round it, by the same angle and height", () => {
-  const carried = carriedProjector(onMug(10, 0), onMug(75, 0.4), onMug(-30, 1), mug);
-  expectSame(carried, onMug(35, 1.4));
+  const moved = carried(onMug(10, 0), onMug(75, 0.4), onMug(-30, 1), mug);
+  expectSame(moved, onMug(35, 1.4));
 });
 
 it("keeps a place on a table beside the dragged one as far and as turned as it was", () => {
   const flat = (x: number, z: number): PlanarProjector => ({ ...onMug(0, 0), position: [x, 0, z] });
   const turned: PlanarProjector = { ...flat(5, 5), rotation: spun([0, 0, 0, 1], 30) };
-  expectSame(carriedProjector(flat(0, 0), flat(2, -3), turned, nowhere), { ...turned, position: [7, 0, 2] });
+  expectSame(carried(flat(0, 0), flat(2, -3), turned, nowhere), { ...turned, position: [7, 0, 2] });
 });
 
 it("stays on the surface where that does not go on as it did under the dragged one", () => {
@@ -52,7 +55,7 @@ it("stays on the surface where that does not go on as it did under the dragged o
     return { position: [x / far, y, z / far] };
   };
   const lifted = onMug(40, 0, 1.05);
-  expectSame(carriedProjector(onMug(0, 0), onMug(0, 0.5), lifted, wider), onMug(40, 0.5, 1.55));
+  expectSame(carried(onMug(0, 0), onMug(0, 0.5), lifted, wider), onMug(40, 0.5, 1.55));
 });
 
 it("leaves a label on its axis", () => {
@@ -60,18 +63,18 @@ it("leaves a label on its axis", () => {
     kind: "cylindrical",
     ...{ position: [0, 1, 0], rotation: ABOUT_Y(20), radius: 1, height: 0.3, arc: 90, depth: 0.1 },
   };
-  const carried = carriedProjector(onMug(0, 0), onMug(50, 0.25), label, mug);
-  expectSame(carried, { ...label, position: [0, 1.25, 0], rotation: ABOUT_Y(70) });
+  const moved = carried(onMug(0, 0), onMug(50, 0.25), label, mug);
+  expectSame(moved, { ...label, position: [0, 1.25, 0], rotation: ABOUT_Y(70) });
   // Also where what is dragged leans, as over the mug's foot.
   const leaning = { ...onMug(0, -0.2), rotation: [Math.SQRT1_2 / 2, 0, 0, Math.sqrt(7 / 8)] as const };
-  const kept = carriedProjector(onMug(0, 0), leaning, label, mug) as CylindricalProjector;
+  const kept = carried(onMug(0, 0), leaning, label, mug) as CylindricalProjector;
   expect([kept.position[0], kept.position[2]]).toEqual([0, 0]);
   expect([kept.rotation[0], kept.rotation[2]]).toEqual([0, 0]);
 });
 
 it("carries stamps by stamps alone", () => {
   const stamp = (u: number, v: number): UvProjector => ({ kind: "uv", center: [u, v], size: [0.1, 0.1], angle: 5 });
-  expectSame(carriedProjector(stamp(0.5, 0.5), stamp(0.6, 0.3), stamp(0.1, 0.9), mug), stamp(0.2, 0.7));
-  expect(carriedProjector(onMug(0, 0), onMug(9, 0), stamp(0.1, 0.9), mug)).toEqual(stamp(0.1, 0.9));
-  expect(carriedProjector(stamp(0.5, 0.5), stamp(0.6, 0.3), onMug(0, 0), mug)).toEqual(onMug(0, 0));
+  expectSame(carried(stamp(0.5, 0.5), stamp(0.6, 0.3), stamp(0.1, 0.9), mug), stamp(0.2, 0.7));
+  expect(carried(onMug(0, 0), onMug(9, 0), stamp(0.1, 0.9), mug)).toEqual(stamp(0.1, 0.9));
+  expect(carried(stamp(0.5, 0.5), stamp(0.6, 0.3), onMug(0, 0), mug)).toEqual(onMug(0, 0));
 });

@@ -104,8 +104,10 @@ function* clustersOf(text: string, own: TextFont): Iterable<Cluster> {
   let script = clusters.map(firstScript).find((tag) => tag !== null) ?? "Latn";
   for (const cluster of clusters) {
     script = firstScript(cluster) ?? script;
-    const written = isEmoji(cluster) && lacks(own, cluster) ? EMOJI : script;
-    yield { text: cluster, script: written, font: fontOf(cluster, written, own) };
+    const isLacking = [...cluster].some((character) => !isInvisible(character) && !hasGlyph(own, character));
+    const written = isLacking && isEmoji(cluster) ? EMOJI : script;
+    const font = isLacking ? shippedFontAddress(standIn(written, own.weight)) : null;
+    yield { text: cluster, script: written, font };
   }
 }
 
@@ -116,12 +118,5 @@ function firstScript(cluster: string): string | null {
   }
   return null;
 }
-
-function fontOf(cluster: string, script: string, own: TextFont): string | null {
-  return lacks(own, cluster) ? shippedFontAddress(standIn(script, own.weight)) : null;
-}
-
-const lacks = (font: TextFont, cluster: string): boolean =>
-  [...cluster].some((character) => !isInvisible(character) && !hasGlyph(font, character));
 
 const hasGlyph = (font: TextFont, character: string): boolean => font.covers(character.codePointAt(0) ?? 0);

@@ -74,6 +74,7 @@ class GlTextureView implements TextureView {
     (update) => this.#applyNow(update),
     (task) => this.#whenFree(task),
   );
+  // The queue knows it, too; asked there it would weigh on product pages, which share the queue and have no 20 bytes left.
   #isBehind = false;
   #painter: TexturePainter;
   #target: BoundTexture | null = null;

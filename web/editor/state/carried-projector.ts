@@ -4,16 +4,26 @@ import type { CylindricalProjector, Projector, Quaternion, Vec3 } from "../../en
 /** Where the surface is nearest to a place; null where there is none. */
 export type NearSurface = (place: Vec3) => { readonly position: Vec3 } | null;
 
+/** Where a decal stands on the surface before it is carried; null where it does not. */
+export const footOf = (projector: Projector, near: NearSurface): Vec3 | null =>
+  projector.kind === "planar" ? (near(projector.position)?.position ?? null) : null;
+
 /**
- * `other`, carried as one body with what was dragged from `start` to `now`. Of a stamp and what is no stamp neither carries
- * the other: one lies in the texture, the other on the model.
+ * `other`, whose foot was at `foot`, carried as one body with what was dragged from `start` to `now`. Of a stamp and what is no
+ * stamp neither carries the other: one lies in the texture, the other on the model.
  */
-export function carriedProjector(start: Projector, now: Projector, other: Projector, near: NearSurface): Projector {
-  if (start.kind === "uv" || now.kind === "uv" || other.kind === "uv") {
-    if (start.kind !== "uv" || now.kind !== "uv" || other.kind !== "uv") return other;
+export function carriedProjector(
+  start: Projector,
+  now: Projector,
+  other: Projector,
+  foot: Vec3 | null,
+  near: NearSurface,
+): Projector {
+  if (start.kind === "uv" && now.kind === "uv" && other.kind === "uv") {
     const [u, v] = other.center;
     return { ...other, center: [u + now.center[0] - start.center[0], v + now.center[1] - start.center[1]] };
   }
+  if (start.kind === "uv" || now.kind === "uv" || other.kind === "uv") return other;
   const turn = times(now.rotation, inverse(start.rotation));
   const carry = (place: Vec3): Vec3 => plus(now.position, turned(turn, minus(place, start.position)));
   if (other.kind === "cylindrical") return carriedRound(other, carry);
@@ -21,8 +31,7 @@ export function carriedProjector(start: Projector, now: Projector, other: Projec
   const rotation = times(turn, other.rotation);
   if (other.kind === "perspective") return { ...other, position, rotation };
   // The surface need not go on as it did under the dragged one: the foot stays on it.
-  const foot = near(other.position);
-  const carriedFoot = foot && carry(foot.position);
+  const carriedFoot = foot && carry(foot);
   const landing = carriedFoot && near(carriedFoot);
   const settled = landing ? plus(position, minus(landing.position, carriedFoot)) : position;
   return { ...other, position: settled, rotation };

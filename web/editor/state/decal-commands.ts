@@ -6,7 +6,7 @@ import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { tellBarePart } from "./bare-part.ts";
-import { carriedProjector, type NearSurface } from "./carried-projector.ts";
+import { carriedProjector, footOf, type NearSurface } from "./carried-projector.ts";
 import { clearPlaces } from "./clear-place.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
 import { addOnTop, layerById, patchEach, patchLayer, withAsset } from "./design-edits.ts";
@@ -26,6 +26,12 @@ const COARSE = 10;
 
 /** What a layer takes on where it is put. */
 type LayerMove = Pick<PlacedLayer, "projector" | "material">;
+
+/** A layer that goes along, and where it stands when the drag begins: what is searched for once is not searched for at each move. */
+interface Carried {
+  readonly layer: PlacedLayer;
+  readonly foot: Vec3 | null;
+}
 
 export interface DecalCommandsParts {
   readonly session: DesignSession;
@@ -52,7 +58,7 @@ export class DecalCommands {
   /** The recorded design, with that copy in it, while such a drag goes on. */
   #copied: Design | null = null;
   /** The other chosen ones, which go along while one of them is dragged. */
-  #carried: readonly PlacedLayer[] = [];
+  #carried: readonly Carried[] = [];
 
   constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
     this.#session = session;
@@ -285,14 +291,16 @@ export class DecalCommands {
     }
   }
 
-  #othersThan(id: string): readonly PlacedLayer[] {
-    return this.chosen.filter(({ layer, locked }) => !locked && layer.id !== id).map(({ layer }) => layer);
+  #othersThan(id: string): readonly Carried[] {
+    const others = this.chosen.filter(({ layer, locked }) => !locked && layer.id !== id);
+    return others.map(({ layer }) => ({ layer, foot: footOf(layer.projector, this.#near) }));
   }
 
+  readonly #near: NearSurface = (place) => this.#viewer.surface.near(place);
+
   #dragTogether({ id, projector }: PlacedLayer, patch: LayerMove, phase: "move" | "end"): void {
-    const near: NearSurface = (place) => this.#viewer.surface.near(place);
-    const others = this.#carried.map((other) =>
-      this.#moved(other, carriedProjector(projector, patch.projector, other.projector, near)),
+    const others = this.#carried.map(({ layer, foot }) =>
+      this.#moved(layer, carriedProjector(projector, patch.projector, layer.projector, foot, this.#near)),
     );
     const design = patchEach(this.#session.recordedDesign, new Map([[id, patch], ...others]));
     if (phase === "move") this.#session.preview(design);
