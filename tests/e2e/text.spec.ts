@@ -171,8 +171,11 @@ test("what no font has is named when it is typed and when it is exported, and wh
   const { projector } = await textLayer(editor);
   expect(projector.kind === "planar" && projector.size[0]).toBeCloseTo(0.6, 6);
   await page.keyboard.press("Control+z");
+  await expect(page.locator("#redo")).toBeEnabled();
   await words.fill("lines");
   await words.blur();
+  // Recorded: there is nothing to redo any more.
+  await expect(page.locator("#redo")).toBeDisabled();
   await expect(editor.notices).toHaveCount(0);
   await words.fill(Array.from({ length: 12 }, () => "lines").join("\n"));
   await words.blur();

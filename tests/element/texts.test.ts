@@ -6,9 +6,9 @@ import { type EditorState, INITIAL_STATE } from "../../web/editor/state/editor-s
 import { Store } from "../../web/editor/state/store.ts";
 import { Desk } from "../../web/element/desk/desk.ts";
 import type { DeskHooks } from "../../web/element/desk/desk-settings.ts";
-import { Texts } from "../../web/element/desk/texts.ts";
+import { shippedFont, Texts } from "../../web/element/desk/texts.ts";
 import { english } from "../../web/element/words/english.ts";
-import type { Engine } from "../../web/engine/engine-api.ts";
+import type { Engine, EngineText } from "../../web/engine/engine-api.ts";
 import { readShippedFont } from "../../web/engine/shipped-fonts.ts";
 import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
 import { FRONT } from "../support/layers.ts";
@@ -18,6 +18,17 @@ const FONT = await readShippedFont("bebas-neue-400");
 /** A desk whose engine keeps fonts, and measures words unless it `refuses`. */
 function deskWithFonts({ refuses }: { refuses: boolean }) {
   const has = new Set<string>();
+  let slow: string | null = null;
+  let arrive = (): void => undefined;
+  const arrival = new Promise<void>((resolve) => {
+    arrive = resolve;
+  });
+  const measured = {
+    waitFor: (font: string): void => {
+      slow = font;
+    },
+    arrive: () => arrive(),
+  };
   const engine = {
     setFont: async (key: string) => {
       has.add(key);
@@ -25,7 +36,8 @@ function deskWithFonts({ refuses }: { refuses: boolean }) {
     },
     removeAsset: async (key: string) => void has.delete(key),
     setLayers: () => undefined,
-    measureText: async () => {
+    measureText: async ({ font }: EngineText) => {
+      if (font === slow) await arrival;
       if (refuses) throw new TexelcastError("bad-font", "The letters cannot be drawn.");
       return { width: 2, height: 1, inkWidth: 2, inkHeight: 1 };
     },
@@ -44,7 +56,7 @@ function deskWithFonts({ refuses }: { refuses: boolean }) {
     announce: () => undefined,
   } as unknown as DeskHooks;
   const desk = new Desk({ engine, viewer, store, library, session, hooks, loadHands: async () => viewer as never });
-  return { desk, texts: new Texts(desk), has };
+  return { desk, texts: new Texts(desk), has, measured };
 }
 
 const WORDS = { font: FONT, projector: FRONT, material: 0 };
@@ -97,3 +109,18 @@ it.each<[string, object]>([
     expect(has.size).toBe(0);
   },
 );
+
+it("a text wears what was chosen last, though a font that was chosen before comes later", async () => {
+  const { desk, texts, measured } = deskWithFonts({ refuses: false });
+  const id = await texts.add("Hello", WORDS);
+  const before = desk.design;
+  measured.waitFor("texelcast:fonts/lobster-400");
+  const slow = texts.change(id, { font: shippedFont("lobster-400"), curve: 20 }, true);
+  await texts.change(id, { font: shippedFont("inter-400") }, true);
+  measured.arrive();
+  await slow;
+  const [layer] = desk.design.layers;
+  expect(desk.design).not.toBe(before);
+  expect(layer).toMatchObject({ curve: 20 });
+  expect(layer?.type === "text" && desk.design.assets[layer.font]?.uri).toBe("texelcast:fonts/inter-400");
+});

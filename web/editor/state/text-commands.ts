@@ -3,7 +3,7 @@ import { cutText } from "../../core/cut-text.ts";
 import type { Engine, EngineText, Projector, TextMeasure } from "../../engine/engine-api.ts";
 import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import { type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
+import { type Design, type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
 import { isLocked, walkLayers } from "../document/layer-tree.ts";
 import { resolveWords } from "../document/resolve-layers.ts";
 import { withoutCount } from "../files/counted-name.ts";
@@ -18,6 +18,7 @@ import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import { emOf, fitsClosely, fitted, refitted, withEm } from "./text-box.ts";
 import { newlyMissing, shareOfModel } from "./text-troubles.ts";
+import { type WaitingChange, WaitingChanges } from "./waiting-changes.ts";
 
 export type TextFieldsPatch = Partial<
   Pick<TextLayer, "text" | "letterSpacing" | "align" | "curve" | "color" | "outline">
@@ -26,6 +27,8 @@ export interface TextPatch extends TextFieldsPatch {
   /** What takes the place of the layer's font. */
   readonly fontAsset?: { readonly name: string; readonly asset: DesignAsset };
 }
+
+type TextChange = WaitingChange<TextPatch>;
 
 export interface TextCommandsParts {
   readonly engine: Pick<Engine, "measureText">;
@@ -43,10 +46,10 @@ const REMEMBERED = 400;
 export class TextCommands {
   readonly #parts: TextCommandsParts;
   readonly #measured = new Map<string, TextMeasure>();
-  /** Counts the changes asked for: of several that wait for their measure only the newest is shown. */
+  /** Counts what was asked for: of several changes to be shown that wait for their measure only the newest is. */
   #asked = 0;
-  /** The change that waits for its measure, to be a step then. */
-  #unmeasured: Unmeasured | null = null;
+  /** The changes that wait for their measure, to be steps then, however slow their fonts are. */
+  readonly #waiting = new WaitingChanges<TextPatch>();
 
   constructor(parts: TextCommandsParts) {
     this.#parts = parts;
@@ -84,8 +87,11 @@ export class TextCommands {
   }
 
   /** Shows a change that is still going on (typing, the scrub of a field); the newest one asked for wins. */
-  preview(id: string, patch: TextPatch): Promise<void> {
-    return this.#apply(id, patch, (design) => this.#parts.session.preview(design));
+  async preview(id: string, patch: TextPatch): Promise<void> {
+    this.#asked += 1;
+    const request = this.#asked;
+    const show = (design: Design): void => this.#parts.session.preview(design);
+    await this.#apply({ id, patch }, () => request === this.#asked, show);
   }
 
   cancelPreview(): void {
@@ -93,32 +99,34 @@ export class TextCommands {
     this.#parts.session.cancelPreview();
   }
 
-  /** One step of the history; none where the layer is so already. */
+  /** One step of the history, at once or when the words are measured; none where the layer is so already. */
   async change(id: string, patch: TextPatch, label: string, mergeKey?: string): Promise<void> {
-    const layer = layerById(this.#parts.session.recordedDesign, id);
+    const { session } = this.#parts;
+    this.#waiting.supersede(id, patch);
+    const layer = layerById(session.recordedDesign, id);
     const fields = Object.entries(patch) as [keyof TextLayer, unknown][];
     if (layer?.type === "text" && fields.every(([name, value]) => Object.is(layer[name], value))) {
       this.cancelPreview();
       return;
     }
-    const unmeasured =
-      layer?.type === "text" && !patch.fontAsset ? { id, before: picked(layer, patch), after: patch } : null;
-    this.#unmeasured = unmeasured;
-    const work = this.#apply(id, patch, (design) => this.#parts.session.record(design, label, mergeKey)).finally(() => {
-      if (this.#unmeasured === unmeasured) this.#unmeasured = null;
-    });
+    this.#asked += 1;
+    const record = (design: Design): void => session.record(design, label, mergeKey);
+    const work = this.#waiting.add({ id, patch }, (change) => this.#apply(change, () => true, record));
     // What is saved meanwhile waits until the words are measured.
-    this.#parts.session.recordsLater(work);
-    await work;
-    if (layer?.type === "text") await this.#tellTroubles(layer);
+    session.recordsLater(work);
+    const before = await work;
+    if (before) await this.#tellTroubles(before);
   }
 
-  /** What a page that is left now would lose, as nobody waits for a measure then. Null for nothing. */
+  /** What a page that is left now would lose, as nobody waits for a measure then. Null for nothing, and for what cannot be noted. */
   get unmeasured(): Unmeasured | null {
-    const { session } = this.#parts;
-    const open = this.#unmeasured;
-    if (!open || isLocked(session.recordedDesign, open.id)) return null;
-    return patchLayer<TextLayer>(session.recordedDesign, open.id, open.after) === session.recordedDesign ? null : open;
+    const { recordedDesign } = this.#parts.session;
+    const { only } = this.#waiting;
+    if (!only || only.patch.fontAsset || isLocked(recordedDesign, only.id)) return null;
+    const { id, patch } = only;
+    const layer = layerById(recordedDesign, id);
+    if (layer?.type !== "text" || patchLayer<TextLayer>(recordedDesign, id, patch) === recordedDesign) return null;
+    return { id, before: picked(layer, patch), after: patch };
   }
 
   /** Does in this visit what was unmeasured when the page was left. */
@@ -219,39 +227,44 @@ export class TextCommands {
     return room === undefined || fitsClosely(layer, room, this.#textureAspect(layer));
   }
 
-  async #apply(id: string, patch: TextPatch, put: (design: DesignSession["design"]) => void): Promise<void> {
+  /**
+   * Puts the design with a change, when its words and those before it are measured and while it is `wanted`. The design, and
+   * the change itself, may have become others in the meantime. Gives the layer that it was put to, if it was.
+   */
+  async #apply(change: TextChange, wanted: () => boolean, put: (design: Design) => void): Promise<TextLayer | null> {
     const { session, board } = this.#parts;
-    const before = session.recordedDesign;
-    const layer = layerById(before, id);
-    if (layer?.type !== "text" || isLocked(before, id)) return;
-    this.#asked += 1;
-    const request = this.#asked;
-    const { fontAsset, ...fields } = patch;
-    const { design, key } = fontAsset
-      ? withAsset(before, fontAsset.name, fontAsset.asset)
-      : { design: before, key: layer.font };
-    const name = this.#nameFor(layer, fields.text);
-    const changed: TextLayer = { ...layer, ...fields, font: key };
-    const finish = (old: TextMeasure, now: TextMeasure): void => {
-      const close = fitsClosely(layer, old, this.#textureAspect(layer));
-      const box = close ? refitted({ ...layer, align: changed.align }, old, now) : null;
-      const placed = box && this.#parts.decals.placed(id, box.projector);
-      const edited = patchLayer<TextLayer>(design, id, { ...fields, name, font: key, ...box, ...placed });
-      put(fontAsset ? withoutUnusedAssets(edited) : edited);
-    };
-    const words = [this.#wordsOf(layer, design.assets), this.#wordsOf(changed, design.assets)] as const;
-    const known = words.map((each) => this.#measured.get(keyOf(each)));
-    // Known at once, so that a click elsewhere, which ends the typing, comes after its step.
-    if (known[0] && known[1]) {
-      finish(known[0], known[1]);
-      return;
-    }
+    const { model } = session.recorded;
     try {
-      const [old, now] = await Promise.all(words.map((each) => this.#measure(each)));
-      if (request === this.#asked && old && now && session.recordedDesign === before) finish(old, now);
+      // Of another model's design nothing was asked.
+      while (wanted() && session.recorded.model === model) {
+        const before = session.recordedDesign;
+        const layer = layerById(before, change.id);
+        const { fontAsset, ...fields } = change.patch;
+        if (layer?.type !== "text" || isLocked(before, layer.id) || isEmpty(change.patch)) return null;
+        const { design, key } = fontAsset
+          ? withAsset(before, fontAsset.name, fontAsset.asset)
+          : { design: before, key: layer.font };
+        const changed: TextLayer = { ...layer, ...fields, font: key };
+        const words = [this.#wordsOf(layer, design.assets), this.#wordsOf(changed, design.assets)] as const;
+        const [old, now] = words.map((each) => this.#measured.get(keyOf(each)));
+        if (!old || !now) {
+          await Promise.all(words.map((each) => this.#measure(each)));
+          continue;
+        }
+        // Known at once, so that a click elsewhere, which ends the typing, comes after its step.
+        const box = fitsClosely(layer, old, this.#textureAspect(layer))
+          ? refitted({ ...layer, align: changed.align }, old, now)
+          : null;
+        const placed = box && this.#parts.decals.placed(layer.id, box.projector);
+        const name = this.#nameFor(layer, fields.text);
+        const edited = patchLayer<TextLayer>(design, layer.id, { ...fields, name, font: key, ...box, ...placed });
+        put(fontAsset ? withoutUnusedAssets(edited) : edited);
+        return layer;
+      }
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotWrite, thrown);
     }
+    return null;
   }
 
   /** A text is called by its words for as long as nobody has called it otherwise. */
@@ -301,6 +314,8 @@ const listed = (characters: readonly string[]): string => characters.slice(0, MO
 function picked(layer: TextLayer, patch: TextFieldsPatch): TextFieldsPatch {
   return Object.fromEntries(Object.keys(patch).map((name) => [name, layer[name as keyof TextFieldsPatch]]));
 }
+
+const isEmpty = (patch: TextPatch): boolean => Object.keys(patch).length === 0;
 
 /** What a text says first, as long as a row of the layer list shows. */
 const titleOf = (text: string): string => cutText(/\S.*/.exec(text)?.[0].trimEnd() ?? "", MOST_IN_TITLE);

@@ -29,8 +29,10 @@ const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 
 
 export class Texts {
   readonly #desk: Desk;
-  /** Counts the changes asked for: of several that wait for their measure only the newest is shown. */
-  #asked = 0;
+  /** The change asked for last: of several that wait for their measure only the newest is shown. */
+  #newest: TextPatch | null = null;
+  /** By their layers' ids, those chosen last: one that comes later, as it is slow, does not take their place. */
+  readonly #fonts: Record<string, NamedFont> = {};
 
   constructor(desk: Desk) {
     this.#desk = desk;
@@ -81,6 +83,7 @@ export class Texts {
 
   /** Shows a change, or (`final`) records it; the box goes on lying close about the words. */
   change(id: string, patch: TextPatch, final: boolean): Promise<void> {
+    if (patch.font) this.#fonts[id] = patch.font;
     return this.#desk.during(this.#change(id, patch, final));
   }
 
@@ -89,12 +92,11 @@ export class Texts {
     const layer = this.#layer(id);
     if (layer === null || desk.settings.readonly) return;
     const { font, ...fields } = patch;
-    this.#asked += 1;
+    this.#newest = patch;
     if (final && !font && isSame(layer, fields)) {
       desk.session.cancelPreview();
       return;
     }
-    const request = this.#asked;
     const dressed = (): { design: Design; key: string } =>
       font ? withAsset(desk.design, font.name, font.asset) : { design: desk.design, key: layer.font };
     const { design, key } = dressed();
@@ -103,9 +105,10 @@ export class Texts {
     const changed: TextLayer = { ...layer, ...fields, ...named, font: key };
     const [old, now] = await Promise.all([this.#measure(layer, design.assets), this.#measure(changed, design.assets)]);
     // A newer one shows itself; what is to be recorded must not go for it.
-    if (!final && request !== this.#asked) return;
-    if (this.#layer(id) !== layer) {
-      await this.#change(id, patch, final);
+    if (!final && patch !== this.#newest) return;
+    const superseded = font && font !== this.#fonts[id];
+    if (superseded || this.#layer(id) !== layer) {
+      await this.#change(id, superseded ? fields : patch, final);
       return;
     }
     const target = desk.store.state.targets.get(desk.material);

@@ -1,0 +1,129 @@
+import { describe, expect, it } from "vitest";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { emptyDesign, makeTextLayer, type TextLayer } from "../../web/editor/document/index.ts";
+import { AssetLibrary } from "../../web/editor/state/asset-library.ts";
+import { layerById } from "../../web/editor/state/design-edits.ts";
+import { DesignSession } from "../../web/editor/state/design-session.ts";
+import { type EditorState, INITIAL_STATE } from "../../web/editor/state/editor-state.ts";
+import { NoticeBoard } from "../../web/editor/state/notice-board.ts";
+import { Store } from "../../web/editor/state/store.ts";
+import { shippedFont, TextCommands, type TextCommandsParts } from "../../web/editor/state/text-commands.ts";
+import type { Engine, EngineText, Projector } from "../../web/engine/engine-api.ts";
+import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
+import { FRONT } from "../support/layers.ts";
+
+const INTER = shippedFont("inter-700");
+const LOBSTER = shippedFont("lobster-400");
+
+/** An engine whose fonts come when the test says so: its measures wait until then. */
+function waitingEngine() {
+  const waiting: { readonly words: EngineText; readonly end: (failed?: Error) => void }[] = [];
+  const measureText = (words: EngineText) =>
+    new Promise((resolve, reject) => {
+      const room = { width: words.text.length, height: 1, missing: [] };
+      waiting.push({ words, end: (failed) => (failed ? reject(failed) : resolve(room)) });
+    });
+  /** Ends the measures that wait, or those that `which` says. */
+  const arrive = async (which: (words: EngineText) => boolean = () => true, failed?: Error): Promise<void> => {
+    for (let more = true; more; ) {
+      const ended = waiting.filter(({ words }) => which(words));
+      for (const each of ended) waiting.splice(waiting.indexOf(each), 1);
+      for (const each of ended) each.end(failed);
+      // What follows one may ask for the next.
+      await new Promise((resolve) => setTimeout(resolve, 0));
+      more = waiting.some(({ words }) => which(words));
+    }
+  };
+  return { measureText, arrive };
+}
+
+/** An editor with two texts, "Ada" and "Eve", whose fonts are slow. */
+function twoTexts() {
+  const { measureText, arrive } = waitingEngine();
+  const engine = { measureText, setLayers: () => {}, removeAsset: async () => {} } as unknown as Engine;
+  const viewer = { setDecals: () => {} } as unknown as ModelViewer;
+  const store = new Store<EditorState>(INITIAL_STATE);
+  const library = new AssetLibrary(engine);
+  const session = new DesignSession({ engine, viewer, library, store, later: () => {} });
+  const board = new NoticeBoard(store);
+  const texts = new TextCommands({
+    ...{ engine, session, store, board, library },
+    admission: null,
+    decals: { placed: (_id: string, projector: Projector) => ({ projector }) },
+  } as unknown as TextCommandsParts);
+  const put = (id: string, text: string): TextLayer =>
+    makeTextLayer({ id, name: text, text, font: INTER.name, projector: FRONT });
+  session.record(
+    { ...emptyDesign(), assets: { [INTER.name]: INTER.asset }, layers: [put("a", "Ada"), put("b", "Eve")] },
+    "open",
+  );
+  const layer = (id: string): TextLayer => layerById(session.recordedDesign, id) as TextLayer;
+  const fontOf = (id: string): string | undefined => session.recordedDesign.assets[layer(id).font]?.uri;
+  const told = (): string[] => store.state.notices.map(({ message }) => message);
+  return { session, texts, arrive, layer, fontOf, told };
+}
+
+const isLobster = ({ font }: EngineText): boolean => font === LOBSTER.asset.uri;
+
+describe("a change of a text whose font is still being fetched", () => {
+  it("is recorded when the font comes, whatever else was changed in the meantime", async () => {
+    const { session, texts, arrive, layer, fontOf } = twoTexts();
+    void texts.change("a", { fontAsset: LOBSTER }, "font");
+    void texts.change("b", { text: "Eva" }, "words");
+    void texts.change("a", { align: "right" }, "align");
+    session.record({ ...session.recordedDesign, layers: [{ ...layer("a"), opacity: 0.5 }, layer("b")] }, "opacity");
+    await arrive((words) => !isLobster(words));
+    await arrive();
+    expect(session.recording).toBe(false);
+    expect(fontOf("a")).toBe(LOBSTER.asset.uri);
+    expect(layer("a")).toMatchObject({ align: "right", opacity: 0.5 });
+    expect(layer("b").text).toBe("Eva");
+    expect(session.steps.labels.slice(2)).toEqual(["opacity", "words", "align", "font"]);
+  });
+
+  it("is not taken back by a change that was asked for before it", async () => {
+    const { texts, arrive, fontOf } = twoTexts();
+    void texts.change("a", { fontAsset: LOBSTER }, "font");
+    void texts.change("a", { fontAsset: INTER }, "font");
+    await arrive((words) => !isLobster(words));
+    await arrive(isLobster);
+    expect(fontOf("a")).toBe(INTER.asset.uri);
+  });
+
+  it("leaves what is shown of a later one, and its text when that is gone", async () => {
+    const { session, texts, arrive, layer, fontOf } = twoTexts();
+    void texts.change("a", { fontAsset: LOBSTER }, "font");
+    void texts.preview("b", { text: "Eva Maria" });
+    await arrive();
+    expect(fontOf("a")).toBe(LOBSTER.asset.uri);
+    expect(layer("b").text).toBe("Eve");
+    expect(layerById(session.design, "b")).toMatchObject({ text: "Eva Maria" });
+
+    void texts.change("b", { fontAsset: LOBSTER, text: "Evelyn" }, "font");
+    session.record({ ...session.recordedDesign, layers: [layer("a")] }, "delete");
+    const before = session.recordedDesign;
+    await arrive();
+    expect(session.recordedDesign).toBe(before);
+  });
+
+  it("is told of where the font cannot be had, and the changes after it are recorded all the same", async () => {
+    const { texts, arrive, layer, fontOf, told } = twoTexts();
+    void texts.change("a", { fontAsset: LOBSTER }, "font");
+    void texts.change("b", { text: "Eva" }, "words");
+    await arrive(isLobster, new TexelcastError("io", "No font."));
+    await arrive();
+    expect(told()).toEqual(["No font."]);
+    expect(fontOf("a")).toBe(INTER.asset.uri);
+    expect(layer("b").text).toBe("Eva");
+  });
+
+  it("can be noted by a page that is left, but not where others wait with it", async () => {
+    const { texts, arrive } = twoTexts();
+    void texts.change("a", { text: "Adam" }, "words");
+    expect(texts.unmeasured).toEqual({ id: "a", before: { text: "Ada" }, after: { text: "Adam" } });
+    void texts.change("b", { text: "Eva" }, "words");
+    expect(texts.unmeasured).toBeNull();
+    await arrive();
+    expect(texts.unmeasured).toBeNull();
+  });
+});
