@@ -2,13 +2,15 @@ import { describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { emptyDesign, makeTextLayer, type TextLayer } from "../../web/editor/document/index.ts";
 import { AssetLibrary } from "../../web/editor/state/asset-library.ts";
-import { layerById } from "../../web/editor/state/design-edits.ts";
+import type { DecalCommands } from "../../web/editor/state/decal-commands.ts";
+import { addOnTop, layerById } from "../../web/editor/state/design-edits.ts";
 import { DesignSession } from "../../web/editor/state/design-session.ts";
+import type { OpenModel } from "../../web/editor/state/design-state.ts";
 import { type EditorState, INITIAL_STATE } from "../../web/editor/state/editor-state.ts";
 import { NoticeBoard } from "../../web/editor/state/notice-board.ts";
 import { Store } from "../../web/editor/state/store.ts";
 import { shippedFont, TextCommands, type TextCommandsParts } from "../../web/editor/state/text-commands.ts";
-import type { Engine, EngineText, Projector } from "../../web/engine/engine-api.ts";
+import type { Engine, EngineText, PlanarProjector, Projector } from "../../web/engine/engine-api.ts";
 import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
 import { FRONT } from "../support/layers.ts";
 
@@ -42,14 +44,21 @@ function twoTexts() {
   const { measureText, arrive } = waitingEngine();
   const engine = { measureText, setLayers: () => {}, removeAsset: async () => {} } as unknown as Engine;
   const viewer = { setDecals: () => {} } as unknown as ModelViewer;
-  const store = new Store<EditorState>(INITIAL_STATE);
+  const info = { boundsMin: [-99, -99, -99], boundsMax: [99, 99, 99] };
+  const store = new Store<EditorState>({ ...INITIAL_STATE, model: { info } as unknown as OpenModel });
   const library = new AssetLibrary(engine);
   const session = new DesignSession({ engine, viewer, library, store, later: () => {} });
   const board = new NoticeBoard(store);
   const texts = new TextCommands({
     ...{ engine, session, store, board, library },
     admission: null,
-    decals: { placed: (_id: string, projector: Projector) => ({ projector }) },
+    decals: {
+      placed: (_id: string, projector: Projector) => ({ projector }),
+      addLayer: (...[, , label, make]: Parameters<DecalCommands["addLayer"]>) => {
+        const { design, layer: added } = make("new", FRONT, 0);
+        session.record(addOnTop(design, added), label);
+      },
+    },
   } as unknown as TextCommandsParts);
   const put = (id: string, text: string): TextLayer =>
     makeTextLayer({ id, name: text, text, font: INTER.name, projector: FRONT });
@@ -125,5 +134,29 @@ describe("a change of a text whose font is still being fetched", () => {
     expect(texts.unmeasured).toBeNull();
     await arrive();
     expect(texts.unmeasured).toBeNull();
+  });
+});
+
+describe("a text whose font is still being fetched", () => {
+  it("is put on the design as it is when the font comes, and what is saved waits for it", async () => {
+    const { session, texts, arrive, layer, fontOf } = twoTexts();
+    void texts.add(null, LOBSTER);
+    expect(session.recording).toBe(true);
+    session.record({ ...session.recordedDesign, layers: [layer("b")] }, "delete");
+    await arrive();
+    expect(session.recording).toBe(false);
+    expect(session.recordedDesign.layers.map(({ id }) => id).sort()).toEqual(["b", "new"]);
+    expect(fontOf("new")).toBe(LOBSTER.asset.uri);
+  });
+
+  it("lies close in its box where that is when the font comes", async () => {
+    const { session, texts, arrive, layer } = twoTexts();
+    void texts.fitBox(layer("a"));
+    const moved: PlanarProjector = { ...FRONT, position: [7, 8, 9] };
+    session.record({ ...session.recordedDesign, layers: [{ ...layer("a"), projector: moved }, layer("b")] }, "move");
+    await arrive();
+    const { projector } = layer("a");
+    expect(projector).toMatchObject({ position: [7, 8, 9] });
+    expect(projector.kind === "planar" && projector.size[0] / projector.size[1]).toBeCloseTo("Ada".length);
   });
 });

@@ -3,7 +3,14 @@ import { cutText } from "../../core/cut-text.ts";
 import type { Engine, EngineText, Projector, TextMeasure } from "../../engine/engine-api.ts";
 import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import { type Design, type DesignAsset, makeTextLayer, materialsOf, type TextLayer } from "../document/index.ts";
+import {
+  type Design,
+  type DesignAsset,
+  type DesignLayer,
+  makeTextLayer,
+  materialsOf,
+  type TextLayer,
+} from "../document/index.ts";
 import { isLocked, walkLayers } from "../document/layer-tree.ts";
 import { resolveWords } from "../document/resolve-layers.ts";
 import { withoutCount } from "../files/counted-name.ts";
@@ -62,27 +69,35 @@ export class TextCommands {
 
   /** Puts a text on the model: at `hit`, else in the middle of the view, and asks the panel to have it typed. */
   async add(hit: SurfaceHit | null = null, font = shippedFont(FIRST_FONT)): Promise<void> {
+    const work = this.#add(hit, font);
+    // What is saved meanwhile waits for the text.
+    this.#parts.session.recordsLater(work);
+    await work;
+  }
+
+  async #add(hit: SurfaceHit | null, font: ReturnType<typeof shippedFont>): Promise<void> {
     const { session, store, board, decals } = this.#parts;
-    if (!store.state.model || store.state.switching) return;
+    const { model } = store.state;
+    if (!model || store.state.switching) return;
+    const dressed = (): ReturnType<typeof withAsset> => withAsset(session.recordedDesign, font.name, font.asset);
     try {
-      const { design: withFont, key } = withAsset(session.recordedDesign, font.name, font.asset);
       this.#parts.admission?.checkRoom(1);
-      const text = this.#parts.board.strings.text.sample;
-      const plain = makeTextLayer({ id: "", text, font: key, projector: NOWHERE });
-      const room = await this.#measure(this.#wordsOf(plain, withFont.assets));
-      decals.addLayer(
-        room.width / room.height,
-        hit,
-        this.#parts.board.strings.steps.addText,
-        (id, projector, material) => ({
-          design: withFont,
-          layer: { ...plain, id, projector, material, fontSize: 1 / room.height },
-        }),
-      );
+      const { design: measured, key: measuredFont } = dressed();
+      const text = board.strings.text.sample;
+      const plain = makeTextLayer({ id: "", text, font: measuredFont, projector: NOWHERE });
+      const room = await this.#measure(this.#wordsOf(plain, measured.assets));
+      // The place was one on that model.
+      if (store.state.model !== model || store.state.switching) return;
+      this.#parts.admission?.checkRoom(1);
+      decals.addLayer(room.width / room.height, hit, board.strings.steps.addText, (id, projector, material) => {
+        // The design may be another one since the words were measured.
+        const { design, key } = dressed();
+        return { design, layer: { ...plain, id, font: key, projector, material, fontSize: 1 / room.height } };
+      });
       store.set({ textToType: session.selected?.id ?? null });
-      board.announce(this.#parts.board.strings.announce.added(this.#parts.board.strings.text.name));
+      board.announce(board.strings.announce.added(board.strings.text.name));
     } catch (thrown) {
-      board.error(this.#parts.board.strings.errors.couldNotWrite, thrown);
+      board.error(board.strings.errors.couldNotWrite, thrown);
     }
   }
 
@@ -201,16 +216,22 @@ export class TextCommands {
 
   /** Lays the box close about the words again, its height as it is. */
   async fitBox({ id }: TextLayer): Promise<void> {
-    const { session } = this.#parts;
-    const design = session.recordedDesign;
-    const layer = layerById(design, id);
-    if (layer?.type !== "text") return;
-    const room = await this.#measure(this.#wordsOf(layer, design.assets));
-    const fit = fitted(layer, room, this.#textureAspect(layer));
-    session.record(
-      patchLayer<TextLayer>(session.recordedDesign, id, { ...fit, ...this.#parts.decals.placed(id, fit.projector) }),
-      this.#parts.board.strings.steps.change(this.#parts.board.strings.properties.size),
-    );
+    const { session, board, decals } = this.#parts;
+    const present = (): DesignLayer | undefined => layerById(session.recordedDesign, id);
+    let layer = present();
+    while (layer?.type === "text") {
+      const room = await this.#measure(this.#wordsOf(layer, session.recordedDesign.assets));
+      if (present() === layer) {
+        const fit = fitted(layer, room, this.#textureAspect(layer));
+        session.record(
+          patchLayer<TextLayer>(session.recordedDesign, id, { ...fit, ...decals.placed(id, fit.projector) }),
+          board.strings.steps.change(board.strings.properties.size),
+        );
+        return;
+      }
+      // It became another one meanwhile.
+      layer = present();
+    }
   }
 
   /** What is known of the room that a text asks for; undefined until it was measured, which `measure` does. */
