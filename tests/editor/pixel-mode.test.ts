@@ -1,7 +1,8 @@
 import { BoxGeometry, type BufferGeometry } from "three";
 import { describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
-import { type Design, emptyDesign } from "../../web/editor/document/index.ts";
+import { type Design, emptyDesign, makeFillLayer } from "../../web/editor/document/index.ts";
+import { addOnTop } from "../../web/editor/state/design-edits.ts";
 import type { NoticeBoard } from "../../web/editor/state/notice-board.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 import { floodFill } from "../../web/editor/tools/flood-fill.ts";
@@ -173,6 +174,21 @@ describe("a change of the layers of two materials", () => {
     gesture.draw(0, (canvas) => canvas.set(0, 0, [1, 2, 3, 255]));
     await gesture.end("line");
     expect(recorded[0]?.layers.map(({ material }) => material)).toEqual([0]);
+  });
+
+  it("leaves what else was changed while its pictures were being written", async () => {
+    const recorded: Design[] = [];
+    const context = contextOf(recorded);
+    const gesture = new PixelGesture(context, () => source);
+    gesture.draw(0, (canvas) => canvas.set(0, 0, [1, 2, 3, 255]));
+    const written = context.library.add;
+    context.library.add = async (name, bytes) => {
+      const fill = makeFillLayer({ id: "fill", color: "#ffffff" });
+      Object.assign(context.session, { recordedDesign: addOnTop(emptyDesign(), fill) });
+      return written(name, bytes);
+    };
+    await gesture.end("pencil");
+    expect(recorded[0]?.layers.map(({ type }) => type).sort()).toEqual(["decal", "fill"]);
   });
 });
 

@@ -78,23 +78,21 @@ export class PixelGesture {
   /** Records what was drawn as one step, and gives the first layer's id; null when nothing changed. Rejects as the engine does. */
   async end(label: string): Promise<string | null> {
     this.#over = true;
-    const { session, library, store } = this.#context;
+    const { session, library, store, board } = this.#context;
     const added: DesignAsset[] = [];
     try {
       while (this.#work !== null || this.#changes.length > 0) await (this.#work ?? this.#workOff());
+      const drawn = this.#drawn();
+      for (const { canvas } of drawn) {
+        const { asset } = await library.add(board.strings.tools.pixelLayer, await encodePng(canvas));
+        added.push(asset);
+      }
+      // Not before: the design may have become another one while the pictures were written.
       let design = session.recordedDesign;
       let first: string | null = null;
-      for (const { canvas, layer, material } of this.#drawn()) {
-        const { asset } = await library.add(this.#context.board.strings.tools.pixelLayer, await encodePng(canvas));
-        added.push(asset);
-        const placed = withSheet(
-          design,
-          store.state.selectedId,
-          layer,
-          material,
-          asset.uri,
-          this.#context.board.strings,
-        );
+      for (const [index, { layer, material }] of drawn.entries()) {
+        const { uri } = added[index] as DesignAsset;
+        const placed = withSheet(design, store.state.selectedId, layer, material, uri, board.strings);
         if (placed === null) continue;
         design = placed.design;
         first ??= placed.id;
