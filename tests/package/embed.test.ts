@@ -177,16 +177,23 @@ test("a picture and words may wait for the shop's people as long as their answer
 });
 
 test("an error of the element comes over with its words, silence is given up, and what ends says so", async () => {
-  const told = await inShop(
+  const { page: shopPage } = opened;
+  // What is given up is given up by the clock, however long the editor's page takes to be there.
+  await shopPage.clock.install();
+  await inShop(
     "stub",
-    `const codeOf = (promise) => promise.then(() => "none", (error) => error.code);
-     const failed = await codeOf(frame.redo());
-     const silent = await codeOf(frame.start());
-     const unsendable = await codeOf(frame.addText(() => {}));
-     const waiting = codeOf(frame.start());
-     frame.unmount();
-     return [failed, silent, unsendable, await waiting, await codeOf(frame.undo()), document.querySelector("iframe")];`,
-    "{ timeoutMs: 2000 }",
+    `globalThis.codeOf = (promise) => promise.then(() => "none", (error) => error.code);
+     globalThis.silent = codeOf(frame.start());`,
+  );
+  await shopPage.clock.runFor(130_000);
+  const told = await shopPage.evaluate(
+    `(async () => {
+       const failed = await codeOf(frame.redo());
+       const unsendable = await codeOf(frame.addText(() => {}));
+       const waiting = codeOf(frame.start());
+       frame.unmount();
+       return [failed, await silent, unsendable, await waiting, await codeOf(frame.undo()), document.querySelector("iframe")];
+     })()`,
   );
   expect(told).toEqual(["internal", "timeout", "bad-argument", "disposed", "disposed", null]);
 });
@@ -229,13 +236,13 @@ test("an iframe that is moved in the page is driven anew: what was on its way is
 });
 
 test("malformed, repeated and unasked-for messages of the editor's page are ignored and counted", async () => {
-  const told = await inShop(
-    "false",
-    `const silent = await frame.undo().catch((error) => error.code);
-     return { silent, ignored: frame.ignoredMessages };`,
-    "{ timeoutMs: 1500 }",
-  );
+  const { page: shopPage } = opened;
+  await shopPage.clock.install();
+  await inShop("false", `globalThis.silent = frame.undo().catch((error) => error.code);`);
   // Two hellos of no form, a second hello, three pieces of noise a request, and an answer that came twice.
+  await expect.poll(() => shopPage.evaluate("frame.ignoredMessages")).toBe(2 + 1 + 3 + 3 + 1);
+  await shopPage.clock.runFor(130_000);
+  const told = await shopPage.evaluate("silent.then((code) => ({ silent: code, ignored: frame.ignoredMessages }))");
   expect(told).toEqual({ silent: "timeout", ignored: 2 + 1 + 3 + 3 + 1 });
 });
 
