@@ -232,8 +232,9 @@ test("after a slider or a switch was used, Ctrl+Z undoes it and the arrow keys s
   const { projector } = await editor.decal(id);
   const slider = page.locator("tc-layer-properties #opacity");
   await slider.focus();
-  // Sent together: presses that a slow machine takes one by one may be two steps.
-  await Promise.all([page.keyboard.press("ArrowLeft"), page.keyboard.press("ArrowLeft")]);
+  await editor.quickly(async () => {
+    for (let step = 0; step < 2; step += 1) await page.keyboard.press("ArrowLeft");
+  });
   expect((await editor.decal(id)).opacity).toBeCloseTo(0.98, 6);
   expect((await editor.decal(id)).projector, "the decal was not nudged").toEqual(projector);
   await page.keyboard.press("Control+z");
@@ -258,8 +259,9 @@ test("arrow keys nudge the decal, Shift further; quick nudges are one step", asy
   const near = await place();
   await page.keyboard.press("Control+z");
   expect(await place()).toEqual(at);
-  // Sent together: what is asked of the page between them would take longer than a step waits for more.
-  await Promise.all([page.keyboard.press("ArrowUp"), page.keyboard.press("Shift+ArrowUp")]);
+  await editor.quickly(async () => {
+    for (const key of ["ArrowUp", "Shift+ArrowUp"]) await page.keyboard.press(key);
+  });
   const far = await place();
   const rise = (from: readonly number[], to: readonly number[]) => (to[1] ?? 0) - (from[1] ?? 0);
   expect(rise(at, near)).toBeGreaterThan(0);
