@@ -59,6 +59,7 @@ function page() {
         return rows.get(id) ?? null;
       },
       freeName: async (name) => countedName(name, taken),
+      nameOf: async (id) => rows.get(id)?.name ?? null,
       setThumbnail: async (id) => {
         told.push(`picture of ${id}`);
       },
@@ -393,6 +394,22 @@ describe("autosave", () => {
     const [first, second] = saves;
     expect(second?.id).not.toBe(first?.id);
     expect(second?.packed.name).toBe("Cup (copy)");
+  });
+
+  it("keeps the name that the project was given elsewhere meanwhile, and has it on the page, but for one given here", async () => {
+    const { open, step, settle, saves, store, rows } = page();
+    open(modelRef("Cup", null));
+    await settle(1000);
+    const id = saves[0]?.id as string;
+    rows.set(id, { name: "Gift", revision: 1 });
+    step();
+    await settle(1000);
+    expect([saves.at(-1)?.packed.name, store.state.designName, store.state.keeping]).toEqual(["Gift", "Gift", "kept"]);
+    expect(saves).toHaveLength(2);
+    rows.set(id, { name: "Elsewhere", revision: 2 });
+    store.set({ designName: "Here" });
+    await settle(1000);
+    expect([saves.at(-1)?.packed.name, store.state.designName]).toEqual(["Here", "Here"]);
   });
 
   it("makes the project's picture once the steps pause", async () => {

@@ -358,6 +358,7 @@ describe("the list of projects", () => {
   it("renames and duplicates", async () => {
     await save("a", content(design(1)), 0);
     await store.rename("a", "Mine");
+    expect(await store.nameOf("a")).toBe("Mine");
     const copy = await store.duplicate("a", "Mine, copy");
     await save("a", content(design(3), "Mine"), 1);
     expect((await store.list()).map(({ name }) => name)).toEqual(["Mine", "Mine, copy"]);
@@ -369,6 +370,7 @@ describe("the list of projects", () => {
     await save("a", content(design(1)), 0);
     await store.remove("a");
     expect(await store.list()).toEqual([]);
+    expect(await store.nameOf("a")).toBeNull();
     await store.sweep();
     await store.restore("a");
     expect(await store.list()).toHaveLength(1);

@@ -23,7 +23,7 @@ import type { TabMemory, TabPlace } from "./tab-memory.ts";
 export interface AutosaveParts {
   readonly store: Store<EditorState>;
   readonly recorded: () => Snapshot;
-  readonly projects: Pick<ProjectStore, "save" | "setThumbnail" | "freeName" | "touch">;
+  readonly projects: Pick<ProjectStore, "save" | "setThumbnail" | "freeName" | "nameOf" | "touch">;
   readonly lock: Pick<ProjectLock, "take">;
   /** A small picture of the model as it is seen; null where there is none. */
   readonly thumbnail: () => Promise<string | null>;
@@ -268,7 +268,8 @@ export class Autosave {
   async #saveOne(project: OpenProject, content: ProjectContent): Promise<boolean> {
     this.#tell();
     try {
-      const named = project.revision > 0 ? content : await this.#named(content, project.id);
+      const isNew = project.revision === 0;
+      const named = isNew ? await this.#named(content, project.id) : await this.#renamed(content, project);
       const packed = await this.#packer.pack(named);
       project.revision = await this.#parts.projects.save(project.id, packed, project.revision);
       project.kept = named;
@@ -290,6 +291,16 @@ export class Autosave {
     if (name !== content.name && this.#current?.id === id && store.state.designName === content.name) {
       store.set({ designName: name });
     }
+    return { ...content, name };
+  }
+
+  /** A name that the project was given elsewhere, in another tab's list, stays, unless it was given one here too. */
+  async #renamed(content: ProjectContent, project: OpenProject): Promise<ProjectContent> {
+    const { kept } = project;
+    const name = await this.#parts.projects.nameOf(project.id);
+    if (!kept || name === null || name === kept.name || content.name !== kept.name) return content;
+    // Only of what is open the page shows the name.
+    if (project === this.#current) this.#rename(project, kept, name);
     return { ...content, name };
   }
 

@@ -158,6 +158,14 @@ export class ProjectStore {
     });
   }
 
+  /** The name that a project has now; null for one that is not there, or deleted. */
+  nameOf(id: string): Promise<string | null> {
+    return this.#read(async (database) => {
+      const row = await database.get("projects", id);
+      return row && row.deleted === null ? row.name : null;
+    });
+  }
+
   async rename(id: string, name: string): Promise<void> {
     await this.#patch(id, { name });
   }
