@@ -128,6 +128,34 @@ test("a second tab has a copy, and neither overwrites the other; the list brings
   expect(await editor.settledHash()).toBe(first);
 });
 
+test("a list that is closed in one tab takes nothing for good that the list of another can bring back", async ({
+  editor,
+  page,
+}) => {
+  test.slow();
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  await page.evaluate(() => window.texelcast.kept());
+  const other = new EditorPage(await page.context().newPage());
+  await other.open();
+  for (const tab of [page, other.page]) {
+    await tab.locator("tc-top-bar .projects button").first().click();
+    await tab.getByRole("menuitem", { name: "All projects" }).click();
+    await tab.getByRole("button", { name: "Duplicate Mug", exact: true }).click();
+    await tab.getByRole("button", { name: "Delete Mug (copy)", exact: true }).click();
+    await expect(tab.getByRole("button", { name: "Bring Mug (copy) back", exact: true })).toBeVisible();
+  }
+  await other.page.keyboard.press("Escape");
+  await expect(other.page.locator("tc-projects-dialog dialog")).toBeHidden();
+  await other.page.locator("tc-top-bar .projects button").first().click();
+  await other.page.getByRole("menuitem", { name: "All projects" }).click();
+  await expect(other.page.getByRole("button", { name: "Open Mug", exact: true })).toBeVisible();
+
+  await page.getByRole("button", { name: "Bring Mug (copy) back", exact: true }).click();
+  await expect(page.getByRole("button", { name: "Open Mug (copy)", exact: true })).toBeVisible();
+  await expect(editor.notices.filter({ hasText: "could not" })).toHaveCount(0);
+});
+
 test("where the browser keeps nothing the page says so once, works on, and offers a file", async ({ editor, page }) => {
   await page.addInitScript(() => {
     indexedDB.open = () => {

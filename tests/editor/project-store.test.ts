@@ -376,9 +376,19 @@ describe("the list of projects", () => {
     expect(await store.list()).toHaveLength(1);
     await store.remove("a");
     await store.sweep(0);
-    await store.restore("a");
+    await expect(store.restore("a"), "nobody is told that it is back").rejects.toMatchObject({ code: "missing-file" });
     expect(await store.list()).toEqual([]);
     expect(await tables()).toEqual({ revisions: [], blobs: 0 });
+  });
+
+  it("frees of what was deleted what it is told, and leaves what another tab may bring back", async () => {
+    for (const id of ["a", "b", "c"]) await save(id, content(design(1)), 0);
+    await store.remove("a");
+    await store.remove("b");
+    await store.sweepThese(new Set(["a", "c"]));
+    await store.restore("b");
+    expect((await store.list()).map(({ id }) => id).sort()).toEqual(["b", "c"]);
+    await expect(store.restore("a")).rejects.toMatchObject({ code: "missing-file" });
   });
 });
 

@@ -203,11 +203,12 @@ export class ProjectCommands {
     });
   }
 
-  /** The list was closed: what was deleted in it is gone for good. */
+  /** The list was closed: what was deleted in it is gone for good; what another tab's list may bring back is not. */
   async sweep(): Promise<void> {
     if (this.#deleted.size === 0) return;
+    const gone = new Set(this.#deleted);
     this.#deleted.clear();
-    await this.#parts.projects.sweep(0).catch(() => undefined);
+    await this.#parts.projects.sweepThese(gone).catch(() => undefined);
     await this.#parts.autosave.flush();
   }
 

@@ -192,8 +192,11 @@ export class ProjectStore {
     }
   }
 
+  /** @throws TexelcastError "missing-file" for a project that was swept meanwhile. */
   async restore(id: string): Promise<void> {
-    await this.#patch(id, { deleted: null });
+    if (!(await this.#patch(id, { deleted: null }))) {
+      throw new ToldError("missing-file", this.#strings.storage.gone, { subject: id });
+    }
   }
 
   /** Makes a copy under another name; returns its id. */
@@ -210,11 +213,20 @@ export class ProjectStore {
     });
   }
 
-  /** Frees what was deleted; `age` in milliseconds since. */
+  /** Frees what was deleted long ago, by any tab, which may still offer to bring back what it has deleted since. */
   sweep(age = SWEEP_AFTER): Promise<void> {
+    return this.#eraseDeleted((row) => this.#now() - (row.deleted ?? 0) >= age);
+  }
+
+  /** Frees those of them that are deleted. */
+  sweepThese(ids: ReadonlySet<string>): Promise<void> {
+    return this.#eraseDeleted(({ id }) => ids.has(id));
+  }
+
+  #eraseDeleted(goes: (row: ProjectRow) => boolean): Promise<void> {
     return this.#write(async (tables) => {
       for (const row of await tables.objectStore("projects").getAll()) {
-        if (row.deleted !== null && this.#now() - row.deleted >= age) await erase(tables, row);
+        if (row.deleted !== null && goes(row)) await erase(tables, row);
       }
     });
   }
@@ -223,10 +235,12 @@ export class ProjectStore {
     this.#connection.close();
   }
 
-  #patch(id: string, patch: Partial<ProjectRow>): Promise<void> {
+  /** False for a project that is not there. */
+  #patch(id: string, patch: Partial<ProjectRow>): Promise<boolean> {
     return this.#write(async (tables) => {
       const row = await tables.objectStore("projects").get(id);
       if (row) await tables.objectStore("projects").put({ ...row, ...patch });
+      return row !== undefined;
     });
   }
 

@@ -1,4 +1,4 @@
-/** The eraser: of texels on a pixel layer in pixel mode, of paint elsewhere. */
+/** The eraser: of texels on a pixel layer in pixel mode, of paint and of what a mask shows elsewhere. */
 import { Eraser } from "lucide";
 import type { ToolInput } from "../../viewer/viewer-api.ts";
 import { findLayer } from "../document/index.ts";
@@ -63,7 +63,10 @@ export class EraserTool implements Tool {
 
   get #fitting(): InputTool {
     const { session, store, tools } = this.#context;
-    const selected = findLayer(session.recordedDesign, store.state.selectedId);
-    return tools.pixelMode && (selected === undefined || isPixelLayer(selected)) ? this.#ofPixels : this.#ofPaint;
+    const { selectedId, editingMask } = store.state;
+    const selected = findLayer(session.recordedDesign, selectedId);
+    // Of a pixel layer whose mask is painted on no texel is meant.
+    const meansTexels = tools.pixelMode && editingMask === null && (selected === undefined || isPixelLayer(selected));
+    return meansTexels ? this.#ofPixels : this.#ofPaint;
   }
 }
