@@ -24,6 +24,7 @@ import { handleClipboard } from "./state/clipboard-events.ts";
 import type { EditorState } from "./state/editor-state.ts";
 import { watchFingers } from "./state/finger-gestures.ts";
 import { handleShortcut } from "./state/shortcuts.ts";
+import { watchEraserEnd } from "./tools/eraser-end.ts";
 import { EditorElement } from "./ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "./ui/file-picker.ts";
 import { endOpenField } from "./ui/open-field.ts";
@@ -227,6 +228,8 @@ export class Workbench extends EditorElement {
     this.#resize();
     const whole: EventTarget = this.embedded ? this : window;
     whole.addEventListener("keydown", (event) => this.#key(event as KeyboardEvent), { signal });
+    const { viewer, textureView, tools } = this.editor;
+    watchEraserEnd(whole, [viewer.element, textureView.element], tools, signal);
     // Before a view takes the press for itself.
     const press = (event: Event): void => {
       this.editor.decals.press(event as PointerEvent);

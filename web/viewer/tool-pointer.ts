@@ -62,14 +62,17 @@ export class ToolPointer {
 
   #onDown(event: PointerEvent): void {
     if (event === this.#passOn) return;
-    const others = this.#fingers.size;
-    if (event.pointerType === "touch") this.#fingers.add(event.pointerId);
+    const isFinger = event.pointerType === "touch";
+    const others = isFinger && this.#fingers.size > 0;
+    if (isFinger) this.#fingers.add(event.pointerId);
     if (this.#tool === null) return;
+    // The hand lies down before its pen does, and stays there between two strokes.
+    if (event.pointerType === "pen" && this.#taken?.pointerType === "touch") this.#end("pinch");
     if (this.#taken !== null) {
       this.#onSecondPointer(this.#taken, event);
       return;
     }
-    if (event.button !== 0 || this.#spaceHeld || others > 0) return;
+    if (event.button !== 0 || this.#spaceHeld || others) return;
     if (!this.#tool.down(this.#sampleOf(event))) return;
     event.stopImmediatePropagation();
     this.#root.setPointerCapture(event.pointerId);
@@ -97,6 +100,8 @@ export class ToolPointer {
       event.stopImmediatePropagation();
       const parts = event.getCoalescedEvents?.() ?? [];
       this.#tool.move((parts.length > 0 ? parts : [event]).map((part) => this.#sampleOf(part, event)));
+    } else if (this.#taken !== null) {
+      event.stopImmediatePropagation();
     } else if (event.buttons === 0 && event.pointerType !== "touch") {
       this.#hoverEvent = event;
       this.#hoverTask.request();

@@ -1,0 +1,110 @@
+/** A pen beside the hand that holds it, and its other end. */
+import type { Page } from "@playwright/test";
+import type { PaintLayer } from "../../web/editor/document/index.ts";
+import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
+import { squareGlb } from "./support/test-files.ts";
+
+test.use({ hasTouch: true });
+
+async function strokes(editor: EditorPage): Promise<PaintLayer["strokes"]> {
+  const layers = (await editor.design()).layers.filter((layer) => layer.type === "paint");
+  return layers.flatMap((layer) => layer.strokes);
+}
+
+async function openForPainting(editor: EditorPage): Promise<Point> {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  await editor.page.keyboard.press("b");
+  return editor.middleOfStage();
+}
+
+test("a pen draws though its hand lay down before it, and stays there between two strokes", async ({
+  editor,
+  page,
+}) => {
+  const middle = await openForPainting(editor);
+  const corner = () => page.evaluate(() => window.texelcast.project(0.5, 0.5, 0));
+  const before = await corner();
+  const cdp = await page.context().newCDPSession(page);
+  const hand = (type: "touchStart" | "touchMove" | "touchEnd", ...points: Point[]) =>
+    cdp.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(({ x, y }) => ({ x, y, id: 7 })) });
+  const pen = (type: "mousePressed" | "mouseMoved" | "mouseReleased", { x, y }: Point) =>
+    cdp.send("Input.dispatchMouseEvent", {
+      ...{ type, x, y, button: "left", clickCount: 1, pointerType: "pen", force: 0.5 },
+      buttons: type === "mouseReleased" ? 0 : 1,
+    });
+  const places = { "on the model": { x: middle.x + 60, y: middle.y + 60 }, "beside it": { x: 40, y: middle.y } };
+  for (const [name, place] of Object.entries(places)) {
+    const count = (await strokes(editor)).length;
+    await hand("touchStart", place);
+    for (const down of [-20, 20]) {
+      await pen("mousePressed", { x: middle.x - 40, y: middle.y + down });
+      for (let step = 1; step <= 4; step += 1) {
+        await pen("mouseMoved", { x: middle.x - 40 + step * 20, y: middle.y + down });
+        await hand("touchMove", { x: place.x + step, y: place.y + step });
+      }
+      await pen("mouseReleased", { x: middle.x + 40, y: middle.y + down });
+    }
+    await hand("touchEnd");
+    await editor.idle();
+    const drawn = (await strokes(editor)).slice(count);
+    expect(drawn, `the hand lies ${name}`).toHaveLength(2);
+    for (const { dabs } of drawn) expect(dabs.length, `the hand lies ${name}`).toBeGreaterThan(8);
+    expect(Math.max(...drawn.flatMap(({ dabs }) => dabs.map(({ flow }) => flow)))).toBeLessThan(0.6);
+  }
+  expect(await corner(), "the hand turns nothing meanwhile").toEqual(before);
+});
+
+test("a pen's other end erases, and leaves the tool that was chosen", async ({ editor, page }) => {
+  const { x, y } = await openForPainting(editor);
+  const from = { x: x - 40, y };
+  const to = { x: x + 40, y };
+  const bare = await editor.settledHash();
+  await editor.drag(from, to, 6);
+  expect(await editor.settledHash()).not.toBe(bare);
+  await otherEnd(page, from, to);
+  await editor.idle();
+  expect((await strokes(editor)).map(({ blend }) => blend)).toEqual(["normal", "erase"]);
+  await expect(page.getByRole("radio", { name: "Brush" })).toBeChecked();
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(bare);
+
+  await page.getByRole("radio", { name: "Move" }).click();
+  const badge = await editor.addDemoDecal("badge");
+  const { projector } = await editor.decal(badge);
+  await otherEnd(page, from, to);
+  await editor.idle();
+  expect(await editor.decal(badge), "of a decal it hides what it goes over").toMatchObject({
+    projector,
+    mask: { layers: [{ type: "stroke", blend: "erase" }] },
+  });
+  await expect(page.getByRole("radio", { name: "Move" })).toBeChecked();
+});
+
+/** Playwright and the protocol have no such button: the events are made in the page, for a pointer that only they know. */
+function otherEnd(page: Page, from: Point, to: Point): Promise<void> {
+  return page.evaluate(
+    ({ from, to }) => {
+      Element.prototype.setPointerCapture = () => {};
+      let target = document.elementFromPoint(from.x, from.y);
+      while (target?.shadowRoot) {
+        const inner = target.shadowRoot.elementFromPoint(from.x, from.y);
+        if (inner === null || inner === target) break;
+        target = inner;
+      }
+      const tell = (type: string, share: number, button: number, buttons: number): void => {
+        const [clientX, clientY] = [from.x + (to.x - from.x) * share, from.y + (to.y - from.y) * share];
+        const made = { bubbles: true, cancelable: true, composed: true, pointerId: 77, pointerType: "pen" };
+        target?.dispatchEvent(
+          new PointerEvent(type, { ...made, isPrimary: true, clientX, clientY, button, buttons, pressure: 1 }),
+        );
+      };
+      tell("pointerdown", 0, 5, 32);
+      for (let step = 1; step <= 6; step += 1) tell("pointermove", step / 6, -1, 32);
+      tell("pointerup", 1, 5, 0);
+      tell("lostpointercapture", 1, 0, 0);
+    },
+    { from, to },
+  );
+}
