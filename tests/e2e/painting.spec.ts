@@ -2,7 +2,7 @@ import type { CDPSession, Page } from "@playwright/test";
 import type { PaintLayer } from "../../web/editor/document/index.ts";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
 import { rendered } from "./support/rendered.ts";
-import { demoFile, seamedGlb, twoSquaresGlb } from "./support/test-files.ts";
+import { demoFile, ringPicture, seamedGlb, twoSquaresGlb } from "./support/test-files.ts";
 
 /** Of the 1024 texels of a row through the middle, how many are not as they were. */
 async function paintedAcross(editor: EditorPage, before: Buffer): Promise<{ left: number; right: number }> {
@@ -302,6 +302,39 @@ test("a stroke over the border of two materials paints both", async ({ editor, p
   await editor.drag(await clientPoint(page, -0.3, 0), await clientPoint(page, 0.3, 0), 6);
   const [layer] = await paintLayers(editor);
   expect(layer?.strokes[0]?.material).toEqual([0, 1]);
+});
+
+test("a mirror that is chosen for a decal, or for what was painted, reaches the material that its twin lies on", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([twoSquaresGlb()]);
+  const shown = async (): Promise<unknown> => (await editor.design()).layers.at(-1);
+  const mirrorBy = (axis: "x" | "none") =>
+    page
+      .locator("tc-layer-properties label")
+      .filter({ has: page.locator(`[name=mirror][value=${axis}]`) })
+      .click();
+  await page.keyboard.press("b");
+  await editor.drag(await clientPoint(page, -0.6, 0.3), await clientPoint(page, -0.4, 0.3), 4);
+  expect(await shown()).toMatchObject({ type: "paint", strokes: [{ material: 0 }] });
+  await mirrorBy("x");
+  expect(await shown()).toMatchObject({ mirror: { axis: "x" }, strokes: [{ material: [0, 1] }] });
+
+  await page.locator("[data-tool=move]").click();
+  await editor.drop([ringPicture()], await clientPoint(page, -0.6, 0));
+  await expect.poll(shown).toMatchObject({ type: "decal", material: 0 });
+  const ring = (await editor.design()).layers.at(-1)?.id as string;
+  await mirrorBy("x");
+  expect((await editor.decal(ring)).material).toEqual([0, 1]);
+  await editor.drag(await editor.pointOf(ring), await clientPoint(page, -0.5, -0.2), 4);
+  expect((await editor.decal(ring)).material, "it goes on to").toEqual([0, 1]);
+  const picture = await editor.exported("Texture as PNG");
+  expect(rendered(await editor.savedProject()).equals(picture.bytes)).toBe(true);
+  await mirrorBy("none");
+  await expect.poll(async () => (await editor.decal(ring)).mirror).toBeNull();
+  expect((await editor.decal(ring)).material).toBe(0);
 });
 
 test("Shift and a press draws from where the stroke before ended, and on another model begins anew", async ({

@@ -1,6 +1,12 @@
 import { describe, expect, it } from "vitest";
-import { type LayerMaterials, makeDecalLayer } from "../../web/editor/document/index.ts";
+import {
+  type LayerMaterials,
+  makeDecalLayer,
+  makePaintLayer,
+  makeStrokeLayer,
+} from "../../web/editor/document/index.ts";
 import { DecalReach } from "../../web/editor/state/decal-reach.ts";
+import { mirrorPatch } from "../../web/editor/state/mirror-reach.ts";
 import type { MaterialInfo, PlanarProjector } from "../../web/engine/engine-api.ts";
 
 const at = (x: number): PlanarProjector => ({
@@ -53,6 +59,17 @@ describe("a decal's materials", () => {
     expect(reach.movedTo(layer(100, 0), at(100), 2)).toBe(0);
   });
 
+  it("are those of its twin, too, from when it has a mirror until it has none", () => {
+    const reach = reachOf();
+    const mirror = { axis: "x", offset: 0, readable: false } as const;
+    expect(reach.at(at(-5), false, 7, mirror)).toEqual([0, 1]);
+    expect(reach.movedTo(layer(-5, 0), at(-5), null, mirror)).toEqual([0, 1]);
+    const mirrored = { ...layer(-5, [0, 1]), mirror };
+    expect(reach.movedTo(mirrored, at(-6), 0)).toEqual([0, 1]);
+    expect(reach.movedTo(mirrored, at(-5), null, null)).toBe(0);
+    expect(reach.movedTo({ ...layer(-5, 0), mirror }, at(-6), 0), "kept off its twin's").toBe(0);
+  });
+
   it("are the model's one where it has no other, however the decal came to another", () => {
     expect(reachOf(1).movedTo(layer(0, 0), at(5), null)).toBe(0);
     expect(reachOf(1).movedTo(layer(0, 5), at(5), 0)).toBe(0);
@@ -64,5 +81,31 @@ describe("a decal's materials", () => {
     expect(reach.bareOf(at(0), false, 2)).toBeNull();
     expect(reach.bareOf(at(100), false, 0)).toBeNull();
     expect(reach.bareOf(at(100), false, null)).toBeNull();
+  });
+});
+
+describe("a mirror for what was painted", () => {
+  const mirror = { axis: "x", offset: 0, readable: false } as const;
+  const dab = { ...at(-5), flow: 1 };
+  const brush = { tip: "round", color: "#000000", hardness: 1, flow: 1 } as const;
+  const stroke = makeStrokeLayer({ id: "s", brush, dabs: [dab], material: 0 });
+
+  it("brings the materials of the twins, to a stroke and to each of a paint layer", () => {
+    expect(mirrorPatch(reachOf(), stroke, mirror)).toEqual({ mirror, material: [0, 1] });
+    const paint = makePaintLayer({ id: "p", strokes: [stroke], material: 0 });
+    expect(mirrorPatch(reachOf(), paint, mirror).strokes).toMatchObject([{ material: [0, 1] }]);
+    expect(mirrorPatch(reachOf(), paint, null)).toEqual({ mirror: null, strokes: [stroke] });
+  });
+
+  it("brings those of a twin's twin where the stroke has a mirror of its own", () => {
+    const own = makeStrokeLayer({ ...stroke, mirror: { axis: "y", offset: 0, readable: false } });
+    const paint = makePaintLayer({ id: "p", strokes: [own], material: 0 });
+    expect(mirrorPatch(reachOf(), paint, mirror).strokes).toMatchObject([{ material: [0, 1] }]);
+  });
+
+  it("leaves a stroke as the object that it is where the twins meet nothing new", () => {
+    const wide = { ...stroke, material: [0, 1] };
+    const paint = makePaintLayer({ id: "p", strokes: [wide], material: 0 });
+    expect(mirrorPatch(reachOf(), paint, mirror).strokes?.[0]).toBe(wide);
   });
 });

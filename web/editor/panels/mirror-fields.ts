@@ -9,6 +9,8 @@ import {
   type StrokeLayer,
   type TextLayer,
 } from "../document/index.ts";
+import type { LayerPatch } from "../state/layer-commands.ts";
+import { mirrorPatch } from "../state/mirror-reach.ts";
 import { mirrorOf } from "../tools/mirror-setting.ts";
 import { lengthStep, numberField, type PropertyContext, record, toggleField } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
@@ -21,12 +23,13 @@ export function mirrorFields(
   const words = context.editor.strings.projection;
   if (liesOnTexture(layer)) return nothing;
   const { mirror } = layer;
+  const patchOf = (made: Mirror | null): LayerPatch => mirrorPatch(context.editor.decals.reach, layer, made);
   const info = context.state.model?.info ?? null;
   const choose = (axis: Mirror["axis"] | "none"): void => {
     // Words that are mirrored with their place cannot be read.
     const first = { axis: "x", offset: 0, readable: layer.type === "text" } as const;
     const made: Mirror | null = axis === "none" ? null : { ...first, ...mirror, ...mirrorOf(axis, info), axis };
-    record(context, words.mirror, { mirror: made && mirror ? { ...made, readable: mirror.readable } : made });
+    record(context, words.mirror, patchOf(made && mirror ? { ...made, readable: mirror.readable } : made));
   };
   const names = Object.fromEntries(MIRROR_AXES.map((axis) => [axis, axis.toUpperCase()])) as Record<
     Mirror["axis"],
@@ -35,12 +38,17 @@ export function mirrorFields(
   return html`
     <section aria-label=${words.mirror} title=${words.mirrorHint}>
       ${choiceField<Mirror["axis"] | "none">("mirror", words.mirror, { none: words.mirrorNone, ...names }, mirror?.axis ?? "none", choose)}
-      ${mirror === null ? nothing : planeFields(context, mirror, layer.type === "decal" || layer.type === "text")}
+      ${mirror === null ? nothing : planeFields(context, mirror, patchOf, layer.type === "decal" || layer.type === "text")}
     </section>
   `;
 }
 
-function planeFields(context: PropertyContext, mirror: Mirror, hasPicture: boolean): TemplateResult {
+function planeFields(
+  context: PropertyContext,
+  mirror: Mirror,
+  patchOf: (mirror: Mirror) => LayerPatch,
+  hasPicture: boolean,
+): TemplateResult {
   const words = context.editor.strings.projection;
   return html`
     <div class="field">
@@ -52,7 +60,7 @@ function planeFields(context: PropertyContext, mirror: Mirror, hasPicture: boole
         value: mirror.offset,
         step: lengthStep(context.state),
         isLength: true,
-        patch: (offset) => ({ mirror: { ...mirror, offset } }),
+        patch: (offset) => patchOf({ ...mirror, offset }),
       })}
     </div>
     ${

@@ -47,7 +47,7 @@ export class DecalCommands {
   readonly #store: Store<EditorState>;
   readonly #board: NoticeBoard;
   readonly #layers: LayerCommands;
-  readonly #reach: DecalReach;
+  readonly reach: DecalReach;
   readonly #tried = new TriedKinds();
   /** Whether a decal that is dragged from here on leaves a copy of itself where it lay, as it does in other editors. */
   #copiesDragged = false;
@@ -66,7 +66,7 @@ export class DecalCommands {
     this.#store = store;
     this.#board = board;
     this.#layers = layers;
-    this.#reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
+    this.reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     viewer.on("gesture", (gesture) => this.followGesture(gesture));
     viewer.on("select", ({ id }) => this.#clicked(id));
   }
@@ -151,12 +151,12 @@ export class DecalCommands {
     const wished = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
     const { recordedDesign } = this.#session;
     const projector = hit ? wished : clearPlaces(recordedDesign, [wished], this.#diagonal(), this.#viewer)(wished);
-    const material = this.#reach.at(projector, false, spot?.material ?? this.#store.state.material ?? 0);
+    const material = this.reach.at(projector, false, spot?.material ?? this.#store.state.material ?? 0);
     const id = freeIdIn(recordedDesign);
     const { design, layer } = make(id, projector, material);
     this.#session.record(addOnTop(design, layer, this.#group()), label);
     this.#session.select(id);
-    tellBarePart(this.#reach.bareOf(projector, false, spot?.material ?? null), this.#board);
+    tellBarePart(this.reach.bareOf(projector, false, spot?.material ?? null), this.#board);
   }
 
   /** The group that is worked in: new decals lie on top of it. */
@@ -218,7 +218,7 @@ export class DecalCommands {
     if (projector === null) return null;
     // A stamp lies on no side of the model that a mirror could show.
     const mirror = kind === "uv" ? null : layer.mirror;
-    return { projector, material: this.#reach.movedTo(layer, projector, null), mirror };
+    return { projector, material: this.reach.movedTo(layer, projector, null, mirror), mirror };
   }
 
   /** Turns the selected decal where it lies. False without a selection. */
@@ -239,7 +239,7 @@ export class DecalCommands {
   }
 
   #moved(layer: PlacedLayer, projector: Projector, onto: number | null = null): [string, LayerMove] {
-    return [layer.id, { projector, material: this.#reach.movedTo(layer, projector, onto) }];
+    return [layer.id, { projector, material: this.reach.movedTo(layer, projector, onto) }];
   }
 
   /** The material in whose texture a layer lies as a stamp: the shown one where it paints that, too. */
@@ -251,7 +251,8 @@ export class DecalCommands {
 
   /** Gives a decal all materials that it meets where it lies. */
   paintAllMet(layer: PlacedLayer): void {
-    const material = this.#reach.at(layer.projector, layer.backfaces, materialsOf(layer)[0] ?? 0);
+    const { projector, backfaces, mirror } = layer;
+    const material = this.reach.at(projector, backfaces, materialsOf(layer)[0] ?? 0, mirror);
     this.#layers.change(
       layer.id,
       { material },
@@ -287,7 +288,7 @@ export class DecalCommands {
       else if (this.#carried.length > 0) this.#dragTogether(layer, patch, phase);
       else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
-      if (phase === "end") tellBarePart(this.#reach.bareOf(projector, layer.backfaces, onto), this.#board);
+      if (phase === "end") tellBarePart(this.reach.bareOf(projector, layer.backfaces, onto), this.#board);
     }
   }
 

@@ -5,9 +5,11 @@ import {
   type DecalLayer,
   type LayerMaterials,
   layerMaterials,
+  type Mirror,
   materialsOf,
   type TextLayer,
 } from "../document/design.ts";
+import { mirroredProjector } from "../document/mirror-layer.ts";
 
 /** What lies where its projector is: a picture, or words. */
 export type PlacedLayer = DecalLayer | TextLayer;
@@ -23,9 +25,9 @@ export class DecalReach {
     this.#materials = materials;
   }
 
-  /** All paintable materials that a projector reaches; `otherwise` where it reaches none. */
-  at(projector: Projector, backfaces: boolean, otherwise: number): LayerMaterials {
-    const reached = this.#paintable(projector, backfaces);
+  /** All paintable materials that a projector reaches, and its twin with a mirror; `otherwise` where they reach none. */
+  at(projector: Projector, backfaces: boolean, otherwise: number, mirror: Mirror | null = null): LayerMaterials {
+    const reached = this.#paintable(projector, backfaces, mirror);
     return reached.length === 0 ? otherwise : layerMaterials(reached);
   }
 
@@ -42,16 +44,17 @@ export class DecalReach {
   }
 
   /**
-   * The materials of a decal that was moved. One that painted everything it reached goes on to do so: over a border it
-   * paints both sides. One that was kept off a material it reached stays on its own, until it is dragged onto another.
+   * The materials of a decal that was moved, or given another mirror. One that painted everything it reached goes on to do so:
+   * over a border it paints both sides. One that was kept off a material it reached stays on its own, until it is dragged onto
+   * another.
    *
    * @param onto the material of the surface that it was dragged onto; null where it was moved without touching one
    */
-  movedTo(layer: PlacedLayer, projector: Projector, onto: number | null): LayerMaterials {
+  movedTo(layer: PlacedLayer, projector: Projector, onto: number | null, mirror = layer.mirror): LayerMaterials {
     const own = materialsOf(layer);
     const landed = onto !== null && !own.includes(onto) && this.#canPaint(onto) ? onto : null;
     if (!this.#followsSurface(layer)) return landed ?? layer.material;
-    const reached = this.#paintable(projector, layer.backfaces);
+    const reached = this.#paintable(projector, layer.backfaces, mirror);
     return reached.length === 0 ? (landed ?? layer.material) : layerMaterials(reached);
   }
 
@@ -59,16 +62,21 @@ export class DecalReach {
     const known = this.#follows.get(layer);
     if (known !== undefined) return known;
     const own = materialsOf(layer);
-    const follows = this.#paintable(layer.projector, layer.backfaces).every((material) => own.includes(material));
+    const { projector, backfaces, mirror } = layer;
+    const follows = this.#paintable(projector, backfaces, mirror).every((material) => own.includes(material));
     this.#follows.set(layer, follows);
     return follows;
   }
 
-  #paintable(projector: Projector, backfaces: boolean): number[] {
+  #paintable(projector: Projector, backfaces: boolean, mirror: Mirror | null = null): number[] {
     // Most models have one material, and then there is nothing to ask.
     const paintable = this.#materials().filter(({ refusal }) => refusal === null);
     if (this.#materials().length < 2) return paintable.map(({ index }) => index);
-    return this.#viewer.materialsReached(projector, backfaces).filter((material) => this.#canPaint(material));
+    const twin = mirror && mirroredProjector(projector, mirror);
+    const reached = [projector, ...(twin ? [twin] : [])].flatMap((each) =>
+      this.#viewer.materialsReached(each, backfaces),
+    );
+    return [...new Set(reached)].filter((material) => this.#canPaint(material)).sort((a, b) => a - b);
   }
 
   #canPaint(material: number): boolean {
