@@ -567,3 +567,34 @@ test("on a small skin the pixel tools are offered: pencil, bucket over seams, pi
   await expect.poll(() => editor.settledHash()).toBe(bare);
   await expect(editor.notices).toHaveCount(0);
 });
+
+test("on a pixel layer whose mask is painted on, the eraser hides by the mask and takes no texel away", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([demoFile("block-wide.glb")]);
+  const { x, y } = await editor.middleOfStage();
+  const line = [
+    { x: x - 30, y },
+    { x: x + 30, y },
+  ] as const;
+  await page.keyboard.press("n");
+  await editor.drag(...line, 5);
+  await expect.poll(async () => (await editor.design()).layers).toHaveLength(1);
+  const pencilled = await editor.settledHash();
+  const id = await editor.lowestLayer();
+  const { asset } = await editor.decal(id);
+
+  await editor.select(id);
+  await editor.action("add-mask").click();
+  await page.keyboard.press("e");
+  await editor.drag(...line, 5);
+  await expect
+    .poll(async () => (await editor.decal(id)).mask?.layers)
+    .toMatchObject([{ type: "stroke", blend: "erase" }]);
+  expect((await editor.decal(id)).asset).toBe(asset);
+  expect(await editor.settledHash()).not.toBe(pencilled);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(pencilled);
+});
