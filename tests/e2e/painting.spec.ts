@@ -322,7 +322,9 @@ test("a mirror that is chosen for a decal, or for what was painted, reaches the 
   await mirrorBy("x");
   expect(await shown()).toMatchObject({ mirror: { axis: "x" }, strokes: [{ material: [0, 1] }] });
 
-  await page.locator("[data-tool=move]").click();
+  // From the choice that has the keyboard now: it takes arrows, and no letters.
+  await page.keyboard.press("v");
+  await expect(page.getByRole("radio", { name: "Move" })).toBeChecked();
   await editor.drop([ringPicture()], await clientPoint(page, -0.6, 0));
   await expect.poll(shown).toMatchObject({ type: "decal", material: 0 });
   const ring = (await editor.design()).layers.at(-1)?.id as string;

@@ -1,4 +1,4 @@
-/** Keys of the page. What has the focus comes first: a text field keeps every key, a slider or a list its arrows. */
+/** Keys of the page. What has the focus comes first: a text field keeps every key, a list its letters, a slider its arrows. */
 import { takeTyped } from "../ui/open-field.ts";
 import type { Editor } from "./editor.ts";
 import type { LayerCommands } from "./layer-commands.ts";
@@ -22,7 +22,8 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
     }
     return handleCommand(event, editor, actions);
   }
-  if (focus !== "page") return false;
+  // Who has set a slider by pointer goes on with a tool by its letter.
+  if (focus !== "page" && !(focus === "slider" && /^[a-z]$/i.test(event.key))) return false;
   if (event.key === "?") {
     actions.help();
     return true;
@@ -169,12 +170,13 @@ function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Ed
   }
 }
 
-/** What the focused element does with keys: takes them as text, chooses with them, or leaves them to the page. */
-export function focusOf(event: Event): "text" | "choice" | "page" {
+/** What the focused element does with keys: takes them as text, chooses with them, with its arrows alone, or leaves them to the page. */
+export function focusOf(event: Event): "text" | "choice" | "slider" | "page" {
   const [target] = event.composedPath();
   if (!(target instanceof HTMLElement)) return "page";
   if (target instanceof HTMLInputElement) {
-    if (["range", "radio", "color"].includes(target.type)) return "choice";
+    if (["range", "radio"].includes(target.type)) return target.closest("dialog, [role=menu]") ? "choice" : "slider";
+    if (target.type === "color") return "choice";
     return target.type === "checkbox" ? "page" : "text";
   }
   if (target.isContentEditable || target.matches("textarea, dialog, dialog *")) return "text";
