@@ -73,6 +73,10 @@ export class AnimationBar extends EditorElement {
     return [animation];
   }
 
+  override focus(options?: FocusOptions): void {
+    this.renderRoot.querySelector<HTMLElement>("#play")?.focus(options);
+  }
+
   override render(): TemplateResult | typeof nothing {
     const { clips, clip, playing, seconds, speed } = this.state.animation;
     const { views } = this.editor;
@@ -103,11 +107,11 @@ export class AnimationBar extends EditorElement {
           .value=${String(Math.round((seconds / shown.seconds) * SCRUB_STEPS))}
           @input=${(event: Event) => views.animate({ playing: false, seconds: (chosen(event) / SCRUB_STEPS) * shown.seconds })}
         />
-        <output for="scrub">${this.#words.at(seconds, shown.seconds)}</output>
+        <output for="scrub" aria-live="off">${this.#words.at(seconds, shown.seconds)}</output>
         <select id="speed" aria-label=${this.#words.speed} title=${this.#words.speed} @change=${(event: Event) => views.animate({ speed: chosen(event) })}>
           ${SPEEDS.map((value) => html`<option value=${value} ?selected=${value === speed}>${this.#words.times(value)}</option>`)}
         </select>
-        <button class="icon" id="rest" aria-label=${this.#words.rest} title=${this.#words.rest} @click=${() => views.animate({ clip: null })}>
+        <button class="icon" id="rest" aria-label=${this.#words.rest} title=${this.#words.rest} @click=${() => this.dispatchEvent(new CustomEvent("rest"))}>
           ${icon(Square)}
         </button>
       </div>
@@ -115,3 +119,9 @@ export class AnimationBar extends EditorElement {
   }
 }
 customElements.define("tc-animation-bar", AnimationBar);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    "tc-animation-bar": AnimationBar;
+  }
+}

@@ -283,7 +283,8 @@ export class LayerList extends EditorElement implements LayerDragHost {
     const row = this.#rowElement(this.#focusNext) ?? this.renderRoot.querySelector<HTMLElement>(".row[tabindex='0']");
     this.#focusNext = undefined;
     this.#shown = selectedId;
-    row?.focus({ preventScroll: true });
+    // Where the last row has gone, to what makes the next one.
+    (row ?? this.renderRoot.querySelector<Menu>("tc-menu.add"))?.focus({ preventScroll: true });
     this.#bringIntoSight(row);
   }
 

@@ -130,6 +130,26 @@ export class NoticeStack extends EditorElement {
     return [notices, tasks, announcement];
   }
 
+  /** Place among its buttons of the one that had the focus before a render; -1: none. */
+  #focused = -1;
+
+  get #buttons(): HTMLElement[] {
+    return [...this.renderRoot.querySelectorAll<HTMLElement>("button")];
+  }
+
+  override willUpdate(): void {
+    this.#focused = this.#buttons.indexOf(this.shadowRoot?.activeElement as HTMLElement);
+  }
+
+  /** From what has gone the keyboard goes on to what stands there now, or back to the work. */
+  override updated(): void {
+    if (this.#focused < 0 || this.shadowRoot?.activeElement) return;
+    const { viewer, textureView } = this.editor;
+    const work = this.state.view.layout === "texture" ? textureView : viewer;
+    const buttons = this.#buttons;
+    (buttons[this.#focused] ?? buttons.at(-1) ?? work.element).focus({ preventScroll: true });
+  }
+
   override render(): TemplateResult {
     const { notices, tasks, announcement } = this.state;
     const shown = tasks.filter(({ visible }) => visible);

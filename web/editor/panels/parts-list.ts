@@ -105,7 +105,7 @@ export class PartsList extends EditorElement {
     return html`
       <div class="head">
         <p>${hidden.size > 0 ? this.#words.hiddenCount(hidden.size, parts.length) : this.#words.note}</p>
-        <button class="outlined" id="show-all-parts" ?disabled=${hidden.size === 0} @click=${() => this.editor.views.showAllParts()}>
+        <button class="outlined" id="show-all-parts" aria-disabled=${hidden.size === 0} @click=${() => hidden.size === 0 || this.editor.views.showAllParts()}>
           ${this.#words.showAll}
         </button>
       </div>

@@ -237,7 +237,7 @@ export class Stage extends EditorElement {
 
   #tools(): TemplateResult {
     const { animation } = this.state;
-    const { viewer, views } = this.editor;
+    const { viewer } = this.editor;
     const offersPlay = animation.clips.length > 0 && animation.clip === null;
     return html`
       ${
@@ -251,15 +251,46 @@ export class Stage extends EditorElement {
         <tc-view-menu .editor=${this.editor}></tc-view-menu>
         ${
           offersPlay
-            ? html`<button class="icon" id="play" aria-label=${this.#words.play} title=${this.#words.play} @click=${() => views.animate({ playing: true })}>
+            ? html`<button class="icon" id="play" aria-label=${this.#words.play} title=${this.#words.play} @click=${this.#play}>
                 ${icon(Play)}
               </button>`
             : nothing
         }
       </div>
       ${this.#nothingShown()}
-      <tc-animation-bar .editor=${this.editor}></tc-animation-bar>
+      <tc-animation-bar .editor=${this.editor} @rest=${this.#rest}></tc-animation-bar>
     `;
+  }
+
+  /** What has been pressed and gives way, once the view has taken that up: the button to the bar, or the bar to the button. */
+  #givesWay: "button" | "bar" | null = null;
+
+  #play(): void {
+    this.#givesWay = "button";
+    this.editor.views.animate({ playing: true });
+  }
+
+  #rest(): void {
+    this.#givesWay = "bar";
+    this.editor.views.animate({ clip: null });
+  }
+
+  /** The keyboard goes from one to the other. */
+  override updated(): void {
+    const moves = this.state.animation.clip !== null;
+    if (this.#givesWay === null || moves !== (this.#givesWay === "button")) return;
+    this.#givesWay = null;
+    if (!moves) this.renderRoot.querySelector<HTMLElement>("#play")?.focus();
+    else {
+      const bar = this.renderRoot.querySelector("tc-animation-bar");
+      void bar?.updateComplete.then(() => bar.focus());
+    }
+  }
+
+  #showAll(): void {
+    const { views, viewer } = this.editor;
+    views.showAllParts();
+    viewer.element.focus({ preventScroll: true });
   }
 
   #nothingShown(): TemplateResult | typeof nothing {
@@ -268,7 +299,7 @@ export class Stage extends EditorElement {
     return html`
       <div class="empty hidden">
         <p>${this.#words.allHidden}</p>
-        <button class="outlined" @click=${() => this.editor.views.showAllParts()}>${this.strings.modelParts.showAll}</button>
+        <button class="outlined" @click=${this.#showAll}>${this.strings.modelParts.showAll}</button>
       </div>
     `;
   }

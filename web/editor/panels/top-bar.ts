@@ -119,6 +119,7 @@ export class TopBar extends EditorElement {
   override render(): TemplateResult {
     const { model, undoLabel, redoLabel, switching, designName, readonly } = this.state;
     const { files } = this.editor;
+    const [cannotUndo, cannotRedo] = [undoLabel, redoLabel].map((label) => label === null || switching || readonly);
     return html`
       ${this.compact || this.embedded ? nothing : html`<h1>${this.strings.productName}</h1>`}
       ${this.embedded ? nothing : this.#own(model?.ref.title ?? this.#words.noModel, designName)}
@@ -128,8 +129,8 @@ export class TopBar extends EditorElement {
           id="undo"
           aria-label=${this.#words.undo(undoLabel)}
           title=${this.#words.undo(undoLabel)}
-          ?disabled=${undoLabel === null || switching || readonly}
-          @click=${() => files.travel("undo")}
+          aria-disabled=${cannotUndo}
+          @click=${() => cannotUndo || files.travel("undo")}
         >
           ${icon(Undo2)}
         </button>
@@ -138,8 +139,8 @@ export class TopBar extends EditorElement {
           id="redo"
           aria-label=${this.#words.redo(redoLabel)}
           title=${this.#words.redo(redoLabel)}
-          ?disabled=${redoLabel === null || switching || readonly}
-          @click=${() => files.travel("redo")}
+          aria-disabled=${cannotRedo}
+          @click=${() => cannotRedo || files.travel("redo")}
         >
           ${icon(Redo2)}
         </button>

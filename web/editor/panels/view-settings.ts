@@ -99,8 +99,8 @@ export class ViewSettings extends EditorElement {
       ${choiceField("background", this.#words.background, backgrounds, view.background, (background) => views.set({ background }))}
       <button
         id="reset-view"
-        ?disabled=${!unusual}
-        @click=${() => views.set({ ...USUAL_VIEW, layout: view.layout, guide: view.guide })}
+        aria-disabled=${!unusual}
+        @click=${() => unusual && views.set({ ...USUAL_VIEW, layout: view.layout, guide: view.guide })}
       >
         ${icon(RotateCcw)}${this.#words.reset}
       </button>
@@ -130,7 +130,7 @@ export class ViewSettings extends EditorElement {
           aria-valuetext=${text}
           @input=${(event: Event) => change(Number((event.target as HTMLInputElement).value))}
         />
-        <output for=${id}>${text}</output>
+        <output for=${id} aria-live="off">${text}</output>
       </div>
     `;
   }

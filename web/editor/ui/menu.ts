@@ -138,12 +138,12 @@ export class Menu extends RemElement {
 
   override render(): TemplateResult {
     return html`
-      ${this.loose ? nothing : this.#opener()}
+      ${this.loose ? nothing : this.#button()}
       ${this.open ? this.#menu() : nothing}
     `;
   }
 
-  #opener(): TemplateResult {
+  #button(): TemplateResult {
     return html`
       <button
         class=${this.label ? "opener" : "opener icon"}
@@ -196,8 +196,16 @@ export class Menu extends RemElement {
   /** Client pixels that a context menu was asked for at; null: it hangs at its button. */
   #at: { readonly x: number; readonly y: number } | null = null;
 
-  /** What had the focus before it was opened without a button, and gets it back. */
+  /** What had the focus before it was opened as a context menu, and gets it back. */
   #before: HTMLElement | null = null;
+
+  override focus(options?: FocusOptions): void {
+    this.#opener?.focus(options);
+  }
+
+  get #opener(): HTMLElement | null {
+    return this.renderRoot.querySelector<HTMLElement>(".opener");
+  }
 
   /** Opens it as a context menu. */
   async openAt(x: number, y: number): Promise<void> {
@@ -226,9 +234,7 @@ export class Menu extends RemElement {
   /** Below the opener, or above it where there is more room, and within the page. */
   #place(): void {
     const menu = this.renderRoot.querySelector<HTMLElement>("[role=menu]");
-    const opener = this.#at
-      ? DOMRect.fromRect(this.#at)
-      : this.renderRoot.querySelector(".opener, button")?.getBoundingClientRect();
+    const opener = this.#at ? DOMRect.fromRect(this.#at) : this.#opener?.getBoundingClientRect();
     if (!menu || !opener) return;
     menu.showPopover();
     const { offsetWidth: width, offsetHeight: height } = menu;
@@ -243,8 +249,7 @@ export class Menu extends RemElement {
 
   #close(): void {
     this.open = false;
-    const opener = this.loose ? this.#before : this.renderRoot.querySelector<HTMLElement>(".opener");
-    opener?.focus();
+    (this.#at ? this.#before : this.#opener)?.focus();
   }
 
   #choose(item: MenuItem): void {

@@ -1,0 +1,105 @@
+/** Where the keyboard is after each act. */
+import type { Locator } from "@playwright/test";
+import { type EditorPage, expect, test } from "./support/editor-page.ts";
+import { file } from "./support/test-files.ts";
+
+async function pressOn(button: Locator): Promise<void> {
+  await button.focus();
+  await button.press("Enter");
+}
+
+test("a button whose press leaves it nothing more to do keeps the keyboard", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  await pressOn(editor.action("duplicate"));
+  const undo = page.locator("#undo");
+  await pressOn(undo);
+  await expect(undo).toBeDisabled();
+  await expect(undo).toBeFocused();
+  const redo = page.locator("#redo");
+  await pressOn(redo);
+  await expect(redo).toBeDisabled();
+  await expect(redo).toBeFocused();
+  await redo.press("Enter");
+  expect((await editor.design()).layers).toHaveLength(3);
+
+  await pressOn(page.locator("tc-parts-list li button").first());
+  const showAll = page.locator("#show-all-parts");
+  await pressOn(showAll);
+  await expect(showAll).toBeDisabled();
+  await expect(showAll).toBeFocused();
+
+  await pressOn(page.locator("#view-menu"));
+  const reset = page.locator("#reset-view");
+  await expect(reset).toBeDisabled();
+  await page.locator("#light-turn").press("ArrowRight");
+  await pressOn(reset);
+  await expect(reset).toBeDisabled();
+  await expect(reset).toBeFocused();
+  await reset.press("Escape");
+  await expect(page.locator("#view-menu"), "the panel's own Escape").toBeFocused();
+});
+
+test("the keyboard goes on beside what a press has taken away", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  for (const name of ["one.glb", "two.glb"]) {
+    await editor.drop([file(name, "this is no model")], await editor.middleOfStage());
+  }
+  await expect(editor.notices).toHaveCount(2);
+  const dismiss = page.locator("tc-notice-stack .dismiss");
+  await pressOn(dismiss.first());
+  await expect(editor.notices).toHaveCount(1);
+  await expect(dismiss).toBeFocused();
+  await dismiss.press("Enter");
+  await expect(editor.notices).toHaveCount(0);
+  await expect(editor.view, "with the last notice, back to the work").toBeFocused();
+
+  await page.locator("tc-layer-list .row[tabindex='0']").focus();
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Delete");
+  await expect(page.locator("tc-layer-list .row")).toHaveCount(0);
+  await expect(page.locator("tc-layer-list .add button")).toBeFocused();
+});
+
+test("a menu of a row's gives the keyboard back to the row", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  const row = page.locator("tc-layer-list .row[aria-current=true]");
+  await row.focus();
+  await page.keyboard.press("ContextMenu");
+  await expect(page.getByRole("menuitem", { name: "Rename" })).toBeFocused();
+  await page.keyboard.press("Escape");
+  await expect(row).toBeFocused();
+
+  // Its button's own goes back to the button, also after that.
+  const more = page.locator("tc-layer-list .more button").first();
+  await pressOn(more);
+  await page.keyboard.press("Escape");
+  await expect(more).toBeFocused();
+});
+
+async function openAvatar(editor: EditorPage): Promise<void> {
+  const { page } = editor;
+  await editor.open();
+  await page.locator("tc-top-bar .models button").first().click();
+  await page.getByRole("menuitemradio", { name: "Avatar" }).click();
+  await expect(page.locator("tc-stage #play")).toBeVisible();
+  await editor.idle();
+}
+
+test("the bar of a model that moves and the button in its place hand the keyboard to each other", async ({
+  editor,
+  page,
+}) => {
+  await openAvatar(editor);
+  const [bar, still] = [page.locator("tc-animation-bar #play"), page.locator("tc-stage .tools #play")];
+  await pressOn(still);
+  await expect(bar).toBeFocused();
+  await bar.press("Enter");
+  await expect(bar, "that pauses").toBeFocused();
+  await pressOn(page.locator("tc-animation-bar #rest"));
+  await expect(still).toBeFocused();
+
+  const eyes = page.locator("tc-parts-list li:not(.off) .eye");
+  while ((await eyes.count()) > 0) await eyes.first().click();
+  await pressOn(page.locator("tc-stage .empty button"));
+  await expect(editor.view).toBeFocused();
+});
