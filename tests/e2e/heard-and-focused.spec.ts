@@ -1,7 +1,9 @@
-/** Where the keyboard is after each act. */
+/** What a screen reader says while one works, and where the keyboard is after each act. */
 import type { Locator } from "@playwright/test";
 import { type EditorPage, expect, test } from "./support/editor-page.ts";
 import { file } from "./support/test-files.ts";
+
+const announcer = ({ page }: EditorPage): Locator => page.locator("#announcer");
 
 async function pressOn(button: Locator): Promise<void> {
   await button.focus();
@@ -76,6 +78,28 @@ test("a menu of a row's gives the keyboard back to the row", async ({ editor, pa
   await expect(more).toBeFocused();
 });
 
+test("the list of projects says what is done in it, and keeps the keyboard, while it covers the page", async ({
+  editor,
+  page,
+}) => {
+  await editor.openOnLowest();
+  await editor.action("duplicate").click();
+  await expect(page.locator("#keeping")).toBeVisible();
+  await page.locator("tc-top-bar .projects button").first().click();
+  await page.getByRole("menuitem").first().click();
+  // What lies behind a modal dialog is not there for a screen reader.
+  const said = page.locator("tc-projects-dialog dialog [aria-live=polite]");
+  await pressOn(page.locator("tc-projects-dialog [data-action=duplicate]").first());
+  await expect(said).toHaveText("Mug duplicated");
+  await pressOn(page.locator("tc-projects-dialog [data-action=delete]").first());
+  await expect(said).toHaveText("Mug (copy) deleted");
+  const restore = page.locator("tc-projects-dialog [data-action=restore]");
+  await expect(restore).toBeFocused();
+  await restore.press("Enter");
+  await expect(said).toHaveText("Mug (copy) is back");
+  await expect(page.locator("tc-projects-dialog .open").first()).toBeFocused();
+});
+
 async function openAvatar(editor: EditorPage): Promise<void> {
   const { page } = editor;
   await editor.open();
@@ -102,4 +126,49 @@ test("the bar of a model that moves and the button in its place hand the keyboar
   while ((await eyes.count()) > 0) await eyes.first().click();
   await pressOn(page.locator("tc-stage .empty button"));
   await expect(editor.view).toBeFocused();
+});
+
+test("a number beside a slider is not announced, which says it itself", async ({ editor, page }) => {
+  await openAvatar(editor);
+  await page.locator("tc-stage .tools #play").click();
+  await page.locator("#view-menu").click();
+  await expect(page.locator("#light-turn")).toBeVisible();
+  const outputs = page.locator("output");
+  await expect(outputs, "two of the light's, one of the animation's").toHaveCount(3);
+  for (const output of await outputs.all()) await expect(output).toHaveAttribute("aria-live", "off");
+});
+
+test("what keys do to a decal on the model is said once they rest", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  await editor.view.focus();
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("ArrowUp");
+  const numbers = (...names: string[]): Promise<string[]> =>
+    Promise.all(names.map(async (name) => Number(await editor.field(name).inputValue()).toFixed(2)));
+  await expect(announcer(editor)).toHaveText(/^Position/);
+  const [x, y, z] = await numbers("position-x", "position-y", "position-z");
+  await expect(announcer(editor)).toHaveText(`Position X ${x}, Y ${y}, Z ${z} mm`);
+  await page.keyboard.press("]");
+  await expect(announcer(editor)).toHaveText("Spin -1.0°");
+  await page.keyboard.press("+");
+  await expect(announcer(editor)).toHaveText(/^Size/);
+  const [width, height] = await numbers("size-width", "size-height");
+  await expect(announcer(editor)).toHaveText(`Size ${width} × ${height} mm`);
+});
+
+test("what is written short is heard whole", async ({ editor, page }) => {
+  await page.addInitScript(() => localStorage.setItem("texelcast-language", "de"));
+  await editor.openOnLowest();
+  for (const name of ["Gierung, °", "Neigung, °", "Drehung, °"]) {
+    await expect(page.getByRole("spinbutton", { name, exact: true })).toBeVisible();
+  }
+});
+
+test.describe("on a phone", () => {
+  test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+
+  test("tools that lie in a row are said to", async ({ editor, page }) => {
+    await editor.open();
+    await expect(page.locator("tc-tool-rail [role=radiogroup]")).toHaveAttribute("aria-orientation", "horizontal");
+  });
 });

@@ -313,6 +313,7 @@ export const german: Strings = {
     heading: "Gier",
     tilt: "Neig.",
     spin: "Dreh.",
+    turns: { heading: "Gierung", tilt: "Neigung", spin: "Drehung" },
     headingHint: "Wohin der Aufkleber zeigt, um die senkrechte Achse",
     tiltHint: "Wie weit er nach oben oder unten zeigt",
     spinHint: "Wie das Bild gedreht ist",

@@ -310,6 +310,8 @@ const english = {
     heading: "Yaw",
     tilt: "Tilt",
     spin: "Spin",
+    /** The same as they are heard, whole. */
+    turns: { heading: "Yaw", tilt: "Tilt", spin: "Spin" },
     headingHint: "Which way the decal faces, around the vertical axis",
     tiltHint: "How far it faces up or down",
     spinHint: "How the picture is turned",

@@ -56,7 +56,7 @@ export function poseFields(
   });
   const turn = (key: keyof Orientation, label: string, hint: string): ProjectorField => ({
     label,
-    name: label,
+    name: words.turns[key],
     hint,
     unit: words.degrees,
     value: orientation[key],

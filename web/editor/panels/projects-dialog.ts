@@ -130,14 +130,18 @@ export class ProjectsDialog extends EditorElement {
     return this.strings.projects;
   }
 
+  /** What was said before it was opened. */
+  #saidBefore = "";
+
   show(): void {
+    this.#saidBefore = this.state.announcement;
     this.shown = true;
     this.#dialog?.showModal();
     void this.editor.projects.refresh().then(() => this.editor.projects.refreshThumbnail());
   }
 
-  protected watched({ projects, switching, keeping }: EditorState): readonly unknown[] {
-    return [projects, switching, keeping];
+  protected watched({ projects, switching, keeping, announcement }: EditorState): readonly unknown[] {
+    return [projects, switching, keeping, announcement];
   }
 
   get #dialog(): HTMLDialogElement | null {
@@ -148,6 +152,8 @@ export class ProjectsDialog extends EditorElement {
     const outside = (event: Event): void => {
       if (event.target === event.currentTarget) this.#close();
     };
+    // The page's own live region lies behind the dialog, where nothing is heard.
+    const { announcement } = this.state;
     return html`
       <dialog aria-labelledby="title" @click=${outside} @close=${this.#closed}>
         <header>
@@ -155,6 +161,7 @@ export class ProjectsDialog extends EditorElement {
           <button class="outlined" id="new-project" @click=${this.#create}>${icon(Plus)}${this.#words.create}</button>
           <button class="icon" aria-label=${this.#words.close} title=${this.#words.close} @click=${this.#close}>${icon(X)}</button>
         </header>
+        <div class="visually-hidden" aria-live="polite">${announcement === this.#saidBefore ? nothing : announcement}</div>
         ${this.shown ? this.#list(this.state.projects) : nothing}
       </dialog>
     `;
@@ -206,7 +213,7 @@ export class ProjectsDialog extends EditorElement {
   }
 
   #deletedRow(project: ListedProject): TemplateResult {
-    const restore = (): void => void this.editor.projects.restore(project);
+    const restore = (): void => void this.#restore(project);
     return html`
       <li class="deleted" data-project=${project.id}>
         <div class="still">
@@ -251,6 +258,11 @@ export class ProjectsDialog extends EditorElement {
   async #remove(project: ListedProject): Promise<void> {
     await this.editor.projects.remove(project);
     await this.#focus(project.id, "[data-action=restore]");
+  }
+
+  async #restore(project: ListedProject): Promise<void> {
+    await this.editor.projects.restore(project);
+    await this.#focus(project.id, ".open");
   }
 
   async #focus(id: string, selector: string): Promise<HTMLElement | null> {

@@ -82,7 +82,7 @@ export class ToolRail extends EditorElement {
     const { tool, sheet } = this.state;
     this.dataset.sheet = sheet ?? "";
     return html`
-      <div role="radiogroup" aria-label=${this.#words.label} aria-orientation="vertical" @keydown=${this.#key}>
+      <div role="radiogroup" aria-label=${this.#words.label} aria-orientation=${sheet === "below" ? "horizontal" : "vertical"} @keydown=${this.#key}>
         ${tools.offered.map(
           ({ id, label, icon: drawing, shortcut }) => html`<button
             class="icon"

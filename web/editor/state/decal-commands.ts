@@ -16,6 +16,7 @@ import type { EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
+import { type StepKind, StepReport } from "./step-report.ts";
 import type { Store } from "./store.ts";
 import { type Placement, TriedKinds } from "./tried-kinds.ts";
 
@@ -49,6 +50,7 @@ export class DecalCommands {
   readonly #layers: LayerCommands;
   readonly reach: DecalReach;
   readonly #tried = new TriedKinds();
+  readonly #report: StepReport;
   /** Whether a decal that is dragged from here on leaves a copy of itself where it lay, as it does in other editors. */
   #copiesDragged = false;
   /** Whether a click adds to what is chosen, or takes out of it. */
@@ -66,6 +68,7 @@ export class DecalCommands {
     this.#store = store;
     this.#board = board;
     this.#layers = layers;
+    this.#report = new StepReport(board, store, () => this.selected);
     this.reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     viewer.on("gesture", (gesture) => this.followGesture(gesture));
     viewer.on("select", ({ id }) => this.#clicked(id));
@@ -260,13 +263,14 @@ export class DecalCommands {
     );
   }
 
-  #step(kind: string, label: string, change: (projector: Projector) => Projector): boolean {
+  #step(kind: StepKind, label: string, change: (projector: Projector) => Projector): boolean {
     const { chosen } = this;
     if (chosen.length === 0) return false;
     const ids = this.#layers.unlocked(chosen.map(({ layer }) => layer.id));
     const free = chosen.filter(({ locked }) => !locked).map(({ layer }) => layer);
     const patches = free.map((layer) => this.#moved(layer, change(layer.projector)));
     this.#session.record(patchEach(this.#session.recordedDesign, new Map(patches)), label, `${kind}:${ids}`);
+    if (free.length > 0) this.#report.after(kind);
     return true;
   }
 
