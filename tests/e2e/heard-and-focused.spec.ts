@@ -138,6 +138,21 @@ test("a number beside a slider is not announced, which says it itself", async ({
   for (const output of await outputs.all()) await expect(output).toHaveAttribute("aria-live", "off");
 });
 
+test("the text tool puts words on the model by the keyboard alone", async ({ editor, page }) => {
+  await editor.open();
+  await editor.view.focus();
+  await page.keyboard.press("t");
+  await page.keyboard.press("ArrowRight");
+  await expect(announcer(editor)).toHaveText(/^Cursor in the middle of the view/);
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await expect(page.locator("tc-text-fields textarea")).toBeFocused();
+  await page.keyboard.type("Hello");
+  await editor.idle();
+  expect((await editor.design()).layers.at(-1)).toMatchObject({ type: "text", text: "Hello" });
+  await expect(page.locator("#tool-move")).toHaveAttribute("aria-checked", "true");
+});
+
 test("what keys do to a decal on the model is said once they rest", async ({ editor, page }) => {
   await editor.openOnLowest();
   await editor.view.focus();

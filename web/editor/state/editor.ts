@@ -154,7 +154,7 @@ export class Editor {
       showMaterial,
     });
     this.texts = new TextCommands({ engine, session, store, board, library, decals, admission });
-    tools.register(textTool(this.texts, tools, () => this.strings.text));
+    tools.register(textTool(this.texts, { viewer, textureView, store, board, tools }));
     this.#connect();
     // The page around an embedded editor has its own way.
     if (keeps) tellOfLostGraphics({ viewer, textureView, board, keep: () => this.autosave.flush() });

@@ -54,7 +54,7 @@ export const germanKeys: readonly KeyGroup[] = [
       ["X und D", "Die beiden Farben tauschen; Schwarz und Weiß"],
       [
         "Pfeiltasten, dann Leertaste oder Eingabe",
-        "Pinsel, Pipette oder Teileauswahl über die Oberfläche der gewählten Ansicht bewegen und anwenden",
+        "Pinsel, Text, Pipette oder Teileauswahl über die Oberfläche der gewählten Ansicht bewegen und anwenden",
       ],
     ],
   },

@@ -54,7 +54,7 @@ export const keyGroups: readonly KeyGroup[] = [
       ["X and D", "Swap the two colours; black and white"],
       [
         "Arrow keys, then Space or Enter",
-        "Move a brush, the colour picker or the picking of parts over the surface in the focused view, and use it",
+        "Move a brush, the text tool, the colour picker or the picking of parts over the surface in the focused view, and use it",
       ],
     ],
   },
