@@ -41,6 +41,26 @@ test("a button whose press leaves it nothing more to do keeps the keyboard", asy
   await expect(page.locator("#view-menu"), "the panel's own Escape").toBeFocused();
 });
 
+test("where the system forces its colours, a button that can do nothing has the colour for that", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.emulateMedia({ forcedColors: "active" });
+  const colorOf = (selector: string): Promise<string> =>
+    page.locator(selector).evaluate((button) => getComputedStyle(button).color);
+  const gray = await page.evaluate(() => {
+    const probe = document.body.appendChild(document.createElement("span"));
+    probe.style.color = "GrayText";
+    const { color } = getComputedStyle(probe);
+    probe.remove();
+    return color;
+  });
+  expect(await colorOf("#help")).not.toBe(gray);
+  expect(await colorOf("#undo")).toBe(gray);
+  expect(await colorOf("#show-all-parts")).toBe(gray);
+});
+
 test("the keyboard goes on beside what a press has taken away", async ({ editor, page }) => {
   await editor.openOnLowest();
   for (const name of ["one.glb", "two.glb"]) {
