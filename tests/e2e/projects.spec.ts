@@ -178,6 +178,43 @@ test("where the browser keeps nothing the page says so once, works on, and offer
   expect((await download).suggestedFilename()).toBe("Mug.texelcast");
 });
 
+test("a project that the browser is too slow to give out as the page opens is offered when it has come", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  const worked = await editor.settledHash();
+  await page.evaluate(() => window.texelcast.kept());
+  await page.addInitScript(() => {
+    const late: (() => void)[] = [];
+    let holds = true;
+    const { open } = indexedDB;
+    indexedDB.open = (...how: Parameters<typeof open>) => {
+      const request = open.apply(indexedDB, how);
+      request.addEventListener("success", (event) => {
+        if (!holds) return;
+        event.stopImmediatePropagation();
+        late.push(() => request.dispatchEvent(new Event("success")));
+      });
+      return request;
+    };
+    Object.assign(window, {
+      answer: () => {
+        holds = false;
+        for (const each of late) each();
+      },
+    });
+  });
+  await editor.reload();
+  expect(await editor.settledHash()).not.toBe(worked);
+  await page.evaluate(() => (window as unknown as { answer: () => void }).answer());
+  await expect(editor.notices).toContainText("Could not open Mug");
+  await editor.notices.getByRole("button", { name: "Open Mug" }).click();
+  await expect(editor.notices).toContainText("Mug is back as you left it");
+  expect(await editor.settledHash()).toBe(worked);
+});
+
 test("the picture of a project is read back once the GPU has drawn it, not while the page waits", async ({
   editor,
   page,

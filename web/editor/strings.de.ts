@@ -627,6 +627,7 @@ export const german: Strings = {
     restoredTitle: "Deine Arbeit wird wieder gespeichert",
     none: "Dieser Browser hat keinen Platz für Projekte.",
     silent: "Der Browser antwortet nicht auf die Bitte, für diese Seite etwas zu speichern.",
+    late: "Der Browser hat zu lange gebraucht, um es herauszugeben. Es ist noch alles da.",
     full: "Der Platz des Browsers für diese Seite ist verbraucht.",
     fullHint: "Speichere das Projekt als Datei oder lösche Projekte, die du nicht mehr brauchst.",
     refused: () => "Der Browser speichert für diese Seite nichts.",

@@ -622,6 +622,7 @@ const english = {
     restoredTitle: "Your work is being kept again",
     none: "This browser has no place to keep projects.",
     silent: "The browser does not answer when asked to keep data for this page.",
+    late: "The browser took too long to give it out. It is all there.",
     full: "The browser's space for this page is used up.",
     fullHint: "Save the project as a file, or delete projects that you no longer need.",
     refused: (reason: string): string => `The browser does not keep data for this page (${reason.replace(/\.$/, "")}).`,

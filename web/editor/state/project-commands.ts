@@ -11,6 +11,7 @@ import type { LastWordsMemory, Unmeasured } from "../storage/last-words.ts";
 import type { LoadedProject, ProjectContent, ProjectSummary } from "../storage/project.ts";
 import type { ProjectLock } from "../storage/project-lock.ts";
 import type { ProjectStore } from "../storage/project-store.ts";
+import { StorageSilence } from "../storage/storage-error.ts";
 import type { TabMemory } from "../storage/tab-memory.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
@@ -65,12 +66,20 @@ export class ProjectCommands {
       await files.openDemo(demo);
       return store.state.model !== null;
     }
+    const find = async (): Promise<ProjectSummary | null> =>
+      (await projects.list()).find(({ id }) => id === place.project) ?? (await projects.newest());
     let last: ProjectSummary | null;
     try {
       await projects.sweep();
-      last = (await projects.list()).find(({ id }) => id === place.project) ?? (await projects.newest());
-    } catch {
-      // A browser that keeps nothing says so when there is something to keep.
+      last = await find();
+    } catch (thrown) {
+      // A browser that keeps nothing says so when there is something to keep. One that is only slow has somebody's work, which
+      // seems lost unless it is told.
+      if (thrown instanceof StorageSilence)
+        void thrown.answered
+          .then(find)
+          .then((late) => this.#offer(late))
+          .catch(() => undefined);
       return false;
     }
     return last !== null && this.open(last.id, this.#words.back(last.name));
@@ -288,6 +297,15 @@ export class ProjectCommands {
     }
     const bytes = await fetchBytes(demo.model, demos.page);
     return { source: { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes }, title, demoId: id };
+  }
+
+  /** What the page would have opened, had the browser answered in time. */
+  #offer(late: ProjectSummary | null): void {
+    const { autosave, board } = this.#parts;
+    if (late === null || late.id === autosave.projectId) return;
+    const { id, name } = late;
+    const action = { label: this.#words.open(name), run: () => void this.open(id, this.#words.back(name)) };
+    board.info({ title: this.#words.couldNotOpen(name), message: board.strings.storage.late, action, stays: true });
   }
 
   #tell({ summary, fromBackup }: LoadedProject, content: ProjectContent, free: boolean, title?: string): void {

@@ -4,6 +4,7 @@ import { type DBSchema, type IDBPDatabase, openDB } from "idb";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import type { ProjectSummary, StoredModel } from "./project.ts";
+import { StorageSilence } from "./storage-error.ts";
 
 const NAME = "texelcast";
 const VERSION = 1;
@@ -89,7 +90,7 @@ export class ProjectConnection {
       timer = setTimeout(() => {
         // One that comes too late is nobody's.
         opened.then((database) => database.close()).catch(() => undefined);
-        reject(new ToldError("storage-refused", this.#strings.storage.silent));
+        reject(new StorageSilence(this.#strings.storage.silent, opened));
       }, PATIENCE);
     });
     try {

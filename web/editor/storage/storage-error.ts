@@ -4,6 +4,17 @@ import { TexelcastError } from "../../core/texelcast-error.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 
+/** The browser did not say in time whether it keeps anything. */
+export class StorageSilence extends ToldError {
+  /** Settles when it has answered after all. */
+  readonly answered: Promise<unknown>;
+
+  constructor(message: string, answered: Promise<unknown>) {
+    super("storage-refused", message);
+    this.answered = answered;
+  }
+}
+
 /**
  * "storage-full" where the browser's space is used up, "storage-refused" for every other reason (a private window, a
  * policy, a broken database). TexelcastErrors stay as they are.
