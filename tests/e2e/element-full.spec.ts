@@ -181,7 +181,7 @@ test("taken away and put back, the whole editor goes on with its design and leav
     return (await element.exportDesign()).design.layers.length;
   });
   expect(layers).toBe(1);
-  expect(page.workers()).toHaveLength(1);
+  await expect.poll(() => page.workers().length).toBe(1);
   await page.evaluate(() => document.querySelector("texelcast-editor")?.remove());
   await expect.poll(() => page.workers().length).toBe(0);
   expect((await told(page)).errors).toEqual([]);

@@ -164,7 +164,7 @@ test("elements come, move and go, and leave no worker, graphics or picture behin
     return design.layers.length;
   });
   expect(layers).toBe(1);
-  expect(await held()).toEqual({ workers: 2, contexts: 2, addresses: 1 });
+  await expect.poll(held).toEqual({ workers: 2, contexts: 2, addresses: 1 });
 
   // Away and back again, and the design is there.
   const again = await page.evaluate(async () => {
@@ -177,7 +177,7 @@ test("elements come, move and go, and leave no worker, graphics or picture behin
     return exported?.design.layers.length;
   });
   expect(again).toBe(1);
-  expect(await held()).toEqual({ workers: 1, contexts: 1, addresses: 1 });
+  await expect.poll(held).toEqual({ workers: 1, contexts: 1, addresses: 1 });
   await page.evaluate(() => document.querySelector("texelcast-editor")?.remove());
   await expect.poll(held).toEqual({ workers: 0, contexts: 0, addresses: 0 });
 
