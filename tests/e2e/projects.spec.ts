@@ -101,8 +101,7 @@ test("a second tab has a copy, and neither overwrites the other; the list brings
   await other.page.evaluate(() => window.texelcast.kept());
 
   const list = other.page.locator("tc-projects-dialog");
-  await other.page.locator("tc-top-bar .projects button").first().click();
-  await other.page.getByRole("menuitem", { name: "All projects" }).click();
+  await other.chooseOfProjects("All projects");
   const rows = list.getByRole("listitem");
   await expect(rows).toHaveCount(2);
   await expect(rows.nth(0)).toContainText("Open here");
@@ -121,8 +120,7 @@ test("a second tab has a copy, and neither overwrites the other; the list brings
   await page.evaluate(() => window.texelcast.ready);
   expect(await editor.settledHash()).not.toBe(first);
   expect(new URL(page.url()).search).toBe("");
-  await page.locator("tc-top-bar .projects button").first().click();
-  await page.getByRole("menuitem", { name: "All projects" }).click();
+  await editor.chooseOfProjects("All projects");
   await page.getByRole("button", { name: "Open Mug", exact: true }).click();
   await expect(page.locator("tc-top-bar .projects")).toContainText("Mug");
   expect(await editor.settledHash()).toBe(first);
@@ -138,17 +136,15 @@ test("a list that is closed in one tab takes nothing for good that the list of a
   await page.evaluate(() => window.texelcast.kept());
   const other = new EditorPage(await page.context().newPage());
   await other.open();
-  for (const tab of [page, other.page]) {
-    await tab.locator("tc-top-bar .projects button").first().click();
-    await tab.getByRole("menuitem", { name: "All projects" }).click();
-    await tab.getByRole("button", { name: "Duplicate Mug", exact: true }).click();
-    await tab.getByRole("button", { name: "Delete Mug (copy)", exact: true }).click();
-    await expect(tab.getByRole("button", { name: "Bring Mug (copy) back", exact: true })).toBeVisible();
+  for (const tab of [editor, other]) {
+    await tab.chooseOfProjects("All projects");
+    await tab.page.getByRole("button", { name: "Duplicate Mug", exact: true }).click();
+    await tab.page.getByRole("button", { name: "Delete Mug (copy)", exact: true }).click();
+    await expect(tab.page.getByRole("button", { name: "Bring Mug (copy) back", exact: true })).toBeVisible();
   }
   await other.page.keyboard.press("Escape");
   await expect(other.page.locator("tc-projects-dialog dialog")).toBeHidden();
-  await other.page.locator("tc-top-bar .projects button").first().click();
-  await other.page.getByRole("menuitem", { name: "All projects" }).click();
+  await other.chooseOfProjects("All projects");
   await expect(other.page.getByRole("button", { name: "Open Mug", exact: true })).toBeVisible();
 
   await page.getByRole("button", { name: "Bring Mug (copy) back", exact: true }).click();

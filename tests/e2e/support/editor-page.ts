@@ -185,6 +185,12 @@ export class EditorPage {
     await this.page.evaluate(() => Reflect.deleteProperty(performance, "now"));
   }
 
+  /** Chooses an item of the projects' menu. */
+  async chooseOfProjects(item: string): Promise<void> {
+    await this.page.locator("tc-top-bar .projects button").first().click();
+    await this.page.getByRole("menuitem", { name: item }).click();
+  }
+
   row(name: string): Locator {
     return this.page.locator("tc-layer-list .row").filter({ has: this.page.getByText(name, { exact: true }) });
   }
@@ -335,8 +341,7 @@ export class EditorPage {
   /** The project as one file, with its model. */
   savedProject(): Promise<{ name: string; bytes: Buffer }> {
     return this.saved(async () => {
-      await this.page.locator("tc-top-bar .projects button").first().click();
-      await this.page.getByRole("menuitem", { name: "Save as one file" }).click();
+      await this.chooseOfProjects("Save as one file");
     });
   }
 
