@@ -152,6 +152,33 @@ test("a list that is closed in one tab takes nothing for good that the list of a
   await expect(editor.notices.filter({ hasText: "could not" })).toHaveCount(0);
 });
 
+test("a tab whose project another has deleted says so when it is seen again, and keeps it if asked to", async ({
+  editor,
+  page,
+}) => {
+  test.slow();
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  await page.evaluate(() => window.texelcast.kept());
+  const other = new EditorPage(await page.context().newPage());
+  await other.open();
+  await other.chooseOfProjects("All projects");
+  await other.page.getByRole("button", { name: "Delete Mug", exact: true }).click();
+  await expect(other.page.getByRole("button", { name: "Bring Mug back", exact: true })).toBeVisible();
+  await other.page.close();
+
+  // Headless, each tab counts as seen all the time.
+  await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
+  const told = editor.notices.filter({ hasText: "This project was deleted in another tab" });
+  await expect(told).toBeVisible();
+  await told.getByRole("button", { name: "Keep it" }).click();
+  await expect(told).toHaveCount(0);
+  await page.evaluate(() => window.texelcast.kept());
+  await expect(page.locator("tc-status-line")).toContainText("Kept in this browser");
+  await editor.chooseOfProjects("All projects");
+  await expect(page.locator("tc-projects-dialog").getByRole("listitem")).toContainText(["Mug"]);
+});
+
 test("where the browser keeps nothing the page says so once, works on, and offers a file", async ({ editor, page }) => {
   await page.addInitScript(() => {
     indexedDB.open = () => {

@@ -34,6 +34,7 @@ function page() {
   const told: string[] = [];
   const taken = new Set<string>();
   const touched: string[] = [];
+  const keeps: (() => void)[] = [];
   /** What other hands made of projects that are kept: null for a deleted one. */
   const rows = new Map<string, { name: string; revision: number } | null>();
   const remembered: TabPlace[] = [];
@@ -79,6 +80,10 @@ function page() {
       refused: ({ code }) => told.push(code),
       restored: () => told.push("restored"),
       copied: (name) => told.push(`copied: ${name}`),
+      deleted: (keep) => {
+        told.push("deleted");
+        keeps.push(keep);
+      },
     },
   });
   const open = (ref: ModelRef, design = emptyDesign()): void => {
@@ -98,7 +103,23 @@ function page() {
   const refuse = (error: TexelcastError | null): void => {
     refusal = error;
   };
-  return { store, autosave, saves, told, taken, touched, rows, remembered, noted, waiting, open, step, settle, refuse };
+  return {
+    store,
+    autosave,
+    saves,
+    told,
+    keeps,
+    taken,
+    touched,
+    rows,
+    remembered,
+    noted,
+    waiting,
+    open,
+    step,
+    settle,
+    refuse,
+  };
 }
 
 beforeEach(() => {
@@ -435,6 +456,46 @@ describe("autosave", () => {
     await settle(1000);
     expect(saves[1]?.id).not.toBe(saves[0]?.id);
     expect(saves[1]?.seen).toBe(0);
+  });
+
+  it("tells, once the page is seen again, that another tab has deleted the project, and keeps it anew if asked to", async () => {
+    const { open, settle, saves, autosave, rows, told, keeps, store } = page();
+    open(modelRef("Cup", null));
+    await settle(1000);
+    await autosave.seenAgain();
+    expect(told).not.toContain("deleted");
+    rows.clear();
+    await Promise.all([autosave.seenAgain(), autosave.seenAgain()]);
+    await autosave.seenAgain();
+    await settle(1000);
+    expect(told.filter((word) => word === "deleted")).toHaveLength(1);
+    expect([saves.length, store.state.keeping]).toEqual([1, "untouched"]);
+    keeps[0]?.();
+    await settle(1000);
+    expect([saves.length, store.state.keeping, saves[1]?.seen]).toEqual([2, "kept", 0]);
+    expect(saves[1]?.id).not.toBe(saves[0]?.id);
+  });
+
+  it("shows the name that another tab has given to the project once the page is seen again, and saves nothing for it", async () => {
+    const { open, settle, saves, autosave, rows, store } = page();
+    open(modelRef("Cup", null));
+    await settle(1000);
+    rows.set(saves[0]?.id as string, { name: "Gift", revision: 1 });
+    await autosave.seenAgain();
+    await settle(1000);
+    expect([saves.length, store.state.designName, store.state.keeping]).toEqual([1, "Gift", "kept"]);
+  });
+
+  it("a step that is not saved yet brings back a project that another tab has deleted, and nothing is told", async () => {
+    const { open, step, settle, saves, autosave, rows, told } = page();
+    open(modelRef("Cup", null));
+    await settle(1000);
+    rows.clear();
+    step();
+    await autosave.seenAgain();
+    await settle(1000);
+    expect(told).not.toContain("deleted");
+    expect(saves.map(({ id }) => id)).toEqual([saves[0]?.id, saves[0]?.id]);
   });
 
   it("gives a new project a name that no other has, on the page too, and asks no more once it is kept", async () => {

@@ -606,6 +606,10 @@ export const german: Strings = {
       `Dies ist eine Kopie, die als ${copy} gespeichert wird, sobald du sie änderst. Beide bleiben, wie sie sind.`,
     copiedTitle: "Dieses Projekt wurde in einem anderen Tab geändert",
     copied: (name) => `Was du hier hast, geht als ${name} weiter. Nichts wurde überschrieben.`,
+    deletedTitle: "Dieses Projekt wurde in einem anderen Tab gelöscht",
+    deletedElsewhere:
+      "Was du hier hast, bleibt auf der Seite. Sobald du es änderst, wird es als neues Projekt behalten.",
+    keep: "Behalten",
     noModel: "Das Projekt enthält kein Modell, und keines ist offen.",
     noModelHint: "Öffne es zusammen mit seinem Modell: Wähle oder zieh beide auf einmal.",
     demoGone: (title) => `Es wurde auf dem Beispielmodell ${title} gemacht, das diese Seite nicht hat.`,

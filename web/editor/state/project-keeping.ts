@@ -69,6 +69,15 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
       copied: (name) => {
         board.info({ title: strings.projects.copiedTitle, message: strings.projects.copied(name), stays: true });
       },
+      deleted: (keep) => {
+        const action = { label: strings.projects.keep, run: keep };
+        board.info({
+          title: strings.projects.deletedTitle,
+          message: strings.projects.deletedElsewhere,
+          action,
+          stays: true,
+        });
+      },
     },
   });
   const commands = new ProjectCommands({ ...parts, projects, lock, tab, lastWords, autosave });
@@ -78,11 +87,16 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
     void autosave.flush();
   };
   document.addEventListener("visibilitychange", () => {
-    if (document.visibilityState !== "hidden") return;
+    if (document.visibilityState !== "hidden") {
+      void autosave.seenAgain();
+      return;
+    }
     // A phone may end a page that is not seen, and says no more to it. Who comes back goes on typing.
     takeTyped();
     leave();
   });
+  // Windows side by side are both visible.
+  addEventListener("focus", () => void autosave.seenAgain());
   addEventListener("pagehide", () => {
     endOpenField();
     leave();

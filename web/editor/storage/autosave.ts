@@ -40,6 +40,8 @@ export interface AutosaveNotices {
   restored(): void;
   /** Another tab has saved the project: from here on this tab has a copy. */
   copied(name: string): void;
+  /** Another tab has deleted the project: what is on the page is kept nowhere, until it is changed or `keep` is called. */
+  deleted(keep: () => void): void;
 }
 
 /** Milliseconds between the starts of two saves. */
@@ -105,6 +107,32 @@ export class Autosave {
     if (current?.id !== id) return;
     Object.assign(current, { id: randomId(), revision: 0, kept: this.#content(), origin: null });
     this.#tell();
+  }
+
+  /** The page is seen again: meanwhile another tab may have renamed what is open here, or deleted it. */
+  async seenAgain(): Promise<void> {
+    const project = this.#current;
+    if (!project || project.revision === 0) return;
+    const { id, revision } = project;
+    let name: string | null;
+    try {
+      name = await this.#parts.projects.nameOf(id);
+    } catch {
+      // A browser that keeps nothing says so when there is something to keep.
+      return;
+    }
+    const { kept } = project;
+    // A save, done or due, finds out by itself, and brings a deleted one back.
+    if (project !== this.#current || project.revision !== revision || this.#running || this.pending || !kept) return;
+    if (name !== null) {
+      if (name !== kept.name) this.#rename(project, kept, name);
+      return;
+    }
+    this.forget(id);
+    this.#parts.notices.deleted(() => {
+      project.kept = null;
+      this.#observe();
+    });
   }
 
   get projectId(): string | null {
