@@ -138,6 +138,7 @@ test("the right button on the model offers what can be done with the decal there
   // A brush has the pointer for itself.
   await page.keyboard.press("b");
   await page.mouse.click(at.x, at.y, { button: "right" });
+  await editor.idle();
   await expect(menu).toBeHidden();
 });
 

@@ -22,7 +22,10 @@ test("a wheel beside the model comes nearer to it, and does not lose it", async 
   await editor.open();
   const view = await editor.view.boundingBox();
   if (!view) throw new Error("The page shows no model.");
-  const mug = async (): Promise<Point> => (await page.evaluate(() => window.texelcast.project(0, 0.05, 0))) ?? view;
+  const mug = async (height = 0.05): Promise<Point> =>
+    (await page.evaluate((y) => window.texelcast.project(0, y, 0), height)) ?? view;
+  const tallness = async (): Promise<number> => (await mug(0)).y - (await mug(0.09)).y;
+  const before = await tallness();
   await page.mouse.move(view.x + view.width - 30, view.y + view.height - 15);
   for (let step = 0; step < 4; step += 1) await page.mouse.wheel(0, -200);
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
@@ -31,6 +34,7 @@ test("a wheel beside the model comes nearer to it, and does not lose it", async 
   expect(seen.x).toBeLessThan(view.x + view.width);
   expect(seen.y).toBeGreaterThan(view.y);
   expect(seen.y).toBeLessThan(view.y + view.height);
+  expect(await tallness()).toBeGreaterThan(before * 1.5);
 });
 
 test("a template opens at 64 × 64, its outer layer hidden, with a guide of its parts", async ({ editor, page }) => {

@@ -47,7 +47,7 @@ describe("the press", () => {
   });
 
   it("is ended when it takes for ever, and the shop answers meanwhile", async () => {
-    const shop = await openShop({ press: { script: pressThat("for (;;);"), patience: 500 } });
+    const shop = await openShop({ press: { script: pressThat("for (;;);"), patience: 2000 } });
     const line = ordered(shop);
     expect((await shop.app.inject("/api/products")).statusCode).toBe(200);
     expect(await line).toMatchObject({ status: "held", fault: { code: "timeout", field: "print" } });
