@@ -9,9 +9,10 @@ import type { OpenModel } from "../../web/editor/state/design-state.ts";
 import { type EditorState, INITIAL_STATE } from "../../web/editor/state/editor-state.ts";
 import { NoticeBoard } from "../../web/editor/state/notice-board.ts";
 import { Store } from "../../web/editor/state/store.ts";
+import { Tasks } from "../../web/editor/state/tasks.ts";
 import { shippedFont, TextCommands, type TextCommandsParts } from "../../web/editor/state/text-commands.ts";
 import type { Engine, EngineText, PlanarProjector, Projector } from "../../web/engine/engine-api.ts";
-import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
+import type { ModelViewer, SurfaceHit } from "../../web/viewer/viewer-api.ts";
 import { FRONT } from "../support/layers.ts";
 
 const INTER = shippedFont("inter-700");
@@ -49,12 +50,15 @@ function twoTexts() {
   const library = new AssetLibrary(engine);
   const session = new DesignSession({ engine, viewer, library, store, later: () => {} });
   const board = new NoticeBoard(store);
+  const hits: unknown[] = [];
   const texts = new TextCommands({
     ...{ engine, session, store, board, library },
     admission: null,
+    tasks: new Tasks(store),
     decals: {
       placed: (_id: string, projector: Projector) => ({ projector }),
-      addLayer: (...[, , label, make]: Parameters<DecalCommands["addLayer"]>) => {
+      addLayer: (...[, hit, label, make]: Parameters<DecalCommands["addLayer"]>) => {
+        hits.push(hit);
         const { design, layer: added } = make("new", FRONT, 0);
         session.record(addOnTop(design, added), label);
       },
@@ -69,7 +73,8 @@ function twoTexts() {
   const layer = (id: string): TextLayer => layerById(session.recordedDesign, id) as TextLayer;
   const fontOf = (id: string): string | undefined => session.recordedDesign.assets[layer(id).font]?.uri;
   const told = (): string[] => store.state.notices.map(({ message }) => message);
-  return { session, texts, arrive, layer, fontOf, told };
+  const working = (): string[] => store.state.tasks.map(({ label }) => label);
+  return { session, texts, arrive, layer, fontOf, told, hits, working };
 }
 
 const isLobster = ({ font }: EngineText): boolean => font === LOBSTER.asset.uri;
@@ -147,6 +152,40 @@ describe("a text whose font is still being fetched", () => {
     expect(session.recording).toBe(false);
     expect(session.recordedDesign.layers.map(({ id }) => id).sort()).toEqual(["b", "new"]);
     expect(fontOf("new")).toBe(LOBSTER.asset.uri);
+  });
+
+  it("asked for again meanwhile, is one text, where it was asked for last, and once it is there another one can follow", async () => {
+    const { session, texts, arrive, hits } = twoTexts();
+    const [there, elsewhere] = [{ place: 1 }, { place: 2 }] as unknown as SurfaceHit[];
+    void texts.add(there, LOBSTER);
+    void texts.add(elsewhere, LOBSTER);
+    void texts.add(null, LOBSTER);
+    await arrive();
+    expect(session.recordedDesign.layers).toHaveLength(3);
+    expect(hits).toEqual([elsewhere]);
+    void texts.add(null, LOBSTER);
+    await arrive();
+    expect(hits).toEqual([elsewhere, null]);
+  });
+
+  it("asked for in another font, is another text", async () => {
+    const { texts, arrive, hits } = twoTexts();
+    void texts.add(null, LOBSTER);
+    void texts.add(null, INTER);
+    await arrive();
+    expect(hits).toEqual([null, null]);
+  });
+
+  it("is told of as work in progress, as is a change of font, until it is there", async () => {
+    const { texts, arrive, working } = twoTexts();
+    void texts.add(null, LOBSTER);
+    expect(working()).toEqual(["Setting the words"]);
+    await arrive();
+    expect(working()).toEqual([]);
+    void texts.change("a", { fontAsset: LOBSTER }, "font");
+    expect(working()).toEqual(["Setting the words"]);
+    await arrive();
+    expect(working()).toEqual([]);
   });
 
   it("lies close in its box where that is when the font comes", async () => {

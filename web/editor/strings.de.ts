@@ -535,6 +535,7 @@ export const german: Strings = {
     packing: (name) => `${name} wird gepackt`,
     baking: "Die Oberfläche wird vermessen",
     drawing: "Die Ebenen werden gemalt",
+    writing: "Die Wörter werden gesetzt",
     restoring: (name) => `${name} wird wiederhergestellt`,
     exporting: (name) => `${name} wird exportiert`,
     cancel: "Abbrechen",

@@ -531,6 +531,7 @@ const english = {
     packing: (name: string): string => `Packing ${name}`,
     baking: "Mapping the surface",
     drawing: "Painting the layers",
+    writing: "Setting the words",
     restoring: (name: string): string => `Bringing back ${name}`,
     exporting: (name: string): string => `Exporting ${name}`,
     cancel: "Cancel",

@@ -153,7 +153,7 @@ export class Editor {
       tasks,
       showMaterial,
     });
-    this.texts = new TextCommands({ engine, session, store, board, library, decals, admission });
+    this.texts = new TextCommands({ engine, session, store, board, library, decals, admission, tasks: this.tasks });
     tools.register(textTool(this.texts, { viewer, textureView, store, board, tools }));
     this.#connect();
     // The page around an embedded editor has its own way.

@@ -23,6 +23,7 @@ import type { DesignSession } from "./design-session.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
+import type { Tasks } from "./tasks.ts";
 import { emOf, fitsClosely, fitted, refitted, withEm } from "./text-box.ts";
 import { newlyMissing, shareOfModel } from "./text-troubles.ts";
 import { type WaitingChange, WaitingChanges } from "./waiting-changes.ts";
@@ -45,6 +46,16 @@ export interface TextCommandsParts {
   readonly library: AssetLibrary;
   readonly decals: DecalCommands;
   readonly admission: Admission | null;
+  readonly tasks: Pick<Tasks, "run">;
+}
+
+/** A text that is on its way to the model. */
+interface ComingText {
+  readonly model: EditorState["model"];
+  readonly fontName: string;
+  /** Where it was asked for last; null for the middle of the view. */
+  hit: SurfaceHit | null;
+  readonly done: Promise<void>;
 }
 
 const FIRST_FONT: ShippedFontId = "inter-700";
@@ -57,6 +68,7 @@ export class TextCommands {
   #asked = 0;
   /** The changes that wait for their measure, to be steps then, however slow their fonts are. */
   readonly #waiting = new WaitingChanges<TextPatch>();
+  #coming: ComingText | null = null;
 
   constructor(parts: TextCommandsParts) {
     this.#parts = parts;
@@ -67,15 +79,33 @@ export class TextCommands {
     return selected?.type === "text" ? selected : undefined;
   }
 
-  /** Puts a text on the model: at `hit`, else in the middle of the view, and asks the panel to have it typed. */
+  /**
+   * Puts a text on the model: at `hit`, else in the middle of the view, and asks the panel to have it typed. Asked for again
+   * while its font is on its way, it is that one text, at the place that was named last.
+   */
   async add(hit: SurfaceHit | null = null, font = shippedFont(FIRST_FONT)): Promise<void> {
-    const work = this.#add(hit, font);
+    const { session, store } = this.#parts;
+    const { model } = store.state;
+    const coming = this.#coming;
+    if (coming?.fontName === font.name && coming.model === model) {
+      coming.hit = hit ?? coming.hit;
+      return await coming.done;
+    }
+    const place = (): SurfaceHit | null => asked.hit;
+    const asked: ComingText = { model, fontName: font.name, hit, done: this.#run(() => this.#add(place, font)) };
+    this.#coming = asked;
     // What is saved meanwhile waits for the text.
-    this.#parts.session.recordsLater(work);
-    await work;
+    session.recordsLater(asked.done);
+    await asked.done;
+    if (this.#coming === asked) this.#coming = null;
   }
 
-  async #add(hit: SurfaceHit | null, font: ReturnType<typeof shippedFont>): Promise<void> {
+  /** Fonts may take long to come. */
+  #run<T>(work: () => Promise<T>): Promise<T> {
+    return this.#parts.tasks.run(this.#parts.board.strings.tasks.writing, work, { cancellable: false });
+  }
+
+  async #add(place: () => SurfaceHit | null, font: ReturnType<typeof shippedFont>): Promise<void> {
     const { session, store, board, decals } = this.#parts;
     const { model } = store.state;
     if (!model || store.state.switching) return;
@@ -89,7 +119,7 @@ export class TextCommands {
       // The place was one on that model.
       if (store.state.model !== model || store.state.switching) return;
       this.#parts.admission?.checkRoom(1);
-      decals.addLayer(room.width / room.height, hit, board.strings.steps.addText, (id, projector, material) => {
+      decals.addLayer(room.width / room.height, place(), board.strings.steps.addText, (id, projector, material) => {
         // The design may be another one since the words were measured.
         const { design, key } = dressed();
         return { design, layer: { ...plain, id, font: key, projector, material, fontSize: 1 / room.height } };
@@ -126,7 +156,7 @@ export class TextCommands {
     }
     this.#asked += 1;
     const record = (design: Design): void => session.record(design, label, mergeKey);
-    const work = this.#waiting.add({ id, patch }, (change) => this.#apply(change, () => true, record));
+    const work = this.#run(() => this.#waiting.add({ id, patch }, (change) => this.#apply(change, () => true, record)));
     // What is saved meanwhile waits until the words are measured.
     session.recordsLater(work);
     const before = await work;
