@@ -282,6 +282,32 @@ test("words can be put on a product before the dialog that it stands in is opene
   expect(sides?.every((side) => side > 0 && side < 1)).toBe(true);
 });
 
+test("pressed again while its font is slow, a text comes once, and is ready to be typed over", async ({ page }) => {
+  let deliver = (): void => {};
+  const delivered = new Promise<void>((resolve) => {
+    deliver = resolve;
+  });
+  await page.route(/\.ttf$/, async (route) => {
+    await delivered;
+    await route.continue();
+  });
+  await openShop(page, "?size=128");
+  const editor = page.locator("texelcast-editor");
+  const add = editor.getByRole("button", { name: "Add text" });
+  await add.click();
+  await expect(add).toHaveAttribute("aria-disabled", "true");
+  await add.click({ force: true });
+  deliver();
+  await expect(editor.getByRole("textbox", { name: "Words" })).toBeFocused();
+  await expect(add).toHaveAttribute("aria-disabled", "false");
+  await page.keyboard.type("Ada");
+  await page.keyboard.press("Tab");
+  const names = await editor.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) =>
+    (await element.exportDesign()).design.layers.map(({ name }) => name),
+  );
+  expect(names).toEqual(["Ada"]);
+});
+
 test("zones that cannot be read are told and hide no product, and hold once they are corrected", async ({ page }) => {
   await openShop(page, "?loading=lazy");
   const loaded = await page.evaluate(async () => {

@@ -15,6 +15,7 @@ export class ShopView {
   readonly #host: ModeHost;
   readonly #product: ShopProduct;
   #busy = false;
+  #adding = false;
   #dropping = false;
   #open = false;
   /** Somebody touched it before it was open. */
@@ -186,8 +187,8 @@ export class ShopView {
             class="outlined"
             part="button text-button"
             data-act="text"
-            aria-disabled=${full}
-            @click=${() => !full && this.#attempt(this.#addText())}
+            aria-disabled=${full || this.#adding}
+            @click=${() => !full && !this.#adding && this.#attempt(this.#addText())}
           >
             ${icon(Type)} ${words.addText}
           </button>
@@ -258,14 +259,20 @@ export class ShopView {
     else this.#attempt(this.takeTools().then(pick));
   }
 
+  /** Tools and fonts may take long to come: pressed again meanwhile, it is still one text. */
   async #addText(): Promise<void> {
-    const { texts } = await this.takeTools();
-    await texts.add(this.#host.words.sampleText);
-    this.#host.requestUpdate();
+    const host = this.#host;
+    this.#adding = true;
+    host.requestUpdate();
+    try {
+      await (await this.takeTools()).texts.add(host.words.sampleText);
+    } finally {
+      this.#adding = false;
+      host.requestUpdate();
+    }
     // The field is there with the next render.
     requestAnimationFrame(() => {
-      const root = this.#host.view.getRootNode();
-      const field = root instanceof ShadowRoot ? root.querySelector<HTMLTextAreaElement>("textarea") : null;
+      const field = (host.view.getRootNode() as ShadowRoot).querySelector("textarea");
       field?.focus();
       field?.select();
     });
