@@ -16,6 +16,40 @@ test("opens on the mug with a decal that is selected and painted", async ({ edit
   expect(await editor.hash()).not.toBe(painted);
 });
 
+test("on a slow line the page says that it is coming, and what the first model needs comes side by side", async ({
+  editor,
+  page,
+}) => {
+  const held = async (address: RegExp): Promise<() => void> => {
+    let letGo = (): void => {};
+    const free = new Promise<void>((resolve) => {
+      letGo = resolve;
+    });
+    await page.route(address, async (route) => {
+      await free;
+      await route.continue();
+    });
+    return letGo;
+  };
+  const letCodeGo = await held(/\/texture-view-.*\.js$/);
+  const letModelGo = await held(/\/mug\.glb$/);
+  const asked: string[] = [];
+  page.on("request", (request) => asked.push(new URL(request.url()).pathname));
+  await page.goto("./", { waitUntil: "commit" });
+  const coming = page.getByRole("status").filter({ hasText: /^Texelcast$/ });
+  await expect(coming).toBeVisible();
+  letCodeGo();
+  await expect(page.locator("tc-notice-stack .task")).toContainText("Opening Mug");
+  await expect(coming).toHaveCount(0);
+  const has = (end: RegExp): boolean => asked.some((address) => end.test(address));
+  await expect
+    .poll(() => [/\/texelcast-.*\.wasm$/, /\/mark\.png$/, /\/smiley\.png$/].map(has))
+    .toEqual([true, true, true]);
+  letModelGo();
+  await expect(page.locator("tc-top-bar .models")).toContainText("Mug");
+  await editor.idle();
+});
+
 test("when the page is idle, the flat view shows the texture", async ({ page }) => {
   await page.goto("./");
   await page.waitForFunction(() => "texelcast" in window);

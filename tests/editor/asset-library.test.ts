@@ -12,6 +12,7 @@ import { FRONT } from "../support/layers.ts";
 import { solidPng } from "../support/png-file.ts";
 
 afterEach(() => {
+  vi.unstubAllGlobals();
   vi.restoreAllMocks();
 });
 
@@ -151,6 +152,32 @@ describe("the pictures of designs", () => {
     const adopted = library.adopt({ ...emptyDesign(), assets }, { path: "a.design.json" });
     await expect(adopted).rejects.toMatchObject({ code: "missing-file" });
     expect([...has]).toEqual([]);
+  });
+
+  it("of a design are fetched side by side, a few ahead, and have the order of the design whichever comes first", async () => {
+    const { library } = painting(64);
+    const files = Array.from({ length: 9 }, (_, shade) => solidPng(2, 2, [shade, 0, 0, 255]));
+    const assets = Object.fromEntries(
+      files.map((_, shade) => [`picture ${shade}`, { type: "image/png", uri: `${shade}.png` } as const]),
+    );
+    const waiting: { readonly shade: number; readonly answer: (response: Response) => void }[] = [];
+    const asked = vi.fn((address: URL) => {
+      const shade = Number(address.pathname.slice(1, -".png".length));
+      return new Promise<Response>((answer) => waiting.push({ shade, answer }));
+    });
+    vi.stubGlobal("fetch", asked);
+    const place = { path: "a.design.json", baseUrl: "https://shop.example/" };
+    const adopting = library.adopt({ ...emptyDesign(), assets }, place);
+    await vi.waitFor(() => expect(asked).toHaveBeenCalledTimes(6));
+    for (const _ of files) {
+      await vi.waitFor(() => expect(waiting).not.toHaveLength(0));
+      const last = waiting.pop();
+      last?.answer(new Response(files[last.shade] as Uint8Array<ArrayBuffer>));
+    }
+    const adopted = await adopting;
+    expect(Object.entries(adopted.assets).map(([key, { uri }]) => [key, uri])).toEqual(
+      files.map((file, shade) => [`picture ${shade}`, `data:image/png;base64,${Buffer.from(file).toString("base64")}`]),
+    );
   });
 
   it("leave the engine, the oldest first, where the history's alone would fill it, and come back by an undo", async () => {

@@ -10,6 +10,7 @@ import { createTextureView } from "../viewer/texture-view.ts";
 import { showStartFailure } from "./start-failure.ts";
 import { makeTestHandle } from "./test-handle.ts";
 
+document.getElementById("coming")?.remove();
 applyLanguage(document.documentElement);
 const strings = stringsIn(pageLanguage);
 const workbench = document.createElement("tc-workbench");

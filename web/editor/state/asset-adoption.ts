@@ -6,17 +6,31 @@ import { bytesOf, findCompanion } from "../files/companions.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 
-/** `AssetLibrary.adopt`. */
+/** On a slow line each would wait for the answer to the one before it; all at once would hold their bytes twice. */
+const READ_AHEAD = 6;
+
+/** `AssetLibrary.adopt`. They are fetched side by side, and taken in one after the other, in their order. */
 export async function adoptAssets(library: AssetLibrary, design: Design, place: DesignPlace): Promise<Design> {
   const assets: Record<string, DesignAsset> = {};
+  const entries = Object.entries(design.assets);
+  const reads: Promise<Uint8Array | null>[] = [];
+  /** Null for what is there. */
+  const read = async (key: string, asset: DesignAsset): Promise<Uint8Array | null> => {
+    if (!isShippedFontAddress(asset.uri) && !library.claim(asset))
+      return readAsset(asset.uri, `assets.${key}.uri`, place);
+    assets[key] = asset;
+    return null;
+  };
   try {
-    for (const [key, asset] of Object.entries(design.assets)) {
-      const field = `assets.${key}.uri`;
-      if (isShippedFontAddress(asset.uri) || library.claim(asset)) {
-        assets[key] = asset;
-        continue;
+    for (const [index, [key, asset]] of entries.entries()) {
+      for (const each of entries.slice(reads.length, index + READ_AHEAD)) {
+        const ahead = read(...each);
+        // Of several that fail, the first is told.
+        ahead.catch(() => undefined);
+        reads.push(ahead);
       }
-      const bytes = await readAsset(asset.uri, field, place);
+      const bytes = await reads[index];
+      if (!bytes) continue;
       const name = asset.uri.startsWith("data:") ? key : asset.uri;
       const kept = asset.type.startsWith("font/") ? await library.addFont(name, bytes) : await library.add(name, bytes);
       assets[key] = kept.asset;

@@ -170,6 +170,8 @@ export class Editor {
    * the first demo, or says what to do without one.
    */
   async start(page: string): Promise<void> {
+    // So the engine's code is fetched beside the model, not after it. Where it cannot be, whoever needs it is told.
+    this.engine.idle().catch(() => undefined);
     try {
       await this.#openFirst(page);
     } finally {

@@ -5,7 +5,13 @@ import type { Engine } from "../../engine/engine-api.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, emptyDesign, materialsIn, parseDesign, serialiseDesign } from "../document/index.ts";
 import { bytesOf } from "../files/companions.ts";
-import { type DemoDecal, type DemoModel, type DemoTemplate, fetchBytes } from "../files/demo-catalogue.ts";
+import {
+  type DemoCatalogue,
+  type DemoDecal,
+  type DemoModel,
+  type DemoTemplate,
+  fetchBytes,
+} from "../files/demo-catalogue.ts";
 import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
 import { sortFiles } from "../files/file-intake.ts";
@@ -129,12 +135,8 @@ export class FileCommands {
     const { demos } = store.state;
     if (!demos) return;
     try {
-      const bytes = await this.#fetchModel(demo.model, demo.name, demos.page);
+      const { bytes, design } = await this.#fetchDemo(demo, demos);
       const source = { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes };
-      const parsed = parseDesign(demo.design, demo.name);
-      const { named } = board.strings;
-      const layers = parsed.layers.map((layer) => ({ ...layer, name: named(layer.name) }));
-      const design = await library.adopt({ ...parsed, layers }, { path: demo.name, baseUrl: demos.url });
       try {
         await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
       } finally {
@@ -145,17 +147,35 @@ export class FileCommands {
     }
   }
 
-  /** A large model on a slow line takes its time, which is said. */
-  #fetchModel(address: string, name: string, page: string): Promise<Uint8Array> {
-    const label = this.#parts.board.strings.tasks.opening(name);
-    return this.#parts.tasks.run(label, () => fetchBytes(address, page), { cancellable: false });
+  /** A demo's model and its design, whose pictures are to be released: they come side by side. */
+  #fetchDemo(demo: DemoModel, demos: DemoCatalogue): Promise<{ bytes: Uint8Array; design: Design }> {
+    const { library, board } = this.#parts;
+    return this.#opening(demo.name, async () => {
+      const parsed = parseDesign(demo.design, demo.name);
+      const { named } = board.strings;
+      const layers = parsed.layers.map((layer) => ({ ...layer, name: named(layer.name) }));
+      const [model, adopted] = await Promise.allSettled([
+        fetchBytes(demo.model, demos.page),
+        library.adopt({ ...parsed, layers }, { path: demo.name, baseUrl: demos.url }),
+      ]);
+      if (adopted.status === "rejected") throw adopted.reason;
+      if (model.status === "fulfilled") return { bytes: model.value, design: adopted.value };
+      library.release(Object.values(adopted.value.assets));
+      throw model.reason;
+    });
+  }
+
+  /** On a slow line it takes its time, which is said. */
+  #opening<T>(name: string, work: () => Promise<T>): Promise<T> {
+    return this.#parts.tasks.run(this.#parts.board.strings.tasks.opening(name), work, { cancellable: false });
   }
 
   async #openTemplate({ name, model }: DemoTemplate): Promise<void> {
     const { store, board } = this.#parts;
     if (!store.state.demos) return;
     try {
-      const bytes = await this.#fetchModel(model, name, store.state.demos.page);
+      const { page } = store.state.demos;
+      const bytes = await this.#opening(name, () => fetchBytes(model, page));
       const source = { name: model.slice(model.lastIndexOf("/") + 1), bytes };
       await this.#openModel({ source, title: name, demoId: null }, emptyDesign());
     } catch (thrown) {
@@ -282,13 +302,7 @@ export class FileCommands {
     const parsed = parseDesign(await file.file.text(), file.file.name);
     noteRead(parsed);
     const place: DesignPlace = { path: file.path, files: companions };
-    return this.#parts.tasks.run(
-      this.#parts.board.strings.tasks.opening(file.file.name),
-      () => this.#parts.library.adopt(parsed, place),
-      {
-        cancellable: false,
-      },
-    );
+    return this.#opening(file.file.name, () => this.#parts.library.adopt(parsed, place));
   }
 
   /** Opens a model with a design that was read and is whole; what was open before stays in the history. */
