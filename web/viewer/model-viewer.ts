@@ -3,6 +3,7 @@ import { Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Projector, Vec3 } from "../engine/engine-api.ts";
 import { adoptStyle } from "./adopt-style.ts";
+import { arrangementOf } from "./arrangement.ts";
 import { ClipClock } from "./clip-clock.ts";
 import { frameDecal } from "./decal-framing.ts";
 import { DecalHands } from "./decal-hands.ts";
@@ -25,6 +26,7 @@ import { TOOL_STYLE } from "./tool-style.ts";
 import { ViewInHands } from "./view-in-hands.ts";
 import type {
   AnimationState,
+  Arrangement,
   ClipInfo,
   GuideEntry,
   MapPicture,
@@ -139,6 +141,10 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
 
   alignProjector(projector: Projector, how: Alignment, material: number): Projector {
     return this.#placer(projector, material).aligned(projector, how);
+  }
+
+  arrangement(projectors: readonly Projector[]): Arrangement | null {
+    return this.#model && arrangementOf(this.#model.query, projectors);
   }
 
   setTool(input: ToolInput | null): void {

@@ -64,7 +64,8 @@ function swung(start: PerspectiveProjector, from: Vector3, to: Vector3): Project
   return { ...start, rotation: [rotation.x, rotation.y, rotation.z, rotation.w] };
 }
 
-function turnedRound(start: CylindricalProjector, from: Vector3, to: Vector3): Projector {
+/** A label turned about its axis and moved along it as what lies on it goes from one place to another. */
+export function turnedRound(start: CylindricalProjector, from: Vector3, to: Vector3): CylindricalProjector {
   const before = toView(start, from);
   const after = toView(start, to);
   return rolled(start, Math.atan2(after.x, after.z) - Math.atan2(before.x, before.z), after.y - before.y);

@@ -198,8 +198,24 @@ export interface DecalViewer extends ModelView {
   readonly surface: SurfacePlaces;
 }
 
+/** Several projectors as one, as `ModelViewer.arrangement` found them. */
+export interface Arrangement {
+  /** Round all of them, and upright. */
+  readonly box: PlanarProjector;
+  /**
+   * The projectors, in their order, as they lie once the box is another: turned about its own +Z, sized, moved in its plane.
+   * Always from where they were at first, so that a box that comes back brings them back.
+   */
+  at(box: PlanarProjector): readonly Projector[];
+}
+
 /** A model that is shown, with all that an editor does to it. */
 export interface ModelViewer extends DecalViewer {
+  /**
+   * What turns, sizes and moves several projectors as one, on the surface as it is now. Null where that has no middle: fewer
+   * than two of them lie on it, or they look too far apart. Flat stamps stay where they are.
+   */
+  arrangement(projectors: readonly Projector[]): Arrangement | null;
   /**
    * A decal's projector as another kind, its picture's place and size kept as well as both kinds allow; `material` says in
    * which texture a flat stamp lies. To "perspective" it is thrown from the camera and covers on the screen what it covers
