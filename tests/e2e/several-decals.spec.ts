@@ -1,7 +1,8 @@
-/** Several decals, or a group of them, moved as one: by a drag of any, by keys; chosen on the model itself. */
-import type { GroupLayer, PlanarProjector } from "../../web/editor/document/index.ts";
+/** Several decals, or a group of them, moved as one: by a drag of any, by the box round them, by keys; chosen on the model itself. */
+import type { Locator } from "@playwright/test";
+import type { GroupLayer, PlanarProjector, UvProjector } from "../../web/editor/document/index.ts";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
-import { squareGlb } from "./support/test-files.ts";
+import { file, ringPicture, squareGlb } from "./support/test-files.ts";
 
 /** A badge and a number on the square, apart from each other; the number is chosen. */
 async function openOnTwo(editor: EditorPage): Promise<{ badge: string; number: string }> {
@@ -34,6 +35,29 @@ async function wayOf(editor: EditorPage, before: Record<string, PlanarProjector>
       position.map((part, axis) => Math.round(((now[name]?.position[axis] ?? 0) - part) * 1e6) / 1e6 + 0),
     ]),
   );
+}
+
+/** From one decal to the other, on the square: how long, and (degrees) which way. */
+function between({ "Travel badge": badge, "Number 07": number }: Record<string, PlanarProjector>) {
+  const [across, up] = [0, 1].map((axis) => (number?.position[axis] ?? 0) - (badge?.position[axis] ?? 0));
+  const way = (Math.atan2(up ?? 0, across ?? 0) * 180) / Math.PI;
+  return { length: Math.hypot(across ?? 0, up ?? 0), way };
+}
+
+/** How a box on the square is turned, degrees. */
+const spin = (projector?: PlanarProjector): number => {
+  const [, , z, w] = projector?.rotation ?? [0, 0, 0, 1];
+  return (Math.atan2(z, w) * 360) / Math.PI;
+};
+
+/** 0 to 360. */
+const round = (degrees: number): number => ((degrees % 360) + 360) % 360;
+
+async function middleOf(handle: Locator): Promise<Point> {
+  await expect(handle).toBeVisible();
+  const place = await handle.boundingBox();
+  if (!place) throw new Error("The view shows no such handle.");
+  return { x: place.x + place.width / 2, y: place.y + place.height / 2 };
 }
 
 async function shiftClick({ page }: EditorPage, { x, y }: Point): Promise<void> {
@@ -144,4 +168,137 @@ test("a chosen group is moved whole, by keys and by any of its decals, and its m
   await page.mouse.click(from.x + 40, from.y + 20, { button: "right" });
   await page.locator("tc-model-menu [role=menu]").getByRole("menuitem", { name: "Ungroup" }).click();
   await expect.poll(async () => (await editor.design()).layers).toEqual(group?.layers);
+});
+
+test("the handles of the box round several turn and size all of them about their middle, as one step", async ({
+  editor,
+  page,
+}) => {
+  await openOnTwo(editor);
+  await page.keyboard.press("Control+a");
+  const before = await editor.design();
+  const places = await projectors(editor);
+  const start = between(places);
+
+  const knob = editor.view.locator("[data-handle=rotate]");
+  const from = await middleOf(knob);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 60, from.y + 60, { steps: 5 });
+  await page.keyboard.press("Escape");
+  await page.mouse.up();
+  expect(await editor.design(), "given up").toEqual(before);
+
+  await editor.drag(from, { x: from.x + 60, y: from.y + 60 }, 5);
+  const turned = await projectors(editor);
+  const turn = round(spin(turned["Number 07"]) - spin(places["Number 07"]));
+  expect(turn).toBeGreaterThan(300);
+  expect(turn).toBeLessThan(350);
+  expect(round(spin(turned["Travel badge"]) - spin(places["Travel badge"]))).toBeCloseTo(turn);
+  expect(between(turned).length).toBeCloseTo(start.length);
+  expect(round(between(turned).way - start.way)).toBeCloseTo(turn);
+  expect(await chosen(editor)).toEqual(["Number 07", "Travel badge"]);
+
+  const corner = await middleOf(editor.view.locator("[data-handle=se]"));
+  await editor.drag(corner, { x: corner.x - 20, y: corner.y - 20 }, 5);
+  const sized = await projectors(editor);
+  const factor = between(sized).length / start.length;
+  expect(factor).not.toBeCloseTo(1, 2);
+  for (const [name, { size }] of Object.entries(places)) expect(sized[name]?.size[0]).toBeCloseTo(size[0] * factor);
+
+  await page.keyboard.press("Control+z");
+  expect(await projectors(editor), "one step").toEqual(turned);
+  await page.keyboard.press("Control+z");
+  expect(await editor.design(), "one step").toEqual(before);
+});
+
+test("keys turn and size several, and a group, about their middle: all the way round is where they were", async ({
+  editor,
+  page,
+}) => {
+  await openOnTwo(editor);
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Control+g");
+  await expect(editor.view.locator(".tcv-beside"), "a group's decals are outlined").toHaveAttribute("d", /M.*M/);
+  await expect(editor.view.locator("[data-handle=se]")).toBeVisible();
+  await editor.view.focus();
+  const places = await projectors(editor);
+  const start = between(places);
+  await editor.quickly(async () => {
+    for (let step = 0; step < 9; step += 1) await page.keyboard.press("Shift+BracketLeft");
+    await page.keyboard.press("+");
+  });
+  const turned = await projectors(editor);
+  expect(round(between(turned).way - start.way)).toBeCloseTo(90);
+  expect(between(turned).length).toBeCloseTo(start.length * 1.01);
+  expect(round(spin(turned["Number 07"]) - spin(places["Number 07"]))).toBeCloseTo(90);
+  await page.keyboard.press("Control+z");
+  for (let step = 0; step < 27; step += 1) await page.keyboard.press("Shift+BracketLeft");
+  const round360 = await projectors(editor);
+  for (const [name, { position }] of Object.entries(places)) {
+    for (const axis of [0, 1, 2] as const) expect(round360[name]?.position[axis]).toBeCloseTo(position[axis], 9);
+  }
+});
+
+/** Two decals in front and behind the demo's mug, and two stamps in its texture. */
+const decalAt = (name: string, projector: object): object => ({
+  id: name,
+  name,
+  type: "decal",
+  asset: "ring",
+  projector,
+});
+const lyingApart = {
+  format: "texelcast-design",
+  version: 1,
+  assets: { ring: { type: "image/png", uri: "pictures/ring.png" } },
+  layers: [
+    decalAt("Left", { kind: "uv", center: [0.3, 0.3], size: [0.1, 0.1], angle: 0 }),
+    decalAt("Right", { kind: "uv", center: [0.6, 0.3], size: [0.1, 0.1], angle: 20 }),
+    decalAt("Back", { kind: "planar", position: [0, 0.05, -0.04], rotation: [0, 1, 0, 0], size: [0.02, 0.02, 0.02] }),
+    decalAt("Front", { kind: "planar", position: [0, 0.05, 0.04], rotation: [0, 0, 0, 1], size: [0.02, 0.02, 0.02] }),
+  ],
+};
+
+test("what lies apart is turned where it lies; stamps go round their middle in the texture", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openDesign([file("apart.design.json", JSON.stringify(lyingApart), "application/json"), ringPicture()]);
+  await page.keyboard.press("Control+a");
+  await editor.view.focus();
+  await page.keyboard.press("Shift+BracketLeft");
+  const { Front, Back } = await projectors(editor);
+  expect(Front?.position).toEqual([0, 0.05, 0.04]);
+  expect(Back?.position).toEqual([0, 0.05, -0.04]);
+  expect(spin(Front)).toBeCloseTo(10);
+  const stamps = async (): Promise<UvProjector[]> =>
+    (await editor.design()).layers.slice(0, 2).map((layer) => (layer as { projector: UvProjector }).projector);
+  const [left, right] = await stamps();
+  expect([left?.angle, right?.angle]).toEqual([-10, 10]);
+  const tilt = 0.15 * Math.sin(Math.PI / 18);
+  expect([left?.center[1], right?.center[1]]).toEqual([expect.closeTo(0.3 + tilt), expect.closeTo(0.3 - tilt)]);
+
+  const knob = await middleOf(editor.view.locator("[data-handle=rotate]"));
+  await editor.drag(knob, { x: knob.x + 40, y: knob.y + 30 }, 4);
+  const now = await projectors(editor);
+  expect(now.Front?.position).toEqual([0, 0.05, 0.04]);
+  expect(now.Back?.position).toEqual([0, 0.05, -0.04]);
+  expect(spin(now.Front)).toBeLessThan(-20);
+  const behind = (projector?: PlanarProjector): number => {
+    const [x, y] = projector?.rotation ?? [0, 1, 0, 0];
+    return (Math.atan2(x, y) * 360) / Math.PI;
+  };
+  expect(behind(now.Back) - behind(Back)).toBeCloseTo(spin(now.Front) - spin(Front));
+
+  const inTexture = await middleOf(page.locator(".tcv-texture [data-handle=rotate]"));
+  const before = await stamps();
+  await editor.drag(inTexture, { x: inTexture.x + 60, y: inTexture.y + 60 }, 4);
+  const after = await stamps();
+  const turn = (after[0]?.angle ?? 0) - (before[0]?.angle ?? 0);
+  expect(turn).toBeGreaterThan(15);
+  expect((after[1]?.angle ?? 0) - (before[1]?.angle ?? 0)).toBeCloseTo(turn);
+  expect(after[0]?.center[1]).toBeLessThan((before[0]?.center[1] ?? 0) - 0.02);
+  expect(await chosen(editor)).toHaveLength(4);
 });

@@ -1,5 +1,6 @@
 /** What goes along with a decal that is dragged: it keeps its place beside it, round a mug as well as over a table. */
 import type { CylindricalProjector, Projector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
+import { scaledProjector, spunProjector } from "./projector-steps.ts";
 
 /** Where the surface is nearest to a place; null where there is none. */
 export type NearSurface = (place: Vec3) => { readonly position: Vec3 } | null;
@@ -35,6 +36,36 @@ export function carriedProjector(
   const landing = carriedFoot && near(carriedFoot);
   const settled = landing ? plus(position, minus(landing.position, carriedFoot)) : position;
   return { ...other, position: settled, rotation };
+}
+
+/** `other` turned and sized where it lies as what was dragged from `start` to `now` was, as far as both kinds let it. */
+export function changedAlike(start: Projector, now: Projector, other: Projector): Projector {
+  return scaledProjector(spunProjector(other, spinOf(start, now)), growthOf(start, now));
+}
+
+/** Degrees counter-clockwise as the viewer sees it. */
+function spinOf(start: Projector, now: Projector): number {
+  if (start.kind === "uv" || now.kind === "uv") {
+    return start.kind === "uv" && now.kind === "uv" ? start.angle - now.angle : 0;
+  }
+  const [, , z, w] = times(inverse(start.rotation), now.rotation);
+  return (Math.atan2(z, w) * 360) / Math.PI;
+}
+
+/** By how much the picture is larger; 1 where its proportions are others: a side of it was dragged. */
+function growthOf(start: Projector, now: Projector): number {
+  const [width, height] = sidesOf(start);
+  const [nowWidth, nowHeight] = sidesOf(now);
+  const [across, up] = [nowWidth / width, nowHeight / height];
+  return Math.abs(across / up - 1) < 1e-6 ? across : 1;
+}
+
+/** In whatever unit. */
+function sidesOf(projector: Projector): readonly [number, number] {
+  if (projector.kind === "cylindrical") return [projector.arc, projector.height];
+  if (projector.kind !== "perspective") return [projector.size[0], projector.size[1]];
+  const slope = Math.tan((projector.fov * Math.PI) / 360);
+  return [slope, slope];
 }
 
 /** A label stays on its axis: it goes round it, and along it. */

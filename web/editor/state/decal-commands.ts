@@ -1,12 +1,13 @@
 /** What a user does to decals, each a step of the history. */
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
-import type { DecalGesture, ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
+import type { DecalGesture, ModelViewer, SurfaceHit, ViewerDecal } from "../../viewer/viewer-api.ts";
 import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf, visitOf } from "../document/index.ts";
 import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { tellBarePart } from "./bare-part.ts";
-import { carriedProjector, footOf, type NearSurface } from "./carried-projector.ts";
+import { carriedProjector, changedAlike, footOf, type NearSurface } from "./carried-projector.ts";
+import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
 import { clearPlaces } from "./clear-place.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
 import { addOnTop, layerById, patchEach, patchLayer, withAsset } from "./design-edits.ts";
@@ -61,6 +62,7 @@ export class DecalCommands {
   #copied: Design | null = null;
   /** The other chosen ones, which go along while one of them is dragged. */
   #carried: readonly Carried[] = [];
+  readonly #together: ChosenTogether;
 
   constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
     this.#session = session;
@@ -69,6 +71,7 @@ export class DecalCommands {
     this.#board = board;
     this.#layers = layers;
     this.#report = new StepReport(board, store, () => this.selected);
+    this.#together = new ChosenTogether(viewer, () => store.state);
     this.reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     viewer.on("gesture", (gesture) => this.followGesture(gesture));
     viewer.on("select", ({ id }) => this.#clicked(id));
@@ -119,10 +122,22 @@ export class DecalCommands {
     return chosen;
   }
 
+  /** Of those the ones that are not locked. */
+  get movable(): readonly PlacedLayer[] {
+    return this.chosen.filter(({ locked }) => !locked).map(({ layer }) => layer);
+  }
+
+  /** Shows decals with handles at what is chosen: the one, or the box round several. */
+  show(decals: readonly ViewerDecal[], selectedId: string | null): void {
+    const several = this.#store.state.selection.length > 1 || this.#session.selected?.type === "group";
+    if (several) this.#together.show(decals, selectedId, this.movable);
+    else this.#viewer.setDecals(decals, selectedId);
+  }
+
   /** Whether keys move chosen decals though none of them has handles, as those of a group. */
   get moveUnheld(): boolean {
-    const free = this.chosen.filter(({ locked }) => !locked);
-    return free.length > 0 && !free.some(({ layer }) => layer.id === this.#store.state.selectedId);
+    const { movable } = this;
+    return movable.length > 0 && !movable.some(({ id }) => id === this.#store.state.selectedId);
   }
 
   /**
@@ -175,23 +190,26 @@ export class DecalCommands {
 
   /** Slides the chosen decals along the surface by steps of the view: +1 right, +1 up. False where none is chosen. */
   nudge(right: number, up: number, coarse: boolean): boolean {
-    return this.#step("nudge", this.#board.strings.steps.move, (projector) => {
-      const step = NUDGE_SHARE * this.#diagonal() * (coarse ? COARSE : 1);
-      return this.#viewer.nudge(projector, right * step, up * step);
-    });
-  }
-
-  /** Turns the chosen decals by `steps` degrees, each where it lies. */
-  spin(steps: number, coarse: boolean): boolean {
-    return this.#step("spin", this.#board.strings.steps.rotate, (projector) =>
-      spunProjector(projector, steps * (coarse ? COARSE : 1)),
+    const step = NUDGE_SHARE * this.#diagonal() * (coarse ? COARSE : 1);
+    return this.#step("nudge", this.#board.strings.steps.move, (layers) =>
+      layers.map(({ projector }) => this.#viewer.nudge(projector, right * step, up * step)),
     );
   }
 
-  /** Scales the chosen decals by `steps` percent, each where it lies. */
+  /** Turns the chosen decals by `steps` degrees, about their common middle. */
+  spin(steps: number, coarse: boolean): boolean {
+    const degrees = steps * (coarse ? COARSE : 1);
+    return this.#step("spin", this.#board.strings.steps.rotate, (layers) =>
+      this.#together.changed(layers, (projector) => spunProjector(projector, degrees)),
+    );
+  }
+
+  /** Scales the chosen decals by `steps` percent, about their common middle. */
   scale(steps: number, coarse: boolean): boolean {
     const factor = 1 + (steps * (coarse ? COARSE : 1)) / 100;
-    return this.#step("scale", this.#board.strings.steps.scale, (projector) => scaledProjector(projector, factor));
+    return this.#step("scale", this.#board.strings.steps.scale, (layers) =>
+      this.#together.changed(layers, (projector) => scaledProjector(projector, factor)),
+    );
   }
 
   /**
@@ -263,25 +281,44 @@ export class DecalCommands {
     );
   }
 
-  #step(kind: StepKind, label: string, change: (projector: Projector) => Projector): boolean {
-    const { chosen } = this;
+  #step(kind: StepKind, label: string, change: (layers: readonly PlacedLayer[]) => readonly Projector[]): boolean {
+    const { chosen, movable } = this;
     if (chosen.length === 0) return false;
     const ids = this.#layers.unlocked(chosen.map(({ layer }) => layer.id));
-    const free = chosen.filter(({ locked }) => !locked).map(({ layer }) => layer);
-    const patches = free.map((layer) => this.#moved(layer, change(layer.projector)));
-    this.#session.record(patchEach(this.#session.recordedDesign, new Map(patches)), label, `${kind}:${ids}`);
-    if (free.length > 0) this.#report.after(kind);
+    this.#session.record(this.#designWith(movable, change(movable)), label, `${kind}:${ids}`);
+    if (movable.length > 0) this.#report.after(kind);
     return true;
   }
 
+  /** The recorded design with layers put where projectors have them. */
+  #designWith(layers: readonly PlacedLayer[], projectors: readonly Projector[]): Design {
+    const moves = layers.map((layer, index) => this.#moved(layer, projectors[index] ?? layer.projector));
+    return patchEach(this.#session.recordedDesign, new Map(moves));
+  }
+
   /** A view's drag of a decal: shown while it goes on, a step of the history when it ends. */
-  followGesture({ id, kind, phase, projector, material: onto }: DecalGesture): void {
+  followGesture(gesture: DecalGesture): void {
+    if (gesture.id === TOGETHER) this.#followBox(gesture);
+    else this.#followDecal(gesture);
+  }
+
+  #followBox({ kind, phase, projector }: DecalGesture): void {
+    if (phase === "cancel") this.#session.cancelPreview();
+    if (phase !== "move" && phase !== "end") return;
+    const { movable } = this;
+    const projectors = this.#together.dragged(movable, projector, phase === "end");
+    const design = this.#designWith(movable, projectors);
+    if (phase === "move") this.#session.preview(design);
+    else this.#session.record(design, this.#board.strings.steps[kind]);
+  }
+
+  #followDecal({ id, kind, phase, projector, material: onto }: DecalGesture): void {
     if (phase === "start") {
       const copies = this.#copiesDragged && kind === "slide";
       const together = !copies && this.#isChosen(id);
       this.#onRelease = null;
       if (!together) this.#layers.select(id);
-      this.#carried = together && kind === "slide" ? this.#othersThan(id) : [];
+      this.#carried = together ? this.#othersThan(id) : [];
       this.#copied = copies ? this.#layers.withCopyBelow(id) : null;
     } else if (phase === "cancel") this.#session.cancelPreview();
     else {
@@ -289,7 +326,7 @@ export class DecalCommands {
       if (layer?.type !== "decal" && layer?.type !== "text") return;
       const [, patch] = this.#moved(layer, projector, onto);
       if (this.#copied) this.#dragCopy(this.#copied, id, patch, phase);
-      else if (this.#carried.length > 0) this.#dragTogether(layer, patch, phase);
+      else if (this.#carried.length > 0) this.#dragTogether(layer, patch, kind, phase);
       else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
       if (phase === "end") tellBarePart(this.reach.bareOf(projector, layer.backfaces, onto), this.#board);
@@ -297,19 +334,25 @@ export class DecalCommands {
   }
 
   #othersThan(id: string): readonly Carried[] {
-    const others = this.chosen.filter(({ layer, locked }) => !locked && layer.id !== id);
-    return others.map(({ layer }) => ({ layer, foot: footOf(layer.projector, this.#near) }));
+    const others = this.movable.filter((layer) => layer.id !== id);
+    return others.map((layer) => ({ layer, foot: footOf(layer.projector, this.#near) }));
   }
 
   readonly #near: NearSurface = (place) => this.#viewer.surface.near(place);
 
-  #dragTogether({ id, projector }: PlacedLayer, patch: LayerMove, phase: "move" | "end"): void {
+  #dragTogether(
+    { id, projector: start }: PlacedLayer,
+    patch: LayerMove,
+    kind: DecalGesture["kind"],
+    phase: "move" | "end",
+  ): void {
+    const follow: typeof carriedProjector = kind === "slide" ? carriedProjector : changedAlike;
     const others = this.#carried.map(({ layer, foot }) =>
-      this.#moved(layer, carriedProjector(projector, patch.projector, layer.projector, foot, this.#near)),
+      this.#moved(layer, follow(start, patch.projector, layer.projector, foot, this.#near)),
     );
     const design = patchEach(this.#session.recordedDesign, new Map([[id, patch], ...others]));
     if (phase === "move") this.#session.preview(design);
-    else this.#session.record(design, this.#board.strings.steps.slide);
+    else this.#session.record(design, this.#board.strings.steps[kind]);
   }
 
   #dragCopy(copied: Design, id: string, patch: Partial<PlacedLayer>, phase: "move" | "end"): void {

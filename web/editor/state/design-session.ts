@@ -1,5 +1,5 @@
 /** The design under edit: its history, the selection, and the engine's and the viewer's copies of it. */
-import type { Engine, EngineLayer, Projector } from "../../engine/engine-api.ts";
+import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
 import { withKeys } from "../../engine/layer-picture.ts";
 import type { ModelView, ViewerDecal } from "../../viewer/viewer-api.ts";
 import { type Design, type DesignLayer, emptyDesign, materialsOf } from "../document/design.ts";
@@ -14,12 +14,9 @@ import { History } from "./history.ts";
 import { OpenWork } from "./open-work.ts";
 import type { Store } from "./store.ts";
 
-/** Of chosen decals, those that are outlined beside the one with handles. */
-const MOST_OUTLINED = 24;
-
 export interface DesignSessionParts {
   readonly engine: Engine;
-  readonly viewer: ModelView;
+  readonly viewer: Pick<ModelView, "setDecals">;
   readonly library: AssetLibrary;
   readonly store: Store<DesignState>;
   /** Sees to work that goes on after a call, and tells the user where it fails. */
@@ -28,7 +25,7 @@ export interface DesignSessionParts {
 
 export class DesignSession {
   readonly #engine: Engine;
-  readonly #viewer: ModelView;
+  readonly #viewer: Pick<ModelView, "setDecals">;
   readonly #library: AssetLibrary;
   readonly #store: Store<DesignState>;
   readonly #later: (work: Promise<void>) => void;
@@ -251,25 +248,18 @@ export class DesignSession {
 
   #showDecals(): void {
     const { design } = this;
-    const { selectedId, selection } = this.#store.state;
+    const { selectedId } = this.#store.state;
     const decals: ViewerDecal[] = [];
-    const chosen = new Set(selection);
-    const beside: Projector[] = [];
-    for (const { layer, parentId, shown, locked } of walkLayers(design, { masks: false, strokes: false })) {
-      if (parentId !== null && chosen.has(parentId)) chosen.add(layer.id);
+    for (const { layer, shown, locked } of walkLayers(design, { masks: false, strokes: false })) {
       // A locked one cannot be taken hold of, and does not stand before those that can.
       if (locked || (layer.type !== "decal" && layer.type !== "text")) continue;
       const picture = layer.type === "decal" ? this.#library.get(design.assets[layer.asset]) : undefined;
       const { id, name, projector } = layer;
       const aspect = picture ? picture.width / picture.height : 1;
-      const own = id === selectedId;
-      const marked = own ? layer.mirror && mirroredProjector(projector, layer.mirror) : projector;
-      if (marked && shown && chosen.has(id)) beside.push(marked);
       const each = { id, name, materials: materialsOf(layer), visible: shown, projector, aspect };
-      decals.push(own ? { ...each, beside } : each);
+      const twin = id === selectedId && shown && layer.mirror && mirroredProjector(projector, layer.mirror);
+      decals.push(twin ? { ...each, beside: [twin] } : each);
     }
-    // So many lines would hide what they are round, and cost time in each frame.
-    if (beside.length > MOST_OUTLINED) beside.length = 0;
     this.#viewer.setDecals(decals, selectedId);
   }
 

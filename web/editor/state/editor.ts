@@ -99,7 +99,8 @@ export class Editor {
     this.library = new AssetLibrary(engine);
     this.#router = new UpdateRouter(engine, viewer, textureView, this.figures);
     this.session = new DesignSession({
-      ...{ engine, viewer, library: this.library, store },
+      ...{ engine, library: this.library, store },
+      viewer: { setDecals: (decals, selectedId) => this.decals.show(decals, selectedId) },
       later: (work) => this.#attempt(this.strings.errors.engineFault, work),
     });
     const send = this.session.send.bind(this.session);
@@ -316,7 +317,7 @@ export class Editor {
       if (before.model === now.model) this.board.dismissInfos(before.notices);
       this.#attempt(this.strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
     }
-    this.textureView.setStamp(shownStamp(now));
+    this.textureView.setStamp(shownStamp(now, this.decals.movable));
     this.#showGradient(now);
     if (now.selectedId !== before.selectedId || now.editingMask !== before.editingMask) this.session.expectChange();
     const selected = layerById(now.design, now.selectedId);

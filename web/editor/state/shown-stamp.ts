@@ -2,20 +2,28 @@
 import type { ViewerDecal } from "../../viewer/viewer-api.ts";
 import { materialsOf } from "../document/index.ts";
 import { isLocked } from "../document/layer-tree.ts";
+import { TOGETHER } from "./chosen-together.ts";
+import type { PlacedLayer } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState } from "./editor-state.ts";
+import { stampsBox, stampsIn } from "./stamps-together.ts";
 
 /**
- * The selected stamp, where it lies in the texture that is shown; null otherwise. One that covers the whole texture is no
- * stamp to be moved but a sheet of pixels.
+ * The selected stamp, where it lies in the texture that is shown, or the box round several; null otherwise.
+ *
+ * @param movable what is chosen and not locked
  */
-export function shownStamp({ design, selectedId, material }: EditorState): ViewerDecal | null {
-  const layer = layerById(design, selectedId);
-  if ((layer?.type !== "decal" && layer?.type !== "text") || layer.projector.kind !== "uv") return null;
-  const materials = materialsOf(layer);
-  const { center, size, angle } = layer.projector;
-  const isSheet = angle === 0 && center.every((place) => place === 0.5) && size.every((extent) => extent === 1);
-  if (isSheet || material === null || !materials.includes(material)) return null;
+export function shownStamp(
+  { design, selectedId, material }: EditorState,
+  movable: readonly PlacedLayer[],
+): ViewerDecal | null {
+  const several = stampsIn(movable, material);
+  const selected = layerById(design, selectedId);
+  const own = selected?.type === "decal" || selected?.type === "text" ? stampsIn([selected], material) : [];
+  const [layer] = own.length > 0 ? own : several;
+  if (!layer) return null;
   const { id, name, visible, projector } = layer;
-  return { id, name, materials, visible, locked: isLocked(design, id), projector, aspect: 1 };
+  const held = { id, name, materials: materialsOf(layer), visible, projector, aspect: 1 };
+  if (several.length > 1) return { ...held, id: TOGETHER, projector: stampsBox(several) };
+  return { ...held, locked: isLocked(design, id) };
 }

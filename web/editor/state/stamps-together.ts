@@ -1,0 +1,83 @@
+/** Flat stamps as one: turned and sized about their common middle, which lies in the texture. */
+import type { Projector, UvProjector } from "../../engine/engine-api.ts";
+import { uvOfStamp } from "../../viewer/stamp-drag.ts";
+import { materialsOf } from "../document/index.ts";
+import type { ProjectorChange } from "./chosen-together.ts";
+import type { PlacedLayer } from "./decal-reach.ts";
+import { wrapDegrees } from "./rotation.ts";
+
+const CORNERS = [
+  [0.5, 0.5],
+  [0.5, -0.5],
+  [-0.5, 0.5],
+  [-0.5, -0.5],
+] as const;
+const RADIANS = Math.PI / 180;
+
+/** A layer that lies in a texture as a stamp. */
+export type Stamp = PlacedLayer & { readonly projector: UvProjector };
+
+/**
+ * Of layers those that lie as stamps in the texture of a material. One that covers the whole texture is no stamp to be moved but a
+ * sheet of pixels.
+ */
+export function stampsIn(layers: readonly PlacedLayer[], material: number | null): Stamp[] {
+  return layers.filter((layer): layer is Stamp => {
+    const { projector } = layer;
+    if (projector.kind !== "uv" || material === null || !materialsOf(layer).includes(material)) return false;
+    const { center, size, angle } = projector;
+    return angle !== 0 || [...center, ...size].some((part, index) => part !== (index < 2 ? 0.5 : 1));
+  });
+}
+
+/** Upright, round all of them. */
+export function stampsBox(stamps: readonly Stamp[]): UvProjector {
+  const corners = stamps.flatMap(({ projector }) => CORNERS.map(([x, y]) => uvOfStamp(projector, x, y)));
+  const [low, high] = [Math.min, Math.max].map((most) =>
+    [0, 1].map((axis) => most(...corners.map((corner) => corner[axis] as number))),
+  ) as [[number, number], [number, number]];
+  return {
+    kind: "uv",
+    center: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2],
+    size: [high[0] - low[0], high[1] - low[1]],
+    angle: 0,
+  };
+}
+
+/** A stamp that lies in an upright box, as it lies once the box is another. */
+export function stampWith(box: UvProjector, now: UvProjector, stamp: UvProjector): UvProjector {
+  const place = uvOfStamp(
+    now,
+    (stamp.center[0] - box.center[0]) / box.size[0],
+    (box.center[1] - stamp.center[1]) / box.size[1],
+  );
+  const [across, down] = [now.size[0] / box.size[0], now.size[1] / box.size[1]];
+  const share = Math.cos(stamp.angle * RADIANS) ** 2;
+  // Turned in the box it could not be slanted as the box would slant it: as a power, so that stretching can be undone.
+  const width = stamp.size[0] * across ** share * down ** (1 - share);
+  const height = stamp.size[1] * down ** share * across ** (1 - share);
+  return { ...stamp, center: place, size: [width, height], angle: wrapDegrees(stamp.angle + now.angle) };
+}
+
+/**
+ * Projectors of layers, in which those of stamps are what a change of all stamps of a texture at once makes of each. It goes about
+ * the mean of their middles, which stays where it is however often that is done.
+ */
+export function stampsChanged(
+  layers: readonly PlacedLayer[],
+  projectors: readonly Projector[],
+  change: ProjectorChange,
+): readonly Projector[] {
+  const stamps = layers.flatMap(({ projector, ...layer }) =>
+    projector.kind === "uv" ? [{ texture: materialsOf(layer).join(), projector }] : [],
+  );
+  return layers.map((layer, index) => {
+    const { projector } = layer;
+    if (projector.kind !== "uv") return projectors[index] as Projector;
+    const texture = materialsOf(layer).join();
+    const centers = stamps.flatMap((each) => (each.texture === texture ? [each.projector.center] : []));
+    const mean = (axis: 0 | 1): number => centers.reduce((sum, center) => sum + center[axis], 0) / centers.length;
+    const box: UvProjector = { kind: "uv", center: [mean(0), mean(1)], size: [1, 1], angle: 0 };
+    return stampWith(box, change(box), projector);
+  });
+}
