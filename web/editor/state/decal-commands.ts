@@ -35,6 +35,13 @@ interface Carried {
   readonly foot: Vec3 | null;
 }
 
+/** What is chosen in a design. */
+interface Found {
+  readonly design: Design | null;
+  readonly selection: readonly string[];
+  readonly chosen: readonly LayerVisit<PlacedLayer>[];
+}
+
 export interface DecalCommandsParts {
   readonly session: DesignSession;
   readonly viewer: ModelViewer;
@@ -63,6 +70,7 @@ export class DecalCommands {
   /** The other chosen ones, which go along while one of them is dragged. */
   #carried: readonly Carried[] = [];
   readonly #together: ChosenTogether;
+  #found: Found = { design: null, selection: [], chosen: [] };
 
   constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
     this.#session = session;
@@ -112,14 +120,13 @@ export class DecalCommands {
 
   /** All chosen pictures and words, also those in chosen groups, from the bottom to the top. */
   get chosen(): readonly LayerVisit<PlacedLayer>[] {
-    const held = new Set(this.#store.state.selection);
-    const chosen: LayerVisit<PlacedLayer>[] = [];
-    for (const visit of walkLayers(this.#session.recordedDesign, { masks: false, strokes: false })) {
-      const { layer, parentId } = visit;
-      if (parentId !== null && held.has(parentId)) held.add(layer.id);
-      if (held.has(layer.id) && (layer.type === "decal" || layer.type === "text")) chosen.push({ ...visit, layer });
+    const { recordedDesign } = this.#session;
+    const { selection } = this.#store.state;
+    // A drag asks at each of its moves, and may be one of a thousand.
+    if (this.#found.design !== recordedDesign || this.#found.selection !== selection) {
+      this.#found = { design: recordedDesign, selection, chosen: chosenIn(recordedDesign, selection) };
     }
-    return chosen;
+    return this.#found.chosen;
   }
 
   /** Of those the ones that are not locked. */
@@ -378,4 +385,15 @@ export class DecalCommands {
     const position: Vec3 = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, high[2]];
     return { kind: "planar", position, rotation: [0, 0, 0, 1], size: [width, width / aspect, width] };
   }
+}
+
+function chosenIn(design: Design, selection: readonly string[]): LayerVisit<PlacedLayer>[] {
+  const held = new Set(selection);
+  const chosen: LayerVisit<PlacedLayer>[] = [];
+  for (const visit of walkLayers(design, { masks: false, strokes: false })) {
+    const { layer, parentId } = visit;
+    if (parentId !== null && held.has(parentId)) held.add(layer.id);
+    if (held.has(layer.id) && (layer.type === "decal" || layer.type === "text")) chosen.push({ ...visit, layer });
+  }
+  return chosen;
 }
