@@ -260,6 +260,23 @@ describe("where a stroke goes", () => {
     }
   });
 
+  it("on an inverted mask the eraser still hides and the brush still shows: each is blended the other way round", () => {
+    const design = designOf({ ...decal, mask: { layers: [], invert: true } });
+    const put = (blend: "normal" | "erase") => {
+      const painted = withStroke(design, { kind: "mask", layerId: "decal" }, { ...stroke, blend }, stringsIn("en"));
+      return painted?.design.layers[0]?.mask?.layers.map((layer) => layer.blend);
+    };
+    expect([put("erase"), put("normal")]).toEqual([["normal"], ["erase"]]);
+  });
+
+  it("on a mask with unlocked alpha, which is all that a mask is, and on a paint layer as it is", () => {
+    const locked = { ...stroke, lockAlpha: true };
+    const masked = withStroke(designOf(decal), { kind: "mask", layerId: "decal" }, locked, stringsIn("en"));
+    expect(masked?.design.layers[0]?.mask?.layers).toMatchObject([{ id: "new", lockAlpha: false }]);
+    const painted = withStroke(designOf(paint), { kind: "strokes", layerId: "paint" }, locked, stringsIn("en"));
+    expect(painted?.design.layers[0]).toMatchObject({ strokes: [{ id: "inside" }, { id: "new", lockAlpha: true }] });
+  });
+
   it("on top where the layer or the group that it was for has gone since; what hides or erases goes nowhere then", () => {
     const design = designOf(decal);
     const words = stringsIn("en");

@@ -9,6 +9,7 @@ import {
   germanLayerNotices,
   germanLayerSteps,
   germanLayers,
+  germanMask,
   germanParts,
 } from "./strings/german-layers.ts";
 import { germanName } from "./strings/german-names.ts";
@@ -169,6 +170,20 @@ export const german: Strings = {
         title: () => "Nichts ist ausgewählt",
         message: "Wähle in der Liste die Ebene, von der radiert werden soll.",
       },
+      mask: {
+        title: (name) => `Die Maske von ${name} ist gewählt`,
+        message:
+          "Eine Maske hat kein Bild, in das sich kopieren ließe. Ein Druck auf das Bild der Ebene in der Liste wählt sie selbst.",
+      },
+      elsewhere: {
+        title: (name) => `${name} bemalt hier nichts`,
+        message: "Die Maske gilt nur auf den Materialien, die ihre Ebene selbst bemalt.",
+      },
+    },
+    shownAlready: {
+      title: "Die Maske zeigt schon alles",
+      message:
+        "Auf einer Maske verbirgt der Radierer; alles andere zeigt das Verborgene wieder, gleich in welcher Farbe.",
     },
     fullStroke: {
       title: "Der Strich war voll",
@@ -386,6 +401,7 @@ export const german: Strings = {
 
   gradient: germanGradient,
   fillParts: germanParts,
+  mask: germanMask,
 
   history: {
     title: "Verlauf",

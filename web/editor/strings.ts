@@ -9,7 +9,7 @@ import { keyGroups } from "./strings/key-words.ts";
 import type { Language } from "./strings/language.ts";
 import { layerAnnouncements, layerNotices, layerSteps, layerWords } from "./strings/layer-words.ts";
 import { plural } from "./strings/plural.ts";
-import { gradientWords, partsWords } from "./strings/property-words.ts";
+import { gradientWords, maskWords, partsWords } from "./strings/property-words.ts";
 import { german } from "./strings.de.ts";
 
 const numbers = numbersIn("en");
@@ -166,6 +166,18 @@ const english = {
         title: (_name: string): string => "Nothing is selected",
         message: "Select the layer to erase from in the list.",
       },
+      mask: {
+        title: (name: string): string => `The mask of ${name} is marked`,
+        message: "A mask has no picture to copy into. Press the layer’s own picture in the list to clone again.",
+      },
+      elsewhere: {
+        title: (name: string): string => `${name} paints nothing here`,
+        message: "Its mask counts only on the materials that the layer itself paints.",
+      },
+    },
+    shownAlready: {
+      title: "The mask shows all of it already",
+      message: "On a mask the eraser hides, and all else shows again what is hidden, whatever its colour.",
     },
     fullStroke: {
       title: "The stroke was full",
@@ -384,6 +396,7 @@ const english = {
 
   gradient: gradientWords,
   fillParts: partsWords,
+  mask: maskWords,
 
   history: {
     title: "History",

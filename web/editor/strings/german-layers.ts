@@ -69,6 +69,7 @@ export const germanLayers: Strings["layers"] = {
   more: "Mehr zu Ebenen",
   addMask: "Maske hinzufügen, die alles zeigt",
   addHidingMask: "Maske hinzufügen, die alles verbirgt",
+  addFadingMask: "Mit einem Verlauf maskieren",
   invertMask: "Maske umkehren",
   removeMask: "Maske entfernen",
   selectAll: "Alles auswählen",
@@ -122,6 +123,8 @@ export const germanLayerSteps = {
   addPaint: "Malebene hinzufügen",
   addGroup: "Gruppe hinzufügen",
   addMask: "Maske hinzufügen",
+  addFadingMask: "mit einem Verlauf maskieren",
+  startMask: "Anfang der Maske ändern",
   removeMask: "Maske entfernen",
   invertMask: "Maske umkehren",
 };
@@ -195,6 +198,14 @@ export const germanGradient: Strings["gradient"] = {
   radius: "Radius",
   handle: (end) => `Farbverlauf: ${end}. Ziehen oder mit den Pfeiltasten bewegen; Alt setzt ihn auf die Fläche.`,
   moved: "Farbverlauf bewegen",
+};
+
+export const germanMask: Strings["mask"] = {
+  title: "Maske",
+  start: "Zeigt",
+  startHint: "Womit die Maske beginnt. Was auf ihr gemalt ist, liegt darüber.",
+  starts: { all: "Alles", nothing: "Nichts", linear: "Linear", radial: "Radial" },
+  stops: "Von Schwarz, das verbirgt, bis Weiß, das zeigt",
 };
 
 export const germanParts: Strings["fillParts"] = {

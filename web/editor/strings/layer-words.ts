@@ -67,6 +67,7 @@ export const layerWords = {
   more: "More acts on layers",
   addMask: "Add mask that shows all",
   addHidingMask: "Add mask that hides all",
+  addFadingMask: "Mask with a gradient",
   invertMask: "Invert mask",
   removeMask: "Remove mask",
   selectAll: "Select all",
@@ -123,6 +124,8 @@ export const layerSteps = {
   addPaint: "add paint layer",
   addGroup: "add group",
   addMask: "add mask",
+  addFadingMask: "mask with a gradient",
+  startMask: "change what the mask begins with",
   removeMask: "remove mask",
   invertMask: "invert mask",
 } as const;

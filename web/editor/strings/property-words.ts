@@ -28,6 +28,14 @@ export const gradientWords = {
   moved: "move the gradient",
 } as const;
 
+export const maskWords = {
+  title: "Mask",
+  start: "Shows",
+  startHint: "What the mask begins with. What is painted on it lies above.",
+  starts: { all: "All", nothing: "Nothing", linear: "Linear", radial: "Radial" },
+  stops: "From black, which hides, to white, which shows",
+} as const;
+
 export const partsWords = {
   title: "Paints",
   kinds: { all: "All", charts: "Charts", faces: "Faces" },

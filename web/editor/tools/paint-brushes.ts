@@ -3,6 +3,7 @@ import { Brush as BrushIcon, Eraser } from "lucide";
 import type { Brush, Design } from "../document/index.ts";
 import { tellBarePart } from "../state/bare-part.ts";
 import { withAsset } from "../state/design-edits.ts";
+import { tellShownAlready } from "../state/mask-edits.ts";
 import type { BrushKind } from "./brush-tool.ts";
 import { mirrorOf } from "./mirror-setting.ts";
 import { paintTargetOf, withStroke } from "./paint-target.ts";
@@ -84,6 +85,7 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
       }
       if (store.state.selectedId !== layerId) session.select(layerId);
       board.announce(strings.tools.painted[id]);
+      if (target.kind === "mask" && !erases) tellShownAlready(session.recordedDesign, layerId, board);
     },
     cancel: () => stroke.cancel(),
   };

@@ -7,12 +7,15 @@ import {
   insertAt,
   isLocked,
   type LayerPlace,
+  MASK_DEFAULTS,
+  type Mask,
   makePaintLayer,
   type StrokeLayer,
   topOf,
   visitOf,
 } from "../document/index.ts";
 import { freeName } from "../state/design-edits.ts";
+import { maskBlend } from "../state/mask-edits.ts";
 import type { Strings } from "../strings.ts";
 
 export type PaintTarget =
@@ -23,7 +26,7 @@ export type PaintTarget =
 
 export interface PaintRefusal {
   readonly kind: "refused";
-  readonly reason: "locked" | "hidden" | "nothing-to-erase";
+  readonly reason: "locked" | "hidden" | "nothing-to-erase" | "mask";
   readonly name: string;
 }
 
@@ -76,11 +79,16 @@ export function withStroke(
   if (target.kind !== "new") {
     const { layerId } = target;
     const holder = findLayer(design, layerId);
-    if (target.kind === "mask" ? holder !== undefined : holder?.type === "paint") {
-      const list = target.kind === "mask" ? "mask" : "strokes";
-      return { design: insertAt(design, { parentId: layerId, list, index: Number.MAX_SAFE_INTEGER }, stroke), layerId };
+    const isMask = target.kind === "mask";
+    if (isMask ? holder !== undefined : holder?.type === "paint") {
+      const list = isMask ? "mask" : "strokes";
+      const painted = isMask ? onMask(stroke, holder?.mask ?? MASK_DEFAULTS) : stroke;
+      return {
+        design: insertAt(design, { parentId: layerId, list, index: Number.MAX_SAFE_INTEGER }, painted),
+        layerId,
+      };
     }
-    if (target.kind === "mask" || stroke.blend === "erase") return null;
+    if (isMask || stroke.blend === "erase") return null;
   }
   const place = placeOrTop(design, target.kind === "new" ? target.place : null);
   const id = freeIdIn({ layers: [...design.layers, stroke] });
@@ -91,6 +99,13 @@ export function withStroke(
     layerId: id,
   };
 }
+
+/** A mask is alpha and nothing else: where that were locked, the brush would paint nothing. */
+const onMask = (stroke: StrokeLayer, mask: Pick<Mask, "invert">): StrokeLayer => ({
+  ...stroke,
+  blend: maskBlend(mask, stroke.blend === "erase"),
+  lockAlpha: false,
+});
 
 /** A place among layers, or the top of the design where its group is no longer there. */
 export function placeOrTop(design: Design, place: LayerPlace | null): LayerPlace {
