@@ -73,9 +73,82 @@ test("on a pixel layer whose mask is painted on, the eraser hides by the mask an
   await editor.drag(...line, 5);
   await expect
     .poll(async () => (await editor.decal(id)).mask?.layers)
-    .toMatchObject([{ type: "stroke", blend: "erase" }]);
+    .toMatchObject([{ type: "decal", filter: "nearest", blend: "erase" }]);
   expect((await editor.decal(id)).asset).toBe(asset);
   expect(await editor.settledHash()).not.toBe(pencilled);
   await page.keyboard.press("Control+z");
   expect(await editor.settledHash()).toBe(pencilled);
+});
+
+test("on a mask that hides all the pencil and the bucket show texels, the eraser hides them again, and nothing is cloned", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([demoFile("block-wide.glb")]);
+  const { x, y } = await editor.middleOfStage();
+  const bare = await editor.settledHash();
+  const texels = () => editor.texels({ x: 0, y: 0, width: 64, height: 64 });
+  const skin = await texels();
+  await editor.addLayer(/^Fill/);
+  await page.locator("tc-layer-list tc-menu.more button").first().click();
+  await page.getByRole("menuitem", { name: "Add mask that hides all" }).click();
+  expect(await editor.settledHash()).toBe(bare);
+
+  /** Texels of the fill, of the skin, and of neither. */
+  const counted = async () => {
+    await editor.idle();
+    const now = await texels();
+    const counts = { filled: 0, skin: 0, mixed: 0 };
+    for (let at = 0; at < now.length; at += 4) {
+      if (now.readUInt32BE(at) === 0x7c86c4ff) counts.filled += 1;
+      else if (now.readUInt32BE(at) === skin.readUInt32BE(at)) counts.skin += 1;
+      else counts.mixed += 1;
+    }
+    return counts;
+  };
+  const masking = async () => (await editor.design()).layers.map(({ mask }) => mask?.layers.length);
+  const line = [
+    { x: x - 30, y },
+    { x: x + 30, y },
+  ] as const;
+  await page.keyboard.press("n");
+  await editor.drag(...line, 5);
+  await expect.poll(masking).toEqual([2]);
+  const pencilled = await editor.settledHash();
+  const some = await counted();
+  expect(some.filled).toBeGreaterThan(2);
+  expect(some.mixed, "a texel is shown or hidden whole").toBe(0);
+
+  await page.keyboard.press("g");
+  await editor.setField("tool-tolerance", "24");
+  await page.mouse.click(x, y + 40);
+  await expect.poll(async () => (await counted()).filled).toBeGreaterThan(300);
+  expect(await masking(), "what shows again is gathered").toEqual([2]);
+  const bucketed = await editor.settledHash();
+
+  await page.keyboard.press("e");
+  await editor.drag(...line, 5);
+  await expect.poll(masking).toEqual([3]);
+  expect((await counted()).mixed).toBe(0);
+  const erased = await editor.settledHash();
+  expect(erased).not.toBe(bucketed);
+
+  await page.keyboard.press("s");
+  await page.keyboard.down("Alt");
+  await page.mouse.click(x, y + 30);
+  await page.keyboard.up("Alt");
+  await editor.drag(...line, 5);
+  await expect(editor.notices).toContainText("The mask of Fill is marked");
+  expect(await masking()).toEqual([3]);
+
+  for (const hash of [bucketed, pencilled, bare]) {
+    await page.keyboard.press("Control+z");
+    await expect.poll(() => editor.settledHash()).toBe(hash);
+  }
+  for (const _step of "123") await page.keyboard.press("Control+Shift+z");
+  await expect.poll(() => editor.settledHash()).toBe(erased);
+  await page.evaluate(() => window.texelcast.kept());
+  await editor.reload();
+  expect(await editor.settledHash(), "it comes back as it was kept").toBe(erased);
 });

@@ -93,7 +93,8 @@ export class CloneBrush implements BrushKind {
       board.info({ title: this.#words.noSource, message: this.#words.noSourceHint });
       return null;
     }
-    const target = cloneTargetOf(session.recordedDesign, store.state.selectedId);
+    const { selectedId, editingMask } = store.state;
+    const target = cloneTargetOf(session.recordedDesign, selectedId, editingMask);
     if (target.kind === "refused") {
       const { title, message } = this.#context.board.strings.tools.refusals[target.reason];
       board.info({ title: title(target.name), message });

@@ -56,8 +56,17 @@ export function isClone(layer: DesignLayer): boolean {
   return shown?.type === "stroke" && shown.blend === "erase";
 }
 
-/** The selected group of clone strokes, or the one that the selected stroke is in; else a new one above the selection. */
-export function cloneTargetOf(design: Design, selectedId: string | null): CloneTarget | PaintRefusal {
+/**
+ * The selected group of clone strokes, or the one that the selected stroke is in; else a new one above the selection. A mask has no
+ * picture that could be copied: while one is painted on, nothing is.
+ */
+export function cloneTargetOf(
+  design: Design,
+  selectedId: string | null,
+  editingMask: string | null = null,
+): CloneTarget | PaintRefusal {
+  const masked = findLayer(design, editingMask);
+  if (masked !== undefined) return { kind: "refused", reason: "mask", name: masked.name };
   const visit = visitOf(design, selectedId);
   const top = { kind: "new", place: topOf(design) } as const;
   if (visit === undefined) return top;

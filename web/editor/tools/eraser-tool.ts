@@ -1,4 +1,4 @@
-/** The eraser: of texels on a pixel layer in pixel mode, of paint and of what a mask shows elsewhere. */
+/** The eraser: of texels on a pixel layer and on the mask that is painted on in pixel mode, of paint and of what a mask shows elsewhere. */
 import { Eraser } from "lucide";
 import type { ToolInput } from "../../viewer/viewer-api.ts";
 import { findLayer } from "../document/index.ts";
@@ -65,8 +65,8 @@ export class EraserTool implements Tool {
     const { session, store, tools } = this.#context;
     const { selectedId, editingMask } = store.state;
     const selected = findLayer(session.recordedDesign, selectedId);
-    // Of a pixel layer whose mask is painted on no texel is meant.
-    const meansTexels = tools.pixelMode && editingMask === null && (selected === undefined || isPixelLayer(selected));
+    // On a mask it takes back what the pencil shows there, texel by texel too.
+    const meansTexels = tools.pixelMode && (editingMask !== null || selected === undefined || isPixelLayer(selected));
     return meansTexels ? this.#ofPixels : this.#ofPaint;
   }
 }

@@ -6,10 +6,11 @@
 import type { Picture } from "../../engine/engine-api.ts";
 import { encodePng } from "../../engine/png-encoder.ts";
 import { type DecalLayer, type Design, type DesignAsset, findLayer } from "../document/index.ts";
-import type { Strings } from "../strings.ts";
-import { PixelCanvas } from "./pixel-canvas.ts";
-import { addPixelLayer, withPixels } from "./pixel-layer.ts";
+import { PixelCanvas, type PixelColor } from "./pixel-canvas.ts";
+import { addMaskPixels, addPixelLayer, type MaskedPixels, withPixels } from "./pixel-layer.ts";
 import type { ToolContext } from "./tool-context.ts";
+
+const MASK_INK: PixelColor = [0, 0, 0, 255];
 
 export type PixelChange = (canvas: PixelCanvas) => void | Promise<void>;
 
@@ -40,15 +41,29 @@ interface Sheet {
 export class PixelGesture {
   readonly #context: ToolContext;
   readonly #open: (material: number) => PixelSource | null;
+  readonly #masked: MaskedPixels | null;
   readonly #sheets = new Map<number, Sheet | null>();
   readonly #changes: { readonly sheet: Sheet; readonly change: PixelChange }[] = [];
   #work: Promise<void> | null = null;
   #over = false;
 
-  /** @param open what there is to paint of a material; null where nothing can be */
-  constructor(context: ToolContext, open: (material: number) => PixelSource | null) {
+  /**
+   * @param open what there is to paint of a material; null where nothing can be
+   * @param masked the mask that is painted on in place of layers
+   */
+  constructor(
+    context: ToolContext,
+    open: (material: number) => PixelSource | null,
+    masked: MaskedPixels | null = null,
+  ) {
     this.#context = context;
     this.#open = open;
+    this.#masked = masked;
+  }
+
+  /** All that counts in a mask is alpha: its texels have one colour, and none is set twice for another. */
+  get ink(): PixelColor | null {
+    return this.#masked && MASK_INK;
   }
 
   /** Texels of a material's grid; null where it cannot be painted. */
@@ -78,7 +93,7 @@ export class PixelGesture {
   /** Records what was drawn as one step, and gives the first layer's id; null when nothing changed. Rejects as the engine does. */
   async end(label: string): Promise<string | null> {
     this.#over = true;
-    const { session, library, store, board } = this.#context;
+    const { session, library, board } = this.#context;
     const added: DesignAsset[] = [];
     try {
       while (this.#work !== null || this.#changes.length > 0) await (this.#work ?? this.#workOff());
@@ -92,7 +107,7 @@ export class PixelGesture {
       let first: string | null = null;
       for (const [index, { layer, material }] of drawn.entries()) {
         const { uri } = added[index] as DesignAsset;
-        const placed = withSheet(design, store.state.selectedId, layer, material, uri, board.strings);
+        const placed = this.#withSheet(design, layer, material, uri);
         if (placed === null) continue;
         design = placed.design;
         first ??= placed.id;
@@ -150,7 +165,7 @@ export class PixelGesture {
 
   /** The design is shown with pictures whose keys stay: from then on a new picture is all that the engine needs. */
   async #show(touched: ReadonlySet<Sheet>): Promise<void> {
-    const { session, library, store } = this.#context;
+    const { session, library } = this.#context;
     let more = false;
     for (const sheet of touched) {
       if (!sheet.canvas?.changed && !sheet.previewing) continue;
@@ -163,27 +178,30 @@ export class PixelGesture {
     for (const sheet of new Set(this.#sheets.values())) {
       if (!sheet?.previewing) continue;
       const { layer, material } = sheet;
-      const live = `live:${slotOf(sheet)}`;
-      const { strings } = this.#context.board;
-      design = withSheet(design, store.state.selectedId, layer, material, live, strings)?.design ?? design;
+      design = this.#withSheet(design, layer, material, `live:${slotOf(sheet)}`)?.design ?? design;
     }
     session.preview(design);
+  }
+
+  /** The design with a sheet's picture, and the id of the layer that is chosen then; null where it has no place any more. */
+  #withSheet(
+    design: Design,
+    layer: DecalLayer | null,
+    material: number,
+    uri: string,
+  ): { readonly design: Design; readonly id: string } | null {
+    const { store, board } = this.#context;
+    const { strings } = board;
+    const png = { type: "image/png", uri } as const;
+    const masked = this.#masked;
+    if (layer !== null) {
+      if (findLayer(design, layer.id) === undefined) return null;
+      return { design: withPixels(design, layer.id, png, strings), id: masked?.layerId ?? layer.id };
+    }
+    if (masked === null) return addPixelLayer(design, store.state.selectedId, material, png, strings);
+    const made = addMaskPixels(design, masked, material, png, strings);
+    return made && { design: made, id: masked.layerId };
   }
 }
 
 const slotOf = ({ material }: Sheet): string => `pixels-${material}`;
-
-/** Null where the layer is no longer there. */
-function withSheet(
-  design: Design,
-  selectedId: string | null,
-  layer: DecalLayer | null,
-  material: number,
-  uri: string,
-  strings: Strings,
-): { readonly design: Design; readonly id: string } | null {
-  const png = { type: "image/png", uri } as const;
-  if (layer === null) return addPixelLayer(design, selectedId, material, png, strings);
-  if (findLayer(design, layer.id) === undefined) return null;
-  return { design: withPixels(design, layer.id, png, strings), id: layer.id };
-}

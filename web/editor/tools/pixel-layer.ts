@@ -3,16 +3,20 @@ import {
   type DecalLayer,
   type Design,
   type DesignLayer,
+  findLayer,
   freeIdIn,
   insertAt,
+  type Mask,
   makeDecalLayer,
   mapLayer,
+  materialsIn,
   paintsMaterial,
   topOf,
   visitOf,
   walkLayers,
 } from "../document/index.ts";
 import { freeName, withAsset, withoutUnusedAssets } from "../state/design-edits.ts";
+import { maskBlend } from "../state/mask-edits.ts";
 import type { Strings } from "../strings.ts";
 
 const WHOLE_TEXTURE = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 } as const;
@@ -38,11 +42,38 @@ export function pixelLayerFor(design: Design, selectedId: string | null, materia
   const selected = visitOf(design, selectedId)?.layer;
   if (isFit(selected)) return selected;
   let topmost: DecalLayer | undefined;
-  for (const { layer, inMask, shown } of walkLayers(design, { masks: false, strokes: false })) {
-    if (isFit(layer) && !inMask && shown && !layer.locked) topmost = layer;
+  for (const { layer, shown, locked } of walkLayers(design, { masks: false, strokes: false })) {
+    if (isFit(layer) && shown && !locked) topmost = layer;
   }
   return topmost;
 }
+
+/** What the texels of a gesture are for where a mask is painted on: they show the masked layer again, or hide it. */
+export interface MaskedPixels {
+  readonly layerId: string;
+  readonly hides: boolean;
+}
+
+/** Whether a mask's texels of a material count: those of another reach what they were not drawn on, or nothing. */
+export function masksMaterial(masked: DesignLayer, material: number): boolean {
+  const painted = materialsIn(masked);
+  return painted.length === 0 || painted.includes(material);
+}
+
+/**
+ * The pixel layer of a mask that shows, or hides, and lies above all that does otherwise: what is drawn now counts more than
+ * what was drawn before. Undefined where there is none.
+ */
+export function maskPixelLayer(mask: Mask, hides: boolean, material: number): DecalLayer | undefined {
+  for (const layer of mask.layers.toReversed()) {
+    if (!isPixelLayer(layer) || layer.blend !== maskBlend(mask, hides) || !isWhole(layer)) return undefined;
+    if (paintsMaterial(layer, material)) return layer;
+  }
+  return undefined;
+}
+
+const isWhole = ({ opacity, visible, mask, locked }: DecalLayer): boolean =>
+  opacity === 1 && visible && mask === null && !locked;
 
 /** Gives a pixel layer another picture; the one before goes where nothing else uses it. */
 export function withPixels(
@@ -79,4 +110,27 @@ export function addPixelLayer(
       ? { parentId: visit.parentId, list: "layers" as const, index: visit.index + 1 }
       : topOf(design);
   return { design: insertAt(more, place, layer), id };
+}
+
+/** A new pixel layer on top of a mask; null where the layer or its mask is no longer there. */
+export function addMaskPixels(
+  design: Design,
+  { layerId, hides }: MaskedPixels,
+  material: number,
+  asset: { readonly type: "image/png"; readonly uri: string },
+  strings: Strings,
+): Design | null {
+  const mask = findLayer(design, layerId)?.mask;
+  if (!mask) return null;
+  const { design: more, key } = withAsset(design, strings.tools.pixelLayer, asset);
+  const layer = makeDecalLayer({
+    id: freeIdIn(more),
+    name: strings.tools.pixelLayer,
+    material,
+    asset: key,
+    projector: WHOLE_TEXTURE,
+    filter: "nearest",
+    blend: maskBlend(mask, hides),
+  });
+  return insertAt(more, { parentId: layerId, list: "mask", index: mask.layers.length }, layer);
 }

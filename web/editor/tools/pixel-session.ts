@@ -1,11 +1,10 @@
 /** Begins changes of pixel layers, one after another, and keeps what is read from them. */
 import type { ModelInfo, Picture } from "../../engine/engine-api.ts";
 import { decodePicture } from "../../engine/picture-decoder.ts";
-import type { DecalLayer } from "../document/index.ts";
-import { hasRoom } from "../document/layer-tree.ts";
+import { type DecalLayer, type DesignLayer, findLayer, hasRoom, isLocked } from "../document/index.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
 import { PixelGesture, type PixelSource, type PixelStart } from "./pixel-gesture.ts";
-import { pixelLayerFor } from "./pixel-layer.ts";
+import { type MaskedPixels, maskPixelLayer, masksMaterial, pixelLayerFor } from "./pixel-layer.ts";
 import { TexelNeighbours } from "./texel-neighbours.ts";
 import type { ToolContext } from "./tool-context.ts";
 
@@ -37,10 +36,16 @@ export class PixelSession {
     this.#context = context;
   }
 
+  /** What a gesture that begins now paints on in place of a layer: the mask that is marked; null where none is. */
+  masked(hides: boolean): MaskedPixels | null {
+    const { editingMask } = this.#context.store.state;
+    return editingMask === null ? null : { layerId: editingMask, hides };
+  }
+
   /** Texels of the grid that is painted on a material; null while its target is not open. */
-  sizeOf(material: number): PixelSize | null {
+  sizeOf(material: number, masked = this.masked(false)): PixelSize | null {
     const { session, store, library } = this.#context;
-    const layer = this.#layerOf(material);
+    const layer = this.#layerOf(material, masked);
     const picture = layer && library.get(session.recordedDesign.assets[layer.asset]);
     return picture ?? store.state.targets.get(material) ?? this.#sizeToBe(material);
   }
@@ -56,39 +61,59 @@ export class PixelSession {
   }
 
   /** Null where nothing can be painted of the material that it begins on; the user is told why. */
-  begin(material: number): PixelGesture | null {
+  begin(material: number, masked = this.masked(false)): PixelGesture | null {
     const { board, session } = this.#context;
-    const layer = this.#layerOf(material);
-    if (layer !== undefined && (layer.locked || !layer.visible)) {
-      const words = this.#context.board.strings.tools.refusals[layer.locked ? "locked" : "hidden"];
-      board.info({ title: words.title(layer.name), message: words.message });
+    const reason = this.#refusal(material, masked);
+    if (reason !== null) {
+      const words = board.strings.tools.refusals[reason];
+      board.info({ title: words.title(this.#changed(material, masked)?.name ?? ""), message: words.message });
       return null;
     }
-    if (layer === undefined && !hasRoom(session.recordedDesign, 1)) {
+    if (this.#layerOf(material, masked) === undefined && !hasRoom(session.recordedDesign, 1)) {
       board.info(board.strings.tools.fullDesign);
       return null;
     }
     // Changes that are still being written may be what makes the layers.
     const ready = this.#line;
-    const gesture = new PixelGesture(this.#context, (met) => this.#open(met, ready));
+    const gesture = new PixelGesture(this.#context, (met) => this.#open(met, masked, ready), masked);
     return gesture.sizeOf(material) === null ? null : gesture;
   }
 
-  #open(material: number, ready: Promise<unknown>): PixelSource | null {
-    const size = this.sizeOf(material);
-    const layer = this.#layerOf(material);
-    if (size === null || layer?.locked || layer?.visible === false) return null;
+  #open(material: number, masked: MaskedPixels | null, ready: Promise<unknown>): PixelSource | null {
+    const size = this.sizeOf(material, masked);
+    if (size === null || this.#refusal(material, masked) !== null) return null;
+    const layer = this.#layerOf(material, masked);
+    const locksAlpha = this.#context.tools.settings.alphaLock || layer?.lockAlpha === true;
     return {
       ...size,
       layerId: layer?.id ?? null,
-      alphaLock: this.#context.tools.settings.alphaLock || layer?.lockAlpha === true,
-      begun: ready.then(() => this.#start(material, size)),
+      // A mask is alpha and nothing else.
+      alphaLock: masked === null && locksAlpha,
+      begun: ready.then(() => this.#start(material, masked, size)),
     };
   }
 
-  #layerOf(material: number): DecalLayer | undefined {
+  /** Why nothing can be painted of a material; null where it can. */
+  #refusal(material: number, masked: MaskedPixels | null): "locked" | "hidden" | "elsewhere" | null {
+    const changed = this.#changed(material, masked);
+    if (changed === undefined) return null;
+    if (isLocked(this.#context.session.recordedDesign, changed.id)) return "locked";
+    if (!changed.visible) return "hidden";
+    return masked !== null && !masksMaterial(changed, material) ? "elsewhere" : null;
+  }
+
+  /** The layer that changes, itself or its mask; undefined for one that is to be made. */
+  #changed(material: number, masked: MaskedPixels | null): DesignLayer | undefined {
+    const { session } = this.#context;
+    return masked ? findLayer(session.recordedDesign, masked.layerId) : this.#layerOf(material, null);
+  }
+
+  #layerOf(material: number, masked: MaskedPixels | null): DecalLayer | undefined {
     const { session, store } = this.#context;
-    return pixelLayerFor(session.recordedDesign, store.state.selectedId, material);
+    const design = session.recordedDesign;
+    if (masked === null) return pixelLayerFor(design, store.state.selectedId, material);
+    const mask = findLayer(design, masked.layerId)?.mask;
+    return mask ? maskPixelLayer(mask, masked.hides, material) : undefined;
   }
 
   /** Ends a gesture as one step, before any later one begins. */
@@ -149,9 +174,9 @@ export class PixelSession {
     return scaled;
   }
 
-  async #start(material: number, { width, height }: PixelSize): Promise<PixelStart> {
-    const { session, store } = this.#context;
-    const layer = pixelLayerFor(session.recordedDesign, store.state.selectedId, material);
+  async #start(material: number, masked: MaskedPixels | null, { width, height }: PixelSize): Promise<PixelStart> {
+    const { session } = this.#context;
+    const layer = this.#layerOf(material, masked);
     const uri = layer && session.recordedDesign.assets[layer.asset]?.uri;
     if (layer !== undefined && uri !== undefined) {
       const picture = await this.#read(uri, layer.name);

@@ -1,6 +1,7 @@
 /** Pencil, pixel eraser, line, rectangle and bucket: each gesture changes one pixel layer, in one step of the history. */
 import { type IconNode, Minus, PaintBucket, Pencil, Square } from "lucide";
 import type { SurfaceHit, ToolInput, ToolSample } from "../../viewer/viewer-api.ts";
+import { tellShownAlready } from "../state/mask-edits.ts";
 import type { Strings } from "../strings.ts";
 import { PaintCursor } from "./paint-cursor.ts";
 import { CLEAR, type PixelCanvas, type PixelColor, pixelColorOf } from "./pixel-canvas.ts";
@@ -136,7 +137,7 @@ export class PixelTool implements Tool {
       this.#probe.pick(sample.hit);
       return true;
     }
-    const size = this.#pixels.sizeOf(material);
+    const size = this.#sizeOf(material);
     const at = size && placeOf(sample, material, size);
     if (size === null || at === null) return false;
     if (!isInside(at, size)) return false;
@@ -145,7 +146,7 @@ export class PixelTool implements Tool {
     const joins = surfaceJoins(this.#context.viewer.surface, 0);
     const path = new PointerPath(sample, { rope: 0, look: LOOK, joined: joins });
     const start = { material, at };
-    this.#stroke = { gesture, color: this.#color(), first: sample, start, path, last: start };
+    this.#stroke = { gesture, color: this.#color(gesture), first: sample, start, path, last: start };
     if (this.id === "bucket") this.#fill(gesture, material, at);
     else if (this.#drags) {
       const from = sample.shift && this.#lastPlace?.material === material ? this.#lastPlace.at : null;
@@ -225,12 +226,12 @@ export class PixelTool implements Tool {
 
   #fill(gesture: PixelGesture, material: number, at: GridPlace): void {
     const { tolerance, contiguous } = this.#context.tools.settings;
-    fillFrom(gesture, this.#pixels, material, texelAt(at), this.#color(), { tolerance, contiguous });
+    fillFrom(gesture, this.#pixels, material, texelAt(at), this.#color(gesture), { tolerance, contiguous });
   }
 
   #begin(material: number): PixelGesture | null {
     const { tools } = this.#context;
-    const gesture = this.#pixels.begin(material);
+    const gesture = this.#pixels.begin(material, this.#pixels.masked(this.id === "eraser"));
     if (gesture !== null && this.id !== "eraser") {
       tools.configure({ recent: withRecent(tools.settings.recent, tools.settings.color) });
     }
@@ -250,6 +251,7 @@ export class PixelTool implements Tool {
     this.#pixels.finish(gesture, this.#context.board.strings.tools.steps[this.id], (id) => {
       if (store.state.selectedId !== id) session.select(id);
       board.announce(this.#context.board.strings.tools.painted[this.id]);
+      if (gesture.ink !== null && this.id !== "eraser") tellShownAlready(session.recordedDesign, id, board);
     });
   }
 
@@ -264,7 +266,7 @@ export class PixelTool implements Tool {
     const gesture = this.#keyed;
     const size = gesture?.sizeOf(hit.material);
     if (!gesture || !size || this.id === "bucket") return;
-    this.#stamp({ gesture, color: this.#color() }, hit.material, [placeOfUv(hit.uv, size)]);
+    this.#stamp({ gesture, color: this.#color(gesture) }, hit.material, [placeOfUv(hit.uv, size)]);
   }
 
   #endByKey(): void {
@@ -282,13 +284,13 @@ export class PixelTool implements Tool {
 
   #showPlace(sample: ToolSample): void {
     const material = this.#materialOf(sample);
-    const size = material === null ? null : this.#pixels.sizeOf(material);
+    const size = material === null ? null : this.#sizeOf(material);
     const place = material === null || size === null ? null : placeOf(sample, material, size);
     this.#showRing(sample.hit, size && place && this.#block(place, size));
   }
 
   #showHit(hit: SurfaceHit): void {
-    const size = this.#pixels.sizeOf(hit.material);
+    const size = this.#sizeOf(hit.material);
     this.#showRing(hit, size && this.#block(placeOfUv(hit.uv, size), size));
   }
 
@@ -309,12 +311,16 @@ export class PixelTool implements Tool {
     return sample.view.kind === "model" ? (sample.hit?.material ?? null) : this.#context.store.state.material;
   }
 
-  #color(): PixelColor {
-    return this.id === "eraser" ? CLEAR : pixelColorOf(this.#context.tools.settings.color);
+  #color({ ink }: PixelGesture): PixelColor {
+    return ink ?? (this.id === "eraser" ? CLEAR : pixelColorOf(this.#context.tools.settings.color));
+  }
+
+  #sizeOf(material: number): PixelSize | null {
+    return this.#pixels.sizeOf(material, this.#pixels.masked(this.id === "eraser"));
   }
 
   #texelWidth(hit: SurfaceHit): number {
-    const size = this.#pixels.sizeOf(hit.material);
+    const size = this.#sizeOf(hit.material);
     if (size === null) return 0;
     const [u, v] = hit.uv;
     const [a, b] = this.#context.viewer.surface.placesInModel(hit, [hit.uv, [u + 1 / size.width, v]]);
