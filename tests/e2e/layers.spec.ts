@@ -79,6 +79,100 @@ test("a mask hides what it hides, a lock refuses, and the history goes to any st
   expect(await editor.settledHash()).toBe(bare);
 });
 
+test("a mask begins with a gradient that handles move and greys shade, below what is painted; each is one step, and kept", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const badge = await editor.addDemoDecal("badge");
+  const painted = await editor.settledHash();
+  const hashes = [painted];
+  const step = async (why: string): Promise<void> => {
+    const hash = await editor.settledHash();
+    expect(hash, why).not.toBe(hashes.at(-1));
+    hashes.push(hash);
+  };
+  const ground = async () => {
+    const lowest = (await editor.decal(badge)).mask?.layers[0];
+    if (lowest?.type !== "fill") throw new Error("The mask begins with no fill.");
+    return lowest;
+  };
+  await page.locator("tc-layer-list .more button").first().click();
+  await page.getByRole("menuitem", { name: "Mask with a gradient" }).click();
+  await expect(editor.row("Travel badge").locator("[data-action=mask]")).toHaveAttribute("aria-pressed", "true");
+  await step("it fades the badge");
+  expect(await ground()).toMatchObject({ blend: "erase", gradient: { kind: "linear" } });
+
+  const handle = page.locator("[data-gradient-handle=second]");
+  await expect(handle).toBeVisible();
+  const box = await handle.boundingBox();
+  if (!box) throw new Error("The gradient has no handle.");
+  const from = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  await editor.drag(from, { x: from.x + 30, y: from.y + 60 }, 5);
+  await step("its end was dragged");
+
+  await expect(page.locator("tc-gradient-stops [data-field=stop-alpha]"), "a mask's greys have no opacity").toHaveCount(
+    0,
+  );
+  await page.locator("tc-gradient-stops .handle").first().focus();
+  await page.locator("tc-gradient-stops input[type=color]").fill("#808080");
+  await step("its black is a grey now");
+  expect((await ground()).gradient?.stops[0]?.color).toBe("#0000007f");
+
+  await page.getByRole("radio", { name: "Eraser" }).click();
+  const middle = await editor.middleOfStage();
+  await editor.drag({ x: middle.x - 40, y: middle.y }, { x: middle.x + 40, y: middle.y }, 5);
+  await step("the eraser hides more");
+  const { mask } = await editor.decal(badge);
+  expect(mask?.layers.map(({ type }) => type)).toEqual(["fill", "stroke"]);
+
+  await page.getByRole("radio", { name: "Radial" }).check();
+  await step("the gradient is round");
+  await page.getByRole("radio", { name: "Nothing" }).check();
+  await step("all but what is painted is hidden");
+
+  const undone = hashes.slice(0, -1).reverse();
+  for (const hash of undone) {
+    await page.keyboard.press("Control+z");
+    await expect.poll(() => editor.settledHash()).toBe(hash);
+  }
+  for (const _step of undone) await page.keyboard.press("Control+Shift+z");
+  await page.keyboard.press("Control+z");
+  const kept = hashes.at(-2) as string;
+  await expect.poll(() => editor.settledHash()).toBe(kept);
+  await page.evaluate(() => window.texelcast.kept());
+  await editor.reload();
+  expect(await editor.settledHash()).toBe(kept);
+});
+
+test("on an inverted mask the eraser hides what it goes over, and the brush shows it again", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const bare = await editor.settledHash();
+  await editor.addDemoDecal("badge");
+  const painted = await editor.settledHash();
+  const choose = async (name: string): Promise<void> => {
+    await page.locator("tc-layer-list .more button").first().click();
+    await page.getByRole("menuitem", { name }).click();
+  };
+  await choose("Add mask that hides all");
+  expect(await editor.settledHash()).toBe(bare);
+  await choose("Invert mask");
+  expect(await editor.settledHash()).toBe(painted);
+  const { x, y } = await editor.middleOfStage();
+  await page.keyboard.press("e");
+  await editor.drag({ x: x - 40, y }, { x: x + 40, y }, 5);
+  expect(await editor.settledHash(), "hidden").not.toBe(painted);
+  await page.keyboard.press("b");
+  await editor.setField("tool-size", "400");
+  await editor.drag({ x: x - 40, y }, { x: x + 40, y }, 5);
+  expect(await editor.settledHash(), "shown again").toBe(painted);
+});
+
 test("merging says what it did instead; ungrouping says first what would change, and goes on when it is told to", async ({
   editor,
   page,

@@ -6,6 +6,7 @@ import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import { type FillLayer, type Gradient, type GradientStop, materialsOf } from "../document/index.ts";
 import { alignedGradient, type ModelAxis, roundGradient } from "../state/aligned-gradient.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
+import type { Strings } from "../strings.ts";
 import "../ui/gradient-stops.ts";
 import { icon } from "../ui/icon.ts";
 import { withAxis } from "./projector-fields.ts";
@@ -40,12 +41,20 @@ function gradientOfKind({ state }: PropertyContext, kind: FillKind, before: Grad
   return alignedGradient(state.model, "y", before?.stops);
 }
 
-function gradientFields(context: PropertyContext, gradient: Gradient): TemplateResult {
+/** How a gradient's colours are looked at and chosen where they mean something else: in a mask. */
+export interface StopGreys {
+  readonly words: Strings["gradient"];
+  readonly shown: (stops: readonly GradientStop[]) => readonly GradientStop[];
+  readonly meant: (shown: readonly GradientStop[]) => readonly GradientStop[];
+}
+
+export function gradientFields(context: PropertyContext, gradient: Gradient, greys?: StopGreys): TemplateResult {
   const words = context.editor.strings.gradient;
   const { layers } = context.editor;
-  const withStopsOf = (event: Event): LayerPatch => ({
-    gradient: { ...gradient, stops: (event as CustomEvent<readonly GradientStop[]>).detail },
-  });
+  const withStopsOf = (event: Event): LayerPatch => {
+    const { detail } = event as CustomEvent<readonly GradientStop[]>;
+    return { gradient: { ...gradient, stops: greys ? greys.meant(detail) : detail } };
+  };
   const turn = (): void => {
     const stops = gradient.stops.map(({ offset, color }) => ({ offset: 1 - offset, color })).reverse();
     record(context, words.name, { gradient: { ...gradient, stops } });
@@ -53,9 +62,10 @@ function gradientFields(context: PropertyContext, gradient: Gradient): TemplateR
   return html`
     <tc-gradient-stops
       ?inert=${context.state.readonly}
-      .words=${words}
-      .stops=${gradient.stops}
-      .recent=${context.state.toolSettings.recent}
+      .words=${greys?.words ?? words}
+      .stops=${greys ? greys.shown(gradient.stops) : gradient.stops}
+      .recent=${greys ? [] : context.state.toolSettings.recent}
+      ?greys=${greys !== undefined}
       @stops-preview=${(event: Event) => layers.preview(context.ids, withStopsOf(event))}
       @stops-change=${(event: Event) => record(context, words.name, withStopsOf(event))}
       @stops-step=${(event: Event) => record(context, words.name, withStopsOf(event), "stops")}

@@ -22,10 +22,11 @@ import {
   Ungroup,
 } from "lucide";
 import { findLayer, makeFillLayer, makeGroupLayer, makePaintLayer } from "../document/index.ts";
-import { alignedGradient } from "../state/aligned-gradient.ts";
+import { alignedGradient, fadingGradient } from "../state/aligned-gradient.ts";
 import type { ClipboardCommands } from "../state/clipboard-commands.ts";
 import type { Editor } from "../state/editor.ts";
 import { layerBelow } from "../state/layer-merge.ts";
+import { maskFade } from "../state/mask-edits.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import type { MenuItem } from "../ui/menu.ts";
 
@@ -100,6 +101,12 @@ export function moreItems(
       icon: SquareDashed,
       disabled: none || masked,
       run: () => layers.addMask(true),
+    },
+    {
+      label: words.addFadingMask,
+      icon: Blend,
+      disabled: none || maskFade(layer) !== undefined,
+      run: () => layer && layers.startMask(fadingGradient(store.state.model, layer), strings.steps.addFadingMask),
     },
     { label: words.invertMask, icon: Contrast, disabled: !masked, run: () => layers.invertMask() },
     { label: words.removeMask, icon: CircleOff, disabled: !masked, run: () => layers.removeMask() },

@@ -14,6 +14,7 @@ import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
 import { TypingEnd } from "../ui/typing-end.ts";
 import { brushFields } from "./brush-fields.ts";
 import { fillFields, partsFields } from "./fill-fields.ts";
+import { maskFields } from "./mask-fields.ts";
 import { mirrorFields } from "./mirror-fields.ts";
 import { type PlacementMemory, placementFields } from "./placement-fields.ts";
 import { projectionTools } from "./projector-tools.ts";
@@ -39,9 +40,10 @@ export class LayerProperties extends EditorElement {
     return this.strings.properties;
   }
 
-  protected watched({ design, selectedId, selection, model, tool, toolSettings }: EditorState): readonly unknown[] {
+  protected watched(state: EditorState): readonly unknown[] {
+    const { design, selectedId, selection, editingMask, model, tool, toolSettings } = state;
     const locked = selectedId !== null && isLocked(design, selectedId);
-    return [layerById(design, selectedId), selection, locked, model, tool, toolSettings.recent];
+    return [layerById(design, selectedId), selection, editingMask, locked, model, tool, toolSettings.recent];
   }
 
   override render(): TemplateResult {
@@ -60,7 +62,7 @@ export class LayerProperties extends EditorElement {
       ${several ? html`<h2>${this.strings.layers.several(selection.length)}</h2>` : this.#header(layer)}
       ${locked ? this.#lock(layer) : nothing}
       <div class="fields" ?inert=${locked}>
-        ${several ? this.#look(context, layer) : this.#fields(context, layer)}
+        ${several ? this.#look(context, layer) : html`${maskFields(context, layer)}${this.#fields(context, layer)}`}
       </div>
     `;
     return readonlyFields(this.state.readonly, this.strings.readonly.why, fields);

@@ -79,6 +79,9 @@ export const propertyStyles = css`
     gap: var(--space-2);
     min-height: var(--target);
   }
+  .mask [role="radiogroup"] {
+    grid-template-columns: auto minmax(0, 1fr);
+  }
   .field > label,
   .field > span {
     color: var(--text-quiet);

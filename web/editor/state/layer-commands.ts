@@ -37,6 +37,7 @@ import {
 import { mergeDown } from "./layer-merge.ts";
 import { layerRows, rowsBetween } from "./layer-rows.ts";
 import { ungroupLayers } from "./layer-ungroup.ts";
+import { type MaskStart, withMaskStart } from "./mask-edits.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 
@@ -328,6 +329,13 @@ export class LayerCommands {
     const { selectedId } = this.#store.state;
     const id = this.#editMask((design, layer) => addMask(design, layer, hideAll), this.#board.strings.steps.addMask);
     if (id !== undefined && id === selectedId) this.editMask(id, true);
+  }
+
+  /** Lets the selected layer's mask begin otherwise, below what is painted on it; one that has none gets a mask, which is marked. */
+  startMask(start: MaskStart, step = this.#board.strings.steps.startMask): void {
+    const { selectedId, editingMask } = this.#store.state;
+    const id = this.#editMask((design, layer) => withMaskStart(design, layer, start), step);
+    if (id !== undefined && id === selectedId && id !== editingMask) this.editMask(id, true);
   }
 
   removeMask(): void {

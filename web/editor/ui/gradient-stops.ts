@@ -3,7 +3,7 @@
  * `stops-preview` while a change goes on, `stops-change` when it is final, `stops-cancel` when it is taken back, `stops-step`
  * when a key moved a handle, as it may many times in a row; `detail` is the list of stops, in order.
  */
-import { css, html, type PropertyValues, type TemplateResult } from "lit";
+import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { Minus, Plus } from "lucide";
 import { takesBack } from "../../viewer/take-back-key.ts";
 import { windowOf } from "../../viewer/window-of.ts";
@@ -37,12 +37,15 @@ export class GradientStops extends RemElement {
     words: { attribute: false },
     stops: { attribute: false },
     recent: { attribute: false },
+    greys: { type: Boolean },
     chosen: { state: true },
   };
   declare words: Strings["gradient"];
   declare stops: readonly GradientStop[];
   /** Colours that the fields offer. */
   declare recent: readonly string[];
+  /** Its colours stand for something that has no opacity of its own. */
+  declare greys: boolean;
   /** Place of the stop that the fields are about. */
   declare chosen: number;
   #drag: Drag | null = null;
@@ -56,6 +59,7 @@ export class GradientStops extends RemElement {
     super();
     this.stops = [];
     this.recent = [];
+    this.greys = false;
     this.chosen = 0;
   }
 
@@ -136,6 +140,9 @@ export class GradientStops extends RemElement {
         gap: var(--space-1);
         align-items: center;
       }
+      :host([greys]) .fields {
+        grid-template-columns: auto minmax(0, 1fr) auto auto;
+      }
       input[type="color"] {
         width: max(2.5rem, var(--target));
         height: var(--target);
@@ -212,7 +219,7 @@ export class GradientStops extends RemElement {
       />
       ${recentColors("recent-colors", this.recent)}
       ${this.#number("offset", this.words.offsetLetter, this.words.offset, offset, moved)}
-      ${this.#number("stop-alpha", this.words.alphaLetter, this.words.alpha, alphaOf(color), faded)}
+      ${this.greys ? nothing : this.#number("stop-alpha", this.words.alphaLetter, this.words.alpha, alphaOf(color), faded)}
       <button
         class="icon"
         aria-label=${this.words.add}

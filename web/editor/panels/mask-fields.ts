@@ -1,0 +1,38 @@
+/** What the mask that is painted on begins with: the fill or the gradient below its strokes. */
+import { html, nothing, type TemplateResult } from "lit";
+import type { DesignLayer, Gradient } from "../document/index.ts";
+import { fadingGradient, roundGradient } from "../state/aligned-gradient.ts";
+import { type MaskStart, maskFade, maskStartOf, stopsAsGreys, stopsOfGreys } from "../state/mask-edits.ts";
+import { gradientFields } from "./fill-fields.ts";
+import type { PropertyContext } from "./property-controls.ts";
+import { choiceField } from "./property-fields.ts";
+
+type StartKind = "all" | "nothing" | Gradient["kind"];
+
+/** Nothing where the layer itself is painted on. */
+export function maskFields(context: PropertyContext, layer: DesignLayer): TemplateResult | typeof nothing {
+  const { editor, state } = context;
+  const { mask } = layer;
+  if (mask === null || state.editingMask !== layer.id) return nothing;
+  const words = editor.strings.mask;
+  const start = maskStartOf(mask);
+  const fade = maskFade(layer);
+  const startOf = (kind: StartKind): MaskStart => {
+    if (kind === "all" || kind === "nothing") return kind;
+    const made = fadingGradient(state.model, layer);
+    const stops = fade?.gradient.stops ?? made.stops;
+    return kind === "radial" ? roundGradient(state.model, stops) : { ...made, stops };
+  };
+  const greys = {
+    words: { ...editor.strings.gradient, stops: words.stops },
+    shown: (stops: Gradient["stops"]) => stopsAsGreys(stops, mask),
+    meant: (stops: Gradient["stops"]) => stopsOfGreys(stops, mask),
+  };
+  return html`
+    <section aria-label=${words.title} title=${words.startHint} class="mask">
+      <h3>${words.title}</h3>
+      ${choiceField<StartKind>("mask-start", words.start, words.starts, typeof start === "string" ? start : start.kind, (kind) => editor.layers.startMask(startOf(kind)))}
+      ${fade ? gradientFields({ ...context, ids: [fade.id] }, fade.gradient, greys) : nothing}
+    </section>
+  `;
+}
