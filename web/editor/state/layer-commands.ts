@@ -196,8 +196,12 @@ export class LayerCommands {
     );
   }
 
-  /** Copied decals are seen beside their originals. */
+  /**
+   * Copied decals are seen beside their originals. Not where one of them has something on its mask, which stays where it was
+   * painted: away from there the copy would show what is hidden of the original, or nothing.
+   */
   #apart(originals: readonly DesignLayer[]): (layer: DesignLayer) => Partial<DecalLayer> {
+    if (originals.some(({ mask }) => mask !== null && mask.layers.length > 0)) return () => ({});
     const diagonal = diagonalOf(this.#store.state.model);
     const placed = originals.flatMap((layer) => ("projector" in layer ? [layer.projector] : []));
     const cleared = clearPlaces(this.#session.recordedDesign, placed, diagonal, this.#viewer);
