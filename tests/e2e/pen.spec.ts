@@ -82,6 +82,29 @@ test("a pen's other end erases, and leaves the tool that was chosen", async ({ e
   await expect(page.getByRole("radio", { name: "Move" })).toBeChecked();
 });
 
+test("a pen that reports no pressure at all draws as a mouse does", async ({ editor, page }) => {
+  const { x, y } = await openForPainting(editor);
+  const bare = await editor.settledHash();
+  const cdp = await page.context().newCDPSession(page);
+  const pen = (type: "mousePressed" | "mouseMoved" | "mouseReleased", across: number, force: number) =>
+    cdp.send("Input.dispatchMouseEvent", {
+      ...{ type, x: x + across, y, button: "left", clickCount: 1, pointerType: "pen", force },
+      buttons: type === "mouseReleased" ? 0 : 1,
+    });
+  const draw = async (...forces: number[]): Promise<void> => {
+    await pen("mousePressed", -40, forces[0] ?? 0);
+    for (const [step, force] of forces.entries()) await pen("mouseMoved", -30 + step * 10, force);
+    await pen("mouseReleased", 40, 0);
+    await editor.idle();
+  };
+  await draw(0, 0, 0, 0, 0, 0, 0);
+  expect(await editor.settledHash()).not.toBe(bare);
+  await draw(0, 0, 0.25, 0.25, 0.25);
+  const [first, second] = await strokes(editor);
+  expect(new Set(first?.dabs.map(({ flow }) => flow))).toEqual(new Set([1]));
+  expect(second?.dabs.at(-1)?.flow, "pressure that comes is heeded").toBe(0.25);
+});
+
 /** Playwright and the protocol have no such button: the events are made in the page, for a pointer that only they know. */
 function otherEnd(page: Page, from: Point, to: Point): Promise<void> {
   return page.evaluate(

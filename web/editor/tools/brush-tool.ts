@@ -6,7 +6,8 @@ import { hasRoom } from "../document/layer-tree.ts";
 import type { Strings } from "../strings.ts";
 import { BrushPreview } from "./brush-preview.ts";
 import { PaintCursor } from "./paint-cursor.ts";
-import { PointerPath, ropeOf } from "./pointer-path.ts";
+import { PenPressure } from "./pen-pressure.ts";
+import { type PathStep, PointerPath, ropeOf } from "./pointer-path.ts";
 import { handleBrushKey } from "./size-keys.ts";
 import type { PaintGesture } from "./stroke-gesture.ts";
 import { surfaceJoins } from "./surface-joins.ts";
@@ -64,7 +65,9 @@ export class BrushTool implements Tool {
   readonly #context: ToolContext;
   readonly #preview: BrushPreview;
   readonly #cursor: PaintCursor;
+  readonly #pen = new PenPressure();
   #gesture: PaintGesture | null = null;
+  /** None yet while the stroke's first samples are held back. */
   #path: PointerPath | null = null;
   #start: ToolSample | null = null;
   #wandered = 0;
@@ -103,6 +106,7 @@ export class BrushTool implements Tool {
     const gesture = this.#gesture;
     this.#gesture = null;
     this.#path = null;
+    this.#pen.begin();
     gesture?.cancel();
     return gesture !== null;
   }
@@ -143,37 +147,44 @@ export class BrushTool implements Tool {
     if (this.#gesture === null) return true;
     this.#start = sample;
     this.#wandered = 0;
-    const { stabiliser } = this.#context.tools.settings;
-    const size = this.#size();
-    const { spacing } = this.#context.tools.settings;
+    this.#pen.begin();
+    this.#paint(this.#pen.take([sample]));
+    this.#follow(sample);
+    return true;
+  }
+
+  #paint(samples: readonly ToolSample[]): void {
+    for (const sample of samples) this.#gesture?.extend(this.#path ? this.#path.add(sample) : this.#firstSteps(sample));
+  }
+
+  #firstSteps(sample: ToolSample): readonly PathStep[] {
+    const { stabiliser, spacing } = this.#context.tools.settings;
     this.#path = new PointerPath(sample, {
       rope: ropeOf(stabiliser),
-      joined: surfaceJoins(this.#context.viewer.surface, size * spacing),
+      joined: surfaceJoins(this.#context.viewer.surface, this.#size() * spacing),
     });
     const straight = sample.shift && this.#lastPlace !== null;
-    const steps = straight ? this.#path.lineFrom(this.#lastPlace as SurfaceHit, sample) : this.#path.first(sample);
-    this.#gesture?.extend(steps);
-    this.#follow();
-    return true;
+    return straight ? this.#path.lineFrom(this.#lastPlace as SurfaceHit, sample) : this.#path.first(sample);
   }
 
   #move(samples: readonly ToolSample[]): void {
     const newest = samples.at(-1);
     if (this.#picking && newest !== undefined) this.#kind.alt?.(startOf(newest));
-    if (this.#gesture === null || this.#path === null) return;
+    if (this.#gesture === null || newest === undefined) return;
+    this.#paint(this.#pen.take(samples));
     for (const sample of samples) {
-      this.#gesture.extend(this.#path.add(sample));
       const from = this.#start?.at ?? sample.at;
       this.#wandered = Math.max(this.#wandered, Math.hypot(sample.at.x - from.x, sample.at.y - from.y));
     }
-    this.#follow();
+    this.#follow(newest);
   }
 
   #up(sample: ToolSample): void {
     this.#picking = false;
-    if (this.#gesture === null || this.#path === null) return;
-    this.#gesture.extend(this.#path.finish(sample));
-    this.#follow();
+    if (this.#gesture === null) return;
+    this.#paint(this.#pen.end());
+    if (this.#path !== null) this.#gesture.extend(this.#path.finish(sample));
+    this.#follow(sample);
     this.#finish();
   }
 
@@ -191,8 +202,8 @@ export class BrushTool implements Tool {
     this.#show(sample?.hit ?? null);
   }
 
-  #follow(): void {
-    this.#show(this.#path?.last ?? null);
+  #follow({ hit }: ToolSample): void {
+    this.#show(this.#path === null ? hit : this.#path.last);
   }
 
   #show(hit: SurfaceHit | null): void {
@@ -223,6 +234,7 @@ export class BrushTool implements Tool {
   }
 
   #finish(): void {
+    this.#paint(this.#pen.end());
     const gesture = this.#gesture;
     this.#lastPlace = this.#path?.last ?? this.#lastPlace;
     this.#gesture = null;
