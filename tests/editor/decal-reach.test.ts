@@ -6,7 +6,7 @@ import {
   makeStrokeLayer,
 } from "../../web/editor/document/index.ts";
 import { DecalReach } from "../../web/editor/state/decal-reach.ts";
-import { mirrorPatch } from "../../web/editor/state/mirror-reach.ts";
+import { mirrorPatch, scrubbedMirrorPatch } from "../../web/editor/state/mirror-reach.ts";
 import type { MaterialInfo, PlanarProjector } from "../../web/engine/engine-api.ts";
 
 const at = (x: number): PlanarProjector => ({
@@ -17,11 +17,12 @@ const at = (x: number): PlanarProjector => ({
 });
 
 /** Material 0 lies left of x = 1, material 1 right of x = -1, material 2, which takes no decals, is met everywhere. */
-function reachOf(count = 3): DecalReach {
+function reachOf(count = 3, asked: unknown[] = []): DecalReach {
   const materials = [null, null, { code: "no-uvs", message: "" }].slice(0, count);
   return new DecalReach(
     {
       materialsReached: (projector) => {
+        asked.push(projector);
         const x = projector.kind === "planar" ? projector.position[0] : 0;
         return [...(x < 1 ? [0] : []), ...(x > -1 && x < 50 ? [1] : []), ...(x < 50 ? [2] : [])];
       },
@@ -107,5 +108,31 @@ describe("a mirror for what was painted", () => {
     const wide = { ...stroke, material: [0, 1] };
     const paint = makePaintLayer({ id: "p", strokes: [wide], material: 0 });
     expect(mirrorPatch(reachOf(), paint, mirror).strokes?.[0]).toBe(wide);
+  });
+
+  it("asks for few of many twins while it is scrubbed, of strokes with a dab each too, and for all when it is set", () => {
+    const dabs = Array.from({ length: 2000 }, (_, place) => ({ ...at(-5 - place / 100), flow: 1 }));
+    const long = makeStrokeLayer({ ...stroke, dabs });
+    const points = dabs.map((each, place) => makeStrokeLayer({ ...stroke, id: `s${place}`, dabs: [each] }));
+    for (const layer of [
+      long,
+      makePaintLayer({ id: "p", strokes: [long, long], material: 0 }),
+      makePaintLayer({ id: "p", strokes: points, material: 0 }),
+    ]) {
+      const asked: unknown[] = [];
+      const few = scrubbedMirrorPatch(reachOf(3, asked), layer, mirror);
+      expect(asked.length).toBeGreaterThan(16);
+      expect(asked.length).toBeLessThanOrEqual(32);
+      const materials = layer.type === "paint" ? few.strokes?.map(({ material }) => material) : [few.material];
+      expect(materials?.[0]).toEqual([0, 1]);
+      asked.length = 0;
+      const all = mirrorPatch(reachOf(3, asked), layer, mirror);
+      expect(asked).toHaveLength(layer.type === "paint" ? layer.strokes.flatMap((one) => one.dabs).length : 2000);
+      expect(all.strokes?.every(({ material }) => String(material) === "0,1") ?? true).toBe(true);
+    }
+  });
+
+  it("asks for all twins of a short stroke while it is scrubbed", () => {
+    expect(scrubbedMirrorPatch(reachOf(), stroke, mirror)).toEqual(mirrorPatch(reachOf(), stroke, mirror));
   });
 });

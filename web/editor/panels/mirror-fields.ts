@@ -10,16 +10,15 @@ import {
   type TextLayer,
 } from "../document/index.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
-import { mirrorPatch } from "../state/mirror-reach.ts";
+import { mirrorPatch, scrubbedMirrorPatch } from "../state/mirror-reach.ts";
 import { mirrorOf } from "../tools/mirror-setting.ts";
 import { lengthStep, numberField, type PropertyContext, record, toggleField } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
 
+type MirroredLayer = DecalLayer | TextLayer | StrokeLayer | PaintLayer;
+
 /** Nothing for what lies on the texture: that has no side of the model. */
-export function mirrorFields(
-  context: PropertyContext,
-  layer: DecalLayer | TextLayer | StrokeLayer | PaintLayer,
-): TemplateResult | typeof nothing {
+export function mirrorFields(context: PropertyContext, layer: MirroredLayer): TemplateResult | typeof nothing {
   const words = context.editor.strings.projection;
   if (liesOnTexture(layer)) return nothing;
   const { mirror } = layer;
@@ -38,18 +37,14 @@ export function mirrorFields(
   return html`
     <section aria-label=${words.mirror} title=${words.mirrorHint}>
       ${choiceField<Mirror["axis"] | "none">("mirror", words.mirror, { none: words.mirrorNone, ...names }, mirror?.axis ?? "none", choose)}
-      ${mirror === null ? nothing : planeFields(context, mirror, patchOf, layer.type === "decal" || layer.type === "text")}
+      ${mirror === null ? nothing : planeFields(context, layer, mirror)}
     </section>
   `;
 }
 
-function planeFields(
-  context: PropertyContext,
-  mirror: Mirror,
-  patchOf: (mirror: Mirror) => LayerPatch,
-  hasPicture: boolean,
-): TemplateResult {
+function planeFields(context: PropertyContext, layer: MirroredLayer, mirror: Mirror): TemplateResult {
   const words = context.editor.strings.projection;
+  const { reach } = context.editor.decals;
   return html`
     <div class="field">
       <span>${words.mirrorOffset}</span>
@@ -60,11 +55,12 @@ function planeFields(
         value: mirror.offset,
         step: lengthStep(context.state),
         isLength: true,
-        patch: (offset) => patchOf({ ...mirror, offset }),
+        patch: (offset) => mirrorPatch(reach, layer, { ...mirror, offset }),
+        scrubbed: (offset) => scrubbedMirrorPatch(reach, layer, { ...mirror, offset }),
       })}
     </div>
     ${
-      hasPicture
+      layer.type === "decal" || layer.type === "text"
         ? toggleField(context, "readable", words.readable, mirror.readable, (readable) => ({
             mirror: { ...mirror, readable },
           }))

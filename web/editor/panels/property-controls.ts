@@ -24,6 +24,8 @@ export interface PropertyContext {
 export interface NumberFieldOptions extends Omit<ProjectorField, "set"> {
   /** What the value makes of the layer. */
   readonly patch: (value: number) => LayerPatch;
+  /** What it makes of it while it is scrubbed, where that would take too long for each frame. */
+  readonly scrubbed?: (value: number) => LayerPatch;
 }
 
 /**
@@ -36,7 +38,7 @@ export function numberField(context: PropertyContext, group: string, options: Nu
   const { min = -DESIGN_LIMITS.lengthMax, max = DESIGN_LIMITS.lengthMax } = options;
   const { editor, ids, state } = context;
   const { symbol, perMetre } = isLength ? lengthUnit(state) : { symbol: options.unit ?? "", perMetre: 1 };
-  const patch = (shown: number): LayerPatch => options.patch(rounded(shown / perMetre));
+  const patch = (shown: number, of = options.patch): LayerPatch => of(rounded(shown / perMetre));
   const detail = (event: Event): NumberFieldEvent => (event as CustomEvent<NumberFieldEvent>).detail;
   const change = (event: Event): void => {
     const { value: next, repeated } = detail(event);
@@ -52,7 +54,7 @@ export function numberField(context: PropertyContext, group: string, options: Nu
     .step=${rounded(step * perMetre)}
     .min=${rounded(min * perMetre)}
     .max=${rounded(max * perMetre)}
-    @field-preview=${(event: Event) => editor.layers.preview(ids, patch(detail(event).value))}
+    @field-preview=${(event: Event) => editor.layers.preview(ids, patch(detail(event).value, options.scrubbed))}
     @field-change=${change}
     @field-cancel=${() => editor.layers.cancelPreview()}
   ></tc-number>`;
