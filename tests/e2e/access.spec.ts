@@ -57,6 +57,7 @@ const ON_A_DESKTOP: readonly Place[] = [
   ],
   ["a gradient", click("tc-layer-list .add [role=menuitem] >> nth=2")],
   ["a masked group", (editor) => press("Control+g")(editor).then(() => click("[data-action=add-mask]")(editor))],
+  ["a mask that fades", check("tc-layer-properties input[name=mask-start][value=linear]")],
   ["several layers", press("Control+a")],
   ["more to do with layers", click("tc-layer-list .more button")],
   ["the history", (editor) => press("Escape")(editor).then(() => click("#tab-history")(editor))],
