@@ -1,5 +1,4 @@
 /** Several decals, or a group of them, moved as one: by a drag of any, by the box round them, by keys; chosen on the model itself. */
-import type { Locator } from "@playwright/test";
 import type { GroupLayer, PlanarProjector, UvProjector } from "../../web/editor/document/index.ts";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
 import { file, ringPicture, squareGlb } from "./support/test-files.ts";
@@ -52,13 +51,6 @@ const spin = (projector?: PlanarProjector): number => {
 
 /** 0 to 360. */
 const round = (degrees: number): number => ((degrees % 360) + 360) % 360;
-
-async function middleOf(handle: Locator): Promise<Point> {
-  await expect(handle).toBeVisible();
-  const place = await handle.boundingBox();
-  if (!place) throw new Error("The view shows no such handle.");
-  return { x: place.x + place.width / 2, y: place.y + place.height / 2 };
-}
 
 async function shiftClick({ page }: EditorPage, { x, y }: Point): Promise<void> {
   await page.keyboard.down("Shift");
@@ -180,16 +172,17 @@ test("the handles of the box round several turn and size all of them about their
   const places = await projectors(editor);
   const start = between(places);
 
-  const knob = editor.view.locator("[data-handle=rotate]");
-  const from = await middleOf(knob);
+  const from = await editor.handle("rotate");
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(from.x + 60, from.y + 60, { steps: 5 });
+  await expect(editor.view).toHaveAttribute("data-gesture", "rotate");
   await page.keyboard.press("Escape");
   await page.mouse.up();
   expect(await editor.design(), "given up").toEqual(before);
 
-  await editor.drag(from, { x: from.x + 60, y: from.y + 60 }, 5);
+  const again = await editor.handle("rotate");
+  await editor.drag(again, { x: again.x + 60, y: again.y + 60 }, 5);
   const turned = await projectors(editor);
   const turn = round(spin(turned["Number 07"]) - spin(places["Number 07"]));
   expect(turn).toBeGreaterThan(300);
@@ -199,7 +192,7 @@ test("the handles of the box round several turn and size all of them about their
   expect(round(between(turned).way - start.way)).toBeCloseTo(turn);
   expect(await chosen(editor)).toEqual(["Number 07", "Travel badge"]);
 
-  const corner = await middleOf(editor.view.locator("[data-handle=se]"));
+  const corner = await editor.handle("se");
   await editor.drag(corner, { x: corner.x - 20, y: corner.y - 20 }, 5);
   const sized = await projectors(editor);
   const factor = between(sized).length / start.length;
@@ -280,7 +273,7 @@ test("what lies apart is turned where it lies; stamps go round their middle in t
   const tilt = 0.15 * Math.sin(Math.PI / 18);
   expect([left?.center[1], right?.center[1]]).toEqual([expect.closeTo(0.3 + tilt), expect.closeTo(0.3 - tilt)]);
 
-  const knob = await middleOf(editor.view.locator("[data-handle=rotate]"));
+  const knob = await editor.handle("rotate");
   await editor.drag(knob, { x: knob.x + 40, y: knob.y + 30 }, 4);
   const now = await projectors(editor);
   expect(now.Front?.position).toEqual([0, 0.05, 0.04]);
@@ -292,7 +285,8 @@ test("what lies apart is turned where it lies; stamps go round their middle in t
   };
   expect(behind(now.Back) - behind(Back)).toBeCloseTo(spin(now.Front) - spin(Front));
 
-  const inTexture = await middleOf(page.locator(".tcv-texture [data-handle=rotate]"));
+  const [place] = await editor.places(page.locator(".tcv-texture [data-handle=rotate] .tcv-mark"));
+  const inTexture = { x: place.x + place.width / 2, y: place.y + place.height / 2 };
   const before = await stamps();
   await editor.drag(inTexture, { x: inTexture.x + 60, y: inTexture.y + 60 }, 4);
   const after = await stamps();
