@@ -19,6 +19,7 @@ import {
   parseRenderOutput,
   parseSize,
 } from "./options.ts";
+import { printable } from "./terminal-text.ts";
 
 const EXIT_CODES = `
 Exit codes: 0 done, 1 a fault of Texelcast's own, 2 wrong usage, 3 an input that cannot be used, a result that cannot be written, or a design that check finds unfit for print.`;
@@ -60,6 +61,12 @@ Examples:
   texelcast schema > design.schema.json
   texelcast schema --zones > zones.schema.json`;
 
+const oneLine = (text: string): string =>
+  text
+    .replace(/^error: /, "")
+    .trim()
+    .replace(/\n(\(Did you mean .*\?\))$/, " $1");
+
 /** A program that throws CommanderError instead of ending the process. */
 export function createProgram(): Command {
   const program = new Command("texelcast")
@@ -73,7 +80,8 @@ export function createProgram(): Command {
     )
     .exitOverride()
     .configureOutput({
-      outputError: (text, write) => write(`texelcast: ${text.replace(/^error: /, "")}`),
+      // Commander says in a line of its own what may have been meant; of what is wrong there is one line.
+      outputError: (text, write) => write(`texelcast: ${printable(oneLine(text))}\n`),
     })
     .showHelpAfterError("  `texelcast --help` and `texelcast COMMAND --help` tell the usage.");
 

@@ -89,6 +89,19 @@ describe("the command line's usage", () => {
     expect(readdirSync(folder)).toEqual([]);
   });
 
+  it.each([
+    ["an unknown option", ["inspect", "a.glb", "--jsn"], "unknown option '--jsn' (Did you mean --json?)"],
+    ["an unknown command", ["rendr"], "unknown command 'rendr' (Did you mean render?)"],
+    ["a command that no terminal should see", ["\u001b[31m\nred"], "unknown command '\\u001b[31m\\u000ared'"],
+  ])("says of %s in one line what is wrong, and in one what to do", async (_what, args, told) => {
+    const { stderr } = await texelcast(args);
+    expect(stderr.split("\n")).toEqual([
+      `texelcast: ${told}`,
+      "  `texelcast --help` and `texelcast COMMAND --help` tell the usage.",
+      "",
+    ]);
+  });
+
   it("looks at the arguments before it looks at the files", async () => {
     const { code, stderr } = await texelcast(["bake", "no-such-file.glb", "--out", "x", "--size", "0"]);
     expect(code).toBe(2);
