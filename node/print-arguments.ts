@@ -33,12 +33,15 @@ const SIZE = "must be a number of texels, or two as in [2048, 1024]";
 
 const subject = {
   model: v.custom(isModel, MODEL),
+  // Their readers look at them.
+  design: optional(v.unknown()),
+  zones: optional(v.unknown()),
   assets: v.nullish(v.lazy((input) => (isFunction(input) ? v.unknown() : v.array(asset, ASSETS)))),
 };
 const SIDE = `must be a whole number of texels from 1 to ${MAX_SIZE}`;
 const side = v.pipe(v.number(SIDE), v.integer(SIDE), v.minValue(1, SIDE), v.maxValue(MAX_SIZE, SIDE));
-const checkOptions = v.looseObject({ ...subject, size: optional(side) }, told);
-const renderOptions = v.looseObject(
+const checkOptions = v.strictObject({ ...subject, size: optional(side) }, told);
+const renderOptions = v.strictObject(
   {
     ...subject,
     material: optional(numeric),
@@ -54,6 +57,7 @@ const renderOptions = v.looseObject(
 );
 
 function told(issue: v.BaseIssue<unknown>): string {
+  if (issue.expected === "never") return "is no option";
   return issue.expected === "Object" ? "must be an object with `model` and `design`" : "is missing";
 }
 
@@ -67,7 +71,9 @@ function check(schema: v.GenericSchema, options: unknown): void {
   if (result.success) return;
   const [issue] = result.issues;
   const path = (issue.path ?? []).map(({ key }) => key as string | number);
-  throw badArgument(path.length === 0 ? "options" : formatPath(path), issue.message, issue.input);
+  // Of an option that there is not, the input is its name.
+  const found = issue.expected === "never" ? issue.path?.at(-1)?.value : issue.input;
+  throw badArgument(path.length === 0 ? "options" : formatPath(path), issue.message, found);
 }
 
 /** Bytes that a reader of assets gave; null: it has no such file. @throws TexelcastError "bad-argument" */

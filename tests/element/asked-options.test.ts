@@ -1,6 +1,9 @@
 import { describe, expect, it } from "vitest";
+import type { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { exportAsAsked } from "../../web/element/desk/check-print.ts";
+import { addPicture } from "../../web/element/desk/placing.ts";
 import { takeSnapshots } from "../../web/element/desk/snapshots.ts";
+import { Texts } from "../../web/element/desk/texts.ts";
 import type { AtDesk } from "../../web/element/mode.ts";
 import { english } from "../../web/element/words/english.ts";
 import { german } from "../../web/element/words/german.ts";
@@ -18,6 +21,7 @@ function deskIn(words = english, more: object = { zones }): AtDesk {
     settings: { words, size: 512 },
     store: { state: { model: { info: { materials } } } },
     engine: { exportPrint: async (options: unknown) => options },
+    checkRoom: () => undefined,
     ...more,
   };
   return { desk, idle: async () => undefined } as unknown as AtDesk;
@@ -40,6 +44,12 @@ const wrong: [what: string, options: unknown, field: string, value: string, hint
   ["flat art of no zone", { flattened: true }, "flattened", "true", /"front"/],
   ["another base", { base: "white" }, "base", '"white"', /"none"/],
 ];
+const typos: [what: string, options: object, field: string, value: string][] = [
+  ["a slip of the pen", { dip: 300 }, "dip", "300"],
+  ["a format that is not to be chosen", { format: "jpeg" }, "format", '"jpeg"'],
+  ["a function", { done: () => undefined }, "done", "a function"],
+  ["what objects have of their own", { toString: 1 }, "toString", "1"],
+];
 
 describe("a print that a page asks the element for", () => {
   it.each(wrong)("is refused for %s, in the element's words", async (_what, options, field, value, hint) => {
@@ -53,6 +63,20 @@ describe("a print that a page asks the element for", () => {
     }
   });
 
+  it.each(typos)(
+    "is refused for %s, which is no option, with those that there are",
+    async (_, options, field, value) => {
+      for (const words of [english, german]) {
+        const error = await exportAsAsked(deskIn(words), options).catch((thrown: unknown) => thrown);
+        expect(error).toMatchObject({ code: "bad-argument", field, value });
+        const { message, hint } = error as TexelcastError;
+        expect(message).toContain(field);
+        expect(hint).toMatch(/material, size, dpi, zone, flattened, base/);
+        expect(message.startsWith("There is")).toBe(words === english);
+      }
+    },
+  );
+
   it("names no zone where the product has none", async () => {
     await expect(exportAsAsked(deskIn(english, { zones: null }), { zone: "back" })).rejects.toMatchObject({
       code: "bad-argument",
@@ -60,8 +84,8 @@ describe("a print that a page asks the element for", () => {
     });
   });
 
-  it("takes of the page's object the options alone, with what the element says for the others", async () => {
-    const options = { size: [64, 32] as const, zone: "front", dpi: undefined, done: () => undefined };
+  it("takes of the page's object the options that are said, with what the element says for the others", async () => {
+    const options = { size: [64, 32] as const, zone: "front", dpi: undefined, dip: undefined };
     await expect(exportAsAsked(deskIn(), options as object)).resolves.toEqual({ size: [64, 32], zone: "front" });
     await expect(exportAsAsked(deskIn(), {})).resolves.toEqual({ size: 512, material: 0 });
   });
@@ -83,5 +107,50 @@ describe("a snapshot that a page asks the element for", () => {
       field,
       hint: expect.stringMatching(/\S/),
     });
+  });
+
+  it("is refused for an option that there is not, with those that there are", async () => {
+    const asked = takeSnapshots({} as never, ["front"], { widht: 64 } as object, english);
+    await expect(asked).rejects.toMatchObject({
+      code: "bad-argument",
+      field: "widht",
+      hint: "There are width, height.",
+    });
+  });
+});
+
+describe("a new picture or text that a page asks the element for", () => {
+  const subjects = {
+    decal: (options: unknown, words = english) => addPicture(deskIn(words).desk, new Uint8Array(), options as never),
+    text: (options: unknown, words = english) => new Texts(deskIn(words).desk).add("Hi", options as never),
+  };
+
+  it.each<["decal" | "text", string, unknown, string, string, RegExp]>([
+    ["decal", "a slip of the pen", { widht: 0.1 }, "widht", "0.1", /name, projector, position, width, material/],
+    ["decal", "a text's option", { color: "#ff0000" }, "color", "#ff0000", /width, material\.$/],
+    ["text", "a slip of the pen", { colour: "#ff0000" }, "colour", "#ff0000", /font, color, curve/],
+    ["decal", "a width of text", { width: "0.1" }, "width", "0.1", /0\.000001 – 1000000/],
+    ["text", "a width of text", { width: "0.1" }, "width", "0.1", /0\.000001 – 1000000/],
+    ["decal", "no options", null, "options", "null", /width/],
+    ["text", "a font that is a number", { font: 3 }, "font", "3", /inter-700/],
+  ])("is refused, a %s, for %s, with what to do about it", async (kind, _what, options, field, value, hint) => {
+    for (const words of [english, german]) {
+      await expect(subjects[kind](options, words)).rejects.toMatchObject({
+        code: "bad-argument",
+        message: expect.stringContaining(field),
+        ...{ field, value },
+        hint: expect.stringMatching(hint),
+      });
+    }
+  });
+
+  it("is refused for what is no picture and for no words, with what to do about it", async () => {
+    const { desk } = deskIn();
+    const noPicture = addPicture(desk, { width: "0.1" } as never);
+    await expect(noPicture).rejects.toMatchObject({ field: "source", hint: expect.stringMatching(/Blob/) });
+    for (const text of [" ", undefined, 7]) {
+      const noWords = new Texts(desk).add(text as never);
+      await expect(noWords).rejects.toMatchObject({ field: "text", value: String(text), hint: "1 – 10000" });
+    }
   });
 });

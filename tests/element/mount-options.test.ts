@@ -14,3 +14,13 @@ test("a container that the page does not have is told as such", async () => {
   const mounted = mountTexelcast(null as never, { page: "https://editor.example/embed.html" });
   await expect(mounted).rejects.toMatchObject({ code: "bad-argument", field: "container", value: "null" });
 });
+
+test("an option that there is not is told with its value and those that there are", async () => {
+  const options = { page: "https://editor.example/embed.html", sorce: "/mug.glb", src: undefined };
+  await expect(mountTexelcast(null as never, options as never)).rejects.toMatchObject({
+    code: "bad-argument",
+    field: "sorce",
+    value: "/mug.glb",
+    hint: expect.stringMatching(/src,.*page, title, beforeAccept, timeoutMs\.$/),
+  });
+});

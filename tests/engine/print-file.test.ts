@@ -114,6 +114,7 @@ describe("a print file", () => {
     ["DPI of text", { dpi: "300" }, "dpi"],
     ["a zone of a number", { zone: 1 }, "zone"],
     ["another base", { base: "white" }, "base"],
+    ["an option that there is not", { dip: 300 }, "dip"],
   ])("is refused for %s, by name", async (_what, options, field) => {
     const engine = await printable();
     await engine.setZones(ZONES);

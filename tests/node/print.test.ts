@@ -386,6 +386,21 @@ describe("renderPrint and checkPrint", () => {
     expect((error as { value: string }).value).toMatch(/./);
   });
 
+  it("refuse an option that there is not by its name and value, and the print's report alike", async () => {
+    const told = { code: "bad-argument", value: "300", hint: expect.stringContaining("docs/guides/server.md") };
+    for (const print of [renderPrint, checkPrint]) {
+      const slip = { ...usual, dip: 300 };
+      await expect(print(slip)).rejects.toMatchObject({ ...told, field: "dip", message: "dip: is no option, is 300" });
+    }
+    await expect(checkPrint({ ...usual, dpi: 300 } as never)).rejects.toMatchObject({ ...told, field: "dpi" });
+  });
+
+  it('take the files as the element\'s "submit" gives them, hashes and all', async () => {
+    const assets = [{ key: "logo", type: "image/png", name: "logo.png", sha256: "0", bytes: LOGO }];
+    const print = await renderPrint({ ...usual, design: design([decal()]), assets, zones: undefined });
+    expect(print.sha256).toMatch(/^[0-9a-f]{64}$/);
+  });
+
   it("name the option and the materials there are for one that cannot be painted", async () => {
     const plain = { design: design([]), size: 16 };
     const model = planeGlb();

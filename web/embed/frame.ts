@@ -37,13 +37,17 @@ export const patienceFor = (method: FrameMethod): number => (LONG.has(method) ? 
  */
 const SANDBOX = "allow-scripts allow-same-origin allow-downloads";
 
+/** Options that are none of the editor's properties. */
+const FOR_THE_FRAME = ["page", "title", "beforeAccept", "timeoutMs"] as const;
+
 /**
  * Puts the editor's page into `container` and resolves when it has answered. Rejects with a TexelcastError: "bad-argument"
- * for a page without an http(s) address, a `beforeAccept` that is no function or a container that is not there, "timeout" when the page does not answer, "unsupported" when it speaks another
+ * for an option that there is not, a page without an http(s) address, a `beforeAccept` that is no function or a container that is not there, "timeout" when the page does not answer, "unsupported" when it speaks another
  * version; the iframe is then taken away again.
  */
 export async function mountTexelcast(container: Element, options: MountOptions): Promise<TexelcastFrame> {
   const { page, title = "Product designer", timeoutMs } = options;
+  checkNames(options, [...FRAME_PROPERTIES, ...FOR_THE_FRAME]);
   const beforeAccept = options.beforeAccept || null;
   const address = pageAddress(page);
   // The shop's say must not be missed: its page would learn of it file by file.
@@ -126,6 +130,7 @@ export async function mountTexelcast(container: Element, options: MountOptions):
     iframe,
     set: (properties: FrameProperties): Promise<unknown> =>
       asked(async (calls) => {
+        checkNames(properties, FRAME_PROPERTIES);
         const given = propertiesOf(properties);
         await give(calls, given);
         held = { ...held, ...given };
@@ -149,7 +154,19 @@ function pageAddress(page: string | URL): URL {
   });
 }
 
-/** Those that are given, and nothing else: an options object may hold what cannot be sent. */
+/** A slip of the pen is told: what was meant by it would be left out unheard. */
+function checkNames(options: object, known: readonly string[]): void {
+  for (const [name, value] of Object.entries(options)) {
+    if (value === undefined || known.includes(name)) continue;
+    throw new TexelcastError("bad-argument", `The editor in an iframe has no option “${name}”.`, {
+      field: name,
+      value: String(value).slice(0, 80),
+      hint: `There are ${known.join(", ")}.`,
+    });
+  }
+}
+
+/** Those that are given. */
 function propertiesOf(options: FrameProperties): FrameProperties {
   const given = FRAME_PROPERTIES.filter((name) => options[name] !== undefined);
   return Object.fromEntries(given.map((name) => [name, options[name]]));

@@ -75,7 +75,13 @@ function findZone({ zones }: PrintContext, { zone }: PrintFileOptions): PrintZon
 function checkForm(options: PrintFileOptions): void {
   const fault = printOptionFault(options);
   if (fault === null) return;
-  const { field, value, allowed } = fault;
+  const { field, value, allowed, unknown } = fault;
+  if (unknown) {
+    throw new TexelcastError("bad-argument", `A print has no option “${field}”.`, {
+      ...{ field, value },
+      hint: `There are ${allowed}.`,
+    });
+  }
   throw new TexelcastError(field === "size" ? "bad-size" : "bad-argument", `A print's ${field} cannot be ${value}.`, {
     ...{ field, value },
     hint: `It may be ${allowed}.`,

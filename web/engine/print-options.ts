@@ -6,8 +6,10 @@ export interface OptionFault {
   readonly field: string;
   /** What stands there. */
   readonly value: string;
-  /** What may stand there, in signs that every language reads. */
+  /** What may stand there, in signs that every language reads; of an option that there is not, those that there are. */
   readonly allowed: string;
+  /** There is no such option. */
+  readonly unknown?: true;
 }
 
 interface Rule {
@@ -35,26 +37,31 @@ const RULES: Readonly<Record<keyof PrintFileOptions, Rule>> = {
   base: { allowed: '"model", "none"', admits: (value) => value === "model" || value === "none" },
 };
 
-/** The first option that is not what it may be; null: each is. What is undefined is not said. */
+const KNOWN = Object.keys(RULES).join(", ");
+
+/** The first option that is not what it may be, or that there is not; null: each is. What is undefined is not said. */
 export function printOptionFault(options: unknown): OptionFault | null {
   if (typeof options !== "object" || options === null || Array.isArray(options)) {
-    return { field: "options", value: told(options), allowed: `{ ${Object.keys(RULES).join(", ")} }` };
+    return { field: "options", value: told(options), allowed: `{ ${KNOWN} }` };
   }
-  for (const [field, { allowed, admits }] of Object.entries(RULES)) {
-    const value = (options as Record<string, unknown>)[field];
-    if (value !== undefined && !admits(value)) return { field, value: told(value), allowed };
+  for (const [field, value] of Object.entries(options)) {
+    if (value === undefined) continue;
+    const rule = Object.hasOwn(RULES, field) && RULES[field as keyof PrintFileOptions];
+    // A slip of the pen ("dip") would print with what nobody asked for.
+    if (!rule) return { field, value: told(value), allowed: KNOWN, unknown: true };
+    if (!rule.admits(value)) return { field, value: told(value), allowed: rule.allowed };
   }
   return null;
 }
 
-/** The options alone, without what else the caller's object has: a worker can be sent no function. */
-export function ownPrintOptions(options: PrintFileOptions): PrintFileOptions {
-  const given = Object.entries(options).filter(([name, value]) => Object.hasOwn(RULES, name) && value !== undefined);
-  return Object.fromEntries(given);
+/** The options that are said. */
+export function saidPrintOptions(options: PrintFileOptions): PrintFileOptions {
+  return Object.fromEntries(Object.entries(options).filter(([, value]) => value !== undefined));
 }
 
 function told(value: unknown): string {
   if (typeof value === "string") return JSON.stringify(value);
   if (Array.isArray(value)) return `[${value.map(told).join(", ")}]`;
+  if (typeof value === "function") return "a function";
   return typeof value === "object" && value !== null ? "an object" : String(value);
 }

@@ -1,26 +1,31 @@
 /** What a page says of a new picture or text, checked before anything is made of it: what is on the product can be read again. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { ToldError } from "../../editor/strings/told-error.ts";
-import type { TextOptions } from "../element-api.ts";
+import type { PlaceOptions, TextOptions } from "../element-api.ts";
 import type { Desk } from "./desk.ts";
+import { checkNames } from "./unknown-option.ts";
 
 /** Metres: wider or narrower than any product, and far from where a design's numbers end. */
 const WIDTHS = [1e-6, 1e6] as const;
 
 /** Those that a layer has under the same name. */
 const OF_A_LAYER = ["name", "projector", "material", "color", "curve"] as const satisfies (keyof TextOptions)[];
+const OF_A_PLACE = ["name", "projector", "position", "width", "material"] as const satisfies (keyof PlaceOptions)[];
+const OF = { decal: OF_A_PLACE, text: [...OF_A_PLACE, "font", "color", "curve"] } as const;
 
-/** Rejects with "bad-argument", naming the option and what stands there. */
-export async function checkOptions(desk: Desk, options: TextOptions): Promise<void> {
+/** Rejects with "bad-argument", naming the option, what stands there and what may. */
+export async function checkOptions(desk: Desk, kind: keyof typeof OF, options: TextOptions): Promise<void> {
   const { words } = desk.settings;
   const refuse = (field: string, value: unknown, hint?: string): never => {
     const details = { field, value: String(value), ...(hint !== undefined && { hint }) };
     throw new ToldError("bad-argument", words.errors.badOption(field), details);
   };
-  if (typeof options !== "object" || options === null) refuse("options", options);
-  const { position, width, material } = options;
+  if (typeof options !== "object" || options === null) refuse("options", options, `{ ${OF[kind].join(", ")} }`);
+  checkNames(options, OF[kind], words);
+  const { position, width, material, font } = options;
   if (position !== undefined && !isPoint(position)) refuse("position", position, "[x, y, z]");
-  if (width !== undefined && !(width >= WIDTHS[0] && width <= WIDTHS[1])) refuse("width", width, WIDTHS.join(" – "));
+  if (width !== undefined && !isWidth(width)) refuse("width", width, WIDTHS.join(" – "));
+  if (font !== undefined && !isFont(font)) refuse("font", font, '"inter-700", Blob, Uint8Array');
   const given = OF_A_LAYER.filter((name) => options[name] !== undefined);
   if (given.length === 0) return;
   // As a document that holds nothing else: its reader knows what every field may be.
@@ -49,6 +54,11 @@ export async function checkOptions(desk: Desk, options: TextOptions): Promise<vo
     refuse("material", each, words.errors.zoneMaterialHint(materials.map(({ index }) => index).join(", ")));
   }
 }
+
+const isWidth = (value: unknown): boolean => typeof value === "number" && value >= WIDTHS[0] && value <= WIDTHS[1];
+
+const isFont = (value: unknown): boolean =>
+  typeof value === "string" || value instanceof Blob || value instanceof Uint8Array;
 
 const isPoint = (value: unknown): boolean =>
   Array.isArray(value) && value.length === 3 && value.every((part) => Number.isFinite(part));

@@ -1,24 +1,27 @@
 /** What a page asks of a print, checked before the engine is asked: it is told in the element's words which option is wrong. */
 import { ToldError } from "../../editor/strings/told-error.ts";
-import { ownPrintOptions, printOptionFault } from "../../engine/print-options.ts";
+import { printOptionFault, saidPrintOptions } from "../../engine/print-options.ts";
 import type { ExportedTexture, ExportTextureOptions } from "../element-api.ts";
 import type { AtDesk } from "../mode.ts";
 import type { Desk } from "./desk.ts";
 import { exportTexture, printOptions } from "./prints.ts";
+import { unknownOption } from "./unknown-option.ts";
 
 /** Rejects with "bad-argument", naming the option, what stands there and what may. */
 export async function exportAsAsked(mode: AtDesk, options: ExportTextureOptions): Promise<ExportedTexture> {
   const { desk } = mode;
   checkPrintOptions(desk, options);
-  return await exportTexture(mode, printOptions(mode, ownPrintOptions(options), desk.settings));
+  return await exportTexture(mode, printOptions(mode, saidPrintOptions(options), desk.settings));
 }
 
 function checkPrintOptions(desk: Desk, options: ExportTextureOptions): void {
-  const { errors } = desk.settings.words;
+  const { words } = desk.settings;
+  const { errors } = words;
   const refuse = (field: string, value: string, hint: string): never => {
     throw new ToldError("bad-argument", errors.badOption(field), { field, value, hint });
   };
   const fault = printOptionFault(options);
+  if (fault?.unknown) throw unknownOption(fault.field, fault.value, fault.allowed, words);
   if (fault) refuse(fault.field, fault.value, fault.allowed);
   const { material, zone, flattened } = options;
   const materials = (desk.store.state.model?.info.materials ?? []).filter(({ refusal }) => refusal === null);

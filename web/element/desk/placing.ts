@@ -10,8 +10,7 @@ import { contentHash } from "../../editor/storage/content-hash.ts";
 import { ToldError } from "../../editor/strings/told-error.ts";
 import type { Projector } from "../../engine/engine-api.ts";
 import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
-import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions } from "../element-api.ts";
-import { checkOptions } from "./check-options.ts";
+import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions, TextOptions } from "../element-api.ts";
 import type { Desk } from "./desk.ts";
 import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
 import { startingPlace } from "./zone-place.ts";
@@ -52,15 +51,27 @@ export function placeFor(
   return { projector, material };
 }
 
+/** What a page says of something new, if it says anything: customers do not, and need not load what looks at it. */
+export async function checkedOptions(
+  desk: Desk,
+  kind: "decal" | "text",
+  options: TextOptions | undefined,
+): Promise<TextOptions> {
+  if (options === undefined) return {};
+  const { checkOptions } = await import("./check-options.ts");
+  await checkOptions(desk, kind, options);
+  return options;
+}
+
 /** Puts a picture on the product: checked, cleaned, accepted by the shop. Gives the layer's id. */
 export async function addPicture(
   desk: Desk,
   source: DecalSource,
-  options: PlaceOptions = {},
+  given?: PlaceOptions,
   at: SurfaceHit | null = null,
 ): Promise<string> {
   desk.checkRoom();
-  await checkOptions(desk, options);
+  const options = await checkedOptions(desk, "decal", given);
   const { name, bytes } = await fileOf(desk, source);
   const admitted = await admitPicture(desk, name, bytes);
   // Not before: the shop may ask for the design while it makes up its mind.
@@ -104,7 +115,8 @@ async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; 
     return { name, bytes: new Uint8Array(await source.slice(0, most).arrayBuffer()) };
   }
   if (!source || !(typeof source === "string" || source instanceof URL)) {
-    throw new ToldError("bad-argument", words.errors.badOption("source"), { field: "source", value: typeof source });
+    const details = { field: "source", value: typeof source, hint: "Blob, URL, Uint8Array, …" };
+    throw new ToldError("bad-argument", words.errors.badOption("source"), details);
   }
   const url = addressOf(String(source), document.baseURI, words);
   return { name: pictureName(url), bytes: await fetchBytes(url, { words, signal: desk.signal }) };

@@ -4,6 +4,7 @@ import { type Orbit, parseOrbit } from "../../viewer/camera-orbit.ts";
 import type { SnapshotOptions, SnapshotView } from "../element-api.ts";
 import type { Mode } from "../mode.ts";
 import type { Words } from "../words/words.ts";
+import { checkNames } from "./unknown-option.ts";
 
 const SIDE = 512;
 const MOST = 4096;
@@ -31,6 +32,7 @@ export async function takeSnapshots(
     throw new ToldError("bad-argument", words.errors.badOption(field), { field, value: String(value), hint });
   };
   if (typeof options !== "object" || options === null) refuse("options", options, "{ width, height }");
+  checkNames(options, ["width", "height"], words);
   const { width = SIDE, height = SIDE } = options;
   for (const [field, value] of Object.entries({ width, height })) {
     if (!Number.isInteger(value) || value < 1 || value > MOST) refuse(field, value, `1 – ${MOST}`);

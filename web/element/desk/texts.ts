@@ -10,9 +10,8 @@ import { ToldError } from "../../editor/strings/told-error.ts";
 import type { EngineText, TextMeasure } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { TextOptions } from "../element-api.ts";
-import { checkOptions } from "./check-options.ts";
 import type { Desk } from "./desk.ts";
-import { askShop, placeFor } from "./placing.ts";
+import { askShop, checkedOptions, placeFor } from "./placing.ts";
 
 export type TextPatch = Partial<Pick<TextLayer, "text" | "color" | "curve">> & { readonly font?: NamedFont };
 
@@ -39,18 +38,19 @@ export class Texts {
   }
 
   /** Gives the layer's id. */
-  async add(text: string, options: TextOptions = {}): Promise<string> {
+  async add(text: string, given?: TextOptions): Promise<string> {
     const desk = this.#desk;
     const { words } = desk.settings;
     desk.checkRoom();
+    const hint = `1 – ${MOST_CHARACTERS}`;
     if (typeof text !== "string" || text.trim() === "") {
-      throw new ToldError("bad-argument", words.errors.emptyText, { field: "text" });
+      throw new ToldError("bad-argument", words.errors.emptyText, { field: "text", value: String(text), hint });
     }
     if (text.length > MOST_CHARACTERS) {
-      const details = { field: "text", value: shortened(text), hint: `1 – ${MOST_CHARACTERS}` };
+      const details = { field: "text", value: shortened(text), hint };
       throw new ToldError("bad-argument", words.errors.badOption("text"), details);
     }
-    await checkOptions(desk, options);
+    const options = await checkedOptions(desk, "text", given);
     const font = await this.#font(options.font ?? FIRST_FONT);
     try {
       // Not before: the shop may ask for the design while it makes up its mind about a font.

@@ -18,7 +18,7 @@ export class ShopTools {
     this.texts = new Texts(desk);
   }
 
-  addPicture(source: DecalSource, options: PlaceOptions = {}): Promise<string> {
+  addPicture(source: DecalSource, options?: PlaceOptions): Promise<string> {
     return addPicture(this.#desk, source, options);
   }
 
@@ -30,7 +30,7 @@ export class ShopTools {
   /** Puts files on, a single one where it was dropped (client pixels). */
   async addFiles(files: readonly File[], at: { readonly x: number; readonly y: number } | null = null): Promise<void> {
     const hit = at && (await this.#desk.takeHands()).surfaceAtPointer(at.x, at.y);
-    for (const file of files) await addPicture(this.#desk, file, {}, files.length === 1 ? hit : null);
+    for (const file of files) await addPicture(this.#desk, file, undefined, files.length === 1 ? hit : null);
   }
 
   /** True when the key was ours, and its default must not happen. */
