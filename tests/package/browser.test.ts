@@ -3,7 +3,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import type { Browser } from "@playwright/test";
 import { build, createServer } from "vite";
-import { afterAll, beforeAll, expect, test } from "vitest";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
 import { THREE_RANGE } from "../../scripts/package/manifest.mjs";
 import { readPictureHeader } from "../../web/engine/picture-header.ts";
 import { STORY_FILES, storyHash, storyScript, wordsScript } from "./support/engine-story.ts";
@@ -162,6 +162,52 @@ test("under Trusted Types the guide's policy lets the element in, whole, and not
   expect(elsewhere).toBe("TypeError");
   await opened.close();
   await server.stop();
+});
+
+describe("a page that lets no worker begin", () => {
+  /** What the element and the engine alone say of it, the element in German. */
+  const REFUSALS = `
+    import "${DIST}/standalone.js";
+    import { createEngine } from "${DIST}/core.js";
+    const editor = document.createElement("texelcast-editor");
+    Object.assign(editor, { src: "/mug.glb", locale: "de" });
+    document.body.append(editor);
+    const told = ({ code, field, message, hint }) => ({ code, field, message, hint });
+    const element = await editor.start().then(() => null, told);
+    let core = null;
+    try { createEngine().dispose(); } catch (error) { core = told(error); }
+    globalThis.story = { element, core, shown: editor.shadowRoot.querySelector("[role=alert]").textContent };`;
+
+  test("in an iframe that its sandbox leaves no origin, is told which word the sandbox needs", async () => {
+    const framed = '<!doctype html><iframe sandbox="allow-scripts" src="/refusals.html"></iframe>';
+    addShopFiles(installed.folder, { ...refusals(), "framed.html": framed });
+    const server = await serveFolder(installed.folder, { "access-control-allow-origin": "*" });
+    const { page: opened } = await openPage(browser, `${server.origin}/framed.html`);
+    const frame = opened.frames().find((each) => each.url().endsWith("/refusals.html"));
+    await frame?.waitForFunction(() => "story" in globalThis);
+    const story = await frame?.evaluate(() => (globalThis as unknown as { story: unknown }).story);
+    const refused = { code: "unsupported", field: "sandbox", hint: expect.stringContaining("allow-same-origin") };
+    expect(story).toMatchObject({
+      element: refused,
+      core: refused,
+      shown: expect.stringContaining("ohne eigene Herkunft"),
+    });
+    await opened.close();
+    await server.stop();
+  });
+
+  test("by Trusted Types without the guide's policy, is told that it needs one", async () => {
+    addShopFiles(installed.folder, refusals());
+    const policy = `${STRICT_POLICY}; require-trusted-types-for 'script'`;
+    const server = await serveFolder(installed.folder, { "content-security-policy": policy });
+    const { story } = await tell(`${server.origin}/refusals.html`);
+    const hint = expect.stringContaining("docs/guides/plain-html.md");
+    const refused = { code: "unsupported", field: "require-trusted-types-for", hint };
+    expect(story).toMatchObject({ element: refused, core: refused, shown: expect.stringContaining("Default-Policy") });
+    await server.stop();
+  });
+
+  const refusals = () => ({ "refusals.html": page("/refusals.js"), "refusals.js": REFUSALS });
 });
 
 test("Vite builds a shop with the guide's two settings", async () => {

@@ -5,6 +5,7 @@ import { applyLanguage, pageLanguage } from "../editor/strings/language.ts";
 import { stringsIn } from "../editor/strings.ts";
 import "../editor/workbench.ts";
 import { createEngineClient } from "../engine/engine-client.ts";
+import { refused } from "../engine/refused-worker.ts";
 import { createModelViewer } from "../viewer/model-viewer.ts";
 import { createTextureView } from "../viewer/texture-view.ts";
 import { showStartFailure } from "./start-failure.ts";
@@ -29,7 +30,7 @@ try {
 } catch (thrown) {
   workbench.remove();
   const hint = strings.errors.noWebGlHint;
-  showStartFailure(TexelcastError.wrap(thrown, "unsupported", strings.errors.noWebGl, { hint }));
+  showStartFailure(TexelcastError.wrap(refused(thrown), "unsupported", strings.errors.noWebGl, { hint }));
 }
 
 /** A view's place: a child of the workbench, which shows it where its slot is. */

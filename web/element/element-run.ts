@@ -90,7 +90,7 @@ export class Run {
     } catch (thrown) {
       this.#end();
       this.#check();
-      throw thrown;
+      throw thrown instanceof TexelcastError ? thrown : (await import("../engine/refused-worker.ts")).refused(thrown);
     }
   }
 

@@ -5,6 +5,7 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Engine } from "../engine/engine-api.ts";
 import { createEngineClient, type EngineClientOptions } from "../engine/engine-client.ts";
+import { refused } from "../engine/refused-worker.ts";
 
 export { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../core/texelcast-error.ts";
 export type { CoreSource } from "../core/wasm-module.ts";
@@ -23,7 +24,8 @@ export type EngineOptions = EngineClientOptions;
  * Starts an engine. What is wrong with its WebAssembly or its worker shows at the first call, which rejects with a
  * TexelcastError ("missing-file", "unsupported", "engine-crashed").
  *
- * @throws TexelcastError "unsupported" where there are no workers: on a server.
+ * @throws TexelcastError "unsupported" where there are no workers, on a server, or the page lets none begin: one in an iframe whose sandbox
+ * has no allow-same-origin, or with Trusted Types and no policy for it.
  */
 export function createEngine(options: EngineOptions = {}): Engine {
   if (typeof Worker === "undefined" && !options.createWorker) {
@@ -31,5 +33,9 @@ export function createEngine(options: EngineOptions = {}): Engine {
       hint: "On a server, create it by texelcast/node.",
     });
   }
-  return createEngineClient(options);
+  try {
+    return createEngineClient(options);
+  } catch (thrown) {
+    throw refused(thrown);
+  }
 }

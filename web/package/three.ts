@@ -9,6 +9,7 @@ import { makeDecalLayer } from "../editor/document/make-layer.ts";
 import { resolveLayers } from "../editor/document/resolve-layers.ts";
 import type { Engine, PlanarProjector, Projector, TargetOptions, Vec3 } from "../engine/engine-api.ts";
 import { createEngineClient, type EngineClientOptions } from "../engine/engine-client.ts";
+import { refused } from "../engine/refused-worker.ts";
 import { LiveTexture } from "../viewer/live-texture.ts";
 import { meshGlb } from "../viewer/mesh-glb.ts";
 
@@ -72,7 +73,7 @@ export class PaintedMesh {
     const { size = 1024, base, ...engineOptions } = options;
     const target = { material: 0, width: size, height: size, base: base ?? colorOf(mesh), mipmaps: true };
     const bytes = meshGlb(mesh);
-    const engine = createEngineClient(engineOptions);
+    const engine = beginEngine(engineOptions);
     try {
       await engine.loadModel({ name: mesh.name || "mesh", bytes });
       let live: LiveTexture | null = null;
@@ -122,6 +123,14 @@ export class PaintedMesh {
     if (this.mesh.material === this.#painted) this.mesh.material = this.#before;
     this.#painted.dispose();
     this.#live.dispose();
+  }
+}
+
+function beginEngine(options: EngineClientOptions): Engine {
+  try {
+    return createEngineClient(options);
+  } catch (thrown) {
+    throw refused(thrown);
   }
 }
 

@@ -60,9 +60,17 @@ export const FONTS: Reasons = {
 /** Of "unsupported". */
 export const BROWSERS: Reasons = {
   "no-engine": ["Die Mal-Engine startet in diesem Browser nicht.", "Nimm einen neueren Browser."],
+  "no-origin": [
+    "Eine Seite ohne eigene Herkunft darf keinen Worker starten.",
+    "Gib dem sandbox-Attribut des iframes neben allow-scripts auch allow-same-origin.",
+  ],
   "no-webgl": [
     "Dieser Browser kann kein 3D zeigen: WebGL 2 ist abgeschaltet oder fehlt.",
     "Schalte die Hardwarebeschleunigung ein, oder nimm einen anderen Browser.",
+  ],
+  "trusted-types": [
+    "Die Trusted Types der Seite lassen den Worker der Mal-Engine nicht starten.",
+    "Gib der Seite die Default-Policy aus docs/guides/plain-html.md.",
   ],
 };
 

@@ -21,6 +21,18 @@ const NAMED: Readonly<Record<string, string | null>> = {
 
 const VIEWS = `${Object.keys(NAMED).join(", ")}, 30deg 75deg 105%`;
 
+/** Here and not among the element's other words: nothing else says it. */
+const NO_GRAPHICS = {
+  en: {
+    message: "The picture could not be drawn: the graphics are not there.",
+    hint: "Wait a moment and try again.",
+  },
+  de: {
+    message: "Das Bild ließ sich nicht zeichnen: Die Grafik ist nicht da.",
+    hint: "Warte einen Moment und versuche es noch einmal.",
+  },
+};
+
 /** PNGs, one for each view. Throws "bad-argument" for a view or a size that is none, "unsupported" without graphics. */
 export async function takeSnapshots(
   mode: Pick<Mode, "viewer" | "idle">,
@@ -54,7 +66,8 @@ export async function takeSnapshots(
   for (const orbit of orbits) {
     const picture = await mode.viewer.capture(orbit, width, height);
     if (picture === null) {
-      throw new ToldError("unsupported", words.errors.graphics, { hint: words.errors.graphicsHint });
+      const { message, hint } = NO_GRAPHICS[words.language];
+      throw new ToldError("unsupported", message, { hint });
     }
     pictures.push(picture);
   }

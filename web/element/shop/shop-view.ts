@@ -136,7 +136,7 @@ export class ShopView {
     const desk = this.#bench?.desk;
     const { undoLabel = null, redoLabel = null } = desk?.store.state ?? {};
     return html`
-      <div class="own tools" role="toolbar" aria-label=${words.panel}>
+      <div class="own tools">
         ${
           readonly
             ? nothing

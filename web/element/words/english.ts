@@ -88,8 +88,6 @@ export const english = {
     zoneMaterial: (zone: string, material: number): string =>
       `The zone “${zone}” is on material ${material}, which the model does not have.`,
     zoneMaterialHint: (materials: string): string => `Give it one of the model's: ${materials}.`,
-    graphics: "The picture could not be drawn: the graphics are not there.",
-    graphicsHint: "Wait a moment and try again.",
     graphicsLost: "The browser has taken the graphics away. Nothing of your design is lost.",
     graphicsLostHint: "Try again; if that does not help, restart the browser.",
     badOption: (name: string): string => `${name} is not what it must be.`,

@@ -83,8 +83,6 @@ export const german: Words = {
     nowhereHint: "Dreh das Produkt so, dass man sie sieht.",
     zoneMaterial: (zone, material) => `Die Zone „${zone}“ liegt auf Material ${material}, das das Modell nicht hat.`,
     zoneMaterialHint: (materials) => `Gib ihr eines des Modells: ${materials}.`,
-    graphics: "Das Bild ließ sich nicht zeichnen: Die Grafik ist nicht da.",
-    graphicsHint: "Warte einen Moment und versuche es noch einmal.",
     graphicsLost: "Der Browser hat die Grafik weggenommen. Von deinem Entwurf ist nichts verloren.",
     graphicsLostHint: "Versuche es noch einmal; hilft das nicht, starte den Browser neu.",
     badOption: (name) => `${name} ist nicht, was es sein muss.`,
