@@ -207,3 +207,17 @@ test.describe("on a phone", () => {
     await expect(page.locator("tc-tool-rail [role=radiogroup]")).toHaveAttribute("aria-orientation", "horizontal");
   });
 });
+
+test("a number that is not taken is said with what may be typed, and stays marked while that is heard", async ({
+  editor,
+  page,
+}) => {
+  await editor.openOnLowest();
+  const opacity = page.locator("tc-layer-properties [data-field=opacity]");
+  const input = opacity.locator("input[role=spinbutton]");
+  await input.fill("250");
+  await input.press("Enter");
+  await expect(announcer(editor)).toHaveText("Opacity: from 0 % to 100 %");
+  await expect(opacity).toHaveAttribute("refused");
+  await expect(input).toHaveAttribute("aria-invalid", "true");
+});

@@ -205,6 +205,42 @@ for (const [name, width, height, hasTouch] of [
   });
 }
 
+test.describe("on a desktop's page at 400 %", () => {
+  test.use({ viewport: { width: 320, height: 256 } });
+
+  test("no button lies over another, with a tool's settings too, and the layers are scrolled to", async ({
+    editor,
+    page,
+  }) => {
+    await editor.open();
+    const covered = (): Promise<string[]> =>
+      page.locator("tc-tool-rail button, tc-stage .tools button, tc-tool-options button").evaluateAll((buttons) =>
+        buttons.flatMap((button) => {
+          const { x, y, width, height } = button.getBoundingClientRect();
+          // What has given way is not shown.
+          if (width === 0) return [];
+          return [0.1, 0.5, 0.9].flatMap((share) => {
+            let top = document.elementFromPoint(x + width * share, y + height / 2);
+            while (top?.shadowRoot) {
+              const inner = top.shadowRoot.elementFromPoint(x + width * share, y + height / 2);
+              if (!inner || inner === top) break;
+              top = inner;
+            }
+            return top && button.contains(top) ? [] : [`${button.getAttribute("aria-label")} at ${share}`];
+          });
+        }),
+      );
+    for (const tool of ["#tool-move", "#tool-brush"]) {
+      await page.locator(tool).click();
+      await expect.poll(covered, tool).toEqual([]);
+    }
+    const row = page.locator("tc-layer-list .row").last();
+    await row.scrollIntoViewIfNeeded();
+    await row.click();
+    await expect(row).toHaveAttribute("aria-current", "true");
+  });
+});
+
 test.describe("the first steps", () => {
   for (const [name, width, height] of [
     ["a small laptop", 1280, 640],

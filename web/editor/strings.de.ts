@@ -62,6 +62,8 @@ export const german: Strings = {
 
   stage: {
     view: "Modell in 3D. Pfeiltasten verschieben den gewählten Aufkleber oder drehen die Ansicht, wenn keiner gewählt ist.",
+    viewWithTool: (tool) =>
+      `Modell in 3D. ${tool}: Pfeiltasten bewegen das Werkzeug über die Oberfläche, Leertaste oder Eingabe benutzt es.`,
     frame: "Das ganze Modell zeigen",
     play: "Animation abspielen",
     emptyTitle: "Öffne ein Modell",
@@ -684,6 +686,8 @@ export const german: Strings = {
   },
 
   announce: {
+    refused: (name, least, most) =>
+      `${name}: ${least ? (most ? `von ${least} bis ${most}` : `mindestens ${least}`) : most ? `höchstens ${most}` : "eine Zahl"}`,
     selected: (name) => `${name} ausgewählt`,
     nothingSelected: "Nichts ausgewählt",
     added: (name) => `${name} hinzugefügt`,

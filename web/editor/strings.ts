@@ -60,6 +60,8 @@ const english = {
 
   stage: {
     view: "Model in 3D. Arrow keys move the selected decal, or turn the view while none is selected.",
+    viewWithTool: (tool: string): string =>
+      `Model in 3D. ${tool}: arrow keys move it over the surface, Space or Enter uses it.`,
     frame: "Show the whole model",
     play: "Play the animation",
     emptyTitle: "Open a model to begin",
@@ -675,6 +677,9 @@ const english = {
   },
 
   announce: {
+    /** "": no bound, as of a number that there is none of. */
+    refused: (name: string, least: string, most: string): string =>
+      `${name}: ${least ? (most ? `from ${least} to ${most}` : `${least} at least`) : most ? `${most} at most` : "a number"}`,
     selected: (name: string): string => `${name} selected`,
     nothingSelected: "Nothing selected",
     added: (name: string): string => `${name} added`,

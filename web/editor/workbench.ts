@@ -29,6 +29,7 @@ import { EditorElement } from "./ui/editor-element.ts";
 import { ACCEPT, pickFiles } from "./ui/file-picker.ts";
 import { endOpenField } from "./ui/open-field.ts";
 import "./ui/menu.ts";
+import type { Refusal } from "./ui/number-field.ts";
 import "./ui/number-field.ts";
 import "./ui/splitter.ts";
 import { windowOf } from "../viewer/window-of.ts";
@@ -242,6 +243,16 @@ export class Workbench extends EditorElement {
       capture: true,
       signal,
     });
+    this.addEventListener(
+      "field-refused",
+      (event) => {
+        // A page around the editor has no field of that kind.
+        event.stopPropagation();
+        const { name, least, most } = (event as CustomEvent<Refusal>).detail;
+        this.editor.board.announce(this.strings.announce.refused(name, least, most));
+      },
+      { signal },
+    );
     for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
     whole.addEventListener("dragover", (event) => this.#dragOver(event as DragEvent), { signal });
     whole.addEventListener("dragleave", (event) => this.#dragLeave(event as DragEvent), { signal });
@@ -291,7 +302,7 @@ export class Workbench extends EditorElement {
             </tc-bottom-sheet>`
           : html`
               ${this.#hintBesideViews ? this.#hint() : nothing}
-              <tc-status-line .editor=${editor} aria-label=${this.strings.status.label}></tc-status-line>
+              <tc-status-line .editor=${editor} role="group" aria-label=${this.strings.status.label}></tc-status-line>
               <tc-side-panel .editor=${editor} role="complementary" aria-label=${this.strings.sidePanel}></tc-side-panel>
             `
       }

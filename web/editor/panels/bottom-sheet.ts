@@ -41,7 +41,12 @@ export class BottomSheet extends EditorElement {
       .panel {
         display: grid;
         grid-template-rows: auto minmax(0, 1fr);
-        height: min(0.42 * var(--box-height, 100dvh), 24rem);
+        /* In a low window, as of a page at 400 %, the view keeps the height of a tool's settings above the tools. */
+        height: min(
+          0.42 * var(--box-height, 100dvh),
+          24rem,
+          max(4.5rem, var(--box-height, 100dvh) - 7.75rem - 2.2 * var(--target))
+        );
         min-height: 0;
         overflow: hidden;
         border-bottom: 1px solid var(--line);

@@ -18,9 +18,9 @@ export function brushFields(context: PropertyContext, { brush }: StrokeLayer): T
       patch: (value) => ({ brush: patch(value / 100) }),
     });
   const flow = percent(words.flow, words.flowHint, brush.flow, (share) => ({ ...brush, flow: share }));
-  if (brush.tip === "picture") return html`<section aria-label=${words.brush}>${flow}</section>`;
+  if (brush.tip === "picture") return html`<section role="group" aria-label=${words.brush}>${flow}</section>`;
   return html`
-    <section aria-label=${words.brush}>
+    <section role="group" aria-label=${words.brush}>
       ${colorField(context, "brush-color", words.color, brush.color, (color) => ({ brush: { ...brush, color } }))}
       <div class="two">
         ${percent(words.hardness, words.hardnessHint, brush.hardness, (hardness) => ({ ...brush, hardness }))}${flow}

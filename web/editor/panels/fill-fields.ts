@@ -176,7 +176,7 @@ export function partsFields(context: PropertyContext, layer: FillLayer): Templat
   const count =
     layer.parts === null ? 0 : layer.parts.kind === "charts" ? layer.parts.charts.length : layer.parts.faces.length;
   return html`
-    <section aria-label=${parts.title}>
+    <section role="group" aria-label=${parts.title}>
       ${choiceField<PartsKind>("parts", parts.title, parts.kinds, kind, choose)}
       ${
         layer.parts === null

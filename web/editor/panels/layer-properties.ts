@@ -85,7 +85,7 @@ export class LayerProperties extends EditorElement {
         `;
       case "fill":
         return html`
-          <section aria-label=${this.strings.gradient.kind}>${fillFields(context, layer)}</section>
+          <section role="group" aria-label=${this.strings.gradient.kind}>${fillFields(context, layer)}</section>
           ${partsFields(context, layer)}${this.#look(context, layer, materialField(context, layer))}
         `;
       case "paint":
@@ -106,7 +106,7 @@ export class LayerProperties extends EditorElement {
   }
 
   #look(context: PropertyContext, layer: DesignLayer, rest: TemplateResult | typeof nothing = nothing): TemplateResult {
-    return html`<section aria-label=${this.#words.look}>
+    return html`<section role="group" aria-label=${this.#words.look}>
       ${opacityField(context, layer)}${mixingFields(context, layer)}${rest}
     </section>`;
   }

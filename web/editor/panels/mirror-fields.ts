@@ -35,7 +35,7 @@ export function mirrorFields(context: PropertyContext, layer: MirroredLayer): Te
     string
   >;
   return html`
-    <section aria-label=${words.mirror} title=${words.mirrorHint}>
+    <section role="group" aria-label=${words.mirror} title=${words.mirrorHint}>
       ${choiceField<Mirror["axis"] | "none">("mirror", words.mirror, { none: words.mirrorNone, ...names }, mirror?.axis ?? "none", choose)}
       ${mirror === null ? nothing : planeFields(context, layer, mirror)}
     </section>

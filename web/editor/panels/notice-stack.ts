@@ -10,6 +10,15 @@ import { sentence } from "../ui/sentence.ts";
 import { plainControls } from "../ui/theme.ts";
 
 export class NoticeStack extends EditorElement {
+  static override properties = { since: { attribute: false } };
+  /** Shows only what has come after the notice of this number, and announces nothing: a dialog's own. Null: all, and the page's. */
+  declare since: number | null;
+
+  constructor() {
+    super();
+    this.since = null;
+  }
+
   static override styles = [
     plainControls,
     css`
@@ -147,15 +156,18 @@ export class NoticeStack extends EditorElement {
     const { viewer, textureView } = this.editor;
     const work = this.state.view.layout === "texture" ? textureView : viewer;
     const buttons = this.#buttons;
-    (buttons[this.#focused] ?? buttons.at(-1) ?? work.element).focus({ preventScroll: true });
+    const before = this.closest("dialog")?.querySelector("button") ?? work.element;
+    (buttons[this.#focused] ?? buttons.at(-1) ?? before).focus({ preventScroll: true });
   }
 
   override render(): TemplateResult {
-    const { notices, tasks, announcement } = this.state;
-    const shown = tasks.filter(({ visible }) => visible);
+    const { tasks, announcement } = this.state;
+    const { since } = this;
+    const notices = this.state.notices.filter(({ id }) => since === null || id > since);
+    const shown = since !== null ? [] : tasks.filter(({ visible }) => visible);
     this.toggleAttribute("filled", notices.length + shown.length > 0);
     return html`
-      <div class="visually-hidden" id="announcer" aria-live="polite">${announcement}</div>
+      ${since === null ? html`<div class="visually-hidden" id="announcer" aria-live="polite">${announcement}</div>` : nothing}
       ${repeat(
         shown,
         ({ id }) => id,

@@ -38,7 +38,7 @@ export function placementFields(
   const words = context.editor.strings.properties;
   const step = lengthStep(context.state);
   return html`
-    <section aria-label=${words.placement}>
+    <section role="group" aria-label=${words.placement}>
       ${projector.kind === "uv" ? nothing : pose(context, projector, step, memory)}
       ${
         projector.kind === "planar"

@@ -33,7 +33,7 @@ export function projectionTools(editor: Editor, { projector }: Thrown): Template
     for (const other of input.closest(".kinds")?.querySelectorAll("input") ?? []) other.checked = other.value === own;
   };
   return html`
-    <section aria-label=${words.title} id="projection">
+    <section role="group" aria-label=${words.title} id="projection">
       <h3>${words.title}</h3>
       <div class="segments kinds" role="radiogroup" aria-label=${words.title}>
         ${kinds.map(

@@ -9,6 +9,7 @@ import { controls } from "../ui/controls.ts";
 import { dialogFrame } from "../ui/dialog-frame.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
+import "./notice-stack.ts";
 
 export class ProjectsDialog extends EditorElement {
   static override properties = { shown: { state: true }, renaming: { state: true } };
@@ -32,6 +33,12 @@ export class ProjectsDialog extends EditorElement {
         margin: 0;
         padding: 0 var(--space-2) var(--space-3);
         list-style: none;
+      }
+      /* What fails meanwhile: the page's own notices lie behind, where nothing is pressed or heard. */
+      tc-notice-stack[filled] {
+        position: sticky;
+        inset-block-end: 0;
+        padding: 0 var(--space-2) var(--space-2);
       }
       .empty {
         padding: var(--space-2) var(--space-4) var(--space-5);
@@ -132,9 +139,11 @@ export class ProjectsDialog extends EditorElement {
 
   /** What was said before it was opened. */
   #saidBefore = "";
+  #noticedBefore = 0;
 
   show(): void {
     this.#saidBefore = this.state.announcement;
+    this.#noticedBefore = Math.max(0, ...this.state.notices.map(({ id }) => id));
     this.shown = true;
     this.#dialog?.showModal();
     void this.editor.projects.refresh().then(() => this.editor.projects.refreshThumbnail());
@@ -163,6 +172,7 @@ export class ProjectsDialog extends EditorElement {
         </header>
         <div class="visually-hidden" aria-live="polite">${announcement === this.#saidBefore ? nothing : announcement}</div>
         ${this.shown ? this.#list(this.state.projects) : nothing}
+        ${this.shown ? html`<tc-notice-stack .editor=${this.editor} .since=${this.#noticedBefore}></tc-notice-stack>` : nothing}
       </dialog>
     `;
   }

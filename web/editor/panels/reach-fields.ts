@@ -57,7 +57,7 @@ export function reachFields(context: PropertyContext, layer: ThrownLayer): Templ
   // A flat stamp lies on the texture: no surface turns away from it or stands before it.
   if (layer.type !== "stroke" && layer.projector.kind === "uv") return materialField(context, layer);
   return html`
-    <section aria-label=${words.reach}>
+    <section role="group" aria-label=${words.reach}>
       <h3>${words.reach}</h3>
       <div class="two">
         ${fade(words.fadeStart, start, (value) => ({ angleFade: [value, Math.max(value, end)] }))}

@@ -71,6 +71,14 @@ export class SidePanel extends EditorElement {
         max-height: none;
         border: 0;
       }
+      /* Lower than its parts, it scrolls as a whole: the list would have no height left. */
+      @media (max-height: 28rem) {
+        :host([single]) .upper {
+          grid-template-rows: minmax(8rem, 1fr) auto;
+          overflow: hidden auto;
+          overscroll-behavior: contain;
+        }
+      }
       :host([noted]) .upper {
         grid-template-rows: auto auto minmax(0, 1fr);
       }

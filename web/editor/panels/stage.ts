@@ -146,6 +146,12 @@ export class Stage extends EditorElement {
         inset-block: auto var(--space-2);
         inset-inline: var(--space-2);
       }
+      /* So low that the buttons, and a tool's settings, come down to the tools: those end before them. */
+      @container (max-height: 10em) {
+        :host([data-sheet="below"]) tc-tool-rail {
+          inset-inline-end: calc(2 * var(--target) + var(--space-1) + 2 * var(--space-2));
+        }
+      }
       :host([data-sheet="below"]) tc-animation-bar {
         inset-block-end: calc(var(--target) + 3 * var(--space-2));
         inset-inline: var(--space-2);
@@ -192,7 +198,7 @@ export class Stage extends EditorElement {
     const { model, tool, animation, tasks, view, shown, starting, demos, sheet } = state;
     return [
       model,
-      tool === "move",
+      tool,
       animation.clips,
       animation.clip === null,
       tasks.length === 0,
@@ -278,6 +284,7 @@ export class Stage extends EditorElement {
   /** The keyboard goes from one to the other. */
   override updated(): void {
     const moves = this.state.animation.clip !== null;
+    this.#nameView();
     if (this.#givesWay === null || moves !== (this.#givesWay === "button")) return;
     this.#givesWay = null;
     if (!moves) this.renderRoot.querySelector<HTMLElement>("#play")?.focus();
@@ -285,6 +292,14 @@ export class Stage extends EditorElement {
       const bar = this.renderRoot.querySelector("tc-animation-bar");
       void bar?.updateComplete.then(() => bar.focus());
     }
+  }
+
+  /** What its keys do is another thing with another tool in hand. */
+  #nameView(): void {
+    const { tools, viewer } = this.editor;
+    const { active } = tools;
+    const { view, viewWithTool } = this.#words;
+    viewer.element.ariaLabel = !active || active.id === "move" ? view : viewWithTool(active.label(this.strings));
   }
 
   #showAll(): void {

@@ -129,7 +129,7 @@ export class TextFields extends EditorElement {
     const layer = layerById(design, selectedId);
     if (layer?.type !== "text") return html``;
     const fields = html`
-      <section aria-label=${this.#words.name}>
+      <section role="group" aria-label=${this.#words.name}>
         ${this.#wordsField(layer)}${this.#missing(layer)}
         <div class="field">
           <span id="font-label">${this.#words.font}</span>

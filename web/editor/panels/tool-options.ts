@@ -115,12 +115,11 @@ export class ToolOptions extends EditorElement {
         ${
           seldom.length > 0
             ? html`<button
-                class="icon"
+                class="icon opens"
                 id="more-options"
                 aria-label=${this.#words.more}
                 title=${this.#words.more}
                 aria-expanded=${toolPanel === "more"}
-                aria-pressed=${toolPanel === "more"}
                 @click=${() => this.#toggle("more")}
               >
                 ${icon(SlidersHorizontal)}
@@ -252,12 +251,11 @@ export class ToolOptions extends EditorElement {
           ${icon(ArrowLeftRight)}
         </button>
         <button
-          class="icon"
+          class="icon opens"
           id="show-palette"
           aria-label=${this.strings.palette.show}
           title=${this.strings.palette.show}
           aria-expanded=${this.state.toolPanel === "palette"}
-          aria-pressed=${this.state.toolPanel === "palette"}
           @click=${() => this.#toggle("palette")}
         >
           ${icon(Palette)}
@@ -269,12 +267,11 @@ export class ToolOptions extends EditorElement {
   #tip({ tip }: ToolSettings): TemplateResult {
     return html`
       <button
-        class="tip"
+        class="tip opens"
         id="tool-tip"
         aria-label=${this.strings.tips.label(tip?.name ?? this.#words.roundTip)}
         title=${this.strings.tips.label(tip?.name ?? this.#words.roundTip)}
         aria-expanded=${this.state.toolPanel === "tips"}
-        aria-pressed=${this.state.toolPanel === "tips"}
         @click=${() => this.#toggle("tips")}
       >
         ${tip === null ? html`<span class="disc"></span>` : html`<img src=${tip.asset.uri} alt="" />`}

@@ -136,12 +136,11 @@ export class ViewMenu extends EditorElement {
     };
     return html`
       <button
-        class="icon opener"
+        class="icon opens opener"
         id="view-menu"
         aria-label=${this.#words.menu}
         title=${this.#words.menu}
         aria-expanded=${shown}
-        aria-pressed=${shown}
         aria-controls=${this.open ? "view-panel" : nothing}
         @click=${toggle}
       >

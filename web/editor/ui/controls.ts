@@ -8,7 +8,7 @@ const forcedColors = css`
      design keeps it, where it stands. */
   @media (forced-colors: active) {
     button:is([aria-pressed="true"], [aria-selected="true"], [aria-checked="true"]),
-    nav button[aria-expanded="true"],
+    :is(nav button, button.opens)[aria-expanded="true"],
     .segments input:checked + span {
       forced-color-adjust: none;
       background: Highlight !important;
@@ -28,4 +28,12 @@ const forcedColors = css`
   }
 `;
 
-export const controls = [plainControls, forcedColors];
+/** A button that has laid something open: that is its state, and none of being pressed beside it, which would be said as another. */
+const openers = css`
+  button.opens[aria-expanded="true"] {
+    background: var(--accent-soft);
+    color: var(--accent);
+  }
+`;
+
+export const controls = [plainControls, openers, forcedColors];

@@ -1,6 +1,7 @@
 /**
  * A numeric field: typing, arrow keys, and a label to scrub with the pointer. Emits `field-preview` while a scrub goes
  * on, `field-change` when a value is final, `field-cancel` when a key takes a scrub back; `detail` is a NumberFieldEvent.
+ * `field-refused`, which panels let through, tells what may be typed of a number that was not taken: it is seen, and must be heard.
  */
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { takesBack } from "../../viewer/take-back-key.ts";
@@ -19,8 +20,15 @@ export interface NumberFieldEvent {
 const SCRUB_START = 3;
 const COARSE = 10;
 const FINE = 0.1;
-/** Milliseconds that a field is marked whose number was not understood. */
-const REFUSAL = 1500;
+/** Of `field-refused`: what was typed is no number, or none between these, as the field writes them; "": no bound. */
+export interface Refusal {
+  readonly name: string;
+  readonly least: string;
+  readonly most: string;
+}
+
+/** Milliseconds that a field is marked at least whose number was not taken. */
+const REFUSAL = 5000;
 
 export class NumberField extends RemElement {
   /** A fieldset around it that is disabled disables it. */
@@ -268,6 +276,10 @@ export class NumberField extends RemElement {
     const input = this.#input;
     input?.setAttribute("aria-invalid", "true");
     this.toggleAttribute("refused", true);
+    const bound = (value: number): string =>
+      Number.isFinite(value) ? `${this.#shown(value, this.step)} ${this.unit}`.trim() : "";
+    const detail: Refusal = { name: this.name, least: bound(this.min), most: bound(this.max) };
+    this.dispatchEvent(new CustomEvent("field-refused", { detail, bubbles: true, composed: true }));
     clearTimeout(this.#refusal);
     this.#refusal = setTimeout(() => {
       this.toggleAttribute("refused", false);
