@@ -241,6 +241,24 @@ test.describe("on a desktop's page at 400 %", () => {
   });
 });
 
+test.describe("on the smallest phone", () => {
+  test.use({ viewport: { width: 320, height: 568 }, hasTouch: true, isMobile: true });
+
+  test("the model's menu shows its sign, as there is no width for its name, which a wider one shows", async ({
+    editor,
+    page,
+  }) => {
+    await editor.open();
+    const menu = page.locator("tc-top-bar .models");
+    await expect(menu.getByText("Mug")).toBeHidden();
+    await expect(menu.locator("tc-icon").first()).toBeVisible();
+    await expect(menu.getByRole("button")).toHaveAccessibleName(/Mug/);
+    await editor.resize(390, 844);
+    await expect(menu.getByText("Mug")).toBeVisible();
+    await expect(menu.locator("tc-icon").first()).toBeHidden();
+  });
+});
+
 test.describe("the first steps", () => {
   for (const [name, width, height] of [
     ["a small laptop", 1280, 640],

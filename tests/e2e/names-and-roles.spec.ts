@@ -64,3 +64,25 @@ test("what fails while the list of projects is open is told in it, and can be se
   await expect(alert).toHaveCount(0);
   await expect(dialog.getByRole("button").first(), "the keyboard stays in the dialog").toBeFocused();
 });
+
+test("who asks for more contrast sees where fields end, and no word is paler than another", async ({
+  editor,
+  page,
+}) => {
+  await editor.openOnLowest();
+  const colors = (): Promise<string[]> =>
+    page.locator("tc-top-bar").evaluate((bar) => {
+      const { borderBottomColor, color } = getComputedStyle(bar);
+      const quiet = bar.shadowRoot?.querySelector("#help");
+      return [borderBottomColor, color, quiet ? getComputedStyle(quiet).color : ""];
+    });
+  for (const colorScheme of ["light", "dark"] as const) {
+    await page.emulateMedia({ colorScheme, contrast: "no-preference", reducedMotion: "reduce" });
+    const [usual, text, quiet] = await colors();
+    expect(quiet).not.toBe(text);
+    await page.emulateMedia({ contrast: "more" });
+    await expect.poll(async () => (await colors())[2]).toBe(text);
+    const [line = ""] = await colors();
+    expect(line).not.toBe(usual);
+  }
+});

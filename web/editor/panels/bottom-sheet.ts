@@ -96,6 +96,11 @@ export class BottomSheet extends EditorElement {
         overflow: hidden auto;
         overscroll-behavior: contain;
       }
+      @media (max-width: 22rem) {
+        tc-view-settings {
+          padding-inline: var(--space-3);
+        }
+      }
       nav {
         display: grid;
         grid-auto-flow: column;

@@ -185,7 +185,8 @@ export class TopBar extends EditorElement {
         class="models"
         .kind=${this.#words.models}
         .label=${title}
-        .icon=${this.compact ? null : Box}
+        .icon=${Box}
+        ?yielding=${this.compact}
         .name=${`${this.#words.models}: ${title}`}
         .items=${this.#modelItems()}
       ></tc-menu>

@@ -94,6 +94,18 @@ export class Menu extends RemElement {
           display: none;
         }
       }
+      :host([yielding]) .opener > :first-child {
+        display: none;
+      }
+      /* The smallest phones have no width for even a letter of the name. */
+      @media (max-width: 22rem) and (pointer: coarse) {
+        :host([yielding]) .opener > * {
+          display: none;
+        }
+        :host([yielding]) .opener > :first-child {
+          display: block;
+        }
+      }
       /* In the top layer, so that no panel that scrolls cuts it off; placed by its opener. */
       [role="menu"] {
         position: fixed;

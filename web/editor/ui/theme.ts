@@ -71,6 +71,15 @@ export const theme = css`
     }
   }
 
+  /* Who asks for more of it sees where a field ends, and reads all words alike. */
+  @media (prefers-contrast: more) {
+    :host {
+      --line: light-dark(#5a616c, #a4abb6);
+      --line-strong: var(--text);
+      --text-quiet: var(--text);
+    }
+  }
+
   @media (pointer: coarse) {
     :host {
       --target: 44px;
