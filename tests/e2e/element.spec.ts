@@ -505,3 +505,37 @@ test.describe("on a phone", () => {
     expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
   });
 });
+
+test("what keys do to a picture is said in the customer's language once they rest, and a number that is not taken as well", async ({
+  page,
+}) => {
+  await openShop(page, "?locale=de");
+  const editor = page.locator("texelcast-editor");
+  await editor.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => {
+    await element.start();
+    await element.addDecal("demo/decals/smiley.png", { name: "Smiley" });
+  });
+  const said = editor.locator(".visually-hidden[role=status]");
+  const heard: [key: string, what: RegExp][] = [
+    ["ArrowLeft", /^0,\d cm nach links$/],
+    ["]", /^Drehung -?\d+,\d°$/],
+    ["+", /^Breite \d,\d cm, Höhe \d,\d cm$/],
+  ];
+  const view = editor.getByRole("application");
+  for (const [key, what] of heard) {
+    for (let step = 0; step < 3; step += 1) await view.press(key);
+    await expect(said).toHaveText(what);
+  }
+  const leaked = editor.evaluate(
+    (element) =>
+      new Promise((resolve) => element.addEventListener("field-refused", () => resolve(true), { once: true })),
+  );
+  const width = editor.getByRole("spinbutton", { name: "Breite" });
+  await width.fill("9999");
+  await width.press("Enter");
+  await expect(said).toHaveText(/^Breite: 0,01 cm – [\d,]+ cm$/);
+  expect(await Promise.race([leaked, page.evaluate(() => false)])).toBe(false);
+  // Two parts of one name would be one to whoever walks by names.
+  const named = editor.locator(".shop").getByLabel("Dein Design", { exact: true });
+  await expect(named).toHaveCount(1);
+});

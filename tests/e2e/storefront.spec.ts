@@ -104,6 +104,9 @@ test("an edit of a text that still has the focus is in the price that goes into 
   const { page, editor } = shop;
   await page.getByRole("link", { name: "Stoneware mug" }).click();
   await shop.productShown();
+  // Whoever does not see where it begins is told.
+  const designer = page.getByRole("group", { name: "Stoneware mug" });
+  await expect(designer.getByRole("button", { name: "Add text" })).toBeVisible();
   await editor.getByRole("button", { name: "Add text" }).click();
   await expect(page.getByText("1 print", { exact: true })).toBeVisible();
   const before = await page.locator(".sum dd").textContent();

@@ -289,7 +289,7 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
       ${made?.render() ?? view}
       ${phase === "ready" ? nothing : cover({ words, poster, phase, share, error: shownError, start })}
       ${phase === "ready" && shownError ? notice(shownError, words, () => this.#voice.dismiss()) : nothing}
-      <div class="visually-hidden" role="status">${announcement}</div>
+      <div class="visually-hidden" role="status" lang=${words.language}>${announcement}</div>
     `;
   }
 

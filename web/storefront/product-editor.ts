@@ -29,7 +29,9 @@ export async function placeElement(
     parts,
   ]);
   const element = new TexelcastEditor();
-  element.setAttribute("aria-label", label);
+  // An element of no role has no name.
+  element.role = "group";
+  element.ariaLabel = label;
   element.addEventListener("change", ({ detail }) => onChange(detail));
   element.addEventListener("submit", (event) => {
     event.preventDefault();

@@ -11,6 +11,7 @@ import { ToldError } from "../../editor/strings/told-error.ts";
 import type { Projector } from "../../engine/engine-api.ts";
 import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions, TextOptions } from "../element-api.ts";
+import { PLACING_WORDS } from "../words/placing-words.ts";
 import type { Desk } from "./desk.ts";
 import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
 import { startingPlace } from "./zone-place.ts";
@@ -44,7 +45,8 @@ export function placeFor(
   }
   const hit = at ?? start?.hit ?? (position === undefined ? null : viewer.surface.near(position));
   if (options.projector === undefined && hit === null) {
-    throw new ToldError("bad-argument", words.errors.nowhere, { hint: words.errors.nowhereHint });
+    const { nowhere, hint } = PLACING_WORDS[words.language];
+    throw new ToldError("bad-argument", nowhere, { hint });
   }
   const projector = options.projector ?? viewer.projectorAt(hit as SurfaceHit, width, aspect);
   const material = options.material ?? desk.reach.at(projector, false, hit?.material ?? desk.material);

@@ -5,7 +5,7 @@ import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import { orientationOf } from "../../editor/state/rotation.ts";
 import "../../editor/ui/number-field.ts";
-import type { NumberFieldEvent } from "../../editor/ui/number-field.ts";
+import type { NumberFieldEvent, Refusal } from "../../editor/ui/number-field.ts";
 import type { Projector } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontOf } from "../../engine/shipped-fonts.ts";
 import type { Desk } from "../desk/desk.ts";
@@ -151,11 +151,16 @@ function number(
     @field-preview=${(event: CustomEvent<NumberFieldEvent>) => place(event, false)}
     @field-change=${(event: CustomEvent<NumberFieldEvent>) => place(event, true)}
     @field-cancel=${() => view.desk.session.cancelPreview()}
+    @field-refused=${(event: CustomEvent<Refusal>) => {
+      // The shop's page is none of its listeners.
+      event.stopPropagation();
+      view.desk.hooks.announce(`${name}: ${event.detail.least} – ${event.detail.most}`);
+    }}
   ></tc-number>`;
 }
 
 /** Metres; null where a size is not one of lengths. */
-function sizeOf(projector: Projector): { readonly width: number; readonly height: number } | null {
+export function sizeOf(projector: Projector): { readonly width: number; readonly height: number } | null {
   switch (projector.kind) {
     case "planar":
       return { width: projector.size[0], height: projector.size[1] };
@@ -167,6 +172,6 @@ function sizeOf(projector: Projector): { readonly width: number; readonly height
 }
 
 /** Degrees counter-clockwise, as the picture's viewer sees it. */
-function turnOf(projector: Projector): number {
+export function turnOf(projector: Projector): number {
   return projector.kind === "uv" ? -projector.angle : orientationOf(projector.rotation).spin;
 }

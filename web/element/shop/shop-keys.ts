@@ -3,13 +3,14 @@
 import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import type { Desk } from "../desk/desk.ts";
+import type { KeyStep } from "./key-report.ts";
 
 /** Of the model's diagonal. */
 const NUDGE_SHARE = 0.002;
 const COARSE = 10;
 
 /** True when the key was ours, and its default must not happen. */
-export function handleKey(event: KeyboardEvent, desk: Desk): boolean {
+export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeyStep) => void): boolean {
   if (event.defaultPrevented || event.isComposing || event.altKey) return false;
   const [target] = event.composedPath();
   const typing =
@@ -32,13 +33,15 @@ export function handleKey(event: KeyboardEvent, desk: Desk): boolean {
   if (target instanceof HTMLButtonElement && event.key.startsWith("Arrow")) return false;
   const steps = event.shiftKey ? COARSE : 1;
   const { projector } = selected;
-  const place = (kind: string, changed: typeof projector): true => {
+  const place = (kind: KeyStep["kind"], changed: typeof projector, right = 0, up = 0): true => {
     desk.place(selected.id, changed, true, kind);
+    report({ kind, right, up });
     return true;
   };
   const step = NUDGE_SHARE * diagonalOf(desk.store.state.model) * steps;
   const nudge = (right: number, up: number): boolean =>
-    desk.hands !== null && place("nudge", desk.hands.nudge(projector, right * step, up * step));
+    desk.hands !== null &&
+    place("nudge", desk.hands.nudge(projector, right * step, up * step), right * step, up * step);
   if (event.code === "BracketLeft") return place("spin", spunProjector(projector, steps));
   if (event.code === "BracketRight") return place("spin", spunProjector(projector, -steps));
   switch (event.key) {

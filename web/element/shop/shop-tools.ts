@@ -6,12 +6,14 @@ import type { Desk } from "../desk/desk.ts";
 import { addPicture } from "../desk/placing.ts";
 import { Texts } from "../desk/texts.ts";
 import type { DecalSource, PlaceOptions } from "../element-api.ts";
-import { type FieldsHost, layerFields } from "./layer-fields.ts";
+import type { KeyReport } from "./key-report.ts";
+import { type FieldsHost, layerFields, sizeOf, turnOf } from "./layer-fields.ts";
 import { handleKey } from "./shop-keys.ts";
 
 export class ShopTools {
   readonly texts: Texts;
   readonly #desk: Desk;
+  #report: Promise<KeyReport | null> | undefined;
 
   constructor(desk: Desk) {
     this.#desk = desk;
@@ -35,7 +37,13 @@ export class ShopTools {
 
   /** True when the key was ours, and its default must not happen. */
   key(event: KeyboardEvent): boolean {
-    return handleKey(event, this.#desk);
+    return handleKey(event, this.#desk, (step) => {
+      this.#report ??= import("./key-report.ts").then(
+        ({ KeyReport }) => new KeyReport(this.#desk, { sizeOf, turnOf }),
+        () => null,
+      );
+      void this.#report.then((report) => report?.after(step));
+    });
   }
 
   fields(host: Omit<FieldsHost, "texts">, layer: DesignLayer): TemplateResult | typeof nothing {

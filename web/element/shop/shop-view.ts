@@ -45,6 +45,7 @@ export class ShopView {
     return html`
       <div
         class="shop"
+        lang=${host.words.language}
         ?data-alone=${readonly}
         @focusin=${this.#touched}
         @pointerenter=${this.#touched}

@@ -72,19 +72,17 @@ export const english = {
 
   errors: {
     noModel: "There is no product to show.",
-    noModelHint: "Give the element a src: the address of a .glb or .gltf file.",
+    noModelHint: "Give it a src: the address of a .glb or .gltf file.",
     unreachable: (address: string): string => `${address} could not be fetched.`,
-    unreachableHint: "Check the address, and that its server allows this page to read it.",
+    unreachableHint: "Check the address, and that its server lets this page read it.",
     notReady: "The product is not shown yet.",
     readonly: "This design can be looked at and not changed.",
     tooMany: (most: number): string => `This product takes ${most} pictures and texts at most.`,
     tooManyHint: "Delete one to add another.",
     refused: (name: string): string => `“${name}” was not accepted.`,
     refusedHint: "Choose another picture.",
-    notOpenable: "None of the materials of this product can be painted.",
+    notOpenable: "No material of this product can be painted.",
     emptyText: "There are no words to put on.",
-    nowhere: "There is no surface to put it on.",
-    nowhereHint: "Turn the product so that it can be seen.",
     zoneMaterial: (zone: string, material: number): string =>
       `The zone “${zone}” is on material ${material}, which the model does not have.`,
     zoneMaterialHint: (materials: string): string => `Give it one of the model's: ${materials}.`,

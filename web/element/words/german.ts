@@ -79,8 +79,6 @@ export const german: Words = {
     refusedHint: "Wähle ein anderes Bild.",
     notOpenable: "Keines der Materialien dieses Produkts lässt sich bemalen.",
     emptyText: "Es gibt keine Worte, die darauf sollen.",
-    nowhere: "Es gibt keine Fläche dafür.",
-    nowhereHint: "Dreh das Produkt so, dass man sie sieht.",
     zoneMaterial: (zone, material) => `Die Zone „${zone}“ liegt auf Material ${material}, das das Modell nicht hat.`,
     zoneMaterialHint: (materials) => `Gib ihr eines des Modells: ${materials}.`,
     graphicsLost: "Der Browser hat die Grafik weggenommen. Von deinem Entwurf ist nichts verloren.",
