@@ -8,6 +8,16 @@ import { squareGltf } from "./support/test-files.ts";
 /** Built by every stage of `npm test` before its tests. */
 const COMMAND_LINE = fileURLToPath(new URL("../../build/node/texelcast.mjs", import.meta.url));
 
+/** A badge on the mug, kept as a project, and the page in another tab as well. */
+async function keptAndOpenInAnother(editor: EditorPage): Promise<EditorPage> {
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  await editor.page.evaluate(() => window.texelcast.kept());
+  const other = new EditorPage(await editor.page.context().newPage());
+  await other.open();
+  return other;
+}
+
 test("a tab closed without saving is back as it was, and its file renders to the same bytes in Node", async ({
   editor,
   page,
@@ -131,11 +141,7 @@ test("a list that is closed in one tab takes nothing for good that the list of a
   page,
 }) => {
   test.slow();
-  await editor.open();
-  await editor.addDemoDecal("badge");
-  await page.evaluate(() => window.texelcast.kept());
-  const other = new EditorPage(await page.context().newPage());
-  await other.open();
+  const other = await keptAndOpenInAnother(editor);
   for (const tab of [editor, other]) {
     await tab.chooseOfProjects("All projects");
     await tab.page.getByRole("button", { name: "Duplicate Mug", exact: true }).click();
@@ -157,11 +163,7 @@ test("a tab whose project another has deleted says so when it is seen again, and
   page,
 }) => {
   test.slow();
-  await editor.open();
-  await editor.addDemoDecal("badge");
-  await page.evaluate(() => window.texelcast.kept());
-  const other = new EditorPage(await page.context().newPage());
-  await other.open();
+  const other = await keptAndOpenInAnother(editor);
   await other.chooseOfProjects("All projects");
   await other.page.getByRole("button", { name: "Delete Mug", exact: true }).click();
   await expect(other.page.getByRole("button", { name: "Bring Mug back", exact: true })).toBeVisible();
