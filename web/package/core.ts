@@ -4,8 +4,8 @@
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Engine } from "../engine/engine-api.ts";
-import { createEngineClient, type EngineClientOptions } from "../engine/engine-client.ts";
-import { refused } from "../engine/refused-worker.ts";
+import type { EngineClientOptions } from "../engine/engine-client.ts";
+import { beginEngine } from "./begin-engine.ts";
 
 export { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../core/texelcast-error.ts";
 export type { CoreSource } from "../core/wasm-module.ts";
@@ -33,9 +33,5 @@ export function createEngine(options: EngineOptions = {}): Engine {
       hint: "On a server, create it by texelcast/node.",
     });
   }
-  try {
-    return createEngineClient(options);
-  } catch (thrown) {
-    throw refused(thrown);
-  }
+  return beginEngine(options);
 }

@@ -8,10 +8,10 @@ import type { DesignLayer } from "../editor/document/design.ts";
 import { makeDecalLayer } from "../editor/document/make-layer.ts";
 import { resolveLayers } from "../editor/document/resolve-layers.ts";
 import type { Engine, PlanarProjector, Projector, TargetOptions, Vec3 } from "../engine/engine-api.ts";
-import { createEngineClient, type EngineClientOptions } from "../engine/engine-client.ts";
-import { refused } from "../engine/refused-worker.ts";
+import type { EngineClientOptions } from "../engine/engine-client.ts";
 import { LiveTexture } from "../viewer/live-texture.ts";
 import { meshGlb } from "../viewer/mesh-glb.ts";
+import { beginEngine } from "./begin-engine.ts";
 
 export { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../core/texelcast-error.ts";
 export type { Projector } from "../engine/engine-api.ts";
@@ -123,14 +123,6 @@ export class PaintedMesh {
     if (this.mesh.material === this.#painted) this.mesh.material = this.#before;
     this.#painted.dispose();
     this.#live.dispose();
-  }
-}
-
-function beginEngine(options: EngineClientOptions): Engine {
-  try {
-    return createEngineClient(options);
-  } catch (thrown) {
-    throw refused(thrown);
   }
 }
 
