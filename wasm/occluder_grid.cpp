@@ -18,7 +18,6 @@ constexpr double kHalfSide = 0.5625;
 constexpr std::uint32_t kMaxCells = 512;
 // Eight occluders to a cell, were each in one cell alone: larger triangles lie in several.
 constexpr double kCellsAnOccluder = 0.125;
-constexpr std::uint32_t kHashFactor = 2654435761u;  // Knuth's: 2^32 by the golden ratio
 constexpr std::uint32_t kNoPlace = 0xffffffffu;
 // So far beyond an edge, as a share of the box, an occluder still hides. A texel on its triangle's edge may lie beyond it by what
 // single precision rounds; where the edge of two occluders lies upon that one, the one on that side has been told apart from the
@@ -166,21 +165,29 @@ TxcStatus OccluderGrid::build() {
     volume.reach = glm::dvec3(kHalfSide, kHalfSide, 0.5);
     std::vector<std::uint32_t> near;
     tree_.find(volume, near);
-    // The hash table takes less than four places an occluder.
-    if (const TxcStatus status =
-            share_.resize(near.size() * (sizeof(Occluder) + sizeof(Bounds16) + 5 * sizeof(std::uint32_t)), kBudgetName);
+    const std::size_t word_count = mesh_.triangles.size() / 32 + 1;
+    if (const TxcStatus status = share_.resize(
+            near.size() * (sizeof(Occluder) + sizeof(Bounds16) + 4) + word_count * sizeof(PlaceWord), kBudgetName);
         status != TXC_STATUS_OK)
         return status;
+    places_.assign(word_count, {0, 0});
+    for (const std::uint32_t triangle : near) places_[triangle / 32].listed |= 1u << triangle % 32;
     occluders_.reserve(near.size());
     std::vector<Bounds16> bounds;
     bounds.reserve(near.size());
-    for (const std::uint32_t triangle : near) {
-        Occluder occluder;
-        if (!flatten(triangle, occluder) || !is_in_volume(occluder)) continue;
-        occluders_.push_back(occluder);
-        bounds.push_back(bounds_of(occluder));
+    for (std::uint32_t w = 0; w < word_count; ++w) {
+        PlaceWord& word = places_[w];
+        word.first = static_cast<std::uint32_t>(occluders_.size());
+        for (std::uint32_t left = word.listed; left != 0; left &= left - 1) {
+            Occluder occluder;
+            if (flatten(w * 32 + __builtin_ctz(left), occluder) && is_in_volume(occluder)) {
+                occluders_.push_back(occluder);
+                bounds.push_back(bounds_of(occluder));
+            } else {
+                word.listed ^= left & -left;
+            }
+        }
     }
-    list_places();
     return fill_cells(bounds);
 }
 
@@ -200,23 +207,11 @@ std::uint32_t OccluderGrid::beginning(const Block& block, std::uint16_t column, 
     return lane_bits((load8(block.low_x) >= splat8(column)) & (load8(block.low_y) >= splat8(row)));
 }
 
-void OccluderGrid::list_places() {
-    std::size_t size = 1;
-    while (size < occluders_.size() * 2) size *= 2;
-    places_.assign(size, 0);
-    for (std::uint32_t o = 0; o < occluders_.size(); ++o) {
-        std::size_t at = occluders_[o].triangle * kHashFactor & (size - 1);
-        while (places_[at] != 0) at = (at + 1) & (size - 1);
-        places_[at] = o + 1;
-    }
-}
-
 std::uint32_t OccluderGrid::place_of(std::uint32_t triangle) const {
-    const std::size_t last = places_.size() - 1;
-    for (std::size_t at = triangle * kHashFactor & last; places_[at] != 0; at = (at + 1) & last) {
-        if (occluders_[places_[at] - 1].triangle == triangle) return places_[at] - 1;
-    }
-    return kNoPlace;
+    const PlaceWord& word = places_[triangle / 32];
+    const std::uint32_t bit = 1u << triangle % 32;
+    if ((word.listed & bit) == 0) return kNoPlace;
+    return word.first + static_cast<std::uint32_t>(__builtin_popcount(word.listed & (bit - 1)));
 }
 
 bool OccluderGrid::flatten(std::uint32_t triangle, Occluder& out) const {
@@ -374,9 +369,8 @@ bool OccluderGrid::find_blockers(std::uint32_t own, std::vector<std::uint32_t>& 
                 for (; left != 0; left &= left - 1) {
                     const std::uint32_t place = block.place[__builtin_ctz(left)];
                     const Occluder& other = occluders_[place];
-                    if (place == own_place || other.nearest <= least) continue;
-                    if (edges.part(other) || is_nowhere_before(other, triangle, margin) ||
-                        EdgePairs(other).part(triangle))
+                    if (place == own_place || edges.part(other) || other.nearest <= least ||
+                        is_nowhere_before(other, triangle, margin) || EdgePairs(other).part(triangle))
                         continue;
                     out.push_back(place);
                 }
