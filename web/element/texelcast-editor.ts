@@ -243,7 +243,7 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
       const { DesignExport } = await import("./desk/export-design.ts");
       // A design can be kept also where it cannot be drawn.
       await mode.idle().catch(() => undefined);
-      return await new DesignExport().whole(mode.desk.design);
+      return await new DesignExport().whole(mode.desk.shown);
     });
   }
 

@@ -136,7 +136,10 @@ export class TextCommands {
     this.#asked += 1;
     const request = this.#asked;
     const show = (design: Design): void => this.#parts.session.preview(design);
-    await this.#apply({ id, patch }, () => request === this.#asked, show);
+    const work = this.#apply({ id, patch }, () => request === this.#asked, show);
+    // A page that asks for the design meanwhile gets it with the newest letter.
+    this.#parts.session.recordsLater(work);
+    await work;
   }
 
   cancelPreview(): void {

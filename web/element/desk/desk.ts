@@ -125,13 +125,18 @@ export class Desk {
     return this.session.recordedDesign;
   }
 
+  /** The design as it is seen: with what is dragged or typed and not a step yet. */
+  get shown(): Design {
+    return this.session.design;
+  }
+
   get selected(): DesignLayer | undefined {
     return this.session.selected;
   }
 
   /** The model as GLB, with the design in the textures that it paints. */
   exportModel(): Promise<Uint8Array> {
-    return this.engine.exportGlb(paintedMaterials(this.design));
+    return this.engine.exportGlb(paintedMaterials(this.shown));
   }
 
   /** Counts work that ends in a change of the design, or of what the engine shows of it, as under way. */
@@ -147,12 +152,12 @@ export class Desk {
 
   /** Whether what is shown is the design, and no gesture or typing is under way. */
   get atRest(): boolean {
-    return this.session.design === this.design;
+    return this.shown === this.design;
   }
 
   /** Makes what is shown a step of the history, as the end of the gesture or of the typing would. */
   keepShown(): void {
-    if (!this.atRest && !this.settings.readonly) this.record(this.session.design, this.settings.words.steps.change);
+    if (!this.atRest && !this.settings.readonly) this.record(this.shown, this.settings.words.steps.change);
     // Where nothing may be recorded, it is not to be printed either.
     this.session.cancelPreview();
   }
@@ -267,6 +272,8 @@ export class Desk {
   /** Ends the worker and the graphics. */
   close(): void {
     if (this.closed) return;
+    // What was typed and not left goes on with the rest, at the next desk.
+    this.keepShown();
     this.#closing.abort(new TexelcastError("disposed", "The product was closed."));
     this.library.dispose();
     this.engine.dispose();

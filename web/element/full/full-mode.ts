@@ -172,7 +172,10 @@ class FullMode implements Mode {
     const { viewer, session } = this.desk;
     const { store } = this.#editor;
     viewer.setCamera(null, camera);
-    if (readonly && !store.state.readonly) session.select(null);
+    if (readonly && !store.state.readonly) {
+      session.cancelPreview();
+      session.select(null);
+    }
     store.set({ language: words.language, readonly });
     const { stage, texture } = this.#editor.strings;
     viewer.element.setAttribute("aria-label", stage.view);

@@ -66,7 +66,10 @@ export class ShopDesk extends Desk {
   configure(): void {
     const { readonly } = this.settings;
     if (this.#held.view) this.#held.view.lookOnly = readonly;
-    if (readonly) this.session.select(null);
+    if (!readonly) return;
+    // Nobody may record it any more.
+    this.session.cancelPreview();
+    this.session.select(null);
   }
 
   override close(): void {

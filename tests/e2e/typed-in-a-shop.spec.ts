@@ -1,0 +1,53 @@
+/** What a customer has typed is in what the page is given, though the field has not been left. */
+import { expect, type Locator, type Page, test } from "@playwright/test";
+import { renderPrint } from "../../node/print.ts";
+import { demoFile } from "./support/test-files.ts";
+
+type Editor = HTMLElementTagNameMap["texelcast-editor"];
+
+/** A text "A" on the mug, and its field open behind its letter. */
+async function openTyping(page: Page, mode: string): Promise<Locator> {
+  await page.goto(`element.html?loading=eager&locale=en&size=128&mode=${mode}`);
+  const editor = page.locator("texelcast-editor");
+  await editor.evaluate(async (element: Editor) => {
+    await element.start();
+    await element.addText("A");
+  });
+  await editor.getByRole("textbox", { name: "Words" }).focus();
+  await page.keyboard.press("End");
+  return editor;
+}
+
+for (const mode of ["shop", "full"]) {
+  test(`what is typed in the ${mode} mode is in the design that a page asks for while its field is open`, async ({
+    page,
+  }) => {
+    const editor = await openTyping(page, mode);
+    await page.keyboard.type("da");
+    const { design, sha256, steps } = await editor.evaluate(async (element: Editor) => {
+      const asked = element.exportDesign();
+      const { sha256 } = await element.exportTexture();
+      let steps = 0;
+      const { design } = await asked;
+      while (element.undo()) steps++;
+      return { design, sha256, steps };
+    });
+    expect(design.layers).toMatchObject([{ type: "text", text: "Ada", name: "Ada" }]);
+    const model = new Uint8Array(demoFile("mug.glb").buffer);
+    const printed = await renderPrint({ model, design, material: 0, size: 128 });
+    expect(printed.sha256, "the picture is that of the design").toBe(sha256);
+    expect(steps, "asking is no step").toBe(1);
+  });
+}
+
+test("what is typed when the element begins anew is there afterwards", async ({ page }) => {
+  const editor = await openTyping(page, "shop");
+  await page.keyboard.type("da");
+  await editor.evaluate(async (element: Editor) => await element.exportTexture());
+  const texts = await editor.evaluate(async (element: Editor) => {
+    await element.restart();
+    const { design } = await element.exportDesign();
+    return design.layers.map((layer) => layer.type === "text" && layer.text);
+  });
+  expect(texts).toEqual(["Ada"]);
+});
