@@ -296,3 +296,34 @@ test("what lies apart is turned where it lies; stamps go round their middle in t
   expect(after[0]?.center[1]).toBeLessThan((before[0]?.center[1] ?? 0) - 0.02);
   expect(await chosen(editor)).toHaveLength(4);
 });
+
+test("of several that are chosen each is dragged through what lies over it, and a click there chooses that", async ({
+  editor,
+  page,
+}) => {
+  const { badge, number } = await openOnTwo(editor);
+  const at = await editor.pointOf(number);
+  const over = await editor.addDemoDecal("flower");
+  const from = await editor.pointOf(over);
+  await editor.drag(from, at, 5);
+  const order = (await editor.design()).layers.map(({ id }) => id);
+  expect(order).toEqual([badge, number, over]);
+
+  await editor.select(number);
+  await shiftClick(editor, await editor.pointOf(badge));
+  await expect.poll(() => chosen(editor)).toEqual(["Number 07", "Travel badge"]);
+  const places = await projectors(editor);
+  await editor.drag(at, { x: at.x + 40, y: at.y + 30 }, 5);
+  const way = await wayOf(editor, places);
+  expect(way["Number 07"]?.[0]).toBeGreaterThan(0.02);
+  expect(way["Travel badge"]).toEqual(way["Number 07"]);
+  expect(way.Flower).toEqual([0, 0, 0]);
+  expect(await chosen(editor)).toEqual(["Number 07", "Travel badge"]);
+
+  await shiftClick(editor, at);
+  await expect.poll(() => chosen(editor), "Shift and a click adds what lies on top").toHaveLength(3);
+  await shiftClick(editor, at);
+  await expect.poll(() => chosen(editor), "and takes it out again").toEqual(["Number 07", "Travel badge"]);
+  await page.mouse.click(at.x, at.y);
+  await expect.poll(() => chosen(editor)).toEqual(["Flower"]);
+});

@@ -51,6 +51,7 @@ it("shows a box with handles round what is chosen, and outlines that", () => {
   expect(given.slice(0, 3)).toEqual(decals);
   expect(given[3]).toMatchObject({ id: TOGETHER, visible: false, projector: box(0, 1) });
   expect(new Set(given[3]?.beside)).toEqual(new Set([a.projector, b.projector]));
+  expect(given[3]?.holds, "what a press takes hold of, whatever lies over it").toEqual(decals.slice(0, 2));
 });
 
 it("shows handles at one of a chosen group that has no common box, and outlines the others", () => {
@@ -59,7 +60,7 @@ it("shows handles at one of a chosen group that has no common box, and outlines 
   together.show([shown(a), shown(b)], "group", [a]);
   const [given, held] = setDecals.mock.lastCall as [ViewerDecal[], string];
   expect(held).toBe("a");
-  expect(given).toEqual([{ ...shown(a), beside: [] }, shown(b)]);
+  expect(given).toEqual([{ ...shown(a), beside: [], holds: [shown(a)] }, shown(b)]);
   together.show([shown(a, false), shown(b)], "group", [a]);
   expect(setDecals.mock.lastCall?.[1], "of a hidden one none").toBe("group");
 });

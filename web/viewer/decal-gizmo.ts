@@ -39,6 +39,12 @@ export interface PosedView {
   readonly moving: boolean;
 }
 
+/** A decal, and where it is taken hold of. */
+export interface Held {
+  readonly decal: ViewerDecal;
+  readonly grab: PictureGrab;
+}
+
 interface ActiveDrag {
   readonly decal: ViewerDecal;
   readonly drag: ProjectorDrag;
@@ -119,21 +125,22 @@ export class DecalGizmo {
     return this.#enabled ? decalsAt(this.#decals, sample) : [];
   }
 
-  /** Where a press takes hold of the selected decal: on the surface it reaches, or beside the model on its box's rectangle. */
-  grabOfSelected(pointer: DragPointer, sample: SurfaceSample | null): PictureGrab | null {
+  /** Where a press takes hold of what is selected: on the surface it reaches, or beside the model on its box's rectangle. */
+  heldAt(pointer: DragPointer, sample: SurfaceSample | null): Held | null {
     const selected = this.#selected;
-    if (!this.#enabled || selected === null || selected.locked === true || !selected.visible) {
+    if (!this.#enabled || selected === null || selected.locked === true) {
       return null;
     }
     if (sample !== null) {
-      return decalsAt([selected], sample).length > 0 ? sample : null;
+      const [decal] = decalsAt(selected.holds ?? [selected], sample);
+      return decal ? { decal, grab: sample } : null;
     }
-    if (selected.projector.kind !== "planar" || this.#host.posed() !== null) {
+    if (!selected.visible || selected.projector.kind !== "planar" || this.#host.posed() !== null) {
       return null;
     }
     const pose = poseOf(selected.projector);
     const position = rectangleHit(pose, pointer.ray);
-    return position === null ? null : { position, normal: axisOf(pose, 2) };
+    return position === null ? null : { decal: selected, grab: { position, normal: axisOf(pose, 2) } };
   }
 
   startSlide(decal: ViewerDecal, grab: PictureGrab): void {

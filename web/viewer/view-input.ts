@@ -127,11 +127,10 @@ export class ViewInput {
     const pointer = this.#pointerOf(event);
     const sample = this.#hooks.pick(pointer.ray);
     const [top = null] = sample === null ? [] : this.#gizmo.decalsAt(sample);
-    // The selected decal is the one that is meant, even where another lies over it; a click alone goes to the topmost.
-    const grab = this.#gizmo.grabOfSelected(pointer, sample);
-    const selected = this.#gizmo.selectedDecal;
-    if (grab !== null && selected !== null) {
-      return { event, decal: selected, grab, onClick: top?.id };
+    // What is selected is meant, even where another lies over it; a click alone goes to the topmost.
+    const held = this.#gizmo.heldAt(pointer, sample);
+    if (held !== null) {
+      return { event, ...held, onClick: top?.id };
     }
     if (top !== null && sample !== null) {
       this.#hooks.select(top.id);
@@ -295,9 +294,9 @@ export class ViewInput {
     const onHandle = handle !== null;
     this.#gizmo.hoverHandle(handle);
     const [top = null] = sample === null || onHandle ? [] : this.#gizmo.decalsAt(sample);
-    const grab = onHandle ? null : this.#gizmo.grabOfSelected(this.#pointerOf(event), sample);
-    this.#gizmo.hover(grab === null ? top : null);
-    const movable = grab !== null || (top !== null && top.locked !== true);
+    const held = onHandle ? null : this.#gizmo.heldAt(this.#pointerOf(event), sample);
+    this.#gizmo.hover(held === null ? top : null);
+    const movable = held !== null || (top !== null && top.locked !== true);
     this.#setCursor(this.#spaceHeld ? "orbit" : onHandle ? "handle" : movable ? "move" : "");
     this.#hooks.hover(sample);
   }

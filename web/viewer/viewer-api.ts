@@ -93,6 +93,8 @@ export interface ViewerDecal {
   readonly projector: Projector;
   /** Outlined faintly while it is selected: where its mirror shows it, and what is chosen with it. */
   readonly beside?: readonly Projector[];
+  /** What a press takes hold of while it is selected, bottom to top; without them itself. */
+  readonly holds?: readonly ViewerDecal[];
   /** Width / height of its picture: scaling by a corner handle keeps the box's own proportions, this is for resets. */
   readonly aspect: number;
 }

@@ -57,6 +57,8 @@ export class ChosenTogether {
     if (!box) marked.delete(own.projector);
     const held = {
       ...own,
+      // Any of them is taken hold of, also through what lies over it.
+      holds: chosen,
       beside: marked.size > MOST_OUTLINED ? [] : [...marked],
       // It is no decal that a press could mean.
       ...(box && { id: TOGETHER, projector: box, visible: false }),
