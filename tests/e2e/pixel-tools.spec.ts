@@ -134,6 +134,18 @@ test("on a mask that hides all the pencil and the bucket show texels, the eraser
   const erased = await editor.settledHash();
   expect(erased).not.toBe(bucketed);
 
+  // In turn, each goes on in its layer.
+  await page.keyboard.press("n");
+  await editor.drag(...line, 5);
+  await expect.poll(() => editor.settledHash(), "shown again").toBe(bucketed);
+  await page.keyboard.press("e");
+  await editor.drag(...line, 5);
+  await expect.poll(() => editor.settledHash(), "hidden again").toBe(erased);
+  expect(await masking()).toEqual([3]);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => editor.settledHash()).toBe(erased);
+
   await page.keyboard.press("s");
   await page.keyboard.down("Alt");
   await page.mouse.click(x, y + 30);

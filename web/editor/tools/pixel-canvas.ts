@@ -13,24 +13,28 @@ export class PixelCanvas {
   readonly rgba: Uint8Array;
   readonly #start: Uint8Array;
   readonly #alphaLock: boolean;
+  /** Of as many texels: it lies above and gives way where something is set. */
+  readonly over: PixelCanvas | null;
 
   /** Begins with a copy of a picture. With `alphaLock` only what has paint in it takes paint. */
-  constructor({ width, height, rgba }: Picture, alphaLock: boolean) {
+  constructor({ width, height, rgba }: Picture, alphaLock: boolean, over: PixelCanvas | null = null) {
     this.width = width;
     this.height = height;
     this.#start = rgba;
     this.rgba = rgba.slice();
     this.#alphaLock = alphaLock;
+    this.over = over;
   }
 
-  /** Whether anything is different from the picture that it began with. */
+  /** Whether anything is different from the picture that it began with, here or in what lies above. */
   get changed(): boolean {
-    return this.rgba.some((value, index) => value !== this.#start[index]);
+    return this.over?.changed || this.rgba.some((value, index) => value !== this.#start[index]);
   }
 
   /** Back to the picture that it began with: a shape that follows the pointer is drawn anew. */
   restart(): void {
     this.rgba.set(this.#start);
+    this.over?.restart();
   }
 
   /** Texels outside the picture are left out. */
@@ -40,6 +44,7 @@ export class PixelCanvas {
     if (this.#alphaLock && this.#start[at + 3] === 0) return;
     const alpha = this.#alphaLock && color[3] > 0 ? (this.#start[at + 3] as number) : color[3];
     this.rgba.set([color[0], color[1], color[2], alpha], at);
+    this.over?.set(x, y, CLEAR);
   }
 
   /** A square tip whose left top texel is given. */

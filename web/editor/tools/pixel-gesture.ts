@@ -18,6 +18,8 @@ export type PixelChange = (canvas: PixelCanvas) => void | Promise<void>;
 export interface PixelStart {
   readonly layer: DecalLayer | null;
   readonly picture: Picture;
+  /** What lies above it and gives way to what is drawn: on a mask, what does otherwise. */
+  readonly over?: Omit<PixelStart, "over"> | null;
 }
 
 /** What a gesture needs of a material; `layerId` is that of the layer it would change now, null for a new one. */
@@ -29,12 +31,19 @@ export interface PixelSource {
   readonly begun: Promise<PixelStart>;
 }
 
+/** Where the pictures of a sheet are. */
+interface Addresses {
+  readonly own: string;
+  readonly over: string | null;
+}
+
 /** One layer of a gesture. */
 interface Sheet {
   readonly source: PixelSource;
   readonly material: number;
   canvas: PixelCanvas | null;
   layer: DecalLayer | null;
+  over: DecalLayer | null;
   previewing: boolean;
 }
 
@@ -98,16 +107,20 @@ export class PixelGesture {
     try {
       while (this.#work !== null || this.#changes.length > 0) await (this.#work ?? this.#workOff());
       const drawn = this.#drawn();
-      for (const { canvas } of drawn) {
+      const add = async (canvas: PixelCanvas): Promise<string> => {
         const { asset } = await library.add(board.strings.tools.pixelLayer, await encodePng(canvas));
         added.push(asset);
+        return asset.uri;
+      };
+      const addresses: Addresses[] = [];
+      for (const { canvas } of drawn) {
+        addresses.push({ own: await add(canvas), over: canvas.over?.changed ? await add(canvas.over) : null });
       }
       // Not before: the design may have become another one while the pictures were written.
       let design = session.recordedDesign;
       let first: string | null = null;
-      for (const [index, { layer, material }] of drawn.entries()) {
-        const { uri } = added[index] as DesignAsset;
-        const placed = this.#withSheet(design, layer, material, uri);
+      for (const [index, { sheet }] of drawn.entries()) {
+        const placed = this.#withSheet(design, sheet, addresses[index] as Addresses);
         if (placed === null) continue;
         design = placed.design;
         first ??= placed.id;
@@ -137,15 +150,15 @@ export class PixelGesture {
     const shared = [...this.#sheets.values()].find(
       (sheet) => sheet !== null && source?.layerId != null && sheet.source.layerId === source.layerId,
     );
-    const sheet = shared ?? (source && { source, material, canvas: null, layer: null, previewing: false });
+    const sheet = shared ?? (source && { source, material, canvas: null, layer: null, over: null, previewing: false });
     this.#sheets.set(material, sheet);
     return sheet;
   }
 
   /** The sheets that are not as they were, in the order in which they were met. */
-  #drawn(): { readonly canvas: PixelCanvas; readonly layer: DecalLayer | null; readonly material: number }[] {
+  #drawn(): { readonly canvas: PixelCanvas; readonly sheet: Sheet }[] {
     return [...new Set(this.#sheets.values())].flatMap((sheet) =>
-      sheet?.canvas?.changed ? [{ canvas: sheet.canvas, layer: sheet.layer, material: sheet.material }] : [],
+      sheet?.canvas?.changed ? [{ canvas: sheet.canvas, sheet }] : [],
     );
   }
 
@@ -153,9 +166,14 @@ export class PixelGesture {
     while (this.#changes.length > 0) {
       const touched = new Set<Sheet>();
       for (const { sheet, change } of this.#changes.splice(0)) {
-        const { layer, picture } = await sheet.source.begun;
+        const { layer, picture, over } = await sheet.source.begun;
         sheet.layer = layer;
-        sheet.canvas ??= new PixelCanvas(picture, sheet.source.alphaLock);
+        sheet.over = over?.layer ?? null;
+        sheet.canvas ??= new PixelCanvas(
+          picture,
+          sheet.source.alphaLock,
+          over ? new PixelCanvas(over.picture, false) : null,
+        );
         await change(sheet.canvas);
         touched.add(sheet);
       }
@@ -168,8 +186,11 @@ export class PixelGesture {
     const { session, library } = this.#context;
     let more = false;
     for (const sheet of touched) {
-      if (!sheet.canvas?.changed && !sheet.previewing) continue;
-      await library.setLive(await encodePng(sheet.canvas as PixelCanvas), slotOf(sheet));
+      const { canvas } = sheet;
+      if (canvas === null || (!canvas.changed && !sheet.previewing)) continue;
+      const { own, over } = slotsOf(sheet);
+      await library.setLive(await encodePng(canvas), own);
+      if (canvas.over) await library.setLive(await encodePng(canvas.over), over);
       more ||= !sheet.previewing;
       sheet.previewing = true;
     }
@@ -177,26 +198,28 @@ export class PixelGesture {
     let design = session.recordedDesign;
     for (const sheet of new Set(this.#sheets.values())) {
       if (!sheet?.previewing) continue;
-      const { layer, material } = sheet;
-      design = this.#withSheet(design, layer, material, `live:${slotOf(sheet)}`)?.design ?? design;
+      const { own, over } = slotsOf(sheet);
+      const addresses = { own: `live:${own}`, over: sheet.over && `live:${over}` };
+      design = this.#withSheet(design, sheet, addresses)?.design ?? design;
     }
     session.preview(design);
   }
 
-  /** The design with a sheet's picture, and the id of the layer that is chosen then; null where it has no place any more. */
+  /** The design with a sheet's pictures, and the id of the layer that is chosen then; null where it has no place any more. */
   #withSheet(
     design: Design,
-    layer: DecalLayer | null,
-    material: number,
-    uri: string,
+    { layer, over, material }: Sheet,
+    addresses: Addresses,
   ): { readonly design: Design; readonly id: string } | null {
     const { store, board } = this.#context;
     const { strings } = board;
-    const png = { type: "image/png", uri } as const;
+    const png = { type: "image/png", uri: addresses.own } as const;
     const masked = this.#masked;
     if (layer !== null) {
       if (findLayer(design, layer.id) === undefined) return null;
-      return { design: withPixels(design, layer.id, png, strings), id: masked?.layerId ?? layer.id };
+      const own = withPixels(design, layer.id, png, strings);
+      const both = over && addresses.over ? withPixels(own, over.id, { ...png, uri: addresses.over }, strings) : own;
+      return { design: both, id: masked?.layerId ?? layer.id };
     }
     if (masked === null) return addPixelLayer(design, store.state.selectedId, material, png, strings);
     const made = addMaskPixels(design, masked, material, png, strings);
@@ -204,4 +227,7 @@ export class PixelGesture {
   }
 }
 
-const slotOf = ({ material }: Sheet): string => `pixels-${material}`;
+const slotsOf = ({ material }: Sheet): { readonly own: string; readonly over: string } => ({
+  own: `pixels-${material}`,
+  over: `pixels-${material}-over`,
+});

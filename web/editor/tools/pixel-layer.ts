@@ -1,4 +1,5 @@
 /** Pixel layers: small pictures laid over the whole texture, texel on texel, that the pixel tools rewrite. */
+import { sameItems } from "../../engine/same-items.ts";
 import {
   type DecalLayer,
   type Design,
@@ -10,6 +11,7 @@ import {
   makeDecalLayer,
   mapLayer,
   materialsIn,
+  materialsOf,
   paintsMaterial,
   topOf,
   visitOf,
@@ -60,14 +62,27 @@ export function masksMaterial(masked: DesignLayer, material: number): boolean {
   return painted.length === 0 || painted.includes(material);
 }
 
+/** Where texels on a mask go. `over` lies above and does otherwise: there they give way, so that what is drawn now counts. */
+export interface MaskPixels {
+  readonly layer: DecalLayer;
+  readonly over: DecalLayer | null;
+}
+
 /**
- * The pixel layer of a mask that shows, or hides, and lies above all that does otherwise: what is drawn now counts more than
- * what was drawn before. Undefined where there is none.
+ * The pixel layer of a mask that shows, or hides, and lies above all else that does otherwise, but for one of the same texels:
+ * pencil and eraser, in turn, have a layer each. Undefined where there is none.
  */
-export function maskPixelLayer(mask: Mask, hides: boolean, material: number): DecalLayer | undefined {
+export function maskPixelLayer(mask: Mask, hides: boolean, material: number): MaskPixels | undefined {
+  let over: DecalLayer | null = null;
   for (const layer of mask.layers.toReversed()) {
-    if (!isPixelLayer(layer) || layer.blend !== maskBlend(mask, hides) || !isWhole(layer)) return undefined;
-    if (paintsMaterial(layer, material)) return layer;
+    if (!isPixelLayer(layer) || !isWhole(layer)) return undefined;
+    const does = [hides, !hides].find((each) => layer.blend === maskBlend(mask, each));
+    if (does === undefined) return undefined;
+    if (!paintsMaterial(layer, material)) continue;
+    if (does === hides)
+      return over === null || sameItems(materialsOf(over), materialsOf(layer)) ? { layer, over } : undefined;
+    if (over !== null) return undefined;
+    over = layer;
   }
   return undefined;
 }

@@ -4,7 +4,7 @@ import { decodePicture } from "../../engine/picture-decoder.ts";
 import { type DecalLayer, type DesignLayer, findLayer, hasRoom, isLocked } from "../document/index.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
 import { PixelGesture, type PixelSource, type PixelStart } from "./pixel-gesture.ts";
-import { type MaskedPixels, maskPixelLayer, masksMaterial, pixelLayerFor } from "./pixel-layer.ts";
+import { type MaskedPixels, type MaskPixels, maskPixelLayer, masksMaterial, pixelLayerFor } from "./pixel-layer.ts";
 import { TexelNeighbours } from "./texel-neighbours.ts";
 import type { ToolContext } from "./tool-context.ts";
 
@@ -110,10 +110,13 @@ export class PixelSession {
 
   #layerOf(material: number, masked: MaskedPixels | null): DecalLayer | undefined {
     const { session, store } = this.#context;
-    const design = session.recordedDesign;
-    if (masked === null) return pixelLayerFor(design, store.state.selectedId, material);
-    const mask = findLayer(design, masked.layerId)?.mask;
-    return mask ? maskPixelLayer(mask, masked.hides, material) : undefined;
+    if (masked !== null) return this.#maskPixels(material, masked)?.layer;
+    return pixelLayerFor(session.recordedDesign, store.state.selectedId, material);
+  }
+
+  #maskPixels(material: number, { layerId, hides }: MaskedPixels): MaskPixels | undefined {
+    const mask = findLayer(this.#context.session.recordedDesign, layerId)?.mask;
+    return mask ? maskPixelLayer(mask, hides, material) : undefined;
   }
 
   /** Ends a gesture as one step, before any later one begins. */
@@ -175,13 +178,14 @@ export class PixelSession {
   }
 
   async #start(material: number, masked: MaskedPixels | null, { width, height }: PixelSize): Promise<PixelStart> {
-    const { session } = this.#context;
-    const layer = this.#layerOf(material, masked);
-    const uri = layer && session.recordedDesign.assets[layer.asset]?.uri;
-    if (layer !== undefined && uri !== undefined) {
-      const picture = await this.#read(uri, layer.name);
-      if (picture.width === width && picture.height === height) return { layer, picture };
-    }
+    const read = async (layer: DecalLayer | null | undefined): Promise<PixelStart | null> => {
+      const uri = layer && this.#context.session.recordedDesign.assets[layer.asset]?.uri;
+      const picture = uri ? await this.#read(uri, layer.name) : null;
+      return layer && picture?.width === width && picture.height === height ? { layer, picture } : null;
+    };
+    const above = masked && this.#maskPixels(material, masked)?.over;
+    const [start, over] = [await read(this.#layerOf(material, masked)), await read(above)];
+    if (start && (over || !above)) return { ...start, over };
     return { layer: null, picture: { width, height, rgba: new Uint8Array(width * height * 4) } };
   }
 
