@@ -320,3 +320,31 @@ test("words that the engine has not measured when the page is left are there aft
   await page.getByRole("button", { name: "Undo change text" }).click();
   expect(await textLayer(editor)).toEqual(before);
 });
+
+test("in the list of layers a text's letters are those of its font, also when that is another", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const words = await putWords(editor);
+  await page.keyboard.insertText("Tex");
+  await words.blur();
+  const letters = page.locator("tc-layer-list .thumbnail.words");
+  await expect(letters).toHaveText("Tex");
+  /** The family that they are written in, once it is there. */
+  const family = () =>
+    letters.evaluate((element) => {
+      const plain = (name: string): string => name.replaceAll('"', "");
+      const first = plain(getComputedStyle(element).fontFamily.split(",")[0] ?? "");
+      const isLoaded = [...document.fonts].some((face) => plain(face.family) === first && face.status === "loaded");
+      return isLoaded ? first : "";
+    });
+  await expect.poll(family).toBe("texelcast-inter-700");
+  await page.locator("tc-text-fields #font button").click();
+  await page.getByRole("menuitemradio", { name: "Lobster" }).click();
+  await expect.poll(async () => (await textLayer(editor)).font).toBe("lobster-400");
+  await expect.poll(family).toBe("texelcast-lobster-400");
+  await page.keyboard.press("Control+z");
+  await expect.poll(family).toBe("texelcast-inter-700");
+});

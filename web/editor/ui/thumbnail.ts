@@ -3,6 +3,7 @@ import { css, html, nothing, svg, type TemplateResult } from "lit";
 import { Brush, Folder, FolderOpen } from "lucide";
 import type { Design, DesignLayer, FillLayer, Gradient, Mask, PaintLayer, StrokeLayer } from "../document/index.ts";
 import type { AssetLibrary } from "../state/asset-library.ts";
+import { familyOfText } from "./font-previews.ts";
 import { icon } from "./icon.ts";
 import { type MiniatureSource, miniature, miniatureStyles } from "./miniature.ts";
 
@@ -99,7 +100,9 @@ export function thumbnail(source: ThumbnailSource, layer: DesignLayer, open = fa
       return pictured(library, design, layer.asset);
     case "text": {
       const letters = [...layer.text.trim()].slice(0, LETTERS_SHOWN).join("");
-      return html`<span class="thumbnail words" .style=${`color: ${layer.color}`}>${letters}</span>`;
+      const family = familyOfText(library, design.assets[layer.font]);
+      const font = family ? `font-family: "${family}", var(--font); font-weight: normal` : "";
+      return html`<span class="thumbnail words" .style=${`color: ${layer.color}; ${font}`}>${letters}</span>`;
     }
     case "stroke":
       return layer.brush.tip === "picture"
