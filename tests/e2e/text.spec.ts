@@ -348,3 +348,32 @@ test("in the list of layers a text's letters are those of its font, also when th
   await page.keyboard.press("Control+z");
   await expect.poll(family).toBe("texelcast-inter-700");
 });
+
+test("what is typed before a new text has its font chooses no tool and deletes nothing", async ({ editor, page }) => {
+  let deliver = (): void => {};
+  const delivered = new Promise<void>((resolve) => {
+    deliver = resolve;
+  });
+  await page.context().route(/\.ttf$/, async (route) => {
+    await delivered;
+    await route.continue();
+  });
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  await editor.addDemoDecal("badge");
+  const before = await editor.design();
+  await page.getByRole("button", { name: "Add text" }).first().click();
+  await page.keyboard.press("b");
+  await page.keyboard.press("e");
+  await page.keyboard.press("Backspace");
+  expect(await editor.design()).toEqual(before);
+  await expect(page.getByRole("radio", { name: "Move" })).toBeChecked();
+  deliver();
+  const words = page.getByRole("textbox", { name: "Words" });
+  await expect(words).toBeFocused();
+  await page.keyboard.type("be");
+  await expect.poll(async () => (await textLayer(editor)).text).toBe("be");
+  await words.blur();
+  await page.keyboard.press("b");
+  await expect(page.getByRole("radio", { name: "Brush" })).toBeChecked();
+});

@@ -24,6 +24,8 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
   }
   // Who has set a slider by pointer goes on with a tool by its letter.
   if (focus !== "page" && !(focus === "slider" && /^[a-z]$/i.test(event.key))) return false;
+  // Typed for the words whose font is not there yet: no tool is meant, and no layer is to be deleted.
+  if (editor.texts.coming && !event.altKey && /^(?:\S|Delete|Backspace)$/u.test(event.key)) return true;
   if (event.key === "?") {
     actions.help();
     return true;

@@ -96,8 +96,16 @@ export class TextCommands {
     this.#coming = asked;
     // What is saved meanwhile waits for the text.
     session.recordsLater(asked.done);
-    await asked.done;
-    if (this.#coming === asked) this.#coming = null;
+    try {
+      await asked.done;
+    } finally {
+      if (this.#coming === asked) this.#coming = null;
+    }
+  }
+
+  /** Whether a text is on its way that will have the keyboard once it is there. */
+  get coming(): boolean {
+    return this.#coming !== null;
   }
 
   /** Fonts may take long to come. */
