@@ -5,6 +5,8 @@ import { MAX_SIZE, MAX_TEXTURE_SIZE } from "../web/core/sizes.ts";
 import { isHexColor, parseHexColor } from "../web/editor/document/hex-color.ts";
 
 const MAX_GUTTER = 64;
+/** Charts of a smaller texture would be all gutter. */
+const LEAST_SIDE = 64;
 const MAX_DPI = 10_000;
 
 export interface Size {
@@ -39,6 +41,9 @@ export const parseMaterial = (text: string): number => wholeNumber(text, 0, 65_5
 /** Texels. */
 export const parseGutter = (text: string): number => wholeNumber(text, 0, MAX_GUTTER);
 
+/** Side of a square texture, texels. */
+export const parseSide = (text: string): number => wholeNumber(text, LEAST_SIDE, MAX_SIZE);
+
 /** Pixels an inch of print. */
 export const parseDpi = (text: string): number => wholeNumber(text, 1, MAX_DPI);
 
@@ -46,6 +51,12 @@ export const parseDpi = (text: string): number => wholeNumber(text, 1, MAX_DPI);
 export function parsePrintOutput(text: string): string {
   if (/\.png$/i.test(text)) return text;
   throw new InvalidArgumentError("It must end in .png.");
+}
+
+/** A path that ends in .glb. */
+export function parseGlbOutput(text: string): string {
+  if (/\.glb$/i.test(text)) return text;
+  throw new InvalidArgumentError("It must end in .glb.");
 }
 
 /** "white", a hex colour (channels from 0 to 1), or else the path of a picture. */

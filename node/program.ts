@@ -7,16 +7,19 @@ import type { InspectOptions } from "./commands/inspect.ts";
 import type { PrintOptions } from "./commands/print.ts";
 import type { RenderOptions } from "./commands/render.ts";
 import type { SchemaOptions } from "./commands/schema.ts";
+import type { UnwrapCommandOptions } from "./commands/unwrap.ts";
 import { EXIT_BAD_INPUT } from "./exit-codes.ts";
 import {
   parseBase,
   parseDpi,
+  parseGlbOutput,
   parseGutter,
   parseMaterial,
   parsePath,
   parsePrintOutput,
   parsePrintSize,
   parseRenderOutput,
+  parseSide,
   parseSize,
 } from "./options.ts";
 import { printable } from "./terminal-text.ts";
@@ -56,6 +59,11 @@ Examples:
   texelcast print mug.glb design.json --out mug.png --size 16384
   texelcast print mug.glb design.json --zones mug.zones.json --zone wall --flattened --dpi 300 --out wall.png`;
 
+const UNWRAP_EXAMPLES = `
+Examples:
+  texelcast unwrap knight.glb --out knight-unwrapped.glb
+  texelcast unwrap shoe/shoe.gltf --out shoe.glb --material 1 --size 4096`;
+
 const SCHEMA_EXAMPLES = `
 Examples:
   texelcast schema > design.schema.json
@@ -76,7 +84,7 @@ export function createProgram(): Command {
     .helpCommand(false)
     .addHelpText(
       "after",
-      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(CHECK_EXAMPLES, 1)}${withoutHeading(PRINT_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
+      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(CHECK_EXAMPLES, 1)}${withoutHeading(PRINT_EXAMPLES, 1)}${withoutHeading(UNWRAP_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
     )
     .exitOverride()
     .configureOutput({
@@ -202,6 +210,27 @@ export function createProgram(): Command {
     .addHelpText("after", PRINT_EXAMPLES)
     .action(async (model: string, design: string, options: PrintOptions) => {
       await (await import("./commands/print.ts")).print(model, design, options);
+    });
+
+  program
+    .command("unwrap")
+    .summary("give each triangle texels of its own, where a model's parts share them or have none")
+    .description(
+      "Writes the model with new texture coordinates for its base colour textures, in which no two triangles of a material share a " +
+        "texel, and with those textures laid on them as they looked. Other textures, skins, morph targets and animations stay.",
+    )
+    .argument("<model>", "a .glb, or a .gltf with its side files")
+    .addOption(new Option("--out <file>", "FILE.glb").argParser(parseGlbOutput).makeOptionMandatory())
+    .addOption(
+      new Option(
+        "--material <index>",
+        "glTF material index (default: all that share texels or have no texture coordinates)",
+      ).argParser(parseMaterial),
+    )
+    .addOption(new Option("--size <texels>", "side of the new textures, 64 to 8192").argParser(parseSide).default(2048))
+    .addHelpText("after", UNWRAP_EXAMPLES)
+    .action(async (model: string, options: UnwrapCommandOptions) => {
+      await (await import("./commands/unwrap.ts")).unwrap(model, options);
     });
 
   program

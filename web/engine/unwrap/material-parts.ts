@@ -1,0 +1,137 @@
+/** The triangles of one material, from all meshes of a model, as they are unwrapped: in the file's own order. */
+import { badContainer, indexAt, isObject, type JsonObject, listOf, objectAt, textAt } from "../gltf-json.ts";
+import type { Accessors } from "./accessors.ts";
+import type { ChartMesh } from "./chart-atlas.ts";
+import { type Linear, scaleOfMesh, turned } from "./part-scale.ts";
+import type { TexturePlace } from "./uv-transform.ts";
+
+const TRIANGLES = 4;
+const STRIP = 5;
+const FAN = 6;
+
+/** One primitive of a mesh. */
+export interface MaterialPart {
+  /** The JSON to change. */
+  readonly primitive: JsonObject;
+  /** Three a triangle, into its attributes. */
+  readonly indices: Uint32Array;
+  readonly vertexCount: number;
+  /** As the file has them. */
+  readonly positions: Float64Array;
+  /** Two numbers a vertex, in the old picture; null without. */
+  readonly uvs: Float64Array | null;
+  readonly scale: Linear;
+}
+
+/** Primitives of a material (or, one past the last, those without one); those of points and lines are told apart. */
+export function primitivesOf(
+  json: JsonObject,
+  material: number,
+  name: string,
+): { readonly faces: { mesh: number; primitive: JsonObject }[]; readonly others: JsonObject[] } {
+  const faces: { mesh: number; primitive: JsonObject }[] = [];
+  const others: JsonObject[] = [];
+  const implied = material === listOf(json, "materials", name).length;
+  for (const [mesh, { primitives }] of listOf(json, "meshes", name).entries()) {
+    if (!Array.isArray(primitives)) throw badContainer(name, `“meshes[${mesh}]” has no primitives`, `meshes[${mesh}]`);
+    for (const primitive of primitives) {
+      if (!isObject(primitive)) continue;
+      if (primitive.material === undefined ? !implied : primitive.material !== material) continue;
+      const mode = indexAt(primitive, "mode") ?? TRIANGLES;
+      const drawn = indexAt(objectAt(primitive, "attributes"), "POSITION") !== undefined;
+      if (mode >= TRIANGLES && mode <= FAN && drawn) faces.push({ mesh, primitive });
+      else others.push(primitive);
+    }
+  }
+  return { faces, others };
+}
+
+/**
+ * @param json as `primitive`, with numbers as numbers
+ * @param place where the material's picture lies on it
+ */
+export function readPart(
+  json: JsonObject,
+  { mesh, primitive }: { readonly mesh: number; readonly primitive: JsonObject },
+  place: TexturePlace,
+  accessors: Accessors,
+  name: string,
+): MaterialPart {
+  const attributes = objectAt(primitive, "attributes") ?? {};
+  const read = (key: string, type: string): Float64Array | null => {
+    const index = indexAt(attributes, key);
+    if (index === undefined) return null;
+    if (textAt(accessors.at(index), "type") !== type) {
+      throw badContainer(name, `“accessors[${index}]” is ${key} but no ${type}`, `accessors[${index}].type`);
+    }
+    return accessors.readNumbers(index);
+  };
+  const positions = read("POSITION", "VEC3") ?? new Float64Array();
+  const vertexCount = positions.length / 3;
+  const uvs = read(`TEXCOORD_${place.texCoord}`, "VEC2");
+  if (uvs !== null && uvs.length !== 2 * vertexCount) {
+    throw badContainer(name, `a TEXCOORD of “meshes[${mesh}]” has another length than POSITION`, `meshes[${mesh}]`);
+  }
+  for (let i = 0; uvs !== null && i < uvs.length; i += 2) {
+    const [u, v] = place.apply(uvs[i] as number, uvs[i + 1] as number);
+    uvs[i] = u;
+    uvs[i + 1] = v;
+  }
+  const indices = indicesOf(primitive, vertexCount, accessors, name);
+  return { primitive, indices, vertexCount, positions, uvs, scale: scaleOfMesh(json, mesh, accessors, name) };
+}
+
+function indicesOf(primitive: JsonObject, vertexCount: number, accessors: Accessors, name: string): Uint32Array {
+  const index = indexAt(primitive, "indices");
+  const listed =
+    index === undefined ? Uint32Array.from({ length: vertexCount }, (_, i) => i) : accessors.readNumbers(index);
+  if (listed.some((vertex) => vertex >= vertexCount)) {
+    throw badContainer(name, `“accessors[${index}]” names a vertex beyond the last`, `accessors[${index}]`);
+  }
+  const mode = indexAt(primitive, "mode") ?? TRIANGLES;
+  if (mode === TRIANGLES) return Uint32Array.from(listed.subarray(0, listed.length - (listed.length % 3)));
+  const triangles: number[] = [];
+  for (let i = 0; i + 2 < listed.length; i++) {
+    const corners = mode === STRIP ? [i, i + 1 + (i % 2), i + 2 - (i % 2)] : [i + 1, i + 2, 0];
+    triangles.push(...corners.map((corner) => listed[corner] as number));
+  }
+  return Uint32Array.from(triangles);
+}
+
+/** xatlas takes triangles below about 1e-7 units of area for none, so parts come to it in this size. */
+const EXTENT = 1000;
+
+/** The parts in one scale for xatlas. */
+export function chartMeshes(parts: readonly MaterialPart[]): ChartMesh[] {
+  const placed = parts.map(({ positions, scale }) => everyThree(positions, scale));
+  let extent = 0;
+  for (const positions of placed) {
+    for (let axis = 0; axis < 3; axis++) {
+      let least = Number.POSITIVE_INFINITY;
+      let most = Number.NEGATIVE_INFINITY;
+      for (let i = axis; i < positions.length; i += 3) {
+        least = Math.min(least, positions[i] as number);
+        most = Math.max(most, positions[i] as number);
+      }
+      extent = Math.max(extent, most - least);
+    }
+  }
+  const factor = extent > 0 ? EXTENT / extent : 1;
+  return parts.map(({ indices }, i) => ({
+    positions: Float32Array.from(placed[i] as Float64Array, (value) => value * factor),
+    indices,
+  }));
+}
+
+/** Vectors turned; what is no number would hang those who compare it. */
+function everyThree(values: Float64Array, scale: Linear): Float64Array {
+  const result = new Float64Array(values.length);
+  for (let i = 0; i < values.length; i += 3) {
+    const vector = turned(scale, values[i] as number, values[i + 1] as number, values[i + 2] as number);
+    for (let axis = 0; axis < 3; axis++) {
+      const value = vector[axis] as number;
+      result[i + axis] = Number.isFinite(value) ? value : 0;
+    }
+  }
+  return result;
+}
