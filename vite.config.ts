@@ -1,6 +1,7 @@
 import { fileURLToPath } from "node:url";
 import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
 import { sitePolicy } from "./scripts/site-policy.ts";
+import { watlasWithoutEval } from "./scripts/watlas-without-eval.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -45,12 +46,12 @@ export default defineConfig({
     watch: { ignored: ["**/build/**"] },
   },
   preview: { host: "localhost", port: 4173 },
-  worker: { format: "es", rolldownOptions: { onLog: withoutNodeBranches } },
+  worker: { format: "es", plugins: () => [watlasWithoutEval()], rolldownOptions: { onLog: withoutNodeBranches } },
   optimizeDeps: {
     // The worker's packages are found with the page's, not when it first runs, which would load the page again.
     entries: [...PAGES, here("./web/engine/engine-worker.ts")],
     // They find their .wasm beside themselves, which pre-bundling would move.
-    exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp"],
+    exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp", "watlas"],
   },
   build: {
     outDir: here("./build/site"),

@@ -23,7 +23,10 @@ try {
     onNeedsFullUpdate: (material) => editor.refresh(material),
     readTexels: (material, x, y, width, height) => engine.readTexels(material, x, y, width, height),
   });
-  const editor = new Editor({ engine, viewer, textureView, language: pageLanguage });
+  const editor = new Editor({
+    ...{ engine, viewer, textureView, language: pageLanguage },
+    unwrap: async (...work) => (await import("../editor/files/unwrap-client.ts")).unwrapInWorker(...work),
+  });
   workbench.editor = editor;
   document.body.append(workbench);
   window.texelcast = makeTestHandle(editor, editor.start(document.baseURI));

@@ -535,6 +535,8 @@ export const german: Strings = {
     share: (percent) => `${percent} %`,
     overlapWarning:
       "Teile dieses Modells nutzen dieselbe Textur: Nur einer davon nimmt Farbe an, und die anderen zeigen sie auch.",
+    unwrap: "Jedem Teil seine eigene Textur geben",
+    unwrapHint: "Wickelt das Modell neu ab: Es sieht aus wie vorher, und jeder Teil nimmt für sich Farbe an",
   },
 
   status: {
@@ -552,6 +554,7 @@ export const german: Strings = {
     opening: (name) => `${name} wird geöffnet`,
     packing: (name) => `${name} wird gepackt`,
     baking: "Die Oberfläche wird vermessen",
+    unwrapping: "Das Modell wird abgewickelt",
     drawing: "Die Ebenen werden gemalt",
     writing: "Die Wörter werden gesetzt",
     restoring: (name) => `${name} wird wiederhergestellt`,
@@ -568,6 +571,8 @@ export const german: Strings = {
     newModel: (name) => `${name} ist offen`,
     workKept: "Deine Aufkleber sind beim vorigen Modell geblieben. Rückgängig bringt beide zurück.",
     bringDecals: "Hier verwenden",
+    flatHidden: (count) =>
+      `${plural(count, "Ebene, die", "Ebenen, die")} auf der Textur selbst ${count === 1 ? "liegt, läge" : "liegen, lägen"} jetzt anderswo: ausgeblendet, nicht gelöscht. Rückgängig bringt das alte Modell zurück.`,
     engineRestarted: "Die Mal-Engine wurde neu gestartet",
     engineRestartedBody: "Sie war stehen geblieben. Alles ist da; du kannst weitermachen.",
     undoLast: "Letzten Schritt rückgängig machen",
@@ -680,6 +685,7 @@ export const german: Strings = {
     depth: "Tiefe ändern",
     change: (field) => `${field} ändern`,
     openModel: "Modell öffnen",
+    unwrap: "Modell abwickeln",
     openDesign: "Design öffnen",
     openProject: "Projekt öffnen",
     bringDecals: "Aufkleber mitnehmen",
@@ -696,6 +702,7 @@ export const german: Strings = {
     redone: (step) => `Wiederholt: ${step}`,
     travelled: (step) => `Jetzt bei: ${step}`,
     opened: (name) => `${name} geöffnet`,
+    unwrapped: "Jeder Teil hat jetzt seine eigene Textur",
     saved: (name) => `Gespeichert als ${name}`,
     exported: (name) => `${name} exportiert`,
   },
@@ -730,6 +737,8 @@ export const german: Strings = {
     noDemos: "Die Liste der Beispielmodelle ließ sich nicht lesen.",
     noDemosHint: "Führe npm run demo aus oder öffne ein eigenes Modell.",
     noMaterials: "Das Modell hat keine Dreiecke mit einem Material, das sich bemalen ließe.",
+    couldNotUnwrap: "Das Modell ließ sich nicht abwickeln",
+    unwrapFailed: (reason) => `Das Modell ließ sich nicht abwickeln${reason ? `: ${reason}` : "."}`,
     noUvsHint: "Wickle das Modell in einem 3D-Programm ab (gib ihm Texturkoordinaten) und exportiere es noch einmal.",
     refusedHint: "Repariere das Modell in einem 3D-Programm und exportiere es noch einmal.",
     noWebGl: "Der Browser gibt der 3D-Ansicht keinen WebGL-2-Kontext.",

@@ -1,7 +1,9 @@
 /** The paint target of a material: its size, its gutter, and how well the model is unwrapped. */
 import { css, html, nothing, type TemplateResult } from "lit";
+import type { TargetInfo } from "../../engine/engine-api.ts";
 import { whyNotPaintable } from "../state/bare-part.ts";
 import type { EditorState, TargetSettings as Settings } from "../state/editor-state.ts";
+import { materialsToUnwrap, sharesTexels } from "../state/unwrap-command.ts";
 import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
@@ -101,6 +103,7 @@ export class TargetSettings extends EditorElement {
         editor.tools.configure({ pixelMode }),
       )}
       ${target ? this.#figures(target) : nothing}
+      ${editor.unwrapping && !readonly && materialsToUnwrap(this.state).length > 0 ? this.#unwrap() : nothing}
     `;
   }
 
@@ -133,17 +136,20 @@ export class TargetSettings extends EditorElement {
     `;
   }
 
-  #figures({
-    width,
-    height,
-    coveredTexels,
-    overlappingTexels,
-  }: {
-    width: number;
-    height: number;
-    coveredTexels: number;
-    overlappingTexels: number;
-  }): TemplateResult {
+  /** Below the warning, or where a material has no texture coordinates to be painted by. */
+  #unwrap(): TemplateResult {
+    const { unwrapping, tasks } = this.editor;
+    return html`<button
+      class="unwrap"
+      title=${this.#words.unwrapHint}
+      @click=${() => void tasks.quietly(unwrapping?.run() ?? Promise.resolve())}
+    >
+      ${this.#words.unwrap}
+    </button>`;
+  }
+
+  #figures(target: TargetInfo): TemplateResult {
+    const { width, height, coveredTexels, overlappingTexels } = target;
     const share = (part: number, of: number): string =>
       this.#words.share(of > 0 ? this.strings.numbers.tenths((100 * part) / of) : "0");
     return html`
@@ -153,7 +159,7 @@ export class TargetSettings extends EditorElement {
         <dt>${this.#words.overlap}</dt>
         <dd>${share(overlappingTexels, coveredTexels)}</dd>
       </dl>
-      ${overlappingTexels > 0.01 * coveredTexels ? html`<p class="warning">${this.#words.overlapWarning}</p>` : nothing}
+      ${sharesTexels(target) ? html`<p class="warning">${this.#words.overlapWarning}</p>` : nothing}
     `;
   }
 }

@@ -41,6 +41,7 @@ import { shownStamp } from "./shown-stamp.ts";
 import { Store } from "./store.ts";
 import { Tasks } from "./tasks.ts";
 import { TextCommands } from "./text-commands.ts";
+import { UnwrapCommand, type Unwrapper } from "./unwrap-command.ts";
 import { UpdateRouter } from "./update-router.ts";
 import { ViewCommands } from "./view-commands.ts";
 import type { TextureMode } from "./view-state.ts";
@@ -59,6 +60,8 @@ export interface EditorParts {
   readonly admission?: Admission | null;
   /** Default "en". */
   readonly language?: Language;
+  /** Null: the page does not unwrap models. */
+  readonly unwrap?: Unwrapper | null;
 }
 
 export class Editor {
@@ -81,13 +84,16 @@ export class Editor {
   readonly views: ViewCommands;
   readonly texts: TextCommands;
   readonly projects: ProjectCommands;
+  /** Null where models are not unwrapped. */
+  readonly unwrapping: UnwrapCommand | null;
   readonly autosave: Autosave;
   readonly #models: ModelSession;
   readonly #router: UpdateRouter;
   readonly #drawing: DrawingTask;
   #modeRequest = 0;
 
-  constructor({ engine, viewer, textureView, keeps = true, admission = null, language = "en" }: EditorParts) {
+  constructor(parts: EditorParts) {
+    const { engine, viewer, textureView, keeps = true, admission = null, language = "en", unwrap = null } = parts;
     this.store = new Store<EditorState>({ ...INITIAL_STATE, language });
     this.board = new NoticeBoard(this.store);
     this.tasks = new Tasks(this.store);
@@ -111,6 +117,7 @@ export class Editor {
     const { decals, layers } = this;
     this.clipboard = new ClipboardCommands({ session, library, layers, store, board, tasks, admission });
     const models = this.#models;
+    this.unwrapping = unwrap && new UnwrapCommand({ store, session, models, board, tasks, unwrap });
     const projects = (): ProjectCommands => this.projects;
     this.files = new FileCommands({
       engine,

@@ -47,7 +47,7 @@ export async function layOutCharts(
       });
     }
     atlas.computeCharts({ maxCost: CHART_COST });
-    fit(atlas, { size, padding, name });
+    packToFit(atlas, { size, padding, name });
     return { corners: meshes.map((mesh, i) => cornersOf(atlas, i, mesh, padding)), charts: atlas.chartCount };
   } finally {
     atlas.delete();
@@ -55,7 +55,7 @@ export async function layOutCharts(
 }
 
 /** Packs with the largest scale at which all charts lie inside, with half of the padding left at the texture's border. */
-function fit(atlas: Atlas, { size, padding, name }: { size: number; padding: number; name: string }): void {
+function packToFit(atlas: Atlas, { size, padding, name }: { size: number; padding: number; name: string }): void {
   const room = size - padding;
   // Of any size; "resolution" would give several textures.
   const pack = (texelsPerUnit: number): number => {

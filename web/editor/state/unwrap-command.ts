@@ -1,0 +1,117 @@
+/** Gives the open model texture coordinates in which its parts share no texels: one step, which an undo takes back. */
+import type { ModelSource, TargetInfo } from "../../engine/engine-api.ts";
+import type { Design, DesignLayer } from "../document/design.ts";
+import { materialsIn, walkLayers } from "../document/layer-tree.ts";
+import { liesOnTexture } from "../document/mirror-layer.ts";
+import type { Strings } from "../strings.ts";
+import { patchLayers } from "./design-edits.ts";
+import type { DesignSession } from "./design-session.ts";
+import type { ModelRef } from "./design-state.ts";
+import type { EditorState } from "./editor-state.ts";
+import type { ModelSession } from "./model-session.ts";
+import type { NoticeBoard } from "./notice-board.ts";
+import type { Store } from "./store.ts";
+import type { TaskHandle, Tasks } from "./tasks.ts";
+
+/** Of the covered texels: below it, what is shared is the width of a line between two parts. */
+const SHARED = 0.01;
+/** Sides of the new textures, texels: the old one's, within these. */
+const LEAST_SIZE = 1024;
+const MOST_SIZE = 4096;
+
+/** Unwraps materials of a model, and gives it as a GLB. */
+export type Unwrapper = (
+  source: ModelSource,
+  options: { readonly materials: readonly number[]; readonly size: number },
+  task: TaskHandle,
+  strings: Strings,
+) => Promise<Uint8Array<ArrayBuffer>>;
+
+export interface UnwrapCommandParts {
+  readonly store: Store<EditorState>;
+  readonly session: DesignSession;
+  readonly models: ModelSession;
+  readonly board: NoticeBoard;
+  readonly tasks: Tasks;
+  readonly unwrap: Unwrapper;
+}
+
+export const sharesTexels = ({ overlappingTexels, coveredTexels }: TargetInfo): boolean =>
+  overlappingTexels > SHARED * coveredTexels;
+
+/** Materials whose parts share texels (of those that are open), and those that have no texture coordinates. */
+export function materialsToUnwrap({ model, targets }: Pick<EditorState, "model" | "targets">): number[] {
+  const needs = (index: number, code?: string): boolean => {
+    const target = targets.get(index);
+    return code === "no-uvs" || (target !== undefined && sharesTexels(target));
+  };
+  return (model?.info.materials ?? [])
+    .filter(({ index, refusal }) => needs(index, refusal?.code))
+    .map(({ index }) => index);
+}
+
+export class UnwrapCommand {
+  readonly #parts: UnwrapCommandParts;
+
+  constructor(parts: UnwrapCommandParts) {
+    this.#parts = parts;
+  }
+
+  /**
+   * Unwraps what `materialsToUnwrap` finds and opens the model so, with its design. What lies on the former coordinates is
+   * hidden, not taken away, and the user is told.
+   */
+  async run(): Promise<void> {
+    const { store, session, models, board, tasks, unwrap } = this.#parts;
+    const { strings } = board;
+    const before = store.state.model?.ref;
+    const materials = materialsToUnwrap(store.state);
+    if (!before || materials.length === 0 || store.state.readonly || store.state.switching) return;
+    try {
+      const glb = await tasks.run(strings.tasks.unwrapping, (task) =>
+        unwrap(before.source, { materials, size: this.#size(materials) }, task, strings),
+      );
+      await session.settled();
+      // Another model was opened meanwhile: that one is what the user wants to see.
+      if (store.state.model?.ref !== before) return;
+      const ref: ModelRef = {
+        source: { name: glbName(before.source.name), bytes: glb },
+        title: before.title,
+        demoId: null,
+      };
+      const { design, hidden } = hideFlat(session.recordedDesign, materials);
+      // A size that was chosen for the old texture may be too small for all of its parts.
+      const settings = new Map([...store.state.targetSettings].filter(([material]) => !materials.includes(material)));
+      models.rememberSettings(ref, settings);
+      await models.open(ref, design, () => session.recordModel(ref, design, strings.steps.unwrap));
+      board.announce(strings.announce.unwrapped);
+      if (hidden > 0) {
+        board.info({ title: strings.announce.unwrapped, message: strings.notices.flatHidden(hidden), stays: true });
+      }
+    } catch (thrown) {
+      board.error(strings.errors.couldNotUnwrap, thrown);
+    }
+  }
+
+  #size(materials: readonly number[]): number {
+    const { targets } = this.#parts.store.state;
+    const sides = materials.flatMap((material) => {
+      const target = targets.get(material);
+      return target ? [target.width, target.height] : [];
+    });
+    return Math.min(MOST_SIZE, Math.max(LEAST_SIZE, ...sides));
+  }
+}
+
+const glbName = (name: string): string => name.replace(/\.(gltf|glb)$/i, "").concat(".glb");
+
+/** What lies on the texture itself would lie elsewhere on the model. Faces keep their numbers; charts are others. */
+function hideFlat(design: Design, materials: readonly number[]): { readonly design: Design; readonly hidden: number } {
+  const isBound = (layer: DesignLayer): boolean =>
+    liesOnTexture(layer) || (layer.type === "fill" && layer.parts?.kind === "charts");
+  const ids = [...walkLayers(design, { strokes: false })]
+    .map(({ layer }) => layer)
+    .filter((layer) => layer.visible && isBound(layer) && materialsIn(layer).some((own) => materials.includes(own)))
+    .map(({ id }) => id);
+  return { design: ids.length === 0 ? design : patchLayers(design, ids, { visible: false }), hidden: ids.length };
+}
