@@ -99,7 +99,7 @@ private:
     std::vector<Occluder> occluders_;
     std::vector<std::uint32_t> cell_start_;  // first block; cells_ * cells_ + 1
     std::vector<Block> blocks_;
-    std::vector<PlaceWord> places_;          // by triangles
+    std::vector<PlaceWord> places_;  // by triangles
     BudgetShare share_;
 };
 
