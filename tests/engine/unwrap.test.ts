@@ -1,0 +1,250 @@
+/** Models unwrapped anew: what of them must stay, and what must be so afterwards. Read back by @gltf-transform, not by what wrote them. */
+import { type Document, type Primitive, WebIO } from "@gltf-transform/core";
+import { ALL_EXTENSIONS } from "@gltf-transform/extensions";
+import { validateBytes } from "gltf-validator";
+import { describe, expect, it } from "vitest";
+import type { ModelSource, Picture } from "../../web/engine/engine-api.ts";
+import { createEngineHost } from "../../web/engine/engine-host.ts";
+import { loadModelFile } from "../../web/engine/model-loader.ts";
+import { decodePicture } from "../../web/engine/picture-decoder.ts";
+import { encodePng } from "../../web/engine/png-encoder.ts";
+import { resampleTexture } from "../../web/engine/unwrap/texture-resampler.ts";
+import { unwrapModel } from "../../web/engine/unwrap/unwrap-model.ts";
+import { compressedModels } from "../support/compressed-models.ts";
+import { buildGlb, type ModelParts } from "../support/model-builder.ts";
+import { haveSharedModels, noteSkipped, sharedModel } from "../support/shared-models.ts";
+
+const SIZE = 256;
+
+const documentOf = async (glb: Uint8Array): Promise<Document> =>
+  await new WebIO().registerExtensions(ALL_EXTENSIONS).readBinary(glb as Uint8Array<ArrayBuffer>);
+
+const primitivesOf = (document: Document): Primitive[] =>
+  document
+    .getRoot()
+    .listMeshes()
+    .flatMap((mesh) => mesh.listPrimitives());
+
+/** The values of an attribute at each corner of each triangle. */
+function corners(primitive: Primitive, semantic: string): number[][] {
+  const values = primitive.getAttribute(semantic);
+  const indices = primitive.getIndices()?.getArray() ?? Array.from({ length: values?.getCount() ?? 0 }, (_, i) => i);
+  return values === null ? [] : Array.from(indices, (index) => values.getElement(index, []));
+}
+
+async function overlapOf(glb: Uint8Array, material = 0): Promise<{ covered: number; overlapping: number }> {
+  const engine = createEngineHost();
+  try {
+    await engine.loadModel({ name: "unwrapped.glb", bytes: glb });
+    const target = await engine.openTarget({ material, width: SIZE, height: SIZE });
+    return { covered: target.coveredTexels, overlapping: target.overlappingTexels };
+  } finally {
+    engine.dispose();
+  }
+}
+
+/** A square of two triangles on the whole texture, beside others at `x`. */
+const square = (x: number) => ({
+  positions: [x, 0, 0, x + 1, 0, 0, x + 1, 1, 0, x, 1, 0],
+  normals: [0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1],
+  uvs: [0, 1, 1, 1, 1, 0, 0, 0],
+  indices: [0, 1, 2, 0, 2, 3],
+  material: 0,
+});
+
+async function motley(side: number): Promise<Uint8Array> {
+  const rgba = Uint8Array.from({ length: side * side * 4 }, (_, i) =>
+    i % 4 === 3 ? 255 : (((i >> 2) % side) * 29 + i * 7) % 251,
+  );
+  return await encodePng({ width: side, height: side, rgba });
+}
+
+async function squares(more: Partial<ModelParts> = {}): Promise<ModelSource> {
+  const parts: ModelParts = {
+    meshes: [square(0), square(2)],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    textures: [{ source: 0 }],
+    images: [{ bytes: await motley(16), mimeType: "image/png" }],
+    ...more,
+  };
+  return { name: "squares.glb", bytes: buildGlb(parts) };
+}
+
+/** Bilinear, as a viewer magnifies; `wrap` goes on by repeating. */
+function colorAt({ width, height, rgba }: Picture, u: number, v: number): number[] {
+  const [x, y] = [u * width - 0.5, v * height - 0.5];
+  const [left, top] = [Math.floor(x), Math.floor(y)];
+  const texel = (i: number, j: number): Uint8Array => {
+    const at = 4 * ((((j % height) + height) % height) * width + (((i % width) + width) % width));
+    return rgba.subarray(at, at + 4);
+  };
+  return [0, 1, 2].map((channel) => {
+    const mix = (j: number) =>
+      (texel(left, j)[channel] as number) * (1 - x + left) + (texel(left + 1, j)[channel] as number) * (x - left);
+    return mix(top) * (1 - y + top) + mix(top + 1) * (y - top);
+  });
+}
+
+/** The mean difference of the base colour, 0 to 255, between points of the same triangles before and after. */
+async function lookDifference(before: Uint8Array, after: Uint8Array, set: number): Promise<number> {
+  const [old, now] = [await documentOf(before), await documentOf(after)];
+  const [oldPicture, picture] = await Promise.all(
+    [old, now].map(async (document) => {
+      const texture = document.getRoot().listMaterials()[0]?.getBaseColorTexture();
+      return await decodePicture(texture?.getImage() ?? new Uint8Array(), "texture");
+    }),
+  );
+  let sum = 0;
+  let count = 0;
+  for (const [i, primitive] of primitivesOf(old).entries()) {
+    const from = corners(primitive, "TEXCOORD_0");
+    const to = corners(primitivesOf(now)[i] as Primitive, `TEXCOORD_${set}`);
+    for (let corner = 0; corner < from.length; corner += 3) {
+      const place = (uvs: number[][], axis: number): number =>
+        [0.5, 0.3, 0.2].reduce((total, weight, k) => total + weight * (uvs[corner + k]?.[axis] ?? 0), 0);
+      const was = colorAt(oldPicture as Picture, place(from, 0), place(from, 1));
+      const is = colorAt(picture as Picture, place(to, 0), place(to, 1));
+      for (const [channel, value] of was.entries()) sum += Math.abs(value - (is[channel] as number));
+      count += 3;
+    }
+  }
+  return sum / count;
+}
+
+describe("a model that is unwrapped", () => {
+  it("gives two meshes with one material texels of their own on one texture", async () => {
+    const source = await squares();
+    expect((await overlapOf(source.bytes)).overlapping, "before").toBeGreaterThan(1000);
+    const { glb, materials } = await unwrapModel(source, { materials: [0], size: SIZE });
+    const { covered, overlapping } = await overlapOf(glb);
+    expect(overlapping).toBe(0);
+    expect(covered / SIZE ** 2).toBeGreaterThan(0.3);
+    expect(materials).toMatchObject([{ material: 0, triangles: 4, withoutPlace: 0, texCoord: 1 }]);
+  });
+
+  it("looks as before, and keeps its former coordinates beside the new ones", async () => {
+    const source = await squares();
+    const { glb } = await unwrapModel(source, { materials: [0], size: SIZE });
+    expect(await lookDifference(source.bytes, glb, 1)).toBeLessThan(2);
+    const [before, after] = [await documentOf(source.bytes), await documentOf(glb)];
+    for (const [i, primitive] of primitivesOf(before).entries()) {
+      for (const semantic of ["POSITION", "NORMAL", "TEXCOORD_0"]) {
+        expect(corners(primitivesOf(after)[i] as Primitive, semantic)).toEqual(corners(primitive, semantic));
+      }
+    }
+    expect((await validateBytes(glb)).issues.messages.filter(({ severity }) => severity === 0)).toEqual([]);
+  });
+
+  it("comes out as the same bytes twice", async () => {
+    const source = await squares();
+    const [first, second] = [
+      await unwrapModel(source, { materials: [0], size: SIZE }),
+      await unwrapModel(source, { materials: [0], size: SIZE }),
+    ];
+    expect(Buffer.compare(first.glb, second.glb)).toBe(0);
+  });
+
+  it("is not turned by what KHR_texture_transform said of the former coordinates", async () => {
+    const transform = { offset: [0.25, 0.5], rotation: 0.5, scale: [2, 3] };
+    const texture = { index: 0, extensions: { KHR_texture_transform: transform } };
+    const source = await squares({
+      materials: [{ pbrMetallicRoughness: { baseColorTexture: texture } }],
+      more: { extensionsUsed: ["KHR_texture_transform"] },
+    });
+    const { glb } = await unwrapModel(source, { materials: [0], size: SIZE });
+    const { json } = (await loadModelFile({ name: "unwrapped.glb", bytes: glb })).packed;
+    expect(json.materials).toMatchObject([{ pbrMetallicRoughness: { baseColorTexture: { texCoord: 1 } } }]);
+    expect(JSON.stringify(json.materials)).not.toContain("KHR_texture_transform");
+    expect((await overlapOf(glb)).overlapping).toBe(0);
+  });
+
+  it("gets coordinates and a white texture where it has none, and keeps its colour factor", async () => {
+    const { uvs: _, ...bare } = square(0);
+    const source = await squares({
+      meshes: [bare],
+      materials: [{ pbrMetallicRoughness: { baseColorFactor: [1, 0.5, 0, 1] } }],
+      textures: [],
+      images: [],
+    });
+    const { glb, materials } = await unwrapModel(source, { materials: [0], size: SIZE });
+    expect(materials[0]?.texCoord).toBe(0);
+    const document = await documentOf(glb);
+    const [material] = document.getRoot().listMaterials();
+    expect(material?.getBaseColorFactor()).toEqual([1, 0.5, 0, 1]);
+    const picture = await decodePicture(material?.getBaseColorTexture()?.getImage() ?? new Uint8Array(), "white");
+    expect([picture.width, new Set(picture.rgba)]).toEqual([SIZE, new Set([255])]);
+    expect((await overlapOf(glb)).covered).toBeGreaterThan(1000);
+  });
+
+  it("is read through Draco and meshopt", async () => {
+    const compressed = await compressedModels((await squares()).bytes);
+    for (const bytes of [compressed.draco, compressed.meshopt]) {
+      const { glb } = await unwrapModel({ name: "squares.glb", bytes }, { materials: [0], size: SIZE });
+      expect((await overlapOf(glb)).overlapping).toBe(0);
+    }
+  });
+
+  it("keeps triangles without area, as points of the texture", async () => {
+    const flat = { ...square(0), indices: [0, 1, 2, 0, 2, 3, 1, 1, 2] };
+    const { glb, materials } = await unwrapModel(await squares({ meshes: [flat] }), { materials: [0], size: SIZE });
+    expect(materials).toMatchObject([{ triangles: 3, withoutPlace: 1 }]);
+    expect(
+      corners(primitivesOf(await documentOf(glb))[0] as Primitive, "TEXCOORD_1")
+        .flat()
+        .every(Number.isFinite),
+    ).toBe(true);
+    expect((await overlapOf(glb)).overlapping).toBe(0);
+  });
+
+  it("names a material that is not there", async () => {
+    const work = unwrapModel(await squares(), { materials: [7], size: SIZE });
+    await expect(work).rejects.toMatchObject({ code: "no-material", subject: "squares.glb", value: "7" });
+  });
+});
+
+describe("a picture laid on other coordinates", () => {
+  const picture: Picture = {
+    width: 2,
+    height: 1,
+    rgba: Uint8Array.of(0, 0, 0, 255, 200, 0, 0, 255),
+  };
+  /** The middle of a triangle whose corners all lie at `u` of the old picture. */
+  const redAt = (u: number, wrap: "repeat" | "mirror" | "clamp"): number => {
+    const from = Float64Array.of(u, 0.5, u, 0.5, u, 0.5);
+    const to = Float32Array.of(0, 0, 8, 0, 0, 8);
+    return resampleTexture({ picture, wrap: [wrap, wrap], nearest: false }, [{ from, to }], 8)[0] as number;
+  };
+
+  it("goes on beyond its edge as its sampler says", () => {
+    expect([redAt(1.25, "repeat"), redAt(1.25, "mirror"), redAt(1.25, "clamp")]).toEqual([0, 200, 200]);
+    expect([redAt(-0.25, "repeat"), redAt(-0.25, "mirror"), redAt(-0.25, "clamp")]).toEqual([200, 0, 0]);
+  });
+
+  it("gives texels outside of all triangles the colour of the nearest one", () => {
+    const from = Float64Array.of(0.75, 0.5, 0.75, 0.5, 0.75, 0.5);
+    const to = Float32Array.of(0, 0, 2, 0, 0, 2);
+    const rgba = resampleTexture({ picture, wrap: ["clamp", "clamp"], nearest: false }, [{ from, to }], 32);
+    expect(new Set(rgba.filter((_, i) => i % 4 === 0))).toEqual(new Set([200]));
+  });
+});
+
+noteSkipped("a character whose parts share a palette is unwrapped");
+describe.runIf(haveSharedModels)("the Knight of KayKit, most of whose texels are shared", () => {
+  it("shares none afterwards, looks as before, and moves as before", async () => {
+    const source = sharedModel("Knight.glb");
+    const { glb } = await unwrapModel(source, { materials: [0], size: 1024 });
+    expect((await overlapOf(glb)).overlapping).toBe(0);
+    expect(await lookDifference(source.bytes, glb, 1)).toBeLessThan(2);
+    const [before, after] = [await documentOf(source.bytes), await documentOf(glb)];
+    for (const [i, primitive] of primitivesOf(before).entries()) {
+      for (const semantic of primitive.listSemantics()) {
+        expect(corners(primitivesOf(after)[i] as Primitive, semantic)).toEqual(corners(primitive, semantic));
+      }
+    }
+    expect([after.getRoot().listAnimations().length, after.getRoot().listSkins().length]).toEqual([
+      before.getRoot().listAnimations().length,
+      before.getRoot().listSkins().length,
+    ]);
+    expect((await validateBytes(glb)).issues.messages.filter(({ severity }) => severity === 0)).toEqual([]);
+  });
+});
