@@ -29,7 +29,9 @@ const primitivesOf = (document: Document): Primitive[] =>
 function corners(primitive: Primitive, semantic: string): number[][] {
   const values = primitive.getAttribute(semantic);
   const indices = primitive.getIndices()?.getArray() ?? Array.from({ length: values?.getCount() ?? 0 }, (_, i) => i);
-  return values === null ? [] : Array.from(indices, (index) => values.getElement(index, []));
+  return values === null
+    ? []
+    : Array.from(indices as Iterable<number>, (index: number) => values.getElement(index, []));
 }
 
 async function overlapOf(glb: Uint8Array, material = 0): Promise<{ covered: number; overlapping: number }> {
