@@ -140,7 +140,7 @@ export class TargetSettings extends EditorElement {
   #unwrap(): TemplateResult {
     const { unwrapping, tasks } = this.editor;
     return html`<button
-      class="unwrap"
+      class="outlined"
       title=${this.#words.unwrapHint}
       @click=${() => void tasks.quietly(unwrapping?.run() ?? Promise.resolve())}
     >
