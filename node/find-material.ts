@@ -47,7 +47,7 @@ export function findPaintable(model: ModelInfo, index: number, wantedBy?: Wanted
       hint:
         others.length > 0
           ? `Choose one that can: ${others.join(", ")}.`
-          : "Unwrap the model in a 3D program (give it texture coordinates) and export it again.",
+          : "Unwrap the model with “texelcast unwrap”, or in a 3D program.",
     },
   );
 }

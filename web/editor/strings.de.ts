@@ -739,7 +739,7 @@ export const german: Strings = {
     noMaterials: "Das Modell hat keine Dreiecke mit einem Material, das sich bemalen ließe.",
     couldNotUnwrap: "Das Modell ließ sich nicht abwickeln",
     unwrapFailed: (reason) => `Das Modell ließ sich nicht abwickeln${reason ? `: ${reason}` : "."}`,
-    noUvsHint: "Wickle das Modell in einem 3D-Programm ab (gib ihm Texturkoordinaten) und exportiere es noch einmal.",
+    noUvsHint: "Wickle das Modell mit „texelcast unwrap“ ab, oder in einem 3D-Programm.",
     refusedHint: "Repariere das Modell in einem 3D-Programm und exportiere es noch einmal.",
     noWebGl: "Der Browser gibt der 3D-Ansicht keinen WebGL-2-Kontext.",
     noWebGlHint: "Schalte die Hardwarebeschleunigung ein oder nimm einen anderen Browser.",

@@ -731,7 +731,7 @@ const english = {
     noMaterials: "The model has no triangles with a material to paint.",
     couldNotUnwrap: "Could not unwrap the model",
     unwrapFailed: (reason: string): string => `The model could not be unwrapped${reason ? `: ${reason}` : "."}`,
-    noUvsHint: "Unwrap the model in a 3D program (give it texture coordinates) and export it again.",
+    noUvsHint: "Unwrap the model with “texelcast unwrap”, or in a 3D program.",
     refusedHint: "Repair the model in a 3D program and export it again.",
     noWebGl: "The browser gave no WebGL 2 context, which the 3D view needs.",
     noWebGlHint: "Turn on hardware acceleration, or use another browser.",
