@@ -5,13 +5,15 @@ import { validateBytes } from "gltf-validator";
 import { describe, expect, it } from "vitest";
 import type { ModelSource, Picture } from "../../web/engine/engine-api.ts";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
+import { writeGlb } from "../../web/engine/gltf-container.ts";
+import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { loadModelFile } from "../../web/engine/model-loader.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
 import { resampleTexture } from "../../web/engine/unwrap/texture-resampler.ts";
 import { unwrapModel } from "../../web/engine/unwrap/unwrap-model.ts";
 import { compressedModels } from "../support/compressed-models.ts";
-import { buildGlb, type ModelParts } from "../support/model-builder.ts";
+import { buildGlb, buildModel, type ModelParts } from "../support/model-builder.ts";
 import { haveSharedModels, noteSkipped, sharedModel } from "../support/shared-models.ts";
 
 const SIZE = 256;
@@ -135,6 +137,28 @@ describe("a model that is unwrapped", () => {
       }
     }
     expect((await validateBytes(glb)).issues.messages.filter(({ severity }) => severity === 0)).toEqual([]);
+  });
+
+  it("says the bounds of the vertices that it has: one that no triangle names is left out, with its place", async () => {
+    const far = { ...square(0), positions: [...square(0).positions, 9, 9, 9] };
+    const withFifth = { ...far, normals: [...square(0).normals, 0, 0, 1], uvs: [...square(0).uvs, 0, 0] };
+    const { glb } = await unwrapModel(await squares({ meshes: [withFifth] }), { materials: [0], size: SIZE });
+    expect((await validateBytes(glb)).issues.messages.filter(({ severity }) => severity === 0)).toEqual([]);
+  });
+
+  it("is refused where an attribute has not as many elements as there are vertices, however many it claims", async () => {
+    for (const count of [3, 2 ** 31]) {
+      const { json, binary } = buildModel({ meshes: [square(0)], materials: [{}] });
+      const accessors = json.accessors as JsonObject[];
+      accessors.push({ componentType: 5126, type: "SCALAR", count });
+      const [primitive] = (json.meshes as { primitives: { attributes: JsonObject }[] }[])[0]?.primitives ?? [];
+      if (primitive) primitive.attributes._WEAR = accessors.length - 1;
+      const work = unwrapModel({ name: "worn.glb", bytes: writeGlb(json, binary) }, { materials: [0], size: SIZE });
+      await expect(work).rejects.toMatchObject({
+        ...{ code: "bad-container", subject: "worn.glb", field: `accessors[${accessors.length - 1}].count` },
+        value: String(count),
+      });
+    }
   });
 
   it("comes out as the same bytes twice", async () => {

@@ -53,10 +53,21 @@ export class Accessors {
     return accessor;
   }
 
-  /** All elements of an accessor, sparse ones filled in. Throws "bad-container" for lengths that do not fit. */
-  read(index: number): Elements {
+  /**
+   * All elements of an accessor, sparse ones filled in. Throws "bad-container" for lengths that do not fit, and for another
+   * number than that of the vertices, where it is given: no room is made for what a file only claims to have.
+   */
+  read(index: number, vertexCount?: number): Elements {
     const accessor = this.at(index);
     const count = indexAt(accessor, "count") ?? 0;
+    if (vertexCount !== undefined && count !== vertexCount) {
+      throw badContainer(
+        this.#name,
+        `“accessors[${index}]” has ${count} elements for ${vertexCount} vertices`,
+        `accessors[${index}].count`,
+        accessor.count,
+      );
+    }
     const { columns, columnBytes } = this.#shape(index, accessor);
     const elementBytes = columns * columnBytes;
     const bytes = new Uint8Array(count * elementBytes);
@@ -83,9 +94,10 @@ export class Accessors {
     return numbers;
   }
 
-  /** The accessor anew with other elements; what else it says (type, range, name) it keeps. Returns its index. */
+  /** The accessor anew with some of its elements; what else it says (type, name) it keeps. Returns its index. */
   addLike(index: number, elements: Elements): number {
     const { bufferView: _, byteOffset: __, sparse: ___, ...kept } = this.at(index);
+    if (kept.min !== undefined || kept.max !== undefined) Object.assign(kept, boundsOf(elements, kept));
     // glTF has every element of an attribute begin at a multiple of four bytes.
     const stride = padded(elements.elementBytes, ALIGNMENT);
     const bytes = new Uint8Array(elements.count * stride);
@@ -194,6 +206,21 @@ export class Accessors {
   #fault(index: number, what: string): Error {
     return badContainer(this.#name, `“accessors[${index}]” ${what}`, `accessors[${index}]`);
   }
+}
+
+/** The least and the greatest of each component, as glTF 2.0, 3.6.2.5 asks of places: what was left out has no say. */
+function boundsOf({ count, elementBytes, bytes }: Elements, accessor: JsonObject): JsonObject {
+  const type = accessor.componentType as number;
+  const size = COMPONENT_BYTES[type] ?? 1;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const min = new Array<number>(elementBytes / size).fill(Number.POSITIVE_INFINITY);
+  const max = new Array<number>(elementBytes / size).fill(Number.NEGATIVE_INFINITY);
+  for (let i = 0; i < count * min.length; i++) {
+    const [value, component] = [componentAt(view, i * size, type), i % min.length];
+    min[component] = Math.min(min[component] as number, value);
+    max[component] = Math.max(max[component] as number, value);
+  }
+  return { min, max };
 }
 
 function componentAt(view: DataView, offset: number, type: number): number {

@@ -1,22 +1,25 @@
 /** A primitive written with a further set of texture coordinates: all else of each corner stays as it was, byte for byte. */
 import { isObject, type JsonObject, objectAt } from "../gltf-json.ts";
-import type { Accessors } from "./accessors.ts";
+import type { Accessors, Elements } from "./accessors.ts";
 import type { MaterialPart } from "./material-parts.ts";
 
 /**
  * Gives the part's vertices their new coordinates as the set `texCoord` (and as those before it that it lacks: glTF counts
- * them without gaps). A vertex whose corners lie in several charts becomes several.
+ * them without gaps). A vertex whose corners lie in several charts becomes several. Throws "bad-container" for an attribute or a
+ * target that has not as many elements as there are vertices.
  * @param corners two numbers a corner of its triangles, 0 to 1
  */
 export function writePart(part: MaterialPart, corners: Float32Array, texCoord: number, accessors: Accessors): void {
-  const { primitive, indices } = part;
+  const { primitive, indices, vertexCount } = part;
+  // It draws nothing, and glTF knows no accessor without elements.
+  if (indices.length === 0) return;
   const { origins, uvs, placed } = splitVertices(indices, corners);
   const attributes = objectAt(primitive, "attributes") ?? {};
   const moved = new Map<number, number>();
   const move = (index: number): number => {
     let found = moved.get(index);
     if (found === undefined) {
-      found = accessors.addLike(index, picked(accessors, index, origins));
+      found = accessors.addLike(index, picked(accessors.read(index, vertexCount), origins));
       moved.set(index, found);
     }
     return found;
@@ -40,8 +43,7 @@ function movedAttributes(attributes: JsonObject, move: (index: number) => number
   );
 }
 
-function picked(accessors: Accessors, index: number, origins: readonly number[]) {
-  const { elementBytes, bytes } = accessors.read(index);
+function picked({ elementBytes, bytes }: Elements, origins: readonly number[]): Elements {
   const chosen = new Uint8Array(origins.length * elementBytes);
   for (const [i, origin] of origins.entries()) {
     chosen.set(bytes.subarray(origin * elementBytes, (origin + 1) * elementBytes), i * elementBytes);
