@@ -1,5 +1,6 @@
 /** `texelcast unwrap`: the model with texture coordinates in which no two triangles of a material share a texel. */
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { SHARED_TEXELS } from "../../web/engine/shared-texels.ts";
 import { type UnwrappedMaterial, unwrapModel } from "../../web/engine/unwrap/unwrap-model.ts";
 import { findMaterial } from "../find-material.ts";
 import { inspectModel, type MaterialReport, type ModelReport } from "../inspect-model.ts";
@@ -16,9 +17,6 @@ export interface UnwrapCommandOptions {
   /** Without it, all that share texels or have no texture coordinates. */
   readonly material?: number;
 }
-
-/** Of the covered texels: below it, what is shared is the width of a line between two parts. The page warns from here, too. */
-const SHARED = 0.01;
 
 /** Writes the file and tells what has become of each material. @throws TexelcastError for what cannot be read, unwrapped or written */
 export async function unwrap(file: string, { out, size, material }: UnwrapCommandOptions): Promise<void> {
@@ -55,7 +53,7 @@ export async function unwrap(file: string, { out, size, material }: UnwrapComman
 /** @throws TexelcastError "no-material" where there is none. */
 function needing({ file, materials }: ModelReport): number[] {
   const found = materials.filter(
-    ({ refusal, uv }) => refusal?.code === "no-uvs" || (uv.measured !== null && uv.measured.overlap > SHARED),
+    ({ refusal, uv }) => refusal?.code === "no-uvs" || (uv.measured !== null && uv.measured.overlap > SHARED_TEXELS),
   );
   if (found.length > 0) return found.map(({ index }) => index);
   throw new TexelcastError("no-material", "no material shares texels or lacks texture coordinates", {

@@ -1,5 +1,6 @@
 /** Gives the open model texture coordinates in which its parts share no texels: one step, which an undo takes back. */
 import type { ModelSource, TargetInfo } from "../../engine/engine-api.ts";
+import { SHARED_TEXELS } from "../../engine/shared-texels.ts";
 import type { Design, DesignLayer } from "../document/design.ts";
 import { materialsIn, walkLayers } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
@@ -13,8 +14,6 @@ import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import type { TaskHandle, Tasks } from "./tasks.ts";
 
-/** Of the covered texels: below it, what is shared is the width of a line between two parts. */
-const SHARED = 0.01;
 /** Sides of the new textures, texels: the old one's, within these. */
 const LEAST_SIZE = 1024;
 const MOST_SIZE = 4096;
@@ -37,7 +36,7 @@ export interface UnwrapCommandParts {
 }
 
 export const sharesTexels = ({ overlappingTexels, coveredTexels }: TargetInfo): boolean =>
-  overlappingTexels > SHARED * coveredTexels;
+  overlappingTexels > SHARED_TEXELS * coveredTexels;
 
 /** Materials whose parts share texels (of those that are open), and those that have no texture coordinates. */
 export function materialsToUnwrap({ model, targets }: Pick<EditorState, "model" | "targets">): number[] {
