@@ -11,6 +11,7 @@ import { firefox } from "./bootstrap/firefox.mjs";
 import { withLock } from "./bootstrap/lock.mjs";
 import { nodePackages } from "./bootstrap/node-packages.mjs";
 import {
+  basisGlue,
   commandLine,
   demoAssets,
   designSchema,
@@ -27,23 +28,24 @@ const OLDEST_NODE = [20, 19];
 
 /** What each command needs, in the order in which it can be made. */
 const GOALS = {
-  start: [nodePackages, wasmModule, demoAssets],
-  build: [nodePackages, wasmModule, demoAssets, designSchema],
-  storefront: [nodePackages, wasmModule, demoAssets, storefrontPages, storefrontServer],
-  cli: [nodePackages, wasmModule, designSchema, commandLine],
-  package: [nodePackages, wasmModule, designSchema, npmPackage],
+  start: [nodePackages, wasmModule, basisGlue, demoAssets],
+  build: [nodePackages, wasmModule, basisGlue, demoAssets, designSchema],
+  storefront: [nodePackages, wasmModule, basisGlue, demoAssets, storefrontPages, storefrontServer],
+  cli: [nodePackages, wasmModule, basisGlue, designSchema, commandLine],
+  package: [nodePackages, wasmModule, basisGlue, designSchema, npmPackage],
   test: [
-    ...[nodePackages, testTools, chromium, firefox, wasmModule, demoAssets, designSchema],
+    ...[nodePackages, testTools, chromium, firefox, wasmModule, basisGlue, demoAssets, designSchema],
     ...[commandLine, npmPackage, storefrontPages, storefrontServer],
   ],
-  lint: [nodePackages, testTools],
-  bench: [nodePackages, testTools, wasmModule],
-  figures: [nodePackages, chromium, wasmModule, demoAssets],
-  "bench:browser": [nodePackages, chromium, wasmModule, demoAssets],
+  lint: [nodePackages, basisGlue, testTools],
+  bench: [nodePackages, testTools, wasmModule, basisGlue],
+  figures: [nodePackages, chromium, wasmModule, basisGlue, demoAssets],
+  "bench:browser": [nodePackages, chromium, wasmModule, basisGlue, demoAssets],
   "bench:load": [
     nodePackages,
     chromium,
     wasmModule,
+    basisGlue,
     demoAssets,
     designSchema,
     npmPackage,

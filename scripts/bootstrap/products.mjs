@@ -3,6 +3,7 @@
  * line, the npm package.
  */
 import { chmodSync } from "node:fs";
+import { writeBasisGlue } from "./basis-glue.mjs";
 import { wasmEnvironment, wasmNeeds } from "./build-tools.mjs";
 import { buildPreset } from "./cmake.mjs";
 import { inRoot } from "./paths.mjs";
@@ -16,6 +17,14 @@ export const wasmModule = stampedStep({
   outputs: ["build/wasm/texelcast.wasm"],
   needs: wasmNeeds,
   work: async () => buildPreset("wasm", "wasm", wasmEnvironment()),
+});
+
+export const basisGlue = stampedStep({
+  name: "basis",
+  title: "the decoder of KTX2 textures (build/basis)",
+  inputs: ["package-lock.json", "scripts/bootstrap/basis-glue.mjs", "scripts/bootstrap/embind-without-eval.mjs"],
+  outputs: ["build/basis/basis-transcoder.js", "build/basis/basis-transcoder.d.ts"],
+  work: async () => writeBasisGlue(),
 });
 
 /** @param {string} script in the checkout */
@@ -40,7 +49,10 @@ export const designSchema = stampedStep({
 export const commandLine = stampedStep({
   name: "command-line",
   title: "the command line (build/node)",
-  inputs: ["node", "web/core", "web/engine", "web/editor/document", "package.json", "scripts/bootstrap/products.mjs"],
+  inputs: [
+    ...["node", "web/core", "web/engine", "web/editor/document", "build/basis"],
+    ...["package.json", "scripts/bootstrap/products.mjs"],
+  ],
   outputs: ["build/node/texelcast.mjs"],
   work: async () => {
     await bundleForNode("node/cli.ts", "build/node/texelcast.mjs", "#!/usr/bin/env node");
@@ -52,7 +64,7 @@ export const storefrontServer = stampedStep({
   name: "storefront-server",
   title: "the example shop's order server (build/node)",
   inputs: [
-    ...["node", "web/core", "web/engine", "web/editor/document", "web/storefront/api"],
+    ...["node", "web/core", "web/engine", "web/editor/document", "web/storefront/api", "build/basis"],
     ...["package.json", "scripts/bootstrap/products.mjs"],
   ],
   outputs: ["build/node/storefront.mjs", "build/node/storefront-press.mjs"],
@@ -65,7 +77,15 @@ export const storefrontServer = stampedStep({
 export const storefrontPages = stampedStep({
   name: "storefront-pages",
   title: "the example shop's pages (build/storefront)",
-  inputs: ["web", "scripts/demo", "wasm", "vite.config.ts", "vite.storefront.config.ts", "package-lock.json"],
+  inputs: [
+    "web",
+    "build/basis",
+    "scripts/demo",
+    "wasm",
+    "vite.config.ts",
+    "vite.storefront.config.ts",
+    "package-lock.json",
+  ],
   outputs: ["build/storefront/index.html", "build/storefront/shop/products.json"],
   work: async () => {
     const { build } = await import("vite");
@@ -78,6 +98,7 @@ export const npmPackage = stampedStep({
   title: "the npm package (build/package)",
   inputs: [
     "build/wasm/texelcast.wasm",
+    "build/basis",
     "node",
     "package-lock.json",
     "package.json",

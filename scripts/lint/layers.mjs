@@ -61,7 +61,11 @@ export function faultsOf(path, source) {
     const specifier = named ?? called ?? "";
     if (!specifier.startsWith(".")) {
       const { folder, runs } = room;
-      const fromPage = PAGE_PACKAGES.find((name) => specifier === name || specifier.startsWith(`${name}/`));
+      // WebAssembly wants no page, whatever package it lies in.
+      const isScript = !specifier.endsWith(".wasm");
+      const fromPage = PAGE_PACKAGES.find(
+        (name) => specifier === name || (isScript && specifier.startsWith(`${name}/`)),
+      );
       if (runs !== "page" && fromPage) return [`${path} imports ${fromPage}, but ${folder} must run in bare Node`];
       if (runs !== "node" && specifier.startsWith("node:")) {
         return [`${path} imports ${specifier}, but ${folder} must run in a page`];

@@ -3,6 +3,10 @@ import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { inRoot } from "../bootstrap/paths.mjs";
 
+/** What a package holds of others, whose licence it names without its text. */
+const WITHIN = `Of three's files, the transcoder of KTX2 textures: Basis Universal, Copyright (C) 2019-2024 Binomial LLC. Its glue is changed
+so that a policy without eval allows it. Licensed under the Apache License 2.0, which stands below (@jsquash/jpeg).`;
+
 /**
  * @param {Iterable<string>} files that went into the bundles or beside them, absolute
  * @returns {string}
@@ -19,7 +23,7 @@ export function licenceText(files) {
   });
   const head = "Texelcast holds code and files of these packages, under their own licences.";
   const core = readFileSync(inRoot("wasm/LICENCES.txt"), "utf8").trim();
-  return `${[head, core, ...parts].join(`\n\n${"-".repeat(80)}\n\n`)}\n`;
+  return `${[head, core, WITHIN, ...parts].join(`\n\n${"-".repeat(80)}\n\n`)}\n`;
 }
 
 /** @param {string} file @returns {string | null} */

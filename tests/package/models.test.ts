@@ -4,21 +4,34 @@ import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { renderPrint } from "../../node/print.ts";
 import { compressedModels } from "../support/compressed-models.ts";
-import { buildGlb, cube } from "../support/model-builder.ts";
+import { ktx2File, softPicture } from "../support/ktx2-file.ts";
+import { buildGlb, cube, plane } from "../support/model-builder.ts";
 import { type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
 
 let installed: InstalledPackage;
-let models: Readonly<Record<"draco" | "meshopt", Uint8Array>>;
+let models: Readonly<Record<"draco" | "meshopt" | "KTX2", Uint8Array>>;
 beforeAll(async () => {
-  models = await compressedModels(buildGlb({ meshes: [cube(0)], materials: [{ name: "sides" }] }));
+  const geometry = await compressedModels(buildGlb({ meshes: [cube(0)], materials: [{ name: "sides" }] }));
+  models = { ...geometry, KTX2: await modelWithKtx2() };
   installed = await installPackage();
 });
 afterAll(() => installed.remove());
 
-const DESIGN = { format: "texelcast-design", version: 1, layers: [{ type: "fill", color: "#123456" }] };
+async function modelWithKtx2(): Promise<Uint8Array> {
+  const extension = "KHR_texture_basisu";
+  return buildGlb({
+    meshes: [plane(1, 0)],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    textures: [{ extensions: { [extension]: { source: 0 } } }],
+    images: [{ bytes: await ktx2File(softPicture(32, 32), "ETC1S"), mimeType: "image/ktx2" }],
+    more: { extensionsUsed: [extension], extensionsRequired: [extension] },
+  });
+}
 
-test.each(["draco", "meshopt"] as const)(
-  "a model with its geometry compressed by %s is printed as in a checkout",
+const DESIGN = { format: "texelcast-design", version: 1, layers: [{ type: "fill", color: "#123456", opacity: 0.5 }] };
+
+test.each(["draco", "meshopt", "KTX2"] as const)(
+  "a model compressed by %s is printed as in a checkout",
   async (way) => {
     const { sha256 } = await renderPrint({ model: models[way], design: DESIGN, size: 64 });
     writeFileSync(join(installed.folder, `${way}.glb`), models[way]);

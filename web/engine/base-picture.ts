@@ -5,7 +5,7 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Picture, TargetOptions } from "./engine-api.ts";
 import type { LoadedModel } from "./model-loader.ts";
 import { baseTextureSize } from "./model-loader.ts";
-import { BASISU_TEXTURE, findBaseTexture, imageBytes } from "./model-textures.ts";
+import { findBaseTexture, imageBytes } from "./model-textures.ts";
 import { decodePicture, readPictureHeader } from "./picture-decoder.ts";
 
 /** Side of a target whose material has no picture and for which no size is asked, texels. */
@@ -61,10 +61,9 @@ async function loadModelBase(model: LoadedModel, material: number): Promise<Base
   const texture = findBaseTexture(json, material, model.name);
   if (texture === null) return { picture: null, color: null, filter: Filters.linear, factorBaked: true };
   if (texture.image === null) {
-    const format = texture.undecodable === BASISU_TEXTURE ? "KTX2 (Basis Universal)" : texture.undecodable;
     throw new TexelcastError(
       "unsupported",
-      `The texture of material ${material} of “${model.name}” is ${format}, which cannot be decoded here.`,
+      `The texture of material ${material} of “${model.name}” is ${texture.undecodable}, which cannot be decoded here.`,
       {
         subject: model.name,
         field: `textures[${texture.texture}].extensions.${texture.undecodable}`,

@@ -18,6 +18,10 @@ const FILES = {
     specifier: "draco3dgltf/draco_decoder_gltf.wasm",
     url: () => new URL("draco3dgltf/draco_decoder_gltf.wasm", import.meta.url),
   },
+  basis: {
+    specifier: "three/examples/jsm/libs/basis/basis_transcoder.wasm",
+    url: () => new URL("three/examples/jsm/libs/basis/basis_transcoder.wasm", import.meta.url),
+  },
   svg: {
     specifier: "@resvg/resvg-wasm/index_bg.wasm",
     url: () => new URL("@resvg/resvg-wasm/index_bg.wasm", import.meta.url),

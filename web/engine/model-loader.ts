@@ -1,16 +1,20 @@
 /** A model file made ready: its parts for writing it back, and an uncompressed, self-contained GLB for the core and viewers. */
 import type { ModelSource } from "./engine-api.ts";
 import { type GltfContainer, readContainer, writeGlb } from "./gltf-container.ts";
+import { extensionsUsed } from "./gltf-json.ts";
 import { type PackedGltf, packGltf } from "./gltf-packer.ts";
 import { compressionOf } from "./model-compression.ts";
-import { findBaseTexture, imageBytes } from "./model-textures.ts";
+import { BASISU_TEXTURE, findBaseTexture, imageBytes } from "./model-textures.ts";
 import { readPictureHeader } from "./picture-header.ts";
 
 export interface LoadedModel {
   readonly name: string;
   /** The user's own file, for writing back. */
   readonly original: GltfContainer;
-  /** Self-contained, compression as in the file. Its materials, textures and images are the file's. */
+  /**
+   * Self-contained, geometry compressed as in the file. Its materials, textures and images are the file's; what only KTX2 textures
+   * have, they have as PNG.
+   */
   readonly packed: PackedGltf;
   /** Self-contained and uncompressed. */
   readonly glb: Uint8Array;
@@ -18,17 +22,24 @@ export interface LoadedModel {
 
 /**
  * Reads a model. The source's bytes are copied, so the caller may do with them what it likes. Throws "bad-container",
- * "missing-file" (naming the side file), "bad-model", "out-of-budget".
+ * "missing-file" (naming the side file), "bad-model", "out-of-budget", and "bad-picture" (naming a KTX2 image).
  */
 export async function loadModelFile(source: ModelSource): Promise<LoadedModel> {
+  // Not by `slice`, which of Node's Buffers gives the same memory again.
   const resources = new Map<string, Uint8Array>();
-  for (const [uri, bytes] of source.resources ?? []) resources.set(uri, bytes.slice());
-  const bytes = source.bytes.slice();
+  for (const [uri, bytes] of source.resources ?? []) resources.set(uri, new Uint8Array(bytes));
+  const bytes = new Uint8Array(source.bytes);
   const original = readContainer({ name: source.name, bytes, resources });
-  const packed = packGltf(original);
+  const packed = await readable(packGltf(original), source.name);
   const compressed = compressionOf(packed.json).length > 0;
   const glb = compressed ? await decompressed(packed, source.name) : writeGlb(packed.json, packed.binary);
   return { name: source.name, original, packed, glb };
+}
+
+async function readable(packed: PackedGltf, name: string): Promise<PackedGltf> {
+  if (!extensionsUsed(packed.json).includes(BASISU_TEXTURE)) return packed;
+  const { withoutBasis } = await import("./basis-textures.ts");
+  return await withoutBasis(packed, name);
 }
 
 async function decompressed(packed: PackedGltf, name: string): Promise<Uint8Array> {

@@ -41,13 +41,19 @@ export function findBaseTexture(json: JsonObject, material: number, name: string
   return undecodable === undefined ? null : { texture, image: null, undecodable, nearest };
 }
 
-/** The encoded bytes of image `index` of a packed model, with the name that errors show; null when there are none. */
+/** A picture of a model, with the name that errors show. */
+export interface EncodedImage {
+  readonly bytes: Uint8Array;
+  readonly name: string;
+}
+
+/** Image `index` of a packed model; null when it has no bytes. */
 export function imageBytes(
   json: JsonObject,
   binary: Uint8Array | null,
   index: number,
   name: string,
-): { readonly bytes: Uint8Array; readonly name: string } | null {
+): EncodedImage | null {
   const image = listOf(json, "images", name)[index];
   const view = listOf(json, "bufferViews", name)[indexAt(image, "bufferView") ?? -1];
   const length = indexAt(view, "byteLength");

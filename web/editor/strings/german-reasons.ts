@@ -29,6 +29,7 @@ export const PICTURES: Reasons = {
   ],
   "inner-pixels": ["Die Bilder darin haben zu viele Pixel.", "Mach sie kleiner."],
   ktx2: ["Es ist eine KTX2-Textur.", AS_PICTURE],
+  "ktx2-kind": ["Es ist eine KTX2-Textur von einer Art, die nicht gelesen wird.", AS_PICTURE],
   "no-pixels": ["Es enthält keine Pixel.", ANOTHER],
   "no-size": ["Es hat keine Breite und Höhe über 0.", PLAIN_SVG],
   "not-well-formed": ["Es ist kein gültiges SVG.", PLAIN_SVG],

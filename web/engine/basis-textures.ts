@@ -1,0 +1,44 @@
+/**
+ * Textures that a model has as KTX 2.0 alone (KHR_texture_basisu), as PNG: what paints and what shows a model then reads them as any
+ * other. Where a texture offers a plain picture too, that one is taken, which has lost less.
+ */
+import { BinaryEditor } from "./gltf-binary-editor.ts";
+import { indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
+import type { PackedGltf } from "./gltf-packer.ts";
+import { decodeKtx2 } from "./ktx2-decoder.ts";
+import { BASISU_TEXTURE, type EncodedImage, imageBytes } from "./model-textures.ts";
+import { encodePng } from "./png-encoder.ts";
+
+/**
+ * The model without the extension; `packed.json` is changed. Its textures and images keep their indices. Rejects with "bad-picture",
+ * naming the model and the image.
+ */
+export async function withoutBasis({ json, binary }: PackedGltf, name: string): Promise<PackedGltf> {
+  const pictures = new Map<number, EncodedImage | null>();
+  for (const texture of listOf(json, "textures", name)) {
+    const extensions = objectAt(texture, "extensions");
+    const source = indexAt(objectAt(extensions, BASISU_TEXTURE), "source");
+    if (extensions !== undefined) delete extensions[BASISU_TEXTURE];
+    if (source === undefined || indexAt(texture, "source") !== undefined) continue;
+    texture.source = source;
+    pictures.set(source, imageBytes(json, binary, source, name));
+  }
+  // Only once all are found: it moves what lies behind a picture.
+  const editor = new BinaryEditor(json, binary, name);
+  for (const [index, picture] of pictures) {
+    // One that has no bytes is told of where it is asked for, as of any other kind.
+    if (picture === null) continue;
+    editor.replaceImage(index, await encodePng(await decodeKtx2(picture.bytes, picture.name)));
+  }
+  for (const key of ["extensionsUsed", "extensionsRequired"]) unname(json, key);
+  return { json, binary: editor.finish() };
+}
+
+/** A list of extensions may not be empty. */
+function unname(json: JsonObject, key: string): void {
+  const list = json[key];
+  if (!Array.isArray(list)) return;
+  const rest = list.filter((item) => item !== BASISU_TEXTURE);
+  if (rest.length > 0) json[key] = rest;
+  else delete json[key];
+}
