@@ -9,6 +9,7 @@ import { type BasisKind, ktx2File, softPicture } from "../support/ktx2-file.ts";
 import { buildGlb, type ModelParts, plane } from "../support/model-builder.ts";
 import { endHosts, startHost } from "../support/painted-plane.ts";
 import { solidPng } from "../support/png-file.ts";
+import { seeded } from "../support/seeded.ts";
 
 afterEach(endHosts);
 
@@ -72,6 +73,18 @@ describe("a KTX2 texture", () => {
       code: "bad-picture",
       subject: "m.glb, paint",
     });
+  });
+
+  it("is read or refused by its name, whatever of its bytes is changed", async () => {
+    const file = await ktx2File(SOFT, "ETC1S");
+    const random = seeded(7);
+    for (let i = 0; i < 60; i++) {
+      const changed = file.slice();
+      for (let k = 0; k < 3; k++) changed[Math.floor(random() * 300)] = Math.floor(random() * 256);
+      const read = await decodeKtx2(changed, "changed").catch((error: unknown) => error);
+      if (read instanceof Error) expect(read).toMatchObject({ code: "bad-picture", subject: "changed" });
+      else expect(read).toMatchObject({ rgba: expect.any(Uint8Array) });
+    }
   });
 
   it.each([

@@ -5,6 +5,7 @@ import { writeGlb } from "../../web/engine/gltf-container.ts";
 import type { JsonObject, JsonValue } from "../../web/engine/gltf-json.ts";
 import { buildModel, cube, type ModelParts, plane } from "../support/model-builder.ts";
 import { solidPng } from "../support/png-file.ts";
+import { seeded } from "../support/seeded.ts";
 
 /** Any rate of broken files must leave the engine whole, so one engine takes them all. */
 const ROUNDS = 1500;
@@ -16,17 +17,6 @@ const parts: ModelParts = {
   samplers: [{ magFilter: 9728 }],
   images: [{ bytes: solidPng(4, 4, [1, 2, 3, 255]), mimeType: "image/png" }],
 };
-
-/** Numbers from 0 to below 1, the same in every run (Marsaglia's xorshift). */
-function seeded(seed: number): () => number {
-  let state = seed | 1;
-  return () => {
-    state ^= state << 13;
-    state ^= state >>> 17;
-    state ^= state << 5;
-    return (state >>> 0) / 2 ** 32;
-  };
-}
 
 /** Loads the bytes and opens what can be opened. Anything but a typed error is thrown on. */
 async function survive(engine: EngineHost, bytes: Uint8Array, round: number): Promise<string> {

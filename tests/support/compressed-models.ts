@@ -1,13 +1,18 @@
 /** A model as exporters compress it. */
 import { type Document, WebIO } from "@gltf-transform/core";
-import { EXTMeshoptCompression, KHRDracoMeshCompression, KHRMaterialsUnlit } from "@gltf-transform/extensions";
+import {
+  EXTMeshGPUInstancing,
+  EXTMeshoptCompression,
+  KHRDracoMeshCompression,
+  KHRMaterialsUnlit,
+} from "@gltf-transform/extensions";
 import createDracoEncoder from "draco3dgltf/draco_encoder_gltf_nodejs.js";
 import { MeshoptEncoder } from "meshoptimizer/encoder";
 
 /** The GLB with its geometry compressed, once in each of the two ways. */
 export async function compressedModels(glb: Uint8Array): Promise<Record<"draco" | "meshopt", Uint8Array>> {
   const io = new WebIO()
-    .registerExtensions([KHRDracoMeshCompression, EXTMeshoptCompression, KHRMaterialsUnlit])
+    .registerExtensions([KHRDracoMeshCompression, EXTMeshGPUInstancing, EXTMeshoptCompression, KHRMaterialsUnlit])
     .registerDependencies({ "draco3d.encoder": await createDracoEncoder(), "meshopt.encoder": MeshoptEncoder });
   await MeshoptEncoder.ready;
   const compress = async (change: (document: Document) => void): Promise<Uint8Array> => {

@@ -2,8 +2,9 @@
  * Textures that a model has as KTX 2.0 alone (KHR_texture_basisu), as PNG: what paints and what shows a model then reads them as any
  * other. Where a texture offers a plain picture too, that one is taken, which has lost less.
  */
+import { forgetExtension } from "./extension-names.ts";
 import { BinaryEditor } from "./gltf-binary-editor.ts";
-import { indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
+import { indexAt, listOf, objectAt } from "./gltf-json.ts";
 import type { PackedGltf } from "./gltf-packer.ts";
 import { decodeKtx2 } from "./ktx2-decoder.ts";
 import { BASISU_TEXTURE, type EncodedImage, imageBytes } from "./model-textures.ts";
@@ -30,15 +31,6 @@ export async function withoutBasis({ json, binary }: PackedGltf, name: string): 
     if (picture === null) continue;
     editor.replaceImage(index, await encodePng(await decodeKtx2(picture.bytes, picture.name)));
   }
-  for (const key of ["extensionsUsed", "extensionsRequired"]) unname(json, key);
+  forgetExtension(json, BASISU_TEXTURE);
   return { json, binary: editor.finish() };
-}
-
-/** A list of extensions may not be empty. */
-function unname(json: JsonObject, key: string): void {
-  const list = json[key];
-  if (!Array.isArray(list)) return;
-  const rest = list.filter((item) => item !== BASISU_TEXTURE);
-  if (rest.length > 0) json[key] = rest;
-  else delete json[key];
 }

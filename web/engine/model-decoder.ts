@@ -8,7 +8,8 @@ import { readCodec } from "./codec-wasm.ts";
 import { stringifyExact } from "./exact-numbers.ts";
 import { badContainer, indexAt, isObject, type JsonObject, listForWriting, listOf, objectAt } from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
-import { compressionOf, DRACO } from "./model-compression.ts";
+import { DRACO } from "./model-extensions.ts";
+import { compressionOf } from "./readable-model.ts";
 
 const [EXT_MESHOPT, KHR_MESHOPT] = MESHOPT_EXTENSIONS;
 

@@ -2,10 +2,13 @@
 import type { ModelSource } from "./engine-api.ts";
 import { type GltfContainer, readContainer, writeGlb } from "./gltf-container.ts";
 import { extensionsUsed } from "./gltf-json.ts";
-import { type PackedGltf, packGltf } from "./gltf-packer.ts";
-import { compressionOf } from "./model-compression.ts";
+import { MESHOPT_EXTENSIONS, type PackedGltf, packGltf } from "./gltf-packer.ts";
+import { DRACO, INSTANCES } from "./model-extensions.ts";
 import { BASISU_TEXTURE, findBaseTexture, imageBytes } from "./model-textures.ts";
 import { readPictureHeader } from "./picture-header.ts";
+
+/** What `readableModel` undoes. */
+const UNUSUAL: readonly string[] = [BASISU_TEXTURE, DRACO, INSTANCES, ...MESHOPT_EXTENSIONS];
 
 export interface LoadedModel {
   readonly name: string;
@@ -16,7 +19,7 @@ export interface LoadedModel {
    * have, they have as PNG.
    */
   readonly packed: PackedGltf;
-  /** Self-contained and uncompressed. */
+  /** Self-contained and uncompressed, each instance of a mesh a node of its own. */
   readonly glb: Uint8Array;
 }
 
@@ -30,21 +33,12 @@ export async function loadModelFile(source: ModelSource): Promise<LoadedModel> {
   for (const [uri, bytes] of source.resources ?? []) resources.set(uri, new Uint8Array(bytes));
   const bytes = new Uint8Array(source.bytes);
   const original = readContainer({ name: source.name, bytes, resources });
-  const packed = await readable(packGltf(original), source.name);
-  const compressed = compressionOf(packed.json).length > 0;
-  const glb = compressed ? await decompressed(packed, source.name) : writeGlb(packed.json, packed.binary);
-  return { name: source.name, original, packed, glb };
-}
-
-async function readable(packed: PackedGltf, name: string): Promise<PackedGltf> {
-  if (!extensionsUsed(packed.json).includes(BASISU_TEXTURE)) return packed;
-  const { withoutBasis } = await import("./basis-textures.ts");
-  return await withoutBasis(packed, name);
-}
-
-async function decompressed(packed: PackedGltf, name: string): Promise<Uint8Array> {
-  const { decodeModel } = await import("./model-decoder.ts");
-  return await decodeModel(packed, name);
+  const packed = packGltf(original);
+  const unusual = extensionsUsed(packed.json).some((extension) => UNUSUAL.includes(extension));
+  const readable = unusual
+    ? await (await import("./readable-model.ts")).readableModel(packed, source.name)
+    : { packed, glb: writeGlb(packed.json, packed.binary) };
+  return { name: source.name, original, ...readable };
 }
 
 /** Pixels of a material's base colour picture as its header says; null without a picture, or when it cannot be read. */

@@ -3,6 +3,7 @@
  * animations, extras and extensions unknown here stay as they were.
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { forgetExtension } from "./extension-names.ts";
 import { BinaryEditor } from "./gltf-binary-editor.ts";
 import { type GltfContainer, writeGlb } from "./gltf-container.ts";
 import {
@@ -147,17 +148,10 @@ function withoutSources(extensions: JsonValue | undefined): JsonObject | undefin
   return kept.length === 0 ? undefined : Object.fromEntries(kept);
 }
 
-/** Readers refuse a file that requires an extension they lack, so one that no texture needs any more must not be named. */
 function dropUnusedTextureExtensions(json: JsonObject, name: string): void {
   const textures = listOf(json, "textures", name);
   for (const extension of TEXTURE_SOURCE_EXTENSIONS) {
     if (textures.some((texture) => objectAt(texture, "extensions")?.[extension] !== undefined)) continue;
-    for (const key of ["extensionsUsed", "extensionsRequired"]) {
-      const list = json[key];
-      if (!Array.isArray(list) || !list.includes(extension)) continue;
-      const rest = list.filter((item) => item !== extension);
-      if (rest.length > 0) json[key] = rest;
-      else delete json[key];
-    }
+    forgetExtension(json, extension);
   }
 }
