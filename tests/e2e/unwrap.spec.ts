@@ -1,9 +1,12 @@
 /** A model whose parts share texture, unwrapped from the texture's panel. */
 import { createHash } from "node:crypto";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
+import { writeGlb } from "../../web/engine/gltf-container.ts";
+import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { unwrapModel } from "../../web/engine/unwrap/unwrap-model.ts";
-import { buildGlb } from "../support/model-builder.ts";
-import { expect, test } from "./support/editor-page.ts";
+import { buildGlb, buildModel } from "../support/model-builder.ts";
+import { type EditorPage, expect, type TestFile, test } from "./support/editor-page.ts";
+import { boardPicture, file, glbWithoutUvs } from "./support/test-files.ts";
 
 /** Two squares side by side, each on the whole texture. */
 function twins(): Buffer {
@@ -51,4 +54,81 @@ test("parts that share texture get their own at a press, and undo brings the old
   await page.keyboard.press("Control+z");
   await expect(button).toBeVisible();
   await expect(settings.locator(".warning")).toBeVisible();
+});
+
+test.describe("a model without texture coordinates", () => {
+  /** What is open, to the texel. */
+  const opened = async (editor: EditorPage) => ({ hash: await editor.settledHash(), design: await editor.design() });
+
+  const refuse = async (editor: EditorPage, model: TestFile) => {
+    await editor.openModel([model]);
+    await expect(editor.notices).toHaveAttribute("data-code", "no-uvs");
+    return editor.notices.getByRole("button", { name: "Unwrap and open" });
+  };
+
+  test("is unwrapped and opened by a key where it is refused, and undo brings back what was open", async ({
+    editor,
+    page,
+  }) => {
+    await editor.open();
+    await editor.addDemoDecal("flower");
+    const before = await opened(editor);
+    const offer = await refuse(editor, glbWithoutUvs());
+    expect(await opened(editor), "only offered").toEqual(before);
+    await offer.press("Enter");
+    await expect(page.locator("tc-top-bar .models")).toContainText("bare");
+    await editor.idle();
+    await expect(editor.notices.getByText("Could not open")).toHaveCount(0);
+    expect((await editor.design()).layers).toEqual([]);
+    const bare = await editor.hash();
+    await editor.addDemoDecal("flower");
+    expect(await editor.settledHash(), "it takes paint").not.toBe(bare);
+    await page.keyboard.press("Control+z");
+    await page.keyboard.press("Control+z");
+    await expect(page.locator("tc-top-bar .models")).toContainText("Mug");
+    expect(await opened(editor)).toEqual(before);
+  });
+
+  test("opens with the pictures that were dropped with it", async ({ editor, page }) => {
+    await editor.open();
+    await editor.drop([glbWithoutUvs(), boardPicture()], await editor.middleOfStage());
+    await editor.notices.getByRole("button", { name: "Unwrap and open" }).click();
+    await expect(page.locator("tc-top-bar .models")).toContainText("bare");
+    await expect.poll(async () => (await editor.design()).layers.map(({ name }) => name)).toEqual(["board"]);
+  });
+
+  test("stays unopened where its unwrapping is cancelled, and what was open stays", async ({ editor, page }) => {
+    await editor.open();
+    await editor.addDemoDecal("flower");
+    const before = await opened(editor);
+    // The work never comes to its end by itself.
+    await page.route("**/unwrap-worker-*.js", () => undefined);
+    await (await refuse(editor, glbWithoutUvs())).click();
+    await page.locator("tc-notice-stack .task").getByRole("button", { name: "Cancel" }).press("Enter");
+    await expect(page.locator("tc-notice-stack .task")).toHaveCount(0);
+    expect(await opened(editor)).toEqual(before);
+    await expect(editor.notices).toHaveCount(0);
+  });
+
+  test("stays unopened where it cannot be unwrapped, which is said, and what was open stays", async ({ editor }) => {
+    const { json, binary } = buildModel({ meshes: [{ positions: [0, 0, 0, 1, 0, 0, 0, 1, 0] }] });
+    (json.accessors as JsonObject[]).push({ componentType: 5126, type: "SCALAR", count: 2 });
+    const [primitive] = (json.meshes as { primitives: { attributes: JsonObject }[] }[])[0]?.primitives ?? [];
+    if (primitive) primitive.attributes._WEAR = 1;
+    await editor.open();
+    const before = await opened(editor);
+    await (await refuse(editor, file("worn.glb", writeGlb(json, binary)))).click();
+    await expect(editor.notices).toContainText("Could not unwrap the model");
+    expect(await opened(editor)).toEqual(before);
+  });
+
+  test("is offered in the page's language", async ({ editor, page }) => {
+    await page.addInitScript(() => localStorage.setItem("texelcast-language", "de"));
+    await editor.open();
+    await page.locator("tc-top-bar .models button").first().click();
+    await editor.choose(() => page.getByRole("menuitem", { name: "Modell öffnen…" }).click(), [glbWithoutUvs()]);
+    await expect(editor.notices).toContainText("bare.glb hat keine Texturkoordinaten");
+    await editor.notices.getByRole("button", { name: "Abwickeln und öffnen" }).click();
+    await expect(page.locator("tc-top-bar .models")).toContainText("bare");
+  });
 });

@@ -130,6 +130,7 @@ export class Editor {
       tasks,
       projects,
       admission,
+      unwrapping: this.unwrapping,
       texts: () => this.texts,
       palettes: () => this.palettes,
       giveUp: () => this.tools.cancel(),

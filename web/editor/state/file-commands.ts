@@ -14,13 +14,14 @@ import {
 } from "../files/demo-catalogue.ts";
 import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
-import { sortFiles } from "../files/file-intake.ts";
+import { type Intake, sortFiles } from "../files/file-intake.ts";
 import { noteRead } from "../storage/packed-project.ts";
 import type { ProjectContent } from "../storage/project.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { PaletteCommands } from "../tools/palette-commands.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
+import { BareModelError } from "./bare-model-error.ts";
 import type { DecalCommands } from "./decal-commands.ts";
 import { paintedMaterials } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -32,6 +33,7 @@ import type { ProjectCommands } from "./project-commands.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
 import type { TextCommands } from "./text-commands.ts";
+import type { UnwrapCommand } from "./unwrap-command.ts";
 
 export interface FileCommandsParts {
   readonly engine: Engine;
@@ -44,6 +46,8 @@ export interface FileCommandsParts {
   readonly tasks: Tasks;
   /** Null: whatever can be opened may be. */
   readonly admission: Admission | null;
+  /** Null where models are not unwrapped. */
+  readonly unwrapping: UnwrapCommand | null;
   readonly texts: () => TextCommands;
   readonly palettes: () => Pick<PaletteCommands, "open">;
   /** Takes back what a tool has under way; false where nothing is. */
@@ -92,58 +96,86 @@ export class FileCommands {
     files: Promise<readonly CollectedFile[]> | readonly CollectedFile[],
     hit: SurfaceHit | null,
   ): Promise<void> {
+    const { board } = this.#parts;
     let name = "";
     try {
       const collected = await files;
       if (collected.length === 0) return;
-      name =
-        collected.length === 1
-          ? (collected[0]?.file.name ?? "")
-          : this.#parts.board.strings.files.several(collected.length);
-      const { model, design, project, palette, pictures, fonts, companions } = await sortFiles(
-        collected,
-        this.#parts.board.strings,
-      );
-      if (this.#parts.admission && (model || design || project)) throw this.#notHere(collected);
-      if (palette) await this.#parts.palettes().open(palette.file);
-      if (project) {
-        name = project.file.name;
-        const own = model && { source: model, title: model.name, demoId: null };
-        await this.#parts.projects().openFile(name, await bytesOf(project.file), own);
-        return;
-      }
-      if (model && design) name = model.name;
-      const opened = design && (await this.#readDesign(design, companions));
-      try {
-        if (model) await this.#openModel({ source: model, title: model.name, demoId: null }, opened ?? emptyDesign());
-        else if (opened && design) this.#takeDesign(opened, design.file.name);
-      } finally {
-        this.#parts.library.release(Object.values(opened?.assets ?? {}));
-      }
-      this.#checkModel(pictures, fonts);
-      // A place on the surface is one of the model that was there before.
-      const place = model ? null : hit;
-      await this.#useEach(fonts, (font) => this.#useFont(font, place));
-      await this.#useEach(pictures, (picture) => this.#addPicture(picture, pictures.length === 1 ? place : null));
+      const [first] = collected;
+      name = collected.length === 1 ? (first?.file.name ?? "") : board.strings.files.several(collected.length);
+      const sorted = await sortFiles(collected, board.strings);
+      if (this.#parts.admission && (sorted.model || sorted.design || sorted.project)) throw this.#notHere(collected);
+      if (sorted.palette) await this.#parts.palettes().open(sorted.palette.file);
+      await this.#useSorted(sorted, name, hit);
     } catch (thrown) {
-      this.#parts.board.error(this.#parts.board.strings.errors.couldNotOpen(name), thrown);
+      board.error(board.strings.errors.couldNotOpen(name), thrown);
     }
   }
 
-  async #openDemo(demo: DemoModel): Promise<void> {
-    const { store, library, board } = this.#parts;
+  /** @param name what a refusal names where it is about no file alone */
+  async #useSorted(sorted: Intake, name: string, hit: SurfaceHit | null): Promise<void> {
+    const { model, design, project } = sorted;
+    const named = project ? project.file.name : model && design ? model.name : name;
+    try {
+      if (project) {
+        const own = model && { source: model, title: model.name, demoId: null };
+        await this.#parts.projects().openFile(named, await bytesOf(project.file), own);
+      } else {
+        await this.#openSorted(sorted, hit);
+      }
+    } catch (thrown) {
+      this.#tellRefusal(named, thrown, ({ source }) => this.#useSorted({ ...sorted, model: source }, name, hit));
+    }
+  }
+
+  async #openSorted({ model, design, pictures, fonts, companions }: Intake, hit: SurfaceHit | null): Promise<void> {
+    const { library } = this.#parts;
+    const opened = design && (await this.#readDesign(design, companions));
+    try {
+      if (model) await this.#openModel({ source: model, title: model.name, demoId: null }, opened ?? emptyDesign());
+      else if (opened && design) this.#takeDesign(opened, design.file.name);
+    } finally {
+      library.release(Object.values(opened?.assets ?? {}));
+    }
+    this.#checkModel(pictures, fonts);
+    // A place on the surface is one of the model that was there before.
+    const place = model ? null : hit;
+    await this.#useEach(fonts, (font) => this.#useFont(font, place));
+    await this.#useEach(pictures, (picture) => this.#addPicture(picture, pictures.length === 1 ? place : null));
+  }
+
+  /**
+   * Says why something was not opened. Where it is a model without texture coordinates, a press unwraps it, and `again` opens it
+   * so.
+   */
+  #tellRefusal(name: string, thrown: unknown, again: (unwrapped: ModelRef) => Promise<void>): void {
+    const { board, unwrapping } = this.#parts;
+    const { couldNotOpen, bareModel, bareModelHint, unwrapAndOpen } = board.strings.errors;
+    if (unwrapping === null || !(thrown instanceof BareModelError)) {
+      board.error(couldNotOpen(name), thrown);
+      return;
+    }
+    const { code, model, subject = "" } = thrown;
+    const run = (): void => void this.#unlessReadonly(() => unwrapping.openBare(model, again));
+    const told = new ToldError(code, bareModel(subject), { subject, hint: bareModelHint });
+    board.error(couldNotOpen(name), told, { label: unwrapAndOpen, run });
+  }
+
+  /** @param unwrapped opened in place of the demo's own model */
+  async #openDemo(demo: DemoModel, unwrapped?: ModelRef): Promise<void> {
+    const { store, library } = this.#parts;
     const { demos } = store.state;
     if (!demos) return;
     try {
       const { bytes, design } = await this.#fetchDemo(demo, demos);
       const source = { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes };
       try {
-        await this.#openModel({ source, title: demo.name, demoId: demo.id }, design);
+        await this.#openModel(unwrapped ?? { source, title: demo.name, demoId: demo.id }, design);
       } finally {
         library.release(Object.values(design.assets));
       }
     } catch (thrown) {
-      board.error(this.#parts.board.strings.errors.couldNotOpen(demo.name), thrown);
+      this.#tellRefusal(demo.name, thrown, (model) => this.#openDemo(demo, model));
     }
   }
 
@@ -171,7 +203,7 @@ export class FileCommands {
   }
 
   async #openTemplate({ name, model }: DemoTemplate): Promise<void> {
-    const { store, board } = this.#parts;
+    const { store } = this.#parts;
     if (!store.state.demos) return;
     try {
       const { page } = store.state.demos;
@@ -179,7 +211,7 @@ export class FileCommands {
       const source = { name: model.slice(model.lastIndexOf("/") + 1), bytes };
       await this.#openModel({ source, title: name, demoId: null }, emptyDesign());
     } catch (thrown) {
-      board.error(this.#parts.board.strings.errors.couldNotOpen(name), thrown);
+      this.#tellRefusal(name, thrown, (unwrapped) => this.#openModel(unwrapped, emptyDesign()));
     }
   }
 

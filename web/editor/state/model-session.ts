@@ -9,6 +9,7 @@ import type { ModelViewer } from "../../viewer/viewer-api.ts";
 import { type Design, materialsIn } from "../document/index.ts";
 import { ToldError } from "../strings/told-error.ts";
 import { type Strings, stringsIn } from "../strings.ts";
+import { BareModelError } from "./bare-model-error.ts";
 import { usedMaterials } from "./design-edits.ts";
 import type { ModelRef, OpenModel } from "./design-state.ts";
 import type { EditorState, TargetSettings } from "./editor-state.ts";
@@ -148,7 +149,7 @@ export class ModelSession {
   }
 
   async #show(model: OpenModel, design: Design, task: TaskHandle): Promise<void> {
-    const material = firstPaintable(model.info, design, this.#strings);
+    const material = firstPaintable(model, design, this.#strings);
     this.#router.clear();
     this.#uvTriangles = new Map();
     this.#send(design);
@@ -238,25 +239,26 @@ export class ModelSession {
 }
 
 /** The material that the design's top layer paints, else the paintable one with the most triangles. */
-function firstPaintable(info: ModelInfo, design: Design, strings: Strings): number {
+function firstPaintable({ ref, info }: OpenModel, design: Design, strings: Strings): number {
   const paintable = info.materials.filter(({ refusal }) => refusal === null);
   const isPaintable = (material: number): boolean => paintable.some(({ index }) => index === material);
   const wanted = design.layers.toReversed().flatMap(materialsIn).find(isPaintable);
   if (wanted !== undefined) return wanted;
   const [best] = paintable.toSorted((a, b) => b.triangles - a.triangles);
   if (best) return best.index;
-  throw refusalOf(info, strings);
+  throw refusalOf(ref, info, strings);
 }
 
-function refusalOf(info: ModelInfo, strings: Strings): TexelcastError {
-  const refused = info.materials.find((material): material is MaterialInfo & { refusal: object } => !!material.refusal);
-  if (!refused) {
-    return new ToldError("no-triangles", strings.errors.noMaterials, { subject: info.name });
-  }
-  const code = refused.refusal.code.toLowerCase().replaceAll("_", "-");
-  return new TexelcastError(code, refused.refusal.message, {
-    subject: info.name,
-    field: strings.materialName(refused.index, refused.name),
-    hint: code === "no-uvs" ? strings.errors.noUvsHint : strings.errors.refusedHint,
-  });
+function refusalOf(ref: ModelRef, { name, materials }: ModelInfo, strings: Strings): TexelcastError {
+  const isRefused = (material: MaterialInfo): material is MaterialInfo & { refusal: object } => !!material.refusal;
+  const refused = materials.filter(isRefused);
+  const bare = refused.filter(({ refusal }) => refusal.code === "no-uvs");
+  // What can be helped is told before what cannot.
+  const [first] = [...bare, ...refused];
+  if (!first) return new ToldError("no-triangles", strings.errors.noMaterials, { subject: name });
+  const { code, message } = first.refusal;
+  const details = { subject: name, field: strings.materialName(first.index, first.name) };
+  if (bare.length === 0) return new TexelcastError(code, message, { ...details, hint: strings.errors.refusedHint });
+  const model = { ref, materials: bare.map(({ index }) => index) };
+  return new BareModelError(model, message, { ...details, hint: strings.errors.noUvsHint });
 }

@@ -5,6 +5,7 @@ import type { Design, DesignLayer } from "../document/design.ts";
 import { materialsIn, walkLayers } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
 import type { Strings } from "../strings.ts";
+import type { BareModel } from "./bare-model-error.ts";
 import { patchLayers } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { ModelRef } from "./design-state.ts";
@@ -61,23 +62,16 @@ export class UnwrapCommand {
    * hidden, not taken away, and the user is told.
    */
   async run(): Promise<void> {
-    const { store, session, models, board, tasks, unwrap } = this.#parts;
+    const { store, session, models, board } = this.#parts;
     const { strings } = board;
     const before = store.state.model?.ref;
     const materials = materialsToUnwrap(store.state);
     if (!before || materials.length === 0 || store.state.readonly || store.state.switching) return;
     try {
-      const glb = await tasks.run(strings.tasks.unwrapping, (task) =>
-        unwrap(before.source, { materials, size: this.#size(materials) }, task, strings),
-      );
+      const ref = await this.#unwrapped({ ref: before, materials }, this.#size(materials));
       await session.settled();
       // Another model was opened meanwhile: that one is what the user wants to see.
       if (store.state.model?.ref !== before) return;
-      const ref: ModelRef = {
-        source: { name: glbName(before.source.name), bytes: glb },
-        title: before.title,
-        demoId: null,
-      };
       const { design, hidden } = hideFlat(session.recordedDesign, materials);
       // A size that was chosen for the old texture may be too small for all of its parts.
       const settings = new Map([...store.state.targetSettings].filter(([material]) => !materials.includes(material)));
@@ -90,6 +84,30 @@ export class UnwrapCommand {
     } catch (thrown) {
       board.error(strings.errors.couldNotUnwrap, thrown);
     }
+  }
+
+  /**
+   * Unwraps a model that was refused without it, and gives it to `open`; not where another one was opened meanwhile. What is
+   * open stays so until then, and where that fails or is cancelled.
+   */
+  async openBare(model: BareModel, open: (unwrapped: ModelRef) => Promise<void>): Promise<void> {
+    const { store, board } = this.#parts;
+    const before = store.state.model?.ref;
+    try {
+      const unwrapped = await this.#unwrapped(model, LEAST_SIZE);
+      if (store.state.model?.ref === before) await open(unwrapped);
+    } catch (thrown) {
+      board.error(board.strings.errors.couldNotUnwrap, thrown);
+    }
+  }
+
+  async #unwrapped({ ref, materials }: BareModel, size: number): Promise<ModelRef> {
+    const { board, tasks, unwrap } = this.#parts;
+    const { strings } = board;
+    const bytes = await tasks.run(strings.tasks.unwrapping, (task) =>
+      unwrap(ref.source, { materials, size }, task, strings),
+    );
+    return { source: { name: glbName(ref.source.name), bytes }, title: ref.title, demoId: null };
   }
 
   #size(materials: readonly number[]): number {
