@@ -2,7 +2,7 @@
 import { badContainer, indexAt, isObject, type JsonObject, listOf, objectAt, textAt } from "../gltf-json.ts";
 import type { Accessors } from "./accessors.ts";
 import type { ChartMesh } from "./chart-atlas.ts";
-import { type Linear, scaleOfMesh, turned } from "./part-scale.ts";
+import { isMirroring, type Linear, scaleOfMesh, turned } from "./part-scale.ts";
 import type { TexturePlace } from "./uv-transform.ts";
 
 const TRIANGLES = 4;
@@ -23,20 +23,26 @@ export interface MaterialPart {
   readonly scale: Linear;
 }
 
-/** Primitives of a material (or, one past the last, those without one); those of points and lines are told apart. */
-export function primitivesOf(
-  json: JsonObject,
-  material: number,
-  name: string,
-): { readonly faces: { mesh: number; primitive: JsonObject }[]; readonly others: JsonObject[] } {
-  const faces: { mesh: number; primitive: JsonObject }[] = [];
+export interface MaterialUses {
+  /** Primitives of triangles. */
+  readonly faces: { readonly mesh: number; readonly primitive: JsonObject }[];
+  /** What names the material and is not unwrapped: primitives of points and lines, and variants of what has another one. */
+  readonly others: JsonObject[];
+}
+
+/** Where a model uses a material; one past the last is that of primitives without one. */
+export function usesOf(json: JsonObject, material: number, name: string): MaterialUses {
+  const faces: MaterialUses["faces"] = [];
   const others: JsonObject[] = [];
-  const implied = material === listOf(json, "materials", name).length;
+  const implied = listOf(json, "materials", name).length;
   for (const [mesh, { primitives }] of listOf(json, "meshes", name).entries()) {
     if (!Array.isArray(primitives)) throw badContainer(name, `“meshes[${mesh}]” has no primitives`, `meshes[${mesh}]`);
     for (const primitive of primitives) {
       if (!isObject(primitive)) continue;
-      if (primitive.material === undefined ? !implied : primitive.material !== material) continue;
+      if ((primitive.material ?? implied) !== material) {
+        others.push(...variantsOf(primitive).filter((variant) => variant.material === material));
+        continue;
+      }
       const mode = indexAt(primitive, "mode") ?? TRIANGLES;
       const drawn = indexAt(objectAt(primitive, "attributes"), "POSITION") !== undefined;
       if (mode >= TRIANGLES && mode <= FAN && drawn) faces.push({ mesh, primitive });
@@ -44,6 +50,12 @@ export function primitivesOf(
     }
   }
   return { faces, others };
+}
+
+/** What KHR_materials_variants gives a primitive in place of its own material. */
+function variantsOf(primitive: JsonObject): JsonObject[] {
+  const { mappings } = objectAt(objectAt(primitive, "extensions"), "KHR_materials_variants") ?? {};
+  return Array.isArray(mappings) ? mappings.filter(isObject) : [];
 }
 
 /**
@@ -117,9 +129,10 @@ export function chartMeshes(parts: readonly MaterialPart[]): ChartMesh[] {
     }
   }
   const factor = extent > 0 ? EXTENT / extent : 1;
-  return parts.map(({ indices }, i) => ({
+  return parts.map(({ indices, scale }, i) => ({
     positions: Float32Array.from(placed[i] as Float64Array, (value) => value * factor),
     indices,
+    isMirrored: isMirroring(scale),
   }));
 }
 

@@ -76,3 +76,10 @@ function times(a: Linear, b: Linear): Linear {
 export function turned([a, b, c]: Linear, x: number, y: number, z: number): [number, number, number] {
   return [a[0] * x + b[0] * y + c[0] * z, a[1] * x + b[1] * y + c[1] * z, a[2] * x + b[2] * y + c[2] * z];
 }
+
+/** Whether the map shows what it turns as in a mirror. */
+export function isMirroring([a, b, c]: Linear): boolean {
+  return (
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - b[0] * (a[1] * c[2] - a[2] * c[1]) + c[0] * (a[1] * b[2] - a[2] * b[1]) < 0
+  );
+}

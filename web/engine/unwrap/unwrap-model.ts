@@ -15,7 +15,7 @@ import { type TextureEdit, writeModel } from "../model-writer.ts";
 import { encodePng } from "../png-encoder.ts";
 import { Accessors } from "./accessors.ts";
 import { layOutCharts } from "./chart-atlas.ts";
-import { chartMeshes, type MaterialPart, primitivesOf, readPart } from "./material-parts.ts";
+import { chartMeshes, type MaterialPart, readPart, usesOf } from "./material-parts.ts";
 import { type MovedTriangles, resampleTexture, type Wrap } from "./texture-resampler.ts";
 import { TEXTURE_TRANSFORM, texturePlace } from "./uv-transform.ts";
 import { writePart } from "./write-part.ts";
@@ -65,7 +65,7 @@ export async function unwrapModel(source: ModelSource, options: UnwrapOptions): 
   for (const [done, material] of options.materials.entries()) {
     const step = (share: number): void => onProgress((done + share) / options.materials.length);
     step(0);
-    const { faces, others } = primitivesOf(json, material, name);
+    const { faces, others } = usesOf(json, material, name);
     if (faces.length === 0) throw nothingToUnwrap(json, material, name);
     // Read where numbers are numbers; written where those that JavaScript cannot hold are kept.
     const place = texturePlace(container.json, material, name);
@@ -208,13 +208,22 @@ function freeSet(json: JsonObject, parts: readonly MaterialPart[], name: string)
   );
 }
 
-/** Points and lines keep the old picture: a copy of the material, behind all others. */
+/** What is not unwrapped keeps the old picture: a copy of the material, behind all others. */
 function setAside(json: JsonObject, material: number, others: readonly JsonObject[], name: string): void {
+  nameImplied(json, name);
   const materials = listForWriting(json, "materials", name);
-  const found = materials[material];
-  if (found === undefined) return;
-  const copy = materials.push(structuredClone(found)) - 1;
-  for (const primitive of others) primitive.material = copy;
+  const copy = materials.push(structuredClone(materials[material] as JsonObject)) - 1;
+  for (const user of others) user.material = copy;
+}
+
+/** Gives primitives without a material one of the number that theirs is called by, which the next new one would have. */
+function nameImplied(json: JsonObject, name: string): void {
+  const bare = listOf(json, "meshes", name)
+    .flatMap(({ primitives }) => (Array.isArray(primitives) ? primitives.filter(isObject) : []))
+    .filter((primitive) => primitive.material === undefined);
+  if (bare.length === 0) return;
+  const material = listForWriting(json, "materials", name).push({}) - 1;
+  for (const primitive of bare) primitive.material = material;
 }
 
 /** The texture stays, on the new set: what KHR_texture_transform said was of the old one. */
