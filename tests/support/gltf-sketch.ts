@@ -30,6 +30,12 @@ export class GltfSketch {
     return this.#views.length - 1;
   }
 
+  /** A buffer view of some of the bytes that an accessor's own view has. */
+  viewOn(accessor: number, offset: number, byteLength: number): number {
+    const { byteOffset } = this.#views[this.#accessors[accessor]?.bufferView as number] ?? {};
+    return this.#views.push({ buffer: 0, byteOffset: (byteOffset as number) + offset, byteLength }) - 1;
+  }
+
   /** An accessor of whatever the JSON says. */
   accessor(json: JsonObject): number {
     return this.#accessors.push(json) - 1;

@@ -4,6 +4,7 @@
  */
 import { padded } from "../gltf-container.ts";
 import { badContainer, indexAt, type JsonObject, listForWriting, listOf, objectAt, textAt } from "../gltf-json.ts";
+import { dropReplaced } from "./drop-replaced.ts";
 
 const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
 /** Columns and rows; a matrix's columns begin at multiples of four bytes. */
@@ -30,12 +31,16 @@ export interface Elements {
   readonly bytes: Uint8Array;
 }
 
-/** Reads accessors of a self-contained, uncompressed model, and writes new ones behind its bytes. */
+/**
+ * Reads accessors of a self-contained, uncompressed model, and writes new ones behind its bytes. Their numbers hold until it is
+ * finished.
+ */
 export class Accessors {
   readonly #json: JsonObject;
   readonly #binary: Uint8Array;
   readonly #name: string;
   readonly #added: { readonly offset: number; readonly bytes: Uint8Array }[] = [];
+  readonly #replaced = new Set<number>();
   #length: number;
 
   /** `json` is changed in place; `binary` is only read. `name` is the file that errors name. */
@@ -94,6 +99,11 @@ export class Accessors {
     return numbers;
   }
 
+  /** Says that one is written anew: it goes in the end, unless somebody else names it. */
+  replace(index: number): void {
+    this.#replaced.add(index);
+  }
+
   /** The accessor anew with some of its elements; what else it says (type, name) it keeps. Returns its index. */
   addLike(index: number, elements: Elements): number {
     const { bufferView: _, byteOffset: __, sparse: ___, ...kept } = this.at(index);
@@ -132,14 +142,14 @@ export class Accessors {
     return this.#push({ bufferView, componentType, count: indices.length, type: "SCALAR" });
   }
 
-  /** The BIN with all that was added; "buffers" says its length. */
+  /** The BIN with all that was added, and without what was replaced; "buffers" says its length. */
   finish(): Uint8Array {
     const joined = new Uint8Array(padded(this.#length));
     joined.set(this.#binary);
     for (const { offset, bytes } of this.#added) joined.set(bytes, offset);
     const buffers = listForWriting(this.#json, "buffers", this.#name);
     buffers[0] = { ...buffers[0], byteLength: this.#length };
-    return joined;
+    return dropReplaced(this.#json, joined, this.#replaced, this.#name);
   }
 
   #push(accessor: JsonObject): number {

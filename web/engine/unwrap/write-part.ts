@@ -1,5 +1,5 @@
 /** A primitive written with a further set of texture coordinates: all else of each corner stays as it was, byte for byte. */
-import { isObject, type JsonObject, objectAt } from "../gltf-json.ts";
+import { indexAt, isObject, type JsonObject, objectAt } from "../gltf-json.ts";
 import type { Accessors, Elements } from "./accessors.ts";
 import type { MaterialPart } from "./material-parts.ts";
 
@@ -20,6 +20,7 @@ export function writePart(part: MaterialPart, corners: Float32Array, texCoord: n
     let found = moved.get(index);
     if (found === undefined) {
       found = accessors.addLike(index, picked(accessors.read(index, vertexCount), origins));
+      accessors.replace(index);
       moved.set(index, found);
     }
     return found;
@@ -32,6 +33,8 @@ export function writePart(part: MaterialPart, corners: Float32Array, texCoord: n
   const written = objectAt(primitive, "attributes") as JsonObject;
   for (let i = 0; i < texCoord; i++) written[`TEXCOORD_${i}`] ??= set;
   written[`TEXCOORD_${texCoord}`] = set;
+  const listed = indexAt(primitive, "indices");
+  if (listed !== undefined) accessors.replace(listed);
   primitive.indices = accessors.addIndices(placed, origins.length);
   // Strips and fans have become single triangles.
   delete primitive.mode;
