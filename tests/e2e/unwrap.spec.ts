@@ -56,6 +56,31 @@ test("parts that share texture get their own at a press, and undo brings the old
   await expect(settings.locator(".warning")).toBeVisible();
 });
 
+test("what lies flat on the old texture is hidden when it is unwrapped, which is said, and undo brings it back", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([{ name: "twins.glb", mimeType: "model/gltf-binary", buffer: twins() }]);
+  await editor.addDemoDecal("flower");
+  await editor.addDemoDecal("smiley");
+  await page.getByRole("radio", { name: "Flat", exact: true }).click();
+  await editor.idle();
+  const before = { hash: await editor.settledHash(), design: await editor.design() };
+  const shown = async (): Promise<boolean[]> => (await editor.design()).layers.map(({ visible }) => visible);
+  expect(await shown()).toEqual([true, true]);
+  await page.getByRole("button", { name: "Give each part its own texture" }).click();
+  await expect(editor.notices).toContainText(
+    "1 layer that lies on the texture itself would lie elsewhere now: hidden, not deleted. Undo brings the old model back.",
+  );
+  await expect(editor.notices).toHaveAttribute("role", "status");
+  await editor.idle();
+  expect(await shown(), "the one on the model stays").toEqual([true, false]);
+  await page.keyboard.press("Control+z");
+  await expect.poll(shown).toEqual([true, true]);
+  expect({ hash: await editor.settledHash(), design: await editor.design() }).toEqual(before);
+});
+
 test.describe("a model without texture coordinates", () => {
   /** What is open, to the texel. */
   const opened = async (editor: EditorPage) => ({ hash: await editor.settledHash(), design: await editor.design() });
