@@ -68,6 +68,42 @@ test("when the page is idle, the flat view shows the texture", async ({ page }) 
   expect((rgba[0] ?? 0) - (rgba[2] ?? 0)).toBeGreaterThan(60);
 });
 
+test("when the page is idle, both views have drawn what has changed, and draw it no more", async ({ editor, page }) => {
+  await page.addInitScript(() => {
+    const { prototype } = WebGL2RenderingContext;
+    const { drawArrays, drawElements } = prototype;
+    const drawn = { flat: 0, model: 0 };
+    const count = ({ canvas }: WebGL2RenderingContext): void => {
+      const isFlat = canvas instanceof HTMLElement && canvas.closest(".tcv-texture") !== null;
+      drawn[isFlat ? "flat" : "model"] += 1;
+    };
+    prototype.drawArrays = function (...given) {
+      count(this);
+      drawArrays.apply(this, given);
+    };
+    prototype.drawElements = function (...given) {
+      count(this);
+      drawElements.apply(this, given);
+    };
+    Object.assign(window, { drawn });
+  });
+  await editor.openOnLowest();
+  /** How often each view had drawn when the page said that it is idle, and some frames later. */
+  const nudge = (key: string) =>
+    page.evaluate(async (pressed) => {
+      const { drawn } = window as unknown as { drawn: { flat: number; model: number } };
+      const before = { ...drawn };
+      document.body.dispatchEvent(new KeyboardEvent("keydown", { key: pressed, bubbles: true, composed: true }));
+      await window.texelcast.idle();
+      const atIdle = { ...drawn };
+      for (let frame = 0; frame < 5; frame += 1) await new Promise(requestAnimationFrame);
+      return { flat: [atIdle.flat > before.flat, drawn.flat - atIdle.flat], model: atIdle.model > before.model };
+    }, key);
+  for (const key of ["ArrowLeft", "ArrowRight", "ArrowLeft"]) {
+    expect(await nudge(key)).toEqual({ flat: [true, 0], model: true });
+  }
+});
+
 test("asks the GPU for no setting once it draws: the page's thread would wait until it is done", async ({
   editor,
   page,

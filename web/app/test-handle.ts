@@ -52,8 +52,10 @@ export function makeTestHandle(editor: Editor, ready: Promise<void>): TestHandle
     ready,
     engine: editor.engine,
     idle: async () => {
-      do await editor.idle();
-      while (editor.textureView.isBehind);
+      do {
+        await editor.idle();
+        await nextFrame();
+      } while (editor.textureView.isBehind);
     },
     kept: () => editor.autosave.flush(),
     readTexels: async (x, y, width, height) => editor.engine.readTexels(material(), x, y, width, height),
@@ -75,3 +77,10 @@ export function makeTestHandle(editor: Editor, ready: Promise<void>): TestHandle
     },
   };
 }
+
+/** Settles once what asked for a frame before has had it; at once where nobody sees the page, which gets none. */
+const nextFrame = (): Promise<void> =>
+  new Promise((resolve) => {
+    if (document.hidden) resolve();
+    else requestAnimationFrame(() => resolve());
+  });

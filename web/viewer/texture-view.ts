@@ -5,6 +5,7 @@ import { adoptStyle } from "./adopt-style.ts";
 import { BoundTexture, type OverlayColors } from "./bound-texture.ts";
 import { readCssColor } from "./css-color.ts";
 import { EventHub } from "./event-hub.ts";
+import type { TexelRegion } from "./finest-level.ts";
 import { FrameTask } from "./frame-task.ts";
 import { GIZMO_STYLE } from "./gizmo-style.ts";
 import { GpuPace } from "./gpu-pace.ts";
@@ -74,8 +75,11 @@ class GlTextureView implements TextureView {
     (update) => this.#applyNow(update),
     (task) => this.#whenFree(task),
   );
-  // The queue knows it, too; asked there it would weigh on product pages, which share the queue and have no 20 bytes left.
-  #isBehind = false;
+  // The queue and the task know these, too; asked there they would weigh on product pages, which share both and have no 20 bytes left.
+  #isWaiting = false;
+  #isUndrawn = false;
+  /** Answers that will be drawn are on their way from the engine. */
+  #asked = 0;
   #painter: TexturePainter;
   #target: BoundTexture | null = null;
   /** The first target, while the view has never had room in the page, as on a phone: nothing of it is on the GPU yet. */
@@ -121,7 +125,7 @@ class GlTextureView implements TextureView {
     // Before the panning input, which it keeps from what a tool takes.
     this.#tools = new TextureTools(root, this.#camera);
     this.#input = new PanZoomInput(root, this.#camera, {
-      changed: () => this.#drawTask.request(),
+      changed: () => this.#drawSoon(),
       fit: () => this.resetZoom(),
     });
     this.#resize = new (windowOf(root).ResizeObserver)(() => this.#applySize());
@@ -136,17 +140,19 @@ class GlTextureView implements TextureView {
       return;
     }
     this.#target = new BoundTexture(this.#painter, info, uvTriangles, this.#target);
-    this.#drawTask.request();
+    this.#drawSoon();
   }
 
   applyUpdate(update: TargetUpdate): boolean {
     const isBrought = this.#updates.push(update);
-    this.#isBehind = !isBrought;
+    this.#isWaiting = !isBrought;
     return isBrought;
   }
 
   get isBehind(): boolean {
-    return this.#isBehind;
+    // Without room, or in a tab that nobody sees, there is nothing on the screen, and no frame that would draw it.
+    const isSeen = this.#pixelRatio > 0 && !document.hidden;
+    return this.#isWaiting || (isSeen && (this.#isUndrawn || this.#asked > 0));
   }
 
   setMode(mode: "texture" | MapView, picture?: MapPicture): void {
@@ -157,17 +163,17 @@ class GlTextureView implements TextureView {
     if (mode !== "texture" && picture !== undefined) {
       this.#map = { picture, texture: this.#painter.makePicture(picture) };
     }
-    this.#drawTask.request();
+    this.#drawSoon();
   }
 
   setOutlinesVisible(visible: boolean): void {
     this.#outlines = visible;
-    this.#drawTask.request();
+    this.#drawSoon();
   }
 
   highlightChart(uv: readonly [number, number] | null): void {
     if (this.#target?.light(uv)) {
-      this.#drawTask.request();
+      this.#drawSoon();
     }
   }
 
@@ -201,7 +207,7 @@ class GlTextureView implements TextureView {
 
   resetZoom(): void {
     this.#camera.fit();
-    this.#drawTask.request();
+    this.#drawSoon();
   }
 
   dispose(): void {
@@ -216,13 +222,14 @@ class GlTextureView implements TextureView {
     this.#pointer.dispose();
     this.#drawTask.cancel();
     this.#pace.dispose();
-    this.#isBehind = false;
+    this.#isWaiting = false;
+    this.#isUndrawn = false;
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
     this.element.remove();
   }
 
   #applyNow(update: TargetUpdate): void {
-    this.#isBehind = false;
+    this.#isWaiting = false;
     if (this.#target?.takes(update) && !this.#gl.isContextLost()) {
       this.#target.upload(update, this.#options.readTexels !== undefined && !this.#showsFinest());
       this.#showSoon();
@@ -235,15 +242,31 @@ class GlTextureView implements TextureView {
    */
   #showSoon(): void {
     if (this.#pointer.isHere) {
-      this.#drawTask.request();
+      this.#drawSoon();
     } else {
+      this.#isUndrawn = true;
       this.#drawTask.requestLater();
     }
+  }
+
+  #drawSoon(): void {
+    this.#isUndrawn = true;
+    this.#drawTask.request();
   }
 
   /** At half its size a texture is drawn from its second level on. */
   #showsFinest(): boolean {
     return this.#camera.scale * this.#pixelRatio > 0.5;
+  }
+
+  /** Texels of a target, which are to be drawn. */
+  async #readTexels(material: number, { x, y, width, height }: TexelRegion): Promise<Uint8Array> {
+    this.#asked += 1;
+    try {
+      return (await this.#options.readTexels?.(material, x, y, width, height)) ?? new Uint8Array();
+    } finally {
+      this.#asked -= 1;
+    }
   }
 
   /** Has what was left out brought where it is seen now. */
@@ -253,12 +276,11 @@ class GlTextureView implements TextureView {
       return;
     }
     const { texture } = target;
-    const { x, y, width, height } = region;
     try {
-      const bytes = (await this.#options.readTexels?.(target.info.material, x, y, width, height)) ?? new Uint8Array();
+      const bytes = await this.#readTexels(target.info.material, region);
       if (this.#target?.texture === texture && !this.#gl.isContextLost()) {
         this.#target.complete(region, bytes);
-        this.#drawTask.request();
+        this.#drawSoon();
       }
     } catch {
       // The engine was ended or started anew; what it tells again comes as an update.
@@ -273,6 +295,7 @@ class GlTextureView implements TextureView {
   }
 
   #draw(): void {
+    this.#isUndrawn = false;
     if (this.#pixelRatio === 0 || this.#gl.isContextLost()) {
       return;
     }
@@ -363,10 +386,10 @@ class GlTextureView implements TextureView {
     this.bindTarget(info, uvTriangles);
     const { material, width, height } = info;
     try {
-      const bytes = (await this.#options.readTexels?.(material, 0, 0, width, height)) ?? new Uint8Array();
+      const bytes = await this.#readTexels(material, { x: 0, y: 0, width, height });
       if (this.#target?.info === info && !this.#gl.isContextLost()) {
         this.#target.upload({ rects: [{ x: 0, y: 0, width, height, level: 0, byteOffset: 0 }], bytes }, false);
-        this.#drawTask.request();
+        this.#drawSoon();
       }
     } catch {
       // The engine was ended or started anew; what it tells again comes as an update.
@@ -399,12 +422,12 @@ class GlTextureView implements TextureView {
     if (this.#map !== null) {
       this.#map.texture = this.#painter.makePicture(this.#map.picture);
     }
-    this.#drawTask.request();
+    this.#drawSoon();
   }
 
   #readColors(): void {
     this.#colors = null;
-    this.#drawTask.request();
+    this.#drawSoon();
   }
 
   #computeColors() {

@@ -289,7 +289,10 @@ export interface TextureViewEvents {
 /** The unfolded texture: the live target or a map view, UV outlines over it, zoom and pan. */
 export interface TextureView {
   readonly element: HTMLElement;
-  /** An update waits for the GPU, which is busy: the view shows what was there before, at first nothing. */
+  /**
+   * The view shows what was there before, at first nothing: an update waits for the GPU, which is busy, or what changed for its
+   * frame or for texels that are asked for.
+   */
   readonly isBehind: boolean;
   bindTarget(info: TargetInfo, uvTriangles: Float32Array): void;
   /** As `ModelView.applyUpdate`. */
