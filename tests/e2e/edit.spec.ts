@@ -1,5 +1,5 @@
 import { expect, test } from "./support/editor-page.ts";
-import { squareGlb, twoSquaresGlb } from "./support/test-files.ts";
+import { file, squareGlb, twoSquaresGlb } from "./support/test-files.ts";
 
 test("numeric fields move, turn, size and fade the selected decal, each as one step", async ({ editor, page }) => {
   await editor.open();
@@ -179,6 +179,50 @@ test("what is moved or sized by numbers paints the materials that it comes to li
   await words.fill("Words that go on over the border of both of the squares");
   await words.press("Tab");
   await expect.poll(materialOfText).toEqual([0, 1]);
+});
+
+test("what a scrub meets in passing does not stay with the layer", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([twoSquaresGlb()]);
+  const dab = { kind: "planar", position: [-0.6, 0, 0], rotation: [0, 0, 0, 1], size: [0.2, 0.2, 0.2], flow: 1 };
+  const stroke = { id: "stroke", type: "stroke", material: 0, brush: { tip: "round" }, dabs: [dab] };
+  const painting = { id: "painting", type: "paint", strokes: [stroke], mirror: { axis: "x", offset: -0.6 } };
+  const layers = [painting, { ...stroke, id: "alone", angleFade: [20, 40] }];
+  const design = { format: "texelcast-design", version: 1, assets: {}, layers };
+  await editor.openDesign([file("mirrored.design.json", JSON.stringify(design), "application/json")]);
+  const layer = async (id: string): Promise<unknown> => (await editor.design()).layers.find((each) => each.id === id);
+  /** By its label: as far as pixels, and from there to others. */
+  const scrub = async (field: string, far: number, passing: () => Promise<void>, end: number): Promise<void> => {
+    const label = page.locator(`tc-number[data-field="${field}"] label`);
+    await label.scrollIntoViewIfNeeded();
+    const [{ x, y, height }] = await editor.places(label);
+    const at = { x: x + 4, y: y + height / 2 };
+    const before = await editor.field(field).getAttribute("aria-valuenow");
+    await page.mouse.move(at.x, at.y);
+    await page.mouse.down();
+    await page.keyboard.down("Shift");
+    await page.mouse.move(at.x + far, at.y, { steps: 8 });
+    await passing();
+    // The panel follows at a pace of its own.
+    await expect(editor.field(field)).not.toHaveAttribute("aria-valuenow", before ?? "");
+    await page.mouse.move(at.x + end, at.y, { steps: 8 });
+    await page.keyboard.up("Shift");
+    await page.mouse.up();
+    await editor.idle();
+  };
+
+  await editor.select("painting");
+  const met = (material: unknown) => async () =>
+    await expect.poll(() => layer("painting")).toMatchObject({ strokes: [{ material }] });
+  await scrub("mirror’s-place", 60, met([0, 1]), 10);
+  await met(0)();
+  expect(await layer("painting"), "it was moved").not.toMatchObject({ mirror: { offset: -0.6 } });
+
+  await editor.select("alone");
+  const faded = (angleFade: unknown) => async () =>
+    await expect.poll(() => layer("alone")).toMatchObject({ angleFade });
+  await scrub("fade-from", 6, faded([80, 80]), 1);
+  await faded([30, 40])();
 });
 
 test("what is typed is for the layer that it was typed for, when a press on the model chooses another", async ({

@@ -71,6 +71,14 @@ describe("the fields of a projector", () => {
     expect(near?.set(7)).toMatchObject({ near: 7, far: expect.closeTo(7.001, 9) });
     expect(far?.set(0.05)).toMatchObject({ near: expect.closeTo(0.049, 9), far: 0.05 });
     expect(far?.set(3)).toMatchObject({ near: 0.1, far: 3 });
+    const [, , passing, back] = projectorFields(
+      { ...slide, near: 7, far: 7.001 },
+      0.01,
+      stringsIn("en").properties,
+      slide,
+    ).flatMap(({ fields }) => fields);
+    expect(passing?.set(1), "what is passed by a scrub leaves no trace").toMatchObject({ near: 1, far: 5 });
+    expect(back?.set(6)).toMatchObject({ near: 0.1, far: 6 });
     const furthest = near?.set(5e8);
     if (furthest?.kind !== "perspective") throw new Error("It is no slide any more.");
     expect(Math.fround(furthest.far), "in the engine's numbers too").toBeGreaterThan(Math.fround(furthest.near));

@@ -12,7 +12,7 @@ import {
 import type { LayerPatch } from "../state/layer-commands.ts";
 import { mirrorPatch, scrubbedMirrorPatch } from "../state/mirror-reach.ts";
 import { mirrorOf } from "../tools/mirror-setting.ts";
-import { lengthStep, numberField, type PropertyContext, record, toggleField } from "./property-controls.ts";
+import { lengthStep, numberField, type PropertyContext, record, recordedOf, toggleField } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
 
 type MirroredLayer = DecalLayer | TextLayer | StrokeLayer | PaintLayer;
@@ -55,8 +55,8 @@ function planeFields(context: PropertyContext, layer: MirroredLayer, mirror: Mir
         value: mirror.offset,
         step: lengthStep(context.state),
         isLength: true,
-        patch: (offset) => mirrorPatch(reach, layer, { ...mirror, offset }),
-        scrubbed: (offset) => scrubbedMirrorPatch(reach, layer, { ...mirror, offset }),
+        patch: (offset) => mirrorPatch(reach, recordedOf(context, layer), { ...mirror, offset }),
+        scrubbed: (offset) => scrubbedMirrorPatch(reach, recordedOf(context, layer), { ...mirror, offset }),
       })}
     </div>
     ${

@@ -14,7 +14,7 @@ import {
   projectorFields,
   withAxis,
 } from "./projector-fields.ts";
-import { lengthStep, numberField, type PropertyContext, record, sharedTitle } from "./property-controls.ts";
+import { lengthStep, numberField, type PropertyContext, record, recordedOf, sharedTitle } from "./property-controls.ts";
 
 /** What the fields remember from one render to the next. */
 export interface PlacementMemory {
@@ -30,20 +30,22 @@ export interface PlacementMemory {
  */
 export function placementFields(
   context: PropertyContext,
-  { projector }: DecalLayer | TextLayer,
+  layer: DecalLayer | TextLayer,
   aspect: number | null,
   memory: PlacementMemory,
   changed: () => void,
 ): TemplateResult {
   const words = context.editor.strings.properties;
   const step = lengthStep(context.state);
+  const { projector } = layer;
+  const recorded = recordedOf(context, layer).projector;
   return html`
     <section role="group" aria-label=${words.placement}>
       ${projector.kind === "uv" ? nothing : pose(context, projector, step, memory)}
       ${
         projector.kind === "planar"
-          ? size(context, projector, step, aspect, memory, changed)
-          : projectorFields(projector, step, words).map((group) => fieldGroup(context, group))
+          ? size(context, projector, recorded, step, aspect, memory, changed)
+          : projectorFields(projector, step, words, recorded).map((group) => fieldGroup(context, group))
       }
     </section>
   `;
@@ -81,18 +83,20 @@ function fieldGroup(context: PropertyContext, { title, fields }: ProjectorFieldG
 function size(
   context: PropertyContext,
   projector: PlanarProjector,
+  recorded: Projector,
   step: number,
   aspect: number | null,
   memory: PlacementMemory,
   changed: () => void,
 ): TemplateResult {
   const words = context.editor.strings.properties;
+  const { size: before } = recorded.kind === "planar" ? recorded : projector;
   const resized = (axis: 0 | 1 | 2, value: number): LayerPatch => {
-    const resizedAxis = withAxis(projector.size, axis, value);
+    const resizedAxis = withAxis(before, axis, value);
     const other = axis === 0 ? 1 : 0;
     const linked = memory.proportional && axis !== 2;
     const { lengthMin, lengthMax } = DESIGN_LIMITS;
-    const proportional = (projector.size[other] * value) / projector.size[axis];
+    const proportional = (before[other] * value) / before[axis];
     const bounded = Math.min(lengthMax, Math.max(lengthMin, proportional));
     return placed(context, { ...projector, size: linked ? withAxis(resizedAxis, other, bounded) : resizedAxis });
   };

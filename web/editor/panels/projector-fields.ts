@@ -90,13 +90,20 @@ export function withAxis([x, y, z]: Vec3, axis: 0 | 1 | 2, value: number): Vec3 
 const LEAST_DEGREES = 0.1;
 const WIDEST_FOV = 179;
 
-/** @param lengthStep Metres a step of a length. */
+/**
+ * @param lengthStep Metres a step of a length.
+ * @param recorded The projector without what a scrub only shows so far: what makes way for a number that is passed comes back.
+ */
 export function projectorFields(
   projector: PerspectiveProjector | CylindricalProjector | UvProjector,
   lengthStep: number,
   words: Strings["properties"],
+  recorded: Projector = projector,
 ): ProjectorFieldGroup[] {
-  if (projector.kind === "perspective") return perspectiveFields(projector, lengthStep, words);
+  if (projector.kind === "perspective") {
+    const from = recorded.kind === "perspective" ? recorded : projector;
+    return perspectiveFields(projector, lengthStep, words, from);
+  }
   return projector.kind === "cylindrical"
     ? cylindricalFields(projector, lengthStep, words)
     : uvFields(projector, words);
@@ -106,6 +113,7 @@ function perspectiveFields(
   projector: PerspectiveProjector,
   step: number,
   words: Strings["properties"],
+  from: PerspectiveProjector,
 ): ProjectorFieldGroup[] {
   const { fov, aspect, near, far } = projector;
   // What a field shows as something.
@@ -151,7 +159,7 @@ function perspectiveFields(
           min: least,
           max: DESIGN_LIMITS.lengthMax / 2,
           // The far end makes way, so that near stays below it.
-          set: (value) => ({ ...projector, near: value, far: Math.max(far, value + gap(value)) }),
+          set: (value) => ({ ...from, near: value, far: Math.max(from.far, value + gap(value)) }),
         },
         {
           label: words.far,
@@ -161,7 +169,7 @@ function perspectiveFields(
           step,
           isLength: true,
           min: 2 * least,
-          set: (value) => ({ ...projector, far: value, near: Math.min(near, value - gap(value)) }),
+          set: (value) => ({ ...from, far: value, near: Math.min(from.near, value - gap(value)) }),
         },
       ],
     },

@@ -2,6 +2,7 @@
 import { html, type TemplateResult } from "lit";
 import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import type { DesignLayer } from "../document/index.ts";
+import { layerById } from "../state/design-edits.ts";
 import { diagonalOf } from "../state/design-state.ts";
 import type { Editor } from "../state/editor.ts";
 import type { EditorState } from "../state/editor-state.ts";
@@ -19,6 +20,15 @@ export interface PropertyContext {
   readonly state: EditorState;
   /** Ids of the layers that a change is for. */
   readonly ids: readonly string[];
+}
+
+/**
+ * A layer without what a scrub only shows so far: what a patch keeps of a layer, it keeps of that, or what a scrub meets in passing
+ * would stay.
+ */
+export function recordedOf<L extends DesignLayer>({ editor }: PropertyContext, layer: L): L {
+  const recorded = layerById(editor.session.recordedDesign, layer.id);
+  return recorded?.type === layer.type ? (recorded as L) : layer;
 }
 
 export interface NumberFieldOptions extends Omit<ProjectorField, "set"> {

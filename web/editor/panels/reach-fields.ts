@@ -2,13 +2,20 @@
 import { html, nothing, type TemplateResult } from "lit";
 import { type IconNode, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical } from "lucide";
 import { type DecalLayer, type DesignLayer, materialsOf, type StrokeLayer, type TextLayer } from "../document/index.ts";
-import type { LayerPatch } from "../state/layer-commands.ts";
 import { icon } from "../ui/icon.ts";
-import { numberField, optionField, type PropertyContext, record, toggleField } from "./property-controls.ts";
+import {
+  numberField,
+  optionField,
+  type PropertyContext,
+  record,
+  recordedOf,
+  toggleField,
+} from "./property-controls.ts";
 
 /** A choice of the list of materials, beside their indices. */
 const ALL_MET = "all-met";
 
+type FadeRange = ThrownLayer["angleFade"];
 type ThrownLayer = DecalLayer | TextLayer | StrokeLayer;
 
 export function samplingFields(context: PropertyContext, layer: ThrownLayer): TemplateResult {
@@ -42,7 +49,8 @@ export function samplingFields(context: PropertyContext, layer: ThrownLayer): Te
 export function reachFields(context: PropertyContext, layer: ThrownLayer): TemplateResult | typeof nothing {
   const words = context.editor.strings.properties;
   const [start, end] = layer.angleFade;
-  const fade = (label: string, value: number, patch: (value: number) => LayerPatch) =>
+  /** The other end makes way. */
+  const fade = (label: string, value: number, fadeOf: (value: number, start: number, end: number) => FadeRange) =>
     numberField(context, label, {
       label,
       name: label,
@@ -52,7 +60,7 @@ export function reachFields(context: PropertyContext, layer: ThrownLayer): Templ
       step: 1,
       min: 0,
       max: 90,
-      patch,
+      patch: (next) => ({ angleFade: fadeOf(next, ...recordedOf(context, layer).angleFade) }),
     });
   // A flat stamp lies on the texture: no surface turns away from it or stands before it.
   if (layer.type !== "stroke" && layer.projector.kind === "uv") return materialField(context, layer);
@@ -60,8 +68,8 @@ export function reachFields(context: PropertyContext, layer: ThrownLayer): Templ
     <section role="group" aria-label=${words.reach}>
       <h3>${words.reach}</h3>
       <div class="two">
-        ${fade(words.fadeStart, start, (value) => ({ angleFade: [value, Math.max(value, end)] }))}
-        ${fade(words.fadeEnd, end, (value) => ({ angleFade: [Math.min(start, value), value] }))}
+        ${fade(words.fadeStart, start, (value, _start, end) => [value, Math.max(value, end)])}
+        ${fade(words.fadeEnd, end, (value, start) => [Math.min(start, value), value])}
       </div>
       ${toggleField(context, "backfaces", words.backfaces, layer.backfaces, (on) => ({ backfaces: on }))}
       ${toggleField(context, "through", words.through, layer.occlusion === "none", (on) => ({ occlusion: on ? "none" : "self" }))}

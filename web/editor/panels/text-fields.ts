@@ -20,7 +20,7 @@ import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
 import { recentColors } from "../ui/recent-colors.ts";
 import { TypingEnd } from "../ui/typing-end.ts";
-import { lengthStep, numberField } from "./property-controls.ts";
+import { lengthStep, numberField, recordedOf } from "./property-controls.ts";
 import { checkField } from "./property-fields.ts";
 import { propertyStyles } from "./property-styles.ts";
 
@@ -295,7 +295,8 @@ export class TextFields extends EditorElement {
     const isLength = kind === "planar" || kind === "cylindrical";
     const step = isLength ? lengthStep(state) : 0.01;
     const { min, max } = emBounds(layer);
-    return numberField({ editor, state, ids: [layer.id] }, this.#words.size, {
+    const context = { editor, state, ids: [layer.id] };
+    return numberField(context, this.#words.size, {
       label: this.#words.sizeLetter,
       name: this.#words.size,
       hint: this.#words.sizeHint,
@@ -305,7 +306,7 @@ export class TextFields extends EditorElement {
       isLength,
       min: Math.max(step / 10, min),
       max,
-      patch: (em) => editor.decals.placed(layer.id, withEm(layer, em)),
+      patch: (em) => editor.decals.placed(layer.id, withEm(recordedOf(context, layer), em)),
     });
   }
 
