@@ -10,6 +10,7 @@ import {
   parseDesign,
   resolveLayers,
 } from "../../web/editor/document/index.ts";
+import type { EngineLayer } from "../../web/engine/engine-api.ts";
 
 const planar = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] } as const;
 
@@ -228,5 +229,57 @@ describe("resolving layers for the engine", () => {
     if (layer === undefined) throw new Error("The design has a layer.");
     const moved = resolveLayers({ ...design, layers: [{ ...layer, material: [0, 4] }] });
     expect(moved[0]?.mask?.layers).toMatchObject([{ material: [0, 4] }]);
+  });
+
+  it("masks the twin of a mirrored layer as it masks the layer, and a twin that stays readable as its picture lies", () => {
+    const brush = { tip: "round", color: "#000000", hardness: 1, flow: 1 } as const;
+    const dab = { ...planar, position: [1.25, 0.5, 0], flow: 1 };
+    const hiding = { type: "stroke", brush, blend: "erase", dabs: [dab] };
+    const stamp = {
+      type: "decal",
+      asset: "logo",
+      projector: { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 },
+    };
+    const masked = (mirror: object, layer = decal()) => ({
+      ...layer,
+      ...(layer.type === "decal" && { projector: { ...planar, position: [1, 0, 0] } }),
+      mirror,
+      mask: {
+        layers: [
+          hiding,
+          { ...hiding, mirror: { axis: "x" } },
+          decal({ projector: { ...planar, position: [2, 0, 0] } }),
+          stamp,
+        ],
+      },
+    });
+    const maskOf = (layer: object) => resolve(layer)[0]?.mask?.layers ?? [];
+    const places = (layer: EngineLayer | undefined) =>
+      layer?.type === "stroke" ? layer.dabs.map((each) => each.kind === "planar" && each.position) : null;
+
+    const mirrored = maskOf(masked({ axis: "x" }));
+    expect(mirrored.map(places)).toEqual([
+      [
+        [1.25, 0.5, 0],
+        [-1.25, 0.5, 0],
+      ],
+      [
+        [1.25, 0.5, 0],
+        [-1.25, 0.5, 0],
+      ],
+      [
+        [2, 0, 0],
+        [-2, 0, 0],
+      ],
+      null,
+    ]);
+    expect(mirrored[0]).toMatchObject({ blend: "erase", dabs: [{}, { flipX: true }] });
+    expect(places(maskOf(masked({ axis: "x", readable: true }))[0])).toEqual([
+      [1.25, 0.5, 0],
+      [-0.75, 0.5, 0],
+    ]);
+    const paint = { type: "paint", strokes: [{ type: "stroke", brush, dabs: [dab] }] };
+    expect(maskOf(masked({ axis: "x" }, paint as never)).map(places)).toEqual(mirrored.map(places));
+    expect(maskOf({ ...masked({ axis: "x" }), mirror: null }).map(places)[0]).toEqual([[1.25, 0.5, 0]]);
   });
 });

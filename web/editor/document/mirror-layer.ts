@@ -4,6 +4,7 @@
  */
 import type { EngineDab, EngineDecalLayer, EngineStrokeLayer } from "../../engine/engine-api.ts";
 import type { DesignLayer, Mirror, Projector, Quaternion, Vec3 } from "./design.ts";
+import { carriedPose, product } from "./rigid-motion.ts";
 
 /**
  * The projector as the mirror shows it. A projector cannot be left-handed: its picture, left and right exchanged, is what
@@ -36,31 +37,33 @@ function mirroredPoint([x, y, z]: Vec3, { axis, offset }: Mirror): Vec3 {
  */
 function mirroredRotation([x, y, z, w]: Quaternion, { axis, readable }: Mirror): Quaternion {
   if (axis === "x") return [x, -y, -z, w];
-  if (axis === "z") return times([-x, -y, z, w], [0, 1, 0, 0]);
+  if (axis === "z") return product([-x, -y, z, w], [0, 1, 0, 0]);
   // A picture that stays as it is would stand on its head here: another half turn about Z takes the first one back.
   const turned: Quaternion = [-x, y, -z, w];
-  return readable ? turned : times(turned, [0, 0, 1, 0]);
+  return readable ? turned : product(turned, [0, 0, 1, 0]);
 }
 
-const times = ([ax, ay, az, aw]: Quaternion, [bx, by, bz, bw]: Quaternion): Quaternion => [
-  aw * bx + ax * bw + ay * bz - az * by,
-  aw * by - ax * bz + ay * bw + az * bx,
-  aw * bz + ax * by - ay * bx + az * bw,
-  aw * bw - ax * bx - ay * by - az * bz,
-];
+/** A mirror for what is in the mask of a layer that it shows a second time: the twin is masked as the layer is. */
+export interface MaskMirror extends Mirror {
+  /** That layer's projector. A picture that stays readable is carried to its twin's place, and so is what masks it. */
+  readonly of: Projector;
+}
 
-/** A decal and its twin as one layer: where they overlap its opacity does not build up. */
-export function mirroredDecal(layer: EngineDecalLayer, mirror: Mirror): EngineStrokeLayer {
+/** A decal and its twins as one layer: where they overlap its opacity does not build up. */
+export function mirroredDecal(layer: EngineDecalLayer, mirrors: readonly (Mirror | MaskMirror)[]): EngineStrokeLayer {
   const { type: _type, asset, projector, ...fields } = layer;
-  const dabs = mirroredDabs([{ ...projector, flow: 1 }], [mirror]);
+  const dabs = mirroredDabs([{ ...projector, flow: 1 }], mirrors);
   return { ...fields, type: "stroke", brush: { tip: "picture", asset, color: null, flow: 1 }, dabs };
 }
 
 /** By dab and mirror: the engine knows dabs that it has by their being the same objects (`EngineStrokeLayer.dabs`). */
-const TWINS = new WeakMap<EngineDab, { readonly mirror: Mirror; readonly twin: EngineDab }>();
+const TWINS = new WeakMap<EngineDab, { readonly mirror: Mirror | MaskMirror; readonly twin: EngineDab }>();
 
 /** Each dab with its twin after it; by several mirrors, with twins of twins. */
-export function mirroredDabs(dabs: readonly EngineDab[], mirrors: readonly Mirror[]): readonly EngineDab[] {
+export function mirroredDabs(
+  dabs: readonly EngineDab[],
+  mirrors: readonly (Mirror | MaskMirror)[],
+): readonly EngineDab[] {
   return mirrors.reduce<readonly EngineDab[]>(
     (all, mirror) =>
       all.flatMap((dab) => {
@@ -71,15 +74,25 @@ export function mirroredDabs(dabs: readonly EngineDab[], mirrors: readonly Mirro
   );
 }
 
-function twinOf(dab: EngineDab, mirror: Mirror): EngineDab | null {
+function twinOf(dab: EngineDab, mirror: Mirror | MaskMirror): EngineDab | null {
   const known = TWINS.get(dab);
   if (known !== undefined && sameMirror(known.mirror, mirror)) return known.twin;
-  const projector = mirroredProjector(dab, mirror);
+  const projector = mirror.readable && "of" in mirror ? carriedToTwin(dab, mirror) : mirroredProjector(dab, mirror);
   if (projector === null) return null;
   const twin = mirror.readable ? projector : { ...projector, flipX: !dab.flipX };
   TWINS.set(dab, { mirror, twin });
   return twin;
 }
 
-export const sameMirror = (a: Mirror, b: Mirror): boolean =>
-  a.axis === b.axis && a.offset === b.offset && a.readable === b.readable;
+function carriedToTwin(dab: EngineDab, mirror: MaskMirror): EngineDab | null {
+  const { of } = mirror;
+  const twin = mirroredProjector(of, mirror);
+  if (dab.kind === "uv" || of.kind === "uv" || twin === null || twin.kind === "uv") return null;
+  return { ...dab, ...carriedPose(of, twin, dab) };
+}
+
+export const sameMirror = (a: Mirror | MaskMirror, b: Mirror | MaskMirror): boolean =>
+  a.axis === b.axis && a.offset === b.offset && a.readable === b.readable && ofOf(a) === ofOf(b);
+
+/** Of what is not to be readable, it makes no difference what it masks. */
+const ofOf = (mirror: Mirror | MaskMirror): Projector | null => (mirror.readable && "of" in mirror ? mirror.of : null);

@@ -1,6 +1,7 @@
 /** From the design's vocabulary to the engine's. */
 import type {
   EngineBrush,
+  EngineDecalLayer,
   EngineFillLayer,
   EngineGradient,
   EngineGroupLayer,
@@ -18,7 +19,6 @@ import type {
   FillLayer,
   Gradient,
   GroupLayer,
-  LayerBase,
   LayerMaterials,
   Mirror,
   PaintLayer,
@@ -28,7 +28,7 @@ import type {
 import { layerMaterials } from "./design.ts";
 import { parseHexColor } from "./hex-color.ts";
 import { materialsIn } from "./layer-tree.ts";
-import { liesOnTexture, mirroredDabs, mirroredDecal, sameMirror } from "./mirror-layer.ts";
+import { liesOnTexture, type MaskMirror, mirroredDabs, mirroredDecal, sameMirror } from "./mirror-layer.ts";
 
 type Assets = Design["assets"];
 
@@ -47,12 +47,12 @@ function resolveList(layers: readonly DesignLayer[], assets: Assets): EngineLaye
 function resolveLayer(
   layer: DesignLayer,
   assets: Assets,
-  outer: Mirror | null = null,
+  outer: Mirror | MaskMirror | null = null,
   masked: readonly number[] | null = null,
 ): EngineLayer {
   // Not looked for where nobody asks: a paint layer may hold thousands of strokes.
   const own = masked ? materialsInMask(layer, masked) : layer.mask ? materialsIn(layer) : [];
-  const mask = resolveMask(layer, assets, own);
+  const mask = resolveMask(layer, assets, own, outer);
   const held =
     layer.type === "group"
       ? resolveList(layer.layers, assets)
@@ -70,9 +70,9 @@ function resolveLayer(
 function resolveKind(layer: DesignLayer, { mask, held, outer }: LayerContext, assets: Assets): EngineLayer {
   switch (layer.type) {
     case "text":
-      return resolveText(layer, mask, assets);
+      return resolveText(layer, mask, outer, assets);
     case "decal":
-      return resolveDecal(layer, mask);
+      return resolveDecal(layer, mask, outer);
     case "stroke":
       return resolveStroke(layer, mask, outer);
     case "fill":
@@ -100,8 +100,8 @@ function materialsInMask(layer: DesignLayer, masked: readonly number[]): readonl
 interface LayerContext {
   readonly mask: EngineMask | null;
   readonly held: readonly EngineLayer[];
-  /** Of the paint layer that it is in. */
-  readonly outer: Mirror | null;
+  /** Of the paint layer that it is in, or of the layer that it masks. */
+  readonly outer: Mirror | MaskMirror | null;
   /** Of words: their font's address. */
   readonly font: string | null;
   /** Of a mask's layers: in place of their own. */
@@ -115,7 +115,7 @@ function resolvedOnce(layer: DesignLayer, context: LayerContext, resolve: () => 
   const known = RESOLVED.get(layer);
   const isKnown =
     known !== undefined &&
-    known.outer === context.outer &&
+    isSame(known.outer, context.outer) &&
     known.font === context.font &&
     String(known.material) === String(context.material) &&
     sameItems(known.held, context.held) &&
@@ -126,17 +126,34 @@ function resolvedOnce(layer: DesignLayer, context: LayerContext, resolve: () => 
   return engineLayer;
 }
 
-function resolveMask({ mask }: LayerBase, assets: Assets, masked: readonly number[]): EngineMask | null {
-  if (mask === null) return null;
-  return { ...mask, layers: mask.layers.map((layer) => resolveLayer(layer, assets, null, masked)) };
+function resolveMask(
+  layer: DesignLayer,
+  assets: Assets,
+  masked: readonly number[],
+  outer: Mirror | null,
+): EngineMask | null {
+  if (layer.mask === null) return null;
+  const { invert, layers } = layer.mask;
+  const mirror = ("mirror" in layer && layer.mirror) || outer;
+  const shown = mirror && "projector" in layer ? { ...mirror, of: layer.projector } : mirror;
+  return { invert, layers: layers.map((each) => resolveLayer(each, assets, shown, masked)) };
 }
 
-function resolveText(layer: TextLayer, mask: EngineMask | null, assets: Assets): EngineLayer {
+const isSame = (a: Mirror | null, b: Mirror | null): boolean =>
+  a === b || (a !== null && b !== null && sameMirror(a, b));
+
+/** Its own, and the one that shows it with another layer; that they are the same counts once. */
+function mirrorsOf(own: Mirror | null, outer: Mirror | null): readonly (Mirror | MaskMirror)[] {
+  const isTwice = own !== null && outer !== null && sameMirror(own, outer);
+  return isTwice ? [own] : [own, outer].filter((one) => one !== null);
+}
+
+function resolveText(layer: TextLayer, mask: EngineMask | null, outer: Mirror | null, assets: Assets): EngineLayer {
   const { name: _shownName, locked: _locked, mirror, ...fields } = layer;
   const { text: _text, font: _font, fontSize: _size, letterSpacing: _spacing, align: _align, ...rest } = fields;
   const { curve: _curve, color: _color, outline: _outline, ...cast } = rest;
   const decal = { ...cast, type: "decal" as const, asset: resolveWords(layer, assets), mask };
-  return mirror === null ? decal : mirroredDecal(decal, mirror);
+  return withTwins(decal, mirrorsOf(mirror, outer));
 }
 
 /** A text layer's words. A font that comes with Texelcast goes by its address, another by its key among the assets. */
@@ -158,18 +175,24 @@ export function resolveWords(
   };
 }
 
-function resolveDecal(layer: DecalLayer, mask: EngineMask | null): EngineLayer {
+function resolveDecal(layer: DecalLayer, mask: EngineMask | null, outer: Mirror | null): EngineLayer {
   const { name: _shownName, locked: _locked, mirror, ...fields } = layer;
-  const decal = { ...fields, mask };
-  return mirror === null ? decal : mirroredDecal(decal, mirror);
+  return withTwins({ ...fields, mask }, mirrorsOf(mirror, outer));
 }
+
+/** A stamp has none. */
+const withTwins = (decal: EngineDecalLayer, mirrors: readonly Mirror[]): EngineLayer =>
+  mirrors.length === 0 || decal.projector.kind === "uv" ? decal : mirroredDecal(decal, mirrors);
 
 function resolveStroke(layer: StrokeLayer, mask: EngineMask | null, outer: Mirror | null): EngineLayer {
   const { name: _shownName, locked: _locked, mirror, ...fields } = layer;
-  const isTwice = mirror !== null && outer !== null && sameMirror(mirror, outer);
-  const mirrors = isTwice ? [mirror] : [mirror, outer].filter((one) => one !== null);
   // The dabs' own objects: by them the engine knows what is new in a stroke that grows.
-  return { ...fields, mask, brush: resolveBrush(layer.brush), dabs: mirroredDabs(layer.dabs, mirrors) };
+  return {
+    ...fields,
+    mask,
+    brush: resolveBrush(layer.brush),
+    dabs: mirroredDabs(layer.dabs, mirrorsOf(mirror, outer)),
+  };
 }
 
 function resolveBrush(brush: Brush): EngineBrush {

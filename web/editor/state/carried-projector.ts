@@ -1,5 +1,6 @@
 /** What goes along with a decal that is dragged: it keeps its place beside it, round a mug as well as over a table. */
 import type { CylindricalProjector, Projector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
+import { inverse, minus, plus, product, turned } from "../document/rigid-motion.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 
 /** Where the surface is nearest to a place; null where there is none. */
@@ -81,21 +82,9 @@ function carriedRound(label: CylindricalProjector, carry: (place: Vec3) => Vec3)
   };
 }
 
-const plus = ([a, b, c]: Vec3, [x, y, z]: Vec3): Vec3 => [a + x, b + y, c + z];
-const minus = ([a, b, c]: Vec3, [x, y, z]: Vec3): Vec3 => [a - x, b - y, c - z];
-const inverse = ([x, y, z, w]: Quaternion): Quaternion => [-x, -y, -z, w];
-
 /** First `b`, then `a`; kept a unit, as a long drag multiplies its rounding. */
-function times([ax, ay, az, aw]: Quaternion, [bx, by, bz, bw]: Quaternion): Quaternion {
-  const x = aw * bx + ax * bw + ay * bz - az * by;
-  const y = aw * by - ax * bz + ay * bw + az * bx;
-  const z = aw * bz + ax * by - ay * bx + az * bw;
-  const w = aw * bw - ax * bx - ay * by - az * bz;
-  const length = Math.hypot(x, y, z, w);
-  return [x / length, y / length, z / length, w / length];
-}
-
-function turned([x, y, z, w]: Quaternion, [a, b, c]: Vec3): Vec3 {
-  const [i, j, k] = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
-  return [a + w * i + y * k - z * j, b + w * j + z * i - x * k, c + w * k + x * j - y * i];
+export function times(a: Quaternion, b: Quaternion): Quaternion {
+  const made = product(a, b);
+  const length = Math.hypot(...made);
+  return made.map((part) => part / length) as unknown as Quaternion;
 }
