@@ -187,7 +187,7 @@ function layers(pictures: readonly string[]): fc.Arbitrary<DesignLayer[]> {
   const leaf: fc.Arbitrary<DesignLayer> = fc.oneof(decal, text, stroke, fill, paint);
   const masked = (any: fc.Arbitrary<DesignLayer>): fc.Arbitrary<DesignLayer> => {
     const held = fc.array(fc.oneof(decal, text, stroke, fill), { maxLength: 2 });
-    const mask = fc.option(fc.record({ layers: held, invert: fc.boolean() }), { freq: 1 });
+    const mask = fc.option(fc.record({ layers: held, invert: fc.boolean(), linked: fc.boolean() }), { freq: 1 });
     return fc.tuple(any, mask).map(([layer, own]) => ({ ...layer, mask: own }) as DesignLayer);
   };
   const { any } = fc.letrec<{ any: DesignLayer; group: DesignLayer }>((tie) => ({

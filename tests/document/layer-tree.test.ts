@@ -32,7 +32,7 @@ const top = { parentId: null, list: "layers" } as const;
 
 /** a, a group of b (masked by m) and a paint layer p of s, then z. */
 function tree(): Design {
-  const b = { ...fill("b", 1), mask: { layers: [fill("m", 7)], invert: false } };
+  const b = { ...fill("b", 1), mask: { layers: [fill("m", 7)], invert: false, linked: true } };
   const p = makePaintLayer({ id: "p", strokes: [stroke("s")] });
   return { ...emptyDesign(), layers: [fill("a"), makeGroupLayer({ id: "g", layers: [b, p] }), fill("z", 2)] };
 }
@@ -137,7 +137,7 @@ describe("the tree of layers", () => {
       "z",
     ]);
     const masked = insertAt(tree(), { parentId: "z", list: "mask", index: 0 }, fill("new"));
-    expect(findLayer(masked, "z")?.mask).toEqual({ layers: [fill("new")], invert: false });
+    expect(findLayer(masked, "z")?.mask).toEqual({ layers: [fill("new")], invert: false, linked: true });
     expect(idsOf(insertAt(tree(), { parentId: "p", list: "strokes", index: 9 }, stroke("new")))).toContain("new");
     expect(idsOf(insertAt(tree(), { ...top, index: 99 }, fill("new"))).at(-1)).toBe("new");
   });

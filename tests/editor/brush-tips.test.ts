@@ -24,7 +24,12 @@ describe("the pictures that a brush may print", () => {
       layers: [
         makeDecalLayer({ id: "a", asset: "star", projector: PROJECTOR }),
         makeDecalLayer({ id: "b", asset: "pixels", projector: WHOLE, filter: "nearest" }),
-        makeDecalLayer({ id: "c", asset: "copy", projector: PROJECTOR, mask: { layers: [shown], invert: true } }),
+        makeDecalLayer({
+          id: "c",
+          asset: "copy",
+          projector: PROJECTOR,
+          mask: { layers: [shown], invert: true, linked: true },
+        }),
         makePaintLayer({ id: "d", strokes: [stroke("e", "stamp")] }),
       ],
     };

@@ -21,7 +21,12 @@ const FRONT: Look = { at: [0, 0, 0], eye: [0, 0, 2], up: [0, 1, 0] };
 const SIDE: Look = { at: [5, 1, 0], eye: [6, 1, 0], up: [0, 1, 0] };
 
 it("while a mask is painted on nothing is cloned beside it: a mask has no picture", () => {
-  const fill = makeFillLayer({ id: "a", name: "Base", color: "#ff0000", mask: { layers: [], invert: false } });
+  const fill = makeFillLayer({
+    id: "a",
+    name: "Base",
+    color: "#ff0000",
+    mask: { layers: [], invert: false, linked: true },
+  });
   const design = { ...emptyDesign(), layers: [fill] };
   expect(cloneTargetOf(design, "a", "a")).toEqual({ kind: "refused", reason: "mask", name: "Base" });
   expect(cloneTargetOf(design, "a")).toMatchObject({ kind: "new" });

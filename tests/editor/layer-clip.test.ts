@@ -41,7 +41,7 @@ it("stays whole as text", () => {
 });
 
 it("gives layers ids of their own, and another key to a picture whose key another one has", () => {
-  const hidden = { ...fill("d"), mask: { layers: [decal("e", "star")], invert: false } } as DesignLayer;
+  const hidden = { ...fill("d"), mask: { layers: [decal("e", "star")], invert: false, linked: true } } as DesignLayer;
   const clip = designOf({ star: picture("sun") }, group("a", hidden));
   const { design, ids } = putClip(source, clip, null);
   expect(design.assets.star).toEqual(picture("star"));

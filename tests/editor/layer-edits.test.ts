@@ -158,7 +158,7 @@ describe("masks", () => {
   it("begin with all shown or all hidden, are inverted, and go", () => {
     const design = designOf(fill("a"));
     const shows = addMask(design, "a", false);
-    expect(findLayer(shows, "a")?.mask).toEqual({ layers: [], invert: false });
+    expect(findLayer(shows, "a")?.mask).toEqual({ layers: [], invert: false, linked: true });
     const hides = addMask(design, "a", true);
     expect(findLayer(hides, "a")?.mask).toMatchObject({ layers: [{ type: "fill", blend: "erase" }], invert: false });
     expect(findLayer(invertMask(hides, "a"), "a")?.mask?.invert).toBe(true);

@@ -58,7 +58,10 @@ describe("merging down", () => {
   it.each([
     ["opacity", { opacity: 0.5 }],
     ["blend", { blend: "multiply" }],
-    ["mask", { mask: { layers: [makeFillLayer({ id: "m", color: "#000000", blend: "erase" })], invert: false } }],
+    [
+      "mask",
+      { mask: { layers: [makeFillLayer({ id: "m", color: "#000000", blend: "erase" })], invert: false, linked: true } },
+    ],
     ["lockAlpha", { lockAlpha: true }],
     ["hidden", { visible: false }],
     ["mirror", { mirror: { axis: "x", offset: 0, readable: false } }],

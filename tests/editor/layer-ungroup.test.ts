@@ -30,6 +30,7 @@ const group = (layers: DesignLayer[], fields: Partial<GroupLayer> = {}): DesignL
 const half: Mask = {
   layers: [makeDecalLayer({ id: "hider", asset: "logo", projector: FRONT, blend: "erase" })],
   invert: false,
+  linked: true,
 };
 
 const same: [string, DesignLayer][] = [

@@ -50,7 +50,7 @@ const maskOf = (design: Design, id = "red"): NonNullable<DesignLayer["mask"]> =>
 
 describe("what a mask begins with", () => {
   it("lies below all that is painted on it, and can be changed without losing that", () => {
-    let design = designOf({ ...red, mask: { layers: [painted], invert: false } });
+    let design = designOf({ ...red, mask: { layers: [painted], invert: false, linked: true } });
     const starts: readonly MaskStart[] = ["nothing", fadeOf(false), "nothing", fadeOf(false), "all"];
     for (const start of starts) {
       design = withMaskStart(design, "red", start);
@@ -61,7 +61,7 @@ describe("what a mask begins with", () => {
   });
 
   it("is what it says where the mask is inverted, too", () => {
-    const inverted = designOf({ ...red, mask: { layers: [], invert: true } });
+    const inverted = designOf({ ...red, mask: { layers: [], invert: true, linked: true } });
     expect(maskStartOf(maskOf(inverted))).toBe("nothing");
     expect(maskStartOf(maskOf(withMaskStart(inverted, "red", "all")))).toBe("all");
     expect(withMaskStart(inverted, "red", "nothing")).toBe(inverted);
@@ -86,7 +86,7 @@ describe("what a mask begins with", () => {
   it.each([false, true])("a gradient fades the layer from its black to its white (inverted: %s)", async (invert) => {
     const { engine } = await paintablePlane();
     const bare = await allTexels(engine);
-    const start = designOf({ ...red, mask: { layers: [], invert } });
+    const start = designOf({ ...red, mask: { layers: [], invert, linked: true } });
     engine.setLayers(resolveLayers(withMaskStart(start, "red", fadeOf(invert))), 1);
     await engine.idle();
     const faded = await allTexels(engine);
@@ -140,7 +140,7 @@ describe("a mask's gradient", () => {
 
 it("a mask that nothing was hidden by shows all, and no other does", () => {
   const hidden = withMaskStart(designOf(red), "red", "nothing");
-  expect(hidesNothing({ layers: [painted], invert: false })).toBe(true);
-  expect(hidesNothing({ layers: [], invert: true })).toBe(false);
+  expect(hidesNothing({ layers: [painted], invert: false, linked: true })).toBe(true);
+  expect(hidesNothing({ layers: [], invert: true, linked: true })).toBe(false);
   expect(hidesNothing(maskOf(hidden))).toBe(false);
 });

@@ -64,7 +64,9 @@ describe("texels that are drawn on a mask", () => {
     [false, "normal", "erase"],
     [true, "erase", "normal"],
   ] as const)("show by the pencil and hide by the eraser (inverted: %s)", (invert, shows, hides) => {
-    const design = designOf(makeFillLayer({ id: "fill", color: "#ff0000", mask: { layers: [stroke], invert } }));
+    const design = designOf(
+      makeFillLayer({ id: "fill", color: "#ff0000", mask: { layers: [stroke], invert, linked: true } }),
+    );
     const drawn = (eraser: boolean) =>
       addMaskPixels(design, { layerId: "fill", hides: eraser }, 3, png, stringsIn("en"))?.layers[0]?.mask?.layers;
     const layer = { type: "decal", projector: whole, filter: "nearest", material: 3 };
@@ -75,20 +77,21 @@ describe("texels that are drawn on a mask", () => {
   it("join those drawn before, but not below what hides and shows otherwise", () => {
     const [below, above, other] = [pixels("below"), pixels("above"), pixels("other", { material: 1 })];
     const top = (...layers: (DecalLayer | typeof stroke)[]) =>
-      maskPixelLayer({ layers, invert: false }, false, 0)?.layer.id;
+      maskPixelLayer({ layers, invert: false, linked: true }, false, 0)?.layer.id;
     expect(top(below, above)).toBe("above");
     expect(top(below, other)).toBe("below");
     expect(top(below, stroke)).toBeUndefined();
     expect(top(pixels("faint", { opacity: 0.5 }))).toBeUndefined();
-    expect(maskPixelLayer({ layers: [pixels("eraser", { blend: "erase" })], invert: false }, true, 0)?.layer.id).toBe(
-      "eraser",
-    );
+    expect(
+      maskPixelLayer({ layers: [pixels("eraser", { blend: "erase" })], invert: false, linked: true }, true, 0)?.layer
+        .id,
+    ).toBe("eraser");
   });
 
   it("join those drawn before by the other tool's one layer of the same texels, in which they give way", () => {
     const eraser = pixels("eraser", { blend: "erase" });
     const found = (layers: DecalLayer[], hides = true) => {
-      const { layer, over } = maskPixelLayer({ layers, invert: false }, hides, 0) ?? {};
+      const { layer, over } = maskPixelLayer({ layers, invert: false, linked: true }, hides, 0) ?? {};
       return layer && [layer.id, over?.id ?? null];
     };
     expect(found([eraser, pixels("pencil")])).toEqual(["eraser", "pencil"]);
@@ -101,7 +104,7 @@ describe("texels that are drawn on a mask", () => {
   });
 
   it("are shown or hidden by what was drawn last, in one layer of each, however often they are drawn in turn", async () => {
-    const fill = makeFillLayer({ id: "fill", color: "#ff0000", mask: { layers: [], invert: false } });
+    const fill = makeFillLayer({ id: "fill", color: "#ff0000", mask: { layers: [], invert: false, linked: true } });
     const { context, design } = contextOf(designOf(fill));
     const session = new PixelSession(context);
     const drawn = async (hides: boolean, ...places: [number, number][]): Promise<void> => {

@@ -99,7 +99,7 @@ describe("a design that is packed to be kept", () => {
     for (const design of [
       placed([...kept, decal("c", 7)]),
       placed([...kept, deep(decal("d", 7))]),
-      placed([...kept, deep({ ...decal("d"), mask: { layers: [decal("m", 7)], invert: false } })]),
+      placed([...kept, deep({ ...decal("d"), mask: { layers: [decal("m", 7)], invert: false, linked: true } })]),
       placed([...kept, deep(decal("b"))]),
       lone,
     ])

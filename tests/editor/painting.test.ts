@@ -248,20 +248,20 @@ describe("where a stroke goes", () => {
     if (target.kind === "refused") return;
     expect(withStroke(design, target, { ...stroke, blend: "erase" }, stringsIn("en"))?.design.layers[0]).toMatchObject({
       type: "decal",
-      mask: { layers: [{ id: "new", blend: "erase" }], invert: false },
+      mask: { layers: [{ id: "new", blend: "erase" }], invert: false, linked: true },
     });
     expect(paintTargetOf(design, null, true)).toMatchObject({ kind: "refused", reason: "nothing-to-erase" });
   });
 
   it("to the mask of the layer whose mask is edited, by brush and eraser alike", () => {
-    const design = designOf({ ...paint, mask: { layers: [], invert: false } });
+    const design = designOf({ ...paint, mask: { layers: [], invert: false, linked: true } });
     for (const erases of [false, true]) {
       expect(paintTargetOf(design, "paint", erases, "paint")).toEqual({ kind: "mask", layerId: "paint" });
     }
   });
 
   it("on an inverted mask the eraser still hides and the brush still shows: each is blended the other way round", () => {
-    const design = designOf({ ...decal, mask: { layers: [], invert: true } });
+    const design = designOf({ ...decal, mask: { layers: [], invert: true, linked: true } });
     const put = (blend: "normal" | "erase") => {
       const painted = withStroke(design, { kind: "mask", layerId: "decal" }, { ...stroke, blend }, stringsIn("en"));
       return painted?.design.layers[0]?.mask?.layers.map((layer) => layer.blend);

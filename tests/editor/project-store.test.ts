@@ -157,7 +157,7 @@ describe("a project kept in the browser", () => {
   });
 
   it("of several paintings, in groups and beside painted masks, gives each its own strokes back, save after save", async () => {
-    const mask = (from: number) => ({ invert: false, layers: strokes(8, from) });
+    const mask = (from: number) => ({ invert: false, linked: true, layers: strokes(8, from) });
     const paintings = (count: number): Design => ({
       ...design(1),
       layers: [

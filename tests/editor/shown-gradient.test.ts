@@ -33,14 +33,14 @@ describe("a gradient's handles", () => {
   it("are those of the mask that is painted on, also where the layer has a gradient of its own", () => {
     const there = { kind: "linear", from: [1, 0, 0], to: [2, 0, 0] } as const;
     const fade = makeFillLayer({ id: "fade", color: "#000000", blend: "erase", gradient: { ...there, stops: STOPS } });
-    const masked = { ...fill, mask: { layers: [fade], invert: false } };
+    const masked = { ...fill, mask: { layers: [fade], invert: false, linked: true } };
     const marked = { ...stateOf([masked]), editingMask: "fill" };
     expect(shownGradient(marked)).toEqual(there);
     expect(shownGradient(stateOf([masked]))).toMatchObject({ from: [0, 0, 0] });
     expect(
       shownGradient({ ...marked, design: { ...emptyDesign(), layers: [{ ...masked, locked: true }] } }),
     ).toBeNull();
-    const plain = { ...masked, mask: { layers: [], invert: false } };
+    const plain = { ...masked, mask: { layers: [], invert: false, linked: true } };
     expect(shownGradient({ ...stateOf([plain]), editingMask: "fill" })).toBeNull();
     const changed: unknown[] = [];
     const layers = { change: (id: string, patch: unknown) => changed.push([id, patch]) } as unknown as LayerCommands;

@@ -57,6 +57,7 @@ function twoTexts() {
     tasks: new Tasks(store),
     decals: {
       placed: (_id: string, projector: Projector) => ({ projector }),
+      laid: (_layer: TextLayer, box: object) => box,
       addLayer: (...[, hit, label, make]: Parameters<DecalCommands["addLayer"]>) => {
         hits.push(hit);
         const { design, layer: added } = make("new", FRONT, 0);

@@ -265,6 +265,7 @@ const maskLayer: v.GenericSchema<unknown, ParsedMaskLayer> = v.variant(
 const mask: v.GenericSchema<unknown, ParsedMask> = strict({
   layers: boundedList(DESIGN_LIMITS.layers, "layers", maskLayer),
   invert: v.optional(flag, MASK_DEFAULTS.invert),
+  linked: v.optional(flag, MASK_DEFAULTS.linked),
 });
 
 const asset = strict({

@@ -76,6 +76,8 @@ export interface Mask {
   readonly layers: readonly MaskLayer[];
   /** One minus the alpha instead. */
   readonly invert: boolean;
+  /** In the editor, what is in the mask of a decal or a text goes along when that is moved, turned or sized. */
+  readonly linked: boolean;
 }
 
 /** Paints a layer a second time, as a mirror across a plane of the model shows it. */
@@ -270,7 +272,7 @@ export const LAYER_DEFAULTS = {
   mask: null,
 } as const;
 
-export const MASK_DEFAULTS = { invert: false } as const;
+export const MASK_DEFAULTS = { invert: false, linked: true } as const;
 export const MIRROR_DEFAULTS = { offset: 0, readable: false } as const;
 export const GROUP_DEFAULTS = { isolated: false } as const;
 

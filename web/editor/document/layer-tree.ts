@@ -4,7 +4,7 @@
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { sameItems } from "../../engine/same-items.ts";
-import { type Design, type DesignLayer, freeLayerNumber, layerIdOf, materialsOf } from "./design.ts";
+import { type Design, type DesignLayer, freeLayerNumber, layerIdOf, MASK_DEFAULTS, materialsOf } from "./design.ts";
 import { DESIGN_LIMITS } from "./design-limits.ts";
 import type { DesignPath } from "./design-problem.ts";
 import { liesOnTexture } from "./mirror-layer.ts";
@@ -278,7 +278,7 @@ export function insertAt(
   return mapLayer(design, parent.layer.id, (holder) =>
     list === "mask"
       ? withList(
-          holder.mask === null ? ({ ...holder, mask: { layers: [], invert: false } } as DesignLayer) : holder,
+          holder.mask === null ? ({ ...holder, mask: { layers: [], ...MASK_DEFAULTS } } as DesignLayer) : holder,
           list,
           put(holder.mask?.layers ?? []),
         )

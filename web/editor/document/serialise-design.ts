@@ -94,7 +94,7 @@ function pick(source: object, fields: readonly string[]): Record<string, unknown
 const orderAsset = (asset: DesignAsset): object => pick(asset, ["type", "uri"]);
 const orderProjector = (projector: Projector): object => pick(projector, PROJECTOR_FIELDS);
 
-const orderMask = (mask: Mask): object => ({ invert: mask.invert, layers: listed(mask.layers) });
+const orderMask = (mask: Mask): object => ({ invert: mask.invert, linked: mask.linked, layers: listed(mask.layers) });
 const orderGradient = (gradient: Gradient): object => ({
   ...pick(gradient, GRADIENT_FIELDS),
   stops: gradient.stops.map((stop) => pick(stop, STOP_FIELDS)),

@@ -13,6 +13,7 @@ import {
   type IconNode,
   ImagePlus,
   Layers2,
+  Link2,
   PaintBucket,
   Pencil,
   SquareDashed,
@@ -20,6 +21,7 @@ import {
   Trash,
   Type,
   Ungroup,
+  Unlink2,
 } from "lucide";
 import { findLayer, makeFillLayer, makeGroupLayer, makePaintLayer } from "../document/index.ts";
 import { alignedGradient, fadingGradient } from "../state/aligned-gradient.ts";
@@ -71,6 +73,7 @@ export function moreItems(
   const layer = findLayer(design, selectedId);
   const none = selection.length === 0;
   const masked = layer !== undefined && layer.mask !== null;
+  const linked = layer?.mask?.linked ?? true;
   const grouped = selection.some((id) => findLayer(design, id)?.type === "group");
   const above = selectedId !== null && layerBelow(design, selectedId) !== undefined;
   const naming = (name: (id: string) => void): MenuItem => ({
@@ -109,6 +112,12 @@ export function moreItems(
       run: () => layer && layers.startMask(fadingGradient(store.state.model, layer), strings.steps.addFadingMask),
     },
     { label: words.invertMask, icon: Contrast, disabled: !masked, run: () => layers.invertMask() },
+    {
+      label: linked ? words.unlinkMask : words.linkMask,
+      icon: linked ? Unlink2 : Link2,
+      disabled: !masked || !("projector" in layer),
+      run: () => layers.linkMask(!linked),
+    },
     { label: words.removeMask, icon: CircleOff, disabled: !masked, run: () => layers.removeMask() },
   ];
 }

@@ -1,13 +1,29 @@
 /** What the mask that is painted on begins with: the fill or the gradient below its strokes. */
 import { html, nothing, type TemplateResult } from "lit";
-import type { DesignLayer, Gradient } from "../document/index.ts";
+import { Link2, Unlink2 } from "lucide";
+import type { DesignLayer, Gradient, Mask } from "../document/index.ts";
 import { fadingGradient, roundGradient } from "../state/aligned-gradient.ts";
 import { type MaskStart, maskFade, maskStartOf, stopsAsGreys, stopsOfGreys } from "../state/mask-edits.ts";
+import { icon } from "../ui/icon.ts";
 import { gradientFields } from "./fill-fields.ts";
 import type { PropertyContext } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
 
 type StartKind = "all" | "nothing" | Gradient["kind"];
+
+function linkButton({ editor }: PropertyContext, { linked }: Mask): TemplateResult {
+  const words = editor.strings.mask;
+  return html`<button
+    class="icon small"
+    id="mask-linked"
+    aria-pressed=${linked}
+    aria-label=${words.linked}
+    title=${words.linkedHint}
+    @click=${() => editor.layers.linkMask(!linked)}
+  >
+    ${icon(linked ? Link2 : Unlink2)}
+  </button>`;
+}
 
 /** Nothing where the layer itself is painted on. */
 export function maskFields(context: PropertyContext, layer: DesignLayer): TemplateResult | typeof nothing {
@@ -30,7 +46,10 @@ export function maskFields(context: PropertyContext, layer: DesignLayer): Templa
   };
   return html`
     <section aria-label=${words.title} title=${words.startHint} class="mask">
-      <h3>${words.title}</h3>
+      <div class="titled">
+        <h3>${words.title}</h3>
+        ${"projector" in layer ? linkButton(context, mask) : nothing}
+      </div>
       ${choiceField<StartKind>("mask-start", words.start, words.starts, typeof start === "string" ? start : start.kind, (kind) => editor.layers.startMask(startOf(kind)))}
       ${fade ? gradientFields({ ...context, ids: [fade.id] }, fade.gradient, greys) : nothing}
     </section>

@@ -6,6 +6,7 @@ import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { tellBarePart } from "./bare-part.ts";
+import { carriedMask } from "./carried-mask.ts";
 import { carriedProjector, changedAlike, footOf, type NearSurface } from "./carried-projector.ts";
 import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
 import { clearPlaces } from "./clear-place.ts";
@@ -27,7 +28,7 @@ const NUDGE_SHARE = 0.002;
 const COARSE = 10;
 
 /** What a layer takes on where it is put. */
-type LayerMove = Pick<PlacedLayer, "projector" | "material">;
+type LayerMove = Pick<PlacedLayer, "projector" | "material" | "mask">;
 
 /** A layer that goes along, and where it stands when the drag begins: what is searched for once is not searched for at each move. */
 interface Carried {
@@ -259,15 +260,21 @@ export class DecalCommands {
     return true;
   }
 
-  /** What a layer takes on with another projector: that, and the materials that it lies on then. */
-  placed(id: string, projector: Projector): Pick<PlacedLayer, "projector"> & Partial<Pick<PlacedLayer, "material">> {
+  /** What a layer takes on with another projector: that, the materials that it lies on then, and its mask, which goes along. */
+  placed(id: string, projector: Projector): Pick<LayerMove, "projector"> & Partial<LayerMove> {
     const layer = layerById(this.#session.recordedDesign, id);
     if (layer?.type !== "decal" && layer?.type !== "text") return { projector };
     return this.#moved(layer, projector)[1];
   }
 
+  /** What a text takes on with another box about its words. Its mask stays: the letters do not go where their box does. */
+  laid<Box extends Pick<PlacedLayer, "projector">>(layer: PlacedLayer, box: Box): Box & Pick<LayerMove, "material"> {
+    return { ...box, material: this.reach.movedTo(layer, box.projector, null) };
+  }
+
   #moved(layer: PlacedLayer, projector: Projector, onto: number | null = null): [string, LayerMove] {
-    return [layer.id, { projector, material: this.reach.movedTo(layer, projector, onto) }];
+    const mask = carriedMask(layer, projector, this.#near);
+    return [layer.id, { projector, material: this.reach.movedTo(layer, projector, onto), mask }];
   }
 
   /** The material in whose texture a layer lies as a stamp: the shown one where it paints that, too. */

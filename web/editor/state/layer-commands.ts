@@ -14,6 +14,8 @@ import {
 } from "../document/index.ts";
 import { isLocked } from "../document/layer-tree.ts";
 import type { Admission } from "./admission.ts";
+import { carriedMask, maskGoesAlong } from "./carried-mask.ts";
+import type { NearSurface } from "./carried-projector.ts";
 import { clearPlaces } from "./clear-place.ts";
 import { layerById, patchLayers, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -27,6 +29,7 @@ import {
   groupLayers,
   insertAbove,
   invertMask,
+  linkMask,
   moveLayers,
   outermost,
   removeLayers,
@@ -58,7 +61,7 @@ const FREE_FIELDS: readonly (keyof LayerPatch)[] = ["locked", "visible", "name"]
 
 export interface LayerCommandsParts {
   readonly session: DesignSession;
-  readonly viewer: Pick<ModelViewer, "nudge">;
+  readonly viewer: Pick<ModelViewer, "nudge" | "surface">;
   readonly store: Store<EditorState>;
   readonly board: NoticeBoard;
   readonly admission?: Admission | null;
@@ -69,7 +72,7 @@ export class LayerCommands {
   readonly #store: Store<EditorState>;
   readonly #board: NoticeBoard;
   readonly #admission: Admission | null;
-  readonly #viewer: Pick<ModelViewer, "nudge">;
+  readonly #viewer: Pick<ModelViewer, "nudge" | "surface">;
   /** Where a choice of several began. */
   #anchor: string | null = null;
 
@@ -197,15 +200,22 @@ export class LayerCommands {
   }
 
   /**
-   * Copied decals are seen beside their originals. Not where one of them has something on its mask, which stays where it was
-   * painted: away from there the copy would show what is hidden of the original, or nothing.
+   * Copied decals are seen beside their originals. Not where one of them has something on its mask that does not go along: away
+   * from there the copy would show what is hidden of the original, or nothing.
    */
   #apart(originals: readonly DesignLayer[]): (layer: DesignLayer) => Partial<DecalLayer> {
-    if (originals.some(({ mask }) => mask !== null && mask.layers.length > 0)) return () => ({});
+    const stays = (layer: DesignLayer): boolean =>
+      layer.mask !== null && layer.mask.layers.length > 0 && !("projector" in layer && maskGoesAlong(layer));
+    if (originals.some(stays)) return () => ({});
     const diagonal = diagonalOf(this.#store.state.model);
     const placed = originals.flatMap((layer) => ("projector" in layer ? [layer.projector] : []));
     const cleared = clearPlaces(this.#session.recordedDesign, placed, diagonal, this.#viewer);
-    return (layer) => ("projector" in layer ? { projector: cleared(layer.projector) } : {});
+    const near: NearSurface = (place) => this.#viewer.surface.near(place);
+    return (layer) => {
+      if (!("projector" in layer)) return {};
+      const projector = cleared(layer.projector);
+      return { projector, mask: carriedMask(layer, projector, near) };
+    };
   }
 
   /** The neighbour is selected next, so that the keyboard can go on. `step` names the step of the history. */
@@ -348,6 +358,16 @@ export class LayerCommands {
 
   invertMask(): void {
     this.#editMask(invertMask, this.#board.strings.steps.invertMask);
+  }
+
+  /** Whether the selected layer's mask goes along when the layer is moved. */
+  linkMask(linked: boolean): void {
+    const { steps, announce } = this.#board.strings;
+    const id = this.#editMask(
+      (design, layer) => linkMask(design, layer, linked),
+      linked ? steps.linkMask : steps.unlinkMask,
+    );
+    if (id !== undefined) this.#board.announce(linked ? announce.maskLinked : announce.maskUnlinked);
   }
 
   #editMask(edit: (design: Design, id: string) => Design, label: string): string | undefined {

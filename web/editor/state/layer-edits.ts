@@ -1,5 +1,5 @@
 /** The edits of the layers' tree: each takes a design and gives a new one that shares all that did not change. */
-import type { Design, DesignLayer, GroupLayer } from "../document/design.ts";
+import { type Design, type DesignLayer, type GroupLayer, MASK_DEFAULTS } from "../document/design.ts";
 import {
   findLayer,
   freeIdIn,
@@ -143,7 +143,7 @@ export function copyBelow(design: Design, id: string): Design {
 export function addMask(design: Design, id: string, hideAll: boolean): Design {
   const { material, mask = null } = findLayer(design, id) ?? {};
   if (material === undefined || mask !== null) return design;
-  if (!hideAll) return mapLayer(design, id, (layer) => ({ ...layer, mask: { layers: [], invert: false } }));
+  if (!hideAll) return mapLayer(design, id, (layer) => ({ ...layer, mask: { layers: [], ...MASK_DEFAULTS } }));
   const cover = makeFillLayer({ id: freeIdIn(design), color: "#000000", blend: "erase", material });
   return insertAt(design, { parentId: id, list: "mask", index: 0 }, cover);
 }
@@ -157,6 +157,11 @@ export function invertMask(design: Design, id: string): Design {
   return mapLayer(design, id, (layer) =>
     layer.mask === null ? layer : { ...layer, mask: { ...layer.mask, invert: !layer.mask.invert } },
   );
+}
+
+/** Lets a layer's mask go along with it, or stay where it is when the layer is moved. */
+export function linkMask(design: Design, id: string, linked: boolean): Design {
+  return mapLayer(design, id, (layer) => (layer.mask === null ? layer : { ...layer, mask: { ...layer.mask, linked } }));
 }
 
 /**

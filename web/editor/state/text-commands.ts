@@ -265,7 +265,7 @@ export class TextCommands {
       if (present() === layer) {
         const fit = fitted(layer, room, this.#textureAspect(layer));
         session.record(
-          patchLayer<TextLayer>(session.recordedDesign, id, { ...fit, ...decals.placed(id, fit.projector) }),
+          patchLayer<TextLayer>(session.recordedDesign, id, decals.laid(layer, fit)),
           board.strings.steps.change(board.strings.properties.size),
         );
         return;
@@ -317,9 +317,9 @@ export class TextCommands {
         const box = fitsClosely(layer, old, this.#textureAspect(layer))
           ? refitted({ ...layer, align: changed.align }, old, now)
           : null;
-        const placed = box && this.#parts.decals.placed(layer.id, box.projector);
+        const laid = box && this.#parts.decals.laid(layer, box);
         const name = this.#nameFor(layer, fields.text);
-        const edited = patchLayer<TextLayer>(design, layer.id, { ...fields, name, font: key, ...box, ...placed });
+        const edited = patchLayer<TextLayer>(design, layer.id, { ...fields, name, font: key, ...laid });
         put(fontAsset ? withoutUnusedAssets(edited) : edited);
         return layer;
       }

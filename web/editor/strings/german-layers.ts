@@ -71,6 +71,8 @@ export const germanLayers: Strings["layers"] = {
   addHidingMask: "Maske hinzufügen, die alles verbirgt",
   addFadingMask: "Mit einem Verlauf maskieren",
   invertMask: "Maske umkehren",
+  linkMask: "Maske mit der Ebene verbinden",
+  unlinkMask: "Maske von der Ebene lösen",
   removeMask: "Maske entfernen",
   selectAll: "Alles auswählen",
   blend: "Mischmodus",
@@ -127,9 +129,13 @@ export const germanLayerSteps = {
   startMask: "Anfang der Maske ändern",
   removeMask: "Maske entfernen",
   invertMask: "Maske umkehren",
+  linkMask: "Maske verbinden",
+  unlinkMask: "Maske lösen",
 };
 
 export const germanLayerAnnouncements = {
+  maskLinked: "Die Maske geht mit ihrer Ebene mit",
+  maskUnlinked: "Die Maske bleibt, wenn ihre Ebene bewegt wird",
   chosen: (count: number): string => `${layers(count)} ausgewählt`,
   duplicated: (name: string): string => `${name} dupliziert`,
   duplicatedMany: (count: number): string => `${layers(count)} dupliziert`,
@@ -202,6 +208,8 @@ export const germanGradient: Strings["gradient"] = {
 
 export const germanMask: Strings["mask"] = {
   title: "Maske",
+  linked: "Mit der Ebene bewegen",
+  linkedHint: "Die Maske geht mit, wenn die Ebene bewegt, gedreht oder vergrößert wird.",
   start: "Zeigt",
   startHint: "Womit die Maske beginnt. Was auf ihr gemalt ist, liegt darüber.",
   starts: { all: "Alles", nothing: "Nichts", linear: "Linear", radial: "Radial" },

@@ -69,6 +69,8 @@ export const layerWords = {
   addHidingMask: "Add mask that hides all",
   addFadingMask: "Mask with a gradient",
   invertMask: "Invert mask",
+  linkMask: "Link mask to layer",
+  unlinkMask: "Unlink mask from layer",
   removeMask: "Remove mask",
   selectAll: "Select all",
   blend: "Blend mode",
@@ -128,9 +130,13 @@ export const layerSteps = {
   startMask: "change what the mask begins with",
   removeMask: "remove mask",
   invertMask: "invert mask",
+  linkMask: "link mask",
+  unlinkMask: "unlink mask",
 } as const;
 
 export const layerAnnouncements = {
+  maskLinked: "The mask goes with its layer",
+  maskUnlinked: "The mask stays when its layer is moved",
   chosen: (count: number): string => `${layers(count)} selected`,
   duplicated: (name: string): string => `${name} duplicated`,
   duplicatedMany: (count: number): string => `${layers(count)} duplicated`,

@@ -30,6 +30,8 @@ export const gradientWords = {
 
 export const maskWords = {
   title: "Mask",
+  linked: "Moves with the layer",
+  linkedHint: "The mask goes along when the layer is moved, turned or sized.",
   start: "Shows",
   startHint: "What the mask begins with. What is painted on it lies above.",
   starts: { all: "All", nothing: "Nothing", linear: "Linear", radial: "Radial" },

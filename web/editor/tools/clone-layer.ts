@@ -103,7 +103,7 @@ export function withClone(
         ...{ id: nextId(), name: freeName(more, words.name), asset: key, projector, material, filter, opacity, flipX },
         // The stroke says where, whatever the surface turns to.
         ...{ angleFade: [90, 90], occlusion: "none" },
-        mask: { layers: [{ ...shown, blend: "erase", opacity: 1 }], invert: true },
+        mask: { layers: [{ ...shown, blend: "erase", opacity: 1 }], invert: true, linked: true },
       }),
     );
   };

@@ -55,7 +55,7 @@ export class DabChain {
       const options = { size, aspect, spacing, pressure: pressure === "size" ? pressure : "flow" } as const;
       const piece = placeDabs([point], options, this.#tail);
       this.#tail = piece.tail;
-      for (const dab of piece.dabs) added.push(rounded(this.#below(dab)));
+      for (const dab of piece.dabs) added.push(roundedDab(this.#below(dab)));
     }
     added.splice(room);
     if (added.length > 0) this.#dabs = [...this.#dabs, ...added];
@@ -79,7 +79,7 @@ export class DabChain {
 }
 
 /** To what 32-bit arithmetic sees: a design of a thousand strokes is saved in half the bytes. */
-function rounded(dab: Dab): Dab {
+export function roundedDab(dab: Dab): Dab {
   if (dab.kind !== "planar") return dab;
   const digits = <Numbers extends readonly number[]>(values: Numbers, keep: (value: number) => number): Numbers =>
     values.map(keep) as unknown as Numbers;

@@ -1,0 +1,167 @@
+import { describe, expect, it } from "vitest";
+import {
+  type Dab,
+  type Mask,
+  type MaskLayer,
+  makeDecalLayer,
+  makeFillLayer,
+  makeStrokeLayer,
+} from "../../web/editor/document/index.ts";
+import { carriedMask, maskGoesAlong } from "../../web/editor/state/carried-mask.ts";
+import type { NearSurface } from "../../web/editor/state/carried-projector.ts";
+import { spun } from "../../web/editor/state/rotation.ts";
+import type {
+  CylindricalProjector,
+  PerspectiveProjector,
+  PlanarProjector,
+  Projector,
+  Quaternion,
+  UvProjector,
+  Vec3,
+} from "../../web/engine/engine-api.ts";
+
+const FRONT: PlanarProjector = { kind: "planar", position: [1, 0, 0], rotation: [0, 0, 0, 1], size: [2, 1, 0.5] };
+const dabAt = (position: Vec3, rest: Partial<PlanarProjector> = {}): Dab => ({
+  ...{ kind: "planar", rotation: [0, 0, 0, 1], size: [0.2, 0.2, 0.2], flow: 0.5 },
+  ...rest,
+  position,
+});
+const strokeOf = (...dabs: Dab[]): MaskLayer =>
+  makeStrokeLayer({ id: "s", brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 }, blend: "erase", dabs });
+const maskOf = (...layers: MaskLayer[]): Mask => ({ layers, invert: false, linked: true });
+/** The plane z = 0. */
+const flat: NearSurface = ([x, y]) => ({ position: [x, y, 0] });
+const nowhere: NearSurface = () => null;
+
+function carried(start: Projector, now: Projector, layer: MaskLayer, near = flat): MaskLayer {
+  const mask = carriedMask({ projector: start, mask: maskOf(layer) }, now, near);
+  return mask?.layers[0] as MaskLayer;
+}
+function carriedDab(start: Projector, now: Projector, dab: Dab, near = flat): Dab {
+  const layer = carried(start, now, strokeOf(dab), near);
+  if (layer.type !== "stroke" || layer.dabs.length !== 1) throw new Error("The stroke has become something else.");
+  return layer.dabs[0] as Dab;
+}
+const ABOUT_Y = (degrees: number): Quaternion => {
+  const half = (degrees * Math.PI) / 360;
+  return [0, Math.sin(half), 0, Math.cos(half)];
+};
+const near = (value: unknown): unknown =>
+  typeof value === "number"
+    ? expect.closeTo(value, 5)
+    : Array.isArray(value)
+      ? value.map(near)
+      : value !== null && typeof value === "object"
+        ? Object.fromEntries(Object.entries(value).map(([key, part]) => [key, near(part)]))
+        : value;
+
+describe("a mask goes with its layer", () => {
+  it("where that is moved and turned, each dab on its place of the picture", () => {
+    const now = { ...FRONT, position: [3, 1, 0], rotation: spun(FRONT.rotation, 90) } as const;
+    expect(carriedDab(FRONT, now, dabAt([1.5, 0.25, 0]))).toEqual(
+      near(dabAt([2.75, 1.5, 0], { rotation: spun([0, 0, 0, 1], 90) })),
+    );
+  });
+
+  it("where that grows, and where one side of it does", () => {
+    const twice: PlanarProjector = { ...FRONT, size: [4, 2, 0.5] };
+    const grown = dabAt([2, 0.5, 0], { size: [0.4, 0.4, 0.4] });
+    expect(carriedDab(FRONT, twice, dabAt([1.5, 0.25, 0]))).toEqual(near(grown));
+    const wider: PlanarProjector = { ...FRONT, size: [4, 1, 0.5] };
+    const upright = dabAt([1.5, 0.25, 0], { rotation: spun([0, 0, 0, 1], 90) });
+    const high = carriedDab(FRONT, wider, upright);
+    expect(high).toMatchObject(near({ position: [2, 0.25, 0], size: [0.2, 0.4, 0.2 * Math.SQRT2] }) as object);
+    expect(carriedDab(wider, FRONT, high), "and back").toEqual(near(upright));
+  });
+
+  it("round a mug with a label, which also grows there", () => {
+    const label: CylindricalProjector = {
+      ...{
+        kind: "cylindrical",
+        position: [0, 0, 0],
+        rotation: [0, 0, 0, 1],
+        radius: 1,
+        height: 1,
+        arc: 90,
+        depth: 0.2,
+      },
+    };
+    const onMug = (degrees: number, y: number, size: Vec3): Dab => {
+      const angle = (degrees * Math.PI) / 180;
+      return dabAt([Math.sin(angle), y, Math.cos(angle)], { rotation: ABOUT_Y(degrees), size });
+    };
+    const now = { ...label, position: [0, 1, 0], rotation: ABOUT_Y(60), height: 2, arc: 180 } as const;
+    expect(carriedDab(label, now, onMug(20, 0.25, [0.1, 0.1, 0.1]), nowhere)).toEqual(
+      near(onMug(100, 1.5, [0.2, 0.2, 0.2])),
+    );
+  });
+
+  it("with what a lens throws, as wide as that opens", () => {
+    const lens: PerspectiveProjector = {
+      ...{ kind: "perspective", position: [0, 0, 2], rotation: [0, 0, 0, 1], fov: 60, aspect: 1, near: 0.1, far: 9 },
+    };
+    const wide = { ...lens, fov: (Math.atan(2 * Math.tan(Math.PI / 6)) * 360) / Math.PI };
+    expect(carriedDab(lens, wide, dabAt([0.1, 0.2, 0]))).toEqual(near(dabAt([0.2, 0.4, 0], { size: [0.4, 0.4, 0.4] })));
+  });
+
+  it("stays on a surface that does not go on as it did, and beside the model where it was", () => {
+    const step: NearSurface = ([x, y]) => (y > 0.6 ? null : { position: [x, y, x > 2 ? -0.3 : 0] });
+    const now: PlanarProjector = { ...FRONT, position: [2, 0, 0] };
+    expect(carriedDab(FRONT, now, dabAt([1.5, 0, 0.05]), step)).toEqual(near(dabAt([2.5, 0, -0.25])));
+    expect(carriedDab(FRONT, now, dabAt([1.5, 0.7, 0.05]), step)).toEqual(near(dabAt([2.5, 0.7, 0.05])));
+  });
+
+  it("in the texture as a stamp does", () => {
+    const stamp: UvProjector = { kind: "uv", center: [0.5, 0.5], size: [0.2, 0.2], angle: 0 };
+    const dab: Dab = { kind: "uv", center: [0.6, 0.5], size: [0.02, 0.04], angle: 0, flow: 1 };
+    const now: UvProjector = { ...stamp, center: [0.3, 0.4], angle: 90, size: [0.4, 0.4] };
+    expect(carriedDab(stamp, now, dab)).toEqual(near({ ...dab, center: [0.3, 0.6], angle: 90, size: [0.04, 0.08] }));
+    const turned: UvProjector = { ...stamp, angle: 30 };
+    expect(carriedDab(turned, { ...turned, center: [0, 0] }, dab)).toEqual(near({ ...dab, center: [0.1, 0] }));
+  });
+
+  it("with its gradients, and with decals in it", () => {
+    const now: PlanarProjector = { ...FRONT, position: [2, 0, 0], size: [4, 2, 0.5] };
+    const stops = [
+      { offset: 0, color: "#000000" },
+      { offset: 1, color: "#00000000" },
+    ];
+    const fill = makeFillLayer({ id: "f", color: "#000000" });
+    const linear = { ...fill, gradient: { kind: "linear", from: [1, -0.4, 0], to: [1, 0.4, 0], stops } } as const;
+    expect(carried(FRONT, now, linear)).toMatchObject(
+      near({ gradient: { from: [2, -0.8, 0], to: [2, 0.8, 0] } }) as object,
+    );
+    const radial = { ...fill, gradient: { kind: "radial", center: [1.5, 0, 0], radius: 0.5, stops } } as const;
+    expect(carried(FRONT, now, radial)).toMatchObject(near({ gradient: { center: [3, 0, 0], radius: 1 } }) as object);
+    const decal = makeDecalLayer({ id: "d", asset: "logo", projector: FRONT });
+    expect(carried(FRONT, now, decal)).toMatchObject({ projector: near({ ...now, size: [4, 2, 1] }) });
+  });
+});
+
+describe("a mask stays as it is", () => {
+  const now: PlanarProjector = { ...FRONT, position: [2, 0, 0] };
+  const stays = (mask: Mask, goal: Projector = now): void =>
+    expect(carriedMask({ projector: FRONT, mask }, goal, flat)).toBe(mask);
+
+  it("where it is not linked, or its layer is where it was", () => {
+    const mask = maskOf(strokeOf(dabAt([1.123456789, 0, 0])));
+    stays({ ...mask, linked: false });
+    stays(mask, { ...FRONT });
+    expect(carriedMask({ projector: FRONT, mask: null }, now, flat)).toBeNull();
+  });
+
+  it("where its layer is thrown as another kind", () => {
+    stays(maskOf(strokeOf(dabAt([1, 0, 0]))), { ...FRONT, kind: "uv", center: [0, 0], angle: 0, size: [1, 1] });
+  });
+
+  it("where nothing in it can go along", () => {
+    const fill = makeFillLayer({ id: "f", color: "#000000" });
+    const uv: UvProjector = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 };
+    const sheet = makeDecalLayer({ id: "sheet", asset: "pixels", projector: uv });
+    stays(maskOf(fill, sheet, strokeOf({ ...uv, flow: 1 })));
+    expect(maskGoesAlong({ projector: FRONT, mask: maskOf(fill, strokeOf(dabAt([1, 0, 0]))) })).toBe(true);
+    expect(maskGoesAlong({ projector: FRONT, mask: maskOf(fill, sheet) })).toBe(false);
+    expect(maskGoesAlong({ projector: uv, mask: maskOf(sheet) })).toBe(true);
+    expect(maskGoesAlong({ projector: uv, mask: { ...maskOf(), linked: false } })).toBe(false);
+  });
+});
