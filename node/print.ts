@@ -96,8 +96,13 @@ async function printJob({ model, design, assets, zones }: PrintSubject): Promise
   };
 }
 
-/** As `readFile` gives a file without being asked for text. */
+/** As `readFile` gives a file without being asked for text. A path in its place, as the model may be given, is told what it is. */
 function textOf(given: unknown, code: string, what: string): unknown {
+  if (typeof given === "string" && /^[^{[\n]+\.json$/i.test(given)) {
+    throw new TexelcastError(code, `“${given}” is a path: ${what} is given as what is in its file`, {
+      hint: `await readFile("${given}", "utf8")`,
+    });
+  }
   if (!types.isUint8Array(given)) return given;
   return decodeText(given, { code, what, file: what, hint: "It is a JSON file: save it as UTF-8." });
 }

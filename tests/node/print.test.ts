@@ -310,6 +310,19 @@ describe("renderPrint and checkPrint", () => {
     await expect(checkPrint({ ...subject, zones: wrong })).rejects.toMatchObject({ code: "bad-zones" });
   });
 
+  it("say of a path in a design's or a zones file's place that what is in the file is wanted", async () => {
+    for (const [given, code] of [
+      [{ design: "orders/design.json" }, "bad-design"],
+      [{ zones: "mug.zones.json" }, "bad-zones"],
+    ] as const) {
+      const refusal = expect(renderPrint({ ...subject, ...given })).rejects;
+      await refusal.toMatchObject({ code, hint: expect.stringContaining("readFile(") });
+    }
+    await expect(renderPrint({ ...subject, design: "{ format:" })).rejects.toMatchObject({
+      hint: expect.stringContaining("commas"),
+    });
+  });
+
   it("name a model that is not there in the message alone, which is what a server logs", async () => {
     await expect(renderPrint({ ...subject, model: "no-such.glb" })).rejects.toMatchObject({
       code: "missing-file",

@@ -17,6 +17,24 @@ const PAGE_FILES = {
     document.querySelector("texelcast-editor")?.classList.add("shown");
     // @ts-expect-error There is no such property.
     editor.colour = "red";`,
+  "sends.ts": `
+    import { createEngine } from "texelcast/core";
+    import { mountTexelcast } from "texelcast/embed";
+    import type { PaintedMesh } from "texelcast/three";
+    import type { TexelcastEditor } from "texelcast/define";
+    export async function send(editor: TexelcastEditor, mesh: PaintedMesh): Promise<Blob> {
+      editor.beforeAccept = ({ bytes, type }) => new Blob([bytes], { type }).size > 0;
+      editor.addEventListener("submit", ({ detail: { assets, texture } }) => {
+        void fetch("/print", { method: "POST", body: texture.bytes });
+        return new Blob(assets.map(({ bytes }) => bytes));
+      });
+      const framed = await mountTexelcast(document.body, { page: "https://editor.example/" });
+      const { exportPng, exportGlb, readTexels } = createEngine();
+      const picture = new ImageData(new Uint8ClampedArray(await readTexels(0, 0, 0, 1, 1)), 1);
+      const files = [await exportPng(0), await exportGlb(), await mesh.exportPng(), await framed.exportModel()];
+      const { bytes } = await editor.exportTexture();
+      return new Blob([...files, bytes, await editor.exportModel(), picture.data]);
+    }`,
   "react.tsx": `
     import type {} from "texelcast/react";
     import type { TexelcastEditor } from "texelcast/define";
@@ -52,6 +70,7 @@ const NODE_FILES = {
     export const read: PrintZones = parseZones("{}");
     export const map: PrintMapKind = "dpi";
     export const zones: number = parseZones("{}").zones.length + sha256.length;
+    export const sent = new Blob([(await renderPrint({ model: "mug.glb", design: "{}" })).bytes]);
     // @ts-expect-error A zones file's content is no number.
     export const wrong: number = parseZones("{}");`,
 };

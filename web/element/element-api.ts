@@ -33,7 +33,7 @@ export interface ExportedAsset {
   /** File name, "assets/" and the hash and an ending: what stands in the exported design as `uri`. */
   readonly name: string;
   readonly type: AssetType;
-  readonly bytes: Uint8Array;
+  readonly bytes: Uint8Array<ArrayBuffer>;
   /** Of `bytes`, 64 hex digits. */
   readonly sha256: string;
 }
@@ -51,7 +51,7 @@ export interface ExportedDesign {
 export type DesignInput =
   | string
   | object
-  | { readonly design: unknown; readonly assets: readonly Pick<ExportedAsset, "name" | "bytes">[] };
+  | { readonly design: unknown; readonly assets: readonly { readonly name: string; readonly bytes: Uint8Array }[] };
 
 /** A picture to be put on the model; a string is an address. */
 export type DecalSource = Blob | URL | string | Uint8Array | ArrayBuffer;
@@ -84,7 +84,7 @@ export interface CandidateAsset {
   /** File name as the user knows it. */
   readonly name: string;
   readonly type: AssetType;
-  readonly bytes: Uint8Array;
+  readonly bytes: Uint8Array<ArrayBuffer>;
   /** Pixels; of a drawing, its own units. 0 for a font. */
   readonly width: number;
   readonly height: number;
@@ -286,7 +286,7 @@ export interface TexelcastEditorMethods {
   /** The finished texture, as it is printed. */
   exportTexture(options?: ExportTextureOptions): Promise<ExportedTexture>;
   /** The model as GLB with the design in its textures. */
-  exportModel(): Promise<Uint8Array>;
+  exportModel(): Promise<Uint8Array<ArrayBuffer>>;
   exportDesign(): Promise<ExportedDesign>;
   /** PNG of the model as it is seen, or of several views at once. */
   snapshot(view?: SnapshotView, options?: SnapshotOptions): Promise<Blob>;

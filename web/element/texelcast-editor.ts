@@ -231,7 +231,7 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
     });
   }
 
-  exportModel(): Promise<Uint8Array> {
+  exportModel(): Promise<Uint8Array<ArrayBuffer>> {
     return this.#atDesk(async (mode) => {
       await mode.idle();
       return await mode.desk.exportModel();

@@ -222,7 +222,7 @@ export interface ModelInfo {
   readonly boundsMax: Vec3;
   readonly materials: readonly MaterialInfo[];
   /** The model as an uncompressed, self-contained GLB (side files packed in, Draco and meshopt undone): what a viewer can load. */
-  readonly glb: Uint8Array;
+  readonly glb: Uint8Array<ArrayBuffer>;
 }
 
 export interface TargetOptions {
@@ -367,23 +367,23 @@ export interface Engine {
   /** Six numbers (u, v of three corners) a triangle, as the model has them (may lie outside 0 to 1). */
   uvTriangles(material: number): Promise<Float32Array>;
   /** Texels of the target, RGBA straight alpha. */
-  readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array>;
+  readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array<ArrayBuffer>>;
   /**
    * A small picture of what a layer paints, or of its mask (white where that shows the layer): the square of the first target
    * around it, `side` x `side` pixels (1 to 256), RGBA straight alpha. Null where nothing of it is to be seen. For lists of
    * layers: opacity, mode and mask of the layer itself are left out.
    */
-  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array | null>;
+  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array<ArrayBuffer> | null>;
   /** 64-bit FNV-1a over a region's bytes, 16 hex digits; the whole target without a region. */
   hash(material: number, region?: { x: number; y: number; width: number; height: number }): Promise<string>;
 
   /** The finished texture as PNG. */
-  exportPng(material: number): Promise<Uint8Array>;
+  exportPng(material: number): Promise<Uint8Array<ArrayBuffer>>;
   /**
    * The model with the textures of its open targets inside, or of those of them that paint `materials`; all else of the file
    * stays as it was.
    */
-  exportGlb(materials?: readonly number[]): Promise<Uint8Array>;
+  exportGlb(materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>>;
 
   /**
    * Where the product may be printed; null: everywhere. Layers are cut off at zones of the policy "clip" from now on, in

@@ -212,11 +212,11 @@ class EngineClient implements Engine {
     return this.#call("uvTriangles", [material]);
   }
 
-  readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array> {
+  readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array<ArrayBuffer>> {
     return this.#call("readTexels", [material, x, y, width, height]);
   }
 
-  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array | null> {
+  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array<ArrayBuffer> | null> {
     return this.#call("layerMiniature", [id, of, side]);
   }
 
@@ -224,11 +224,11 @@ class EngineClient implements Engine {
     return this.#call("hash", [material, region]);
   }
 
-  exportPng(material: number): Promise<Uint8Array> {
+  exportPng(material: number): Promise<Uint8Array<ArrayBuffer>> {
     return this.#call("exportPng", [material]);
   }
 
-  exportGlb(materials?: readonly number[]): Promise<Uint8Array> {
+  exportGlb(materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>> {
     return this.#call("exportGlb", [materials]);
   }
 

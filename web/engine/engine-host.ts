@@ -256,14 +256,14 @@ export class EngineHost implements Engine {
     });
   }
 
-  readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array> {
+  readTexels(material: number, x: number, y: number, width: number, height: number): Promise<Uint8Array<ArrayBuffer>> {
     return this.#enqueue(async (session) => {
       await this.#drawAll(session);
       return this.#requireTarget(material).read(x, y, width, height);
     });
   }
 
-  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array | null> {
+  layerMiniature(id: string, of: "layer" | "mask", side: number): Promise<Uint8Array<ArrayBuffer> | null> {
     return this.#enqueue(async (session) => {
       await this.#drawAll(session);
       for (const target of this.#targets.values()) {
@@ -283,7 +283,7 @@ export class EngineHost implements Engine {
     });
   }
 
-  exportPng(material: number): Promise<Uint8Array> {
+  exportPng(material: number): Promise<Uint8Array<ArrayBuffer>> {
     return this.#enqueue(async (session) => {
       const { encodePng } = await import("./png-encoder.ts");
       await this.#drawAll(session, true);
@@ -291,7 +291,7 @@ export class EngineHost implements Engine {
     });
   }
 
-  exportGlb(materials?: readonly number[]): Promise<Uint8Array> {
+  exportGlb(materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>> {
     return this.#enqueue(async (session) => {
       const model = this.#requireModel();
       const [{ encodePng }, { writeModel }] = await Promise.all([
@@ -343,7 +343,12 @@ export class EngineHost implements Engine {
 
   /** Rows of an open target's map: three floats a texel for positions and normals, one byte else (texelcast.h). */
   readMapRows(material: number, channel: "positions" | "normals", row: number, rowCount: number): Promise<Float32Array>;
-  readMapRows(material: number, channel: "coverage" | "overlap", row: number, rowCount: number): Promise<Uint8Array>;
+  readMapRows(
+    material: number,
+    channel: "coverage" | "overlap",
+    row: number,
+    rowCount: number,
+  ): Promise<Uint8Array<ArrayBuffer>>;
   readMapRows(
     material: number,
     channel: MapChannel,

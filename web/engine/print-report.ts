@@ -122,7 +122,7 @@ export interface PrintFileOptions {
 /** A finished print file. */
 export interface PrintFile {
   /** PNG, 8-bit RGBA, with sRGB and pHYs chunks. */
-  readonly bytes: Uint8Array;
+  readonly bytes: Uint8Array<ArrayBuffer>;
   /** Of `bytes`, 64 hex digits. */
   readonly sha256: string;
   /** Pixels. */

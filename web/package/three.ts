@@ -113,7 +113,7 @@ export class PaintedMesh {
   }
 
   /** The texture as PNG. */
-  async exportPng(): Promise<Uint8Array> {
+  async exportPng(): Promise<Uint8Array<ArrayBuffer>> {
     return await this.engine.exportPng(0);
   }
 

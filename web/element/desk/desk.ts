@@ -135,7 +135,7 @@ export class Desk {
   }
 
   /** The model as GLB, with the design in the textures that it paints. */
-  exportModel(): Promise<Uint8Array> {
+  exportModel(): Promise<Uint8Array<ArrayBuffer>> {
     return this.engine.exportGlb(paintedMaterials(this.shown));
   }
 

@@ -5,7 +5,7 @@ import { decodeDataUri } from "../../editor/files/data-uri.ts";
 import type { AssetLibrary } from "../../editor/state/asset-library.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type { UploadLimits } from "../../engine/upload-check.ts";
-import type { DesignInput, ExportedAsset } from "../element-api.ts";
+import type { DesignInput } from "../element-api.ts";
 import { addressOf, type Fetching, fetchBytes, nameOf } from "./read-model.ts";
 
 export interface DesignReading extends Fetching {
@@ -68,7 +68,7 @@ async function dataOf(input: DesignInput, reading: DesignReading): Promise<Given
   }
   if ("design" in input && "assets" in input && Array.isArray(input.assets)) {
     const files = new Map<string, Uint8Array>();
-    for (const { name, bytes } of input.assets as readonly Pick<ExportedAsset, "name" | "bytes">[]) {
+    for (const { name, bytes } of input.assets) {
       if (typeof name === "string" && bytes instanceof Uint8Array) files.set(name, bytes);
     }
     return { data: plain(input.design), name: "design", base, files };

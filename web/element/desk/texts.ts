@@ -161,7 +161,8 @@ export class Texts {
 export async function admitFont(desk: Desk, name: string, bytes: Uint8Array): Promise<void> {
   const { readFontHeader } = await import("../../engine/font-file.ts");
   const type = `font/${readFontHeader(bytes, name).format}` as const;
-  await askShop(desk, { name, type, bytes, width: 0, height: 0, sha256: await contentHash(bytes) });
+  const own = new Uint8Array(bytes);
+  await askShop(desk, { name, type, bytes: own, width: 0, height: 0, sha256: await contentHash(bytes) });
 }
 
 /** A font that comes with Texelcast, as a text takes it. */
