@@ -86,6 +86,90 @@ for (const mode of ["shop", "full"]) {
   });
 }
 
+/** The shop mode with a picture and a long text in it, whose text is chosen. */
+async function openShop(page: Page, text: string): Promise<void> {
+  await page.goto("element.html?loading=eager&locale=de&size=256");
+  await page.evaluate(async (words) => {
+    const editor = document.querySelector("texelcast-editor") as HTMLElementTagNameMap["texelcast-editor"];
+    await editor.start();
+    await editor.addDecal("demo/decals/smiley.png");
+    await editor.select(await editor.addText(words));
+  }, text);
+  await expect(page.locator("texelcast-editor textarea")).toBeVisible();
+}
+
+test("in a page that runs from the right the element's own words and numbers run from the left, and names as they are written", async ({
+  page,
+}) => {
+  await page.addInitScript(() =>
+    document.addEventListener("DOMContentLoaded", () => (document.documentElement.dir = "rtl")),
+  );
+  await openShop(page, "שלום עולם");
+  const direction = (selector: string): Promise<string[]> =>
+    page
+      .locator(`texelcast-editor ${selector}`)
+      .evaluateAll((all) => all.map((each) => getComputedStyle(each).direction));
+  expect(await direction(".row .name > span:first-child")).toEqual(["rtl", "ltr"]);
+  expect(new Set(await direction(".quiet, .foot, tc-number .box, .add"))).toEqual(new Set(["ltr"]));
+  expect(await direction("slot[name=toolbar]"), "what stands there is the page's").toEqual(["rtl"]);
+  await page.goto("element.html?loading=eager&mode=full");
+  await page.evaluate(() => document.querySelector("texelcast-editor")?.start());
+  expect(new Set(await direction("tc-top-bar, tc-number, tc-layer-list"))).toEqual(new Set(["ltr"]));
+});
+
+test("where the system forces its colours, a shop's buttons have an edge, and what is chosen is seen", async ({
+  page,
+}) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await openShop(page, "Moin");
+  const style = (selector: string) =>
+    page.locator(`texelcast-editor ${selector}`).evaluate((element) => {
+      const { borderTopStyle, borderTopWidth, outlineStyle, color } = getComputedStyle(element);
+      return { border: `${borderTopStyle} ${borderTopWidth}`, outline: outlineStyle, color };
+    });
+  for (const act of ["upload", "text", "submit"]) expect((await style(`[data-act=${act}]`)).border).toBe("solid 1px");
+  expect((await style(".row[data-chosen]")).outline).toBe("solid");
+  expect((await style(".row:not([data-chosen])")).outline).toBe("none");
+  expect((await style("[data-act=redo]")).color).not.toBe((await style("[data-act=undo]")).color);
+});
+
+test("who asks for more contrast sees in a shop where fields end, and reads all words alike", async ({ page }) => {
+  await page.emulateMedia({ contrast: "more", reducedMotion: "reduce" });
+  await openShop(page, "Moin");
+  const color = (selector: string, property: "color" | "borderTopColor"): Promise<string> =>
+    page
+      .locator(`texelcast-editor ${selector}`)
+      .first()
+      .evaluate((element, name) => getComputedStyle(element)[name], property);
+  const quiet = await color(".row .quiet", "color");
+  expect(quiet).toBe(await color(".row .name", "color"));
+  const edge = await color("textarea", "borderTopColor");
+  expect(edge).toBe("rgb(90, 97, 108)");
+  expect(await color("tc-number", "borderTopColor")).toBe(edge);
+});
+
+test("enlarged four times, a shop's list still shows whole rows, and all below it is reached", async ({ page }) => {
+  await page.setViewportSize({ width: 320, height: 225 });
+  await openShop(page, "Moin");
+  const row = page.locator("texelcast-editor .row").first();
+  const seen = (): Promise<number> =>
+    row.evaluate(
+      (element) =>
+        new Promise<number>((resolve) => {
+          const observer = new IntersectionObserver(([entry]) => {
+            observer.disconnect();
+            resolve(entry?.intersectionRatio ?? 0);
+          });
+          observer.observe(element);
+        }),
+    );
+  await row.scrollIntoViewIfNeeded();
+  expect(await seen()).toBe(1);
+  const submit = page.locator("texelcast-editor [data-act=submit]");
+  await submit.focus();
+  await expect(submit).toBeInViewport({ ratio: 1 });
+});
+
 test("what a page puts into the element keeps the page's type", async ({ page }) => {
   await page.goto("element.html?loading=eager");
   await addRules(page, "body { font: italic 13px serif; letter-spacing: 2px }");

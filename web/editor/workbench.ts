@@ -107,6 +107,8 @@ export class Workbench extends EditorElement {
         position: absolute;
         inset: 0;
         height: auto;
+        /* As the languages do that it speaks, whatever the page's is. */
+        direction: ltr;
       }
       :host([compact]) {
         grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);

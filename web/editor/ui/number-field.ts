@@ -89,7 +89,7 @@ export class NumberField extends RemElement {
         display: block;
         min-width: 0;
         height: var(--target);
-        border: 1px solid transparent;
+        border: 1px solid var(--field-line, transparent);
         border-radius: var(--radius);
         background: var(--surface-low);
         font-size: var(--text-normal);

@@ -76,6 +76,7 @@ export const theme = css`
     :host {
       --line: light-dark(#5a616c, #a4abb6);
       --line-strong: var(--text);
+      --field-line: var(--line);
       --text-quiet: var(--text);
     }
   }
@@ -166,6 +167,8 @@ export const plainControls = css`
   }
   button.filled {
     padding: 0 var(--space-3);
+    /* Its edge where the system forces its colours. */
+    border: 1px solid transparent;
     background: var(--accent);
     color: var(--accent-text);
     font-weight: 550;
@@ -180,7 +183,7 @@ export const plainControls = css`
     min-width: 0;
     min-height: var(--target);
     padding: 0 var(--space-2);
-    border: 1px solid transparent;
+    border: 1px solid var(--field-line, transparent);
     border-radius: var(--radius);
     background: var(--surface-low);
     font-variant-numeric: tabular-nums;

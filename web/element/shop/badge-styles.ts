@@ -2,6 +2,13 @@
 import { css } from "lit";
 
 export const badgeStyles = css`
+  .own {
+    --danger-soft: light-dark(#fdf0ee, #43292a);
+    --caution: light-dark(#8a5300, #f0c26a);
+    --caution-soft: light-dark(#fdf4e3, #42371f);
+    --good: light-dark(#1b6b3a, #8fd6a8);
+    --good-soft: light-dark(#e9f6ee, #223a2b);
+  }
   .badge {
     flex: none;
     padding: 0.1rem 0.45rem;

@@ -37,7 +37,7 @@ function row(desk: Desk, words: Words, acts: LayerActs, layer: DesignLayer, chos
     <li class="row" part="row" data-layer=${layer.id} ?data-chosen=${chosen}>
       <button class="choose" aria-pressed=${chosen} @click=${() => acts.select(layer)}>
         ${tile(desk, layer)}
-        <span class="name"><span>${layer.name}</span><span class="quiet">${kind}</span></span>
+        <span class="name"><span dir="auto">${layer.name}</span><span class="quiet">${kind}</span></span>
       </button>
       ${layerBadge(desk, layer.id, words)}
       <button

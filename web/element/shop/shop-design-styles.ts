@@ -2,6 +2,17 @@
 import { css } from "lit";
 
 export const designStyles = css`
+  .own {
+    --tile: light-dark(#f0f1f3, #c9ccd1);
+    --tile-checker: light-dark(#dfe1e5, #b3b7be);
+  }
+  @media (prefers-contrast: more) {
+    .own {
+      --line: light-dark(#5a616c, #a4abb6);
+      --field-line: var(--line);
+      --text-quiet: var(--text);
+    }
+  }
   .legend {
     position: absolute;
     inset-block-end: 0.75rem;
@@ -138,5 +149,25 @@ export const designStyles = css`
     font-size: var(--text-small);
     color: var(--text-quiet);
     font-variant-numeric: tabular-nums;
+  }
+  /* Too low for a list between what stays: the panel goes by as a whole. */
+  @container texelcast (max-width: 704px) and (max-height: 26rem) {
+    .panel {
+      overflow: auto;
+    }
+    .scroll {
+      flex: none;
+      overflow: visible;
+    }
+  }
+  @media (forced-colors: active) {
+    .row[data-chosen] {
+      outline: 2px solid Highlight;
+      outline-offset: -2px;
+    }
+    button[aria-disabled="true"] {
+      opacity: 1;
+      color: GrayText;
+    }
   }
 `;

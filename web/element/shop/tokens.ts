@@ -28,7 +28,6 @@ export const tokens = css`
   }
   /* Not on the host, from which what a page puts into the slots inherits. */
   .own {
-    --font: var(--_font);
     --text-small: 0.75rem;
     --text-normal: 0.875rem;
     --text-large: 1rem;
@@ -42,26 +41,17 @@ export const tokens = css`
     --target: 36px;
     --surface: var(--_surface);
     --surface-low: var(--_surface-low);
-    --surface-high: var(--_surface);
     --hover: light-dark(rgb(20 24 32 / 6%), rgb(255 255 255 / 7%));
     --pressed: light-dark(rgb(20 24 32 / 11%), rgb(255 255 255 / 12%));
     --line: var(--_line);
-    --line-strong: light-dark(#8a909b, #868c96);
     --text: var(--_text);
     --text-quiet: var(--_text-quiet);
     --accent: var(--_accent);
     --accent-text: var(--_accent-text);
     --accent-soft: color-mix(in oklab, var(--_accent), var(--_surface) 86%);
     --danger: light-dark(#b3261e, #ff9d92);
-    --danger-soft: light-dark(#fdf0ee, #43292a);
-    --caution: light-dark(#8a5300, #f0c26a);
-    --caution-soft: light-dark(#fdf4e3, #42371f);
-    --good: light-dark(#1b6b3a, #8fd6a8);
-    --good-soft: light-dark(#e9f6ee, #223a2b);
     --shadow: 0 1px 2px light-dark(rgb(20 24 32 / 8%), rgb(0 0 0 / 40%)),
       0 8px 28px light-dark(rgb(20 24 32 / 14%), rgb(0 0 0 / 50%));
-    --tile: light-dark(#f0f1f3, #c9ccd1);
-    --tile-checker: light-dark(#dfe1e5, #b3b7be);
     --viewer-accent: var(--_accent);
     --viewer-on-accent: var(--_accent-text);
     color: var(--_text);
@@ -69,6 +59,8 @@ export const tokens = css`
     /* What a page says of all its elements ("*") it says of this one too, and all inside would inherit it. */
     letter-spacing: normal;
     word-spacing: normal;
+    /* Its own words are of languages that run from the left, whatever the page's is. */
+    direction: ltr;
     text-align: start;
     text-indent: 0;
     text-shadow: none;
