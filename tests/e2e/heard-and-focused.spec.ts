@@ -1,5 +1,5 @@
 /** What a screen reader says while one works, and where the keyboard is after each act. */
-import type { Locator } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import { type EditorPage, expect, test } from "./support/editor-page.ts";
 import { file } from "./support/test-files.ts";
 
@@ -162,7 +162,8 @@ test("the text tool puts words on the model by the keyboard alone", async ({ edi
   await editor.open();
   await editor.view.focus();
   await page.keyboard.press("t");
-  await page.keyboard.press("ArrowRight");
+  // Where there is no cursor yet, Enter does nothing that was not seen coming.
+  await page.keyboard.press("Enter");
   await expect(announcer(editor)).toHaveText(/^Cursor in the middle of the view/);
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("Enter");
@@ -220,4 +221,50 @@ test("a number that is not taken is said with what may be typed, and stays marke
   await expect(announcer(editor)).toHaveText("Opacity: from 0 % to 100 %");
   await expect(opacity).toHaveAttribute("refused");
   await expect(input).toHaveAttribute("aria-invalid", "true");
+});
+
+/** The ring of what has the focus: how opaque it is, and whether all of it is in what scrolls or cuts round it. */
+const focusRing = (page: Page) =>
+  page.evaluate(() => {
+    const above = (node: Element): Element | null => node.assignedSlot ?? node.parentElement ?? hostOf(node);
+    const hostOf = (node: Element): Element | null => (node.getRootNode() as Partial<ShadowRoot>).host ?? null;
+    let focused = document.activeElement;
+    while (focused?.shadowRoot?.activeElement) focused = focused.shadowRoot.activeElement;
+    if (!focused || focused === document.body) return null;
+    const name = `${hostOf(focused)?.localName ?? ""} ${focused.id || focused.getAttribute("aria-label")}`;
+    // A number's field has its ring round its label and its unit, too, and one of several choices round its words.
+    const ofChoice = focused.matches("[type=radio]") ? focused.nextElementSibling : null;
+    const ringed = ofChoice ?? (focused.closest(".box") ? hostOf(focused) : focused) ?? focused;
+    const { outlineStyle, outlineOffset, outlineWidth } = getComputedStyle(ringed);
+    const drawnInside = outlineStyle === "none";
+    const out = drawnInside ? 0 : Number.parseFloat(outlineOffset) + Number.parseFloat(outlineWidth);
+    const box = ringed.getBoundingClientRect();
+    let opacity = 1;
+    let cut = false;
+    for (let node: Element | null = ringed; node; node = above(node)) {
+      const style = getComputedStyle(node);
+      opacity *= Number(style.opacity);
+      if (node === ringed || style.overflow === "visible") continue;
+      const room = node.getBoundingClientRect();
+      cut ||= box.left - out < room.left - 0.5 || box.right + out > room.right + 0.5;
+      cut ||= box.top - out < room.top - 0.5 || box.bottom + out > room.bottom + 0.5;
+    }
+    return { name, opacity, cut };
+  });
+
+test("wherever Tab comes to, the ring is whole and none is pale", async ({ editor, page }) => {
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await editor.openOnLowest();
+  const stops: string[] = [];
+  const faults: string[] = [];
+  for (;;) {
+    await page.keyboard.press("Tab");
+    const ring = await focusRing(page);
+    if (ring === null) break;
+    stops.push(ring.name);
+    if (ring.opacity < 1 || ring.cut) faults.push(`${ring.name}: ${ring.opacity}${ring.cut ? ", cut" : ""}`);
+  }
+  expect(faults).toEqual([]);
+  expect(stops.length).toBeGreaterThan(60);
 });

@@ -38,6 +38,9 @@ export class PartsList extends EditorElement {
         list-style: none;
         scrollbar-width: thin;
       }
+      li button:focus-visible {
+        outline-offset: -2px;
+      }
       li {
         display: grid;
         grid-template-columns: auto minmax(0, 1fr) auto;

@@ -58,6 +58,8 @@ export class SidePanel extends EditorElement {
         position: relative;
         min-height: 0;
         overflow: hidden auto;
+        /* With its ring, what Tab comes to is in sight. */
+        scroll-padding-block: var(--space-1);
         overscroll-behavior: contain;
         scrollbar-width: thin;
         scrollbar-color: var(--line-strong) transparent;

@@ -51,7 +51,12 @@ export class PaintCursor {
       return true;
     }
     if (event.key !== "Enter" && event.key !== " ") return false;
-    if (!focused || this.#hit === null) return false;
+    if (!focused) return false;
+    if (this.#hit === null) {
+      // Space may be held for the camera.
+      if (event.key === "Enter") this.#show();
+      return event.key === "Enter";
+    }
     if (this.#heldKey === null) {
       this.#window = windowOf(event.target as Element);
       this.#press(event.key, this.#hit);
@@ -60,20 +65,23 @@ export class PaintCursor {
   }
 
   #step([right, up]: readonly [number, number], coarse: boolean): void {
+    if (this.#hit === null) return this.#show();
+    const { viewer } = this.#context;
+    const step = this.#hooks.stepAt(this.#hit) * (coarse ? COARSE : 1);
+    const lying = viewer.projectorAt(this.#hit, step, 1);
+    const moved = viewer.nudge(lying, right * step, up * step);
+    const next = moved.kind === "planar" ? viewer.surface.near(moved.position) : null;
+    if (next === null) return;
+    this.#hit = next;
+    if (this.#heldKey !== null) this.#hooks.extend(next);
+    this.#hooks.moved(next);
+  }
+
+  #show(): void {
     const { viewer, board } = this.#context;
-    if (this.#hit === null) {
-      this.#hit = viewer.surfaceAtCentre();
-      if (this.#hit === null) return;
-      board.announce(this.#context.board.strings.tools.cursorShown);
-    } else {
-      const step = this.#hooks.stepAt(this.#hit) * (coarse ? COARSE : 1);
-      const lying = viewer.projectorAt(this.#hit, step, 1);
-      const moved = viewer.nudge(lying, right * step, up * step);
-      const next = moved.kind === "planar" ? viewer.surface.near(moved.position) : null;
-      if (next === null) return;
-      this.#hit = next;
-      if (this.#heldKey !== null) this.#hooks.extend(next);
-    }
+    this.#hit = viewer.surfaceAtCentre();
+    if (this.#hit === null) return;
+    board.announce(board.strings.tools.cursorShown);
     this.#hooks.moved(this.#hit);
   }
 

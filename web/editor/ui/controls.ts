@@ -23,7 +23,7 @@ const forcedColors = css`
     button:disabled,
     button[aria-disabled="true"] {
       opacity: 1;
-      color: GrayText;
+      color: GrayText !important;
     }
   }
 `;

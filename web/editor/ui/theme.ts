@@ -157,6 +157,12 @@ export const plainControls = css`
     background: transparent;
     cursor: default;
   }
+  /* Its ring is as plain as any. */
+  button[aria-disabled="true"]:focus-visible {
+    opacity: 1;
+    background: var(--surface-low);
+    color: color-mix(in srgb, var(--text-quiet), transparent 45%);
+  }
   button.icon {
     padding: 0;
     color: var(--text-quiet);

@@ -167,7 +167,7 @@ export const designStyles = css`
     }
     button[aria-disabled="true"] {
       opacity: 1;
-      color: GrayText;
+      color: GrayText !important;
     }
   }
 `;
