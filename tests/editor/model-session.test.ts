@@ -18,7 +18,14 @@ interface Baking {
 }
 
 /** An open model of three materials, of which the first has a target, and an engine whose bakes end when they are told to. */
-function session({ showFlat = async () => undefined }: { showFlat?: () => Promise<void> } = {}) {
+function session({
+  showFlat = async () => undefined,
+  opened = [],
+}: {
+  readonly showFlat?: () => Promise<void>;
+  /** Materials of the next model. */
+  readonly opened?: readonly object[];
+} = {}) {
   const store = new Store<EditorState>(INITIAL_STATE);
   const tasks = new Tasks(store);
   const baked: [material: number, side: number][] = [];
@@ -26,6 +33,7 @@ function session({ showFlat = async () => undefined }: { showFlat?: () => Promis
   let begun = (): void => undefined;
   const engine = {
     uvTriangles: async () => new Float32Array(),
+    loadModel: async () => ({ name: "b.glb", materials: opened }),
     openTarget: ({ material, width = USUAL_SIDE }: TargetOptions, _: unknown, signal: AbortSignal) =>
       new Promise((resolve, reject) => {
         signal.addEventListener("abort", () => reject(new TexelcastError("cancelled", "Cancelled.")));
@@ -158,5 +166,29 @@ describe("the targets of the open model", () => {
     store.state.tasks[0]?.cancel?.();
     await expect(ensured).rejects.toMatchObject({ code: "cancelled" });
     expect(store.state.targets.has(1)).toBe(false);
+  });
+});
+
+describe("a model none of whose materials takes paint", () => {
+  const refused = (index: number, code: string) => ({ index, name: "", refusal: { code, message: `It has ${code}.` } });
+  const ref = { source: { name: "b.glb", bytes: new Uint8Array() }, title: "b", demoId: null };
+
+  it("is refused for what can be helped, with the materials that unwrapping would help", async () => {
+    const { store, models } = session({
+      opened: [refused(0, "no-triangles"), refused(1, "no-uvs"), refused(2, "no-uvs")],
+    });
+    store.set({ model: null });
+    await expect(models.open(ref, emptyDesign(), () => undefined)).rejects.toMatchObject({
+      ...{ code: "no-uvs", subject: "b.glb", message: "It has no-uvs." },
+      model: { ref, materials: [1, 2] },
+    });
+  });
+
+  it("is refused for what it lacks where unwrapping would not help", async () => {
+    const { store, models } = session({ opened: [refused(0, "no-triangles")] });
+    store.set({ model: null });
+    const opening = models.open(ref, emptyDesign(), () => undefined);
+    await expect(opening).rejects.toMatchObject({ code: "no-triangles", subject: "b.glb" });
+    await expect(opening).rejects.not.toHaveProperty("model");
   });
 });
