@@ -3,7 +3,7 @@ import { expect, type Page, test } from "@playwright/test";
 import { renderPrint } from "../../node/print.ts";
 import type { ChangeDetail, ExportedDesign } from "../../web/element/element-api.ts";
 import { seriousFaults } from "./support/page-faults.ts";
-import { demoFile, file } from "./support/test-files.ts";
+import { demoFile, file, glbWithoutUvs } from "./support/test-files.ts";
 
 type Element = HTMLElementTagNameMap["texelcast-editor"];
 
@@ -74,6 +74,22 @@ test("what is painted in the element is told to its page, and printed by a serve
   const print = await renderPrint({ model, design, assets, material: 0, size: 512 });
   expect(print.sha256).toBe(sha256);
   expect(Buffer.from(print.bytes).equals(Buffer.from(bytes))).toBe(true);
+});
+
+test("a model without texture coordinates stays an error with its code: the element unwraps nothing", async ({
+  page,
+}) => {
+  await page.route("**/*.glb", (route) => route.fulfill({ body: glbWithoutUvs().buffer }));
+  await page.goto("element.html?mode=full&loading=eager&size=512");
+  const code = await page.evaluate(async () => {
+    const element = document.querySelector("texelcast-editor") as Element;
+    return await element.start().then(
+      () => "",
+      (error: { code: string }) => error.code,
+    );
+  });
+  expect(code).toBe("no-uvs");
+  await expect(page.locator("texelcast-editor").getByRole("button", { name: "Unwrap and open" })).toHaveCount(0);
 });
 
 test("two elements speak two languages, and one of them another one from then on", async ({ page }) => {
