@@ -18,6 +18,10 @@ import type { TaskHandle, Tasks } from "./tasks.ts";
 /** Sides of the new textures, texels: the old one's, within these. */
 const LEAST_SIZE = 1024;
 const MOST_SIZE = 4096;
+/** Of all new textures together, texels: a viewer holds them on the GPU, in 180 MB. A CAD model may have a hundred materials. */
+const MOST_TEXELS = 2 ** 25;
+/** However many they are. */
+const LEAST_OF_MANY = 256;
 
 /** Unwraps materials of a model, and gives it as a GLB. */
 export type Unwrapper = (
@@ -94,7 +98,7 @@ export class UnwrapCommand {
     const { store, board } = this.#parts;
     const before = store.state.model?.ref;
     try {
-      const unwrapped = await this.#unwrapped(model, LEAST_SIZE);
+      const unwrapped = await this.#unwrapped(model, sizeFor(model.materials.length, LEAST_SIZE));
       if (store.state.model?.ref === before) await open(unwrapped);
     } catch (thrown) {
       board.error(board.strings.errors.couldNotUnwrap, thrown);
@@ -116,8 +120,13 @@ export class UnwrapCommand {
       const target = targets.get(material);
       return target ? [target.width, target.height] : [];
     });
-    return Math.min(MOST_SIZE, Math.max(LEAST_SIZE, ...sides));
+    return sizeFor(materials.length, Math.min(MOST_SIZE, Math.max(LEAST_SIZE, ...sides)));
   }
+}
+
+/** Halves the side until so many textures have room. */
+function sizeFor(count: number, side: number): number {
+  return side > LEAST_OF_MANY && count * side * side > MOST_TEXELS ? sizeFor(count, side / 2) : side;
 }
 
 const glbName = (name: string): string => name.replace(/\.(gltf|glb)$/i, "").concat(".glb");
