@@ -188,6 +188,26 @@ it("keeps on a mug what the unrolled label has: a way along it is as long as the
   expect(Math.atan2(right?.position[0] as number, right?.position[2] as number)).toBeCloseTo(1.5 * angle, 1);
 });
 
+it("puts many, whose ways go in fewer steps, near where the unrolled label has them, and leaves them while the box is left", () => {
+  const query = queryOf(cylinder());
+  const places = Array.from({ length: 200 }, (_, index): Place => {
+    const angle = ((index % 20) / 20 - 0.5) * 1.2;
+    return [Math.sin(angle), (Math.floor(index / 20) / 10 - 0.5) * 0.8, Math.cos(angle)];
+  });
+  const many = laid(query, ...places).map((each) => ({ ...each, size: [0.02, 0.02, 0.05] as const }));
+  const { box, at } = together(query, many);
+  expectSame(at(box), many);
+  const exact = places.map(([x, y, z]): Place => {
+    const middle = Math.atan2(box.position[0], box.position[2]);
+    const angle = middle + (Math.atan2(x, z) - middle) * 1.5;
+    return [Math.sin(angle), box.position[1] + (y - box.position[1]) * 1.5, Math.cos(angle)];
+  });
+  const off = boxes(at(grown(box, 1.5))).map(({ position }, index) =>
+    new Vector3(...position).distanceTo(near(query, exact[index] as Place).position),
+  );
+  expect(Math.max(...off)).toBeLessThan(0.03);
+});
+
 it("goes round an edge", () => {
   const query = queryOf(cube());
   const { box, at } = together(query, laid(query, [-0.5, 0, 1], [0.5, 0, 1]));

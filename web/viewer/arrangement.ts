@@ -30,8 +30,8 @@ interface Frame {
 
 /** A picture on the sheet. */
 interface Lying {
-  /** Its middle's foot on the surface. */
-  readonly foot: Vector3;
+  /** Its middle's foot on the surface: of a thousand it takes its time, and most are never turned. */
+  readonly foot: () => Vector3;
   readonly pose: DecalPose;
 }
 
@@ -59,8 +59,9 @@ const LEAST_STEPS = 2;
 const STEPS_IN_ALL = 400;
 /** Corrections of a way until it ends where it should. What is missing then is carried along as it is. */
 const MOST_TRIES = 8;
-/** Of a way's length: what may be missing at its end. */
+/** Of a way's length: what may be missing at its end, and of each of many ways. That little, too, is carried along as it is. */
 const CLOSE = 1e-9;
+const CLOSE_OF_MANY = 1e-4;
 /** Of a step: what is nearest lies so far back only behind an edge, or at the surface's border. */
 const PASSED = 0.25;
 /** Cosine: pictures that look further away than this from their common direction have no middle on the surface. */
@@ -88,7 +89,7 @@ export function arrangementOf(query: SurfaceQuery, projectors: readonly Projecto
   const walk = new Walk(query, lying.length);
   const box = boxRound(query, lying, normal);
   const from = walk.along(box, 0, 0);
-  // A thousand take their time, and most are never turned.
+  // As with the feet.
   let ways: readonly (Way | null)[] | null = null;
   return {
     box: projectorOf(box),
@@ -104,14 +105,14 @@ export function arrangementOf(query: SurfaceQuery, projectors: readonly Projecto
 function lyingOf(query: SurfaceQuery, projector: Projector): Lying | null {
   if (projector.kind === "planar") {
     const pose = poseOf(projector);
-    return { pose, foot: footUnder(query, pose) };
+    return { pose, foot: () => footUnder(query, pose) };
   }
   if (projector.kind !== "cylindrical") return null;
   const { radius, height, arc } = projector;
   const rotation = rotationOf(projector);
   const foot = new Vector3(0, 0, radius).applyQuaternion(rotation).add(new Vector3(...projector.position));
   const width = 2 * radius * Math.sin((Math.min(arc, 180) * Math.PI) / 360);
-  return { pose: { position: foot, rotation, size: new Vector3(width, height, 0) }, foot };
+  return { pose: { position: foot, rotation, size: new Vector3(width, height, 0) }, foot: () => foot };
 }
 
 /** On the surface below a box's middle or above it; over no surface the middle itself, as what is nearest lies aside. */
@@ -155,13 +156,16 @@ function boxRound(query: SurfaceQuery, lying: readonly Lying[], normal: Vector3)
 class Walk {
   readonly #query: SurfaceQuery;
   readonly #steps: number;
-  readonly #averages: boolean;
+  readonly averages: boolean;
+  /** Of a way's length: what may be missing at its end. */
+  readonly close: number;
 
   /** @param ways how many there are: of many, none may take long */
   constructor(query: SurfaceQuery, ways: number) {
     this.#query = query;
     this.#steps = Math.min(MOST_STEPS, Math.max(LEAST_STEPS, Math.floor(STEPS_IN_ALL / ways)));
-    this.#averages = ways <= MOST_AVERAGED;
+    this.averages = ways <= MOST_AVERAGED;
+    this.close = this.averages ? CLOSE : CLOSE_OF_MANY;
   }
 
   /**
@@ -180,7 +184,7 @@ class Walk {
       position.add(step.clone().applyQuaternion(rotation));
       last = this.#land(position, rotation, length);
     }
-    if (last !== null && size !== null && this.#averages) {
+    if (last !== null && size !== null && this.averages) {
       stand(rotation, smoothedNear(this.#query, last, size).normal);
     }
     return { position, rotation };
@@ -214,19 +218,20 @@ function stand(rotation: Quaternion, normal: Vector3): void {
   rotation.premultiply(minimalRotation(Z.clone().applyQuaternion(rotation), normal)).normalize();
 }
 
-function wayTo(walk: Walk, from: Frame, box: DecalPose, { foot, pose }: Lying): Way {
+function wayTo(walk: Walk, from: Frame, box: DecalPose, { foot: footOf, pose }: Lying): Way {
+  const foot = footOf();
   const straight = foot.clone().sub(box.position);
   const aim = straight.clone().applyQuaternion(box.rotation.clone().invert()).setZ(0);
   // A chord is nearer to its arc's length than its foot is; but of what lies straight below it has no direction.
   if (2 * aim.length() > straight.length()) aim.setLength(straight.length());
-  let best = { aim, missing: Number.POSITIVE_INFINITY };
-  for (let tries = 0; tries < MOST_TRIES && best.missing > CLOSE * straight.length(); tries++) {
+  let best: { aim: Vector3; missing: number; end: Frame } = { aim, missing: Number.POSITIVE_INFINITY, end: from };
+  for (let tries = 0; tries < MOST_TRIES && best.missing > walk.close * straight.length(); tries++) {
     const end = walk.along(from, aim.x, aim.y);
     const missing = foot.clone().sub(end.position);
-    if (missing.length() < best.missing) best = { aim: aim.clone(), missing: missing.length() };
+    if (missing.length() < best.missing) best = { aim: aim.clone(), missing: missing.length(), end };
     aim.add(missing.applyQuaternion(end.rotation.clone().invert()).setZ(0));
   }
-  const end = walk.along(from, best.aim.x, best.aim.y, pose.size);
+  const end = walk.averages ? walk.along(from, best.aim.x, best.aim.y, pose.size) : best.end;
   const toEnd = end.rotation.clone().invert();
   return {
     x: best.aim.x,
@@ -254,7 +259,7 @@ function placed(walk: Walk, projector: Projector, lying: Lying | null, way: Way 
   if (projector.kind === "cylindrical") {
     const { height, arc } = projector;
     const sized = { ...projector, height: height * scale.y, arc: Math.min(FULL_ARC, arc * scale.x) };
-    return turnedRound(sized, lying.foot, end.position);
+    return turnedRound(sized, lying.foot(), end.position);
   }
   return projectorOf({
     position: way.position.clone().applyQuaternion(end.rotation).add(end.position),

@@ -80,9 +80,10 @@ export class ChosenTogether {
     if (box.kind === "planar") return ends ? this.#kept(box, this.#at(box)) : this.#at(box);
     const stamps = stampsIn(layers, this.#state().material);
     const before = stampsBox(stamps);
+    const dragged = new Set<PlacedLayer>(stamps);
     const stamp = ({ projector }: PlacedLayer): Projector =>
       projector.kind === "uv" && box.kind === "uv" ? stampWith(before, box, projector) : projector;
-    return layers.map((layer) => (stamps.some(({ id }) => id === layer.id) ? stamp(layer) : layer.projector));
+    return layers.map((layer) => (dragged.has(layer) ? stamp(layer) : layer.projector));
   }
 
   /** As they lie once the box that is shown is that one. */

@@ -68,16 +68,31 @@ export function stampsChanged(
   projectors: readonly Projector[],
   change: ProjectorChange,
 ): readonly Projector[] {
-  const stamps = layers.flatMap(({ projector, ...layer }) =>
-    projector.kind === "uv" ? [{ texture: materialsOf(layer).join(), projector }] : [],
-  );
+  const centers = new Map<string, UvProjector["center"][]>();
+  for (const layer of layers) {
+    if (layer.projector.kind !== "uv") continue;
+    const texture = textureOf(layer);
+    const known = centers.get(texture);
+    if (known) known.push(layer.projector.center);
+    else centers.set(texture, [layer.projector.center]);
+  }
+  const changes = new Map([...centers].map(([texture, all]) => [texture, changeAbout(all, change)]));
   return layers.map((layer, index) => {
     const { projector } = layer;
-    if (projector.kind !== "uv") return projectors[index] as Projector;
-    const texture = materialsOf(layer).join();
-    const centers = stamps.flatMap((each) => (each.texture === texture ? [each.projector.center] : []));
-    const mean = (axis: 0 | 1): number => centers.reduce((sum, center) => sum + center[axis], 0) / centers.length;
-    const box: UvProjector = { kind: "uv", center: [mean(0), mean(1)], size: [1, 1], angle: 0 };
-    return stampWith(box, change(box), projector);
+    const changed = projector.kind === "uv" ? changes.get(textureOf(layer))?.(projector) : projectors[index];
+    return changed ?? projector;
   });
+}
+
+const textureOf = (layer: PlacedLayer): string => materialsOf(layer).join();
+
+/** About the mean of those places. */
+function changeAbout(
+  centers: readonly UvProjector["center"][],
+  change: ProjectorChange,
+): (stamp: UvProjector) => UvProjector {
+  const mean = (axis: 0 | 1): number => centers.reduce((sum, center) => sum + center[axis], 0) / centers.length;
+  const box: UvProjector = { kind: "uv", center: [mean(0), mean(1)], size: [1, 1], angle: 0 };
+  const now = change(box);
+  return (stamp) => stampWith(box, now, stamp);
 }
