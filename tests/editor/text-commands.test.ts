@@ -11,12 +11,17 @@ import { NoticeBoard } from "../../web/editor/state/notice-board.ts";
 import { Store } from "../../web/editor/state/store.ts";
 import { Tasks } from "../../web/editor/state/tasks.ts";
 import { shippedFont, TextCommands, type TextCommandsParts } from "../../web/editor/state/text-commands.ts";
+import { shareOfModel } from "../../web/editor/state/text-troubles.ts";
+import { stringsIn } from "../../web/editor/strings.ts";
 import type { Engine, EngineText, PlanarProjector, Projector } from "../../web/engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit } from "../../web/viewer/viewer-api.ts";
 import { FRONT } from "../support/layers.ts";
 
 const INTER = shippedFont("inter-700");
 const LOBSTER = shippedFont("lobster-400");
+
+const BOUNDS = { boundsMin: [-99, -99, -99], boundsMax: [99, 99, 99] };
+const words = stringsIn("en").text;
 
 /** An engine whose fonts come when the test says so: its measures wait until then. */
 function waitingEngine() {
@@ -45,8 +50,7 @@ function twoTexts() {
   const { measureText, arrive } = waitingEngine();
   const engine = { measureText, setLayers: () => {}, removeAsset: async () => {} } as unknown as Engine;
   const viewer = { setDecals: () => {} } as unknown as ModelViewer;
-  const info = { boundsMin: [-99, -99, -99], boundsMax: [99, 99, 99] };
-  const store = new Store<EditorState>({ ...INITIAL_STATE, model: { info } as unknown as OpenModel });
+  const store = new Store<EditorState>({ ...INITIAL_STATE, model: { info: BOUNDS } as unknown as OpenModel });
   const library = new AssetLibrary(engine);
   const session = new DesignSession({ engine, viewer, library, store, later: () => {} });
   const board = new NoticeBoard(store);
@@ -74,8 +78,9 @@ function twoTexts() {
   const layer = (id: string): TextLayer => layerById(session.recordedDesign, id) as TextLayer;
   const fontOf = (id: string): string | undefined => session.recordedDesign.assets[layer(id).font]?.uri;
   const told = (): string[] => store.state.notices.map(({ message }) => message);
+  const titles = (): string[] => store.state.notices.map(({ title }) => title);
   const working = (): string[] => store.state.tasks.map(({ label }) => label);
-  return { session, texts, arrive, layer, fontOf, told, hits, working };
+  return { session, texts, arrive, layer, fontOf, told, titles, hits, working };
 }
 
 const isLobster = ({ font }: EngineText): boolean => font === LOBSTER.asset.uri;
@@ -198,5 +203,42 @@ describe("a text whose font is still being fetched", () => {
     const { projector } = layer("a");
     expect(projector).toMatchObject({ position: [7, 8, 9] });
     expect(projector.kind === "planar" && projector.size[0] / projector.size[1]).toBeCloseTo("Ada".length);
+  });
+});
+
+describe("words on a label", () => {
+  /** Text "a" round a mug of radius 1, close about "Ada". */
+  function onLabel(height: number) {
+    const made = twoTexts();
+    const { session, layer } = made;
+    const arc = (("Ada".length * height) / Math.PI) * 180;
+    const projector: Projector = { ...ROUND, height, arc };
+    const label = { ...layer("a"), fontSize: 1, projector };
+    session.record({ ...session.recordedDesign, layers: [label, layer("b")] }, "wrap");
+    const type = async (text: string): Promise<void> => {
+      const changed = made.texts.change("a", { text }, "words");
+      await made.arrive();
+      await changed;
+    };
+    return { ...made, type };
+  }
+  const ROUND = { kind: "cylindrical", position: [0, 0, 0], rotation: [0, 0, 0, 1], radius: 1, depth: 0.1 } as const;
+
+  it("that go more than once round it are told, once, and not those that go round it less", async () => {
+    const { type, titles, layer } = onLabel(0.25);
+    await type("Ada Lovelace");
+    expect(titles()).toEqual([]);
+    await type("Ada Lovelace, Countess of Somewhere");
+    expect(titles()).toEqual([words.longTitle]);
+    expect(layer("a").projector).toMatchObject({ arc: 360 });
+    await type("Ada Lovelace, Countess of Somewhere Else");
+    expect(titles()).toEqual([words.longTitle]);
+  });
+
+  it("are larger than the model where they are higher than it along the label's axis", () => {
+    const model = { info: BOUNDS } as unknown as OpenModel;
+    const label = { ...ROUND, height: 99, arc: 90 };
+    expect(shareOfModel(model, label)).toBe(0.5);
+    expect(shareOfModel(model, { ...label, rotation: [0.5, 0.5, 0.5, 0.5], height: 396 })).toBe(2);
   });
 });

@@ -511,6 +511,8 @@ export const german: Strings = {
     largeTitle: "Der Text ist größer als das Modell",
     makeFit: "Passend machen",
     large: "Was darüber hinausreicht, wird nicht gemalt. Mach den Text kleiner, oder brich ihn anders in Zeilen um.",
+    longTitle: "Der Text ist länger als der Weg herum",
+    long: "Die Buchstaben werden kleiner, damit er einmal herum passt. Kürze ihn, oder brich ihn in Zeilen um.",
   },
 
   target: {

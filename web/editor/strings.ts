@@ -505,6 +505,8 @@ const english = {
     largeTitle: "The text is larger than the model",
     makeFit: "Make it fit",
     large: "What reaches beyond it is not painted. Make the text smaller, or break it into lines otherwise.",
+    longTitle: "The text is longer than the way round",
+    long: "Its letters become smaller, so that they go round once. Make it shorter, or break it into lines.",
   },
 
   target: {

@@ -25,7 +25,7 @@ import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
 import { emOf, fitsClosely, fitted, refitted, withEm } from "./text-box.ts";
-import { newlyMissing, shareOfModel } from "./text-troubles.ts";
+import { isAllRound, newlyMissing, shareOfModel } from "./text-troubles.ts";
 import { type WaitingChange, WaitingChanges } from "./waiting-changes.ts";
 
 export type TextFieldsPatch = Partial<
@@ -221,6 +221,10 @@ export class TextCommands {
     if (shareOfModel(model, now.projector) > 1 && !(shareOfModel(model, before.projector) > 1)) {
       const action = { label: words.makeFit, run: () => this.#makeFit(now.id) };
       board.info({ title: words.largeTitle, message: words.large, action });
+    }
+    if (isAllRound(now.projector) && !this.isClose(now) && this.isClose(before)) {
+      const action = { label: words.fitBox, run: () => void this.fitBox(now) };
+      board.info({ title: words.longTitle, message: words.long, action });
     }
   }
 
