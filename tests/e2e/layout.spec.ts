@@ -330,10 +330,12 @@ test.describe("in German, whose words are long,", () => {
       const tabs = page.locator("tc-texture-panel [role=tablist]");
       await expect(tabs).toContainText("Überlappung");
       expect(await tabs.evaluate((list) => list.scrollWidth - list.clientWidth)).toBe(0);
-      // On its side, and as a tablet whose three columns leave the texture little.
+      // On its side, as tablets whose three columns leave the texture little, and as half of one's screen.
       for (const [width, height, rows] of [
         [844, 390, 1],
-        [1024, 768, 2],
+        [1024, 768, 1],
+        [1180, 820, 1],
+        [900, 700, 2],
       ] as const) {
         await editor.resize(width, height);
         const [list, ...each] = await editor.places(tabs, ...(await tabs.getByRole("tab").all()));
@@ -341,6 +343,37 @@ test.describe("in German, whose words are long,", () => {
           expect(tab.x + tab.width, `${width} × ${height}`).toBeLessThanOrEqual(list.x + list.width);
         expect(new Set(each.map(({ y }) => y)).size, `${width} × ${height}`).toBe(rows);
       }
+    });
+
+    test("on the smallest phone the panels' names stand apart, and what keys do has the width for its words", async ({
+      editor,
+      page,
+    }) => {
+      await page.setViewportSize({ width: 320, height: 568 });
+      await editor.open();
+      await page.locator("#sheet-properties").tap();
+      const words = await page.locator("tc-bottom-sheet nav button").evaluateAll((tabs) =>
+        tabs.map((tab) => {
+          const range = document.createRange();
+          range.selectNodeContents(tab);
+          const { left, right } = range.getBoundingClientRect();
+          return [left, right] as const;
+        }),
+      );
+      const gaps = words.slice(1).map(([left], index) => left - (words[index]?.[1] ?? 0));
+      expect(Math.min(...gaps)).toBeGreaterThanOrEqual(4);
+      await page.locator("#help").tap();
+      const meaning = await page.locator("tc-help-dialog dd").first().boundingBox();
+      expect(meaning?.width).toBeGreaterThan(200);
+    });
+
+    test("a tablet held upright shows of what the two menus are", async ({ editor, page }) => {
+      await page.setViewportSize({ width: 768, height: 1024 });
+      await editor.open();
+      const names = page.locator("tc-top-bar :is(.projects, .models) .opener").getByText("Tasse");
+      await expect(names).toHaveCount(2);
+      const cut = names.evaluateAll((all) => all.map((name) => name.scrollWidth - name.clientWidth));
+      expect(await cut).toEqual([0, 0]);
     });
 
     test("a fault's exact words, which only German folds away, are unfolded by a finger", async ({ editor }) => {

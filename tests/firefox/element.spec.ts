@@ -2,6 +2,7 @@ import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { renderPrint } from "../../node/print.ts";
 import type { PlaceOptions } from "../../web/element/element-api.ts";
+import { guideFile } from "../package/support/guide.ts";
 import { openSiteInFirefox, type SiteInFirefox } from "./support/site-in-firefox.ts";
 
 type Element = HTMLElementTagNameMap["texelcast-editor"];
@@ -40,4 +41,28 @@ test("a shop's element opens in Firefox, takes a picture, and prints the bytes t
   const print = await renderPrint({ model, design: shown.design, assets, size: 256 });
   expect(shown.sha256).toBe(print.sha256);
   expect(faults).toEqual([]);
+});
+
+test("under Trusted Types the guide's policy lets the element in, in Firefox too, and nothing of other origins", async () => {
+  const policy = "require-trusted-types-for 'script'; trusted-types lit-html default";
+  const strict = await openSiteInFirefox({ "content-security-policy": policy });
+  try {
+    await strict.page.evaluateOnNewDocument(guideFile("trusted-types.js"));
+    await strict.page.goto(`${strict.address}element.html?locale=en&size=256&loading=eager`);
+    const told = await strict.page.evaluate(async () => {
+      const element = document.querySelector("texelcast-editor") as Element;
+      await element.addText("Moin");
+      const { sha256 } = await element.exportTexture();
+      try {
+        new Worker("https://other.example/worker.js");
+        return { sha256, elsewhere: "began" };
+      } catch (error) {
+        return { sha256, elsewhere: (error as Error).name };
+      }
+    });
+    expect(told).toEqual({ sha256: expect.stringMatching(/^[0-9a-f]{64}$/), elsewhere: "TypeError" });
+    expect(strict.faults.filter((fault) => !fault.includes("other.example"))).toEqual([]);
+  } finally {
+    await strict.close();
+  }
 });

@@ -44,6 +44,8 @@ const SIDEWAYS_WIDTH = 560;
 const SIDEWAYS_HEIGHT = 480;
 /** A tablet held upright: beside each other the two views would be slits. */
 const UPRIGHT = `(max-width: ${TABLET_WIDTH}px) and (orientation: portrait)`;
+/** Held on its side, its wide panel leaves the views little: half of that is the least in which the texture's tabs stand in a row. */
+const SLIM = "(max-width: 1200px) and (pointer: coarse)";
 /** The model fills its view down to where a card in the corner would stand. */
 const LOW = "(max-height: 46rem)";
 
@@ -53,6 +55,7 @@ export class Workbench extends EditorElement {
     sideways: { type: Boolean, reflect: true },
     upright: { state: true },
     low: { state: true },
+    slim: { state: true },
     dropping: { state: true },
     textureShare: { state: true },
     embedded: { type: Boolean, reflect: true },
@@ -62,15 +65,17 @@ export class Workbench extends EditorElement {
   declare sideways: boolean;
   declare upright: boolean;
   declare low: boolean;
+  declare slim: boolean;
   declare dropping: boolean;
-  /** Of the views' width. */
-  declare textureShare: number;
+  /** Of the views' width; null until somebody chooses it. */
+  declare textureShare: number | null;
   /** It is part of a page: fills its box, and leaves keys and drops elsewhere on the page alone. */
   declare embedded: boolean;
   readonly #narrow = matchMedia(NARROW);
   readonly #sideways = matchMedia(SIDEWAYS);
   readonly #tablet = matchMedia(UPRIGHT);
   readonly #lowWindow = matchMedia(LOW);
+  readonly #slimWindow = matchMedia(SLIM);
   #endFingers: () => void = () => {};
   /** Ends what is listened to while it is in the page. */
   #connected = new AbortController();
@@ -218,15 +223,16 @@ export class Workbench extends EditorElement {
     this.sideways = false;
     this.upright = false;
     this.low = false;
+    this.slim = false;
     this.dropping = false;
-    this.textureShare = 0.38;
+    this.textureShare = null;
     this.embedded = false;
   }
 
   override connectedCallback(): void {
     super.connectedCallback();
     const { signal } = this.#connected;
-    for (const shape of [this.#narrow, this.#sideways, this.#tablet, this.#lowWindow])
+    for (const shape of [this.#narrow, this.#sideways, this.#tablet, this.#lowWindow, this.#slimWindow])
       shape.addEventListener("change", this.#resize, { signal });
     this.#resize();
     const whole: EventTarget = this.embedded ? this : window;
@@ -327,7 +333,8 @@ export class Workbench extends EditorElement {
   }
 
   #views(): TemplateResult {
-    const { editor, compact, upright, textureShare } = this;
+    const { editor, compact, upright } = this;
+    const textureShare = this.textureShare ?? (this.slim && !upright ? 0.485 : 0.38);
     const { animation, view } = this.state;
     const { layout } = view;
     const split = !compact && layout === "both";
@@ -391,6 +398,7 @@ export class Workbench extends EditorElement {
     }
     this.editor.store.set({ sheet: this.sideways ? "beside" : narrow ? "below" : null });
     this.low = this.#lowWindow.matches;
+    this.slim = this.#slimWindow.matches;
     this.upright = this.embedded ? width <= TABLET_WIDTH && height > width : this.#tablet.matches;
   };
 

@@ -13,9 +13,14 @@ export interface SiteInFirefox {
   close(): Promise<void>;
 }
 
-export async function openSiteInFirefox(): Promise<SiteInFirefox> {
+/** @param headers sent with every file */
+export async function openSiteInFirefox(headers: Readonly<Record<string, string>> = {}): Promise<SiteInFirefox> {
   const configFile = fileURLToPath(new URL("../../../vite.config.ts", import.meta.url));
-  const server = await preview({ configFile, logLevel: "warn", preview: { port: await freePort(), strictPort: true } });
+  const server = await preview({
+    configFile,
+    logLevel: "warn",
+    preview: { port: await freePort(), strictPort: true, headers },
+  });
   const firefox = await launchFirefox();
   const page = await firefox.browser.newPage();
   const faults: string[] = [];

@@ -118,6 +118,16 @@ export class BottomSheet extends EditorElement {
         color: var(--accent);
         font-weight: 550;
       }
+      /* Fifths would be too narrow for a long word. */
+      @media (max-width: 22rem) {
+        nav {
+          display: flex;
+        }
+        nav button {
+          flex: auto;
+          padding-inline: 3px;
+        }
+      }
     `,
   ];
 

@@ -55,6 +55,15 @@ export class HelpDialog extends RemElement {
         margin: 0;
         color: var(--text-quiet);
       }
+      @media (max-width: 30rem) {
+        dl {
+          grid-template-columns: minmax(0, 1fr);
+          gap: 0;
+        }
+        dd {
+          margin-block-end: var(--space-2);
+        }
+      }
       .language {
         display: flex;
         align-items: center;

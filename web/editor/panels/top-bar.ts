@@ -89,7 +89,7 @@ export class TopBar extends EditorElement {
           display: none;
         }
       }
-      @media (max-width: 720px) {
+      @media (max-width: 720px), (max-width: 800px) and (pointer: coarse) {
         :host {
           padding-inline: var(--space-2);
           gap: 0;

@@ -65,7 +65,10 @@ export class PaintCursor {
   }
 
   #step([right, up]: readonly [number, number], coarse: boolean): void {
-    if (this.#hit === null) return this.#show();
+    if (this.#hit === null) {
+      this.#show();
+      return;
+    }
     const { viewer } = this.#context;
     const step = this.#hooks.stepAt(this.#hit) * (coarse ? COARSE : 1);
     const lying = viewer.projectorAt(this.#hit, step, 1);
