@@ -100,6 +100,22 @@ test("with the editor in an iframe of another origin the mug goes the same way, 
   });
 });
 
+test("where the system forces its colours, the shop's buttons have an edge", async ({ shop: { page } }) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  await page.getByRole("link", { name: "Stoneware mug" }).click();
+  await expect(page.getByRole("button", { name: "Add to cart" })).toHaveCSS("border-top-style", "solid");
+});
+
+test.describe("on a touch screen", () => {
+  test.use({ hasTouch: true, isMobile: true });
+
+  test("the way back to all products is as high as a finger", async ({ shop: { page } }) => {
+    await page.getByRole("link", { name: "Stoneware mug" }).click();
+    const back = await page.getByRole("link", { name: "All products" }).boundingBox();
+    expect(back?.height).toBeGreaterThanOrEqual(44);
+  });
+});
+
 test("an edit of a text that still has the focus is in the price that goes into the cart", async ({ shop }) => {
   const { page, editor } = shop;
   await page.getByRole("link", { name: "Stoneware mug" }).click();

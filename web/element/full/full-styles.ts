@@ -20,6 +20,8 @@ export const fullStyles = css`
     padding: 0.5rem 0.75rem max(0.5rem, env(safe-area-inset-bottom));
     border-block-start: 1px solid var(--_line);
     background: var(--_surface);
+    /* As the editor above it. */
+    direction: ltr;
   }
   .full .quality,
   .full .legend,
