@@ -129,6 +129,40 @@ test("a plain page under a strict policy opens the element; Node prints the very
   await server.stop();
 });
 
+test("the first lines of the element's document show a product where the package's dist is served", async () => {
+  const document = readFileSync(join(CHECKOUT, "docs/element.md"), "utf8");
+  const [, lines = ""] = /```html\n(.*?)```/s.exec(document) ?? [];
+  const [, address = ""] = /src="https:\/\/your-shop\.example\/texelcast\/([\w.-]+)"/.exec(lines) ?? [];
+  const tag = lines.replace(/<script.*<\/script>/, "").replace(/ (?:zones|poster)="[^"]*"/g, "");
+  addShopFiles(installed.folder, {
+    "first.html": page("/first.js").replace("<body>", `<body>${tag}`),
+    "first.js": `import "${DIST}/${address}"; globalThis.story = await document.querySelector("texelcast-editor").start().then(() => "shown", String);`,
+  });
+  const server = await serveFolder(installed.folder);
+  expect(await tell(`${server.origin}/first.html`)).toEqual({ story: "shown", complaints: [] });
+  await server.stop();
+});
+
+test("a page without a bundler and without an import map is told where three.js is, in its language", async () => {
+  addShopFiles(installed.folder, {
+    "mapless.html": page("/mapless.js"),
+    "mapless.js": `
+      import { TexelcastEditor } from "${DIST}/define.js";
+      const editor = Object.assign(new TexelcastEditor(), { src: "/mug.glb", locale: "de" });
+      document.body.append(editor);
+      globalThis.story = await editor.start().catch(({ code, reason, message, hint }) => ({ code, reason, message, hint }));`,
+  });
+  const server = await serveFolder(installed.folder);
+  const { story } = await tell(`${server.origin}/mapless.html`);
+  expect(story).toMatchObject({
+    code: "unsupported",
+    reason: "no-three",
+    message: expect.stringContaining("three.js"),
+    hint: expect.stringMatching(/standalone\.js.*docs\/guides\/plain-html\.md/),
+  });
+  await server.stop();
+});
+
 test("a page takes the element from another origin, as from a CDN, and exports the same bytes", async () => {
   const cdn = await serveFolder(installed.folder, { "access-control-allow-origin": "*" });
   const script = elementScript(`${cdn.origin}${DIST}`);

@@ -1,9 +1,9 @@
-/** Why a page's browser began no worker, where the page itself keeps it from that; loaded when it has not. */
+/** Why a page's browser began no worker or found no three.js, where that is the page's own doing; loaded when it has not. */
 import { TexelcastError } from "../core/texelcast-error.ts";
 
 /**
- * The page's owner is told what to set, by "unsupported"; whatever else was thrown comes back as it is. Browsers tell of both in
- * words of their own alone: a page without an origin by a SecurityError, Trusted Types by a TypeError.
+ * The page's owner is told what to set, by "unsupported"; whatever else was thrown comes back as it is. Browsers tell of all this in
+ * words of their own alone: a page without an origin by a SecurityError, the others by a TypeError.
  */
 export function refused(thrown: unknown): unknown {
   if (thrown instanceof TexelcastError || !(thrown instanceof Error)) return thrown;
@@ -12,6 +12,14 @@ export function refused(thrown: unknown): unknown {
       field: "sandbox",
       hint: "Add allow-same-origin to the iframe's sandbox, beside allow-scripts.",
       reason: "no-origin",
+      cause: thrown,
+    });
+  }
+  if (thrown.name === "TypeError" && /(?:specifier|Module name).*\bthree\b/.test(thrown.message)) {
+    return new TexelcastError("unsupported", "The page does not say where three.js is.", {
+      field: "three",
+      hint: "Without a bundler take standalone.js, which has it inside, or write an import map: docs/guides/plain-html.md has both.",
+      reason: "no-three",
       cause: thrown,
     });
   }

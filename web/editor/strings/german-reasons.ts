@@ -69,6 +69,10 @@ export const BROWSERS: Reasons = {
     "Dieser Browser kann kein 3D zeigen: WebGL 2 ist abgeschaltet oder fehlt.",
     "Schalte die Hardwarebeschleunigung ein, oder nimm einen anderen Browser.",
   ],
+  "no-three": [
+    "Die Seite sagt nicht, wo three.js liegt.",
+    "Nimm ohne Bundler standalone.js, das es mitbringt, oder schreib eine Import-Map: beides steht in docs/guides/plain-html.md.",
+  ],
   "trusted-types": [
     "Die Trusted Types der Seite lassen den Worker der Mal-Engine nicht starten.",
     "Gib der Seite die Default-Policy aus docs/guides/plain-html.md.",
