@@ -18,13 +18,8 @@ async function openForPainting(editor: EditorPage): Promise<Point> {
   return editor.middleOfStage();
 }
 
-test("a pen draws though its hand lay down before it, and stays there between two strokes", async ({
-  editor,
-  page,
-}) => {
-  const middle = await openForPainting(editor);
-  const corner = () => page.evaluate(() => window.texelcast.project(0.5, 0.5, 0));
-  const before = await corner();
+/** A hand that lies on the screen, and the pen in it. */
+async function handAndPen(page: Page) {
   const cdp = await page.context().newCDPSession(page);
   const hand = (type: "touchStart" | "touchMove" | "touchEnd", ...points: Point[]) =>
     cdp.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(({ x, y }) => ({ x, y, id: 7 })) });
@@ -33,6 +28,17 @@ test("a pen draws though its hand lay down before it, and stays there between tw
       ...{ type, x, y, button: "left", clickCount: 1, pointerType: "pen", force: 0.5 },
       buttons: type === "mouseReleased" ? 0 : 1,
     });
+  return { hand, pen };
+}
+
+test("a pen draws though its hand lay down before it, and stays there between two strokes", async ({
+  editor,
+  page,
+}) => {
+  const middle = await openForPainting(editor);
+  const corner = () => page.evaluate(() => window.texelcast.project(0.5, 0.5, 0));
+  const before = await corner();
+  const { hand, pen } = await handAndPen(page);
   const places = { "on the model": { x: middle.x + 60, y: middle.y + 60 }, "beside it": { x: 40, y: middle.y } };
   for (const [name, place] of Object.entries(places)) {
     const count = (await strokes(editor)).length;
@@ -53,6 +59,57 @@ test("a pen draws though its hand lay down before it, and stays there between tw
     expect(Math.max(...drawn.flatMap(({ dabs }) => dabs.map(({ flow }) => flow)))).toBeLessThan(0.6);
   }
   expect(await corner(), "the hand turns nothing meanwhile").toEqual(before);
+});
+
+test("a pen moves a decal though its hand lay down on it before, or beside it, and though it comes down after", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const id = await editor.addDemoDecal("badge");
+  const { hand, pen } = await handAndPen(page);
+  const position = async (): Promise<readonly number[]> => {
+    const { projector } = await editor.decal(id);
+    return projector.kind === "planar" ? projector.position : [];
+  };
+  const corner = () => page.evaluate(() => window.texelcast.project(0.5, 0.5, 0));
+  const camera = await corner();
+  const start = await position();
+  const middle = await editor.pointOf(id);
+  const wander = async (from: Point): Promise<void> => {
+    for (let step = 1; step <= 4; step += 1) await hand("touchMove", { x: from.x + step * 6, y: from.y + step * 6 });
+  };
+  const slide = async (whileHeld = async (): Promise<void> => {}): Promise<void> => {
+    await pen("mousePressed", middle);
+    for (let step = 1; step <= 4; step += 1) await pen("mouseMoved", { x: middle.x + step * 15, y: middle.y });
+    await whileHeld();
+    await pen("mouseReleased", { x: middle.x + 60, y: middle.y });
+    await editor.idle();
+  };
+  await slide();
+  const wanted = await position();
+  expect(wanted).not.toEqual(start);
+  await page.keyboard.press("Control+z");
+
+  const on = { x: middle.x + 20, y: middle.y + 20 };
+  const beside = { x: 60, y: middle.y };
+  for (const [name, place] of Object.entries({ on, beside })) {
+    await hand("touchStart", place);
+    if (name === "on") await wander(place);
+    await slide(() => wander(place));
+    await hand("touchEnd");
+    expect(await position(), name).toEqual(wanted);
+    await page.keyboard.press("Control+z");
+    expect(await position(), `${name}, as one step`).toEqual(start);
+  }
+  await slide(async () => {
+    await hand("touchStart", on);
+    await wander(on);
+  });
+  await hand("touchEnd");
+  expect(await position(), "after the pen").toEqual(wanted);
+  expect(await corner(), "the hand turns nothing").toEqual(camera);
 });
 
 test("a pen's other end erases, and leaves the tool that was chosen", async ({ editor, page }) => {

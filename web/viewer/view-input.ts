@@ -94,8 +94,13 @@ export class ViewInput {
     if (event === this.#passOn) {
       return;
     }
-    if (this.#dragPointer !== null || this.#press?.grab) {
-      this.#onSecondPointer(event);
+    const first = this.#press?.grab ? this.#press.event : this.#dragPointer;
+    // The hand lies down before its pen does.
+    if (event.pointerType === "pen" && first?.pointerType === "touch") {
+      this.#gizmo.cancel();
+      this.#dragPointer = null;
+    } else if (first !== null) {
+      this.#onSecondPointer(first, event);
       return;
     }
     this.#press = null;
@@ -165,10 +170,9 @@ export class ViewInput {
     return true;
   }
 
-  /** A second finger on a decal that is held turns the press into the camera's pinch. */
-  #onSecondPointer(event: PointerEvent): void {
-    const first = this.#press?.event ?? this.#dragPointer;
-    if (event.pointerType !== "touch" || first === null || first.pointerId === event.pointerId) {
+  /** A second finger on a decal that is held turns the press into the camera's pinch. A palm beside a pen is nobody's. */
+  #onSecondPointer(first: PointerEvent, event: PointerEvent): void {
+    if (event.pointerType !== "touch" || first.pointerType !== "touch") {
       event.stopImmediatePropagation();
       return;
     }
@@ -186,10 +190,12 @@ export class ViewInput {
     if (this.#press !== null && this.#press.event.pointerId === event.pointerId) {
       this.#maybeStartSlide(this.#press, event);
     }
-    if (this.#dragPointer?.pointerId === event.pointerId) {
+    if (this.#dragPointer !== null) {
       event.stopImmediatePropagation();
-      this.#dragPointer = event;
-      this.#followPointer(event);
+      if (this.#dragPointer.pointerId === event.pointerId) {
+        this.#dragPointer = event;
+        this.#followPointer(event);
+      }
     } else if (event.buttons === 0 && event.pointerType !== "touch" && !this.#suspended) {
       this.#hoverEvent = event;
       this.#hoverTask.request();
