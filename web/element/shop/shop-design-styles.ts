@@ -151,7 +151,7 @@ export const designStyles = css`
     font-variant-numeric: tabular-nums;
   }
   /* Too low for a list between what stays: the panel goes by as a whole. */
-  @container texelcast (max-width: 704px) and (max-height: 26rem) {
+  @container texelcast (max-width: 704px) and (max-height: 416px) {
     .panel {
       overflow: auto;
     }
