@@ -1,33 +1,18 @@
 import { afterEach, describe, expect, it } from "vitest";
 import { readContainer } from "../../web/engine/gltf-container.ts";
-import { type JsonObject, listOf } from "../../web/engine/gltf-json.ts";
+import { listOf } from "../../web/engine/gltf-json.ts";
 import { decodeKtx2 } from "../../web/engine/ktx2-decoder.ts";
 import { loadModelFile } from "../../web/engine/model-loader.ts";
 import { imageBytes } from "../../web/engine/model-textures.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
-import { type BasisKind, ktx2File, softPicture } from "../support/ktx2-file.ts";
-import { buildGlb, type ModelParts, plane } from "../support/model-builder.ts";
+import { type BasisKind, KTX2_TEXTURE, ktx2File, ktx2Model, softPicture } from "../support/ktx2-file.ts";
 import { endHosts, startHost } from "../support/painted-plane.ts";
 import { solidPng } from "../support/png-file.ts";
 import { seeded } from "../support/seeded.ts";
 
 afterEach(endHosts);
 
-const KTX2 = "KHR_texture_basisu";
 const SOFT = softPicture(64, 32);
-const REQUIRED: JsonObject = { extensionsUsed: [KTX2], extensionsRequired: [KTX2] };
-
-/** A model whose one material has the picture as KTX 2.0 alone. */
-function model(ktx2: Uint8Array, parts: Partial<ModelParts> = {}): Uint8Array {
-  return buildGlb({
-    meshes: [plane(1, 0)],
-    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
-    textures: [{ extensions: { [KTX2]: { source: 0 } } }],
-    images: [{ bytes: ktx2, mimeType: "image/ktx2", name: "paint" }],
-    more: REQUIRED,
-    ...parts,
-  });
-}
 
 /** Of all four channels. */
 function decibel(a: Uint8Array, b: Uint8Array): number {
@@ -107,8 +92,8 @@ describe("a model with KTX2 textures alone", () => {
       { bytes: png, mimeType: "image/png" },
       { bytes: ktx2, mimeType: "image/ktx2", name: "paint" },
     ];
-    const textures = [{ source: 0 }, { extensions: { [KTX2]: { source: 1 } } }];
-    const loaded = await loadModelFile({ name: "k.glb", bytes: model(ktx2, { images, textures }) });
+    const textures = [{ source: 0 }, { extensions: { [KTX2_TEXTURE]: { source: 1 } } }];
+    const loaded = await loadModelFile({ name: "k.glb", bytes: ktx2Model(ktx2, { images, textures }) });
     const { json, binary } = readContainer({ name: "shown", bytes: loaded.glb });
     expect(json.textures).toEqual([{ source: 0 }, { source: 1, extensions: {} }]);
     expect(json.extensionsUsed).toBeUndefined();
@@ -121,7 +106,7 @@ describe("a model with KTX2 textures alone", () => {
   it("is painted on what they show", async () => {
     const ktx2 = await ktx2File(SOFT, "UASTC");
     const engine = startHost();
-    const info = await engine.loadModel({ name: "k.glb", bytes: model(ktx2) });
+    const info = await engine.loadModel({ name: "k.glb", bytes: ktx2Model(ktx2) });
     expect(info.materials[0]).toMatchObject({ textureSize: [64, 32] });
     await engine.openTarget({ material: 0 });
     expect((await decodePicture(await engine.exportPng(0), "painted")).rgba).toEqual(
@@ -132,9 +117,9 @@ describe("a model with KTX2 textures alone", () => {
   it("is written with the painted texture as PNG and the others as they came", async () => {
     const ktx2 = await ktx2File(SOFT, "ETC1S");
     const other = await ktx2File(softPicture(8, 8), "UASTC");
-    const bytes = model(ktx2, {
+    const bytes = ktx2Model(ktx2, {
       materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } }, normalTexture: { index: 1 } }],
-      textures: [{ extensions: { [KTX2]: { source: 0 } } }, { extensions: { [KTX2]: { source: 1 } } }],
+      textures: [{ extensions: { [KTX2_TEXTURE]: { source: 0 } } }, { extensions: { [KTX2_TEXTURE]: { source: 1 } } }],
       images: [
         { bytes: ktx2, mimeType: "image/ktx2" },
         { bytes: other, mimeType: "image/ktx2" },
@@ -145,18 +130,18 @@ describe("a model with KTX2 textures alone", () => {
     await engine.openTarget({ material: 0 });
     const { json, binary } = readContainer({ name: "written", bytes: await engine.exportGlb() });
     expect(listOf(json, "images", "written")[0]?.mimeType).toBe("image/png");
-    expect(json.textures).toEqual([{ source: 0 }, { extensions: { [KTX2]: { source: 1 } } }]);
-    expect(json.extensionsRequired).toEqual([KTX2]);
+    expect(json.textures).toEqual([{ source: 0 }, { extensions: { [KTX2_TEXTURE]: { source: 1 } } }]);
+    expect(json.extensionsRequired).toEqual([KTX2_TEXTURE]);
     expect(imageBytes(json, binary, 1, "written")?.bytes).toEqual(other);
   });
 
   it("is refused with the name of a damaged one, and what was open stays", async () => {
     const ktx2 = await ktx2File(SOFT, "ETC1S");
     const engine = startHost();
-    await engine.loadModel({ name: "good.glb", bytes: model(ktx2) });
+    await engine.loadModel({ name: "good.glb", bytes: ktx2Model(ktx2) });
     await engine.openTarget({ material: 0 });
     const before = await engine.hash(0);
-    const broken = { name: "broken.glb", bytes: model(ktx2.slice(0, 150)) };
+    const broken = { name: "broken.glb", bytes: ktx2Model(ktx2.slice(0, 150)) };
     await expect(engine.loadModel(broken)).rejects.toMatchObject({
       code: "bad-picture",
       subject: "broken.glb, paint",
@@ -170,8 +155,8 @@ describe("a texture that offers a plain picture beside KTX2", () => {
   it("is read from the plain one, even where the extension is required", async () => {
     const png = solidPng(4, 4, [10, 200, 30, 255]);
     const engine = startHost();
-    const bytes = model(await ktx2File(SOFT, "ETC1S"), {
-      textures: [{ source: 1, extensions: { [KTX2]: { source: 0 } } }],
+    const bytes = ktx2Model(await ktx2File(SOFT, "ETC1S"), {
+      textures: [{ source: 1, extensions: { [KTX2_TEXTURE]: { source: 0 } } }],
       images: [
         { bytes: Uint8Array.of(1, 2, 3, 4), mimeType: "image/ktx2" },
         { bytes: png, mimeType: "image/png" },

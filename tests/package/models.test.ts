@@ -4,29 +4,18 @@ import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { renderPrint } from "../../node/print.ts";
 import { compressedModels } from "../support/compressed-models.ts";
-import { ktx2File, softPicture } from "../support/ktx2-file.ts";
-import { buildGlb, cube, plane } from "../support/model-builder.ts";
+import { ktx2File, ktx2Model, softPicture } from "../support/ktx2-file.ts";
+import { buildGlb, cube } from "../support/model-builder.ts";
 import { type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
 
 let installed: InstalledPackage;
 let models: Readonly<Record<"draco" | "meshopt" | "KTX2", Uint8Array>>;
 beforeAll(async () => {
   const geometry = await compressedModels(buildGlb({ meshes: [cube(0)], materials: [{ name: "sides" }] }));
-  models = { ...geometry, KTX2: await modelWithKtx2() };
+  models = { ...geometry, KTX2: ktx2Model(await ktx2File(softPicture(32, 32), "ETC1S")) };
   installed = await installPackage();
 });
 afterAll(() => installed.remove());
-
-async function modelWithKtx2(): Promise<Uint8Array> {
-  const extension = "KHR_texture_basisu";
-  return buildGlb({
-    meshes: [plane(1, 0)],
-    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
-    textures: [{ extensions: { [extension]: { source: 0 } } }],
-    images: [{ bytes: await ktx2File(softPicture(32, 32), "ETC1S"), mimeType: "image/ktx2" }],
-    more: { extensionsUsed: [extension], extensionsRequired: [extension] },
-  });
-}
 
 const DESIGN = { format: "texelcast-design", version: 1, layers: [{ type: "fill", color: "#123456", opacity: 0.5 }] };
 

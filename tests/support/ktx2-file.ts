@@ -1,6 +1,7 @@
 /** KTX 2.0 files of Basis Universal, encoded as tests need them. */
 import * as encoders from "ktx2-encoder";
 import type { Picture } from "../../web/engine/engine-api.ts";
+import { buildGlb, type ModelParts, plane } from "./model-builder.ts";
 
 export type BasisKind = "ETC1S" | "UASTC" | "UASTC, packed by Zstandard";
 
@@ -50,4 +51,19 @@ export function softPicture(width: number, height: number): Picture {
     }
   }
   return { width, height, rgba };
+}
+
+/** The extension that says that a texture is KTX 2.0. */
+export const KTX2_TEXTURE = "KHR_texture_basisu";
+
+/** A square whose one material has the picture as KTX 2.0 alone. */
+export function ktx2Model(ktx2: Uint8Array, parts: Partial<ModelParts> = {}): Uint8Array {
+  return buildGlb({
+    meshes: [plane(1, 0)],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    textures: [{ extensions: { [KTX2_TEXTURE]: { source: 0 } } }],
+    images: [{ bytes: ktx2, mimeType: "image/ktx2", name: "paint" }],
+    more: { extensionsUsed: [KTX2_TEXTURE], extensionsRequired: [KTX2_TEXTURE] },
+    ...parts,
+  });
 }
