@@ -15,11 +15,19 @@ const AS_PNG = "Export the model with PNG, JPEG or WebP textures.";
 
 let started: Promise<BasisTranscoder> | null = null;
 
+/** Rejects with "missing-file" and what WebAssembly says; a later call tries again. */
+function transcoder(): Promise<BasisTranscoder> {
+  started ??= startBasis().catch((error: unknown) => {
+    started = null;
+    throw error;
+  });
+  return started;
+}
+
 /** The finest level of a 2D texture. Rejects with "bad-picture" naming the file, and with "missing-file". */
 export async function decodeKtx2(bytes: Uint8Array, name: string): Promise<Picture> {
-  started ??= startBasis();
+  const { KTX2File } = await transcoder();
   try {
-    const { KTX2File } = await started;
     const file = new KTX2File(bytes);
     try {
       return readFile(file, name);
@@ -28,10 +36,9 @@ export async function decodeKtx2(bytes: Uint8Array, name: string): Promise<Pictu
       file.delete();
     }
   } catch (cause) {
-    if (cause instanceof TexelcastError && cause.code === "bad-picture") throw cause;
-    // After a trap its memory is not to be trusted; and what did not start may do so the next time.
-    started = null;
     if (cause instanceof TexelcastError) throw cause;
+    // After a trap its memory is not to be trusted.
+    started = null;
     throw damaged(name, cause);
   }
 }
