@@ -6,10 +6,18 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { readCodec } from "./codec-wasm.ts";
 import { stringifyExact } from "./exact-numbers.ts";
-import { badContainer, indexAt, isObject, type JsonObject, listForWriting, listOf, objectAt } from "./gltf-json.ts";
+import {
+  badContainer,
+  extensionsUsed,
+  indexAt,
+  isObject,
+  type JsonObject,
+  listForWriting,
+  listOf,
+  objectAt,
+} from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
-import { DRACO } from "./model-extensions.ts";
-import { compressionOf } from "./readable-model.ts";
+import { COMPRESSION, DRACO } from "./model-extensions.ts";
 
 const [EXT_MESHOPT, KHR_MESHOPT] = MESHOPT_EXTENSIONS;
 
@@ -28,7 +36,8 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
   const json = withExtMeshopt(JSON.parse(stringifyExact(packed.json)) as JsonObject, name);
   checkMeshoptSizes(json, name);
   fillTextures(json, name);
-  const used = compressionOf(json);
+  const names = extensionsUsed(json);
+  const used = COMPRESSION.filter((extension) => names.includes(extension));
   const [{ GLB_BUFFER, Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([
     import("@gltf-transform/core"),
     import("@gltf-transform/extensions"),

@@ -2,13 +2,13 @@
 import type { ModelSource } from "./engine-api.ts";
 import { type GltfContainer, readContainer, writeGlb } from "./gltf-container.ts";
 import { extensionsUsed } from "./gltf-json.ts";
-import { MESHOPT_EXTENSIONS, type PackedGltf, packGltf } from "./gltf-packer.ts";
-import { DRACO, INSTANCES } from "./model-extensions.ts";
+import { type PackedGltf, packGltf } from "./gltf-packer.ts";
+import { COMPRESSION, INSTANCES } from "./model-extensions.ts";
 import { BASISU_TEXTURE, findBaseTexture, imageBytes } from "./model-textures.ts";
 import { readPictureHeader } from "./picture-header.ts";
 
 /** What `readableModel` undoes. */
-const UNUSUAL: readonly string[] = [BASISU_TEXTURE, DRACO, INSTANCES, ...MESHOPT_EXTENSIONS];
+const UNUSUAL: readonly string[] = [BASISU_TEXTURE, ...COMPRESSION, INSTANCES];
 
 export interface LoadedModel {
   readonly name: string;

@@ -1,8 +1,8 @@
 /** What few models have, undone, each by what is loaded for it alone: KTX2 textures, compressed geometry, instances. */
 import { writeGlb } from "./gltf-container.ts";
-import { extensionsUsed, type JsonObject } from "./gltf-json.ts";
-import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
-import { DRACO, INSTANCES } from "./model-extensions.ts";
+import { extensionsUsed } from "./gltf-json.ts";
+import type { PackedGltf } from "./gltf-packer.ts";
+import { COMPRESSION, INSTANCES } from "./model-extensions.ts";
 import { BASISU_TEXTURE } from "./model-textures.ts";
 
 export interface ReadableModel {
@@ -12,22 +12,15 @@ export interface ReadableModel {
   readonly glb: Uint8Array;
 }
 
-/** The compression extensions that a model uses. */
-export function compressionOf(json: JsonObject): readonly string[] {
-  const used = extensionsUsed(json);
-  return [DRACO, ...MESHOPT_EXTENSIONS].filter((extension) => used.includes(extension));
-}
-
 /** `given.json` may change. Rejects as `loadModelFile` says. */
 export async function readableModel(given: PackedGltf, name: string): Promise<ReadableModel> {
   const used = extensionsUsed(given.json);
   const packed = used.includes(BASISU_TEXTURE)
     ? await (await import("./basis-textures.ts")).withoutBasis(given, name)
     : given;
-  const glb =
-    compressionOf(packed.json).length > 0
-      ? await (await import("./model-decoder.ts")).decodeModel(packed, name)
-      : writeGlb(packed.json, packed.binary);
+  const glb = COMPRESSION.some((extension) => used.includes(extension))
+    ? await (await import("./model-decoder.ts")).decodeModel(packed, name)
+    : writeGlb(packed.json, packed.binary);
   // What says where instances stand may be compressed itself.
   return {
     packed,
