@@ -8,5 +8,7 @@ export default defineConfig({
     // A bake or a Draco decode in WebAssembly on a busy two-core machine takes seconds, not the default's five.
     testTimeout: 60_000,
     hookTimeout: 60_000,
+    // One for each processor: the default leaves one idle, which is half of a small machine.
+    maxWorkers: "100%",
   },
 });
