@@ -1,7 +1,7 @@
 /** Changes pictures inside a GLB's BIN chunk, and the buffer views that say where everything lies. */
-import { padded } from "./gltf-container.ts";
 import { indexAt, type JsonObject, listForWriting, listOf } from "./gltf-json.ts";
 import { bufferPlaces } from "./gltf-packer.ts";
+import { GrowingBinary } from "./growing-binary.ts";
 
 /** Bytes behind a picture that is cut out move by a multiple of this, so that every accessor stays aligned. */
 const ALIGNMENT = 16;
@@ -9,16 +9,13 @@ const ALIGNMENT = 16;
 export class BinaryEditor {
   readonly #json: JsonObject;
   readonly #name: string;
-  #binary: Uint8Array;
-  readonly #added: { readonly offset: number; readonly bytes: Uint8Array }[] = [];
-  #length: number;
+  readonly #binary: GrowingBinary;
 
   /** `json` is changed in place; `binary` is only read. */
   constructor(json: JsonObject, binary: Uint8Array | null, name: string) {
     this.#json = json;
     this.#name = name;
-    this.#binary = binary ?? new Uint8Array();
-    this.#length = this.#binary.length;
+    this.#binary = new GrowingBinary(binary);
   }
 
   /** Adds a picture and returns its index in "images". */
@@ -35,7 +32,7 @@ export class BinaryEditor {
     if (view === undefined) image.bufferView = this.#addView(png);
     else {
       this.#cut(view);
-      view.byteOffset = this.#append(png);
+      view.byteOffset = this.#binary.append(png, ALIGNMENT);
       view.byteLength = png.length;
     }
     image.mimeType = "image/png";
@@ -43,26 +40,13 @@ export class BinaryEditor {
 
   /** The BIN with all changes; "buffers" says its length. */
   finish(): Uint8Array | null {
-    if (this.#length === 0) return null;
-    const joined = new Uint8Array(padded(this.#length));
-    joined.set(this.#binary);
-    for (const { offset, bytes } of this.#added) joined.set(bytes, offset);
-    const buffers = listForWriting(this.#json, "buffers", this.#name);
-    buffers[0] = { ...buffers[0], byteLength: this.#length };
-    return joined;
+    return this.#binary.length === 0 ? null : this.#binary.finish(this.#json, this.#name);
   }
 
   #addView(bytes: Uint8Array): number {
     const views = listForWriting(this.#json, "bufferViews", this.#name);
-    views.push({ buffer: 0, byteOffset: this.#append(bytes), byteLength: bytes.length });
+    views.push({ buffer: 0, byteOffset: this.#binary.append(bytes, ALIGNMENT), byteLength: bytes.length });
     return views.length - 1;
-  }
-
-  #append(bytes: Uint8Array): number {
-    const offset = padded(this.#length, ALIGNMENT);
-    this.#added.push({ offset, bytes });
-    this.#length = offset + bytes.length;
-    return offset;
   }
 
   /** The buffer view that image `index` has to itself; undefined when another image or an accessor shares it. */
@@ -85,19 +69,12 @@ export class BinaryEditor {
       const from = indexAt(place, "byteOffset") ?? 0;
       return from < end && from + (indexAt(place, "byteLength") ?? 0) > start;
     });
-    if (overlapped || indexAt(view, "buffer") !== 0 || end > this.#binary.length) return;
+    if (overlapped || indexAt(view, "buffer") !== 0 || end > this.#binary.old.length) return;
     const length = Math.floor((end - start) / ALIGNMENT) * ALIGNMENT;
-    const kept = new Uint8Array(this.#binary.length - length);
-    kept.set(this.#binary.subarray(0, start));
-    kept.set(this.#binary.subarray(start + length), start);
-    this.#binary = kept;
-    this.#length -= length;
+    this.#binary.cut(start, length);
     for (const place of places) {
       const offset = indexAt(place, "byteOffset") ?? 0;
       if (offset >= end) place.byteOffset = offset - length;
-    }
-    for (const [i, { offset, bytes }] of this.#added.entries()) {
-      if (offset >= end) this.#added[i] = { offset: offset - length, bytes };
     }
   }
 }

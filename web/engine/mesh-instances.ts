@@ -3,11 +3,11 @@
  * knows them as any other mesh in several places.
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { Accessors } from "./accessors.ts";
 import { forgetExtension } from "./extension-names.ts";
 import { parseJson, readContainer, writeGlb } from "./gltf-container.ts";
 import { badContainer, indexAt, type JsonObject, listForWriting, objectAt } from "./gltf-json.ts";
 import { INSTANCES } from "./model-extensions.ts";
-import { Accessors } from "./unwrap/accessors.ts";
 
 /** Each becomes a node and is baked. */
 const MOST_INSTANCES = 65_536;

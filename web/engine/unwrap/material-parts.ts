@@ -1,6 +1,7 @@
 /** The triangles of one material, from all meshes of a model, as they are unwrapped: in the file's own order. */
+
+import type { Accessors } from "../accessors.ts";
 import { badContainer, indexAt, isObject, type JsonObject, listOf, objectAt, textAt } from "../gltf-json.ts";
-import type { Accessors } from "./accessors.ts";
 import type { ChartMesh } from "./chart-atlas.ts";
 import { isMirroring, type Linear, scaleOfMesh, turned } from "./part-scale.ts";
 import type { TexturePlace } from "./uv-transform.ts";

@@ -1,6 +1,7 @@
 /** How large a mesh stands in its scene: charts are cut and measured by the size that a viewer sees (glTF 2.0, 3.5.3). */
+
+import type { Accessors } from "../accessors.ts";
 import { indexAt, type JsonObject, listOf } from "../gltf-json.ts";
-import type { Accessors } from "./accessors.ts";
 
 /** Columns of a linear map. */
 export type Linear = readonly [

@@ -5,6 +5,7 @@
  */
 import { Filters } from "../../core/abi.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { Accessors } from "../accessors.ts";
 import { loadBasePicture } from "../base-picture.ts";
 import type { ModelSource, Picture } from "../engine-api.ts";
 import { parseJson, readContainer, writeGlb } from "../gltf-container.ts";
@@ -13,7 +14,6 @@ import { loadModelFile } from "../model-loader.ts";
 import { findBaseTexture } from "../model-textures.ts";
 import { type TextureEdit, writeModel } from "../model-writer.ts";
 import { encodePng } from "../png-encoder.ts";
-import { Accessors } from "./accessors.ts";
 import { layOutCharts } from "./chart-atlas.ts";
 import { chartMeshes, type MaterialPart, readPart, usesOf } from "./material-parts.ts";
 import { type MovedTriangles, resampleTexture, type Wrap } from "./texture-resampler.ts";

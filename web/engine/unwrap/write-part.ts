@@ -1,6 +1,7 @@
 /** A primitive written with a further set of texture coordinates: all else of each corner stays as it was, byte for byte. */
+
+import type { Accessors, Elements } from "../accessors.ts";
 import { indexAt, isObject, type JsonObject, objectAt } from "../gltf-json.ts";
-import type { Accessors, Elements } from "./accessors.ts";
 import type { MaterialPart } from "./material-parts.ts";
 
 /**

@@ -1,5 +1,5 @@
 /** Takes out of a model the accessors that others have replaced, with their bytes, where nobody else can mean them. */
-import { indexAt, isObject, type JsonObject, type JsonValue, listOf, objectAt } from "../gltf-json.ts";
+import { indexAt, isObject, type JsonObject, type JsonValue, listOf, objectAt } from "./gltf-json.ts";
 
 /** Accessors stay aligned where what lies before them shrinks by a multiple of this, bytes. */
 const ALIGNMENT = 16;

@@ -2,9 +2,10 @@
  * A model's accessors, read for changing a mesh: as numbers, and as the bytes of single elements, so that what is only
  * moved (joints, weights, morph targets, quantised places) comes out as it went in. glTF 2.0, 3.6.2.
  */
-import { padded } from "../gltf-container.ts";
-import { badContainer, indexAt, type JsonObject, listForWriting, listOf, objectAt, textAt } from "../gltf-json.ts";
 import { dropReplaced } from "./drop-replaced.ts";
+import { padded } from "./gltf-container.ts";
+import { badContainer, indexAt, type JsonObject, listForWriting, listOf, objectAt, textAt } from "./gltf-json.ts";
+import { GrowingBinary } from "./growing-binary.ts";
 
 const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
 /** Columns and rows; a matrix's columns begin at multiples of four bytes. */
@@ -37,18 +38,15 @@ export interface Elements {
  */
 export class Accessors {
   readonly #json: JsonObject;
-  readonly #binary: Uint8Array;
+  readonly #binary: GrowingBinary;
   readonly #name: string;
-  readonly #added: { readonly offset: number; readonly bytes: Uint8Array }[] = [];
   readonly #replaced = new Set<number>();
-  #length: number;
 
   /** `json` is changed in place; `binary` is only read. `name` is the file that errors name. */
   constructor(json: JsonObject, binary: Uint8Array | null, name: string) {
     this.#json = json;
-    this.#binary = binary ?? new Uint8Array();
+    this.#binary = new GrowingBinary(binary);
     this.#name = name;
-    this.#length = this.#binary.length;
   }
 
   /** The accessor's own JSON. Throws "bad-container" where there is none. */
@@ -144,12 +142,7 @@ export class Accessors {
 
   /** The BIN with all that was added, and without what was replaced; "buffers" says its length. */
   finish(): Uint8Array {
-    const joined = new Uint8Array(padded(this.#length));
-    joined.set(this.#binary);
-    for (const { offset, bytes } of this.#added) joined.set(bytes, offset);
-    const buffers = listForWriting(this.#json, "buffers", this.#name);
-    buffers[0] = { ...buffers[0], byteLength: this.#length };
-    return dropReplaced(this.#json, joined, this.#replaced, this.#name);
+    return dropReplaced(this.#json, this.#binary.finish(this.#json, this.#name), this.#replaced, this.#name);
   }
 
   #push(accessor: JsonObject): number {
@@ -157,9 +150,7 @@ export class Accessors {
   }
 
   #addView(bytes: Uint8Array, about: JsonObject): number {
-    const byteOffset = padded(this.#length, ALIGNMENT);
-    this.#added.push({ offset: byteOffset, bytes });
-    this.#length = byteOffset + bytes.length;
+    const byteOffset = this.#binary.append(bytes, ALIGNMENT);
     const views = listForWriting(this.#json, "bufferViews", this.#name);
     return views.push({ buffer: 0, byteOffset, byteLength: bytes.length, ...about }) - 1;
   }
@@ -186,12 +177,12 @@ export class Accessors {
     const stride = indexAt(view, "byteStride") ?? elementBytes;
     const start = (indexAt(view, "byteOffset") ?? 0) + offset;
     const end = (indexAt(view, "byteOffset") ?? 0) + (indexAt(view, "byteLength") ?? 0);
-    if (count > 0 && (start + (count - 1) * stride + elementBytes > end || end > this.#binary.length)) {
+    if (count > 0 && (start + (count - 1) * stride + elementBytes > end || end > this.#binary.old.length)) {
       throw this.#fault(index, "reaches beyond its buffer view");
     }
     for (let i = 0; i < count; i++) {
       const from = start + i * stride;
-      target.set(this.#binary.subarray(from, from + elementBytes), i * elementBytes);
+      target.set(this.#binary.old.subarray(from, from + elementBytes), i * elementBytes);
     }
   }
 
