@@ -96,3 +96,75 @@ test("a mask's link to its layer can be taken off, in its fields and in the menu
   await page.locator("tc-layer-list .more button").first().click();
   await expect(page.getByRole("menuitem", { name: "Unlink mask from layer" })).toBeVisible();
 });
+
+test("a group's mask goes with the group by pointer, handles and keys, and stays while a part of it is moved", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const badge = await editor.addDemoDecal("badge");
+  const at = await editor.pointOf(badge);
+  await editor.drag(at, { x: at.x - 90, y: at.y - 60 }, 4);
+  const from = await editor.pointOf(badge);
+  await editor.addDemoDecal("number");
+  await page.keyboard.press("Control+a");
+  await page.keyboard.press("Control+g");
+  await page.locator("tc-layer-list .more button").first().click();
+  await page.getByRole("menuitem", { name: "Add mask that shows all" }).click();
+  await page.getByRole("radio", { name: "Eraser" }).click();
+  await editor.drag({ x: from.x - 20, y: from.y - 10 }, { x: from.x + 10, y: from.y - 10 }, 4);
+  await page.keyboard.press("v");
+  await expect(page.getByRole("button", { name: "Moves with the layer" })).toHaveAttribute("aria-pressed", "true");
+
+  /** Where the dab is on the badge, in parts of its width, and how the dab is turned there, degrees. */
+  const held = async (): Promise<{ badge: readonly number[]; onBadge: readonly number[] }> => {
+    const [group] = (await editor.design()).layers;
+    const stroke = group?.mask?.layers[0];
+    const dab = stroke?.type === "stroke" ? stroke.dabs[0] : undefined;
+    const picture = group?.type === "group" ? group.layers[0] : undefined;
+    if (picture?.type !== "decal" || picture.projector.kind !== "planar" || dab?.kind !== "planar") {
+      throw new Error("The group or its mask is no more.");
+    }
+    const { position, rotation, size } = picture.projector;
+    const spin = (each: readonly number[]): number => 2 * Math.atan2(each[2] ?? 0, each[3] ?? 1);
+    const angle = -spin(rotation);
+    const [x, y] = [0, 1].map((axis) => (dab.position[axis] ?? 0) - (position[axis] ?? 0)) as [number, number];
+    const along = (x * Math.cos(angle) - y * Math.sin(angle)) / size[0];
+    const up = (x * Math.sin(angle) + y * Math.cos(angle)) / size[0];
+    return { badge: [...position, ...rotation, ...size], onBadge: [along, up, Math.sin(spin(dab.rotation) + angle)] };
+  };
+  const start = await held();
+  const hashes = [await editor.settledHash()];
+  const same = start.onBadge.map((part) => expect.closeTo(part, 4));
+  const moved = async (why: string): Promise<void> => {
+    const now = await held();
+    expect(now.badge, why).not.toEqual(start.badge);
+    expect(now.onBadge, why).toEqual(same);
+    hashes.push(await editor.settledHash());
+  };
+  await editor.drag(from, { x: from.x + 50, y: from.y + 30 }, 4, async () => {
+    expect((await held()).onBadge, "while it is dragged").toEqual(same);
+  });
+  await moved("dragged");
+  await editor.view.focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  await moved("by a key");
+  await page.keyboard.press("Shift+BracketLeft");
+  await moved("turned by a key");
+  const corner = await editor.handle("se");
+  await editor.drag(corner, { x: corner.x - 20, y: corner.y - 20 }, 4);
+  await moved("sized by a handle");
+  for (const hash of hashes.slice(0, -1).toReversed()) {
+    await page.keyboard.press("Control+z");
+    await expect.poll(() => editor.settledHash()).toBe(hash);
+  }
+  expect(await held()).toEqual(start);
+
+  await editor.select(badge);
+  await editor.view.focus();
+  await page.keyboard.press("Shift+ArrowUp");
+  const alone = await held();
+  expect(alone.badge).not.toEqual(start.badge);
+  expect(alone.onBadge, "a part of the group moves behind the mask").not.toEqual(same);
+});

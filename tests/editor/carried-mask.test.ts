@@ -7,7 +7,7 @@ import {
   makeFillLayer,
   makeStrokeLayer,
 } from "../../web/editor/document/index.ts";
-import { carriedMask, maskGoesAlong } from "../../web/editor/state/carried-mask.ts";
+import { carriedGroupMask, carriedMask, maskGoesAlong } from "../../web/editor/state/carried-mask.ts";
 import type { NearSurface } from "../../web/editor/state/carried-projector.ts";
 import { spun } from "../../web/editor/state/rotation.ts";
 import type {
@@ -34,7 +34,7 @@ const flat: NearSurface = ([x, y]) => ({ position: [x, y, 0] });
 const nowhere: NearSurface = () => null;
 
 function carried(start: Projector, now: Projector, layer: MaskLayer, near = flat): MaskLayer {
-  const mask = carriedMask({ projector: start, mask: maskOf(layer) }, now, near);
+  const mask = carriedMask({ projector: start, mask: maskOf(layer), mirror: null }, now, near);
   return mask?.layers[0] as MaskLayer;
 }
 function carriedDab(start: Projector, now: Projector, dab: Dab, near = flat): Dab {
@@ -141,13 +141,13 @@ describe("a mask goes with its layer", () => {
 describe("a mask stays as it is", () => {
   const now: PlanarProjector = { ...FRONT, position: [2, 0, 0] };
   const stays = (mask: Mask, goal: Projector = now): void =>
-    expect(carriedMask({ projector: FRONT, mask }, goal, flat)).toBe(mask);
+    expect(carriedMask({ projector: FRONT, mask, mirror: null }, goal, flat)).toBe(mask);
 
   it("where it is not linked, or its layer is where it was", () => {
     const mask = maskOf(strokeOf(dabAt([1.123456789, 0, 0])));
     stays({ ...mask, linked: false });
     stays(mask, { ...FRONT });
-    expect(carriedMask({ projector: FRONT, mask: null }, now, flat)).toBeNull();
+    expect(carriedMask({ projector: FRONT, mask: null, mirror: null }, now, flat)).toBeNull();
   });
 
   it("where its layer is thrown as another kind", () => {
@@ -159,9 +159,80 @@ describe("a mask stays as it is", () => {
     const uv: UvProjector = { kind: "uv", center: [0.5, 0.5], size: [1, 1], angle: 0 };
     const sheet = makeDecalLayer({ id: "sheet", asset: "pixels", projector: uv });
     stays(maskOf(fill, sheet, strokeOf({ ...uv, flow: 1 })));
-    expect(maskGoesAlong({ projector: FRONT, mask: maskOf(fill, strokeOf(dabAt([1, 0, 0]))) })).toBe(true);
-    expect(maskGoesAlong({ projector: FRONT, mask: maskOf(fill, sheet) })).toBe(false);
-    expect(maskGoesAlong({ projector: uv, mask: maskOf(sheet) })).toBe(true);
-    expect(maskGoesAlong({ projector: uv, mask: { ...maskOf(), linked: false } })).toBe(false);
+    expect(maskGoesAlong(maskOf(fill, strokeOf(dabAt([1, 0, 0]))), [{ projector: FRONT }])).toBe(true);
+    expect(maskGoesAlong(maskOf(fill, sheet), [{ projector: FRONT }])).toBe(false);
+    expect(maskGoesAlong(maskOf(sheet), [{ projector: uv }])).toBe(true);
+    expect(maskGoesAlong({ ...maskOf(), linked: false }, [{ projector: uv }])).toBe(false);
   });
+});
+
+describe("the mask of a group goes with the pictures in it", () => {
+  const picture = (x: number, rest: Partial<PlanarProjector> = {}) => ({
+    projector: { ...FRONT, position: [x, 0, 0] as Vec3, ...rest },
+    mirror: null,
+  });
+  const [left, right] = [picture(0), picture(4)];
+  const dabsOf = (mask: Mask | null): (readonly [number, number, number])[] =>
+    (mask?.layers ?? []).flatMap((layer) =>
+      layer.type === "stroke" ? layer.dabs.flatMap((dab) => (dab.kind === "uv" ? [] : [dab.position])) : [],
+    );
+
+  it("each thing in it as it would on the picture that it is nearest to", () => {
+    const mask = maskOf(strokeOf(dabAt([0.5, 0, 0]), dabAt([2.5, 0, 0]), dabAt([3.5, 0.2, 0])));
+    const up = { ...left.projector, position: [0, 1, 0] } as const;
+    const turned = { ...right.projector, rotation: spun(FRONT.rotation, 90) };
+    const carried = carriedGroupMask(mask, [left, right], [up, turned], flat);
+    expect(dabsOf(carried)).toEqual(
+      near([
+        [0.5, 1, 0],
+        [4, -1.5, 0],
+        [3.8, -0.5, 0],
+      ]),
+    );
+    expect(carriedGroupMask(mask, [left, right], [left.projector, right.projector], flat)).toBe(mask);
+    expect(carriedGroupMask({ ...mask, linked: false }, [left], [up], flat)).toMatchObject({ layers: mask.layers });
+  });
+
+  it("as one body where they are moved as one, gradients too", () => {
+    const stops = [
+      { offset: 0, color: "#000000" },
+      { offset: 1, color: "#00000000" },
+    ];
+    const fill = makeFillLayer({ id: "f", color: "#000000" });
+    const gradient = { kind: "linear", from: [-1, 0, 0], to: [5, 0, 0], stops } as const;
+    const mask = maskOf({ ...fill, gradient }, strokeOf(dabAt([1.9, 0, 0]), dabAt([2.1, 0, 0])));
+    const about = (x: number): PlanarProjector => ({
+      ...FRONT,
+      position: [2, x - 2, 0],
+      rotation: spun([0, 0, 0, 1], 90),
+    });
+    const carried = carriedGroupMask(mask, [left, right], [about(0), about(4)], flat);
+    expect(carried?.layers[0]).toMatchObject(near({ gradient: { from: [2, -3, 0], to: [2, 3, 0] } }) as object);
+    expect(dabsOf(carried)).toEqual(
+      near([
+        [2, -0.1, 0],
+        [2, 0.1, 0],
+      ]),
+    );
+  });
+
+  it("what lies in a texture with the stamps alone", () => {
+    const stamp: UvProjector = { kind: "uv", center: [0.2, 0.2], size: [0.1, 0.1], angle: 0 };
+    const other: UvProjector = { ...stamp, center: [0.8, 0.8] };
+    const mask = maskOf(strokeOf({ ...other, center: [0.7, 0.7], flow: 1 }, dabAt([0.5, 0, 0])));
+    const pictures = [left, { projector: stamp, mirror: null }, { projector: other, mirror: null }];
+    const moved: UvProjector = { ...other, center: [0.9, 0.8] };
+    const carried = carriedGroupMask(mask, pictures, [{ ...left.projector, position: [1, 0, 0] }, stamp, moved], flat);
+    expect(carried?.layers[0]).toMatchObject({ dabs: [{ center: near([0.8, 0.7]) }, { position: near([1.5, 0, 0]) }] });
+    expect(maskGoesAlong(mask, pictures)).toBe(true);
+    expect(maskGoesAlong(mask, [left])).toBe(false);
+  });
+});
+
+it("what masks a layer where its mirror shows it goes as that does", () => {
+  const mirror = { axis: "x", offset: 0, readable: false } as const;
+  const layer = { projector: FRONT, mirror, mask: maskOf(strokeOf(dabAt([1.5, 0, 0]), dabAt([-1.5, 0, 0]))) };
+  const now: PlanarProjector = { ...FRONT, position: [2, 0.5, 0], rotation: spun(FRONT.rotation, 90) };
+  const [stroke] = carriedMask(layer, now, flat)?.layers ?? [];
+  expect(stroke).toMatchObject({ dabs: [{ position: near([2, 1, 0]) }, { position: near([-2, 1, 0]) }] });
 });

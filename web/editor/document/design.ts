@@ -76,7 +76,7 @@ export interface Mask {
   readonly layers: readonly MaskLayer[];
   /** One minus the alpha instead. */
   readonly invert: boolean;
-  /** In the editor, what is in the mask of a decal or a text goes along when that is moved, turned or sized. */
+  /** In the editor, what is in the mask of a decal, a text or a group goes along when that is moved, turned or sized. */
   readonly linked: boolean;
 }
 

@@ -28,7 +28,7 @@ import { alignedGradient, fadingGradient } from "../state/aligned-gradient.ts";
 import type { ClipboardCommands } from "../state/clipboard-commands.ts";
 import type { Editor } from "../state/editor.ts";
 import { layerBelow } from "../state/layer-merge.ts";
-import { maskFade } from "../state/mask-edits.ts";
+import { canGoAlong, maskFade } from "../state/mask-edits.ts";
 import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
 import type { MenuItem } from "../ui/menu.ts";
 
@@ -115,7 +115,7 @@ export function moreItems(
     {
       label: linked ? words.unlinkMask : words.linkMask,
       icon: linked ? Unlink2 : Link2,
-      disabled: !masked || !("projector" in layer),
+      disabled: !masked || !canGoAlong(layer),
       run: () => layers.linkMask(!linked),
     },
     { label: words.removeMask, icon: CircleOff, disabled: !masked, run: () => layers.removeMask() },

@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Unlink2 } from "lucide";
 import type { DesignLayer, Gradient, Mask } from "../document/index.ts";
 import { fadingGradient, roundGradient } from "../state/aligned-gradient.ts";
-import { type MaskStart, maskFade, maskStartOf, stopsAsGreys, stopsOfGreys } from "../state/mask-edits.ts";
+import { canGoAlong, type MaskStart, maskFade, maskStartOf, stopsAsGreys, stopsOfGreys } from "../state/mask-edits.ts";
 import { icon } from "../ui/icon.ts";
 import { gradientFields } from "./fill-fields.ts";
 import type { PropertyContext } from "./property-controls.ts";
@@ -48,7 +48,7 @@ export function maskFields(context: PropertyContext, layer: DesignLayer): Templa
     <section aria-label=${words.title} title=${words.startHint} class="mask">
       <div class="titled">
         <h3>${words.title}</h3>
-        ${"projector" in layer ? linkButton(context, mask) : nothing}
+        ${canGoAlong(layer) ? linkButton(context, mask) : nothing}
       </div>
       ${choiceField<StartKind>("mask-start", words.start, words.starts, typeof start === "string" ? start : start.kind, (kind) => editor.layers.startMask(startOf(kind)))}
       ${fade ? gradientFields({ ...context, ids: [fade.id] }, fade.gradient, greys) : nothing}

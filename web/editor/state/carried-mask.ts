@@ -1,63 +1,115 @@
-/** A mask that goes with its layer: what is in it keeps its place on the layer's picture when that is moved, turned and sized. */
-import type { CylindricalProjector, Projector, Quaternion, UvProjector, Vec3 } from "../../engine/engine-api.ts";
+/**
+ * A mask that goes with its layer, or with the pictures of its group: what is in it keeps its place on the picture that it lies
+ * on, or is nearest to, when that is moved, turned and sized.
+ */
+import type { Projector, UvProjector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
-import { uvOfStamp } from "../../viewer/stamp-drag.ts";
 import type { Gradient, Mask, MaskLayer } from "../document/index.ts";
-import { inverse, minus, plus, turned } from "../document/rigid-motion.ts";
+import { mirroredProjector } from "../document/mirror-layer.ts";
 import { roundedDab } from "../tools/dab-chain.ts";
-import { type NearSurface, times } from "./carried-projector.ts";
+import type { NearSurface } from "./carried-projector.ts";
 import type { PlacedLayer } from "./decal-reach.ts";
+import { carriedPosed, motionOf } from "./picture-motion.ts";
+import { type Distance, distanceFrom, distanceFromStamp, inStamp, isNearer, type Posed } from "./picture-place.ts";
 import { stampWith } from "./stamps-together.ts";
 
-type Posed = Exclude<Projector, UvProjector>;
-
-/** What a change of a picture's projector does to what is there. */
-interface Motion {
-  /** Where a place of the picture goes, and how the picture lies there before and after. */
-  at(place: Vec3): { readonly place: Vec3; readonly from: Quaternion; readonly to: Quaternion };
-  /** How much wider and higher the picture is. */
-  readonly growth: readonly [number, number];
-}
+/** What a mask shows of, and where its mirror shows that. */
+type Picture = Pick<PlacedLayer, "projector" | "mirror">;
 
 /**
  * The mask of a layer that is put where another projector has it; itself where it is not linked, or where nothing in it can go
  * along: fills of one colour and of parts, what lies in the texture under what is thrown at the model, and the other way round.
  */
-export function carriedMask(
-  { mask, projector: start }: Pick<PlacedLayer, "mask" | "projector">,
+export const carriedMask = (
+  layer: Picture & Pick<PlacedLayer, "mask">,
   now: Projector,
   near: NearSurface,
-): Mask | null {
-  // What came back to where it was must not be another for the digits that carrying costs.
-  if (mask === null || !mask.linked || JSON.stringify(start) === JSON.stringify(now)) return mask;
-  const carry = carrier(start, now, near);
-  if (carry === null) return mask;
-  const layers = mask.layers.map((layer) => carriedLayer(layer, carry));
-  return sameItems(layers, mask.layers) ? mask : { ...mask, layers };
-}
+): Mask | null => carriedWith(layer.mask, [layer], [now], near);
 
-/** Whether all that is in a layer's mask goes where the layer goes. */
-export const maskGoesAlong = ({ mask, projector }: Pick<PlacedLayer, "mask" | "projector">): boolean =>
+/**
+ * The mask of a group whose pictures are put where other projectors have them, in the same order. Each thing in it goes with the
+ * picture that it is nearest to, as it would on that picture's own mask.
+ */
+export const carriedGroupMask = (
+  mask: Mask | null,
+  pictures: readonly Picture[],
+  now: readonly Projector[],
+  near: NearSurface,
+): Mask | null => carriedWith(mask, pictures, now, near);
+
+/** Whether all that is in a mask goes where its layer, or what is in its group, goes. */
+export const maskGoesAlong = (mask: Mask | null, pictures: readonly Pick<Picture, "projector">[]): boolean =>
   mask === null ||
   (mask.linked &&
     mask.layers.every((layer) => {
       if (layer.type === "fill") return layer.parts === null;
       const projectors: readonly Projector[] = layer.type === "stroke" ? layer.dabs : [layer.projector];
-      return projectors.every(({ kind }) => (kind === "uv") === (projector.kind === "uv"));
+      return projectors.every((each) =>
+        pictures.some(({ projector }) => (each.kind === "uv") === (projector.kind === "uv")),
+      );
     }));
 
-interface Carrier {
-  projector<P extends Projector>(other: P): P;
-  gradient(gradient: Gradient): Gradient;
+/** Of a picture that is put elsewhere, or of its twin. */
+interface Way<P extends Projector = Projector> {
+  readonly from: P;
+  /** Null where it stays, or has become one of another kind. */
+  readonly carry: Carrier | null;
 }
 
-function carriedLayer(layer: MaskLayer, carry: Carrier): MaskLayer {
+/** Null where it takes none of that kind along. */
+interface Carrier {
+  posed(other: Posed): Partial<Posed> | null;
+  stamp(other: UvProjector): UvProjector | null;
+  place(place: Vec3): Vec3;
+  /** How much wider the picture is, as the mean of both its sides. */
+  readonly growth: number;
+}
+
+/** Where all pictures go. */
+interface Ways {
+  readonly posed: readonly Way<Posed>[];
+  /** Of those the pictures themselves, without twins. */
+  readonly own: readonly Way<Posed>[];
+  readonly stamps: readonly Way<UvProjector>[];
+}
+
+function carriedWith(
+  mask: Mask | null,
+  pictures: readonly Picture[],
+  now: readonly Projector[],
+  near: NearSurface,
+): Mask | null {
+  if (mask === null || !mask.linked || mask.layers.length === 0) return mask;
+  const goals = pictures.map(({ projector }, index) => now[index] ?? projector);
+  // What came back to where it was must not be another for the digits that carrying costs.
+  const moves = pictures.map(({ projector }, index) => JSON.stringify(projector) !== JSON.stringify(goals[index]));
+  if (!moves.includes(true)) return mask;
+  const own = pictures.map(({ projector }, index): Way => {
+    const goal = goals[index] as Projector;
+    return { from: projector, carry: moves[index] ? carrier(projector, goal, near) : null };
+  });
+  const twins = pictures.flatMap(({ projector, mirror }, index): Way[] => {
+    const [from, to] = [projector, goals[index] as Projector].map((each) => mirror && mirroredProjector(each, mirror));
+    return from && to ? [{ from, carry: moves[index] ? carrier(from, to, near) : null }] : [];
+  });
+  const ways: Ways = {
+    posed: [...own, ...twins].filter(isPosed),
+    own: own.filter(isPosed),
+    stamps: own.filter((way): way is Way<UvProjector> => way.from.kind === "uv"),
+  };
+  const layers = mask.layers.map((layer) => carriedLayer(layer, ways, pictures));
+  return sameItems(layers, mask.layers) ? mask : { ...mask, layers };
+}
+
+const isPosed = (way: Way): way is Way<Posed> => way.from.kind !== "uv";
+
+function carriedLayer(layer: MaskLayer, ways: Ways, pictures: readonly Picture[]): MaskLayer {
   if (layer.type === "fill") {
-    return layer.gradient === null ? layer : withChanged(layer, "gradient", carry.gradient(layer.gradient));
+    return layer.gradient === null ? layer : withChanged(layer, "gradient", carriedGradient(layer.gradient, ways));
   }
-  if (layer.type !== "stroke") return withChanged(layer, "projector", carry.projector(layer.projector));
+  if (layer.type !== "stroke") return withChanged(layer, "projector", carriedThing(layer.projector, ways, pictures));
   const dabs = layer.dabs.map((dab) => {
-    const carried = carry.projector(dab);
+    const carried = carriedThing(dab, ways, pictures);
     return carried === dab ? dab : roundedDab(carried);
   });
   return sameItems(dabs, layer.dabs) ? layer : { ...layer, dabs };
@@ -66,6 +118,52 @@ function carriedLayer(layer: MaskLayer, carry: Carrier): MaskLayer {
 const withChanged = <L, K extends keyof L>(layer: L, key: K, value: L[K]): L =>
   layer[key] === value ? layer : { ...layer, [key]: value };
 
+function carriedThing<P extends Projector>(thing: P, ways: Ways, pictures: readonly Picture[]): P {
+  const change = thing.kind === "uv" ? changeOfStamp(thing, ways, pictures) : changeOfPosed(thing, ways, pictures);
+  return change ? { ...thing, ...change } : thing;
+}
+
+function changeOfStamp(stamp: UvProjector, { stamps }: Ways, pictures: readonly Picture[]): UvProjector | null {
+  const way = nearest(stamps, stamp, pictures, ({ from }) => distanceFromStamp(from, stamp.center));
+  return way?.carry?.stamp(stamp) ?? null;
+}
+
+function changeOfPosed(other: Posed, { posed }: Ways, pictures: readonly Picture[]): Partial<Posed> | null {
+  const way = nearest(posed, other, pictures, ({ from }) => distanceFrom(from, other.position));
+  return way?.carry?.posed(other) ?? null;
+}
+
+/** A place in it goes where the nearest picture goes; a twin takes none along, as a fill has no twin itself. */
+function carriedGradient(gradient: Gradient, { own }: Ways): Gradient {
+  const at = (place: Vec3): Carrier | null | undefined =>
+    nearest(own, null, [], ({ from }) => distanceFrom(from, place))?.carry;
+  if (gradient.kind === "linear") {
+    const [from, to] = [gradient.from, gradient.to].map((place) => at(place)?.place(place) ?? place) as [Vec3, Vec3];
+    return from === gradient.from && to === gradient.to ? gradient : { ...gradient, from, to };
+  }
+  const { center, radius } = gradient;
+  const carry = at(center);
+  return carry ? { ...gradient, center: carry.place(center), radius: radius * carry.growth } : gradient;
+}
+
+/** Which of many ways each thing goes, by the pictures that it was looked for among: a drag asks for thousands at each move. */
+const NEAREST = new WeakMap<Projector, { readonly pictures: readonly Picture[]; readonly index: number }>();
+
+function nearest<W extends Way>(
+  ways: readonly W[],
+  thing: Projector | null,
+  pictures: readonly Picture[],
+  distance: (way: W) => Distance,
+): W | undefined {
+  if (ways.length < 2) return ways[0];
+  const known = thing && NEAREST.get(thing);
+  if (known?.pictures === pictures) return ways[known.index];
+  const distances = ways.map(distance);
+  const index = distances.reduce((best, each, at) => (isNearer(each, distances[best] as Distance) ? at : best), 0);
+  if (thing) NEAREST.set(thing, { pictures, index });
+  return ways[index];
+}
+
 function carrier(start: Projector, now: Projector, near: NearSurface): Carrier | null {
   if (start.kind === "uv" || now.kind === "uv") {
     return start.kind === "uv" && now.kind === "uv" ? carrierInTexture(start, now) : null;
@@ -73,8 +171,10 @@ function carrier(start: Projector, now: Projector, near: NearSurface): Carrier |
   const motion = motionOf(start, now);
   return (
     motion && {
-      projector: (other) => (other.kind === "uv" ? other : { ...other, ...carriedPosed(other, motion, near) }),
-      gradient: (gradient) => carriedGradient(gradient, motion),
+      posed: (other) => carriedPosed(other, motion, near),
+      stamp: () => null,
+      place: (place) => motion.at(place).place,
+      growth: Math.sqrt(motion.growth[0] * motion.growth[1]),
     }
   );
 }
@@ -82,96 +182,14 @@ function carrier(start: Projector, now: Projector, near: NearSurface): Carrier |
 /** In the texture gradients have no place. */
 function carrierInTexture(start: UvProjector, now: UvProjector): Carrier {
   const upright: UvProjector = { ...start, angle: 0 };
-  const carried = (other: UvProjector): UvProjector => {
-    const [right, down] = [other.center[0] - start.center[0], other.center[1] - start.center[1]];
-    const center = uvOfStamp({ ...start, size: [1, 1], angle: -start.angle }, right, -down);
-    return stampWith(upright, now, { ...other, center, angle: other.angle - start.angle });
-  };
   return {
-    projector: (other) => (other.kind === "uv" ? { ...other, ...carried(other) } : other),
-    gradient: (gradient) => gradient,
-  };
-}
-
-/** Null where it became one of another kind, and its picture stays where it is as near as that goes. */
-function motionOf(start: Posed, now: Posed): Motion | null {
-  if (start.kind === "cylindrical" && now.kind === "cylindrical") return motionRound(start, now);
-  if (start.kind === "cylindrical" || start.kind !== now.kind) return null;
-  const [before, after] = [sidesOf(start), sidesOf(now)];
-  const growth = [after[0] / before[0], after[1] / before[1]] as const;
-  const toPicture = inverse(start.rotation);
-  return {
-    growth,
-    at: (place) => {
-      const [x, y, z] = turned(toPicture, minus(place, start.position));
-      const grown: Vec3 = [x * growth[0], y * growth[1], z];
-      return { place: plus(now.position, turned(now.rotation, grown)), from: start.rotation, to: now.rotation };
+    posed: () => null,
+    stamp: (other) => {
+      const [right, down] = inStamp(start, other.center);
+      const center = [start.center[0] + right, start.center[1] + down] as const;
+      return stampWith(upright, now, { ...other, center, angle: other.angle - start.angle });
     },
+    place: (place) => place,
+    growth: 1,
   };
-}
-
-/** In whatever unit. */
-function sidesOf(projector: Exclude<Posed, CylindricalProjector>): readonly [number, number] {
-  if (projector.kind === "planar") return [projector.size[0], projector.size[1]];
-  const slope = Math.tan((projector.fov * Math.PI) / 360);
-  return [slope * projector.aspect, slope];
-}
-
-/** By the angle round the axis, along it, and out from it. */
-function motionRound(start: CylindricalProjector, now: CylindricalProjector): Motion {
-  const wider = now.arc / start.arc;
-  const further = now.radius / start.radius;
-  const growth = [wider * further, now.height / start.height] as const;
-  const toLabel = inverse(start.rotation);
-  return {
-    growth,
-    at: (place) => {
-      const [x, y, z] = turned(toLabel, minus(place, start.position));
-      const angle = Math.atan2(x, z);
-      const far = Math.hypot(x, z) * further;
-      const goal = angle * wider;
-      const grown: Vec3 = [far * Math.sin(goal), y * growth[1], far * Math.cos(goal)];
-      return {
-        place: plus(now.position, turned(now.rotation, grown)),
-        from: times(start.rotation, aboutAxis(angle)),
-        to: times(now.rotation, aboutAxis(goal)),
-      };
-    },
-  };
-}
-
-const aboutAxis = (angle: number): Quaternion => [0, Math.sin(angle / 2), 0, Math.cos(angle / 2)];
-
-function carriedPosed(other: Posed, { at, growth }: Motion, near: NearSurface): Partial<Posed> {
-  const { place, from, to } = at(other.position);
-  const own = times(inverse(from), other.rotation);
-  const rotation = times(to, own);
-  const position = settled(other, { position: place, rotation }, near);
-  if (other.kind !== "planar") return { position, rotation };
-  const [width, height, depth] = other.size;
-  const factor = (axis: Vec3): number => {
-    const [x, y, z] = turned(own, axis);
-    // As powers, so that stretching can be undone; a reach grows by the mean of both.
-    return growth[0] ** (x * x + (z * z) / 2) * growth[1] ** (y * y + (z * z) / 2);
-  };
-  const size: Vec3 = [width * factor([1, 0, 0]), height * factor([0, 1, 0]), depth * factor([0, 0, 1])];
-  return { position, rotation, size };
-}
-
-/** As far over the surface as before, along its own direction: the surface need not go on as it did. */
-function settled(before: Pick<Posed, "position" | "rotation">, after: typeof before, near: NearSurface): Vec3 {
-  const [was, is] = [heightOf(before, near), heightOf(after, near)];
-  return was === null || is === null ? after.position : plus(after.position, turned(after.rotation, [0, 0, was - is]));
-}
-
-function heightOf({ position, rotation }: Pick<Posed, "position" | "rotation">, near: NearSurface): number | null {
-  const foot = near(position);
-  return foot && turned(inverse(rotation), minus(position, foot.position))[2];
-}
-
-function carriedGradient(gradient: Gradient, { at, growth }: Motion): Gradient {
-  if (gradient.kind === "linear") {
-    return { ...gradient, from: at(gradient.from).place, to: at(gradient.to).place };
-  }
-  return { ...gradient, center: at(gradient.center).place, radius: gradient.radius * Math.sqrt(growth[0] * growth[1]) };
 }

@@ -6,7 +6,7 @@ import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { tellBarePart } from "./bare-part.ts";
-import { carriedMask } from "./carried-mask.ts";
+import { carriedGroupMask, carriedMask } from "./carried-mask.ts";
 import { carriedProjector, changedAlike, footOf, type NearSurface } from "./carried-projector.ts";
 import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
 import { clearPlaces } from "./clear-place.ts";
@@ -21,6 +21,7 @@ import { scaledProjector, spunProjector } from "./projector-steps.ts";
 import { type StepKind, StepReport } from "./step-report.ts";
 import type { Store } from "./store.ts";
 import { type Placement, TriedKinds } from "./tried-kinds.ts";
+import { type WholeGroup, wholeGroups } from "./whole-groups.ts";
 
 /** Of the model's diagonal: a new decal's longer side, a nudge. */
 const NEW_SHARE = 0.22;
@@ -41,6 +42,7 @@ interface Found {
   readonly design: Design | null;
   readonly selection: readonly string[];
   readonly chosen: readonly LayerVisit<PlacedLayer>[];
+  readonly groups: readonly WholeGroup[];
 }
 
 export interface DecalCommandsParts {
@@ -68,10 +70,10 @@ export class DecalCommands {
   #onRelease: (() => void) | null = null;
   /** The recorded design, with that copy in it, while such a drag goes on. */
   #copied: Design | null = null;
-  /** The other chosen ones, which go along while one of them is dragged. */
-  #carried: readonly Carried[] = [];
+  /** The other chosen ones, which go along while one of them is dragged; null while one alone is. */
+  #carried: readonly Carried[] | null = null;
   readonly #together: ChosenTogether;
-  #found: Found = { design: null, selection: [], chosen: [] };
+  #found: Found = { design: null, selection: [], chosen: [], groups: [] };
 
   constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
     this.#session = session;
@@ -121,13 +123,17 @@ export class DecalCommands {
 
   /** All chosen pictures and words, also those in chosen groups, from the bottom to the top. */
   get chosen(): readonly LayerVisit<PlacedLayer>[] {
-    const { recordedDesign } = this.#session;
+    return this.#find().chosen;
+  }
+
+  #find(): Found {
+    const { recordedDesign: design } = this.#session;
     const { selection } = this.#store.state;
     // A drag asks at each of its moves, and may be one of a thousand.
-    if (this.#found.design !== recordedDesign || this.#found.selection !== selection) {
-      this.#found = { design: recordedDesign, selection, chosen: chosenIn(recordedDesign, selection) };
+    if (this.#found.design !== design || this.#found.selection !== selection) {
+      this.#found = { design, selection, chosen: chosenIn(design, selection), groups: wholeGroups(design, selection) };
     }
-    return this.#found.chosen;
+    return this.#found;
   }
 
   /** Of those the ones that are not locked. */
@@ -306,8 +312,17 @@ export class DecalCommands {
 
   /** The recorded design with layers put where projectors have them. */
   #designWith(layers: readonly PlacedLayer[], projectors: readonly Projector[]): Design {
-    const moves = layers.map((layer, index) => this.#moved(layer, projectors[index] ?? layer.projector));
-    return patchEach(this.#session.recordedDesign, new Map(moves));
+    return this.#withMoves(layers.map((layer, index) => this.#moved(layer, projectors[index] ?? layer.projector)));
+  }
+
+  /** The recorded design with what is chosen put elsewhere, and the masks of groups that go along with all that is in them. */
+  #withMoves(moves: readonly [string, LayerMove][]): Design {
+    const patches = new Map<string, Partial<LayerMove>>(moves);
+    const masks = this.#find().groups.map(({ group, pictures }): [string, Partial<LayerMove>] => {
+      const now = pictures.map(({ id, projector }) => patches.get(id)?.projector ?? projector);
+      return [group.id, { mask: carriedGroupMask(group.mask, pictures, now, this.#near) }];
+    });
+    return patchEach(this.#session.recordedDesign, new Map([...patches, ...masks]));
   }
 
   /** A view's drag of a decal: shown while it goes on, a step of the history when it ends. */
@@ -332,7 +347,7 @@ export class DecalCommands {
       const together = !copies && this.#isChosen(id);
       this.#onRelease = null;
       if (!together) this.#layers.select(id);
-      this.#carried = together ? this.#othersThan(id) : [];
+      this.#carried = together ? this.#othersThan(id) : null;
       this.#copied = copies ? this.#layers.withCopyBelow(id) : null;
     } else if (phase === "cancel") this.#session.cancelPreview();
     else {
@@ -340,7 +355,7 @@ export class DecalCommands {
       if (layer?.type !== "decal" && layer?.type !== "text") return;
       const [, patch] = this.#moved(layer, projector, onto);
       if (this.#copied) this.#dragCopy(this.#copied, id, patch, phase);
-      else if (this.#carried.length > 0) this.#dragTogether(layer, patch, kind, phase);
+      else if (this.#carried) this.#dragTogether(layer, patch, this.#carried, kind, phase);
       else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
       if (phase === "end") tellBarePart(this.reach.bareOf(projector, layer.backfaces, onto), this.#board);
@@ -357,14 +372,15 @@ export class DecalCommands {
   #dragTogether(
     { id, projector: start }: PlacedLayer,
     patch: LayerMove,
+    carried: readonly Carried[],
     kind: DecalGesture["kind"],
     phase: "move" | "end",
   ): void {
     const follow: typeof carriedProjector = kind === "slide" ? carriedProjector : changedAlike;
-    const others = this.#carried.map(({ layer, foot }) =>
+    const others = carried.map(({ layer, foot }) =>
       this.#moved(layer, follow(start, patch.projector, layer.projector, foot, this.#near)),
     );
-    const design = patchEach(this.#session.recordedDesign, new Map([[id, patch], ...others]));
+    const design = this.#withMoves([[id, patch], ...others]);
     if (phase === "move") this.#session.preview(design);
     else this.#session.record(design, this.#board.strings.steps[kind]);
   }

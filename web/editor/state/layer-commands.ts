@@ -205,7 +205,9 @@ export class LayerCommands {
    */
   #apart(originals: readonly DesignLayer[]): (layer: DesignLayer) => Partial<DecalLayer> {
     const stays = (layer: DesignLayer): boolean =>
-      layer.mask !== null && layer.mask.layers.length > 0 && !("projector" in layer && maskGoesAlong(layer));
+      layer.mask !== null &&
+      layer.mask.layers.length > 0 &&
+      !("projector" in layer && maskGoesAlong(layer.mask, [layer]));
     if (originals.some(stays)) return () => ({});
     const diagonal = diagonalOf(this.#store.state.model);
     const placed = originals.flatMap((layer) => ("projector" in layer ? [layer.projector] : []));

@@ -17,6 +17,9 @@ export const maskBlend = ({ invert }: Pick<Mask, "invert">, hides: boolean): Ble
 export const hidesNothing = ({ invert, layers }: Mask): boolean =>
   !invert && layers.every(({ blend }) => blend !== "erase");
 
+/** Whether a layer's mask can be linked to it: it is moved, or what is in it. */
+export const canGoAlong = (layer: DesignLayer): boolean => "projector" in layer || layer.type === "group";
+
 /** After a gesture that shows again: says so where it could change nothing. */
 export function tellShownAlready(design: Design, id: string, board: NoticeBoard): void {
   const mask = findLayer(design, id)?.mask;
