@@ -168,3 +168,27 @@ test("a group's mask goes with the group by pointer, handles and keys, and stays
   expect(alone.badge).not.toEqual(start.badge);
   expect(alone.onBadge, "a part of the group moves behind the mask").not.toEqual(same);
 });
+
+test("what the brush has painted on a stamp's mask goes with the stamp over the surface", async ({ editor, page }) => {
+  const badge = await maskedBadge(editor);
+  await page.locator("#projection input[value=uv]").evaluate((input: HTMLInputElement) => input.click());
+  const places = async (): Promise<{ center: readonly number[]; dab: readonly number[] }> => {
+    const { projector, mask } = await editor.decal(badge);
+    const stroke = mask?.layers[0];
+    const dab = stroke?.type === "stroke" ? stroke.dabs[0] : undefined;
+    if (projector.kind !== "uv" || dab?.kind !== "planar") throw new Error("The badge is no stamp with a mask.");
+    return { center: projector.center, dab: dab.position };
+  };
+  const start = await places();
+  const hash = await editor.settledHash();
+  const way = async (): Promise<number> => ((await places()).dab[0] ?? 0) - (start.dab[0] ?? 0);
+  await editor.setField("centre-u", `${(start.center[0] ?? 0) + 0.1}`);
+  const once = await way();
+  expect(once).not.toBeCloseTo(0, 3);
+  await editor.setField("centre-u", `${(start.center[0] ?? 0) - 0.2}`);
+  expect(await way(), "as far as the texture goes").toBeCloseTo(-2 * once, 5);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => editor.settledHash()).toBe(hash);
+  expect(await places()).toEqual(start);
+});

@@ -7,8 +7,7 @@ import {
   makeFillLayer,
   makeStrokeLayer,
 } from "../../web/editor/document/index.ts";
-import { carriedGroupMask, carriedMask, maskGoesAlong } from "../../web/editor/state/carried-mask.ts";
-import type { NearSurface } from "../../web/editor/state/carried-projector.ts";
+import { carriedGroupMask, carriedMask, type MaskSurface, maskGoesAlong } from "../../web/editor/state/carried-mask.ts";
 import { spun } from "../../web/editor/state/rotation.ts";
 import type {
   CylindricalProjector,
@@ -29,12 +28,19 @@ const dabAt = (position: Vec3, rest: Partial<PlanarProjector> = {}): Dab => ({
 const strokeOf = (...dabs: Dab[]): MaskLayer =>
   makeStrokeLayer({ id: "s", brush: { tip: "round", color: "#000000", hardness: 1, flow: 1 }, blend: "erase", dabs });
 const maskOf = (...layers: MaskLayer[]): Mask => ({ layers, invert: false, linked: true });
+const surfaceOf = (foot: (place: Vec3) => Vec3 | null): MaskSurface => ({
+  near: (place) => {
+    const position = foot(place);
+    return position && { position, normal: [0, 0, 1], material: 0, uv: [0, 0], face: 0 };
+  },
+  atUv: () => null,
+});
 /** The plane z = 0. */
-const flat: NearSurface = ([x, y]) => ({ position: [x, y, 0] });
-const nowhere: NearSurface = () => null;
+const flat = surfaceOf(([x, y]) => [x, y, 0]);
+const nowhere = surfaceOf(() => null);
 
 function carried(start: Projector, now: Projector, layer: MaskLayer, near = flat): MaskLayer {
-  const mask = carriedMask({ projector: start, mask: maskOf(layer), mirror: null }, now, near);
+  const mask = carriedMask({ projector: start, mask: maskOf(layer), mirror: null, material: 0 }, now, near);
   return mask?.layers[0] as MaskLayer;
 }
 function carriedDab(start: Projector, now: Projector, dab: Dab, near = flat): Dab {
@@ -105,7 +111,7 @@ describe("a mask goes with its layer", () => {
   });
 
   it("stays on a surface that does not go on as it did, and beside the model where it was", () => {
-    const step: NearSurface = ([x, y]) => (y > 0.6 ? null : { position: [x, y, x > 2 ? -0.3 : 0] });
+    const step = surfaceOf(([x, y]) => (y > 0.6 ? null : [x, y, x > 2 ? -0.3 : 0]));
     const now: PlanarProjector = { ...FRONT, position: [2, 0, 0] };
     expect(carriedDab(FRONT, now, dabAt([1.5, 0, 0.05]), step)).toEqual(near(dabAt([2.5, 0, -0.25])));
     expect(carriedDab(FRONT, now, dabAt([1.5, 0.7, 0.05]), step)).toEqual(near(dabAt([2.5, 0.7, 0.05])));
@@ -141,13 +147,13 @@ describe("a mask goes with its layer", () => {
 describe("a mask stays as it is", () => {
   const now: PlanarProjector = { ...FRONT, position: [2, 0, 0] };
   const stays = (mask: Mask, goal: Projector = now): void =>
-    expect(carriedMask({ projector: FRONT, mask, mirror: null }, goal, flat)).toBe(mask);
+    expect(carriedMask({ projector: FRONT, mask, mirror: null, material: 0 }, goal, flat)).toBe(mask);
 
   it("where it is not linked, or its layer is where it was", () => {
     const mask = maskOf(strokeOf(dabAt([1.123456789, 0, 0])));
     stays({ ...mask, linked: false });
     stays(mask, { ...FRONT });
-    expect(carriedMask({ projector: FRONT, mask: null, mirror: null }, now, flat)).toBeNull();
+    expect(carriedMask({ projector: FRONT, mask: null, mirror: null, material: 0 }, now, flat)).toBeNull();
   });
 
   it("where its layer is thrown as another kind", () => {
@@ -166,10 +172,57 @@ describe("a mask stays as it is", () => {
   });
 });
 
+describe("the mask of a stamp goes with it over the surface", () => {
+  /** The texture's left half lies on the plane z = 0, its right half on the plane x = 5 round the corner; four metres wide. */
+  const corner: MaskSurface = {
+    near: ([x, y, z]) =>
+      x < 4.9
+        ? { position: [x, y, 0], normal: [0, 0, 1], material: 0, uv: [x / 4, -y / 4], face: 0 }
+        : { position: [5, y, z], normal: [1, 0, 0], material: 0, uv: [0.5 - z / 4, -y / 4], face: 1 },
+    atUv: (material, [u, v]) => {
+      if (material !== 0 || u < 0 || u > 1) return null;
+      const place: Vec3 = u < 0.5 ? [4 * u, -4 * v, 0] : [5, -4 * v, 2 - 4 * u];
+      return { position: place, normal: u < 0.5 ? [0, 0, 1] : [1, 0, 0], material, uv: [u, v], face: 0 };
+    },
+  };
+  const stamp: UvProjector = { kind: "uv", center: [0.25, 0.5], size: [0.2, 0.2], angle: 0 };
+  const carriedBy = (now: UvProjector, layer: MaskLayer, material = 0): MaskLayer =>
+    carriedMask({ projector: stamp, mask: maskOf(layer), mirror: null, material }, now, corner)?.layers[0] as MaskLayer;
+  const dab = dabAt([1.2, -1.8, 0.01]);
+
+  it("each dab to where its place of the texture is taken, turned and sized as that", () => {
+    expect(carriedBy({ ...stamp, center: [0.75, 0.5] }, strokeOf(dab))).toMatchObject({
+      dabs: [near({ position: [5.01, -1.8, -1.2], rotation: ABOUT_Y(90), size: [0.2, 0.2, 0.2] })],
+    });
+    const twice: UvProjector = { ...stamp, angle: 90, size: [0.4, 0.4] };
+    expect(carriedBy(twice, strokeOf(dab))).toMatchObject({
+      dabs: [near({ position: [1.4, -2.4, 0.02], rotation: spun([0, 0, 0, 1], -90), size: [0.4, 0.4, 0.4] })],
+    });
+  });
+
+  it("gradients as the surface under its middle does", () => {
+    const stops = [
+      { offset: 0, color: "#000000" },
+      { offset: 1, color: "#00000000" },
+    ];
+    const fill = makeFillLayer({ id: "f", color: "#000000" });
+    const linear = { ...fill, gradient: { kind: "linear", from: [1, -9, 0], to: [1, 3, 0], stops } } as const;
+    const now: UvProjector = { ...stamp, center: [0.75, 0.25], angle: 180 };
+    expect(carriedBy(now, linear)).toMatchObject(near({ gradient: { from: [5, 6, -1], to: [5, -6, -1] } }) as object);
+  });
+
+  it("and stays where the texture has no surface there", () => {
+    const stroke = strokeOf(dab);
+    expect(carriedBy({ ...stamp, center: [1.6, 0.5] }, stroke)).toBe(stroke);
+    expect(carriedBy({ ...stamp, center: [0.75, 0.5] }, stroke, 1)).toBe(stroke);
+  });
+});
+
 describe("the mask of a group goes with the pictures in it", () => {
   const picture = (x: number, rest: Partial<PlanarProjector> = {}) => ({
     projector: { ...FRONT, position: [x, 0, 0] as Vec3, ...rest },
     mirror: null,
+    material: 0,
   });
   const [left, right] = [picture(0), picture(4)];
   const dabsOf = (mask: Mask | null): (readonly [number, number, number])[] =>
@@ -220,7 +273,11 @@ describe("the mask of a group goes with the pictures in it", () => {
     const stamp: UvProjector = { kind: "uv", center: [0.2, 0.2], size: [0.1, 0.1], angle: 0 };
     const other: UvProjector = { ...stamp, center: [0.8, 0.8] };
     const mask = maskOf(strokeOf({ ...other, center: [0.7, 0.7], flow: 1 }, dabAt([0.5, 0, 0])));
-    const pictures = [left, { projector: stamp, mirror: null }, { projector: other, mirror: null }];
+    const pictures = [
+      left,
+      { projector: stamp, mirror: null, material: 0 },
+      { projector: other, mirror: null, material: 0 },
+    ];
     const moved: UvProjector = { ...other, center: [0.9, 0.8] };
     const carried = carriedGroupMask(mask, pictures, [{ ...left.projector, position: [1, 0, 0] }, stamp, moved], flat);
     expect(carried?.layers[0]).toMatchObject({ dabs: [{ center: near([0.8, 0.7]) }, { position: near([1.5, 0, 0]) }] });
@@ -231,7 +288,12 @@ describe("the mask of a group goes with the pictures in it", () => {
 
 it("what masks a layer where its mirror shows it goes as that does", () => {
   const mirror = { axis: "x", offset: 0, readable: false } as const;
-  const layer = { projector: FRONT, mirror, mask: maskOf(strokeOf(dabAt([1.5, 0, 0]), dabAt([-1.5, 0, 0]))) };
+  const layer = {
+    projector: FRONT,
+    material: 0,
+    mirror,
+    mask: maskOf(strokeOf(dabAt([1.5, 0, 0]), dabAt([-1.5, 0, 0]))),
+  };
   const now: PlanarProjector = { ...FRONT, position: [2, 0.5, 0], rotation: spun(FRONT.rotation, 90) };
   const [stroke] = carriedMask(layer, now, flat)?.layers ?? [];
   expect(stroke).toMatchObject({ dabs: [{ position: near([2, 1, 0]) }, { position: near([-2, 1, 0]) }] });

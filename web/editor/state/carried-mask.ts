@@ -4,27 +4,30 @@
  */
 import type { Projector, UvProjector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
-import type { Gradient, Mask, MaskLayer } from "../document/index.ts";
+import type { SurfaceHit, ToolSurface } from "../../viewer/viewer-api.ts";
+import { type Gradient, type Mask, type MaskLayer, materialsOf } from "../document/index.ts";
 import { mirroredProjector } from "../document/mirror-layer.ts";
 import { roundedDab } from "../tools/dab-chain.ts";
-import type { NearSurface } from "./carried-projector.ts";
 import type { PlacedLayer } from "./decal-reach.ts";
 import { carriedPosed, motionOf } from "./picture-motion.ts";
-import { type Distance, distanceFrom, distanceFromStamp, inStamp, isNearer, type Posed } from "./picture-place.ts";
-import { stampWith } from "./stamps-together.ts";
+import { type Distance, distanceFrom, distanceFromStamp, isNearer, type Posed } from "./picture-place.ts";
+import { StampMotion } from "./stamp-motion.ts";
 
-/** What a mask shows of, and where its mirror shows that. */
-type Picture = Pick<PlacedLayer, "projector" | "mirror">;
+/** What a mask masks, and where its mirror shows that. */
+type Picture = Pick<PlacedLayer, "projector" | "mirror" | "material">;
+
+/** The surface that all lies on. */
+export type MaskSurface = Pick<ToolSurface, "near" | "atUv">;
 
 /**
  * The mask of a layer that is put where another projector has it; itself where it is not linked, or where nothing in it can go
- * along: fills of one colour and of parts, what lies in the texture under what is thrown at the model, and the other way round.
+ * along: fills of one colour and of parts, and what lies in the texture under what is thrown at the model.
  */
 export const carriedMask = (
   layer: Picture & Pick<PlacedLayer, "mask">,
   now: Projector,
-  near: NearSurface,
-): Mask | null => carriedWith(layer.mask, [layer], [now], near);
+  surface: MaskSurface,
+): Mask | null => carriedWith(layer.mask, [layer], [now], surface);
 
 /**
  * The mask of a group whose pictures are put where other projectors have them, in the same order. Each thing in it goes with the
@@ -34,8 +37,8 @@ export const carriedGroupMask = (
   mask: Mask | null,
   pictures: readonly Picture[],
   now: readonly Projector[],
-  near: NearSurface,
-): Mask | null => carriedWith(mask, pictures, now, near);
+  surface: MaskSurface,
+): Mask | null => carriedWith(mask, pictures, now, surface);
 
 /** Whether all that is in a mask goes where its layer, or what is in its group, goes. */
 export const maskGoesAlong = (mask: Mask | null, pictures: readonly Pick<Picture, "projector">[]): boolean =>
@@ -44,14 +47,13 @@ export const maskGoesAlong = (mask: Mask | null, pictures: readonly Pick<Picture
     mask.layers.every((layer) => {
       if (layer.type === "fill") return layer.parts === null;
       const projectors: readonly Projector[] = layer.type === "stroke" ? layer.dabs : [layer.projector];
-      return projectors.every((each) =>
-        pictures.some(({ projector }) => (each.kind === "uv") === (projector.kind === "uv")),
-      );
+      return projectors.every(({ kind }) => kind !== "uv" || pictures.some(({ projector }) => projector.kind === kind));
     }));
 
 /** Of a picture that is put elsewhere, or of its twin. */
-interface Way<P extends Projector = Projector> {
-  readonly from: P;
+interface Way {
+  readonly from: Projector;
+  readonly materials: readonly number[];
   /** Null where it stays, or has become one of another kind. */
   readonly carry: Carrier | null;
 }
@@ -65,51 +67,53 @@ interface Carrier {
   readonly growth: number;
 }
 
-/** Where all pictures go. */
+/** Where all pictures go that may take something along. */
 interface Ways {
-  readonly posed: readonly Way<Posed>[];
-  /** Of those the pictures themselves, without twins. */
-  readonly own: readonly Way<Posed>[];
-  readonly stamps: readonly Way<UvProjector>[];
+  /** What lies in a texture. */
+  readonly stamps: readonly Way[];
+  /** What is thrown at the model. */
+  readonly posed: readonly Way[];
+  /** A gradient: it has no twin itself. */
+  readonly gradients: readonly Way[];
+  readonly pictures: readonly Picture[];
+  readonly surface: MaskSurface;
 }
 
 function carriedWith(
   mask: Mask | null,
   pictures: readonly Picture[],
   now: readonly Projector[],
-  near: NearSurface,
+  surface: MaskSurface,
 ): Mask | null {
   if (mask === null || !mask.linked || mask.layers.length === 0) return mask;
-  const goals = pictures.map(({ projector }, index) => now[index] ?? projector);
-  // What came back to where it was must not be another for the digits that carrying costs.
-  const moves = pictures.map(({ projector }, index) => JSON.stringify(projector) !== JSON.stringify(goals[index]));
-  if (!moves.includes(true)) return mask;
-  const own = pictures.map(({ projector }, index): Way => {
-    const goal = goals[index] as Projector;
-    return { from: projector, carry: moves[index] ? carrier(projector, goal, near) : null };
+  const own = pictures.map((picture, index) => wayOf(picture, now[index] ?? picture.projector, surface));
+  if (own.every(({ carry }) => carry === null)) return mask;
+  const twins = pictures.flatMap((picture, index) => {
+    const [from, to] = [picture.projector, now[index]].map(
+      (each) => each && picture.mirror && mirroredProjector(each, picture.mirror),
+    );
+    return from && to ? [wayOf({ ...picture, projector: from }, to, surface)] : [];
   });
-  const twins = pictures.flatMap(({ projector, mirror }, index): Way[] => {
-    const [from, to] = [projector, goals[index] as Projector].map((each) => mirror && mirroredProjector(each, mirror));
-    return from && to ? [{ from, carry: moves[index] ? carrier(from, to, near) : null }] : [];
-  });
-  const ways: Ways = {
-    posed: [...own, ...twins].filter(isPosed),
-    own: own.filter(isPosed),
-    stamps: own.filter((way): way is Way<UvProjector> => way.from.kind === "uv"),
-  };
-  const layers = mask.layers.map((layer) => carriedLayer(layer, ways, pictures));
+  const stamps = own.filter(({ from }) => from.kind === "uv");
+  const ways: Ways = { stamps, posed: [...own, ...twins], gradients: own, pictures, surface };
+  const layers = mask.layers.map((layer) => carriedLayer(layer, ways));
   return sameItems(layers, mask.layers) ? mask : { ...mask, layers };
 }
 
-const isPosed = (way: Way): way is Way<Posed> => way.from.kind !== "uv";
+function wayOf({ projector: from, ...picture }: Picture, to: Projector, surface: MaskSurface): Way {
+  const materials = materialsOf(picture);
+  // What came back to where it was must not be another for the digits that carrying costs.
+  const stays = JSON.stringify(from) === JSON.stringify(to);
+  return { from, materials, carry: stays ? null : carrier(from, to, materials, surface) };
+}
 
-function carriedLayer(layer: MaskLayer, ways: Ways, pictures: readonly Picture[]): MaskLayer {
+function carriedLayer(layer: MaskLayer, ways: Ways): MaskLayer {
   if (layer.type === "fill") {
     return layer.gradient === null ? layer : withChanged(layer, "gradient", carriedGradient(layer.gradient, ways));
   }
-  if (layer.type !== "stroke") return withChanged(layer, "projector", carriedThing(layer.projector, ways, pictures));
+  if (layer.type !== "stroke") return withChanged(layer, "projector", carriedThing(layer.projector, layer, ways));
   const dabs = layer.dabs.map((dab) => {
-    const carried = carriedThing(dab, ways, pictures);
+    const carried = carriedThing(dab, layer, ways);
     return carried === dab ? dab : roundedDab(carried);
   });
   return sameItems(dabs, layer.dabs) ? layer : { ...layer, dabs };
@@ -118,25 +122,28 @@ function carriedLayer(layer: MaskLayer, ways: Ways, pictures: readonly Picture[]
 const withChanged = <L, K extends keyof L>(layer: L, key: K, value: L[K]): L =>
   layer[key] === value ? layer : { ...layer, [key]: value };
 
-function carriedThing<P extends Projector>(thing: P, ways: Ways, pictures: readonly Picture[]): P {
-  const change = thing.kind === "uv" ? changeOfStamp(thing, ways, pictures) : changeOfPosed(thing, ways, pictures);
+function carriedThing<P extends Projector>(thing: P, layer: MaskLayer, ways: Ways): P {
+  const change = thing.kind === "uv" ? changeOfStamp(thing, layer, ways) : changeOfPosed(thing, ways);
   return change ? { ...thing, ...change } : thing;
 }
 
-function changeOfStamp(stamp: UvProjector, { stamps }: Ways, pictures: readonly Picture[]): UvProjector | null {
-  const way = nearest(stamps, stamp, pictures, ({ from }) => distanceFromStamp(from, stamp.center));
+function changeOfStamp(stamp: UvProjector, layer: MaskLayer, { stamps, pictures }: Ways): UvProjector | null {
+  const own = materialsOf(layer);
+  const way = nearest(stamps, stamp, pictures, ({ from, materials }) => {
+    const distance = from.kind === "uv" ? distanceFromStamp(from, stamp.center) : FAR;
+    return materials.some((material) => own.includes(material)) ? distance : { ...distance, outside: FAR.outside };
+  });
   return way?.carry?.stamp(stamp) ?? null;
 }
 
-function changeOfPosed(other: Posed, { posed }: Ways, pictures: readonly Picture[]): Partial<Posed> | null {
-  const way = nearest(posed, other, pictures, ({ from }) => distanceFrom(from, other.position));
-  return way?.carry?.posed(other) ?? null;
+function changeOfPosed(other: Posed, { posed, pictures, surface }: Ways): Partial<Posed> | null {
+  return nearest(posed, other, pictures, distanceTo(other.position, surface))?.carry?.posed(other) ?? null;
 }
 
-/** A place in it goes where the nearest picture goes; a twin takes none along, as a fill has no twin itself. */
-function carriedGradient(gradient: Gradient, { own }: Ways): Gradient {
+/** A place in it goes where the nearest picture goes. */
+function carriedGradient(gradient: Gradient, { gradients, pictures, surface }: Ways): Gradient {
   const at = (place: Vec3): Carrier | null | undefined =>
-    nearest(own, null, [], ({ from }) => distanceFrom(from, place))?.carry;
+    nearest(gradients, null, pictures, distanceTo(place, surface))?.carry;
   if (gradient.kind === "linear") {
     const [from, to] = [gradient.from, gradient.to].map((place) => at(place)?.place(place) ?? place) as [Vec3, Vec3];
     return from === gradient.from && to === gradient.to ? gradient : { ...gradient, from, to };
@@ -146,15 +153,30 @@ function carriedGradient(gradient: Gradient, { own }: Ways): Gradient {
   return carry ? { ...gradient, center: carry.place(center), radius: radius * carry.growth } : gradient;
 }
 
+/** Behind whatever has a distance that can be told in metres. */
+const FAR: Distance = { outside: Number.POSITIVE_INFINITY, fromMiddle: Number.POSITIVE_INFINITY };
+
+/** Of pictures to a place of the model. One that lies in the texture there comes before all that do not hold the place. */
+function distanceTo(place: Vec3, surface: MaskSurface): (way: Way) => Distance {
+  let foot: SurfaceHit | null | undefined;
+  return ({ from, materials }) => {
+    if (from.kind !== "uv") return distanceFrom(from, place);
+    if (foot === undefined) foot = surface.near(place);
+    if (foot === null || !materials.includes(foot.material)) return FAR;
+    const { outside, fromMiddle } = distanceFromStamp(from, foot.uv);
+    return outside === 0 ? { ...FAR, outside } : { ...FAR, fromMiddle };
+  };
+}
+
 /** Which of many ways each thing goes, by the pictures that it was looked for among: a drag asks for thousands at each move. */
 const NEAREST = new WeakMap<Projector, { readonly pictures: readonly Picture[]; readonly index: number }>();
 
-function nearest<W extends Way>(
-  ways: readonly W[],
+function nearest(
+  ways: readonly Way[],
   thing: Projector | null,
   pictures: readonly Picture[],
-  distance: (way: W) => Distance,
-): W | undefined {
+  distance: (way: Way) => Distance,
+): Way | undefined {
   if (ways.length < 2) return ways[0];
   const known = thing && NEAREST.get(thing);
   if (known?.pictures === pictures) return ways[known.index];
@@ -164,32 +186,18 @@ function nearest<W extends Way>(
   return ways[index];
 }
 
-function carrier(start: Projector, now: Projector, near: NearSurface): Carrier | null {
+function carrier(start: Projector, now: Projector, materials: readonly number[], surface: MaskSurface): Carrier | null {
   if (start.kind === "uv" || now.kind === "uv") {
-    return start.kind === "uv" && now.kind === "uv" ? carrierInTexture(start, now) : null;
+    const stays = start.kind !== "uv" || now.kind !== "uv";
+    return stays ? null : new StampMotion(start, now, materials, surface);
   }
   const motion = motionOf(start, now);
   return (
     motion && {
-      posed: (other) => carriedPosed(other, motion, near),
+      posed: (other) => carriedPosed(other, motion, (place) => surface.near(place)),
       stamp: () => null,
       place: (place) => motion.at(place).place,
       growth: Math.sqrt(motion.growth[0] * motion.growth[1]),
     }
   );
-}
-
-/** In the texture gradients have no place. */
-function carrierInTexture(start: UvProjector, now: UvProjector): Carrier {
-  const upright: UvProjector = { ...start, angle: 0 };
-  return {
-    posed: () => null,
-    stamp: (other) => {
-      const [right, down] = inStamp(start, other.center);
-      const center = [start.center[0] + right, start.center[1] + down] as const;
-      return stampWith(upright, now, { ...other, center, angle: other.angle - start.angle });
-    },
-    place: (place) => place,
-    growth: 1,
-  };
 }

@@ -279,7 +279,7 @@ export class DecalCommands {
   }
 
   #moved(layer: PlacedLayer, projector: Projector, onto: number | null = null): [string, LayerMove] {
-    const mask = carriedMask(layer, projector, this.#near);
+    const mask = carriedMask(layer, projector, this.#viewer.surface);
     return [layer.id, { projector, material: this.reach.movedTo(layer, projector, onto), mask }];
   }
 
@@ -320,7 +320,7 @@ export class DecalCommands {
     const patches = new Map<string, Partial<LayerMove>>(moves);
     const masks = this.#find().groups.map(({ group, pictures }): [string, Partial<LayerMove>] => {
       const now = pictures.map(({ id, projector }) => patches.get(id)?.projector ?? projector);
-      return [group.id, { mask: carriedGroupMask(group.mask, pictures, now, this.#near) }];
+      return [group.id, { mask: carriedGroupMask(group.mask, pictures, now, this.#viewer.surface) }];
     });
     return patchEach(this.#session.recordedDesign, new Map([...patches, ...masks]));
   }

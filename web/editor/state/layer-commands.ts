@@ -15,7 +15,6 @@ import {
 import { isLocked } from "../document/layer-tree.ts";
 import type { Admission } from "./admission.ts";
 import { carriedMask, maskGoesAlong } from "./carried-mask.ts";
-import type { NearSurface } from "./carried-projector.ts";
 import { clearPlaces } from "./clear-place.ts";
 import { layerById, patchLayers, placedCount } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
@@ -212,11 +211,10 @@ export class LayerCommands {
     const diagonal = diagonalOf(this.#store.state.model);
     const placed = originals.flatMap((layer) => ("projector" in layer ? [layer.projector] : []));
     const cleared = clearPlaces(this.#session.recordedDesign, placed, diagonal, this.#viewer);
-    const near: NearSurface = (place) => this.#viewer.surface.near(place);
     return (layer) => {
       if (!("projector" in layer)) return {};
       const projector = cleared(layer.projector);
-      return { projector, mask: carriedMask(layer, projector, near) };
+      return { projector, mask: carriedMask(layer, projector, this.#viewer.surface) };
     };
   }
 

@@ -2,7 +2,9 @@
  * How the clone tool looks at its source and throws what it saw: two eyes, one before the source, one before the place that
  * is painted, whose pictures are of one size where each looks. What lies a step beside the one goes that step beside the other.
  */
-import type { PerspectiveProjector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
+import type { PerspectiveProjector, Vec3 } from "../../engine/engine-api.ts";
+import { minus, plus } from "../document/rigid-motion.ts";
+import { cross, dot, lengthOf, scaled, turnOfAxes, unit } from "../state/axes.ts";
 
 /** An eye that looks at a place; `up` is what stands upright in its picture. Model space, metres. */
 export interface Look {
@@ -47,7 +49,7 @@ export function eyeOf(look: Look, half: readonly [number, number], reach: number
   return {
     kind: "perspective",
     position: look.eye,
-    rotation: quaternionOf(x, y, z),
+    rotation: turnOfAxes(x, y, z),
     fov: Math.min(WIDEST, fov),
     aspect: half[0] / half[1],
     near: distance * NEAREST,
@@ -84,26 +86,3 @@ export function steppedLook(source: Look, painted: Look, to: Vec3): Look {
   const step = plus(scaled(own.x, dot(way, from.x)), scaled(own.y, dot(way, from.y)));
   return { at: plus(source.at, step), eye: plus(source.eye, step), up: source.up };
 }
-
-/** The turn whose axes are the columns, by Shepperd's method. */
-function quaternionOf(x: Vec3, y: Vec3, z: Vec3): Quaternion {
-  const parts = [1 + x[0] + y[1] + z[2], 1 + x[0] - y[1] - z[2], 1 - x[0] + y[1] - z[2], 1 - x[0] - y[1] + z[2]];
-  const largest = parts.indexOf(Math.max(...parts));
-  const s = 2 * Math.sqrt(parts[largest] as number);
-  if (largest === 0) return [(y[2] - z[1]) / s, (z[0] - x[2]) / s, (x[1] - y[0]) / s, s / 4];
-  if (largest === 1) return [s / 4, (y[0] + x[1]) / s, (z[0] + x[2]) / s, (y[2] - z[1]) / s];
-  if (largest === 2) return [(y[0] + x[1]) / s, s / 4, (z[1] + y[2]) / s, (z[0] - x[2]) / s];
-  return [(z[0] + x[2]) / s, (z[1] + y[2]) / s, s / 4, (x[1] - y[0]) / s];
-}
-
-const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-const plus = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-const scaled = (a: Vec3, factor: number): Vec3 => [a[0] * factor, a[1] * factor, a[2] * factor];
-const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const lengthOf = (a: Vec3): number => Math.sqrt(dot(a, a)) || 1e-9;
-const unit = (a: Vec3): Vec3 => scaled(a, 1 / lengthOf(a));
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
