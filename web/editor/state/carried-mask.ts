@@ -9,9 +9,10 @@ import { type Gradient, type Mask, type MaskLayer, materialsOf } from "../docume
 import { mirroredProjector } from "../document/mirror-layer.ts";
 import { roundedDab } from "../tools/dab-chain.ts";
 import type { PlacedLayer } from "./decal-reach.ts";
-import { carriedPosed, motionOf } from "./picture-motion.ts";
+import { carriedPosed, liftOf, motionOf } from "./picture-motion.ts";
 import { type Distance, distanceFrom, distanceFromStamp, isNearer, type Posed } from "./picture-place.ts";
 import { StampMotion } from "./stamp-motion.ts";
+import { strokeLifts } from "./stroke-lifts.ts";
 
 /** What a mask masks, and where its mirror shows that. */
 type Picture = Pick<PlacedLayer, "projector" | "mirror" | "material">;
@@ -60,7 +61,9 @@ interface Way {
 
 /** Null where it takes none of that kind along. */
 interface Carrier {
-  posed(other: Posed): Partial<Posed> | null;
+  posed(other: Posed, lift: number): Partial<Posed> | null;
+  /** Metres, by which it is raised to lie as far over the surface as before. */
+  lift(other: Posed): number;
   stamp(other: UvProjector): UvProjector | null;
   place(place: Vec3): Vec3;
   /** How much wider the picture is, as the mean of both its sides. */
@@ -111,9 +114,13 @@ function carriedLayer(layer: MaskLayer, ways: Ways): MaskLayer {
   if (layer.type === "fill") {
     return layer.gradient === null ? layer : withChanged(layer, "gradient", carriedGradient(layer.gradient, ways));
   }
-  if (layer.type !== "stroke") return withChanged(layer, "projector", carriedThing(layer.projector, layer, ways));
-  const dabs = layer.dabs.map((dab) => {
-    const carried = carriedThing(dab, layer, ways);
+  if (layer.type !== "stroke") {
+    const { projector } = layer;
+    return withChanged(layer, "projector", carriedThing(projector, layer, ways, liftBy(projector, ways)));
+  }
+  const lifts = strokeLifts(layer.dabs, (dab) => liftBy(dab, ways));
+  const dabs = layer.dabs.map((dab, index) => {
+    const carried = carriedThing(dab, layer, ways, lifts[index] ?? 0);
     return carried === dab ? dab : roundedDab(carried);
   });
   return sameItems(dabs, layer.dabs) ? layer : { ...layer, dabs };
@@ -122,10 +129,14 @@ function carriedLayer(layer: MaskLayer, ways: Ways): MaskLayer {
 const withChanged = <L, K extends keyof L>(layer: L, key: K, value: L[K]): L =>
   layer[key] === value ? layer : { ...layer, [key]: value };
 
-function carriedThing<P extends Projector>(thing: P, layer: MaskLayer, ways: Ways): P {
-  const change = thing.kind === "uv" ? changeOfStamp(thing, layer, ways) : changeOfPosed(thing, ways);
+function carriedThing<P extends Projector>(thing: P, layer: MaskLayer, ways: Ways, lift: number): P {
+  const change =
+    thing.kind === "uv" ? changeOfStamp(thing, layer, ways) : nearestToPosed(thing, ways)?.carry?.posed(thing, lift);
   return change ? { ...thing, ...change } : thing;
 }
+
+const liftBy = (thing: Projector, ways: Ways): number =>
+  thing.kind === "uv" ? 0 : (nearestToPosed(thing, ways)?.carry?.lift(thing) ?? 0);
 
 function changeOfStamp(stamp: UvProjector, layer: MaskLayer, { stamps, pictures }: Ways): UvProjector | null {
   const own = materialsOf(layer);
@@ -136,9 +147,8 @@ function changeOfStamp(stamp: UvProjector, layer: MaskLayer, { stamps, pictures 
   return way?.carry?.stamp(stamp) ?? null;
 }
 
-function changeOfPosed(other: Posed, { posed, pictures, surface }: Ways): Partial<Posed> | null {
-  return nearest(posed, other, pictures, distanceTo(other.position, surface))?.carry?.posed(other) ?? null;
-}
+const nearestToPosed = (other: Posed, { posed, pictures, surface }: Ways): Way | undefined =>
+  nearest(posed, other, pictures, distanceTo(other.position, surface));
 
 /** A place in it goes where the nearest picture goes. */
 function carriedGradient(gradient: Gradient, { gradients, pictures, surface }: Ways): Gradient {
@@ -194,7 +204,8 @@ function carrier(start: Projector, now: Projector, materials: readonly number[],
   const motion = motionOf(start, now);
   return (
     motion && {
-      posed: (other) => carriedPosed(other, motion, (place) => surface.near(place)),
+      posed: (other, lift) => carriedPosed(other, motion, lift),
+      lift: (other) => liftOf(other, motion, (place) => surface.near(place)),
       stamp: () => null,
       place: (place) => motion.at(place).place,
       growth: Math.sqrt(motion.growth[0] * motion.growth[1]),

@@ -1,12 +1,13 @@
 /** What a user does to decals, each a step of the history. */
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
+import { sameItems } from "../../engine/same-items.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit, ViewerDecal } from "../../viewer/viewer-api.ts";
 import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf, visitOf } from "../document/index.ts";
 import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { tellBarePart } from "./bare-part.ts";
-import { carriedGroupMask, carriedMask } from "./carried-mask.ts";
+import { carriedGroupMask, carriedMask, type MaskSurface } from "./carried-mask.ts";
 import { carriedProjector, changedAlike, footOf, type NearSurface } from "./carried-projector.ts";
 import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
 import { clearPlaces } from "./clear-place.ts";
@@ -18,6 +19,7 @@ import type { EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
+import { rememberedSurface } from "./remembered-surface.ts";
 import { type StepKind, StepReport } from "./step-report.ts";
 import type { Store } from "./store.ts";
 import { type Placement, TriedKinds } from "./tried-kinds.ts";
@@ -39,10 +41,11 @@ interface Carried {
 
 /** What is chosen in a design. */
 interface Found {
-  readonly design: Design | null;
-  readonly selection: readonly string[];
+  readonly of: readonly unknown[];
   readonly chosen: readonly LayerVisit<PlacedLayer>[];
   readonly groups: readonly WholeGroup[];
+  /** As it is while they are moved. */
+  readonly surface: MaskSurface;
 }
 
 export interface DecalCommandsParts {
@@ -73,7 +76,7 @@ export class DecalCommands {
   /** The other chosen ones, which go along while one of them is dragged; null while one alone is. */
   #carried: readonly Carried[] | null = null;
   readonly #together: ChosenTogether;
-  #found: Found = { design: null, selection: [], chosen: [], groups: [] };
+  #found: Found | null = null;
 
   constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
     this.#session = session;
@@ -128,10 +131,16 @@ export class DecalCommands {
 
   #find(): Found {
     const { recordedDesign: design } = this.#session;
-    const { selection } = this.#store.state;
+    const { selection, model, shown } = this.#store.state;
+    const present: unknown[] = [design, selection, model, shown];
     // A drag asks at each of its moves, and may be one of a thousand.
-    if (this.#found.design !== design || this.#found.selection !== selection) {
-      this.#found = { design, selection, chosen: chosenIn(design, selection), groups: wholeGroups(design, selection) };
+    if (!this.#found || !sameItems(this.#found.of, present)) {
+      this.#found = {
+        of: present,
+        chosen: chosenIn(design, selection),
+        groups: wholeGroups(design, selection),
+        surface: rememberedSurface(this.#viewer.surface),
+      };
     }
     return this.#found;
   }
@@ -279,7 +288,7 @@ export class DecalCommands {
   }
 
   #moved(layer: PlacedLayer, projector: Projector, onto: number | null = null): [string, LayerMove] {
-    const mask = carriedMask(layer, projector, this.#viewer.surface);
+    const mask = carriedMask(layer, projector, this.#find().surface);
     return [layer.id, { projector, material: this.reach.movedTo(layer, projector, onto), mask }];
   }
 
@@ -318,9 +327,10 @@ export class DecalCommands {
   /** The recorded design with what is chosen put elsewhere, and the masks of groups that go along with all that is in them. */
   #withMoves(moves: readonly [string, LayerMove][]): Design {
     const patches = new Map<string, Partial<LayerMove>>(moves);
-    const masks = this.#find().groups.map(({ group, pictures }): [string, Partial<LayerMove>] => {
+    const { groups, surface } = this.#find();
+    const masks = groups.map(({ group, pictures }): [string, Partial<LayerMove>] => {
       const now = pictures.map(({ id, projector }) => patches.get(id)?.projector ?? projector);
-      return [group.id, { mask: carriedGroupMask(group.mask, pictures, now, this.#viewer.surface) }];
+      return [group.id, { mask: carriedGroupMask(group.mask, pictures, now, surface) }];
     });
     return patchEach(this.#session.recordedDesign, new Map([...patches, ...masks]));
   }

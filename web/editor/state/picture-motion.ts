@@ -60,12 +60,12 @@ function motionRound(start: CylindricalProjector, now: CylindricalProjector): Mo
 
 const aboutAxis = (angle: number): Quaternion => [0, Math.sin(angle / 2), 0, Math.cos(angle / 2)];
 
-/** What is on a picture, where that is put elsewhere: as far over the surface as before. */
-export function carriedPosed(other: Posed, { at, growth }: Motion, near: NearSurface): Partial<Posed> {
+/** What is on a picture, where that is put elsewhere; raised by `lift` metres along its own direction. */
+export function carriedPosed(other: Posed, { at, growth }: Motion, lift: number): Partial<Posed> {
   const { place, from, to } = at(other.position);
   const own = times(inverse(from), other.rotation);
   const rotation = times(to, own);
-  const position = settled(other, { position: place, rotation }, near);
+  const position = plus(place, turned(rotation, [0, 0, lift]));
   if (other.kind !== "planar") return { position, rotation };
   const [width, height, depth] = other.size;
   const factor = (axis: Vec3): number => {
@@ -77,10 +77,12 @@ export function carriedPosed(other: Posed, { at, growth }: Motion, near: NearSur
   return { position, rotation, size };
 }
 
-/** As far over the surface as before, along its own direction: the surface need not go on as it did. */
-function settled(before: Pick<Posed, "position" | "rotation">, after: typeof before, near: NearSurface): Vec3 {
-  const [was, is] = [heightOf(before, near), heightOf(after, near)];
-  return was === null || is === null ? after.position : plus(after.position, turned(after.rotation, [0, 0, was - is]));
+/** What brings it as far over the surface as before: that need not go on as it did. 0 where there is none. */
+export function liftOf(other: Posed, { at }: Motion, near: NearSurface): number {
+  const { place, from, to } = at(other.position);
+  const rotation = times(to, times(inverse(from), other.rotation));
+  const [was, is] = [heightOf(other, near), heightOf({ position: place, rotation }, near)];
+  return was === null || is === null ? 0 : was - is;
 }
 
 function heightOf({ position, rotation }: Pick<Posed, "position" | "rotation">, near: NearSurface): number | null {

@@ -66,6 +66,11 @@ export class StampMotion {
     return stampWith({ ...this.#start, angle: 0 }, this.#now, upright);
   }
 
+  /** The texture knows where the surface is. */
+  lift(): number {
+    return 0;
+  }
+
   /** Null where the texture has no surface that it could go over. */
   posed(other: Posed): Partial<Posed> | null {
     const foot = this.#surface.near(other.position);
