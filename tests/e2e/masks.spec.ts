@@ -1,5 +1,5 @@
 import { type EditorPage, expect, test } from "./support/editor-page.ts";
-import { squareGlb } from "./support/test-files.ts";
+import { squareGlb, squareGltf } from "./support/test-files.ts";
 
 /** A badge on a square board, with a stroke of the eraser on its mask. */
 async function maskedBadge(editor: EditorPage): Promise<string> {
@@ -191,4 +191,27 @@ test("what the brush has painted on a stamp's mask goes with the stamp over the 
   await page.keyboard.press("Control+z");
   await expect.poll(() => editor.settledHash()).toBe(hash);
   expect(await places()).toEqual(start);
+});
+
+test("what the pencil has drawn on a mask stays, and that is said beside the mask and once it is moved", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel(squareGltf());
+  const badge = await editor.addDemoDecal("badge");
+  await page.locator("tc-layer-list .more button").first().click();
+  await page.getByRole("menuitem", { name: "Add mask that shows all" }).click();
+  const stays = page.getByText("lie in the texture, and stay there");
+  await expect(stays).toHaveCount(0);
+  await page.keyboard.press("n");
+  const from = await editor.pointOf(badge);
+  await editor.drag({ x: from.x - 15, y: from.y + 8 }, { x: from.x + 15, y: from.y + 8 }, 4);
+  await expect(stays).toBeVisible();
+  await page.keyboard.press("v");
+  await editor.drag(from, { x: from.x + 40, y: from.y + 20 }, 4);
+  await expect(editor.notices).toContainText("A part of the mask of Travel badge stays");
+  await editor.view.focus();
+  await page.keyboard.press("ArrowLeft");
+  await expect(editor.notices).toHaveCount(0);
 });

@@ -3,6 +3,7 @@ import { html, nothing, type TemplateResult } from "lit";
 import { Link2, Unlink2 } from "lucide";
 import type { DesignLayer, Gradient, Mask } from "../document/index.ts";
 import { fadingGradient, roundGradient } from "../state/aligned-gradient.ts";
+import { picturesIn, staysOf } from "../state/left-masks.ts";
 import { canGoAlong, type MaskStart, maskFade, maskStartOf, stopsAsGreys, stopsOfGreys } from "../state/mask-edits.ts";
 import { icon } from "../ui/icon.ts";
 import { gradientFields } from "./fill-fields.ts";
@@ -50,6 +51,7 @@ export function maskFields(context: PropertyContext, layer: DesignLayer): Templa
         <h3>${words.title}</h3>
         ${canGoAlong(layer) ? linkButton(context, mask) : nothing}
       </div>
+      ${staysOf(layer, picturesIn(layer)).length > 0 && canGoAlong(layer) ? html`<p class="quiet">${words.stays}</p>` : nothing}
       ${choiceField<StartKind>("mask-start", words.start, words.starts, typeof start === "string" ? start : start.kind, (kind) => editor.layers.startMask(startOf(kind)))}
       ${fade ? gradientFields({ ...context, ids: [fade.id] }, fade.gradient, greys) : nothing}
     </section>

@@ -6,7 +6,7 @@ import type { Projector, UvProjector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
 import type { SurfaceHit, ToolSurface } from "../../viewer/viewer-api.ts";
 import { type Gradient, type Mask, type MaskLayer, materialsOf } from "../document/index.ts";
-import { mirroredProjector } from "../document/mirror-layer.ts";
+import { liesOnTexture, mirroredProjector } from "../document/mirror-layer.ts";
 import { roundedDab } from "../tools/dab-chain.ts";
 import type { PlacedLayer } from "./decal-reach.ts";
 import { carriedPosed, liftOf, motionOf } from "./picture-motion.ts";
@@ -43,13 +43,15 @@ export const carriedGroupMask = (
 
 /** Whether all that is in a mask goes where its layer, or what is in its group, goes. */
 export const maskGoesAlong = (mask: Mask | null, pictures: readonly Pick<Picture, "projector">[]): boolean =>
-  mask === null ||
-  (mask.linked &&
-    mask.layers.every((layer) => {
-      if (layer.type === "fill") return layer.parts === null;
-      const projectors: readonly Projector[] = layer.type === "stroke" ? layer.dabs : [layer.projector];
-      return projectors.every(({ kind }) => kind !== "uv" || pictures.some(({ projector }) => projector.kind === kind));
-    }));
+  mask === null || (mask.linked && leftBehind(mask, pictures).length === 0);
+
+/** What in a mask cannot go along: pixels that lie in the texture, where no picture does, and fills of parts. */
+export function leftBehind(mask: Mask, pictures: readonly Pick<Picture, "projector">[]): readonly MaskLayer[] {
+  const hasStamp = pictures.some(({ projector }) => projector.kind === "uv");
+  return mask.layers.filter((layer) =>
+    layer.type === "fill" ? layer.parts !== null : !hasStamp && liesOnTexture(layer),
+  );
+}
 
 /** Of a picture that is put elsewhere, or of its twin. */
 interface Way {

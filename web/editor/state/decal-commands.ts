@@ -17,6 +17,7 @@ import type { DesignSession } from "./design-session.ts";
 import { diagonalOf } from "./design-state.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
+import { LeftMasks } from "./left-masks.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 import { rememberedSurface } from "./remembered-surface.ts";
@@ -65,6 +66,7 @@ export class DecalCommands {
   readonly reach: DecalReach;
   readonly #tried = new TriedKinds();
   readonly #report: StepReport;
+  readonly #left = new LeftMasks();
   /** Whether a decal that is dragged from here on leaves a copy of itself where it lay, as it does in other editors. */
   #copiesDragged = false;
   /** Whether a click adds to what is chosen, or takes out of it. */
@@ -279,6 +281,7 @@ export class DecalCommands {
   placed(id: string, projector: Projector): Pick<LayerMove, "projector"> & Partial<LayerMove> {
     const layer = layerById(this.#session.recordedDesign, id);
     if (layer?.type !== "decal" && layer?.type !== "text") return { projector };
+    this.#tellLeft([layer]);
     return this.#moved(layer, projector)[1];
   }
 
@@ -316,6 +319,7 @@ export class DecalCommands {
     const ids = this.#layers.unlocked(chosen.map(({ layer }) => layer.id));
     this.#session.record(this.#designWith(movable, change(movable)), label, `${kind}:${ids}`);
     if (movable.length > 0) this.#report.after(kind);
+    this.#tellLeft(movable);
     return true;
   }
 
@@ -348,7 +352,10 @@ export class DecalCommands {
     const projectors = this.#together.dragged(movable, projector, phase === "end");
     const design = this.#designWith(movable, projectors);
     if (phase === "move") this.#session.preview(design);
-    else this.#session.record(design, this.#board.strings.steps[kind]);
+    else {
+      this.#session.record(design, this.#board.strings.steps[kind]);
+      this.#tellLeft(movable);
+    }
   }
 
   #followDecal({ id, kind, phase, projector, material: onto }: DecalGesture): void {
@@ -368,8 +375,16 @@ export class DecalCommands {
       else if (this.#carried) this.#dragTogether(layer, patch, this.#carried, kind, phase);
       else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
-      if (phase === "end") tellBarePart(this.reach.bareOf(projector, layer.backfaces, onto), this.#board);
+      if (phase !== "end") return;
+      tellBarePart(this.reach.bareOf(projector, layer.backfaces, onto), this.#board);
+      this.#tellLeft([layer, ...(this.#carried ?? []).map((carried) => carried.layer)]);
     }
+  }
+
+  /** After what is chosen was moved. */
+  #tellLeft(moved: readonly PlacedLayer[]): void {
+    const groups = this.#find().groups.map(({ group, pictures }) => [group, pictures] as const);
+    this.#left.tell([...moved.map((layer) => [layer, [layer]] as const), ...groups], this.#board);
   }
 
   #othersThan(id: string): readonly Carried[] {

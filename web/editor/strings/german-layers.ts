@@ -162,6 +162,9 @@ export const germanLayerAnnouncements = {
 export const germanLayerNotices = {
   locked: (name: string): string => `${name} ist gesperrt`,
   lockedHint: "Entsperre die Ebene in der Liste, um sie zu ändern.",
+  maskLeft: (name: string): string => `Ein Teil der Maske von ${name} bleibt, wo er ist`,
+  maskLeftWhy:
+    "Auf die Maske gezeichnete Pixel und gewählte Teile liegen in der Textur selbst. Was der Pinsel malt, geht mit.",
   ungroupChanges: "Ohne die Gruppe sieht das Bild anders aus",
   ungroupLoses: (fields: readonly (keyof typeof GROUP_FIELDS)[]): string =>
     `Für alle Ebenen der Gruppe zusammen gilt: ${fields.map((field) => GROUP_FIELDS[field]).join(", ")}. Das ginge verloren.`,
@@ -210,6 +213,7 @@ export const germanMask: Strings["mask"] = {
   title: "Maske",
   linked: "Mit der Ebene bewegen",
   linkedHint: "Die Maske geht mit, wenn die Ebene bewegt, gedreht oder vergrößert wird.",
+  stays: "Gezeichnete Pixel und gewählte Teile liegen in der Textur und bleiben dort.",
   start: "Zeigt",
   startHint: "Womit die Maske beginnt. Was auf ihr gemalt ist, liegt darüber.",
   starts: { all: "Alles", nothing: "Nichts", linear: "Linear", radial: "Radial" },

@@ -161,6 +161,8 @@ export const layerAnnouncements = {
 export const layerNotices = {
   locked: (name: string): string => `${name} is locked`,
   lockedHint: "Unlock it in the list of layers to change it.",
+  maskLeft: (name: string): string => `A part of the mask of ${name} stays where it is`,
+  maskLeftWhy: "Pixels drawn on a mask, and chosen parts, lie in the texture itself. What the brush paints goes along.",
   ungroupChanges: "Ungrouping changes the picture",
   ungroupLoses: (fields: readonly GroupField[]): string =>
     `The group’s ${fields.map((field) => GROUP_FIELDS[field]).join(", ")} holds for all of its layers together, and would be lost.`,

@@ -32,6 +32,7 @@ export const maskWords = {
   title: "Mask",
   linked: "Moves with the layer",
   linkedHint: "The mask goes along when the layer is moved, turned or sized.",
+  stays: "Drawn pixels and chosen parts lie in the texture, and stay there.",
   start: "Shows",
   startHint: "What the mask begins with. What is painted on it lies above.",
   starts: { all: "All", nothing: "Nothing", linear: "Linear", radial: "Radial" },
