@@ -25,7 +25,7 @@ const onMug = (degrees: number, height: number, radius = 1): PlanarProjector => 
 };
 const mug: NearSurface = ([x, y, z]) => {
   const far = Math.hypot(x, z);
-  return { position: [x / far, y, z / far] };
+  return { position: [x / far, y, z / far], normal: [x / far, 0, z / far] };
 };
 const nowhere: NearSurface = () => null;
 
@@ -52,10 +52,23 @@ it("stays on the surface where that does not go on as it did under the dragged o
   // Dragged up, straight, where the mug grows wider: what is carried keeps its height over the surface.
   const wider: NearSurface = ([x, y, z]) => {
     const far = Math.hypot(x, z) / (1 + Math.max(0, y));
-    return { position: [x / far, y, z / far] };
+    return { position: [x / far, y, z / far], normal: [x / Math.hypot(x, z), 0, z / Math.hypot(x, z)] };
   };
   const lifted = onMug(40, 0, 1.05);
   expectSame(carried(onMug(0, 0), onMug(0, 0.5), lifted, wider), onMug(40, 0.5, 1.55));
+});
+
+it("leans as the surface does where it comes to lie", () => {
+  const along = Math.SQRT1_2;
+  // A table that goes down beyond its edge, at half a right angle.
+  const table: NearSurface = ([x, y]) =>
+    x < 6 ? { position: [x, y, 0], normal: [0, 0, 1] } : { position: [x, y, 6 - x], normal: [along, 0, along] };
+  const flat = (x: number): PlanarProjector => ({ ...onMug(0, 0), position: [x, 0, 0.2] });
+  const down: PlanarProjector = { ...flat(7), position: [7 + 0.2 * along, 0, 0.2 * along - 1], rotation: ABOUT_Y(45) };
+  expectSame(carried(flat(3), flat(5), flat(5), table), down);
+  // Behind an edge the nearest surface looks away: no place to lie on.
+  const wall: NearSurface = ([x, y]) => ({ position: [x, y, 0], normal: x < 6 ? [0, 0, 1] : [0, 0, -1] });
+  expectSame(carried(flat(3), flat(5), flat(5), wall), flat(7));
 });
 
 it("leaves a label on its axis", () => {

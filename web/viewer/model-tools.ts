@@ -2,6 +2,7 @@
 import { type Ray, Vector3 } from "three";
 import type { PerspectiveProjector, Vec3 } from "../engine/engine-api.ts";
 import { SurfaceRing } from "./brush-ring.ts";
+import { smoothed } from "./decal-placement.ts";
 import { tangentPart, tupleOf } from "./decal-pose.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { hitOf } from "./surface-hit.ts";
@@ -65,9 +66,12 @@ export class ModelTools implements ToolSurface {
     this.#ring.drawNow();
   }
 
-  near(position: Vec3): SurfaceHit | null {
-    const sample = this.#hooks.query()?.closest(new Vector3(...position)) ?? null;
-    return sample && hitOf(sample);
+  near(position: Vec3, width = 0): SurfaceHit | null {
+    const query = this.#hooks.query();
+    const sample = query?.closest(new Vector3(...position));
+    if (!query || !sample) return null;
+    const normal = width > 0 ? smoothed(query, sample, new Vector3(width, width, 0)).normal : sample.normal;
+    return hitOf({ ...sample, normal });
   }
 
   atUv(material: number, uv: readonly [number, number]): SurfaceHit | null {

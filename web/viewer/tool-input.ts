@@ -62,8 +62,11 @@ export interface BrushRing {
 
 /** What a tool asks of the model's surface. */
 export interface ToolSurface {
-  /** The point of the surface nearest to one in model space; null without a model. */
-  near(position: Vec3): SurfaceHit | null;
+  /**
+   * The point of the surface nearest to one in model space; null without a model. With a `width` in metres its normal is
+   * averaged, as a decal that wide lies there.
+   */
+  near(position: Vec3, width?: number): SurfaceHit | null;
   /** The surface that a place of a material's texture is painted on; null between the charts. */
   atUv(material: number, uv: readonly [number, number]): SurfaceHit | null;
   /**

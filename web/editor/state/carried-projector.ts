@@ -1,14 +1,21 @@
 /** What goes along with a decal that is dragged: it keeps its place beside it, round a mug as well as over a table. */
-import type { CylindricalProjector, Projector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
+import type { CylindricalProjector, PlanarProjector, Projector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
+import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { inverse, minus, plus, product, turned } from "../document/rigid-motion.ts";
+import { cross, dot } from "./axes.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 
-/** Where the surface is nearest to a place; null where there is none. */
-export type NearSurface = (place: Vec3) => { readonly position: Vec3 } | null;
+/** A place of the surface, and where that looks. */
+export type Foot = Pick<SurfaceHit, "position" | "normal">;
+
+/** Where the surface is nearest to a place, as what is so wide lies on it; null where there is none. */
+export type NearSurface = (place: Vec3, width?: number) => Foot | null;
 
 /** Where a decal stands on the surface before it is carried; null where it does not. */
-export const footOf = (projector: Projector, near: NearSurface): Vec3 | null =>
-  projector.kind === "planar" ? (near(projector.position)?.position ?? null) : null;
+export const footOf = (projector: Projector, near: NearSurface): Foot | null =>
+  projector.kind === "planar" ? near(projector.position, widthOf(projector)) : null;
+
+const widthOf = ({ size: [width, height] }: PlanarProjector): number => Math.max(width, height);
 
 /**
  * `other`, whose foot was at `foot`, carried as one body with what was dragged from `start` to `now`. Of a stamp and what is no
@@ -18,7 +25,7 @@ export function carriedProjector(
   start: Projector,
   now: Projector,
   other: Projector,
-  foot: Vec3 | null,
+  foot: Foot | null,
   near: NearSurface,
 ): Projector {
   if (start.kind === "uv" && now.kind === "uv" && other.kind === "uv") {
@@ -32,11 +39,21 @@ export function carriedProjector(
   const position = carry(other.position);
   const rotation = times(turn, other.rotation);
   if (other.kind === "perspective") return { ...other, position, rotation };
-  // The surface need not go on as it did under the dragged one: the foot stays on it.
-  const carriedFoot = foot && carry(foot);
-  const landing = carriedFoot && near(carriedFoot);
-  const settled = landing ? plus(position, minus(landing.position, carriedFoot)) : position;
-  return { ...other, position: settled, rotation };
+  // The surface need not go on as it did under the dragged one: the foot stays on it, and the decal leans with it.
+  const carriedFoot = foot && carry(foot.position);
+  const landing = carriedFoot && near(carriedFoot, widthOf(other));
+  if (!landing) return { ...other, position, rotation };
+  const lean = leanOf(turned(turn, foot.normal), landing.normal);
+  const above = turned(lean, minus(position, carriedFoot));
+  return { ...other, position: plus(landing.position, above), rotation: times(lean, rotation) };
+}
+
+/** The least turn from one direction to another; none to one that looks away, as behind an edge: nothing lies there. */
+function leanOf(from: Vec3, to: Vec3): Quaternion {
+  const facing = dot(from, to);
+  if (facing <= 0) return [0, 0, 0, 1];
+  const [x, y, z] = cross(from, to);
+  return times([x, y, z, 1 + facing], [0, 0, 0, 1]);
 }
 
 /** `other` turned and sized where it lies as what was dragged from `start` to `now` was, as far as both kinds let it. */

@@ -8,7 +8,7 @@ import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import { tellBarePart } from "./bare-part.ts";
 import { carriedGroupMask, carriedMask, type MaskSurface } from "./carried-mask.ts";
-import { carriedProjector, changedAlike, footOf, type NearSurface } from "./carried-projector.ts";
+import { carriedProjector, changedAlike, type Foot, footOf, type NearSurface } from "./carried-projector.ts";
 import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
 import { clearPlaces } from "./clear-place.ts";
 import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
@@ -30,6 +30,8 @@ import { type WholeGroup, wholeGroups } from "./whole-groups.ts";
 const NEW_SHARE = 0.22;
 const NUDGE_SHARE = 0.002;
 const COARSE = 10;
+/** A normal takes a quarter of a millisecond, at each move. */
+const MOST_AVERAGED = 24;
 
 /** What a layer takes on where it is put. */
 type LayerMove = Pick<PlacedLayer, "projector" | "material" | "mask">;
@@ -37,7 +39,7 @@ type LayerMove = Pick<PlacedLayer, "projector" | "material" | "mask">;
 /** A layer that goes along, and where it stands when the drag begins: what is searched for once is not searched for at each move. */
 interface Carried {
   readonly layer: PlacedLayer;
-  readonly foot: Vec3 | null;
+  readonly foot: Foot | null;
 }
 
 /** What is chosen in a design. */
@@ -392,7 +394,9 @@ export class DecalCommands {
     return others.map((layer) => ({ layer, foot: footOf(layer.projector, this.#near) }));
   }
 
-  readonly #near: NearSurface = (place) => this.#viewer.surface.near(place);
+  /** What goes along lies by averaged normals, as in a drag of one; of more it would take too long. */
+  readonly #near: NearSurface = (place, width) =>
+    this.#viewer.surface.near(place, this.movable.length > MOST_AVERAGED ? 0 : width);
 
   #dragTogether(
     { id, projector: start }: PlacedLayer,
