@@ -2,7 +2,7 @@
 import { type Ray, Vector3 } from "three";
 import type { PerspectiveProjector, Vec3 } from "../engine/engine-api.ts";
 import { SurfaceRing } from "./brush-ring.ts";
-import { smoothed } from "./decal-placement.ts";
+import { smoothedNear } from "./decal-placement.ts";
 import { tangentPart, tupleOf } from "./decal-pose.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import { hitOf } from "./surface-hit.ts";
@@ -70,7 +70,7 @@ export class ModelTools implements ToolSurface {
     const query = this.#hooks.query();
     const sample = query?.closest(new Vector3(...position));
     if (!query || !sample) return null;
-    const normal = width > 0 ? smoothed(query, sample, new Vector3(width, width, 0)).normal : sample.normal;
+    const normal = width > 0 ? smoothedNear(query, sample, new Vector3(width, width, 0)).normal : sample.normal;
     return hitOf({ ...sample, normal });
   }
 

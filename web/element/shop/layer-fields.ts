@@ -24,7 +24,7 @@ export interface FieldsHost {
 }
 
 export function layerFields(view: FieldsHost, layer: DesignLayer): TemplateResult | typeof nothing {
-  if (layer.type !== "decal" && layer.type !== "text") return nothing;
+  if (!("projector" in layer)) return nothing;
   return html`
     <div class="fields" part="fields" role="group" aria-label=${layer.name}>
       ${layer.type === "text" ? textFields(view, layer) : nothing} ${sizeFields(view, layer.id, layer.projector)}

@@ -28,7 +28,7 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   if (selected === undefined) return false;
   if (event.key === "Escape") return desk.select(null);
   if (event.key === "Delete" || event.key === "Backspace") return desk.remove(selected.id);
-  if (selected.type !== "decal" && selected.type !== "text") return false;
+  if (!("projector" in selected)) return false;
   // Arrows on a button belong to whoever walks over buttons with them.
   if (target instanceof HTMLButtonElement && event.key.startsWith("Arrow")) return false;
   const steps = event.shiftKey ? COARSE : 1;
