@@ -28,18 +28,7 @@ export const carriedMask = (
   layer: Picture & Pick<PlacedLayer, "mask">,
   now: Projector,
   surface: MaskSurface,
-): Mask | null => carriedWith(layer.mask, [layer], [now], surface);
-
-/**
- * The mask of a group whose pictures are put where other projectors have them, in the same order. Each thing in it goes with the
- * picture that it is nearest to, as it would on that picture's own mask.
- */
-export const carriedGroupMask = (
-  mask: Mask | null,
-  pictures: readonly Picture[],
-  now: readonly Projector[],
-  surface: MaskSurface,
-): Mask | null => carriedWith(mask, pictures, now, surface);
+): Mask | null => carriedGroupMask(layer.mask, [layer], [now], surface);
 
 /** Whether all that is in a mask goes where its layer, or what is in its group, goes. */
 export const maskGoesAlong = (mask: Mask | null, pictures: readonly Pick<Picture, "projector">[]): boolean =>
@@ -84,7 +73,11 @@ interface Ways {
   readonly surface: MaskSurface;
 }
 
-function carriedWith(
+/**
+ * The mask of a group whose pictures are put where other projectors have them, in the same order. Each thing in it goes with the
+ * picture that it is nearest to, as it would on that picture's own mask.
+ */
+export function carriedGroupMask(
   mask: Mask | null,
   pictures: readonly Picture[],
   now: readonly Projector[],
