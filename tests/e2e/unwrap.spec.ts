@@ -1,12 +1,13 @@
 /** A model whose parts share texture, unwrapped from the texture's panel. */
 import { createHash } from "node:crypto";
+import type { Page } from "@playwright/test";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
 import { writeGlb } from "../../web/engine/gltf-container.ts";
 import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { unwrapModel } from "../../web/engine/unwrap/unwrap-model.ts";
 import { buildGlb, buildModel } from "../support/model-builder.ts";
-import { type EditorPage, expect, type TestFile, test } from "./support/editor-page.ts";
-import { boardPicture, file, glbWithoutUvs } from "./support/test-files.ts";
+import { type EditorPage, expect, type Point, type TestFile, test } from "./support/editor-page.ts";
+import { boardPicture, file, glbWithBrokenUvs, glbWithoutUvs, halfBareGlb } from "./support/test-files.ts";
 
 /** Two squares side by side, each on the whole texture. */
 function twins(): Buffer {
@@ -85,9 +86,9 @@ test.describe("a model without texture coordinates", () => {
   /** What is open, to the texel. */
   const opened = async (editor: EditorPage) => ({ hash: await editor.settledHash(), design: await editor.design() });
 
-  const refuse = async (editor: EditorPage, model: TestFile) => {
+  const refuse = async (editor: EditorPage, model: TestFile, code = "no-uvs") => {
     await editor.openModel([model]);
-    await expect(editor.notices).toHaveAttribute("data-code", "no-uvs");
+    await expect(editor.notices).toHaveAttribute("data-code", code);
     return editor.notices.getByRole("button", { name: "Unwrap and open" });
   };
 
@@ -122,17 +123,42 @@ test.describe("a model without texture coordinates", () => {
     await expect.poll(async () => (await editor.design()).layers.map(({ name }) => name)).toEqual(["board"]);
   });
 
-  test("stays unopened where its unwrapping is cancelled, and what was open stays", async ({ editor, page }) => {
+  test("is unwrapped and opened as well where its coordinates are broken", async ({ editor, page }) => {
+    await editor.open();
+    for (const [name, coordinate] of [
+      ["none.glb", Number.NaN],
+      ["far.glb", 1e30],
+      ["repeated.glb", 60_000],
+    ] as const) {
+      const offer = await refuse(editor, glbWithBrokenUvs(name, coordinate), "bad-uvs");
+      await expect(editor.notices).toContainText(`The texture coordinates of ${name} are broken`);
+      await offer.click();
+      await expect(page.locator("tc-top-bar .models")).toContainText(name.replace(".glb", ""));
+      await editor.idle();
+      const bare = await editor.hash();
+      await editor.addDemoDecal("flower");
+      expect(await editor.settledHash(), "it takes paint").not.toBe(bare);
+    }
+  });
+
+  test("stays unopened where its unwrapping is cancelled, is offered again, and what was open stays", async ({
+    editor,
+    page,
+  }) => {
     await editor.open();
     await editor.addDemoDecal("flower");
     const before = await opened(editor);
-    // The work never comes to its end by itself.
-    await page.route("**/unwrap-worker-*.js", () => undefined);
+    // The work does not come to its end by itself.
+    await page.route("**/unwrap-worker-*.js", () => undefined, { times: 1 });
     await (await refuse(editor, glbWithoutUvs())).click();
     await page.locator("tc-notice-stack .task").getByRole("button", { name: "Cancel" }).press("Enter");
     await expect(page.locator("tc-notice-stack .task")).toHaveCount(0);
     expect(await opened(editor)).toEqual(before);
-    await expect(editor.notices).toHaveCount(0);
+    await expect(editor.notices).toContainText("bare.glb was not opened");
+    await expect(editor.notices).toHaveAttribute("role", "status");
+    await editor.notices.getByRole("button", { name: "Unwrap and open" }).click();
+    await expect(page.locator("tc-top-bar .models")).toContainText("bare");
+    await expect(editor.notices.getByText("was not opened")).toHaveCount(0);
   });
 
   test("stays unopened where it cannot be unwrapped, which is said, and what was open stays", async ({ editor }) => {
@@ -156,4 +182,69 @@ test.describe("a model without texture coordinates", () => {
     await editor.notices.getByRole("button", { name: "Abwickeln und öffnen" }).click();
     await expect(page.locator("tc-top-bar .models")).toContainText("bare");
   });
+});
+
+test.describe("a part without texture coordinates, of a model that has some", () => {
+  const offer = (editor: EditorPage) => editor.notices.getByRole("button", { name: "Unwrap it" });
+
+  /** The model, and the middle of its bare square on the page. */
+  const open = async (editor: EditorPage, page: Page): Promise<Point> => {
+    await editor.open();
+    await editor.openModel([halfBareGlb()]);
+    await editor.idle();
+    return (await page.evaluate(() => window.texelcast.project(1.1, 0, 0))) as Point;
+  };
+
+  const takesPaint = async (editor: EditorPage) => {
+    await expect(editor.notices).toContainText("It takes paint now");
+    await editor.idle();
+  };
+
+  test("is unwrapped from where a picture was dropped on it, which lies there then", async ({ editor, page }) => {
+    const place = await open(editor, page);
+    await editor.drop([boardPicture()], place);
+    await expect(editor.notices).toContainText("Rubber, takes no paint: no texture coordinates.");
+    const { layers } = await editor.design();
+    await offer(editor).press("Enter");
+    await takesPaint(editor);
+    expect((await editor.design()).layers).toEqual(layers);
+    const painted = await editor.settledHash();
+    await editor.action("delete").click();
+    expect(await editor.settledHash(), "the picture was on the texture").not.toBe(painted);
+    for (let step = 0; step < 2; step++) await page.keyboard.press("Control+z");
+    await expect(page.locator("tc-target-settings #material option:disabled")).toHaveCount(1);
+    expect((await editor.design()).layers).toEqual(layers);
+  });
+
+  test("is unwrapped from where a decal was dragged onto it, which lies there then", async ({ editor, page }) => {
+    const place = await open(editor, page);
+    const paper = (await page.evaluate(() => window.texelcast.project(0, 0, 0))) as Point;
+    await editor.drop([boardPicture()], paper);
+    await expect.poll(async () => (await editor.design()).layers.length).toBe(1);
+    await editor.idle();
+    const id = await editor.lowestLayer();
+    await editor.drag(paper, place, 8);
+    await offer(editor).click();
+    await takesPaint(editor);
+    expect((await editor.decal(id)).material).toBe(1);
+  });
+
+  for (const [tool, key] of [
+    ["brush", "b"],
+    ["pencil", "n"],
+    ["bucket", "g"],
+  ] as const) {
+    test(`is unwrapped from where the ${tool} found it bare, and takes the ${tool} then`, async ({ editor, page }) => {
+      const place = await open(editor, page);
+      if (tool !== "brush") await page.getByRole("checkbox", { name: "Pixel mode" }).check();
+      await page.keyboard.press(key);
+      await page.mouse.click(place.x, place.y);
+      await expect(editor.notices).toContainText("Rubber, takes no paint: no texture coordinates.");
+      await offer(editor).click();
+      await takesPaint(editor);
+      const at = (await page.evaluate(() => window.texelcast.project(1.1, 0, 0))) as Point;
+      await page.mouse.click(at.x, at.y);
+      await expect.poll(async () => (await editor.design()).layers.length).toBe(1);
+    });
+  }
 });

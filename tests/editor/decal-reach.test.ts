@@ -54,10 +54,17 @@ describe("a decal's materials", () => {
     expect(reach.movedTo(layer(0, 0), at(0.5), 1)).toBe(1);
   });
 
-  it("stay where it leaves the model, or lands on what takes no decals", () => {
+  it("stay where it leaves the model", () => {
     const reach = reachOf();
     expect(reach.movedTo(layer(-5, 0), at(100), null)).toBe(0);
-    expect(reach.movedTo(layer(100, 0), at(100), 2)).toBe(0);
+    expect(reach.movedTo(layer(0, 0), at(100), null)).toBe(0);
+  });
+
+  it("are what it lies on where that alone takes no decals, as that may be unwrapped yet; not where it was kept off others", () => {
+    const reach = reachOf();
+    expect(reach.movedTo(layer(-5, 0), at(100), 2)).toBe(2);
+    expect(reach.movedTo(layer(0, 0), at(100), 2)).toBe(0);
+    expect(reach.movedTo(layer(100, 2), at(0), 0), "from there it goes on as others do").toEqual([0, 1]);
   });
 
   it("are those of its twin, too, from when it has a mirror until it has none", () => {

@@ -22,6 +22,7 @@ function page(unwrap: (size: number) => Promise<Uint8Array<ArrayBuffer>>) {
     command.openBare(
       { ref: refOf("chair.gltf"), materials: Array.from({ length: count }, (_, i) => i) },
       async ({ source }) => void opened.push(source.name),
+      () => void opened.push("cancelled"),
     );
   return { store, opened, openBare, told: () => store.state.notices.map(({ title, code }) => [title, code]) };
 }
@@ -50,14 +51,14 @@ describe("a model that was refused for lack of texture coordinates", () => {
     expect([opened, told()]).toEqual([[], []]);
   });
 
-  it("says why it could not be unwrapped, and nothing where that was cancelled", async () => {
-    for (const [code, notices] of [
-      ["bad-size", [["Could not unwrap the model", "bad-size"]]],
-      ["cancelled", []],
+  it("says why it could not be unwrapped, and only hears of it where that was cancelled", async () => {
+    for (const [code, ended, notices] of [
+      ["bad-size", [], [["Could not unwrap the model", "bad-size"]]],
+      ["cancelled", ["cancelled"], []],
     ] as const) {
       const { openBare, opened, told } = page(() => Promise.reject(new TexelcastError(code, "No.")));
       await openBare();
-      expect([opened, told()]).toEqual([[], notices]);
+      expect([opened, told()]).toEqual([ended, notices]);
     }
   });
 

@@ -130,6 +130,20 @@ describe("a model that is unwrapped", () => {
     expect((await overlapOf(glb, SIZE)).covered).toBeGreaterThan(1000);
   });
 
+  it("gets coordinates of use where those that it has are no numbers, or far out of range", async () => {
+    for (const broken of [Number.NaN, Number.POSITIVE_INFINITY, -3e38]) {
+      const bad = { ...square(0), uvs: [broken, 1, 1, 1, 1, 0, 0, broken] };
+      const source = await squares({ meshes: [bad, square(2)] });
+      const { glb } = await unwrapModel(source, { materials: [0], size: SIZE });
+      const { covered, overlapping, info } = await overlapOf(glb, SIZE);
+      expect([info?.refusal, overlapping, covered > 1000]).toEqual([null, 0, true]);
+      const [material] = (await documentOf(glb)).getRoot().listMaterials();
+      const { rgba } = await decodePicture(material?.getBaseColorTexture()?.getImage() ?? new Uint8Array(), "new");
+      const least = rgba.filter((_, i) => i % 4 === 3).reduce((low, alpha) => Math.min(low, alpha), 255);
+      expect(least, "what shows its place shows the picture, and no hole").toBe(255);
+    }
+  });
+
   it("is read through Draco and meshopt", async () => {
     const compressed = await compressedModels((await squares()).bytes);
     for (const bytes of [compressed.draco, compressed.meshopt]) {

@@ -586,6 +586,10 @@ export const german: Strings = {
     reload: "Neu laden",
     barePart: "Dort lässt sich nichts malen",
     barePartWhy: (name, why) => `Das Material dieses Teils, ${name}, nimmt keine Farbe an: ${why}.`,
+    unwrapPart: "Abwickeln",
+    partUnwrapped: "Jetzt lässt es sich bemalen",
+    partUnwrappedUndo: "Rückgängig bringt das alte Modell zurück.",
+    notOpened: (name) => `${name} wurde nicht geöffnet`,
     otherModel: "Dieses Design wurde für ein anderes Modell gemacht",
     lostLayers: (count) =>
       `${plural(count, "Ebene bemalt ein Material, das", "Ebenen bemalen Materialien, die")} dieses Modell nicht hat.`,
@@ -742,6 +746,7 @@ export const german: Strings = {
     couldNotUnwrap: "Das Modell ließ sich nicht abwickeln",
     unwrapFailed: (reason) => `Das Modell ließ sich nicht abwickeln${reason ? `: ${reason}` : "."}`,
     bareModel: (name) => `${name} hat keine Texturkoordinaten und damit keine Textur, die man bemalen könnte.`,
+    brokenUvs: (name) => `Die Texturkoordinaten von ${name} sind beschädigt, damit lässt sich nichts bemalen.`,
     bareModelHint: "Abgewickelt sieht es aus wie vorher und nimmt Farbe an.",
     unwrapAndOpen: "Abwickeln und öffnen",
     noUvsHint: "Wickle das Modell mit „texelcast unwrap“ ab, oder in einem 3D-Programm.",

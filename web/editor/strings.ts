@@ -578,6 +578,10 @@ const english = {
     reload: "Load again",
     barePart: "Nothing can be painted there",
     barePartWhy: (name: string, why: string): string => `The material of that part, ${name}, takes no paint: ${why}.`,
+    unwrapPart: "Unwrap it",
+    partUnwrapped: "It takes paint now",
+    partUnwrappedUndo: "Undo brings the old model back.",
+    notOpened: (name: string): string => `${name} was not opened`,
     otherModel: "This design was made for another model",
     lostLayers: (count: number): string =>
       `${plural(count, "layer paints a material", "layers paint materials")} that this model does not have.`,
@@ -734,6 +738,8 @@ const english = {
     couldNotUnwrap: "Could not unwrap the model",
     unwrapFailed: (reason: string): string => `The model could not be unwrapped${reason ? `: ${reason}` : "."}`,
     bareModel: (name: string): string => `${name} has no texture coordinates, and so no texture to paint.`,
+    brokenUvs: (name: string): string =>
+      `The texture coordinates of ${name} are broken, and nothing can be painted by them.`,
     bareModelHint: "Unwrapped, it looks as before and takes paint.",
     unwrapAndOpen: "Unwrap and open",
     noUvsHint: "Unwrap the model with “texelcast unwrap”, or in a 3D program.",

@@ -61,6 +61,29 @@ export function glbWithoutUvs(): TestFile {
   return file("bare.glb", writeGlb(json, binary));
 }
 
+/** The two squares, the right one without texture coordinates. */
+export function halfBareGlb(): TestFile {
+  const { uvs: _, ...bare } = SQUARE;
+  const right = {
+    ...bare,
+    positions: SQUARE.positions.map((value, i) => (i % 3 === 0 ? value + 1.1 : value)),
+    material: 1,
+  };
+  const materials = [{ name: "Paper" }, { name: "Rubber" }];
+  const { json, binary } = buildModel({ meshes: [SQUARE, right], materials });
+  return file("half-bare.glb", writeGlb(json, binary));
+}
+
+/** The square with a texture coordinate that its file does not mean. */
+export function glbWithBrokenUvs(name: string, broken: number): TestFile {
+  const { uvs = [], ...others } = SQUARE;
+  const { json, binary } = buildModel({
+    meshes: [{ ...others, uvs: [broken, ...uvs.slice(1)] }],
+    materials: [{ name: "Broken" }],
+  });
+  return file(name, writeGlb(json, binary));
+}
+
 /** Teal with a white corner at the top left, so that a picture upside down is told. */
 export const BOARD_SIZE = 64;
 export const boardPicture = (): TestFile =>

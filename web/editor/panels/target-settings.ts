@@ -1,7 +1,7 @@
 /** The paint target of a material: its size, its gutter, and how well the model is unwrapped. */
 import { css, html, nothing, type TemplateResult } from "lit";
 import type { TargetInfo } from "../../engine/engine-api.ts";
-import { whyNotPaintable } from "../state/bare-part.ts";
+import { whyNotPaintable } from "../state/bare-parts.ts";
 import type { EditorState, TargetSettings as Settings } from "../state/editor-state.ts";
 import { materialsToUnwrap, sharesTexels } from "../state/unwrap-command.ts";
 import type { Strings } from "../strings.ts";
@@ -136,7 +136,7 @@ export class TargetSettings extends EditorElement {
     `;
   }
 
-  /** Below the warning, or where a material has no texture coordinates to be painted by. */
+  /** Below the warning, or where a material has no texture coordinates of use. */
   #unwrap(): TemplateResult {
     const { unwrapping, tasks } = this.editor;
     return html`<button

@@ -6,7 +6,7 @@ import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf
 import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
-import { tellBarePart } from "./bare-part.ts";
+import type { BareParts } from "./bare-parts.ts";
 import { carriedGroupMask, carriedMask, type MaskSurface } from "./carried-mask.ts";
 import { carriedProjector, changedAlike, type Foot, footOf, type NearSurface } from "./carried-projector.ts";
 import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
@@ -57,6 +57,7 @@ export interface DecalCommandsParts {
   readonly store: Store<EditorState>;
   readonly board: NoticeBoard;
   readonly layers: LayerCommands;
+  readonly bare: BareParts;
 }
 
 export class DecalCommands {
@@ -65,6 +66,7 @@ export class DecalCommands {
   readonly #store: Store<EditorState>;
   readonly #board: NoticeBoard;
   readonly #layers: LayerCommands;
+  readonly #bare: BareParts;
   readonly reach: DecalReach;
   readonly #tried = new TriedKinds();
   readonly #report: StepReport;
@@ -82,12 +84,13 @@ export class DecalCommands {
   readonly #together: ChosenTogether;
   #found: Found | null = null;
 
-  constructor({ session, viewer, store, board, layers }: DecalCommandsParts) {
+  constructor({ session, viewer, store, board, layers, bare }: DecalCommandsParts) {
     this.#session = session;
     this.#viewer = viewer;
     this.#store = store;
     this.#board = board;
     this.#layers = layers;
+    this.#bare = bare;
     this.#report = new StepReport(board, store, () => this.selected);
     this.#together = new ChosenTogether(viewer, () => store.state);
     this.reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
@@ -201,7 +204,7 @@ export class DecalCommands {
     const { design, layer } = make(id, projector, material);
     this.#session.record(addOnTop(design, layer, this.#group()), label);
     this.#session.select(id);
-    tellBarePart(this.reach.bareOf(projector, false, spot?.material ?? null), this.#board);
+    this.#bare.tell(this.reach.bareOf(projector, false, spot?.material ?? null));
   }
 
   /** The group that is worked in: new decals lie on top of it. */
@@ -378,7 +381,7 @@ export class DecalCommands {
       else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
       if (phase !== "end") return;
-      tellBarePart(this.reach.bareOf(projector, layer.backfaces, onto), this.#board);
+      this.#bare.tell(this.reach.bareOf(projector, layer.backfaces, onto));
       this.#tellLeft([layer, ...(this.#carried ?? []).map((carried) => carried.layer)]);
     }
   }

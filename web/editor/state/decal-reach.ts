@@ -45,17 +45,17 @@ export class DecalReach {
 
   /**
    * The materials of a decal that was moved, or given another mirror. One that painted everything it reached goes on to do so:
-   * over a border it paints both sides. One that was kept off a material it reached stays on its own, until it is dragged onto
-   * another.
+   * over a border it paints both sides, and dragged onto what takes no paint it waits there for the model to be unwrapped. One that
+   * was kept off a material it reached stays on its own, until it is dragged onto another.
    *
    * @param onto the material of the surface that it was dragged onto; null where it was moved without touching one
    */
   movedTo(layer: PlacedLayer, projector: Projector, onto: number | null, mirror = layer.mirror): LayerMaterials {
     const own = materialsOf(layer);
-    const landed = onto !== null && !own.includes(onto) && this.#canPaint(onto) ? onto : null;
-    if (!this.#followsSurface(layer)) return landed ?? layer.material;
+    const met = onto !== null && !own.includes(onto) ? onto : layer.material;
+    if (!this.#followsSurface(layer)) return typeof met === "number" && this.#canPaint(met) ? met : layer.material;
     const reached = this.#paintable(projector, layer.backfaces, mirror);
-    return reached.length === 0 ? (landed ?? layer.material) : layerMaterials(reached);
+    return reached.length === 0 ? met : layerMaterials(reached);
   }
 
   #followsSurface(layer: PlacedLayer): boolean {

@@ -19,6 +19,7 @@ import { textTool } from "../tools/text-tool.ts";
 import { Toolbox } from "../tools/toolbox.ts";
 import type { Admission } from "./admission.ts";
 import { AssetLibrary } from "./asset-library.ts";
+import { BareParts } from "./bare-parts.ts";
 import { ClipboardCommands } from "./clipboard-commands.ts";
 import { DecalCommands } from "./decal-commands.ts";
 import { DecalReach } from "./decal-reach.ts";
@@ -113,11 +114,12 @@ export class Editor {
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
     const { session, library } = this;
     this.layers = new LayerCommands({ session, viewer, store, board, admission });
-    this.decals = new DecalCommands({ session, viewer, store, board, layers: this.layers });
-    const { decals, layers } = this;
-    this.clipboard = new ClipboardCommands({ session, library, layers, store, board, tasks, admission });
     const models = this.#models;
     this.unwrapping = unwrap && new UnwrapCommand({ store, session, models, board, tasks, unwrap });
+    const bare = new BareParts({ board, tasks, unwrapping: this.unwrapping });
+    this.decals = new DecalCommands({ session, viewer, store, board, layers: this.layers, bare });
+    const { decals, layers } = this;
+    this.clipboard = new ClipboardCommands({ session, library, layers, store, board, tasks, admission });
     const projects = (): ProjectCommands => this.projects;
     this.files = new FileCommands({
       engine,
@@ -149,7 +151,7 @@ export class Editor {
     const reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
     this.palettes = new PaletteCommands(tools, board);
     this.tips = new TipCommands({ library, store, tools, board, admission });
-    registerTools({ engine, viewer, textureView, session, library, store, board, tools, reach });
+    registerTools({ engine, viewer, textureView, session, library, store, board, tools, reach, bare });
     tools.register(new PartsTool({ engine, viewer, textureView, store, board, layers: this.layers }));
     const showMaterial = (material: number): void => this.showMaterial(material);
     this.views = new ViewCommands({

@@ -145,20 +145,26 @@ export class FileCommands {
   }
 
   /**
-   * Says why something was not opened. Where it is a model without texture coordinates, a press unwraps it, and `again` opens it
-   * so.
+   * Says why something was not opened. Where it is a model that lacks texture coordinates of use, a press unwraps it, and `again`
+   * opens it so.
    */
   #tellRefusal(name: string, thrown: unknown, again: (unwrapped: ModelRef) => Promise<void>): void {
     const { board, unwrapping } = this.#parts;
-    const { couldNotOpen, bareModel, bareModelHint, unwrapAndOpen } = board.strings.errors;
+    const { couldNotOpen, bareModel, brokenUvs, bareModelHint: hint, unwrapAndOpen } = board.strings.errors;
     if (unwrapping === null || !(thrown instanceof BareModelError)) {
       board.error(couldNotOpen(name), thrown);
       return;
     }
     const { code, model, subject = "" } = thrown;
-    const run = (): void => void this.#unlessReadonly(() => unwrapping.openBare(model, again));
-    const told = new ToldError(code, bareModel(subject), { subject, hint: bareModelHint });
-    board.error(couldNotOpen(name), told, { label: unwrapAndOpen, run });
+    const message = (code === "no-uvs" ? bareModel : brokenUvs)(subject);
+    const action = {
+      label: unwrapAndOpen,
+      run: (): void => void this.#unlessReadonly(() => unwrapping.openBare(model, again, offerAgain)),
+    };
+    // The file is still at hand, and who stopped the work may have second thoughts.
+    const offerAgain = (): number =>
+      board.info({ title: board.strings.notices.notOpened(name), message, hint, action, stays: true });
+    board.error(couldNotOpen(name), new ToldError(code, message, { subject, hint }), action);
   }
 
   /** @param unwrapped opened in place of the demo's own model */

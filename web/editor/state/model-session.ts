@@ -9,7 +9,7 @@ import type { ModelViewer } from "../../viewer/viewer-api.ts";
 import { type Design, materialsIn } from "../document/index.ts";
 import { ToldError } from "../strings/told-error.ts";
 import { type Strings, stringsIn } from "../strings.ts";
-import { BareModelError } from "./bare-model-error.ts";
+import { BareModelError, takesPaintUnwrapped } from "./bare-model-error.ts";
 import { usedMaterials } from "./design-edits.ts";
 import type { ModelRef, OpenModel } from "./design-state.ts";
 import type { EditorState, TargetSettings } from "./editor-state.ts";
@@ -162,7 +162,9 @@ export class ModelSession {
       textureMode: "texture",
     });
     task.relabel(this.#strings.tasks.baking);
-    await this.#openTarget(material, task);
+    await this.#openTarget(material, task).catch((thrown: unknown) => {
+      throw brokenCoordinates(model, material, thrown);
+    });
     for (const other of usedMaterials(design)) {
       if (other !== material && this.#paintable(other)) await this.#openTarget(other, task);
     }
@@ -249,10 +251,18 @@ function firstPaintable({ ref, info }: OpenModel, design: Design, strings: Strin
   throw refusalOf(ref, info, strings);
 }
 
+/** Coordinates may be numbers and yet of no use, which is found when they are drawn: then the model is refused after all. */
+function brokenCoordinates({ ref, info }: OpenModel, material: number, thrown: unknown): unknown {
+  if (!(thrown instanceof TexelcastError) || thrown.code !== "bad-uvs") return thrown;
+  const bare = info.materials.filter((each) => each.index === material || takesPaintUnwrapped(each));
+  const model = { ref, materials: bare.map(({ index }) => index) };
+  return new BareModelError(thrown.code, model, thrown.message, { ...thrown.toJSON(), subject: info.name });
+}
+
 function refusalOf(ref: ModelRef, { name, materials }: ModelInfo, strings: Strings): TexelcastError {
   const isRefused = (material: MaterialInfo): material is MaterialInfo & { refusal: object } => !!material.refusal;
   const refused = materials.filter(isRefused);
-  const bare = refused.filter(({ refusal }) => refusal.code === "no-uvs");
+  const bare = refused.filter(takesPaintUnwrapped);
   // What can be helped is told before what cannot.
   const [first] = [...bare, ...refused];
   if (!first) return new ToldError("no-triangles", strings.errors.noMaterials, { subject: name });
@@ -260,5 +270,5 @@ function refusalOf(ref: ModelRef, { name, materials }: ModelInfo, strings: Strin
   const details = { subject: name, field: strings.materialName(first.index, first.name) };
   if (bare.length === 0) return new TexelcastError(code, message, { ...details, hint: strings.errors.refusedHint });
   const model = { ref, materials: bare.map(({ index }) => index) };
-  return new BareModelError(model, message, { ...details, hint: strings.errors.noUvsHint });
+  return new BareModelError(code, model, message, { ...details, hint: strings.errors.noUvsHint });
 }

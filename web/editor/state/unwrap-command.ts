@@ -1,17 +1,18 @@
 /** Gives the open model texture coordinates in which its parts share no texels: one step, which an undo takes back. */
-import type { ModelSource, TargetInfo } from "../../engine/engine-api.ts";
+import type { MaterialInfo, ModelSource, TargetInfo } from "../../engine/engine-api.ts";
 import { SHARED_TEXELS } from "../../engine/shared-texels.ts";
 import type { Design, DesignLayer } from "../document/design.ts";
 import { materialsIn, walkLayers } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
 import type { Strings } from "../strings.ts";
-import type { BareModel } from "./bare-model-error.ts";
+import { type BareModel, takesPaintUnwrapped } from "./bare-model-error.ts";
 import { patchLayers } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { ModelRef } from "./design-state.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { ModelSession } from "./model-session.ts";
 import type { NoticeBoard } from "./notice-board.ts";
+import { isCancelled } from "./notices.ts";
 import type { Store } from "./store.ts";
 import type { TaskHandle, Tasks } from "./tasks.ts";
 
@@ -43,15 +44,13 @@ export interface UnwrapCommandParts {
 export const sharesTexels = ({ overlappingTexels, coveredTexels }: TargetInfo): boolean =>
   overlappingTexels > SHARED_TEXELS * coveredTexels;
 
-/** Materials whose parts share texels (of those that are open), and those that have no texture coordinates. */
+/** Materials that take no paint until they are unwrapped, and those whose parts share texels (of those that are open). */
 export function materialsToUnwrap({ model, targets }: Pick<EditorState, "model" | "targets">): number[] {
-  const needs = (index: number, code?: string): boolean => {
-    const target = targets.get(index);
-    return code === "no-uvs" || (target !== undefined && sharesTexels(target));
+  const needs = (material: MaterialInfo): boolean => {
+    const target = targets.get(material.index);
+    return takesPaintUnwrapped(material) || (target !== undefined && sharesTexels(target));
   };
-  return (model?.info.materials ?? [])
-    .filter(({ index, refusal }) => needs(index, refusal?.code))
-    .map(({ index }) => index);
+  return (model?.info.materials ?? []).filter(needs).map(({ index }) => index);
 }
 
 export class UnwrapCommand {
@@ -65,11 +64,24 @@ export class UnwrapCommand {
    * Unwraps what `materialsToUnwrap` finds and opens the model so, with its design. What lies on the former coordinates is
    * hidden, not taken away, and the user is told.
    */
-  async run(): Promise<void> {
+  run(): Promise<void> {
+    const { store, board } = this.#parts;
+    return this.#run(materialsToUnwrap(store.state), () => board.announce(board.strings.announce.unwrapped));
+  }
+
+  /** Unwraps what takes no paint until then, and nothing else: what is painted stays on the texture that it has. */
+  runForBare(): Promise<void> {
+    const { store, board } = this.#parts;
+    const { partUnwrapped, partUnwrappedUndo } = board.strings.notices;
+    const bare = (store.state.model?.info.materials ?? []).filter(takesPaintUnwrapped).map(({ index }) => index);
+    return this.#run(bare, () => board.info({ title: partUnwrapped, message: partUnwrappedUndo }));
+  }
+
+  /** @param done tells the user */
+  async #run(materials: readonly number[], done: () => void): Promise<void> {
     const { store, session, models, board } = this.#parts;
     const { strings } = board;
     const before = store.state.model?.ref;
-    const materials = materialsToUnwrap(store.state);
     if (!before || materials.length === 0 || store.state.readonly || store.state.switching) return;
     try {
       const ref = await this.#unwrapped({ ref: before, materials }, this.#size(materials));
@@ -81,7 +93,7 @@ export class UnwrapCommand {
       const settings = new Map([...store.state.targetSettings].filter(([material]) => !materials.includes(material)));
       models.rememberSettings(ref, settings);
       await models.open(ref, design, () => session.recordModel(ref, design, strings.steps.unwrap));
-      board.announce(strings.announce.unwrapped);
+      done();
       if (hidden > 0) {
         board.info({ title: strings.announce.unwrapped, message: strings.notices.flatHidden(hidden), stays: true });
       }
@@ -93,15 +105,18 @@ export class UnwrapCommand {
   /**
    * Unwraps a model that was refused without it, and gives it to `open`; not where another one was opened meanwhile. What is
    * open stays so until then, and where that fails or is cancelled.
+   *
+   * @param cancelled runs in the latter case
    */
-  async openBare(model: BareModel, open: (unwrapped: ModelRef) => Promise<void>): Promise<void> {
+  async openBare(model: BareModel, open: (unwrapped: ModelRef) => Promise<void>, cancelled: () => void): Promise<void> {
     const { store, board } = this.#parts;
     const before = store.state.model?.ref;
     try {
       const unwrapped = await this.#unwrapped(model, sizeFor(model.materials.length, LEAST_SIZE));
       if (store.state.model?.ref === before) await open(unwrapped);
     } catch (thrown) {
-      board.error(board.strings.errors.couldNotUnwrap, thrown);
+      if (isCancelled(thrown)) cancelled();
+      else board.error(board.strings.errors.couldNotUnwrap, thrown);
     }
   }
 

@@ -1,7 +1,6 @@
 /** Brush and eraser: what they paint with, and where it goes. */
 import { Brush as BrushIcon, Eraser } from "lucide";
 import type { Brush, Design } from "../document/index.ts";
-import { tellBarePart } from "../state/bare-part.ts";
 import { withAsset } from "../state/design-edits.ts";
 import { tellShownAlready } from "../state/mask-edits.ts";
 import type { BrushKind } from "./brush-tool.ts";
@@ -40,7 +39,7 @@ export function eraserBrush(context: ToolContext): BrushKind {
 }
 
 function begin(context: ToolContext, erases: boolean): PaintGesture | null {
-  const { session, store, board, tools, reach, library } = context;
+  const { session, store, board, tools, reach, bare, library } = context;
   const { strings } = board;
   const { selectedId, editingMask } = store.state;
   const target = paintTargetOf(session.recordedDesign, selectedId, erases, editingMask);
@@ -80,7 +79,7 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
     end: () => {
       const layerId = stroke.end(strings.tools.steps[id]);
       if (layerId === null) {
-        tellBarePart(stroke.bare, board);
+        bare.tell(stroke.bare);
         return;
       }
       if (store.state.selectedId !== layerId) session.select(layerId);

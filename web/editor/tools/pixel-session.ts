@@ -1,5 +1,5 @@
 /** Begins changes of pixel layers, one after another, and keeps what is read from them. */
-import type { ModelInfo, Picture } from "../../engine/engine-api.ts";
+import type { MaterialInfo, ModelInfo, Picture } from "../../engine/engine-api.ts";
 import { decodePicture } from "../../engine/picture-decoder.ts";
 import { type DecalLayer, type DesignLayer, findLayer, hasRoom, isLocked } from "../document/index.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
@@ -52,12 +52,24 @@ export class PixelSession {
 
   /** Of a target that is opened once something lies on it: another material that the pointer went over. */
   #sizeToBe(material: number): PixelSize | null {
-    const { model, targetSettings } = this.#context.store.state;
-    const info = model?.info.materials.find(({ index }) => index === material);
+    const { targetSettings } = this.#context.store.state;
+    const info = this.#materialInfo(material);
     if (info === undefined || info.refusal !== null) return null;
     const size = targetSettings.get(material)?.size ?? null;
     const [width, height] = size === null ? (info.textureSize ?? [UNKNOWN_SIZE, UNKNOWN_SIZE]) : [size, size];
     return { width, height };
+  }
+
+  /** Whether a material takes no paint, which the user is told then. */
+  tellBare(material: number): boolean {
+    const info = this.#materialInfo(material);
+    if (!info?.refusal) return false;
+    this.#context.bare.tell(info);
+    return true;
+  }
+
+  #materialInfo(material: number): MaterialInfo | undefined {
+    return this.#context.store.state.model?.info.materials.find(({ index }) => index === material);
   }
 
   /** Null where nothing can be painted of the material that it begins on; the user is told why. */
@@ -73,6 +85,7 @@ export class PixelSession {
       board.info(board.strings.tools.fullDesign);
       return null;
     }
+    if (this.tellBare(material)) return null;
     // Changes that are still being written may be what makes the layers.
     const ready = this.#line;
     const gesture = new PixelGesture(this.#context, (met) => this.#open(met, masked, ready), masked);

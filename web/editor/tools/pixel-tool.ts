@@ -137,6 +137,7 @@ export class PixelTool implements Tool {
       this.#probe.pick(sample.hit);
       return true;
     }
+    if (this.#pixels.tellBare(material)) return true;
     const size = this.#sizeOf(material);
     const at = size && placeOf(sample, material, size);
     if (size === null || at === null) return false;

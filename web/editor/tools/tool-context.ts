@@ -2,6 +2,7 @@
 import type { Engine } from "../../engine/engine-api.ts";
 import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
 import type { AssetLibrary } from "../state/asset-library.ts";
+import type { BareParts } from "../state/bare-parts.ts";
 import type { DecalReach } from "../state/decal-reach.ts";
 import type { DesignSession } from "../state/design-session.ts";
 import type { EditorState } from "../state/editor-state.ts";
@@ -19,4 +20,5 @@ export interface ToolContext {
   readonly board: NoticeBoard;
   readonly tools: Toolbox;
   readonly reach: DecalReach;
+  readonly bare: BareParts;
 }

@@ -87,8 +87,9 @@ export function readPart(
   }
   for (let i = 0; uvs !== null && i < uvs.length; i += 2) {
     const [u, v] = place.apply(uvs[i] as number, uvs[i + 1] as number);
-    uvs[i] = u;
-    uvs[i + 1] = v;
+    // What is no number shows no place of the picture: any will do, and a colour of it leaves no hole.
+    uvs[i] = Number.isFinite(u) ? u : 0;
+    uvs[i + 1] = Number.isFinite(v) ? v : 0;
   }
   const indices = indicesOf(primitive, vertexCount, accessors, name);
   return { primitive, indices, vertexCount, positions, uvs, scale: scaleOfMesh(json, mesh, accessors, name) };
