@@ -235,15 +235,23 @@ test.describe("a part without texture coordinates, of a model that has some", ()
     ["bucket", "g"],
   ] as const) {
     test(`is unwrapped from where the ${tool} found it bare, and takes the ${tool} then`, async ({ editor, page }) => {
-      const place = await open(editor, page);
+      await page.emulateMedia({ reducedMotion: "reduce" });
+      const middle = await open(editor, page);
+      const corner = { x: middle.x, y: middle.y + 200 };
+      await editor.drag(corner, { x: corner.x - 60, y: corner.y }, 4);
+      const seen = () => page.evaluate(() => window.texelcast.project(1.1, 0, 0));
+      await expect.poll(seen).not.toEqual(middle);
+      await editor.idle();
+      const place = (await seen()) as Point;
       if (tool !== "brush") await page.getByRole("checkbox", { name: "Pixel mode" }).check();
       await page.keyboard.press(key);
       await page.mouse.click(place.x, place.y);
       await expect(editor.notices).toContainText("Rubber, takes no paint: no texture coordinates.");
       await offer(editor).click();
       await takesPaint(editor);
-      const at = (await page.evaluate(() => window.texelcast.project(1.1, 0, 0))) as Point;
-      await page.mouse.click(at.x, at.y);
+      const after = (await seen()) as Point;
+      expect(Math.hypot(after.x - place.x, after.y - place.y), "seen from where it was").toBeLessThan(1);
+      await page.mouse.click(place.x, place.y);
       await expect.poll(async () => (await editor.design()).layers.length).toBe(1);
     });
   }

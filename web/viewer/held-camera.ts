@@ -56,6 +56,12 @@ export class HeldCamera implements HeldRig {
     this.controls.setLookAt(eye.x, eye.y, eye.z, target.x, target.y, target.z, eased);
   }
 
+  /** What brings it back to where it goes now. */
+  keep(): () => void {
+    const [eye, target] = [this.controls.getPosition(new Vector3()), this.controls.getTarget(new Vector3())];
+    return () => this.lookAt(eye, target, false);
+  }
+
   turn(angle: number): void {
     if (this.controls.currentAction === CameraControls.ACTION.NONE) this.controls.azimuthAngle += angle;
   }

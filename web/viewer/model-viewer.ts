@@ -135,6 +135,14 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
     this.#model = null;
   }
 
+  keepCamera(): () => void {
+    const bring = this.#held.keep();
+    return () => {
+      bring();
+      this.#stage.requestFrame();
+    };
+  }
+
   convertProjector(projector: Projector, kind: Projector["kind"], material: number): Projector | null {
     return this.#placer(projector, material).converted(projector, kind);
   }

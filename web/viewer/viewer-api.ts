@@ -224,6 +224,8 @@ export interface ModelViewer extends DecalViewer {
    * now, from "perspective", too. Null where it meets no surface that the kind could hold, or is not seen from the camera.
    */
   convertProjector(projector: Projector, kind: Projector["kind"], material: number): Projector | null;
+  /** What brings the camera back to where it is: for a model that takes the place of its like. */
+  keepCamera(): () => void;
   /**
    * Turns a projector where it lies: to the surface's direction, upright to the model, or to the camera. The same one where
    * there is nothing to turn.

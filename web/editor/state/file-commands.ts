@@ -306,10 +306,11 @@ export class FileCommands {
     }
     const { model } = goal;
     try {
-      await models.open(model, goal.design, () => {
+      const onOpen = (): void => {
         store.set({ designName: this.#parts.projects().nameOf(model) ?? fileStem(model.title) });
         arrive();
-      });
+      };
+      await models.open(model, goal.design, onOpen, { keepsCamera: true });
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotOpen(model.title), thrown);
     }

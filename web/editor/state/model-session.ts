@@ -63,15 +63,17 @@ export class ModelSession {
   /**
    * Opens a model in place of the one before, with the design that is to be seen on it; `onOpen` runs once it is the
    * open one. Rejects with a TexelcastError, and the old model and its targets are there as before.
+   *
+   * @param keepsCamera whether it is seen from where the one before is, if it takes the same room
    */
-  open(ref: ModelRef, design: Design, onOpen: () => void): Promise<void> {
+  open(ref: ModelRef, design: Design, onOpen: () => void, { keepsCamera = false } = {}): Promise<void> {
     const work = async (task: TaskHandle): Promise<void> => {
       const before = this.#store.state.model;
       const info = await this.#engine.loadModel(ref.source);
       this.#store.set({ switching: true });
       try {
         task.checkCancelled();
-        await this.#show({ ref, info }, design, task);
+        await this.#show({ ref, info }, design, task, keepsCamera);
       } catch (thrown) {
         if (before) await this.#restore(before);
         throw thrown;
@@ -148,12 +150,15 @@ export class ModelSession {
     }
   }
 
-  async #show(model: OpenModel, design: Design, task: TaskHandle): Promise<void> {
+  async #show(model: OpenModel, design: Design, task: TaskHandle, keepsCamera = true): Promise<void> {
     const material = firstPaintable(model, design, this.#strings);
     this.#router.clear();
     this.#uvTriangles = new Map();
     this.#send(design);
+    const before = this.#store.state.model;
+    const bringCamera = keepsCamera && before && hasRoomOf(model, before) ? this.#viewer.keepCamera() : null;
     await this.#viewer.setModel(model.info);
+    bringCamera?.();
     this.#store.set({
       model,
       material,
@@ -249,6 +254,13 @@ function firstPaintable({ ref, info }: OpenModel, design: Design, strings: Strin
   const [best] = paintable.toSorted((a, b) => b.triangles - a.triangles);
   if (best) return best.index;
   throw refusalOf(ref, info, strings);
+}
+
+/** Whether a model takes the room of another one, as it does unwrapped. */
+function hasRoomOf({ info }: OpenModel, before: OpenModel): boolean {
+  const corners = ({ boundsMin, boundsMax }: ModelInfo): readonly number[] => [...boundsMin, ...boundsMax];
+  const others = corners(before.info);
+  return corners(info).every((place, axis) => place === others[axis]);
 }
 
 /** Coordinates may be numbers and yet of no use, which is found when they are drawn: then the model is refused after all. */

@@ -92,7 +92,8 @@ export class UnwrapCommand {
       // A size that was chosen for the old texture may be too small for all of its parts.
       const settings = new Map([...store.state.targetSettings].filter(([material]) => !materials.includes(material)));
       models.rememberSettings(ref, settings);
-      await models.open(ref, design, () => session.recordModel(ref, design, strings.steps.unwrap));
+      const record = (): void => session.recordModel(ref, design, strings.steps.unwrap);
+      await models.open(ref, design, record, { keepsCamera: true });
       done();
       if (hidden > 0) {
         board.info({ title: strings.announce.unwrapped, message: strings.notices.flatHidden(hidden), stays: true });
