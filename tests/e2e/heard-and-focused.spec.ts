@@ -268,3 +268,36 @@ test("wherever Tab comes to, the ring is whole and none is pale", async ({ edito
   expect(faults).toEqual([]);
   expect(stops.length).toBeGreaterThan(60);
 });
+
+test("Escape gives a field back what stood there, then leads to the view, and Enter leaves nobody nowhere", async ({
+  editor,
+  page,
+}) => {
+  await editor.openOnLowest();
+  const before = await editor.design();
+  const name = page.locator("tc-layer-properties #name");
+  for (const field of [editor.field("position-x"), name]) {
+    const stood = await field.inputValue();
+    await field.focus();
+    await page.keyboard.type("7");
+    await page.keyboard.press("Escape");
+    await expect(field).toHaveValue(stood);
+    await expect(field, "the typing has ended, not the visit").toBeFocused();
+    await page.keyboard.press("Escape");
+    await expect(editor.view).toBeFocused();
+    expect(await editor.selectedName(), "the field was left, not the layer").not.toBe("");
+  }
+  expect(await editor.design()).toEqual(before);
+
+  await name.fill("Renamed");
+  await page.keyboard.press("Enter");
+  await expect(name).toBeFocused();
+  await expect.poll(() => editor.selectedName()).toBe("Renamed");
+
+  const text = page.locator("tc-text-fields #text");
+  await page.getByRole("button", { name: "Add text" }).click();
+  await text.fill("Words");
+  await text.press("Escape");
+  await expect(editor.view).toBeFocused();
+  await expect.poll(async () => (await editor.design()).layers.at(-1)).toMatchObject({ type: "text", text: "Words" });
+});

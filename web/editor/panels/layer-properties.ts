@@ -9,6 +9,7 @@ import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
+import { takeTyped } from "../ui/open-field.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
 import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
 import { TypingEnd } from "../ui/typing-end.ts";
@@ -134,8 +135,13 @@ export class LayerProperties extends EditorElement {
   #header(layer: DesignLayer): TemplateResult {
     const input = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
     const keys = (event: KeyboardEvent): void => {
-      if (event.key === "Escape") input(event).value = layer.name;
-      if (event.key === "Escape" || event.key === "Enter") input(event).blur();
+      const field = input(event);
+      if (event.key === "Escape" && field.value !== layer.name) {
+        event.stopPropagation();
+        field.value = layer.name;
+      } else if (event.key === "Enter") takeTyped(field);
+      else return;
+      field.select();
     };
     const rename = (event: Event): void => {
       this.editor.layers.rename(layer.id, input(event).value);

@@ -153,10 +153,8 @@ export class NoticeStack extends EditorElement {
   /** From what has gone the keyboard goes on to what stands there now, or back to the work. */
   override updated(): void {
     if (this.#focused < 0 || this.shadowRoot?.activeElement) return;
-    const { viewer, textureView } = this.editor;
-    const work = this.state.view.layout === "texture" ? textureView : viewer;
     const buttons = this.#buttons;
-    const before = this.closest("dialog")?.querySelector("button") ?? work.element;
+    const before = this.closest("dialog")?.querySelector("button") ?? this.editor.work;
     (buttons[this.#focused] ?? buttons.at(-1) ?? before).focus({ preventScroll: true });
   }
 

@@ -177,11 +177,6 @@ export class TextFields extends EditorElement {
   #wordsField(layer: TextLayer): TemplateResult {
     const { texts } = this.editor;
     const value = (event: Event): string => (event.target as HTMLTextAreaElement).value;
-    const keys = (event: KeyboardEvent): void => {
-      if (event.key !== "Escape") return;
-      (event.target as HTMLTextAreaElement).blur();
-      event.stopPropagation();
-    };
     const label = this.strings.steps.change(this.#words.name);
     const record = (event: Event): void => {
       clearTimeout(this.#rest);
@@ -200,7 +195,6 @@ export class TextFields extends EditorElement {
       maxlength="10000"
       spellcheck="false"
       aria-label=${this.#words.words}
-      @keydown=${keys}
       @input=${type}
       @change=${record}
     ></textarea>`;

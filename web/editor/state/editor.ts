@@ -171,6 +171,11 @@ export class Editor {
     if (keeps) tellOfLostGraphics({ viewer, textureView, board, keep: () => this.autosave.flush() });
   }
 
+  /** The view that is worked in. */
+  get work(): HTMLElement {
+    return (this.store.state.view.layout === "texture" ? this.textureView : this.viewer).element;
+  }
+
   /** What it says, in its language. */
   get strings(): Strings {
     return stringsIn(this.store.state.language);

@@ -22,6 +22,7 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
     }
     return handleCommand(event, editor, actions);
   }
+  if (focus === "text" && event.key === "Escape") return leaveField(event, editor);
   // Who has set a slider by pointer goes on with a tool by its letter.
   if (focus !== "page" && !(focus === "slider" && /^[a-z]$/i.test(event.key))) return false;
   // Typed for the words whose font is not there yet: no tool is meant, and no layer is to be deleted.
@@ -33,6 +34,14 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
   if (handleView(event, editor)) return true;
   if (editor.store.state.readonly) return handleLook(event, editor);
   return editor.tools.handleKey(event) || (event.altKey ? handleAlt : handlePlain)(event, editor);
+}
+
+/** From a field in a panel to what it is about; a dialog's own is left with the dialog. */
+function leaveField(event: KeyboardEvent, { work }: Editor): boolean {
+  const [field] = event.composedPath();
+  if (!(field instanceof HTMLElement) || field.closest("dialog")) return false;
+  work.focus({ preventScroll: true });
+  return true;
 }
 
 function handleCommand(event: KeyboardEvent, { files, layers, store }: Editor, actions: ShortcutActions): boolean {

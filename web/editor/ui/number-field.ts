@@ -240,9 +240,12 @@ export class NumberField extends RemElement {
       this.#commitTyped();
       this.#input?.select();
     } else if (event.key === "Escape") {
+      // With nothing typed it is the page's, which leaves the field.
+      if (!this.#typing) return;
+      event.stopPropagation();
       this.#typing = false;
       this.#show();
-      this.#input?.blur();
+      this.#input?.select();
     } else if (event.key === "ArrowUp" || event.key === "ArrowDown") {
       event.preventDefault();
       const from = this.#commitTyped() ?? this.value;
