@@ -108,6 +108,25 @@ test("a label is dragged round its mug and stays on its axis; its lines and hand
   expect(await editor.settledHash()).toBe(start);
 });
 
+test("a label that is pushed over the rim is told to lie beside the model, until it is back", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openDesign([designFile, ringPicture()]);
+  await editor.select("label");
+  const told = editor.notices.getByText("Label lies beside the model");
+  await editor.setField("position-y", "150");
+  await expect(told).toBeVisible();
+  await editor.view.focus();
+  await page.keyboard.press("ArrowUp");
+  await expect(told, "it goes on to lie there").toBeVisible();
+  for (let step = 0; step < 2; step++) await page.keyboard.press("Control+z");
+  await expect(told).toHaveCount(0);
+  await editor.setField("position-y", "92");
+  await expect(told, "half of it is seen").toHaveCount(0);
+});
+
 test("keys nudge, turn and duplicate what is no box", async ({ editor, page }) => {
   await editor.open();
   await editor.openDesign([designFile, ringPicture()]);

@@ -586,6 +586,8 @@ export const german: Strings = {
     reload: "Neu laden",
     barePart: "Dort lässt sich nichts malen",
     barePartWhy: (name, why) => `Das Material dieses Teils, ${name}, nimmt keine Farbe an: ${why}.`,
+    lostDecal: (name) => `${name} liegt neben dem Modell`,
+    lostDecalWhy: "Dort wird davon wenig oder nichts gemalt. Schieb es zurück, oder mach den Schritt rückgängig.",
     unwrapPart: "Abwickeln",
     partUnwrapped: "Jetzt lässt es sich bemalen",
     partUnwrappedUndo: "Rückgängig bringt das alte Modell zurück.",

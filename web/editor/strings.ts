@@ -578,6 +578,8 @@ const english = {
     reload: "Load again",
     barePart: "Nothing can be painted there",
     barePartWhy: (name: string, why: string): string => `The material of that part, ${name}, takes no paint: ${why}.`,
+    lostDecal: (name: string): string => `${name} lies beside the model`,
+    lostDecalWhy: "Little or nothing of it is painted there. Move it back, or undo.",
     unwrapPart: "Unwrap it",
     partUnwrapped: "It takes paint now",
     partUnwrappedUndo: "Undo brings the old model back.",

@@ -32,6 +32,7 @@ import { FileCommands } from "./file-commands.ts";
 import { tellOfLostGraphics } from "./graphics-loss.ts";
 import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
 import { LayerCommands } from "./layer-commands.ts";
+import { LostDecal } from "./lost-decal.ts";
 import { megabytes } from "./megabytes.ts";
 import { ModelSession } from "./model-session.ts";
 import { NoticeBoard } from "./notice-board.ts";
@@ -91,6 +92,7 @@ export class Editor {
   readonly #models: ModelSession;
   readonly #router: UpdateRouter;
   readonly #drawing: DrawingTask;
+  readonly #lost: LostDecal;
   #modeRequest = 0;
 
   constructor(parts: EditorParts) {
@@ -103,6 +105,7 @@ export class Editor {
     this.textureView = textureView;
     const { store, board, tasks } = this;
     this.#drawing = new DrawingTask({ engine, tasks, label: () => this.strings.tasks.drawing });
+    this.#lost = new LostDecal(viewer, board);
     this.library = new AssetLibrary(engine);
     this.#router = new UpdateRouter(engine, viewer, textureView, this.figures);
     this.session = new DesignSession({
@@ -332,6 +335,7 @@ export class Editor {
       if (before.model === now.model) this.board.dismissInfos(before.notices);
       this.#attempt(this.strings.errors.couldNotBake, this.#models.ensureTargets(now.design));
     }
+    if (before.history !== now.history) this.#lost.follow(now.model, this.session.recordedDesign, now.selectedId);
     this.textureView.setStamp(shownStamp(now, this.decals.movable));
     this.#showGradient(now);
     if (now.selectedId !== before.selectedId || now.editingMask !== before.editingMask) this.session.expectChange();
