@@ -144,7 +144,7 @@ test.describe("on a phone held sideways", () => {
 test.describe("on a low tablet", () => {
   test.use({ viewport: { width: 1024, height: 500 }, hasTouch: true, isMobile: true });
 
-  test("the layers are in sight, what is below them is scrolled to, and the texture's foot too", async ({
+  test("the layers are in sight, what is below them is scrolled to, and the texture's own button is there", async ({
     editor,
     page,
   }) => {
@@ -152,7 +152,7 @@ test.describe("on a low tablet", () => {
     for (const name of ["Smiley", "Texelcast mark"]) {
       await expect(editor.row(name)).toBeInViewport({ ratio: 1 });
     }
-    const fit = page.locator("tc-texture-panel footer button");
+    const fit = page.getByRole("button", { name: "Fit the texture into its panel" });
     await fit.scrollIntoViewIfNeeded();
     await expect(fit).toBeInViewport({ ratio: 1 });
     await page.locator("#tool-brush").tap();
@@ -330,19 +330,44 @@ test.describe("in German, whose words are long,", () => {
       const tabs = page.locator("tc-texture-panel [role=tablist]");
       await expect(tabs).toContainText("Überlappung");
       expect(await tabs.evaluate((list) => list.scrollWidth - list.clientWidth)).toBe(0);
-      // On its side, as tablets whose three columns leave the texture little, and as half of one's screen.
-      for (const [width, height, rows] of [
-        [844, 390, 1],
-        [1024, 768, 1],
-        [1180, 820, 1],
-        [900, 700, 2],
+      await editor.resize(844, 390);
+      const [list, ...each] = await editor.places(tabs, ...(await tabs.getByRole("tab").all()));
+      for (const tab of each) expect(tab.x + tab.width).toBeLessThanOrEqual(list.x + list.width);
+      expect(new Set(each.map(({ y }) => y)).size, "on its side, in one row").toBe(1);
+    });
+
+    test("a tablet on its side gives the model three fifths of the views, and the maps are chosen from a list", async ({
+      editor,
+      page,
+    }) => {
+      await editor.open();
+      const tabs = page.locator("tc-texture-panel [role=tablist]");
+      const maps = page.locator("tc-texture-panel").getByRole("combobox", { name: "Textur" });
+      for (const [width, height] of [
+        [1024, 768],
+        [1180, 820],
       ] as const) {
         await editor.resize(width, height);
-        const [list, ...each] = await editor.places(tabs, ...(await tabs.getByRole("tab").all()));
-        for (const tab of each)
-          expect(tab.x + tab.width, `${width} × ${height}`).toBeLessThanOrEqual(list.x + list.width);
-        expect(new Set(each.map(({ y }) => y)).size, `${width} × ${height}`).toBe(rows);
+        await expect(tabs).toBeHidden();
+        const [stage, texture, list, fit] = await editor.places(
+          editor.stage,
+          page.locator("tc-texture-panel"),
+          maps,
+          page.getByRole("button", { name: "Die Textur in ihr Feld einpassen" }),
+        );
+        expect(stage.width / (stage.width + texture.width), `${width} × ${height}`).toBeGreaterThan(0.6);
+        expect(fit.y + fit.height / 2, "beside each other").toBeCloseTo(list.y + list.height / 2, 0);
+        expect(Math.min(fit.width, fit.height, list.height)).toBeGreaterThanOrEqual(44);
+        const overflow = await page
+          .locator("tc-texture-panel footer")
+          .evaluate((footer) => footer.scrollWidth - footer.clientWidth);
+        expect(overflow, `the words below, ${width} × ${height}`).toBe(0);
       }
+      await maps.selectOption("positions");
+      await expect(page.locator("tc-texture-panel #tab-positions"), "the tabs of a wider panel").toHaveAttribute(
+        "aria-selected",
+        "true",
+      );
     });
 
     test("on the smallest phone the panels' names stand apart, and what keys do has the width for its words", async ({

@@ -44,8 +44,6 @@ const SIDEWAYS_WIDTH = 560;
 const SIDEWAYS_HEIGHT = 480;
 /** A tablet held upright: beside each other the two views would be slits. */
 const UPRIGHT = `(max-width: ${TABLET_WIDTH}px) and (orientation: portrait)`;
-/** Held on its side, its wide panel leaves the views little: half of that is the least in which the texture's tabs stand in a row. */
-const SLIM = "(max-width: 1200px) and (pointer: coarse)";
 /** The model fills its view down to where a card in the corner would stand. */
 const LOW = "(max-height: 46rem)";
 
@@ -55,7 +53,6 @@ export class Workbench extends EditorElement {
     sideways: { type: Boolean, reflect: true },
     upright: { state: true },
     low: { state: true },
-    slim: { state: true },
     dropping: { state: true },
     textureShare: { state: true },
     embedded: { type: Boolean, reflect: true },
@@ -65,7 +62,6 @@ export class Workbench extends EditorElement {
   declare sideways: boolean;
   declare upright: boolean;
   declare low: boolean;
-  declare slim: boolean;
   declare dropping: boolean;
   /** Of the views' width; null until somebody chooses it. */
   declare textureShare: number | null;
@@ -75,7 +71,6 @@ export class Workbench extends EditorElement {
   readonly #sideways = matchMedia(SIDEWAYS);
   readonly #tablet = matchMedia(UPRIGHT);
   readonly #lowWindow = matchMedia(LOW);
-  readonly #slimWindow = matchMedia(SLIM);
   #endFingers: () => void = () => {};
   /** Ends what is listened to while it is in the page. */
   #connected = new AbortController();
@@ -223,7 +218,6 @@ export class Workbench extends EditorElement {
     this.sideways = false;
     this.upright = false;
     this.low = false;
-    this.slim = false;
     this.dropping = false;
     this.textureShare = null;
     this.embedded = false;
@@ -232,7 +226,7 @@ export class Workbench extends EditorElement {
   override connectedCallback(): void {
     super.connectedCallback();
     const { signal } = this.#connected;
-    for (const shape of [this.#narrow, this.#sideways, this.#tablet, this.#lowWindow, this.#slimWindow])
+    for (const shape of [this.#narrow, this.#sideways, this.#tablet, this.#lowWindow])
       shape.addEventListener("change", this.#resize, { signal });
     this.#resize();
     const whole: EventTarget = this.embedded ? this : window;
@@ -334,7 +328,7 @@ export class Workbench extends EditorElement {
 
   #views(): TemplateResult {
     const { editor, compact, upright } = this;
-    const textureShare = this.textureShare ?? (this.slim && !upright ? 0.485 : 0.38);
+    const textureShare = this.textureShare ?? 0.38;
     const { animation, view } = this.state;
     const { layout } = view;
     const split = !compact && layout === "both";
@@ -398,7 +392,6 @@ export class Workbench extends EditorElement {
     }
     this.editor.store.set({ sheet: this.sideways ? "beside" : narrow ? "below" : null });
     this.low = this.#lowWindow.matches;
-    this.slim = this.#slimWindow.matches;
     this.upright = this.embedded ? width <= TABLET_WIDTH && height > width : this.#tablet.matches;
   };
 

@@ -16,7 +16,7 @@ export class TexturePanel extends EditorElement {
     css`
       :host {
         display: grid;
-        container-type: inline-size;
+        container: panel / inline-size;
         grid-template: auto minmax(0, 1fr) auto / minmax(0, 1fr);
         min-width: 0;
         min-height: 0;
@@ -58,6 +58,26 @@ export class TexturePanel extends EditorElement {
         [role="tab"] {
           padding-inline: 2px;
           font-size: 0.6875rem;
+        }
+      }
+      .choice {
+        display: none;
+        gap: var(--space-1);
+        padding: var(--space-1) var(--space-1) var(--space-1) var(--space-2);
+        border-bottom: 1px solid var(--line);
+      }
+      .choice select {
+        flex: 1;
+        min-width: 0;
+      }
+      /* Beside the model on a tablet on its side: a row of names would take its width from the model. */
+      @container panel (max-width: 22.5em) {
+        [role="tablist"],
+        footer .icon {
+          display: none;
+        }
+        .choice {
+          display: flex;
         }
       }
       .view {
@@ -137,6 +157,14 @@ export class TexturePanel extends EditorElement {
     const { texel } = this.editor.figures.state;
     const named = material !== null && this.editor.viewer.guideOf(material).length > 0;
     const shown = material !== null && targets.has(material);
+    const fit = html`<button
+      class="icon"
+      aria-label=${this.#words.fitLabel}
+      title=${this.#words.fitLabel}
+      @click=${() => this.editor.textureView.resetZoom()}
+    >
+      ${icon(Maximize)}
+    </button>`;
     return html`
       <div role="tablist" aria-label=${this.#words.label} @keydown=${this.#key}>
         ${TEXTURE_MODES.map(
@@ -152,6 +180,18 @@ export class TexturePanel extends EditorElement {
             ${this.#words.modes[mode]}
           </button>`,
         )}
+      </div>
+      <div class="choice">
+        <select
+          aria-label=${this.#words.label}
+          title=${this.#words.modeHints[textureMode]}
+          @change=${(event: Event) => this.#choose((event.target as HTMLSelectElement).value as TextureMode)}
+        >
+          ${TEXTURE_MODES.map(
+            (mode) => html`<option value=${mode} .selected=${mode === textureMode}>${this.#words.modes[mode]}</option>`,
+          )}
+        </select>
+        ${fit}
       </div>
       <div class="view" id="panel" role="tabpanel" aria-labelledby=${`tab-${textureMode}`}>
         <slot name="texture"></slot>
@@ -182,9 +222,7 @@ export class TexturePanel extends EditorElement {
           />
           ${this.#words.outlines}
         </label>
-        <button class="icon" aria-label=${this.#words.fitLabel} title=${this.#words.fitLabel} @click=${() => this.editor.textureView.resetZoom()}>
-          ${icon(Maximize)}
-        </button>
+        ${fit}
       </footer>
     `;
   }
