@@ -283,6 +283,26 @@ test.describe("the first steps", () => {
   }
 });
 
+test("the first steps go on by themselves with what is done, and wait for what is not", async ({ editor, page }) => {
+  await editor.open({ hint: true });
+  const title = page.locator("tc-first-hint h3");
+  await expect(title).toHaveText("Choose a picture");
+  const lowest = await editor.lowestLayer();
+  const moved = async (id: string): Promise<void> => {
+    const from = await editor.pointOf(id);
+    await editor.drag(from, { x: from.x - 20, y: from.y - 20 }, 4);
+  };
+  await moved(lowest);
+  await expect(title, "what was there is no picture of one's own choice").toHaveText("Choose a picture");
+  await page.keyboard.press("Control+z");
+  const flower = await editor.addDemoDecal("flower");
+  await expect(title).toHaveText("Drag it where it should go");
+  await moved(flower);
+  await expect(title).toHaveText("Take it with you");
+  await page.keyboard.press("Control+z");
+  await expect(title, "and do not go back").toHaveText("Take it with you");
+});
+
 test("a notice has the place of the first steps' card to itself, which is back when it is closed", async ({
   editor,
   page,

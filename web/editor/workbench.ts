@@ -275,8 +275,16 @@ export class Workbench extends EditorElement {
     this.#endFingers();
   }
 
-  protected watched({ view, model, animation }: EditorState): readonly unknown[] {
-    return [view.layout, model === null, animation.clip === null];
+  protected watched({ view, model, animation, history }: EditorState): readonly unknown[] {
+    return [view.layout, model === null, animation.clip === null, this.#hintsDone(history)];
+  }
+
+  /** Of the first steps: a picture or words were added; and moved. */
+  #hintsDone({ labels }: EditorState["history"]): number {
+    const { steps } = this.strings;
+    const added = labels.findIndex((label) => label === steps.add || label === steps.addText);
+    if (added < 0) return 0;
+    return labels.includes(steps.slide, added) ? 2 : 1;
   }
 
   override render(): TemplateResult {
@@ -368,7 +376,7 @@ export class Workbench extends EditorElement {
 
   #hint(): TemplateResult | typeof nothing {
     return this.state.model && !this.embedded
-      ? html`<tc-first-hint .words=${this.strings.hint} ?compact=${this.compact || this.#hintBesideViews}></tc-first-hint>`
+      ? html`<tc-first-hint .words=${this.strings.hint} .done=${this.#hintsDone(this.state.history)} ?compact=${this.compact || this.#hintBesideViews}></tc-first-hint>`
       : nothing;
   }
 

@@ -1,8 +1,8 @@
 /**
- * Three steps for the first visit: what one could do, in nobody's way, gone for good when closed. A card in the views' corner
- * where the model leaves that free, else a strip beside the views.
+ * Three steps for the first visit: what one could do, in nobody's way, gone for good when closed. What the user has done is not
+ * told any more. A card in the views' corner where the model leaves that free, else a strip beside the views.
  */
-import { css, html, nothing, type TemplateResult } from "lit";
+import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { X } from "lucide";
 import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
@@ -12,8 +12,15 @@ import { plainControls } from "../ui/theme.ts";
 const SEEN = "texelcast-hint-seen";
 
 export class FirstHint extends RemElement {
-  static override properties = { words: { attribute: false }, step: { state: true }, seen: { state: true } };
+  static override properties = {
+    words: { attribute: false },
+    done: { attribute: false },
+    step: { state: true },
+    seen: { state: true },
+  };
   declare words: Strings["hint"];
+  /** How many of the steps the user has taken without being told. */
+  declare done: number;
   declare step: number;
   declare seen: boolean;
 
@@ -109,8 +116,13 @@ export class FirstHint extends RemElement {
 
   constructor() {
     super();
+    this.done = 0;
     this.step = 0;
     this.seen = wasSeen();
+  }
+
+  override willUpdate(changed: PropertyValues<this>): void {
+    if (changed.has("done")) this.step = Math.max(this.step, this.done);
   }
 
   override render(): TemplateResult | typeof nothing {
