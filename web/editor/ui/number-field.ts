@@ -239,9 +239,8 @@ export class NumberField extends RemElement {
     if (event.key === "Enter") {
       this.#commitTyped();
       this.#input?.select();
-    } else if (event.key === "Escape") {
+    } else if (event.key === "Escape" && this.#typing) {
       // With nothing typed it is the page's, which leaves the field.
-      if (!this.#typing) return;
       event.stopPropagation();
       this.#typing = false;
       this.#show();
@@ -252,7 +251,7 @@ export class NumberField extends RemElement {
       const steps = (event.key === "ArrowUp" ? 1 : -1) * factorOf(event);
       this.#emit("field-change", from + steps * this.step, true);
       this.#input?.select();
-    } else if ((event.ctrlKey || event.metaKey) && ["z", "y"].includes(event.key.toLowerCase()) && !this.#typing) {
+    } else if ((event.ctrlKey || event.metaKey) && /^[zy]$/i.test(event.key) && !this.#typing) {
       // Nothing typed that could be undone: the page's own undo is meant.
       event.preventDefault();
       this.dispatchEvent(new KeyboardEvent(event.type, event));
@@ -373,7 +372,7 @@ function formatNumber(value: number, step: number): string {
   const digits = Math.max(0, Math.min(10, 1 - Math.floor(Math.log10(step || 1))));
   const text = value.toFixed(digits);
   const short = text.includes(".") ? text.replace(/\.?0+$/, "") : text;
-  return short === "-0" ? "0" : short;
+  return Number(text) === 0 ? "0" : short;
 }
 
 declare global {
