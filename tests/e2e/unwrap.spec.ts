@@ -205,8 +205,12 @@ test.describe("a part without texture coordinates, of a model that has some", ()
     await editor.drop([boardPicture()], place);
     await expect(editor.notices).toContainText("Rubber, takes no paint: no texture coordinates.");
     const { layers } = await editor.design();
+    const hidden = page.locator("tc-parts-list li.off");
+    await page.locator("tc-parts-list li button.eye").first().click();
+    await expect(hidden).toHaveCount(1);
     await offer(editor).press("Enter");
     await takesPaint(editor);
+    await expect(hidden, "seen as before").toHaveCount(1);
     expect((await editor.design()).layers).toEqual(layers);
     const painted = await editor.settledHash();
     await editor.action("delete").click();

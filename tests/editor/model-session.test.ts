@@ -21,10 +21,14 @@ interface Baking {
 function session({
   showFlat = async () => undefined,
   opened = [],
+  height = 1,
+  viewer = {},
 }: {
   readonly showFlat?: () => Promise<void>;
-  /** Materials of the next model. */
+  /** Materials of the next model, and its height; the open one's is 1. */
   readonly opened?: readonly object[];
+  readonly height?: number;
+  readonly viewer?: Partial<ModelViewer>;
 } = {}) {
   const store = new Store<EditorState>(INITIAL_STATE);
   const tasks = new Tasks(store);
@@ -33,7 +37,7 @@ function session({
   let begun = (): void => undefined;
   const engine = {
     uvTriangles: async () => new Float32Array(),
-    loadModel: async () => ({ name: "b.glb", materials: opened }),
+    loadModel: async () => ({ name: "b.glb", materials: opened, ...roomOf(height) }),
     openTarget: ({ material, width = USUAL_SIDE }: TargetOptions, _: unknown, signal: AbortSignal) =>
       new Promise((resolve, reject) => {
         signal.addEventListener("abort", () => reject(new TexelcastError("cancelled", "Cancelled.")));
@@ -48,7 +52,7 @@ function session({
   const router = { bind: () => undefined, clear: () => undefined, showInTextureView: showFlat };
   const models = new ModelSession({
     engine,
-    viewer: {} as ModelViewer,
+    viewer: viewer as ModelViewer,
     router: router as unknown as UpdateRouter,
     store,
     tasks,
@@ -57,7 +61,7 @@ function session({
   const ref = { source: { name: "a.glb", bytes: new Uint8Array() }, title: "a", demoId: null };
   const materials = [0, 1, 2].map((index) => ({ index, refusal: null }));
   store.set({
-    model: { ref, info: { materials } as never },
+    model: { ref, info: { materials, ...roomOf(1) } as never },
     material: 0,
     targets: new Map([[0, { material: 0, width: USUAL_SIDE } as TargetInfo]]),
   });
@@ -77,6 +81,8 @@ function session({
   };
   return { store, models, baked, nextBake, finish };
 }
+
+const roomOf = (height: number) => ({ boundsMin: [0, 0, 0], boundsMax: [1, height, 1] });
 
 function designOn(...materials: number[]): Design {
   const layers = materials.map((material) =>
@@ -166,6 +172,41 @@ describe("the targets of the open model", () => {
     store.state.tasks[0]?.cancel?.();
     await expect(ensured).rejects.toMatchObject({ code: "cancelled" });
     expect(store.state.targets.has(1)).toBe(false);
+  });
+});
+
+describe("a model in place of another", () => {
+  /** What the viewer is brought back to by a model so high, opened over one of whose two parts one is hidden. */
+  async function seen(height: number) {
+    const brought: unknown[] = [];
+    const viewer: Partial<ModelViewer> = {
+      setModel: async () => undefined,
+      keepCamera: () => () => void brought.push("camera"),
+      setHiddenParts: (ids) => void brought.push([...ids]),
+    };
+    const { store, models, finish } = session({ opened: [{ index: 0, refusal: null }], height, viewer });
+    const parts = [{}, {}] as unknown as EditorState["shown"]["parts"];
+    store.set({ shown: { ...store.state.shown, parts, hidden: new Set([1]) } });
+    // As whoever shows parts does.
+    let model = store.state.model;
+    store.subscribe(() => {
+      if (store.state.model === model) return;
+      model = store.state.model;
+      store.set({ shown: { ...store.state.shown, parts, hidden: new Set() } });
+    });
+    const ref = { source: { name: "b.glb", bytes: new Uint8Array() }, title: "b", demoId: null };
+    const opening = models.open(ref, emptyDesign(), () => undefined, { keepsView: true });
+    await finish(0);
+    await opening;
+    return { brought, hidden: [...store.state.shown.hidden] };
+  }
+
+  it("is seen as that is where it takes the same room, without the parts that are hidden", async () => {
+    expect(await seen(1)).toEqual({ brought: ["camera", [1]], hidden: [1] });
+  });
+
+  it("is seen whole, and from the front where it takes another room", async () => {
+    expect(await seen(2)).toEqual({ brought: [], hidden: [] });
   });
 });
 

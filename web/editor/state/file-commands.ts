@@ -310,7 +310,7 @@ export class FileCommands {
         store.set({ designName: this.#parts.projects().nameOf(model) ?? fileStem(model.title) });
         arrive();
       };
-      await models.open(model, goal.design, onOpen, { keepsCamera: true });
+      await models.open(model, goal.design, onOpen, { keepsView: true });
     } catch (thrown) {
       board.error(this.#parts.board.strings.errors.couldNotOpen(model.title), thrown);
     }

@@ -64,16 +64,16 @@ export class ModelSession {
    * Opens a model in place of the one before, with the design that is to be seen on it; `onOpen` runs once it is the
    * open one. Rejects with a TexelcastError, and the old model and its targets are there as before.
    *
-   * @param keepsCamera whether it is seen from where the one before is, if it takes the same room
+   * @param keepsView whether it is seen as the one before is, if it takes the same room
    */
-  open(ref: ModelRef, design: Design, onOpen: () => void, { keepsCamera = false } = {}): Promise<void> {
+  open(ref: ModelRef, design: Design, onOpen: () => void, { keepsView = false } = {}): Promise<void> {
     const work = async (task: TaskHandle): Promise<void> => {
       const before = this.#store.state.model;
       const info = await this.#engine.loadModel(ref.source);
       this.#store.set({ switching: true });
       try {
         task.checkCancelled();
-        await this.#show({ ref, info }, design, task, keepsCamera);
+        await this.#show({ ref, info }, design, task, keepsView);
       } catch (thrown) {
         if (before) await this.#restore(before);
         throw thrown;
@@ -150,15 +150,14 @@ export class ModelSession {
     }
   }
 
-  async #show(model: OpenModel, design: Design, task: TaskHandle, keepsCamera = true): Promise<void> {
+  async #show(model: OpenModel, design: Design, task: TaskHandle, keepsView = true): Promise<void> {
     const material = firstPaintable(model, design, this.#strings);
     this.#router.clear();
     this.#uvTriangles = new Map();
     this.#send(design);
     const before = this.#store.state.model;
-    const bringCamera = keepsCamera && before && hasRoomOf(model, before) ? this.#viewer.keepCamera() : null;
+    const bringView = keepsView && before && hasRoomOf(model, before) ? this.#keepView() : null;
     await this.#viewer.setModel(model.info);
-    bringCamera?.();
     this.#store.set({
       model,
       material,
@@ -166,6 +165,9 @@ export class ModelSession {
       targetSettings: this.#settings.get(model.ref) ?? new Map(),
       textureMode: "texture",
     });
+    // Whoever shows a model's parts hears of it in the next microtask, and shows all of them.
+    await Promise.resolve();
+    bringView?.();
     task.relabel(this.#strings.tasks.baking);
     await this.#openTarget(material, task).catch((thrown: unknown) => {
       throw brokenCoordinates(model, material, thrown);
@@ -173,6 +175,19 @@ export class ModelSession {
     for (const other of usedMaterials(design)) {
       if (other !== material && this.#paintable(other)) await this.#openTarget(other, task);
     }
+  }
+
+  /** What brings the camera back to where it is, and hides the parts that are hidden. */
+  #keepView(): () => void {
+    const bringCamera = this.#viewer.keepCamera();
+    const { parts, hidden } = this.#store.state.shown;
+    return () => {
+      bringCamera();
+      const { shown } = this.#store.state;
+      if (shown.parts.length !== parts.length) return;
+      this.#store.set({ shown: { ...shown, hidden } });
+      this.#viewer.setHiddenParts(hidden);
+    };
   }
 
   async #restore(before: OpenModel): Promise<void> {

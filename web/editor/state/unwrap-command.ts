@@ -93,7 +93,7 @@ export class UnwrapCommand {
       const settings = new Map([...store.state.targetSettings].filter(([material]) => !materials.includes(material)));
       models.rememberSettings(ref, settings);
       const record = (): void => session.recordModel(ref, design, strings.steps.unwrap);
-      await models.open(ref, design, record, { keepsCamera: true });
+      await models.open(ref, design, record, { keepsView: true });
       done();
       if (hidden > 0) {
         board.info({ title: strings.announce.unwrapped, message: strings.notices.flatHidden(hidden), stays: true });
