@@ -7,7 +7,8 @@ import {
   makeFillLayer,
   makeStrokeLayer,
 } from "../../web/editor/document/index.ts";
-import { carriedGroupMask, carriedMask, type MaskSurface, maskGoesAlong } from "../../web/editor/state/carried-mask.ts";
+import { carriedGroupMask, carriedMask, maskGoesAlong } from "../../web/editor/state/carried-mask.ts";
+import type { MaskSurface } from "../../web/editor/state/remembered-surface.ts";
 import { spun } from "../../web/editor/state/rotation.ts";
 import type {
   CylindricalProjector,

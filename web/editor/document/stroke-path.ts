@@ -4,8 +4,10 @@
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Quaternion, Vec3 } from "../../engine/engine-api.ts";
+import { cross } from "./axes.ts";
 import type { Dab } from "./design.ts";
 import { DESIGN_LIMITS } from "./design-schema.ts";
+import { minus } from "./rigid-motion.ts";
 
 /** Where the pen touched the model. */
 export interface PathPoint {
@@ -147,13 +149,7 @@ function facing(normal: Vec3): Quaternion {
   return [(z[0] + x[2]) / s, (y[2] + z[1]) / s, s / 4, (x[1] - y[0]) / s];
 }
 
-const minus = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const lengthOf = (v: Vec3): number => Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 
 function unit(v: Vec3): Vec3 {
   const length = lengthOf(v);

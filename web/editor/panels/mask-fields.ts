@@ -51,7 +51,7 @@ export function maskFields(context: PropertyContext, layer: DesignLayer): Templa
         <h3>${words.title}</h3>
         ${canGoAlong(layer) ? linkButton(context, mask) : nothing}
       </div>
-      ${staysOf(layer, picturesIn(layer)).length > 0 && canGoAlong(layer) ? html`<p class="quiet">${words.stays}</p>` : nothing}
+      ${canGoAlong(layer) && staysOf(layer, picturesIn(layer)).length > 0 ? html`<p class="quiet">${words.stays}</p>` : nothing}
       ${choiceField<StartKind>("mask-start", words.start, words.starts, typeof start === "string" ? start : start.kind, (kind) => editor.layers.startMask(startOf(kind)))}
       ${fade ? gradientFields({ ...context, ids: [fade.id] }, fade.gradient, greys) : nothing}
     </section>

@@ -4,21 +4,19 @@
  */
 import type { Projector, UvProjector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
-import type { SurfaceHit, ToolSurface } from "../../viewer/viewer-api.ts";
+import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Gradient, type Mask, type MaskLayer, materialsOf } from "../document/index.ts";
 import { liesOnTexture, mirroredProjector } from "../document/mirror-layer.ts";
 import { roundedDab } from "../tools/dab-chain.ts";
 import type { PlacedLayer } from "./decal-reach.ts";
 import { carriedPosed, liftOf, motionOf } from "./picture-motion.ts";
 import { type Distance, distanceFrom, distanceFromStamp, isNearer, type Posed } from "./picture-place.ts";
+import type { MaskSurface } from "./remembered-surface.ts";
 import { StampMotion } from "./stamp-motion.ts";
 import { strokeLifts } from "./stroke-lifts.ts";
 
 /** What a mask masks, and where its mirror shows that. */
 type Picture = Pick<PlacedLayer, "projector" | "mirror" | "material">;
-
-/** The surface that all lies on. */
-export type MaskSurface = Pick<ToolSurface, "near" | "atUv">;
 
 /**
  * The mask of a layer that is put where another projector has it; itself where it is not linked, or where nothing in it can go

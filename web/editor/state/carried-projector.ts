@@ -1,8 +1,8 @@
 /** What goes along with a decal that is dragged: it keeps its place beside it, round a mug as well as over a table. */
 import type { CylindricalProjector, PlanarProjector, Projector, Quaternion, Vec3 } from "../../engine/engine-api.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import { cross, dot } from "../document/axes.ts";
 import { inverse, minus, plus, product, turned } from "../document/rigid-motion.ts";
-import { cross, dot } from "./axes.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 
 /** A place of the surface, and where that looks. */

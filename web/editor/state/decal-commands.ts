@@ -7,7 +7,7 @@ import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import type { BareParts } from "./bare-parts.ts";
-import { carriedGroupMask, carriedMask, type MaskSurface } from "./carried-mask.ts";
+import { carriedGroupMask, carriedMask } from "./carried-mask.ts";
 import { carriedProjector, changedAlike, type Foot, footOf, type NearSurface } from "./carried-projector.ts";
 import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
 import { clearPlaces } from "./clear-place.ts";
@@ -20,7 +20,7 @@ import type { LayerCommands } from "./layer-commands.ts";
 import { LeftMasks } from "./left-masks.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
-import { rememberedSurface } from "./remembered-surface.ts";
+import { type MaskSurface, rememberedSurface } from "./remembered-surface.ts";
 import { type StepKind, StepReport } from "./step-report.ts";
 import type { Store } from "./store.ts";
 import { type Placement, TriedKinds } from "./tried-kinds.ts";
@@ -394,12 +394,17 @@ export class DecalCommands {
 
   #othersThan(id: string): readonly Carried[] {
     const others = this.movable.filter((layer) => layer.id !== id);
-    return others.map((layer) => ({ layer, foot: footOf(layer.projector, this.#near) }));
+    const near = this.#nearFor(others);
+    return others.map((layer) => ({ layer, foot: footOf(layer.projector, near) }));
   }
 
   /** What goes along lies by averaged normals, as in a drag of one; of more it would take too long. */
-  readonly #near: NearSurface = (place, width) =>
-    this.#viewer.surface.near(place, this.movable.length > MOST_AVERAGED ? 0 : width);
+  #nearFor(others: readonly unknown[]): NearSurface {
+    const { surface } = this.#viewer;
+    return others.length < MOST_AVERAGED
+      ? (place, width) => surface.near(place, width)
+      : (place) => surface.near(place);
+  }
 
   #dragTogether(
     { id, projector: start }: PlacedLayer,
@@ -409,8 +414,9 @@ export class DecalCommands {
     phase: "move" | "end",
   ): void {
     const follow: typeof carriedProjector = kind === "slide" ? carriedProjector : changedAlike;
+    const near = this.#nearFor(carried);
     const others = carried.map(({ layer, foot }) =>
-      this.#moved(layer, follow(start, patch.projector, layer.projector, foot, this.#near)),
+      this.#moved(layer, follow(start, patch.projector, layer.projector, foot, near)),
     );
     const design = this.#withMoves([[id, patch], ...others]);
     if (phase === "move") this.#session.preview(design);

@@ -35,7 +35,7 @@ export class LostDecal {
     }
     const [old, layer] = [placedIn(before, selectedId), placedIn(design, selectedId)];
     if (!old || !layer || old.projector === layer.projector || this.#told !== null) return;
-    if (this.#isLost(old) || !this.#isLost(layer)) return;
+    if (!this.#isLost(layer) || this.#isLost(old)) return;
     const { lostDecal, lostDecalWhy } = this.#board.strings.notices;
     const notice = this.#board.info({ title: lostDecal(layer.name), message: lostDecalWhy, stays: true });
     this.#told = { layer: layer.id, notice };

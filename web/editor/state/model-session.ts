@@ -150,7 +150,7 @@ export class ModelSession {
     }
   }
 
-  async #show(model: OpenModel, design: Design, task: TaskHandle, keepsView = true): Promise<void> {
+  async #show(model: OpenModel, design: Design, task: TaskHandle, keepsView: boolean): Promise<void> {
     const material = firstPaintable(model, design, this.#strings);
     this.#router.clear();
     this.#uvTriangles = new Map();
@@ -193,7 +193,7 @@ export class ModelSession {
   async #restore(before: OpenModel): Promise<void> {
     await this.#tasks.run(this.#strings.tasks.restoring(before.ref.title), async (task) => {
       await this.#engine.loadModel(before.ref.source);
-      await this.#show(before, this.#store.state.design, task);
+      await this.#show(before, this.#store.state.design, task, true);
     });
   }
 

@@ -2,8 +2,11 @@
 import type { Vec3 } from "../../engine/engine-api.ts";
 import type { SurfaceHit, ToolSurface } from "../../viewer/viewer-api.ts";
 
+/** What is asked of the surface to carry a mask over it. */
+export type MaskSurface = Pick<ToolSurface, "near" | "atUv">;
+
 /** Holds for as long as the surface stays as it is. */
-export function rememberedSurface(surface: Pick<ToolSurface, "near" | "atUv">): Pick<ToolSurface, "near" | "atUv"> {
+export function rememberedSurface(surface: MaskSurface): MaskSurface {
   const feet = new WeakMap<Vec3, SurfaceHit | null>();
   return {
     near: (place) => {

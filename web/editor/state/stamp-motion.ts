@@ -4,10 +4,10 @@
  */
 import type { UvProjector, Vec3 } from "../../engine/engine-api.ts";
 import { uvOfStamp } from "../../viewer/stamp-drag.ts";
-import type { ToolSurface } from "../../viewer/viewer-api.ts";
+import { cross, dot, lengthOf, scaled, turnOfAxes, unit } from "../document/axes.ts";
 import { minus, plus, turned } from "../document/rigid-motion.ts";
-import { cross, dot, lengthOf, scaled, turnOfAxes, unit } from "./axes.ts";
 import { inStamp, type Posed } from "./picture-place.ts";
+import type { MaskSurface } from "./remembered-surface.ts";
 import { stampWith } from "./stamps-together.ts";
 
 type Uv = UvProjector["center"];
@@ -34,17 +34,12 @@ export class StampMotion {
   readonly #start: UvProjector;
   readonly #now: UvProjector;
   readonly #materials: readonly number[];
-  readonly #surface: Pick<ToolSurface, "near" | "atUv">;
+  readonly #surface: MaskSurface;
   /** As the surface under the stamp's own middle is carried; null where it lies between charts. */
   readonly #middle: Passage | null;
 
   /** @param materials in whose textures the stamp lies */
-  constructor(
-    start: UvProjector,
-    now: UvProjector,
-    materials: readonly number[],
-    surface: Pick<ToolSurface, "near" | "atUv">,
-  ) {
+  constructor(start: UvProjector, now: UvProjector, materials: readonly number[], surface: MaskSurface) {
     this.#start = start;
     this.#now = now;
     this.#materials = materials;
@@ -97,18 +92,18 @@ export class StampMotion {
     return this.#middle?.place(place) ?? place;
   }
 
-  #passage(material: number, uv: Uv): Passage | null {
-    const goal = this.#goalOf(uv);
-    const [from, to] = [this.#lieAt(material, uv), this.#lieAt(material, goal)];
+  #passage(material: number, at: Uv): Passage | null {
+    const goal = this.#goalOf(at);
+    const [from, to] = [this.#lieAt(material, at), this.#lieAt(material, goal)];
     if (from === null || to === null) return null;
-    const [uu, uv_, vv] = [dot(from.u, from.u), dot(from.u, from.v), dot(from.v, from.v)];
-    const area = uu * vv - uv_ * uv_;
+    const [uu, uv, vv] = [dot(from.u, from.u), dot(from.u, from.v), dot(from.v, from.v)];
+    const area = uu * vv - uv * uv;
     if (!(area > 0)) return null;
     const way = (of: Vec3): Vec3 => {
       const [alongU, alongV] = [dot(of, from.u), dot(of, from.v)];
       const next = this.#goalOf([
-        uv[0] + (alongU * vv - alongV * uv_) / area,
-        uv[1] + (alongV * uu - alongU * uv_) / area,
+        at[0] + (alongU * vv - alongV * uv) / area,
+        at[1] + (alongV * uu - alongU * uv) / area,
       ]);
       const [right, down] = [next[0] - goal[0], next[1] - goal[1]];
       const grown = Math.sqrt(lengthOf(cross(to.u, to.v)) / Math.sqrt(area)) * this.growth;

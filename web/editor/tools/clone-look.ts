@@ -3,8 +3,8 @@
  * is painted, whose pictures are of one size where each looks. What lies a step beside the one goes that step beside the other.
  */
 import type { PerspectiveProjector, Vec3 } from "../../engine/engine-api.ts";
+import { cross, dot, lengthOf, scaled, turnOfAxes, unit } from "../document/axes.ts";
 import { minus, plus } from "../document/rigid-motion.ts";
-import { cross, dot, lengthOf, scaled, turnOfAxes, unit } from "../state/axes.ts";
 
 /** An eye that looks at a place; `up` is what stands upright in its picture. Model space, metres. */
 export interface Look {
