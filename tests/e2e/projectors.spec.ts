@@ -1,4 +1,4 @@
-import { expect, test } from "./support/editor-page.ts";
+import { type EditorPage, expect, test } from "./support/editor-page.ts";
 import { file, ringPicture } from "./support/test-files.ts";
 
 /** On the demo's mug: a slide from the front, a label round it, a stamp in its texture. */
@@ -50,6 +50,13 @@ const DESIGN = {
 
 const designFile = file("three.design.json", JSON.stringify(DESIGN), "application/json");
 
+/** The design on the mug, with its label selected. */
+async function openLabel(editor: EditorPage): Promise<void> {
+  await editor.open();
+  await editor.openDesign([designFile, ringPicture()]);
+  await editor.select("label");
+}
+
 test("a design with slides, labels and stamps opens, each is painted, selected and edited by its numbers", async ({
   editor,
   page,
@@ -85,9 +92,7 @@ test("a label is dragged round its mug and stays on its axis; its lines and hand
   editor,
   page,
 }) => {
-  await editor.open();
-  await editor.openDesign([designFile, ringPicture()]);
-  await editor.select("label");
+  await openLabel(editor);
   await page.evaluate(() => document.querySelector<HTMLElement>("tc-app")?.focus());
   const start = await editor.settledHash();
   const middle = await page.evaluate(() => window.texelcast.project(0, 0.05, 0.041) ?? null);
@@ -112,9 +117,7 @@ test("a label that is pushed over the rim is told to lie beside the model, until
   editor,
   page,
 }) => {
-  await editor.open();
-  await editor.openDesign([designFile, ringPicture()]);
-  await editor.select("label");
+  await openLabel(editor);
   const told = editor.notices.getByText("Label lies beside the model");
   await editor.setField("position-y", "150");
   await expect(told).toBeVisible();
