@@ -1,8 +1,7 @@
 import { expect, it, vi } from "vitest";
-import { makeDecalLayer } from "../../web/editor/document/index.ts";
+import { makeDecalLayer, type PlacedLayer } from "../../web/editor/document/index.ts";
 import { changedAlike } from "../../web/editor/state/carried-projector.ts";
 import { ChosenTogether, TOGETHER } from "../../web/editor/state/chosen-together.ts";
-import type { PlacedLayer } from "../../web/editor/state/decal-reach.ts";
 import { INITIAL_STATE } from "../../web/editor/state/editor-state.ts";
 import { scaledProjector, spunProjector } from "../../web/editor/state/projector-steps.ts";
 import { shownStamp } from "../../web/editor/state/shown-stamp.ts";

@@ -230,7 +230,9 @@ export interface PaintLayer extends LayerBase {
   readonly mirror: Mirror | null;
 }
 
-export type MaskLayer = DecalLayer | TextLayer | StrokeLayer | FillLayer;
+/** What lies where its projector is: a picture, or words. */
+export type PlacedLayer = DecalLayer | TextLayer;
+export type MaskLayer = PlacedLayer | StrokeLayer | FillLayer;
 export type DesignLayer = MaskLayer | GroupLayer | PaintLayer;
 
 /** File endings of what a design names. */
@@ -299,6 +301,10 @@ export const TEXT_DEFAULTS = {
 } as const;
 
 export const BRUSH_DEFAULTS = { color: "#000000", hardness: 1, flow: 1 } as const;
+
+/** Whether a layer lies where its projector is; what is not there does not. */
+export const isPlaced = (layer: DesignLayer | null | undefined): layer is PlacedLayer =>
+  layer?.type === "decal" || layer?.type === "text";
 
 /** A design without assets and layers. */
 export function emptyDesign(): Design {

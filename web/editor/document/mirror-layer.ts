@@ -2,8 +2,9 @@
  * Layers painted a second time, as a mirror across a plane of the model shows them. Mirroring a quaternion only changes
  * signs and places of its parts, so that it costs no digit.
  */
+
 import type { EngineDab, EngineDecalLayer, EngineStrokeLayer } from "../../engine/engine-api.ts";
-import type { DesignLayer, Mirror, Projector, Quaternion, Vec3 } from "./design.ts";
+import { type DesignLayer, isPlaced, type Mirror, type Projector, type Quaternion, type Vec3 } from "./design.ts";
 import { carriedPose, product } from "./rigid-motion.ts";
 
 /**
@@ -21,7 +22,7 @@ export function mirroredProjector<P extends Projector>(projector: P, mirror: Mir
 
 /** Whether a layer, or a dab of it, lies on the texture and so on no side of the model: such a one has no mirror. */
 export function liesOnTexture(layer: DesignLayer): boolean {
-  if (layer.type === "decal" || layer.type === "text") return layer.projector.kind === "uv";
+  if (isPlaced(layer)) return layer.projector.kind === "uv";
   if (layer.type === "paint") return layer.strokes.some(liesOnTexture);
   return layer.type === "stroke" && layer.dabs.some(({ kind }) => kind === "uv");
 }

@@ -1,4 +1,5 @@
 /** From the design's vocabulary to the engine's. */
+
 import type {
   EngineBrush,
   EngineDecalLayer,
@@ -11,21 +12,22 @@ import type {
 } from "../../engine/engine-api.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import { sameItems } from "../../engine/same-items.ts";
-import type {
-  Brush,
-  DecalLayer,
-  Design,
-  DesignLayer,
-  FillLayer,
-  Gradient,
-  GroupLayer,
-  LayerMaterials,
-  Mirror,
-  PaintLayer,
-  StrokeLayer,
-  TextLayer,
+import {
+  type Brush,
+  type DecalLayer,
+  type Design,
+  type DesignLayer,
+  type FillLayer,
+  type Gradient,
+  type GroupLayer,
+  isPlaced,
+  type LayerMaterials,
+  layerMaterials,
+  type Mirror,
+  type PaintLayer,
+  type StrokeLayer,
+  type TextLayer,
 } from "./design.ts";
-import { layerMaterials } from "./design.ts";
 import { parseHexColor } from "./hex-color.ts";
 import { materialsIn } from "./layer-tree.ts";
 import { liesOnTexture, type MaskMirror, mirroredDabs, mirroredDecal, sameMirror } from "./mirror-layer.ts";
@@ -135,7 +137,7 @@ function resolveMask(
   if (layer.mask === null) return null;
   const { invert, layers } = layer.mask;
   const mirror = ("mirror" in layer && layer.mirror) || outer;
-  const shown = mirror && "projector" in layer ? { ...mirror, of: layer.projector } : mirror;
+  const shown = mirror && isPlaced(layer) ? { ...mirror, of: layer.projector } : mirror;
   return { invert, layers: layers.map((each) => resolveLayer(each, assets, shown, masked)) };
 }
 

@@ -1,5 +1,15 @@
 /** Writes a design document: the inverse of `parseDesign`. */
-import type { Design, DesignAsset, DesignLayer, Gradient, Mask, Projector, StrokeLayer } from "./design.ts";
+
+import {
+  type Design,
+  type DesignAsset,
+  type DesignLayer,
+  type Gradient,
+  isPlaced,
+  type Mask,
+  type Projector,
+  type StrokeLayer,
+} from "./design.ts";
 import { print, printJson } from "./print-json.ts";
 
 /**
@@ -126,7 +136,7 @@ function orderLayer(layer: DesignLayer, printStrokes: StrokePrinter = listed): o
   const ordered = pick(layer, LAYER_FIELDS);
   if (layer.mask !== null) ordered.mask = orderMask(layer.mask);
   if ("mirror" in layer && layer.mirror !== null) ordered.mirror = pick(layer.mirror, MIRROR_FIELDS);
-  if (layer.type === "decal" || layer.type === "text") ordered.projector = orderProjector(layer.projector);
+  if (isPlaced(layer)) ordered.projector = orderProjector(layer.projector);
   if (layer.type === "text" && layer.outline !== null) ordered.outline = pick(layer.outline, OUTLINE_FIELDS);
   if (layer.type === "stroke") {
     ordered.brush = pick(layer.brush, BRUSH_FIELDS);

@@ -1,13 +1,14 @@
 /** Whether a layer is painted a second time across a plane of the model. */
+
 import { html, nothing, type TemplateResult } from "lit";
 import {
-  type DecalLayer,
+  isPlaced,
   liesOnTexture,
   MIRROR_AXES,
   type Mirror,
   type PaintLayer,
+  type PlacedLayer,
   type StrokeLayer,
-  type TextLayer,
 } from "../document/index.ts";
 import type { LayerPatch } from "../state/layer-commands.ts";
 import { mirrorPatch, scrubbedMirrorPatch } from "../state/mirror-reach.ts";
@@ -15,7 +16,7 @@ import { mirrorOf } from "../tools/mirror-setting.ts";
 import { lengthStep, numberField, type PropertyContext, record, recordedOf, toggleField } from "./property-controls.ts";
 import { choiceField } from "./property-fields.ts";
 
-type MirroredLayer = DecalLayer | TextLayer | StrokeLayer | PaintLayer;
+type MirroredLayer = PlacedLayer | StrokeLayer | PaintLayer;
 
 /** Nothing for what lies on the texture: that has no side of the model. */
 export function mirrorFields(context: PropertyContext, layer: MirroredLayer): TemplateResult | typeof nothing {
@@ -60,7 +61,7 @@ function planeFields(context: PropertyContext, layer: MirroredLayer, mirror: Mir
       })}
     </div>
     ${
-      layer.type === "decal" || layer.type === "text"
+      isPlaced(layer)
         ? toggleField(context, "readable", words.readable, mirror.readable, (readable) => ({
             mirror: { ...mirror, readable },
           }))

@@ -1,7 +1,8 @@
 /** How a picture is read, and which of the surface a layer reaches. */
+
 import { html, nothing, type TemplateResult } from "lit";
 import { type IconNode, TrianglesCenterlineDashedHorizontal, TrianglesCenterlineDashedVertical } from "lucide";
-import { type DecalLayer, type DesignLayer, materialsOf, type StrokeLayer, type TextLayer } from "../document/index.ts";
+import { type DesignLayer, isPlaced, materialsOf, type PlacedLayer, type StrokeLayer } from "../document/index.ts";
 import { icon } from "../ui/icon.ts";
 import {
   numberField,
@@ -16,7 +17,7 @@ import {
 const ALL_MET = "all-met";
 
 type FadeRange = ThrownLayer["angleFade"];
-type ThrownLayer = DecalLayer | TextLayer | StrokeLayer;
+type ThrownLayer = PlacedLayer | StrokeLayer;
 
 export function samplingFields(context: PropertyContext, layer: ThrownLayer): TemplateResult {
   const words = context.editor.strings.properties;
@@ -91,7 +92,7 @@ export function materialField(context: PropertyContext, layer: DesignLayer): Tem
     if (select.value === ALL_MET) {
       // Where that is what it paints already, nothing is drawn anew: the list must not stay on this word.
       select.value = own.join(" ");
-      if (layer.type === "decal" || layer.type === "text") editor.decals.paintAllMet(layer);
+      if (isPlaced(layer)) editor.decals.paintAllMet(layer);
       return;
     }
     const material = Number(select.value);
@@ -108,7 +109,7 @@ export function materialField(context: PropertyContext, layer: DesignLayer): Tem
       <label for="material">${words.material}</label>
       <select id="material" @change=${choose}>
         ${listed ? html`<option value=${own.join(" ")} .selected=${true} disabled>${own.map(nameOf).join(", ")}</option>` : nothing}
-        ${layer.type === "decal" || layer.type === "text" ? html`<option value=${ALL_MET}>${words.materialsMet}</option>` : nothing}
+        ${isPlaced(layer) ? html`<option value=${ALL_MET}>${words.materialsMet}</option>` : nothing}
         ${materials.map(
           ({
             index,

@@ -1,6 +1,7 @@
 /** Gradients that are laid over the whole model. */
+
 import type { Vec3 } from "../../engine/engine-api.ts";
-import type { DesignLayer, Gradient, GradientStop } from "../document/index.ts";
+import { type DesignLayer, type Gradient, type GradientStop, isPlaced } from "../document/index.ts";
 import type { OpenModel } from "./design-state.ts";
 import { stopsOfGreys } from "./mask-edits.ts";
 
@@ -53,7 +54,7 @@ const FADED = 0.8;
  */
 export function fadingGradient(model: OpenModel | null, layer: DesignLayer): Extract<Gradient, { kind: "linear" }> {
   const whole = alignedGradient(model, "y", stopsOfGreys(FADING_GREYS, layer.mask ?? { invert: false }));
-  if (!("projector" in layer) || layer.projector.kind !== "planar") return whole;
+  if (!isPlaced(layer) || layer.projector.kind !== "planar") return whole;
   const { position, rotation, size } = layer.projector;
   const [x, y, z, w] = rotation;
   const up = [2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)] as const;

@@ -5,10 +5,9 @@
 import type { Projector, UvProjector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
-import { type Gradient, type Mask, type MaskLayer, materialsOf } from "../document/index.ts";
+import { type Gradient, type Mask, type MaskLayer, materialsOf, type PlacedLayer } from "../document/index.ts";
 import { liesOnTexture, mirroredProjector } from "../document/mirror-layer.ts";
 import { roundedDab } from "../tools/dab-chain.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
 import { carriedPosed, liftOf, motionOf } from "./picture-motion.ts";
 import { type Distance, distanceFrom, distanceFromStamp, isNearer, type Posed } from "./picture-place.ts";
 import type { MaskSurface } from "./remembered-surface.ts";

@@ -2,7 +2,7 @@
 import type { PlanarProjector, Projector } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
 import type { Arrangement, ModelViewer, ViewerDecal } from "../../viewer/viewer-api.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
+import type { PlacedLayer } from "../document/design.ts";
 import type { EditorState } from "./editor-state.ts";
 import { stampsBox, stampsChanged, stampsIn, stampWith } from "./stamps-together.ts";
 

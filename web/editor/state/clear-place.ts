@@ -1,7 +1,8 @@
 /** Places for new decals and copies: exactly on another one, none of the two would be seen as two. */
+
 import type { Projector } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
-import { type Design, flattenLayers } from "../document/index.ts";
+import { type Design, flattenLayers, isPlaced } from "../document/index.ts";
 
 /** From one to the next, of the model's diagonal. */
 const STEP_SHARE = 0.04;
@@ -28,7 +29,7 @@ export function clearPlaces(
   const [flat, solid] = [new Places(STEP_SHARE / 4), new Places(step / 2)];
   const among = ({ kind }: Projector): Places => (kind === "uv" ? flat : solid);
   for (const layer of flattenLayers(design, { masks: false, strokes: false })) {
-    if (layer.type === "decal" || layer.type === "text") among(layer.projector).add(placeOf(layer.projector));
+    if (isPlaced(layer)) among(layer.projector).add(placeOf(layer.projector));
   }
   const ways = new Map(
     projectors

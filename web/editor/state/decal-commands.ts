@@ -2,7 +2,16 @@
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit, ViewerDecal } from "../../viewer/viewer-api.ts";
-import { type Design, freeIdIn, type LayerMaterials, makeDecalLayer, materialsOf, visitOf } from "../document/index.ts";
+import {
+  type Design,
+  freeIdIn,
+  isPlaced,
+  type LayerMaterials,
+  makeDecalLayer,
+  materialsOf,
+  type PlacedLayer,
+  visitOf,
+} from "../document/index.ts";
 import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import type { LibraryPicture } from "./asset-library.ts";
@@ -11,7 +20,7 @@ import { carriedGroupMask, carriedMask } from "./carried-mask.ts";
 import { carriedProjector, changedAlike, type Foot, footOf, type NearSurface } from "./carried-projector.ts";
 import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
 import { clearPlaces } from "./clear-place.ts";
-import { DecalReach, type PlacedLayer } from "./decal-reach.ts";
+import { DecalReach } from "./decal-reach.ts";
 import { addOnTop, layerById, patchEach, patchLayer, withAsset } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf } from "./design-state.ts";
@@ -128,7 +137,7 @@ export class DecalCommands {
 
   get selected(): PlacedLayer | undefined {
     const { selected } = this.#session;
-    return selected?.type === "decal" || selected?.type === "text" ? selected : undefined;
+    return isPlaced(selected) ? selected : undefined;
   }
 
   /** All chosen pictures and words, also those in chosen groups, from the bottom to the top. */
@@ -285,7 +294,7 @@ export class DecalCommands {
   /** What a layer takes on with another projector: that, the materials that it lies on then, and its mask, which goes along. */
   placed(id: string, projector: Projector): Pick<LayerMove, "projector"> & Partial<LayerMove> {
     const layer = layerById(this.#session.recordedDesign, id);
-    if (layer?.type !== "decal" && layer?.type !== "text") return { projector };
+    if (!isPlaced(layer)) return { projector };
     this.#tellLeft([layer]);
     return this.#moved(layer, projector)[1];
   }
@@ -374,7 +383,7 @@ export class DecalCommands {
     } else if (phase === "cancel") this.#session.cancelPreview();
     else {
       const layer = layerById(this.#session.recordedDesign, id);
-      if (layer?.type !== "decal" && layer?.type !== "text") return;
+      if (!isPlaced(layer)) return;
       const [, patch] = this.#moved(layer, projector, onto);
       if (this.#copied) this.#dragCopy(this.#copied, id, patch, phase);
       else if (this.#carried) this.#dragTogether(layer, patch, this.#carried, kind, phase);
@@ -454,7 +463,7 @@ function chosenIn(design: Design, selection: readonly string[]): LayerVisit<Plac
   for (const visit of walkLayers(design, { masks: false, strokes: false })) {
     const { layer, parentId } = visit;
     if (parentId !== null && held.has(parentId)) held.add(layer.id);
-    if (held.has(layer.id) && (layer.type === "decal" || layer.type === "text")) chosen.push({ ...visit, layer });
+    if (held.has(layer.id) && isPlaced(layer)) chosen.push({ ...visit, layer });
   }
   return chosen;
 }

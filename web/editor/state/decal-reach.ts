@@ -1,18 +1,9 @@
 /** Which materials a decal paints from where it lies, and how that follows it when it is moved. */
+
 import type { MaterialInfo, Projector } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
-import {
-  type DecalLayer,
-  type LayerMaterials,
-  layerMaterials,
-  type Mirror,
-  materialsOf,
-  type TextLayer,
-} from "../document/design.ts";
+import { type LayerMaterials, layerMaterials, type Mirror, materialsOf, type PlacedLayer } from "../document/design.ts";
 import { mirroredProjector } from "../document/mirror-layer.ts";
-
-/** What lies where its projector is: a picture, or words. */
-export type PlacedLayer = DecalLayer | TextLayer;
 
 export class DecalReach {
   readonly #viewer: Pick<ModelViewer, "materialsReached">;

@@ -1,6 +1,7 @@
 /** The edits of a design: each takes a design and gives a new one that shares all that did not change. */
+
 import { sameItems } from "../../engine/same-items.ts";
-import type { Design, DesignAsset, DesignLayer } from "../document/design.ts";
+import { type Design, type DesignAsset, type DesignLayer, isPlaced } from "../document/design.ts";
 import { DESIGN_LIMITS, RESERVED_KEYS } from "../document/design-limits.ts";
 import { assetsOf, findLayer, flattenLayers, insertAt, mapLayers, materialsIn } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
@@ -14,7 +15,7 @@ const LONGEST_NUMBER = 7;
 /** How many pictures and texts a design puts on its model. */
 export function placedCount(design: Design): number {
   const layers = flattenLayers(design, { masks: false, strokes: false });
-  return layers.filter(({ type }) => type === "decal" || type === "text").length;
+  return layers.filter(isPlaced).length;
 }
 
 /** `patch` may hold any field of the layer but its id and type. An unknown id or an equal value changes nothing. */

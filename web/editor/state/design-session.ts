@@ -1,8 +1,9 @@
 /** The design under edit: its history, the selection, and the engine's and the viewer's copies of it. */
+
 import type { Engine, EngineLayer } from "../../engine/engine-api.ts";
 import { withKeys } from "../../engine/layer-picture.ts";
 import type { ModelView, ViewerDecal } from "../../viewer/viewer-api.ts";
-import { type Design, type DesignLayer, emptyDesign, materialsOf } from "../document/design.ts";
+import { type Design, type DesignLayer, emptyDesign, isPlaced, materialsOf } from "../document/design.ts";
 import { walkLayers } from "../document/layer-tree.ts";
 import { mirroredProjector } from "../document/mirror-layer.ts";
 import { resolveLayers } from "../document/resolve-layers.ts";
@@ -252,7 +253,7 @@ export class DesignSession {
     const decals: ViewerDecal[] = [];
     for (const { layer, shown, locked } of walkLayers(design, { masks: false, strokes: false })) {
       // A locked one cannot be taken hold of, and does not stand before those that can.
-      if (locked || (layer.type !== "decal" && layer.type !== "text")) continue;
+      if (locked || !isPlaced(layer)) continue;
       const picture = layer.type === "decal" ? this.#library.get(design.assets[layer.asset]) : undefined;
       const { id, name, projector } = layer;
       const aspect = picture ? picture.width / picture.height : 1;

@@ -7,6 +7,7 @@ import {
   type DesignLayer,
   type FillLayer,
   type GroupLayer,
+  isPlaced,
   layersAt,
   type PaintLayer,
   type StrokeLayer,
@@ -204,15 +205,13 @@ export class LayerCommands {
    */
   #apart(originals: readonly DesignLayer[]): (layer: DesignLayer) => Partial<DecalLayer> {
     const stays = (layer: DesignLayer): boolean =>
-      layer.mask !== null &&
-      layer.mask.layers.length > 0 &&
-      !("projector" in layer && maskGoesAlong(layer.mask, [layer]));
+      layer.mask !== null && layer.mask.layers.length > 0 && !(isPlaced(layer) && maskGoesAlong(layer.mask, [layer]));
     if (originals.some(stays)) return () => ({});
     const diagonal = diagonalOf(this.#store.state.model);
-    const placed = originals.flatMap((layer) => ("projector" in layer ? [layer.projector] : []));
+    const placed = originals.flatMap((layer) => (isPlaced(layer) ? [layer.projector] : []));
     const cleared = clearPlaces(this.#session.recordedDesign, placed, diagonal, this.#viewer);
     return (layer) => {
-      if (!("projector" in layer)) return {};
+      if (!isPlaced(layer)) return {};
       const projector = cleared(layer.projector);
       return { projector, mask: carriedMask(layer, projector, this.#viewer.surface) };
     };

@@ -1,14 +1,19 @@
 /** Parts of masks that cannot go where their layers go, which is said: what they hide would else be seen without a word. */
-import { type DesignLayer, flattenLayers, type Mask, type MaskLayer } from "../document/index.ts";
+
+import {
+  type DesignLayer,
+  flattenLayers,
+  isPlaced,
+  type Mask,
+  type MaskLayer,
+  type PlacedLayer,
+} from "../document/index.ts";
 import { leftBehind } from "./carried-mask.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 
 /** The pictures and words that a layer is, or a group holds. */
 export const picturesIn = (layer: DesignLayer): readonly PlacedLayer[] =>
-  flattenLayers({ layers: [layer] }, { masks: false, strokes: false }).filter(
-    (each) => each.type === "decal" || each.type === "text",
-  );
+  flattenLayers({ layers: [layer] }, { masks: false, strokes: false }).filter(isPlaced);
 
 /** What stays of a layer's mask though that is linked to it. */
 export const staysOf = (

@@ -1,9 +1,8 @@
 /** A decal or a text that is moved, turned or sized until it lies beside the model: little or nothing is seen of it, which is said. */
 import type { Projector } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
-import type { Design } from "../document/design.ts";
+import { type Design, isPlaced, type PlacedLayer } from "../document/design.ts";
 import { mirroredProjector } from "../document/mirror-layer.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
 import type { OpenModel } from "./design-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";
@@ -57,7 +56,7 @@ export class LostDecal {
 
 function placedIn(design: Design | null, id: string | null): PlacedLayer | undefined {
   const layer = design === null ? undefined : layerById(design, id);
-  return layer?.type === "decal" || layer?.type === "text" ? layer : undefined;
+  return isPlaced(layer) ? layer : undefined;
 }
 
 /** The middle of what a projector throws; null for a flat stamp, which lies on no side of the model. */

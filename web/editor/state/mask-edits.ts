@@ -1,5 +1,15 @@
 /** What is painted on a mask: what hides and what shows again, and the fill that a mask begins with. */
-import type { BlendMode, Design, DesignLayer, FillLayer, Gradient, GradientStop, Mask } from "../document/design.ts";
+
+import {
+  type BlendMode,
+  type Design,
+  type DesignLayer,
+  type FillLayer,
+  type Gradient,
+  type GradientStop,
+  isPlaced,
+  type Mask,
+} from "../document/design.ts";
 import { findLayer, freeIdIn, insertAt, mapLayer, removeById } from "../document/layer-tree.ts";
 import { makeFillLayer } from "../document/make-layer.ts";
 import type { NoticeBoard } from "./notice-board.ts";
@@ -18,7 +28,7 @@ export const hidesNothing = ({ invert, layers }: Mask): boolean =>
   !invert && layers.every(({ blend }) => blend !== "erase");
 
 /** Whether a layer's mask can be linked to it: it is moved, or what is in it. */
-export const canGoAlong = (layer: DesignLayer): boolean => "projector" in layer || layer.type === "group";
+export const canGoAlong = (layer: DesignLayer): boolean => isPlaced(layer) || layer.type === "group";
 
 /** After a gesture that shows again: says so where it could change nothing. */
 export function tellShownAlready(design: Design, id: string, board: NoticeBoard): void {

@@ -1,14 +1,16 @@
 /** What a layer takes on with a mirror: that, and the materials that its twin lies on. */
+
 import {
   layerMaterials,
   type Mirror,
   materialsOf,
   mirroredProjector,
   type PaintLayer,
+  type PlacedLayer,
   type Projector,
   type StrokeLayer,
 } from "../document/index.ts";
-import type { DecalReach, PlacedLayer } from "./decal-reach.ts";
+import type { DecalReach } from "./decal-reach.ts";
 import type { LayerPatch } from "./layer-commands.ts";
 
 /**

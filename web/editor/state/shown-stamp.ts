@@ -1,9 +1,8 @@
 /** Which flat stamp the texture view shows with handles. */
 import type { ViewerDecal } from "../../viewer/viewer-api.ts";
-import { materialsOf } from "../document/index.ts";
+import { isPlaced, materialsOf, type PlacedLayer } from "../document/index.ts";
 import { isLocked } from "../document/layer-tree.ts";
 import { TOGETHER } from "./chosen-together.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
 import { layerById } from "./design-edits.ts";
 import type { EditorState } from "./editor-state.ts";
 import { stampsBox, stampsIn } from "./stamps-together.ts";
@@ -19,7 +18,7 @@ export function shownStamp(
 ): ViewerDecal | null {
   const several = stampsIn(movable, material);
   const selected = layerById(design, selectedId);
-  const own = selected?.type === "decal" || selected?.type === "text" ? stampsIn([selected], material) : [];
+  const own = isPlaced(selected) ? stampsIn([selected], material) : [];
   const [layer] = own.length > 0 ? own : several;
   if (!layer) return null;
   const { id, name, visible, projector } = layer;

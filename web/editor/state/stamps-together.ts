@@ -1,9 +1,8 @@
 /** Flat stamps as one: turned and sized about their common middle, which lies in the texture. */
 import type { Projector, UvProjector } from "../../engine/engine-api.ts";
 import { uvOfStamp } from "../../viewer/stamp-drag.ts";
-import { materialsOf } from "../document/index.ts";
+import { materialsOf, type PlacedLayer } from "../document/index.ts";
 import type { ProjectorChange } from "./chosen-together.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
 import { wrapDegrees } from "./rotation.ts";
 
 const CORNERS = [

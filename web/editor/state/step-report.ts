@@ -1,8 +1,8 @@
 /** What keys do to the chosen decal on the model, told to who does not see it: where it is by then, once the keys rest. */
 import type { Projector } from "../../engine/engine-api.ts";
+import type { PlacedLayer } from "../document/design.ts";
 import type { Strings } from "../strings.ts";
 import { type LengthUnit, unitFor } from "../tools/length-unit.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
 import { diagonalOf } from "./design-state.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";

@@ -4,7 +4,7 @@
  * instead, for as long as the layer lies as the newest trial left it.
  */
 import type { Projector } from "../../engine/engine-api.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
+import type { PlacedLayer } from "../document/design.ts";
 
 export type Placement = Pick<PlacedLayer, "projector" | "material" | "mirror">;
 

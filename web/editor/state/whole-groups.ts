@@ -1,6 +1,6 @@
 /** Groups that are moved as a whole: their masks go along with the pictures and words in them. */
-import type { Design, DesignLayer, GroupLayer } from "../document/index.ts";
-import type { PlacedLayer } from "./decal-reach.ts";
+
+import { type Design, type DesignLayer, type GroupLayer, isPlaced, type PlacedLayer } from "../document/index.ts";
 
 /** A group, and all pictures and words in it and in its groups. */
 export interface WholeGroup {
@@ -26,7 +26,7 @@ export function wholeGroups({ layers }: Pick<Design, "layers">, selection: reado
   const heldBy = (within: readonly DesignLayer[], isChosen: boolean, isLocked: boolean): Held => {
     const all = within.map((layer): Held => {
       const [held, locked] = [isChosen || chosen.has(layer.id), isLocked || layer.locked];
-      if (layer.type === "decal" || layer.type === "text") {
+      if (isPlaced(layer)) {
         return { pictures: [layer], whole: held && !locked, groups: [], frames: [] };
       }
       if (layer.type !== "group") return NONE;

@@ -3,10 +3,10 @@
  * shows it. Closing it ends the worker and the graphics, and the design can go on at another desk.
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
-import type { Design, DesignLayer } from "../../editor/document/design.ts";
+import { type Design, type DesignLayer, isPlaced, type PlacedLayer } from "../../editor/document/design.ts";
 import { removeById } from "../../editor/document/layer-tree.ts";
 import type { AssetLibrary } from "../../editor/state/asset-library.ts";
-import { DecalReach, type PlacedLayer } from "../../editor/state/decal-reach.ts";
+import { DecalReach } from "../../editor/state/decal-reach.ts";
 import {
   layerById,
   paintedMaterials,
@@ -199,7 +199,7 @@ export class Desk {
    */
   place(id: string, placed: PlacedLayer["projector"], final: boolean, key?: string, onto: number | null = null): void {
     const layer = layerById(this.design, id);
-    if (layer?.type !== "decal" && layer?.type !== "text") return;
+    if (!isPlaced(layer)) return;
     const projector = this.#hands?.resized(layer.projector, placed) ?? placed;
     const material = this.reach.movedTo(layer, projector, onto);
     this.change<PlacedLayer>(id, { projector, material }, final, key);

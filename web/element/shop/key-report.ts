@@ -2,6 +2,7 @@
  * What keys do to what is chosen, told to who does not see it once they rest: a held one would be heard long after it is let go.
  * Loaded with the first of them.
  */
+import { isPlaced } from "../../editor/document/design.ts";
 import type { Projector } from "../../engine/engine-api.ts";
 import type { Desk } from "../desk/desk.ts";
 
@@ -55,7 +56,7 @@ export class KeyReport {
     const moved = this.#moved;
     this.#moved = null;
     if (closed || !moved || selected?.id !== moved.id) return;
-    if (selected.type !== "decal" && selected.type !== "text") return;
+    if (!isPlaced(selected)) return;
     const told = kind === "nudge" ? this.#way(moved.right, moved.up) : this.#look(kind, selected.projector);
     if (told.length > 0) hooks.announce(told.join(", "));
   }

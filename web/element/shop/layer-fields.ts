@@ -1,6 +1,7 @@
 /** The fields of what is chosen: its words, its size, its turn. */
+
 import { html, nothing, type TemplateResult } from "lit";
-import type { DesignLayer, TextLayer } from "../../editor/document/design.ts";
+import { type DesignLayer, isPlaced, type TextLayer } from "../../editor/document/design.ts";
 import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import { orientationOf } from "../../editor/state/rotation.ts";
@@ -24,7 +25,7 @@ export interface FieldsHost {
 }
 
 export function layerFields(view: FieldsHost, layer: DesignLayer): TemplateResult | typeof nothing {
-  if (!("projector" in layer)) return nothing;
+  if (!isPlaced(layer)) return nothing;
   return html`
     <div class="fields" part="fields" role="group" aria-label=${layer.name}>
       ${layer.type === "text" ? textFields(view, layer) : nothing} ${sizeFields(view, layer.id, layer.projector)}

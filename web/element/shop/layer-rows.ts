@@ -1,7 +1,8 @@
 /** What is on the product, the topmost first. */
+
 import { html, type TemplateResult } from "lit";
 import { repeat } from "lit/directives/repeat.js";
-import type { DesignLayer } from "../../editor/document/design.ts";
+import { type DesignLayer, isPlaced } from "../../editor/document/design.ts";
 import { walkLayers } from "../../editor/document/layer-tree.ts";
 import { icon } from "../../editor/ui/icon.ts";
 import type { Desk } from "../desk/desk.ts";
@@ -32,7 +33,7 @@ export function layerRows(desk: Desk, words: Words, acts: LayerActs): TemplateRe
 }
 
 function row(desk: Desk, words: Words, acts: LayerActs, layer: DesignLayer, chosen: boolean): TemplateResult {
-  const kind = layer.type === "decal" || layer.type === "text" ? words.kinds[layer.type] : words.kinds.other;
+  const kind = isPlaced(layer) ? words.kinds[layer.type] : words.kinds.other;
   return html`
     <li class="row" part="row" data-layer=${layer.id} ?data-chosen=${chosen}>
       <button class="choose" aria-pressed=${chosen} @click=${() => acts.select(layer)}>

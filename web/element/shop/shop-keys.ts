@@ -1,5 +1,6 @@
 /** Keys inside the element. What has the focus comes first: a text field keeps every key, a choice its arrows. */
 
+import { isPlaced } from "../../editor/document/design.ts";
 import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import type { Desk } from "../desk/desk.ts";
@@ -28,7 +29,7 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   if (selected === undefined) return false;
   if (event.key === "Escape") return desk.select(null);
   if (event.key === "Delete" || event.key === "Backspace") return desk.remove(selected.id);
-  if (!("projector" in selected)) return false;
+  if (!isPlaced(selected)) return false;
   // Arrows on a button belong to whoever walks over buttons with them.
   if (target instanceof HTMLButtonElement && event.key.startsWith("Arrow")) return false;
   const steps = event.shiftKey ? COARSE : 1;
