@@ -36,7 +36,7 @@ for (const mode of ["shop", "full"]) {
     const model = new Uint8Array(demoFile("mug.glb").buffer);
     const printed = await renderPrint({ model, design, material: 0, size: 128 });
     expect(printed.sha256, "the picture is that of the design").toBe(sha256);
-    expect(steps, "asking is no step").toBe(1);
+    expect(steps, "what was typed is a step, and asking is none").toBe(2);
   });
 }
 
@@ -51,3 +51,42 @@ test("what is typed when the element begins anew is there afterwards", async ({ 
   });
   expect(texts).toEqual(["Ada"]);
 });
+
+const textsOf = (editor: Locator): Promise<unknown[]> =>
+  editor.evaluate(async (element: Editor) => {
+    const { design } = await element.exportDesign();
+    return design.layers.map((layer) => layer.type === "text" && layer.text);
+  });
+
+for (const mode of ["shop", "full"]) {
+  test(`a press on Undo takes back what is typed in the ${mode} mode and no more, and Redo brings it again`, async ({
+    page,
+  }) => {
+    const editor = await openTyping(page, mode);
+    await page.keyboard.type("da");
+    await editor.getByRole("button", { name: /^Undo/ }).click();
+    await expect.poll(() => textsOf(editor)).toEqual(["A"]);
+    await editor.getByRole("button", { name: /^Redo/ }).click();
+    await expect.poll(() => textsOf(editor)).toEqual(["Ada"]);
+  });
+
+  test(`Ctrl+Z behind the field takes back what is typed in the ${mode} mode and no more`, async ({ page }) => {
+    const editor = await openTyping(page, mode);
+    await page.keyboard.type("da");
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("ControlOrMeta+z");
+    expect(await textsOf(editor)).toEqual(["A"]);
+  });
+
+  test(`a page's own undo takes back what is typed in the ${mode} mode and no more, and its redo brings it again`, async ({
+    page,
+  }) => {
+    const editor = await openTyping(page, mode);
+    await page.keyboard.type("da");
+    await expect.poll(() => textsOf(editor)).toEqual(["Ada"]);
+    expect(await editor.evaluate((element: Editor) => element.undo())).toBe(true);
+    expect(await textsOf(editor)).toEqual(["A"]);
+    expect(await editor.evaluate((element: Editor) => element.redo())).toBe(true);
+    expect(await textsOf(editor)).toEqual(["Ada"]);
+  });
+}

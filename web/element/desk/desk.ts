@@ -221,14 +221,21 @@ export class Desk {
     return true;
   }
 
-  /** False where there is no step that way. */
+  /** What is shown and no step yet becomes one first. False where there is no step that way. */
   travel(by: 1 | -1): boolean {
+    this.keepShown();
     const { undoLabel, redoLabel } = this.store.state;
     if (this.settings.readonly || (by < 0 ? undoLabel : redoLabel) === null) return false;
     this.session.travelTo(this.session.position + by);
     const { announce } = this.settings.words;
     this.hooks.announce(by < 0 ? announce.undone : announce.redone);
     return true;
+  }
+
+  /** As a hand asks for it: a field that was just left may still measure the words that it records. */
+  async step(by: 1 | -1): Promise<void> {
+    await this.settled();
+    this.travel(by);
   }
 
   /** Throws "refused" where the design is only looked at. */

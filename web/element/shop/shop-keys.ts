@@ -21,8 +21,9 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   if (event.ctrlKey || event.metaKey) {
     if (typing) return false;
     const key = event.key.toLowerCase();
-    if (key === "z") return desk.travel(event.shiftKey ? 1 : -1);
-    return key === "y" && desk.travel(1);
+    if (key !== "z" && key !== "y") return false;
+    void desk.step(key === "z" && !event.shiftKey ? -1 : 1);
+    return true;
   }
   if (typing) return false;
   const { selected } = desk;

@@ -142,8 +142,8 @@ export class ShopView {
           readonly
             ? nothing
             : html`
-                ${this.#tool("undo", words.undo, icon(Undo2), undoLabel === null, () => desk?.travel(-1))}
-                ${this.#tool("redo", words.redo, icon(Redo2), redoLabel === null, () => desk?.travel(1))}
+                ${this.#tool("undo", words.undo, icon(Undo2), undoLabel === null, () => void desk?.step(-1))}
+                ${this.#tool("redo", words.redo, icon(Redo2), redoLabel === null, () => void desk?.step(1))}
               `
         }
         ${this.#bench?.heatSwitch()}
