@@ -12,6 +12,12 @@ import { inRoot } from "../bootstrap/paths.mjs";
 const PATTERN = /new\s+URL\(\s*(["'])([^"'\n]+)\1\s*,\s*import\.meta\.url\s*,?\s*\)/g;
 
 /**
+ * An address that is all that a function has. What gathers a server's files (Nitro, Vercel, Next.js's "standalone") finds addresses in
+ * statements alone, and would leave those files behind; a page's script comes out of its minifier as it was.
+ */
+const ALONE = /=>\s*(new URL\("[^"]+", import\.meta\.url\))/g;
+
+/**
  * For old Cloudflare workers, in the pictures' decoders. It never runs elsewhere, and webpack, which writes a module's address in
  * place of `import.meta.url`, refuses a string that something is assigned to.
  */
@@ -63,7 +69,8 @@ export function urlFiles(files) {
           .replace(PATTERN, (whole, _quote, specifier) => {
             const file = locate(specifier, path);
             return file === null ? whole : `new URL(${JSON.stringify(files.addressOf(file))}, import.meta.url)`;
-          });
+          })
+          .replace(ALONE, "=> { return $1; }");
         return { contents, loader: path.endsWith(".ts") ? "ts" : "js", resolveDir: dirname(path) };
       });
       // Vite's way to say "as text".

@@ -71,6 +71,17 @@ test.each(Object.keys(ENTRIES))("the import %s works in bare Node and starts not
   expect(JSON.parse(await runInNode(installed.folder, script))).toEqual({ names: !TYPES_ALONE.includes(path), added });
 });
 
+test("a server's scripts name their files in statements, where what gathers a server's files looks for them", () => {
+  // Nitro's and Next.js's own gatherer is not among the checkout's packages: it passes over an address that an arrow gives at once.
+  const dist = join(installed.folder, "node_modules/texelcast/dist");
+  const scripts = readdirSync(dist).filter((name) => /^(node|cli).*\.js$/.test(name));
+  const addresses = scripts.flatMap((name) => [
+    ...readFileSync(join(dist, name), "utf8").matchAll(/(=>\s*)?new URL\("([^"]+)", import\.meta\.url\)/g),
+  ]);
+  expect(addresses.map(([, , address]) => address)).toContain("./assets/Inter_700Bold.ttf");
+  expect(addresses.flatMap(([, arrow, address]) => (arrow ? [address] : []))).toEqual([]);
+});
+
 test("a page's engine says on a server that it needs a page, and what there is instead", async () => {
   const script = `
     import { createEngine, TexelcastError } from "texelcast/core";
