@@ -12,6 +12,7 @@ import { type DesignsServer, startDesignsServer } from "./support/designs-server
 import { STORY_FILES } from "./support/engine-story.ts";
 import { guideFiles, looseFences } from "./support/guide.ts";
 import { addShopFiles, type InstalledPackage, installPackage } from "./support/installed.ts";
+import { personalise } from "./support/personalise.ts";
 import {
   openBrowser,
   openPage,
@@ -138,25 +139,6 @@ async function buildFrameworks(folder: string): Promise<void> {
     build: { outDir, target: "es2022", rolldownOptions: { input } },
   });
   addShopFiles(outDir, { ...STORY_FILES, "favicon.ico": "" });
-}
-
-/** Puts a picture on the mug; gives the hash of what the customer then hands in, once that happened. */
-async function personalise(opened: Page, place: Page | Frame): Promise<() => string> {
-  let approved = "";
-  await opened.exposeFunction("noteApproved", (sha256: string) => {
-    approved = sha256;
-  });
-  await place.evaluate(async () => {
-    type Editor = HTMLElement & { start(): Promise<void>; addDecal(source: string): Promise<string> };
-    type Handed = CustomEvent<{ texture: { sha256: string } }>;
-    const { noteApproved } = globalThis as unknown as { noteApproved: (sha256: string) => void };
-    await customElements.whenDefined("texelcast-editor");
-    const editor = document.querySelector("texelcast-editor") as Editor;
-    editor.addEventListener("submit", (event) => noteApproved((event as unknown as Handed).detail.texture.sha256));
-    await editor.start();
-    await editor.addDecal("/logo.png");
-  });
-  return () => approved;
 }
 
 /** The framed editor, when it has answered. */

@@ -2,6 +2,7 @@
 import { spawnSync } from "node:child_process";
 import { join } from "node:path";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { guideFiles } from "./support/guide.ts";
 import { addShopFiles, CHECKOUT, type InstalledPackage, installPackage } from "./support/installed.ts";
 
 const TSC = join(CHECKOUT, "node_modules/typescript/bin/tsc");
@@ -113,4 +114,20 @@ test.each([
 test("a strict project of a server's finds all types, without those of a page", () => {
   const options = { module: "nodenext", moduleResolution: "nodenext", lib: ["es2022"], types: ["node"] };
   expect(complaints(NODE_FILES, options)).toBe("");
+});
+
+test("the code of Next.js's guide compiles strictly, with what Next.js sets", () => {
+  const files = Object.entries(guideFiles()).filter(([path]) => /^(next\/.*|save-design\.js)$/.test(path));
+  const project = Object.fromEntries(files.map(([path, code]) => [path.replace("next/", ""), code]));
+  const lib = ["esnext", "dom", "dom.iterable"];
+  const options = {
+    module: "esnext",
+    moduleResolution: "bundler",
+    lib,
+    types: ["node"],
+    allowJs: true,
+    isolatedModules: true,
+  };
+  expect(Object.keys(project)).toContain("app/designs/route.ts");
+  expect(complaints(project, options)).toBe("");
 });
