@@ -76,6 +76,12 @@ export async function buildPackage() {
     ...FOR_PAGES,
     chunkNames: "standalone-[hash]",
   });
+  // Of files that ask for nothing: what runs it may have no modules of Node's.
+  await bundle({
+    entryPoints: entries.flatMap(({ name, edge }) => (edge ? [{ in: edge, out: `${name}-edge` }] : [])),
+    platform: "neutral",
+    minify: true,
+  });
   // Bundles of their own: a worker sees no import map, and must not load the page's half.
   for (const [name, source] of files.workers) {
     await bundle(

@@ -1,8 +1,8 @@
 /** What the package offers, and its own package.json: name, version and the like from the checkout's, the rest from its entries. */
 
 /**
- * `server`: another source in Node.
- * @type {Readonly<Record<string, {source: string, name: string, runs: "page" | "node", server?: string}>>}
+ * `server`: another source in Node. `edge`: another where neither Node nor a page runs it.
+ * @type {Readonly<Record<string, {source: string, name: string, runs: "page" | "node", server?: string, edge?: string}>>}
  */
 export const ENTRIES = {
   // Of Node's own bundle there: what `texelcast/node` throws must be of the class that this one names.
@@ -12,6 +12,7 @@ export const ENTRIES = {
     name: "define",
     runs: "page",
     server: "web/package/define-server.ts",
+    edge: "web/package/define-server.ts",
   },
   // Types alone: the tag in React's JSX and in Vue's templates.
   "./react": { source: "web/element/react.ts", name: "react", runs: "page" },
@@ -23,6 +24,9 @@ export const ENTRIES = {
   "./embed": { source: "web/package/embed.ts", name: "embed", runs: "page" },
 };
 
+/** What the runtimes of servers that are no Node call themselves: Vercel's and Next.js's, Cloudflare's. */
+export const EDGES = ["edge-light", "workerd"];
+
 /** Both ends are what tests/package runs: `three-oldest` and `three` of the checkout. */
 export const THREE_RANGE = ">=0.175.0 <0.188.0";
 
@@ -30,11 +34,12 @@ export const THREE_RANGE = ">=0.175.0 <0.188.0";
 export function manifestOf(checkout) {
   const { name, version, description, keywords, license, author, engines } = checkout;
   const exports = Object.fromEntries(
-    Object.entries(ENTRIES).map(([path, { source, name: entry, server }]) => [
+    Object.entries(ENTRIES).map(([path, { source, name: entry, server, edge }]) => [
       path,
       {
         types: `./types/${source.replace(/\.ts$/, ".d.ts")}`,
         ...(server && { node: `./dist/${entry}-server.js` }),
+        ...(edge && Object.fromEntries(EDGES.map((runtime) => [runtime, `./dist/${entry}-edge.js`]))),
         default: `./dist/${entry}.js`,
       },
     ]),

@@ -1,10 +1,12 @@
 /** The npm package, packed and installed into an empty folder; `npm run package` makes it. */
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
+import { runInNewContext } from "node:vm";
 import { checkPackage, createPackageFromTarballData } from "@arethetypeswrong/core";
+import { build } from "esbuild";
 import { publint } from "publint";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { ENTRIES } from "../../scripts/package/manifest.mjs";
+import { EDGES, ENTRIES } from "../../scripts/package/manifest.mjs";
 import { CHECKOUT, type InstalledPackage, installPackage, runInNode } from "./support/installed.ts";
 
 let installed: InstalledPackage;
@@ -80,6 +82,26 @@ test("a server's scripts name their files in statements, where what gathers a se
   ]);
   expect(addresses.map(([, , address]) => address)).toContain("./assets/Inter_700Bold.ttf");
   expect(addresses.flatMap(([, arrow, address]) => (arrow ? [address] : []))).toEqual([]);
+});
+
+test.each(EDGES)("%s, a server that is no Node, imports the element's name and registers nothing", async (runtime) => {
+  const { outputFiles } = await build({
+    stdin: {
+      contents: `
+        import { EDITOR_TAG, TexelcastEditor } from "texelcast/define";
+        import { TexelcastError } from "texelcast";
+        said = [EDITOR_TAG, typeof TexelcastEditor, typeof TexelcastError];`,
+      resolveDir: installed.folder,
+    },
+    bundle: true,
+    write: false,
+    platform: "neutral",
+    conditions: [runtime],
+    target: "es2022",
+  });
+  const globals: { said?: unknown } = {};
+  runInNewContext(outputFiles[0]?.text ?? "", globals);
+  expect(globals.said).toEqual(["texelcast-editor", "function", "function"]);
 });
 
 test("a page's engine says on a server that it needs a page, and what there is instead", async () => {
