@@ -1,5 +1,6 @@
 import { afterEach, describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import type { TargetOptions } from "../../web/engine/engine-api.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { decal } from "../support/layers.ts";
 import { buildGlb, cube, plane, sphere } from "../support/model-builder.ts";
@@ -135,15 +136,21 @@ describe("a target", () => {
     expect([...(await engine.readTexels(0, 3, 3, 1, 1))]).toEqual([255, 128, 0, 255]);
     await engine.openTarget({ material: 0, base: { name: "red.png", bytes: solidPng(3, 3, [9, 8, 7, 6]) } });
     expect([...(await engine.readTexels(0, 1, 1, 1, 1))]).toEqual([9, 8, 7, 6]);
-    await expect(engine.openTarget({ material: 0, base: [255, 0, 0, 1] })).rejects.toMatchObject({
-      code: "bad-argument",
-    });
     const base = { name: "b.txt", bytes: new TextEncoder().encode("no") };
     await expect(engine.openTarget({ material: 0, base })).rejects.toMatchObject({
       code: "bad-picture",
       subject: "b.txt",
     });
   });
+
+  it.each([[[255, 0, 0, 1]], [[1, 1, 1]], [[1, 1, 1, 1, 1]], [["1", 0, 0, 1]], ["white"], [null]])(
+    "does not lie on %j, which is no colour",
+    async (base) => {
+      const { engine } = await paintablePlane();
+      const options = { material: 0, width: 8, base } as unknown as TargetOptions;
+      await expect(engine.openTarget(options)).rejects.toMatchObject({ code: "bad-argument", field: "base" });
+    },
+  );
 
   it.each([
     [{ width: 0 }, "bad-size"],

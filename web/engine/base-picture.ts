@@ -2,7 +2,7 @@
 import { Filters } from "../core/abi.ts";
 import type { Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import type { Picture, TargetOptions } from "./engine-api.ts";
+import type { EngineColor, Picture, TargetOptions } from "./engine-api.ts";
 import type { LoadedModel } from "./model-loader.ts";
 import { baseTextureSize } from "./model-loader.ts";
 import { findBaseTexture, imageBytes } from "./model-textures.ts";
@@ -25,7 +25,7 @@ export interface BasePicture {
 export function targetSize(model: LoadedModel, options: TargetOptions): readonly [number, number] {
   const { width, height, base } = options;
   if (width !== undefined || height !== undefined) return [width ?? height ?? 0, height ?? width ?? 0];
-  if (typeof base === "object" && "bytes" in base) {
+  if (isFile(base)) {
     const header = readPictureHeader(base.bytes, base.name);
     return [header.width, header.height];
   }
@@ -36,25 +36,31 @@ export function targetSize(model: LoadedModel, options: TargetOptions): readonly
 export async function loadBasePicture(model: LoadedModel, options: TargetOptions): Promise<BasePicture> {
   const { base = "model" } = options;
   if (base === "model") return await loadModelBase(model, options.material);
-  if ("bytes" in base) {
+  if (isFile(base)) {
     const picture = await decodePicture(base.bytes, base.name);
     return { picture, color: null, filter: Filters.linear, factorBaked: false };
   }
-  for (const channel of base) {
-    if (channel >= 0 && channel <= 1) continue;
-    throw new TexelcastError("bad-argument", `A base colour has four numbers from 0 to 1, not ${base.join(", ")}.`, {
+  if (!isColor(base)) {
+    const value = String(base);
+    throw new TexelcastError("bad-argument", `A base colour has four numbers from 0 to 1, not ${value}.`, {
       field: "base",
-      value: base.join(", "),
+      value,
     });
   }
-  const [red, green, blue, alpha] = base.map((channel) => Math.round(channel * 255)) as [
-    number,
-    number,
-    number,
-    number,
-  ];
-  return { picture: null, color: [red, green, blue, alpha], filter: Filters.linear, factorBaked: false };
+  const color = base.map((channel) => Math.round(channel * 255)) as [number, number, number, number];
+  return { picture: null, color, filter: Filters.linear, factorBaked: false };
 }
+
+type Base = NonNullable<TargetOptions["base"]>;
+
+const isFile = (base: Base | undefined): base is Extract<Base, { readonly bytes: Uint8Array }> =>
+  typeof base === "object" && base !== null && "bytes" in base;
+
+/** Callers without types may give anything. */
+const isColor = (base: unknown): base is EngineColor =>
+  Array.isArray(base) &&
+  base.length === 4 &&
+  base.every((channel: unknown) => typeof channel === "number" && channel >= 0 && channel <= 1);
 
 async function loadModelBase(model: LoadedModel, material: number): Promise<BasePicture> {
   const { json, binary } = model.packed;
