@@ -51,7 +51,7 @@ export default defineConfig({
     // The worker's packages are found with the page's, not when it first runs, which would load the page again.
     entries: [...PAGES, here("./web/engine/engine-worker.ts")],
     // They find their .wasm beside themselves, which pre-bundling would move.
-    exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp", "watlas"],
+    exclude: ["@jsquash/png", "@jsquash/jpeg", "@jsquash/webp", "@jsquash/avif", "watlas"],
   },
   build: {
     outDir: here("./build/site"),

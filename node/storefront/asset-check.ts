@@ -8,7 +8,14 @@ import { isSvg } from "../../web/engine/svg-start.ts";
 import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { shopError } from "./shop-error.ts";
 
-export type StoredType = "image/png" | "image/jpeg" | "image/webp" | "image/svg+xml" | "font/ttf" | "font/otf";
+export type StoredType =
+  | "image/png"
+  | "image/jpeg"
+  | "image/webp"
+  | "image/avif"
+  | "image/svg+xml"
+  | "font/ttf"
+  | "font/otf";
 
 /**
  * The media type of a picture, drawing or font, after its header was read in full: a file that passes can be printed.
@@ -21,7 +28,7 @@ export async function checkAsset(bytes: Uint8Array, name: string): Promise<Store
     await readSvgFile(bytes, name);
     return "image/svg+xml";
   }
-  const { format, width, height } = readPictureHeader(bytes, name);
+  const { format, width, height } = await readPictureHeader(bytes, name);
   if (format === "jpeg") checkJpegScans(bytes, name);
   if (width * height > SHOP_LIMITS.assetPixels) {
     throw shopError("too-large", `the picture has ${width} × ${height} pixels`, {

@@ -5,7 +5,26 @@ import { inRoot } from "../bootstrap/paths.mjs";
 
 /** What a package holds of others, whose licence it names without its text. */
 const WITHIN = `Of three's files, the transcoder of KTX2 textures: Basis Universal, Copyright (C) 2019-2024 Binomial LLC. Its glue is changed
-so that a policy without eval allows it. Licensed under the Apache License 2.0, which stands below (@jsquash/jpeg).`;
+so that a policy without eval allows it. Licensed under the Apache License 2.0, which stands below (@jsquash/jpeg).
+
+Of @jsquash/avif's, the decoder's WebAssembly: libavif, Copyright 2019 Joe Drago, with parts that are Copyright (c) 2018-2019, VideoLAN and
+dav1d authors, and libaom, Copyright (c) 2016, Alliance for Open Media, under the Alliance for Open Media Patent License 1.0
+(https://aomedia.org/license/patent-license/) too. All rights reserved.
+
+Redistribution and use in source and binary forms, with or without modification, are permitted provided that the following conditions
+are met:
+
+1. Redistributions of source code must retain the above copyright notice, this list of conditions and the following disclaimer.
+
+2. Redistributions in binary form must reproduce the above copyright notice, this list of conditions and the following disclaimer in
+the documentation and/or other materials provided with the distribution.
+
+THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS AND CONTRIBUTORS "AS IS" AND ANY EXPRESS OR IMPLIED WARRANTIES, INCLUDING, BUT NOT
+LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE
+COPYRIGHT HOLDER OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES
+(INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION)
+HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE)
+ARISING IN ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.`;
 
 /**
  * @param {Iterable<string>} files that went into the bundles or beside them, absolute

@@ -21,7 +21,7 @@ test("the README's library example runs as it stands and writes the painted text
   } finally {
     await rm(script, { force: true });
   }
-  const { width, height } = readPictureHeader(await readFile(`${root}build/painted.png`), "painted.png");
+  const { width, height } = await readPictureHeader(await readFile(`${root}build/painted.png`), "painted.png");
   expect([width, height]).toEqual([1024, 1024]);
 }, 60_000);
 

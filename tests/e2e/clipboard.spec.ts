@@ -1,4 +1,6 @@
 import type { Page } from "@playwright/test";
+import { avifFile } from "../support/avif-file.ts";
+import { softPicture } from "../support/ktx2-file.ts";
 import { type EditorPage, expect, type TestFile, test } from "./support/editor-page.ts";
 import { file, ringPicture, squareGlb } from "./support/test-files.ts";
 
@@ -71,6 +73,8 @@ test("a picture on the clipboard becomes a decal, and what is none is refused as
   await pasteFile(page, file("broken.png", ringPicture().buffer.subarray(0, 60), "image/png"));
   await expect(editor.notices).toContainText("Could not open broken.png");
   expect(await names(editor)).toHaveLength(before + 1);
+  await pasteFile(page, file("photo.avif", await avifFile(softPicture(32, 32)), "image/avif"));
+  await expect(editor.row("photo")).toHaveCount(1);
 });
 
 test("a text field keeps its own copy and paste, and marked words theirs", async ({ editor, page }) => {

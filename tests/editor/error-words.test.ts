@@ -62,11 +62,14 @@ describe("what the engine reports", () => {
     expect(noticeOf(1, "Es ging nicht", said, stringsIn("de")).message).toBe("Das Projekt hat kein Modell.");
   });
 
-  it("says in German which of the faults of one code it is, as far as a picture's own bytes", () => {
-    const gif = thrownBy(() => readPictureHeader(new TextEncoder().encode("GIF89a"), "cat.gif"));
+  it("says in German which of the faults of one code it is, as far as a picture's own bytes", async () => {
+    const gif = await readPictureHeader(new TextEncoder().encode("GIF89a"), "cat.gif").then(
+      () => new TexelcastError("taken", ""),
+      (error: TexelcastError) => error,
+    );
     expect(noticeOf(1, "", gif, stringsIn("de"))).toMatchObject({
       message: "„cat.gif“ ist kein Bild, das sich hier verwenden lässt. Es ist ein GIF.",
-      hint: "Speichere es als PNG, JPEG oder WebP.",
+      hint: "Speichere es als PNG, JPEG, WebP oder AVIF.",
       exact: "",
     });
     expect(germanError(gif.toJSON()).message).toContain("Es ist ein GIF.");

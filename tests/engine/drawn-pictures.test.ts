@@ -3,6 +3,8 @@ import type { EngineText, TargetUpdate } from "../../web/engine/engine-api.ts";
 import { footprintTexels, MOST_RASTER_PIXELS, rasterSize } from "../../web/engine/raster-size.ts";
 import { readShippedFont } from "../../web/engine/shipped-fonts.ts";
 import { isSvg } from "../../web/engine/svg-start.ts";
+import { avifFile } from "../support/avif-file.ts";
+import { softPicture } from "../support/ktx2-file.ts";
 import { decal, FRONT } from "../support/layers.ts";
 import { buildGlb } from "../support/model-builder.ts";
 import { allTexels, at, endHosts, paintablePlane, SIZE, startHost, texturedPlane } from "../support/painted-plane.ts";
@@ -37,6 +39,18 @@ async function planeOf(size: number) {
 }
 
 describe("SVG files as decals", () => {
+  it("that hold an AVIF picture are refused by name, and not drawn with a hole in its place", async () => {
+    const avif = Buffer.from(await avifFile(softPicture(8, 8))).toString("base64");
+    for (const type of ["avif", "png"]) {
+      const bytes = svgOf(`<image width="9" height="9" href="data:image/${type};base64,${avif}"/>`);
+      await expect(startHost().setAsset("held", { name: "held.svg", bytes })).rejects.toMatchObject({
+        code: "bad-picture",
+        reason: "inner-avif",
+        subject: "held.svg, picture inside",
+      });
+    }
+  });
+
   it("are painted like pictures, with their own proportions", async () => {
     const { engine, read } = await planeOf(64);
     expect(await engine.setAsset("drawing", { name: "half.svg", bytes: RED_HALF })).toEqual({ width: 20, height: 10 });

@@ -176,10 +176,10 @@ describe("a target", () => {
     await expect(engine.exportPng(0)).rejects.toMatchObject({ code: "bad-argument" });
   });
 
-  it("says that an AVIF texture cannot be decoded, and what to do", async () => {
+  it("says that a DDS texture cannot be decoded, and what to do", async () => {
     const engine = startHost();
-    const textures = [{ extensions: { EXT_texture_avif: { source: 0 } } }];
-    const more = { extensionsUsed: ["EXT_texture_avif"] };
+    const textures = [{ extensions: { MSFT_texture_dds: { source: 0 } } }];
+    const more = { extensionsUsed: ["MSFT_texture_dds"] };
     await engine.loadModel({ name: "k.glb", bytes: buildGlb({ ...texturedPlane, textures, more }) });
     await expect(engine.openTarget({ material: 0 })).rejects.toMatchObject({
       code: "unsupported",

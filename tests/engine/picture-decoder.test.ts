@@ -149,8 +149,8 @@ describe("JPEG and WebP", () => {
   });
 
   it("tell the format by content, whatever the name says", async () => {
-    expect(readPictureHeader(jpeg, "photo.png").format).toBe("jpeg");
-    expect(readPictureHeader(webpLossy, "photo.png").format).toBe("webp");
+    expect((await readPictureHeader(jpeg, "photo.png")).format).toBe("jpeg");
+    expect((await readPictureHeader(webpLossy, "photo.png")).format).toBe("webp");
     expect((await decodePicture(webpLossless, "photo.jpg")).width).toBe(32);
   });
 });
@@ -208,12 +208,12 @@ describe("a photo's EXIF orientation", () => {
       const block = [...new TextEncoder().encode("Exif\0\0"), ...exif(6, little)];
       const segment = [0xff, 0xe1, 0, block.length + 2, ...block];
       const photo = Uint8Array.from([...jpeg.subarray(0, 2), ...segment, ...jpeg.subarray(2)]);
-      expect(readPictureHeader(photo, "photo.jpg")).toMatchObject({ width: 32, height: 16, orientation: 6 });
+      expect(await readPictureHeader(photo, "photo.jpg")).toMatchObject({ width: 32, height: 16, orientation: 6 });
       expect(await decodePicture(photo, "photo.jpg", { orient: true })).toMatchObject({ width: 16, height: 32 });
     }
   });
 
-  it("counts as upright when the tag is damaged", () => {
+  it("counts as upright when the tag is damaged", async () => {
     const damaged = makePng({
       width: 1,
       height: 1,
@@ -222,7 +222,7 @@ describe("a photo's EXIF orientation", () => {
       rows: [[0]],
       extra: [["eXIf", Uint8Array.of(0x49, 0x49, 1)]],
     });
-    expect(readPictureHeader(damaged, "photo.png").orientation).toBe(1);
+    expect((await readPictureHeader(damaged, "photo.png")).orientation).toBe(1);
   });
 });
 
@@ -240,7 +240,7 @@ describe("a picture that cannot be used", () => {
     file.findIndex((byte, i) => byte === 0xff && [0xc0, 0xc1, 0xc2].includes(file[i + 1] ?? 0));
 
   it.each<[string, () => Uint8Array, RegExp]>([
-    ["text", () => new TextEncoder().encode("hello"), /neither PNG, JPEG nor WebP/],
+    ["text", () => new TextEncoder().encode("hello"), /neither PNG, JPEG, WebP nor AVIF/],
     ["nothing", () => new Uint8Array(), /empty/],
     ["a GIF", () => new TextEncoder().encode("GIF89a"), /GIF/],
     ["a PNG of no width", () => huge(0, 4), /0 × 4/],

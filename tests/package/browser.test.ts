@@ -282,7 +282,7 @@ test("no script of the package imports one that a page or a worker begins with",
 
 test("the guide's lines for Node write the print file", async () => {
   await runInNode(installed.folder, guideFile("print.mjs"));
-  const { width, height } = readPictureHeader(readFileSync(join(installed.folder, "print.png")), "print.png");
+  const { width, height } = await readPictureHeader(readFileSync(join(installed.folder, "print.png")), "print.png");
   expect([width, height]).toEqual([512, 512]);
 });
 

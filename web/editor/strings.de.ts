@@ -735,7 +735,7 @@ export const german: Strings = {
     twoModelsHint: "Öffne ein Modell nach dem anderen.",
     unknownFile: (name) => `${name} ist kein Modell, Design oder Bild, das diese Seite kennt.`,
     unknownFileHint:
-      "Modelle: .glb, .gltf. Bilder: .png, .jpg, .webp, .svg. Schriften: .ttf, .otf. Designs: .design.json. Projekte: .texelcast. Paletten: .gpl.",
+      "Modelle: .glb, .gltf. Bilder: .png, .jpg, .webp, .avif, .svg. Schriften: .ttf, .otf. Designs: .design.json. Projekte: .texelcast. Paletten: .gpl.",
     partMissing: "Ein Teil dieser Seite, der dafür gebraucht wird, ließ sich nicht holen.",
     partMissingHint:
       "Prüfe die Verbindung und versuche es noch einmal. Hilft das nicht, lade die Seite neu, sobald die Verbindung steht.",

@@ -727,7 +727,7 @@ const english = {
     twoModelsHint: "Open one model at a time.",
     unknownFile: (name: string): string => `${name} is not a model, a design or a picture that this page knows.`,
     unknownFileHint:
-      "Models: .glb, .gltf. Pictures: .png, .jpg, .webp, .svg. Fonts: .ttf, .otf. Designs: .design.json. Projects: .texelcast. Palettes: .gpl.",
+      "Models: .glb, .gltf. Pictures: .png, .jpg, .webp, .avif, .svg. Fonts: .ttf, .otf. Designs: .design.json. Projects: .texelcast. Palettes: .gpl.",
     partMissing: "A part of this page that is needed for it could not be fetched.",
     partMissingHint:
       "Check the connection and try again. If that does not help, reload the page while there is a connection.",

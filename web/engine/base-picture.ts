@@ -22,14 +22,14 @@ export interface BasePicture {
 }
 
 /** The target's size: as asked, else that of the base picture (by its header), else of the material's own, else 1024. */
-export function targetSize(model: LoadedModel, options: TargetOptions): readonly [number, number] {
+export async function targetSize(model: LoadedModel, options: TargetOptions): Promise<readonly [number, number]> {
   const { width, height, base } = options;
   if (width !== undefined || height !== undefined) return [width ?? height ?? 0, height ?? width ?? 0];
   if (isFile(base)) {
-    const header = readPictureHeader(base.bytes, base.name);
+    const header = await readPictureHeader(base.bytes, base.name);
     return [header.width, header.height];
   }
-  return baseTextureSize(model, options.material) ?? [DEFAULT_SIZE, DEFAULT_SIZE];
+  return (await baseTextureSize(model, options.material)) ?? [DEFAULT_SIZE, DEFAULT_SIZE];
 }
 
 /** Decodes what the target shall lie on. Throws "bad-picture", "unsupported" and "bad-argument", naming the file. */
@@ -73,7 +73,7 @@ async function loadModelBase(model: LoadedModel, material: number): Promise<Base
       {
         subject: model.name,
         field: `textures[${texture.texture}].extensions.${texture.undecodable}`,
-        hint: "Export the model with PNG, JPEG or WebP textures, or choose another base for painting.",
+        hint: "Export the model with PNG, JPEG, WebP or AVIF textures, or choose another base for painting.",
       },
     );
   }

@@ -14,6 +14,10 @@ const FILES = {
     specifier: "@jsquash/webp/codec/dec/webp_dec.wasm",
     url: () => new URL("@jsquash/webp/codec/dec/webp_dec.wasm", import.meta.url),
   },
+  avif: {
+    specifier: "@jsquash/avif/codec/dec/avif_dec.wasm",
+    url: () => new URL("@jsquash/avif/codec/dec/avif_dec.wasm", import.meta.url),
+  },
   draco: {
     specifier: "draco3dgltf/draco_decoder_gltf.wasm",
     url: () => new URL("draco3dgltf/draco_decoder_gltf.wasm", import.meta.url),

@@ -234,7 +234,7 @@ export interface TargetOptions {
   readonly gutter?: number;
   /**
    * "model" (default): the material's own picture or colour. Else a colour (sRGB with alpha, each 0 to 1), or a picture's
-   * bytes (PNG, JPEG, WebP).
+   * bytes (PNG, JPEG, WebP, AVIF).
    */
   readonly base?:
     | "model"
@@ -314,7 +314,7 @@ export interface Engine {
   loadModel(source: ModelSource): Promise<ModelInfo>;
 
   /**
-   * Decodes a decal's picture (PNG, JPEG, WebP) or reads a drawing (SVG), and keeps it under `key`; replaces one of the same
+   * Decodes a decal's picture (PNG, JPEG, WebP, AVIF) or reads a drawing (SVG), and keeps it under `key`; replaces one of the same
    * key. Returns its size. A drawing gets its pixels when it is painted, as many as its place on the target asks for.
    */
   setAsset(

@@ -11,7 +11,7 @@ import { badPicture } from "./picture-header.ts";
 /** The transcoder's number for 32 bits a pixel, uncompressed. */
 const RGBA32 = 13;
 
-const AS_PNG = "Export the model with PNG, JPEG or WebP textures.";
+const AS_PNG = "Export the model with PNG, JPEG, WebP or AVIF textures.";
 
 let started: Promise<BasisTranscoder> | null = null;
 

@@ -1,21 +1,23 @@
-/** JPEG and WebP to pixels. Loaded by the first picture of either kind. */
+/** JPEG, WebP and AVIF to pixels. Loaded by the first picture of any of them. */
 import { compileCodec } from "./codec-wasm.ts";
 import { checkJpegScans } from "./jpeg-scans.ts";
 
 interface CodecGlue {
   readonly init: (module: WebAssembly.Module, options: object) => Promise<unknown>;
-  readonly default: (bytes: ArrayBuffer) => Promise<ImageData>;
+  readonly default: (bytes: ArrayBuffer) => Promise<ImageData | null>;
 }
+
+type Lossy = "jpeg" | "webp" | "avif";
 
 /** One of @jsquash's Emscripten codecs. Its glue, like its module, is loaded by the first picture of its kind. */
 class EmscriptenCodec {
-  readonly #name: "jpeg" | "webp";
+  readonly #name: Lossy;
   readonly #load: () => Promise<CodecGlue>;
   #module: WebAssembly.Module | null = null;
   #started = false;
   #complaint = "";
 
-  constructor(name: "jpeg" | "webp", load: () => Promise<CodecGlue>) {
+  constructor(name: Lossy, load: () => Promise<CodecGlue>) {
     this.#name = name;
     this.#load = load;
   }
@@ -33,7 +35,9 @@ class EmscriptenCodec {
         await glue.init(this.#module, { print: printErr, printErr });
         this.#started = true;
       }
-      return await glue.default(bytes as unknown as ArrayBuffer);
+      const decoded = await glue.default(bytes as unknown as ArrayBuffer);
+      if (decoded === null) throw new Error("It holds no picture.");
+      return decoded;
     } catch (cause) {
       // libjpeg ends by exit(), after which its instance holds the half-read picture: the next one gets a fresh one.
       this.#started = false;
@@ -44,10 +48,15 @@ class EmscriptenCodec {
 
 const jpegCodec = new EmscriptenCodec("jpeg", () => import("@jsquash/jpeg/decode.js"));
 const webpCodec = new EmscriptenCodec("webp", () => import("@jsquash/webp/decode.js"));
+const avifCodec = new EmscriptenCodec("avif", () => import("@jsquash/avif/decode.js"));
 
 /** Rejects with "bad-picture" naming a JPEG of too many scans, and with what the codec says of data that it cannot read. */
-export function decodeLossy(bytes: Uint8Array, name: string, format: "jpeg" | "webp"): Promise<ImageData> {
+export async function decodeLossy(bytes: Uint8Array, name: string, format: Lossy): Promise<Pick<ImageData, "data">> {
   if (format === "webp") return webpCodec.decode(bytes);
+  if (format === "avif") {
+    const { decodeAvif } = await import("./avif-header.ts");
+    return decodeAvif(bytes, (clean) => avifCodec.decode(clean));
+  }
   checkJpegScans(bytes, name);
   return jpegCodec.decode(bytes);
 }

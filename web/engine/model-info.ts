@@ -6,7 +6,7 @@ import { baseTextureSize, type LoadedModel } from "./model-loader.ts";
 import { vec3 } from "./open-target.ts";
 
 /** Of the model that the session holds; lengths are metres in model space, and `glb` is a copy. */
-export function modelInfo(session: Session, model: LoadedModel): ModelInfo {
+export async function modelInfo(session: Session, model: LoadedModel): Promise<ModelInfo> {
   const info = session.modelInfo();
   return {
     name: model.name,
@@ -14,7 +14,9 @@ export function modelInfo(session: Session, model: LoadedModel): ModelInfo {
     vertices: info.vertexCount,
     boundsMin: vec3(info.boundsMinModel),
     boundsMax: vec3(info.boundsMaxModel),
-    materials: Array.from({ length: info.materialCount }, (_, index) => materialInfo(session, model, index)),
+    materials: await Promise.all(
+      Array.from({ length: info.materialCount }, (_, index) => materialInfo(session, model, index)),
+    ),
     // The receiver may hand it on to another thread.
     glb: model.glb.slice(),
   };
@@ -25,7 +27,7 @@ export function materialName({ packed, name }: LoadedModel, index: number): stri
   return textAt(listOf(packed.json, "materials", name)[index], "name") ?? "";
 }
 
-function materialInfo(session: Session, model: LoadedModel, index: number): MaterialInfo {
+async function materialInfo(session: Session, model: LoadedModel, index: number): Promise<MaterialInfo> {
   const info = session.materialInfo(index);
   const { core } = session;
   const paintable = core.isOk(info.paintStatus);
@@ -38,7 +40,7 @@ function materialInfo(session: Session, model: LoadedModel, index: number): Mate
     degenerateUvTriangles: info.degenerateUvTriangles,
     outOfRangeUvTriangles: info.outOfRangeUvTriangles,
     texCoord: info.texCoord,
-    textureSize: baseTextureSize(model, index),
+    textureSize: await baseTextureSize(model, index),
     uvMin: [info.uvMin[0] ?? 0, info.uvMin[1] ?? 0],
     uvMax: [info.uvMax[0] ?? 0, info.uvMax[1] ?? 0],
     boundsMin: vec3(info.boundsMinModel),

@@ -42,14 +42,14 @@ export async function loadModelFile(source: ModelSource): Promise<LoadedModel> {
 }
 
 /** Pixels of a material's base colour picture as its header says; null without a picture, or when it cannot be read. */
-export function baseTextureSize(model: LoadedModel, material: number): readonly [number, number] | null {
+export async function baseTextureSize(model: LoadedModel, material: number): Promise<readonly [number, number] | null> {
   const { json, binary } = model.packed;
   const texture = findBaseTexture(json, material, model.name);
   if (texture === null || texture.image === null) return null;
   const image = imageBytes(json, binary, texture.image, model.name);
   if (image === null) return null;
   try {
-    const { width, height } = readPictureHeader(image.bytes, image.name);
+    const { width, height } = await readPictureHeader(image.bytes, image.name);
     return [width, height];
   } catch {
     // What is wrong with the picture is said when it is opened for painting; a model may be looked at without.

@@ -7,13 +7,9 @@ const NEAREST = 9728;
 /** Extensions that name a texture's picture in place of `source`. */
 export const WEBP_TEXTURE = "EXT_texture_webp";
 export const BASISU_TEXTURE = "KHR_texture_basisu";
-/** All extensions of that kind that are known here; AVIF and DDS pictures cannot be decoded either. */
-export const TEXTURE_SOURCE_EXTENSIONS = [
-  WEBP_TEXTURE,
-  BASISU_TEXTURE,
-  "EXT_texture_avif",
-  "MSFT_texture_dds",
-] as const;
+const AVIF_TEXTURE = "EXT_texture_avif";
+/** All extensions of that kind that are known here; DDS pictures cannot be decoded. */
+export const TEXTURE_SOURCE_EXTENSIONS = [WEBP_TEXTURE, BASISU_TEXTURE, AVIF_TEXTURE, "MSFT_texture_dds"] as const;
 
 export interface BaseTexture {
   readonly texture: number;
@@ -34,8 +30,11 @@ export function findBaseTexture(json: JsonObject, material: number, name: string
   const sampler = listOf(json, "samplers", name)[indexAt(definition, "sampler") ?? -1];
   const nearest = indexAt(sampler, "magFilter") === NEAREST;
   const extensions = objectAt(definition, "extensions");
-  // WebP before the plain source: viewers that know the extension show that one.
-  const image = indexAt(objectAt(extensions, WEBP_TEXTURE), "source") ?? indexAt(definition, "source");
+  // WebP before the plain source: viewers that know the extension show that one. AVIF after it: its decoder is large.
+  const image =
+    indexAt(objectAt(extensions, WEBP_TEXTURE), "source") ??
+    indexAt(definition, "source") ??
+    indexAt(objectAt(extensions, AVIF_TEXTURE), "source");
   if (image !== undefined) return { texture, image, undecodable: "", nearest };
   const undecodable = TEXTURE_SOURCE_EXTENSIONS.find((extension) => isObject(extensions?.[extension]));
   return undecodable === undefined ? null : { texture, image: null, undecodable, nearest };

@@ -123,7 +123,7 @@ export class OpenTarget {
     if (!session.core.isOk(paintStatus)) {
       throw session.core.statusError(paintStatus, "", { subject: model.name, field: `materials[${options.material}]` });
     }
-    const [width, height] = targetSize(model, options);
+    const [width, height] = await targetSize(model, options);
     checkInteger("material", options.material);
     checkInteger("width", width);
     checkInteger("height", height);

@@ -1,5 +1,5 @@
 /**
- * PNG, JPEG and WebP to straight-alpha RGBA, by the same WebAssembly in the browser and in Node, so that the same file
+ * PNG, JPEG, WebP and AVIF to straight-alpha RGBA, by the same WebAssembly in the browser and in Node, so that the same file
  * gives the same bytes everywhere (spec section 7). Never by a canvas, which premultiplies and differs between machines.
  * Colour profiles and gamma chunks are ignored, as glTF asks of base colour textures.
  */
@@ -21,7 +21,7 @@ export interface DecodeOptions {
  * naming the file, before anything of the picture's size is allocated when the header shows the fault.
  */
 export async function decodePicture(bytes: Uint8Array, name: string, options: DecodeOptions = {}): Promise<Picture> {
-  const header = readPictureHeader(bytes, name);
+  const header = await readPictureHeader(bytes, name);
   const { width, height } = header;
   let rgba: Uint8Array<ArrayBuffer>;
   try {
@@ -41,8 +41,10 @@ export async function decodePicture(bytes: Uint8Array, name: string, options: De
 }
 
 /** A model's own texture is a PNG as a rule: its codec's glue comes with the engine, the others' by their first picture. */
-const decode = async (bytes: Uint8Array, name: string, format: PictureFormat): Promise<ImageData> =>
+const decode = async (bytes: Uint8Array, name: string, format: PictureFormat): Promise<Pixels> =>
   format === "png" ? decodePng(bytes) : (await import("./lossy-codecs.ts")).decodeLossy(bytes, name, format);
 
-const pixelsOf = ({ data }: ImageData): Uint8Array<ArrayBuffer> =>
+type Pixels = Pick<ImageData, "data">;
+
+const pixelsOf = ({ data }: Pixels): Uint8Array<ArrayBuffer> =>
   new Uint8Array(data.buffer, data.byteOffset, data.byteLength) as Uint8Array<ArrayBuffer>;

@@ -10,7 +10,9 @@ import { PictureFault, type RawHeader } from "./picture-fault.ts";
 import { readPngHeader } from "./png-header.ts";
 import { readWebpHeader } from "./webp-header.ts";
 
-export type PictureFormat = "png" | "jpeg" | "webp";
+/** Those whose headers are read at once. */
+export type PlainFormat = "png" | "jpeg" | "webp";
+export type PictureFormat = PlainFormat | "avif";
 
 export interface PictureHeader extends RawHeader {
   readonly format: PictureFormat;
@@ -35,18 +37,19 @@ export function badPicture(
   });
 }
 
-const HEADER_READERS: Readonly<Record<PictureFormat, (bytes: Uint8Array) => RawHeader>> = {
+const HEADER_READERS: Readonly<Record<PlainFormat, (bytes: Uint8Array) => RawHeader>> = {
   png: readPngHeader,
   jpeg: readJpegHeader,
   webp: readWebpHeader,
 };
 
-/** The format that the first bytes show, or null. */
+/** The format that the first bytes show, or null. HEIC pictures and films begin as AVIF does: its header's reader refuses them. */
 export function sniffPicture(bytes: Uint8Array): PictureFormat | null {
   const start = String.fromCharCode(...bytes.subarray(0, 12));
   if (start.startsWith("\x89PNG\r\n\x1a\n")) return "png";
   if (start.startsWith("\xff\xd8\xff")) return "jpeg";
   if (start.startsWith("RIFF") && start.endsWith("WEBP")) return "webp";
+  if (start.slice(4, 8) === "ftyp") return "avif";
   return null;
 }
 
@@ -63,39 +66,43 @@ export function isKtx2(bytes: Uint8Array): boolean {
 }
 
 /**
- * Reads a picture's header. Throws "bad-picture" naming the file: not a PNG, JPEG or WebP, damaged, cut short, CMYK,
+ * Reads a picture's header. Rejects with "bad-picture" naming the file: not a PNG, JPEG, WebP or AVIF, damaged, cut short, CMYK,
  * animated, or larger than 8192 along a side (which also bounds it to 64 Mi pixels).
  */
-export function readPictureHeader(bytes: Uint8Array, name: string): PictureHeader {
+export async function readPictureHeader(bytes: Uint8Array, name: string): Promise<PictureHeader> {
   const format = sniffPicture(bytes);
-  if (format === null) {
-    throw badPicture(name, ...describeUnknown(bytes), "Save it as PNG, JPEG or WebP.");
-  }
-  let header: RawHeader;
+  if (format === null) throw (await import("./unknown-picture.ts")).unknownPicture(bytes, name);
+  return format === "avif"
+    ? checkedHeader(format, (await import("./avif-header.ts")).readAvifHeader, bytes, name)
+    : readPlainHeader(format, bytes, name);
+}
+
+/** Reads the header of a picture of that format. Throws as `readPictureHeader` rejects. */
+export const readPlainHeader = (format: PlainFormat, bytes: Uint8Array, name: string): PictureHeader =>
+  checkedHeader(format, HEADER_READERS[format], bytes, name);
+
+function checkedHeader(
+  format: PictureFormat,
+  read: (bytes: Uint8Array) => RawHeader,
+  bytes: Uint8Array,
+  name: string,
+): PictureHeader {
   try {
-    header = HEADER_READERS[format](bytes);
+    const header = read(bytes);
+    checkPixels(header);
+    return { format, ...header };
   } catch (fault) {
     if (fault instanceof PictureFault) throw badPicture(name, fault.reason, fault.message, fault.hint);
     // DataView refuses offsets beyond the end: the readers rely on that for files cut short.
     throw badPicture(name, "cut-short", "it ends too early, so it was cut short", "Copy or download it again.", fault);
   }
-  const { width, height } = header;
-  if (width === 0 || height === 0) throw badPicture(name, "no-pixels", `it says it is ${width} × ${height} pixels`);
-  if (width > MAX_SIZE || height > MAX_SIZE) {
-    const problem = `it has ${width} × ${height} pixels, and ${MAX_SIZE} along a side is the most`;
-    throw badPicture(name, "too-many-pixels", problem, "Make it smaller.");
-  }
-  return { format, ...header };
 }
 
-function describeUnknown(bytes: Uint8Array): readonly [reason: string, problem: string] {
-  const start = String.fromCharCode(...bytes.subarray(0, 32));
-  if (bytes.length === 0) return ["empty", "it is empty"];
-  if (start.startsWith("GIF8")) return ["gif", "it is a GIF"];
-  if (start.startsWith("BM")) return ["bmp", "it is a BMP"];
-  if (start.startsWith("II*\0") || start.startsWith("MM\0*")) return ["tiff", "it is a TIFF"];
-  if (start.slice(4, 8) === "ftyp") return ["avif", "it is an AVIF or HEIC picture, or a film"];
-  if (isKtx2(bytes)) return ["ktx2", "it is a KTX2 texture"];
-  if (/^\s*(<svg|<\?xml)/.test(start)) return ["svg", "it is an SVG drawing"];
-  return ["unknown", "it is neither PNG, JPEG nor WebP"];
+/** Throws a PictureFault for a size of no pixels, or of more along a side than there may be. */
+export function checkPixels({ width, height }: { readonly width: number; readonly height: number }): void {
+  if (width === 0 || height === 0) throw new PictureFault("no-pixels", `it says it is ${width} × ${height} pixels`);
+  if (width > MAX_SIZE || height > MAX_SIZE) {
+    const problem = `it has ${width} × ${height} pixels, and ${MAX_SIZE} along a side is the most`;
+    throw new PictureFault("too-many-pixels", problem, "Make it smaller.");
+  }
 }

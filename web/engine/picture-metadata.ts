@@ -13,11 +13,12 @@ import { pngChunk } from "./png-chunk.ts";
  * @param orientation As the header says it, 1 to 8.
  * @param bytes A file whose header has been read (`readPictureHeader`), which proves its chunks or segments whole.
  */
-export function withoutMetadata(
+export async function withoutMetadata(
   format: PictureFormat,
   bytes: Uint8Array,
   orientation: number,
-): Uint8Array<ArrayBuffer> {
+): Promise<Uint8Array<ArrayBuffer>> {
+  if (format === "avif") return (await import("./avif-header.ts")).cleanAvif(bytes);
   if (format === "png") return cleanPng(bytes, orientation);
   return format === "jpeg" ? cleanJpeg(bytes, orientation) : cleanWebp(bytes, orientation);
 }

@@ -38,7 +38,7 @@ export async function surveyPrint(
 ): Promise<PrintSurvey> {
   const asked = askedSize(options);
   const dpi = options.dpi ?? (options.flattened ? DEFAULT_DPI : undefined);
-  const own = targetSize(context.model, { material });
+  const own = await targetSize(context.model, { material });
   if (asked !== null || dpi === undefined) return surveyAt(context, material, zone, asked ?? own);
   const rough = await surveyAt(context, material, zone, within(own, SURVEY_SIDE));
   return surveyAt(context, material, zone, sizeFor(dpi, rough, own));

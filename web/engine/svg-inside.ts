@@ -1,13 +1,14 @@
 /** Pictures and drawings inside an SVG. */
 import type { TexelcastError } from "../core/texelcast-error.ts";
 import { checkJpegScans } from "./jpeg-scans.ts";
-import { badPicture, readPictureHeader } from "./picture-header.ts";
+import { badPicture, readPlainHeader, sniffPicture } from "./picture-header.ts";
 import { costOf, type SvgCost } from "./svg-cost.ts";
 import { readSvg } from "./svg-renderer.ts";
 import { NO_SHAPES, type ShapeCost } from "./svg-shapes.ts";
+import { unknownPicture } from "./unknown-picture.ts";
 
 /** What stands before the comma is short; without an end to it, many would each be looked for in all that follows. */
-const INNER_PICTURE = /data:image\/(png|jpe?g|webp|gif)[^,"']{0,200},([^"']*)/i;
+const INNER_PICTURE = /data:image\/(png|jpe?g|webp|avif|gif)[^,"']{0,200},([^"']*)/i;
 /** Of all pictures inside it. */
 const MAX_INNER_PIXELS = 64 * 2 ** 20;
 /** Of pictures inside, for each of their pixels: as of svg-cost.ts. */
@@ -103,7 +104,13 @@ function readHeaderLeniently(data: string, name: string, type: string): { width:
     const [a = 0, b = 0, c = 0, d = 0] = bytes.subarray(6, 10);
     return { width: a + 256 * b, height: c + 256 * d };
   }
-  const header = readPictureHeader(bytes, name);
+  const format = sniffPicture(bytes);
+  if (format === null) throw unknownPicture(bytes, name);
+  if (format === "avif") {
+    const hint = "Put a PNG, JPEG or WebP into the drawing instead.";
+    throw badPicture(name, "inner-avif", "it is an AVIF picture, which a drawing cannot show", hint);
+  }
+  const header = readPlainHeader(format, bytes, name);
   if (header.format === "jpeg") checkJpegScans(bytes, name);
   return header;
 }

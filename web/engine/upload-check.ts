@@ -18,7 +18,7 @@ export interface UploadLimits {
 }
 
 export interface CheckedPicture {
-  readonly type: "image/png" | "image/jpeg" | "image/webp" | "image/svg+xml";
+  readonly type: "image/png" | "image/jpeg" | "image/webp" | "image/avif" | "image/svg+xml";
   /** Without metadata. */
   readonly bytes: Uint8Array<ArrayBuffer>;
   /** Pixels, upright; of a drawing what its first tag says, 0 where that says nothing. */
@@ -31,10 +31,10 @@ export const UPLOAD_LIMITS = { bytes: 20 * 2 ** 20, megapixels: 64 } as const;
 /**
  * Checks a picture and takes its metadata away; decodes nothing.
  *
- * Throws "too-large" (bytes or pixels), "unsafe-file" (a drawing with scripts), "bad-picture" (neither PNG, JPEG, WebP nor SVG,
- * damaged, cut short, CMYK, animated), each naming the file and saying what to do.
+ * Rejects with "too-large" (bytes or pixels), "unsafe-file" (a drawing with scripts), "bad-picture" (neither PNG, JPEG, WebP, AVIF nor
+ * SVG, damaged, cut short, CMYK, animated), each naming the file and saying what to do.
  */
-export function checkUpload(name: string, bytes: Uint8Array, limits: UploadLimits = {}): CheckedPicture {
+export async function checkUpload(name: string, bytes: Uint8Array, limits: UploadLimits = {}): Promise<CheckedPicture> {
   const { bytes: mostBytes = UPLOAD_LIMITS.bytes, megapixels = UPLOAD_LIMITS.megapixels } = limits;
   if (bytes.length > mostBytes) {
     const has = `it has ${(bytes.length / 2 ** 20).toFixed(1)} MiB, and ${(mostBytes / 2 ** 20).toFixed(1)} is the most`;
@@ -44,7 +44,7 @@ export function checkUpload(name: string, bytes: Uint8Array, limits: UploadLimit
     const clean = cleanSvg(bytes, name);
     return { type: "image/svg+xml", bytes: clean, ...drawingSize(clean) };
   }
-  const { format, width, height, orientation } = readPictureHeader(bytes, name);
+  const { format, width, height, orientation } = await readPictureHeader(bytes, name);
   if (format === "jpeg") checkJpegScans(bytes, name);
   if (width * height > megapixels * 1e6) {
     const has = `it has ${width} × ${height} pixels (${((width * height) / 1e6).toFixed(1)} megapixels), and ${megapixels} megapixels is the most`;
@@ -53,7 +53,7 @@ export function checkUpload(name: string, bytes: Uint8Array, limits: UploadLimit
   const turned = orientation >= 5;
   return {
     type: `image/${format}`,
-    bytes: withoutMetadata(format, bytes, orientation),
+    bytes: await withoutMetadata(format, bytes, orientation),
     width: turned ? height : width,
     height: turned ? width : height,
   };

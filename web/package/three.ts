@@ -20,7 +20,7 @@ export interface PaintMeshOptions extends EngineClientOptions {
   /** Texels of the texture's side, 1 to 8192; default 1024. */
   readonly size?: number;
   /**
-   * What lies below the decals: a colour (sRGB with alpha, each 0 to 1) or a picture's bytes (PNG, JPEG, WebP). Default: the
+   * What lies below the decals: a colour (sRGB with alpha, each 0 to 1) or a picture's bytes (PNG, JPEG, WebP, AVIF). Default: the
    * material's colour. A material with a map needs it: three.js does not give the map's pixels away.
    */
   readonly base?: Exclude<TargetOptions["base"], "model" | undefined>;
@@ -92,7 +92,7 @@ export class PaintedMesh {
     }
   }
 
-  /** Takes in a picture (PNG, JPEG, WebP, SVG) under a key. Rejects with "bad-picture". */
+  /** Takes in a picture (PNG, JPEG, WebP, AVIF, SVG) under a key. Rejects with "bad-picture". */
   async setPicture(
     key: string,
     bytes: Uint8Array | ArrayBuffer,

@@ -45,15 +45,15 @@ function decoded(text: string | null): string | null {
 }
 
 /**
- * The bytes of an asset, clean (`checkUpload`). Throws "bad-design" where they, or the media type of a `data:` address, are not
+ * The bytes of an asset, clean (`checkUpload`). Rejects with "bad-design" where they, or the media type of a `data:` address, are not
  * of the type that the design gives; and as `checkUpload` and `readFontHeader` do.
  */
-export function checkAsset(
+export async function checkAsset(
   key: string,
   { type, uri }: DesignAsset,
   bytes: Uint8Array,
   limits: UploadLimits = {},
-): Uint8Array<ArrayBuffer> {
+): Promise<Uint8Array<ArrayBuffer>> {
   const said = uri.startsWith("data:") ? (/^data:([^;,]*)/.exec(uri)?.[1] ?? "").toLowerCase() : type;
   if (said !== type) throw liar(key, type, said || "nothing");
   if (type.startsWith("font/")) {
@@ -68,7 +68,7 @@ export function checkAsset(
     if (is !== type) throw liar(key, type, is);
     return bytes.slice();
   }
-  const { type: is, bytes: clean } = checkUpload(key, bytes, limits);
+  const { type: is, bytes: clean } = await checkUpload(key, bytes, limits);
   if (is !== type) throw liar(key, type, is);
   return clean;
 }

@@ -24,7 +24,7 @@ export const FILTERS = ["linear", "nearest"] as const;
 export const WRAPS = ["none", "repeat"] as const;
 export const OCCLUSIONS = ["self", "none"] as const;
 export const MIRROR_AXES = ["x", "y", "z"] as const;
-export const PICTURE_TYPES = ["image/png", "image/jpeg", "image/webp", "image/svg+xml"] as const;
+export const PICTURE_TYPES = ["image/png", "image/jpeg", "image/webp", "image/avif", "image/svg+xml"] as const;
 export const ALIGNS = ["left", "center", "right"] as const;
 export const FONT_TYPES = ["font/ttf", "font/otf"] as const;
 
@@ -240,6 +240,7 @@ export const ASSET_ENDINGS: Readonly<Record<AssetType, string>> = {
   "image/png": "png",
   "image/jpeg": "jpg",
   "image/webp": "webp",
+  "image/avif": "avif",
   "image/svg+xml": "svg",
   "font/ttf": "ttf",
   "font/otf": "otf",

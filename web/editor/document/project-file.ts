@@ -67,7 +67,7 @@ const MAX_STEM = 60;
 const MAX_EXTENSION = 16;
 
 /** What is compressed already, or as good as. */
-const STORED = /\.(png|jpe?g|webp|glb|ktx2)$/i;
+const STORED = /\.(png|jpe?g|webp|avif|glb|ktx2)$/i;
 
 export function writeProjectFile({ name, design, assetBytes, targets, model }: ProjectToWrite): Uint8Array {
   const files = new Map<string, Uint8Array>();
@@ -242,7 +242,7 @@ const utf8 = (text: string): Uint8Array => new TextEncoder().encode(text);
 
 /** In lower case, which no two names share whatever the file system makes of them; "" becomes "file". */
 function plainName(name: string): string {
-  const base = name.slice(name.lastIndexOf("/") + 1).replace(/\.(png|jpe?g|webp|svg|ttf|otf)$/i, "");
+  const base = name.slice(name.lastIndexOf("/") + 1).replace(/\.(png|jpe?g|webp|avif|svg|ttf|otf)$/i, "");
   const plain = base
     .normalize("NFC")
     .toLowerCase()

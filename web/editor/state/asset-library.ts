@@ -39,8 +39,6 @@ export interface LibraryFont {
   readonly bytes: Uint8Array;
 }
 
-const TYPES = { png: "image/png", jpeg: "image/jpeg", webp: "image/webp" } as const;
-
 const LIVE_KEY = "picture-live";
 
 /** Bytes that the engine may hold of pictures and fonts that only the history's steps use. */
@@ -109,7 +107,7 @@ export class AssetLibrary {
    */
   async add(name: string, bytes: Uint8Array): Promise<LibraryPicture> {
     const { readPictureHeader } = await import("../../engine/picture-header.ts");
-    const type = isSvg(bytes) ? "image/svg+xml" : TYPES[readPictureHeader(bytes, name).format];
+    const type = isSvg(bytes) ? "image/svg+xml" : (`image/${(await readPictureHeader(bytes, name)).format}` as const);
     const { encodeDataUri } = await import("../files/data-uri.ts");
     const uri = encodeDataUri(type, bytes);
     return await this.#take(uri, async (count) => {

@@ -12,7 +12,7 @@ type Told = readonly [message: string, hint: string, told?: "whole"];
 const named = ({ subject }: TexelcastErrorJson, otherwise: string): string => (subject ? `„${subject}“` : otherwise);
 
 const REPAIR = "Repariere das Modell in einem 3D-Programm und exportiere es noch einmal.";
-const ANOTHER = "Speichere es in einem anderen Programm noch einmal, als PNG, JPEG, WebP oder SVG.";
+const ANOTHER = "Speichere es in einem anderen Programm noch einmal, als PNG, JPEG, WebP, AVIF oder SVG.";
 const RELOAD = "Prüfe die Verbindung und lade die Seite neu.";
 
 /** Null where its reason is not known. */

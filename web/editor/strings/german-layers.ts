@@ -18,7 +18,7 @@ export const germanLayers: Strings["layers"] = {
   tabs: "Ebenen und Verlauf",
   list: "Ebenen, die oberste zuerst",
   emptyBody:
-    "Noch keine. Füge ein Bild hinzu, wähle unten eines oder zieh ein PNG, JPEG, WebP oder SVG auf das Modell.",
+    "Noch keine. Füge ein Bild hinzu, wähle unten eines oder zieh ein PNG, JPEG, WebP, AVIF oder SVG auf das Modell.",
   emptyWithoutModel: "Erst das Modell, dann die Ebenen: Öffne eines.",
   emptyGroup: "Leere Gruppe",
   kinds: {

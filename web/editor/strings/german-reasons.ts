@@ -2,9 +2,9 @@
 
 type Reasons = Readonly<Record<string, readonly [problem: string, hint: string]>>;
 
-const AS_PICTURE = "Speichere es als PNG, JPEG oder WebP.";
+const AS_PICTURE = "Speichere es als PNG, JPEG, WebP oder AVIF.";
 const ONCE_MORE = "Kopiere oder lade die Datei noch einmal.";
-const ANOTHER = "Speichere das Bild in einem anderen Programm noch einmal, als PNG, JPEG, WebP oder SVG.";
+const ANOTHER = "Speichere das Bild in einem anderen Programm noch einmal, als PNG, JPEG, WebP, AVIF oder SVG.";
 const SIMPLER = "Vereinfache die Zeichnung, oder speichere sie als PNG.";
 const PLAIN_SVG = "Speichere die Zeichnung in einem Zeichenprogramm noch einmal als einfaches SVG, oder als PNG.";
 const OTHER_FONT = "Nimm eine andere Schrift.";
@@ -12,7 +12,7 @@ const OTHER_FONT = "Nimm eine andere Schrift.";
 /** Of "bad-picture". */
 export const PICTURES: Reasons = {
   animated: ["Es ist bewegt.", "Speichere ein Bild daraus als stehendes Bild."],
-  avif: ["Es ist ein AVIF- oder HEIC-Bild oder ein Film.", AS_PICTURE],
+  "avif-kind": ["Es ist ein AVIF-Bild von einer Art, die nicht gelesen wird.", "Speichere es als PNG, JPEG oder WebP."],
   bits: ["Seine Farben haben nicht 8 Bit.", ANOTHER],
   bmp: ["Es ist ein BMP.", AS_PICTURE],
   channels: ["Es hat andere Farbkanäle als Grau oder RGB.", "Speichere es in RGB-Farben."],
@@ -22,7 +22,14 @@ export const PICTURES: Reasons = {
   empty: ["Die Datei ist leer.", ONCE_MORE],
   encoding: ["Sein Text ist weder UTF-8 noch UTF-16.", PLAIN_SVG],
   entities: ["Es wächst durch seine Entitäten über jedes Maß.", PLAIN_SVG],
+  film: ["Es ist ein Film.", "Speichere ein Bild daraus als stehendes Bild."],
+  frames: ["Es enthält mehr Bilder, als ein stehendes hat.", AS_PICTURE],
   gif: ["Es ist ein GIF.", AS_PICTURE],
+  heic: ["Es ist ein HEIC-Bild.", AS_PICTURE],
+  "inner-avif": [
+    "Ein Bild darin ist AVIF, das eine Zeichnung nicht zeigen kann.",
+    "Setz stattdessen ein PNG, JPEG oder WebP in die Zeichnung.",
+  ],
   "inner-drawing": [
     "Eine Zeichnung darin hat Filter oder ist gepackt.",
     "Zeichne, was darin ist, in die Zeichnung selbst.",
@@ -41,7 +48,7 @@ export const PICTURES: Reasons = {
   "too-many-pixels": ["Es hat mehr als 8192 Pixel an einer Seite.", "Mach es kleiner."],
   "too-slow": ["Es zu zeichnen würde zu lange dauern.", SIMPLER],
   undrawable: ["Es lässt sich nicht zeichnen.", PLAIN_SVG],
-  unknown: ["Es ist weder PNG, JPEG noch WebP.", AS_PICTURE],
+  unknown: ["Es ist weder PNG, JPEG, WebP noch AVIF.", AS_PICTURE],
 };
 
 /** Of "bad-font". */

@@ -16,7 +16,7 @@ export const layerWords = {
   title: "Layers",
   tabs: "Layers and history",
   list: "Layers, the topmost first",
-  emptyBody: "None yet. Add a picture, choose one below, or drop a PNG, JPEG, WebP or SVG on the model.",
+  emptyBody: "None yet. Add a picture, choose one below, or drop a PNG, JPEG, WebP, AVIF or SVG on the model.",
   emptyWithoutModel: "Layers come after a model: open one first.",
   emptyGroup: "Empty group",
   kinds: {

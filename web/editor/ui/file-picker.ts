@@ -9,11 +9,11 @@ export interface PickOptions {
 }
 
 export const ACCEPT = {
-  model: ".glb,.gltf,.texelcast,.bin,.png,.jpg,.jpeg,.webp",
-  picture: ".png,.jpg,.jpeg,.webp,.svg,image/png,image/jpeg,image/webp,image/svg+xml",
+  model: ".glb,.gltf,.texelcast,.bin,.png,.jpg,.jpeg,.webp,.avif",
+  picture: ".png,.jpg,.jpeg,.webp,.avif,.svg,image/png,image/jpeg,image/webp,image/avif,image/svg+xml",
   font: ".ttf,.otf,font/ttf,font/otf",
-  design: ".json,.texelcast,.png,.jpg,.jpeg,.webp,.svg,.ttf,.otf",
-  any: ".texelcast,.glb,.gltf,.bin,.json,.png,.jpg,.jpeg,.webp,.svg",
+  design: ".json,.texelcast,.png,.jpg,.jpeg,.webp,.avif,.svg,.ttf,.otf",
+  any: ".texelcast,.glb,.gltf,.bin,.json,.png,.jpg,.jpeg,.webp,.avif,.svg",
 } as const;
 
 /** Calls `take` when the user has chosen something. Must be called from a user's gesture. */

@@ -130,7 +130,7 @@ export const pictureName = (url: URL): string => (/^(data|blob):/.test(url.proto
 /** A picture's bytes without metadata: checked, and accepted by the shop. */
 export async function admitPicture(desk: Desk, name: string, bytes: Uint8Array): Promise<Uint8Array> {
   const { checkUpload } = await import("../../engine/upload-check.ts");
-  const checked = checkUpload(name, bytes, desk.settings.limits);
+  const checked = await checkUpload(name, bytes, desk.settings.limits);
   await askShop(desk, { name, ...checked, sha256: await contentHash(checked.bytes) });
   return checked.bytes;
 }

@@ -32,7 +32,7 @@ export async function readDesign(input: DesignInput, reading: DesignReading): Pr
         continue;
       }
       const bytes = files?.get(asset.uri) ?? (await bytesOf(key, asset, base, reading, checkAssetAddress));
-      const clean = checkAsset(key, asset, bytes, reading.limits);
+      const clean = await checkAsset(key, asset, bytes, reading.limits);
       const taken = asset.type.startsWith("font/")
         ? await reading.library.addFont(key, clean)
         : await reading.library.add(key, clean);
