@@ -61,22 +61,27 @@ describe("PNG", () => {
 
   it.each<[string, Uint8Array, number[]]>([
     ["RGBA 8", row(6, 8, 1, [1, 2, 3, 0]), [1, 2, 3, 0]],
-    ["RGBA 16", row(6, 16, 1, [1, 255, 3, 4, 5, 6, 7, 8]), [1, 3, 5, 7]],
+    ["RGBA 16", row(6, 16, 1, [1, 255, 3, 4, 5, 6, 7, 200]), [2, 3, 5, 8]],
     ["RGB 8", row(2, 8, 2, [1, 2, 3, 4, 5, 6]), [1, 2, 3, 255, 4, 5, 6, 255]],
     [
       "RGB 8 with one transparent colour",
       row(2, 8, 2, [1, 2, 3, 4, 5, 6], { transparency: [0, 1, 0, 2, 0, 3] }),
       [1, 2, 3, 0, 4, 5, 6, 255],
     ],
-    ["RGB 16", row(2, 16, 1, [1, 255, 3, 4, 5, 6]), [1, 3, 5, 255]],
+    ["RGB 16", row(2, 16, 1, [1, 255, 3, 4, 5, 6]), [2, 3, 5, 255]],
+    [
+      "RGB 16 with one transparent colour",
+      row(2, 16, 2, [1, 255, 3, 4, 5, 6, 1, 254, 3, 4, 5, 6], { transparency: [1, 255, 3, 4, 5, 6] }),
+      [2, 3, 5, 0, 2, 3, 5, 255],
+    ],
     ["grey 1", row(0, 1, 3, [0b10100000]), [255, 255, 255, 255, 0, 0, 0, 255, 255, 255, 255, 255]],
     ["grey 2", row(0, 2, 2, [0b01100000]), [85, 85, 85, 255, 170, 170, 170, 255]],
     ["grey 4", row(0, 4, 2, [0x1f]), [17, 17, 17, 255, 255, 255, 255, 255]],
     ["grey 8", row(0, 8, 2, [1, 2]), [1, 1, 1, 255, 2, 2, 2, 255]],
     ["grey 8 with one transparent value", row(0, 8, 2, [1, 2], { transparency: [0, 2] }), [1, 1, 1, 255, 2, 2, 2, 0]],
-    ["grey 16", row(0, 16, 1, [0x12, 0xff]), [18, 18, 18, 255]],
+    ["grey 16", row(0, 16, 1, [0x12, 0xff]), [19, 19, 19, 255]],
     ["grey and alpha 8", row(4, 8, 1, [7, 9]), [7, 7, 7, 9]],
-    ["grey and alpha 16", row(4, 16, 1, [7, 200, 9, 1]), [7, 7, 7, 9]],
+    ["grey and alpha 16", row(4, 16, 1, [7, 200, 9, 1]), [8, 8, 8, 9]],
     ["palette 8", row(3, 8, 3, [0, 1, 2], { palette }), [255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255]],
     [
       "palette 8 with alpha",
@@ -92,6 +97,25 @@ describe("PNG", () => {
     ["palette 4", row(3, 4, 2, [0x21], { palette }), [0, 0, 255, 255, 0, 255, 0, 255]],
   ])("of type %s decodes to straight RGBA", async (_, file, expected) => {
     expect(await pixels(file)).toEqual(expected);
+  });
+
+  it("of 16 bits a channel is rounded to the nearest of 8, and widened bytes are themselves", async () => {
+    const values = Array.from({ length: 4 * 4096 }, (_, i) => (i * 4099) % 65536);
+    const file = row(
+      6,
+      16,
+      4096,
+      values.flatMap((value) => [value >> 8, value & 255]),
+    );
+    expect(await pixels(file)).toEqual(values.map((value) => Math.round((value * 255) / 65535)));
+    const bytes = Array.from({ length: 256 }, (_, value) => value);
+    const widened = row(
+      6,
+      16,
+      64,
+      bytes.flatMap((value) => [value, value]),
+    );
+    expect(await pixels(widened)).toEqual(bytes);
   });
 
   it("keeps every byte through encoding and decoding, the colour under zero alpha too", async () => {
@@ -210,6 +234,29 @@ describe("a photo's EXIF orientation", () => {
       const photo = Uint8Array.from([...jpeg.subarray(0, 2), ...segment, ...jpeg.subarray(2)]);
       expect(await readPictureHeader(photo, "photo.jpg")).toMatchObject({ width: 32, height: 16, orientation: 6 });
       expect(await decodePicture(photo, "photo.jpg", { orient: true })).toMatchObject({ width: 16, height: 32 });
+    }
+  });
+
+  it("is found in WebP files, with JPEG's mark before it or without", async () => {
+    for (const mark of ["Exif\0\0", ""]) {
+      const block = [...new TextEncoder().encode(mark), ...exif(6)];
+      const size = Buffer.from(Uint32Array.of(block.length).buffer);
+      const photo = Buffer.concat([webpLossless, Buffer.from("EXIF"), size, Buffer.from(block)]);
+      photo.writeUInt32LE(photo.length - 8, 4);
+      expect(await readPictureHeader(photo, "photo.webp")).toMatchObject({ width: 32, height: 16, orientation: 6 });
+      expect(await decodePicture(photo, "photo.webp", { orient: true })).toMatchObject({ width: 16, height: 32 });
+    }
+  });
+
+  it("is found where it is written as a long number, as some programs do", async () => {
+    for (const little of [true, false]) {
+      const block = exif(6, little);
+      const view = new DataView(block.buffer);
+      view.setUint16(12, 4, little);
+      view.setUint32(18, 6, little);
+      const extra: [string, Uint8Array][] = [["eXIf", block]];
+      const photo = makePng({ width: 1, height: 1, bitDepth: 8, colorType: 0, rows: [[0]], extra });
+      expect((await readPictureHeader(photo, "photo.png")).orientation).toBe(6);
     }
   });
 

@@ -1,6 +1,8 @@
-/** JPEG, WebP and AVIF to pixels. Loaded by the first picture of any of them. */
+/** JPEG, WebP and AVIF to pixels, and the headers of the first two. Loaded by the first picture of any of them. */
 import { compileCodec } from "./codec-wasm.ts";
+import { readJpegHeader } from "./jpeg-header.ts";
 import { checkJpegScans } from "./jpeg-scans.ts";
+import { readWebpHeader } from "./webp-header.ts";
 
 interface CodecGlue {
   readonly init: (module: WebAssembly.Module, options: object) => Promise<unknown>;
@@ -49,6 +51,9 @@ class EmscriptenCodec {
 const jpegCodec = new EmscriptenCodec("jpeg", () => import("@jsquash/jpeg/decode.js"));
 const webpCodec = new EmscriptenCodec("webp", () => import("@jsquash/webp/decode.js"));
 const avifCodec = new EmscriptenCodec("avif", () => import("@jsquash/avif/decode.js"));
+
+/** By format. Each throws a PictureFault where the picture cannot be used, a RangeError where the file ends too early. */
+export const LOSSY_HEADERS = { jpeg: readJpegHeader, webp: readWebpHeader } as const;
 
 /** Rejects with "bad-picture" naming a JPEG of too many scans, and with what the codec says of data that it cannot read. */
 export async function decodeLossy(bytes: Uint8Array, name: string, format: Lossy): Promise<Pick<ImageData, "data">> {

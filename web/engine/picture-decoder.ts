@@ -17,7 +17,7 @@ export interface DecodeOptions {
 }
 
 /**
- * Decodes a picture; the format is told by its content. 16-bit channels keep their high byte. Throws "bad-picture"
+ * Decodes a picture; the format is told by its content. Channels of more than 8 bits are rounded to 8. Throws "bad-picture"
  * naming the file, before anything of the picture's size is allocated when the header shows the fault.
  */
 export async function decodePicture(bytes: Uint8Array, name: string, options: DecodeOptions = {}): Promise<Picture> {

@@ -5,14 +5,10 @@
  */
 import { MAX_SIZE } from "../core/sizes.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
-import { readJpegHeader } from "./jpeg-header.ts";
 import { PictureFault, type RawHeader } from "./picture-fault.ts";
 import { readPngHeader } from "./png-header.ts";
-import { readWebpHeader } from "./webp-header.ts";
 
-/** Those whose headers are read at once. */
-export type PlainFormat = "png" | "jpeg" | "webp";
-export type PictureFormat = PlainFormat | "avif";
+export type PictureFormat = "png" | "jpeg" | "webp" | "avif";
 
 export interface PictureHeader extends RawHeader {
   readonly format: PictureFormat;
@@ -36,12 +32,6 @@ export function badPicture(
     ...(cause !== undefined && { cause }),
   });
 }
-
-const HEADER_READERS: Readonly<Record<PlainFormat, (bytes: Uint8Array) => RawHeader>> = {
-  png: readPngHeader,
-  jpeg: readJpegHeader,
-  webp: readWebpHeader,
-};
 
 /** The format that the first bytes show, or null. HEIC pictures and films begin as AVIF does: its header's reader refuses them. */
 export function sniffPicture(bytes: Uint8Array): PictureFormat | null {
@@ -72,18 +62,22 @@ export function isKtx2(bytes: Uint8Array): boolean {
 export async function readPictureHeader(bytes: Uint8Array, name: string): Promise<PictureHeader> {
   const format = sniffPicture(bytes);
   if (format === null) throw (await import("./unknown-picture.ts")).unknownPicture(bytes, name);
-  return format === "avif"
-    ? checkedHeader(format, (await import("./avif-header.ts")).readAvifHeader, bytes, name)
-    : readPlainHeader(format, bytes, name);
+  return checkedHeader(format, await headerReader(format), bytes, name);
 }
 
-/** Reads the header of a picture of that format. Throws as `readPictureHeader` rejects. */
-export const readPlainHeader = (format: PlainFormat, bytes: Uint8Array, name: string): PictureHeader =>
-  checkedHeader(format, HEADER_READERS[format], bytes, name);
+/** A model's own texture is a PNG as a rule: how its header is read comes with the engine, the others' with their decoders. */
+async function headerReader(format: PictureFormat): Promise<HeaderReader> {
+  if (format === "png") return readPngHeader;
+  if (format === "avif") return (await import("./avif-header.ts")).readAvifHeader;
+  return (await import("./lossy-codecs.ts")).LOSSY_HEADERS[format];
+}
 
-function checkedHeader(
+type HeaderReader = (bytes: Uint8Array) => RawHeader;
+
+/** Reads a header by what its format asks for. Throws as `readPictureHeader` rejects. */
+export function checkedHeader(
   format: PictureFormat,
-  read: (bytes: Uint8Array) => RawHeader,
+  read: HeaderReader,
   bytes: Uint8Array,
   name: string,
 ): PictureHeader {

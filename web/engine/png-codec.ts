@@ -1,5 +1,5 @@
 /** The PNG codec of @jsquash (Rust's `png`), started once, by the decoder and the encoder alike. */
-import { decode } from "@jsquash/png/codec/pkg/squoosh_png.js";
+import { decode, decode_rgba16 } from "@jsquash/png/codec/pkg/squoosh_png.js";
 import { init as startPng } from "@jsquash/png/decode.js";
 import { compileCodec } from "./codec-wasm.ts";
 
@@ -37,10 +37,24 @@ class PixelRecord {
   }
 }
 
+/** Where the header says how many bits a channel has (PNG 3rd edition, 11.2.1). */
+const BIT_DEPTH = 24;
+
 /** Rejects with "missing-file", and with what the codec says of bytes that it cannot read. */
-export async function decodePng(bytes: Uint8Array): Promise<ImageData> {
+export async function decodePng(bytes: Uint8Array): Promise<Pick<ImageData, "data">> {
   const codec = await pngCodec();
-  return keepStack(codec, () => decode(bytes));
+  return keepStack(codec, () => (bytes[BIT_DEPTH] === 16 ? { data: decodeDeep(bytes) } : decode(bytes)));
+}
+
+/** 16 bits a channel, each to the nearest of 8. By itself the codec would cut the lower ones off, which darkens by half a step. */
+function decodeDeep(bytes: Uint8Array): Uint8ClampedArray<ArrayBuffer> {
+  const picture = decode_rgba16(bytes);
+  const deep = picture.data;
+  picture.free();
+  const data = new Uint8ClampedArray(deep.length);
+  // 65535 is 255 × 257. Such an array takes the nearest whole number.
+  for (let i = 0; i < data.length; i++) data[i] = (deep[i] as number) / 257;
+  return data;
 }
 
 /**

@@ -1,14 +1,18 @@
 /** Pictures and drawings inside an SVG. */
 import type { TexelcastError } from "../core/texelcast-error.ts";
+import { readJpegHeader } from "./jpeg-header.ts";
 import { checkJpegScans } from "./jpeg-scans.ts";
-import { badPicture, readPlainHeader, sniffPicture } from "./picture-header.ts";
+import { badPicture, checkedHeader, sniffPicture } from "./picture-header.ts";
+import { readPngHeader } from "./png-header.ts";
 import { costOf, type SvgCost } from "./svg-cost.ts";
 import { readSvg } from "./svg-renderer.ts";
 import { NO_SHAPES, type ShapeCost } from "./svg-shapes.ts";
 import { unknownPicture } from "./unknown-picture.ts";
+import { readWebpHeader } from "./webp-header.ts";
 
 /** What stands before the comma is short; without an end to it, many would each be looked for in all that follows. */
 const INNER_PICTURE = /data:image\/(png|jpe?g|webp|avif|gif)[^,"']{0,200},([^"']*)/i;
+const HEADERS = { png: readPngHeader, jpeg: readJpegHeader, webp: readWebpHeader } as const;
 /** Of all pictures inside it. */
 const MAX_INNER_PIXELS = 64 * 2 ** 20;
 /** Of pictures inside, for each of their pixels: as of svg-cost.ts. */
@@ -110,7 +114,7 @@ function readHeaderLeniently(data: string, name: string, type: string): { width:
     const hint = "Put a PNG, JPEG or WebP into the drawing instead.";
     throw badPicture(name, "inner-avif", "it is an AVIF picture, which a drawing cannot show", hint);
   }
-  const header = readPlainHeader(format, bytes, name);
+  const header = checkedHeader(format, HEADERS[format], bytes, name);
   if (header.format === "jpeg") checkJpegScans(bytes, name);
   return header;
 }
