@@ -15,7 +15,9 @@ export function readExifOrientation(tiff: Uint8Array): number {
     for (let i = 0; i < entries; i++) {
       const entry = directory + 2 + 12 * i;
       if (view.getUint16(entry, little) !== 0x0112) continue;
-      const value = view.getUint16(entry + 8, little);
+      // A short number, or a long one.
+      const isLong = view.getUint16(entry + 2, little) === 4;
+      const value = isLong ? view.getUint32(entry + 8, little) : view.getUint16(entry + 8, little);
       return value >= 1 && value <= 8 ? value : 1;
     }
   } catch {
