@@ -118,6 +118,31 @@ describe("PNG", () => {
     expect(await pixels(widened)).toEqual(bytes);
   });
 
+  it.each([1, 2] as const)("that is interlaced decodes as one that is not, with %i bytes a channel", async (bytes) => {
+    const size = 8;
+    const rowOf = (y: number, from = 0, step = 1): number[] =>
+      Array.from({ length: Math.ceil((size - from) / step) }, (_, i) => {
+        const value = (y * size + from + i * step) * 4;
+        return bytes === 1 ? [value] : [value, 7];
+      }).flat();
+    // Adam7: each pass's first column and row, and its steps.
+    const passes = [
+      [0, 0, 8, 8],
+      [4, 0, 8, 8],
+      [0, 4, 4, 8],
+      [2, 0, 4, 4],
+      [0, 2, 2, 4],
+      [1, 0, 2, 2],
+      [0, 1, 1, 2],
+    ] as const;
+    const woven = passes.flatMap(([x, y, across, down]) =>
+      Array.from({ length: Math.ceil((size - y) / down) }, (_, i) => rowOf(y + i * down, x, across)),
+    );
+    const parts = { width: size, height: size, bitDepth: bytes === 1 ? 8 : 16, colorType: 0 } as const;
+    const plain = makePng({ ...parts, rows: Array.from({ length: size }, (_, y) => rowOf(y)) });
+    expect(await pixels(makePng({ ...parts, rows: woven, interlaced: true }))).toEqual(await pixels(plain));
+  });
+
   it("keeps every byte through encoding and decoding, the colour under zero alpha too", async () => {
     const decoded = await decodePicture(await encodePng(CHART), "chart.png");
     expect(decoded).toEqual(CHART);

@@ -7,8 +7,9 @@ export interface PngParts {
   readonly bitDepth: 1 | 2 | 4 | 8 | 16;
   /** PNG's own number: 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGBA. */
   readonly colorType: 0 | 2 | 3 | 4 | 6;
-  /** The rows' bytes, samples packed, without filter bytes. */
+  /** The rows' bytes, samples packed, without filter bytes; of an interlaced file those of one pass after the other. */
   readonly rows: readonly (readonly number[])[];
+  readonly interlaced?: boolean;
   readonly palette?: readonly number[];
   /** The tRNS chunk. */
   readonly transparency?: readonly number[];
@@ -22,6 +23,7 @@ export function makePng(parts: PngParts): Uint8Array {
   header.writeUInt32BE(parts.height, 4);
   header[8] = parts.bitDepth;
   header[9] = parts.colorType;
+  header[12] = parts.interlaced ? 1 : 0;
   const filtered = Buffer.concat(parts.rows.map((row) => Buffer.from([0, ...row])));
   return new Uint8Array(
     Buffer.concat([
