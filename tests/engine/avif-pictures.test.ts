@@ -285,6 +285,17 @@ describe("an AVIF picture that cannot be used", () => {
   });
 });
 
+describe("an AVIF picture whose colours are of a system that the decoder does not know", () => {
+  const colours = (matrix: number): Uint8Array => box("colr", text("nclx"), u16(1), u16(13), u16(matrix), [0x80]);
+  it.each([3, 10, 11, 13, 14, 127])("(%i) is refused, where it would show what was in memory", async (matrix) => {
+    for (const [first, ...others] of [partsOf(chart), [numbered]] as [AvifPart, ...AvifPart[]][]) {
+      const file = makeAvif({ parts: [having(without(first, "colr"), colours(matrix)), ...others] });
+      const read = decodePicture(file, "odd.avif");
+      await expect(read).rejects.toMatchObject({ code: "bad-picture", subject: "odd.avif", reason: "avif-kind" });
+    }
+  });
+});
+
 /** EXIF's block with the orientation alone. */
 function tiff(orientation: number): Uint8Array {
   const entry = joined(u16(0x0112), u16(3), u32(1), u16(orientation), u16(0));

@@ -59,7 +59,7 @@ export function readAvifFile(bytes: Uint8Array): AvifFile {
 
 export const damaged = (): PictureFault => new PictureFault("damaged", "its AVIF data is damaged");
 
-const otherKind = (what: string): PictureFault =>
+export const otherKind = (what: string): PictureFault =>
   new PictureFault("avif-kind", `it is an AVIF picture of another kind than can be read: ${what}`);
 
 /** What follows a whole `meta` box may be cut short: whether the picture's own bytes are there is seen by their places. */

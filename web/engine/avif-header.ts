@@ -6,7 +6,7 @@
  */
 import { MAX_SIZE } from "../core/sizes.ts";
 import { av1Frames } from "./av1-frames.ts";
-import { type AvifFile, type AvifItem, damaged, readAvifFile } from "./avif-file.ts";
+import { type AvifFile, type AvifItem, damaged, otherKind, readAvifFile } from "./avif-file.ts";
 import { writeAvif } from "./avif-writer.ts";
 import { orientPixels } from "./exif-orientation.ts";
 import { BoxReader } from "./isobmff.ts";
@@ -66,6 +66,8 @@ export async function decodeAvif(
   const { file, coded, crop, turn } = readWhole(bytes);
   const { data, width, height } = await decode(writeAvif(asCoded(file)));
   if (width !== coded.width || height !== coded.height) throw damaged();
+  // A picture without alpha is opaque, unless its colours could not be made RGB.
+  if (!file.items.some(hasAlpha) && data[3] !== 255) throw damaged();
   const pixels = new Uint8Array(data.buffer, data.byteOffset, data.byteLength) as Uint8Array<ArrayBuffer>;
   const { rgba } = orientPixels(cut(pixels, width, crop), crop.width, crop.height, turn);
   return { data: new Uint8ClampedArray(rgba.buffer, rgba.byteOffset, rgba.byteLength) };
@@ -77,6 +79,8 @@ const asCoded = ({ items, references }: AvifFile): AvifFile => ({
   references,
 });
 
+const hasAlpha = ({ properties }: AvifItem): boolean => properties.some(({ type }) => type === "auxC");
+
 function readWhole(bytes: Uint8Array): AvifHeader {
   const file = readAvifFile(bytes);
   try {
@@ -87,7 +91,10 @@ function readWhole(bytes: Uint8Array): AvifHeader {
 }
 
 function describe(file: AvifFile): AvifHeader {
-  for (const item of file.items) checkSize(item);
+  for (const item of file.items) {
+    checkSize(item);
+    checkColours(item);
+  }
   checkFrames(file.items);
   const [picture] = file.items;
   const coded = picture && sizeOf(picture);
@@ -119,6 +126,19 @@ function checkSize(item: AvifItem): void {
   const bytes = grid.uint(1) & 1 ? 4 : 2;
   grid.uint(2);
   if (grid.uint(bytes) !== size.width || grid.uint(bytes) !== size.height) throw damaged();
+}
+
+/** Of ITU-T H.273, those that the decoder turns into RGB. Of others it says nothing, and gives what its memory held. */
+const MATRICES: readonly number[] = [0, 1, 2, 4, 5, 6, 7, 8, 9, 12];
+
+function checkColours({ properties }: AvifItem): void {
+  for (const { type, content } of properties) {
+    const reader = new BoxReader(content);
+    if (type !== "colr" || reader.type() !== "nclx") continue;
+    reader.uint(4);
+    const matrix = reader.uint(2);
+    if (!MATRICES.includes(matrix)) throw otherKind(`its colours are of system ${matrix}`);
+  }
 }
 
 function checkFrames(items: readonly AvifItem[]): void {

@@ -15,13 +15,16 @@ type Lossy = "jpeg" | "webp" | "avif";
 class EmscriptenCodec {
   readonly #name: Lossy;
   readonly #load: () => Promise<CodecGlue>;
+  readonly #lasts: boolean;
   #module: WebAssembly.Module | null = null;
   #started = false;
   #complaint = "";
 
-  constructor(name: Lossy, load: () => Promise<CodecGlue>) {
+  /** @param lasts Whether one instance decodes all pictures, else each has its own. */
+  constructor(name: Lossy, load: () => Promise<CodecGlue>, lasts: boolean) {
     this.#name = name;
     this.#load = load;
+    this.#lasts = lasts;
   }
 
   async decode(bytes: Uint8Array): Promise<ImageData> {
@@ -34,9 +37,11 @@ class EmscriptenCodec {
         const printErr = (line: string): void => {
           this.#complaint = line;
         };
-        await glue.init(this.#module, { print: printErr, printErr });
-        this.#started = true;
+        const starting = glue.init(this.#module, { print: printErr, printErr });
+        if (this.#lasts) await starting;
+        this.#started = this.#lasts;
       }
+      // The instance that was begun last: of one that does not last nobody else may begin another in between.
       const decoded = await glue.default(bytes as unknown as ArrayBuffer);
       if (decoded === null) throw new Error("It holds no picture.");
       return decoded;
@@ -48,9 +53,10 @@ class EmscriptenCodec {
   }
 }
 
-const jpegCodec = new EmscriptenCodec("jpeg", () => import("@jsquash/jpeg/decode.js"));
-const webpCodec = new EmscriptenCodec("webp", () => import("@jsquash/webp/decode.js"));
-const avifCodec = new EmscriptenCodec("avif", () => import("@jsquash/avif/decode.js"));
+const jpegCodec = new EmscriptenCodec("jpeg", () => import("@jsquash/jpeg/decode.js"), true);
+const webpCodec = new EmscriptenCodec("webp", () => import("@jsquash/webp/decode.js"), true);
+// Where it cannot make RGB of a picture it gives what its memory held: in a fresh one no other picture, which could be somebody else's.
+const avifCodec = new EmscriptenCodec("avif", () => import("@jsquash/avif/decode.js"), false);
 
 /** By format. Each throws a PictureFault where the picture cannot be used, a RangeError where the file ends too early. */
 export const LOSSY_HEADERS = { jpeg: readJpegHeader, webp: readWebpHeader } as const;
