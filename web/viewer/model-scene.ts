@@ -1,5 +1,13 @@
 /** A model's bytes as a three.js scene, with the glTF material index of every three.js material. */
-import { type AnimationClip, type Group, type Material, Mesh, type MeshStandardMaterial, Vector3 } from "three";
+import {
+  type AnimationClip,
+  type Group,
+  type Material,
+  Mesh,
+  type MeshStandardMaterial,
+  SkinnedMesh,
+  Vector3,
+} from "three";
 import { type GLTF, GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo } from "../engine/engine-api.ts";
@@ -117,6 +125,8 @@ function materialIndexOf(gltf: GLTF, material: Material): number {
 function disposeTree(root: Group): void {
   for (const mesh of meshesOf(root)) {
     mesh.geometry.dispose();
+    // Its joints lie in a texture.
+    if (mesh instanceof SkinnedMesh) mesh.skeleton.dispose();
     const material = mesh.material as Material;
     for (const value of Object.values(material)) {
       if (value?.isTexture === true) {

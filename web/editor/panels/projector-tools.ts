@@ -4,6 +4,7 @@ import { ArrowUpFromDot, Box, Cylinder, Eye, type IconNode, Layers2, ScanEye, Sq
 import type { DecalLayer, Projector, TextLayer } from "../document/index.ts";
 import type { Editor } from "../state/editor.ts";
 import { icon } from "../ui/icon.ts";
+import { segments } from "./property-fields.ts";
 
 type Kind = Projector["kind"];
 type Thrown = DecalLayer | TextLayer;
@@ -35,12 +36,15 @@ export function projectionTools(editor: Editor, { projector }: Thrown): Template
   return html`
     <section role="group" aria-label=${words.title} id="projection">
       <h3>${words.title}</h3>
-      <div class="segments kinds" role="radiogroup" aria-label=${words.title}>
-        ${kinds.map(
-          (kind) => html`<label title=${words.kindHints[kind]}>
-            <input type="radio" name="kind" value=${kind} .checked=${kind === projector.kind} @change=${choose(kind)} />
-            <span>${icon(KIND_ICONS[kind])}${words.kinds[kind]}</span>
-          </label>`,
+      <div role="radiogroup" aria-label=${words.title}>
+        ${segments(
+          kinds.map(
+            (kind) => html`<label title=${words.kindHints[kind]}>
+              <input type="radio" name="kind" value=${kind} .checked=${kind === projector.kind} @change=${choose(kind)} />
+              <span>${icon(KIND_ICONS[kind])}${words.kinds[kind]}</span>
+            </label>`,
+          ),
+          "kinds",
         )}
       </div>
       ${

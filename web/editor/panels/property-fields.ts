@@ -20,6 +20,13 @@ export function checkField(
   `;
 }
 
+/**
+ * Radio buttons side by side. They have a form, though nothing is sent: the shadow root would hold those that have none, and all that goes
+ * with them, when they are gone (Chromium 156), and a panel is made anew with each choice of a layer.
+ */
+export const segments = (buttons: readonly TemplateResult[], kind = ""): TemplateResult =>
+  html`<form class="segments ${kind}" @submit=${(event: Event) => event.preventDefault()}>${buttons}</form>`;
+
 /** `options`: what each value is called. */
 export function choiceField<T extends string>(
   name: string,
@@ -31,14 +38,14 @@ export function choiceField<T extends string>(
   return html`
     <div class="field" role="radiogroup" aria-label=${label}>
       <span>${label}</span>
-      <div class="segments">
-        ${(Object.entries(options) as [T, string][]).map(
+      ${segments(
+        (Object.entries(options) as [T, string][]).map(
           ([value, text]) => html`<label>
             <input type="radio" name=${name} value=${value} .checked=${value === chosen} @change=${() => change(value)} />
             <span>${text}</span>
           </label>`,
-        )}
-      </div>
+        ),
+      )}
     </div>
   `;
 }

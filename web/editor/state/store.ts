@@ -67,6 +67,7 @@ export class StoreController<State extends object> implements ReactiveController
   #seen: readonly unknown[] = [];
   #final: readonly unknown[] = [];
   #unsubscribe: (() => void) | undefined;
+  #isConnected = false;
   #waiting: ReturnType<typeof setTimeout> | undefined;
   #rendered = Number.NEGATIVE_INFINITY;
   /** Since the newest render. */
@@ -89,11 +90,17 @@ export class StoreController<State extends object> implements ReactiveController
     host.addController(this);
   }
 
+  /** Lit renders what was to be rendered once more, though it was taken out of the page meanwhile: that must not bind it again. */
   hostUpdate(): void {
-    if (!this.#unsubscribe) this.hostConnected();
+    if (this.#isConnected) this.#subscribe();
   }
 
   hostConnected(): void {
+    this.#isConnected = true;
+    this.#subscribe();
+  }
+
+  #subscribe(): void {
     const store = this.#store();
     if (!store || this.#unsubscribe) return;
     this.#seen = this.#pick(store.state);
@@ -148,6 +155,7 @@ export class StoreController<State extends object> implements ReactiveController
   }
 
   hostDisconnected(): void {
+    this.#isConnected = false;
     clearTimeout(this.#waiting);
     this.#waiting = undefined;
     this.#unsubscribe?.();
