@@ -1,0 +1,69 @@
+/** A page that is left open all day: what is gone from it is gone from memory, too. */
+import { type EditorPage, expect, test } from "./support/editor-page.ts";
+import { demoFile } from "./support/test-files.ts";
+
+declare global {
+  interface Window {
+    heldTextures: number;
+  }
+}
+
+test("layers that are chosen and left, and texts that come and go, leave no panel behind", async ({ editor, page }) => {
+  const id = await editor.openOnLowest();
+  const session = await page.context().newCDPSession(page);
+  await session.send("Performance.enable");
+  /** Of the whole page, also those that are in none of its trees any more. */
+  const heldNodes = async (): Promise<number> => {
+    await session.send("HeapProfiler.collectGarbage");
+    const { metrics } = await session.send("Performance.getMetrics");
+    return metrics.find(({ name }) => name === "Nodes")?.value ?? 0;
+  };
+  const round = async () => {
+    await editor.addLayer("Add text");
+    await editor.idle();
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Control+z");
+    await page.evaluate(() => window.texelcast.select(null));
+    await editor.idle();
+    await editor.select(id);
+    await editor.idle();
+  };
+  await round();
+  const before = await heldNodes();
+  for (let i = 0; i < 4; i++) await round();
+  // A panel has some seven hundred.
+  expect((await heldNodes()) - before).toBeLessThan(300);
+});
+
+test("models that are opened one after the other leave no textures on the graphics card", async ({ editor, page }) => {
+  await page.addInitScript(() => {
+    window.heldTextures = 0;
+    const graphics = WebGL2RenderingContext.prototype;
+    const { createTexture, deleteTexture } = graphics;
+    const held = new WeakSet<WebGLTexture>();
+    graphics.createTexture = function () {
+      const texture = createTexture.call(this);
+      held.add(texture);
+      window.heldTextures++;
+      return texture;
+    };
+    graphics.deleteTexture = function (texture) {
+      if (texture && held.delete(texture)) window.heldTextures--;
+      deleteTexture.call(this, texture);
+    };
+  });
+  await editor.open();
+  const textures = () => page.evaluate(() => window.heldTextures);
+  await openBoth(editor);
+  const before = await textures();
+  await openBoth(editor);
+  expect(await textures()).toBe(before);
+});
+
+/** The one has joints and moves by them, the other has none. */
+async function openBoth(editor: EditorPage): Promise<void> {
+  for (const name of ["avatar.glb", "skateboard.glb"]) {
+    await editor.openModel([demoFile(name)]);
+    await editor.idle();
+  }
+}
