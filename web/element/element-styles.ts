@@ -1,7 +1,9 @@
 /** The element before and around its mode: its box, the poster, what is told. */
 import { css } from "lit";
+import { selectArrow } from "../editor/ui/select-arrow.ts";
 
 export const elementStyles = css`
+  ${selectArrow}
   :host {
     position: relative;
     display: block;

@@ -17,12 +17,19 @@ export function collectInput(list: FileList | readonly File[] | null): Collected
 export function collectDrop(transfer: DataTransfer): Promise<CollectedFile[]> {
   const entries = [...transfer.items]
     .filter((item) => item.kind === "file")
-    .map((item) => item.webkitGetAsEntry?.() ?? item.getAsFile());
+    .map((item) => {
+      const entry = item.webkitGetAsEntry?.();
+      // Only a folder needs it: WebKit cannot read a file's where a script has made the drop, as tests do.
+      return entry?.isDirectory ? entry : item.getAsFile();
+    });
   return (async () => {
     const collected: CollectedFile[] = [];
     for (const entry of entries) {
-      if (entry instanceof File) collected.push({ path: entry.name, file: entry });
-      else if (entry) await readEntry(entry, collected);
+      if (!(entry instanceof File)) {
+        if (entry) await readEntry(entry, collected);
+      } else if (!entry.name.startsWith(".")) {
+        collected.push({ path: entry.name, file: entry });
+      }
     }
     return collected;
   })();

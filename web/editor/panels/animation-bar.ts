@@ -38,7 +38,7 @@ export class AnimationBar extends EditorElement {
         flex: none;
         width: auto;
         max-width: 7rem;
-        background: none;
+        background-color: transparent;
       }
       #clip {
         flex: 0 1 auto;

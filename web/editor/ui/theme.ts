@@ -1,5 +1,6 @@
 /** Design tokens. Set on the workbench; custom properties reach into every shadow root below it. */
 import { css } from "lit";
+import { selectArrow } from "./select-arrow.ts";
 
 export const theme = css`
   :host {
@@ -191,11 +192,11 @@ export const plainControls = css`
     padding: 0 var(--space-2);
     border: 1px solid var(--field-line, transparent);
     border-radius: var(--radius);
-    background: var(--surface-low);
+    background-color: var(--surface-low);
     font-variant-numeric: tabular-nums;
   }
+  ${selectArrow}
   select {
-    padding-right: var(--space-1);
     text-overflow: ellipsis;
   }
   input[type="text"]:hover,
@@ -205,7 +206,7 @@ export const plainControls = css`
   input[type="text"]:focus-visible,
   select:focus-visible {
     outline-offset: -1px;
-    background: var(--surface);
+    background-color: var(--surface);
   }
   input[type="range"],
   input[type="checkbox"],

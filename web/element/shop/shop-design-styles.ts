@@ -102,7 +102,7 @@ export const designStyles = css`
     width: 100%;
     border: 1px solid var(--line);
     border-radius: var(--radius);
-    background: var(--surface);
+    background-color: var(--surface);
     color: var(--text);
     font: var(--text-normal) / 1.35 var(--_font);
   }
