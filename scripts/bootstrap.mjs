@@ -23,6 +23,7 @@ import {
 import { Progress } from "./bootstrap/progress.mjs";
 import { SetUpError } from "./bootstrap/set-up-error.mjs";
 import { provide } from "./bootstrap/system.mjs";
+import { webkit } from "./bootstrap/webkit.mjs";
 
 const OLDEST_NODE = [20, 19];
 
@@ -34,7 +35,7 @@ const GOALS = {
   cli: [nodePackages, wasmModule, basisGlue, designSchema, commandLine],
   package: [nodePackages, wasmModule, basisGlue, designSchema, npmPackage],
   test: [
-    ...[nodePackages, testTools, chromium, firefox, wasmModule, basisGlue, demoAssets, designSchema],
+    ...[nodePackages, testTools, chromium, firefox, webkit, wasmModule, basisGlue, demoAssets, designSchema],
     ...[commandLine, npmPackage, storefrontPages, storefrontServer],
   ],
   lint: [nodePackages, basisGlue, testTools],

@@ -1,9 +1,7 @@
-/**
- * A Firefox for its stage of the tests, and a screen for it. WebGL wants a screen on Linux: Firefox gives none to a headless
- * window there, while on a virtual one (Xvfb) Mesa draws it on the processor.
- */
+/** A Firefox for its stage of the tests, on a screen that nobody sees (virtual-screen.mjs). */
 import { existsSync, readFileSync } from "node:fs";
 import { canAptInstall, howToInstall, isProgram, onPath } from "./system.mjs";
+import { screenNeeds } from "./virtual-screen.mjs";
 
 /** @type {import("./system.mjs").Need} */
 const FIREFOX = {
@@ -13,8 +11,6 @@ const FIREFOX = {
   choco: "firefox",
   note: "Firefox:         https://www.mozilla.org/firefox, or TEXELCAST_FIREFOX=/path/to/firefox (not a snap: it cannot read the tests' profile)",
 };
-/** @type {import("./system.mjs").Need} */
-const SCREEN = { what: "Xvfb, a screen that nobody sees", debian: "xvfb" };
 
 /** Installed on Debian; elsewhere the stage says what it lacks and is skipped. @type {import("./stamps.mjs").Step} */
 export const firefox = {
@@ -35,10 +31,6 @@ export function findFirefox() {
   return onPath("firefox-esr") ?? (snap ? null : onPath("firefox")) ?? known ?? null;
 }
 
-export function findXvfb() {
-  return onPath("Xvfb");
-}
-
 /** Why the tests in Firefox cannot run here, with what to install; null where they can. */
 export function whyNoFirefox() {
   const needs = firefoxNeeds();
@@ -46,8 +38,7 @@ export function whyNoFirefox() {
 }
 
 function firefoxNeeds() {
-  const screen = process.platform !== "linux" || findXvfb() !== null || process.env.DISPLAY;
-  return [...(findFirefox() ? [] : [FIREFOX]), ...(screen ? [] : [SCREEN])];
+  return [...(findFirefox() ? [] : [FIREFOX]), ...screenNeeds()];
 }
 
 /** Systems made from Debian, Ubuntu for one, have no package of this name. */

@@ -7,6 +7,7 @@ import { buildPreset } from "../bootstrap/cmake.mjs";
 import { whyNoFirefox } from "../bootstrap/firefox.mjs";
 import { BUILD, inRoot } from "../bootstrap/paths.mjs";
 import { runVisibly } from "../bootstrap/run.mjs";
+import { whyNoWebkit } from "../bootstrap/webkit.mjs";
 import { CHECKS } from "../lint/checks.mjs";
 import { doctestCounts, playwrightCounts, vitestCounts } from "./counts.mjs";
 import { runInParts } from "./doctest-parts.mjs";
@@ -28,7 +29,16 @@ export const STAGES = [
   { key: "vitest", title: "Engine, document, command line, viewer and scripts (vitest)", run: (args) => vitest(args) },
   { key: "build", title: "Static site (npm run build)", run: siteBuild },
   { key: "e2e", title: "The page in Chromium (Playwright)", run: playwright },
-  { key: "firefox", title: "The page in Firefox (WebDriver BiDi)", run: firefox },
+  {
+    key: "firefox",
+    title: "The page in Firefox (WebDriver BiDi)",
+    run: (args) => otherBrowser("firefox", whyNoFirefox(), args),
+  },
+  {
+    key: "webkit",
+    title: "The page in WebKit (WebDriver)",
+    run: (args) => otherBrowser("webkit", whyNoWebkit(), args),
+  },
 ];
 
 async function lint() {
@@ -73,10 +83,12 @@ async function vitest(args, report = "vitest.json") {
   return vitestCounts(file, exitCode);
 }
 
-/** @param {readonly string[]} args */
-async function firefox(args) {
-  const lack = whyNoFirefox();
-  if (lack === null) return vitest(["--config", inRoot("tests/firefox/vitest.config.ts"), ...args], "firefox.json");
+/**
+ * @param {"firefox" | "webkit"} name of its folder @param {string | null} lack why it cannot be driven here
+ * @param {readonly string[]} args
+ */
+async function otherBrowser(name, lack, args) {
+  if (lack === null) return vitest(["--config", inRoot("tests", name, "vitest.config.ts"), ...args], `${name}.json`);
   console.log(`Skipped. ${lack}`);
   return { passed: 0, failed: 0, skipped: 1 };
 }

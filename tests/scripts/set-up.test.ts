@@ -5,6 +5,7 @@ import { inRoot } from "../../scripts/bootstrap/paths.mjs";
 import { Progress } from "../../scripts/bootstrap/progress.mjs";
 import { stampedStep } from "../../scripts/bootstrap/stamps.mjs";
 import { howToInstall } from "../../scripts/bootstrap/system.mjs";
+import { findWebkitDriver, whyNoWebkit } from "../../scripts/bootstrap/webkit.mjs";
 
 const FOLDER = "build/test-set-up";
 const STAMP = "test-set-up";
@@ -99,6 +100,14 @@ test("what is missing is asked for by name, with one command for each kind of sy
   expect(message).toContain("sudo apt-get install --no-install-recommends cmake chromium");
   expect(message).toContain("brew install cmake\n");
   expect(message).toContain("Chromium: by Playwright");
+});
+
+test("without a WebKit to drive, the reason says what to install", () => {
+  vi.stubEnv("TEXELCAST_WEBKIT_DRIVER", inRoot("no-such-driver"));
+  expect(findWebkitDriver()).toBeNull();
+  expect(whyNoWebkit()).toContain("- WebKitGTK and its driver, for the page's tests in it");
+  expect(whyNoWebkit()).toContain("sudo apt-get install --no-install-recommends webkit2gtk-driver");
+  vi.unstubAllEnvs();
 });
 
 test("without a Firefox to drive, the reason says what to install", () => {

@@ -1,8 +1,6 @@
 /** The built site, served, and a page of Firefox. */
-import { fileURLToPath } from "node:url";
 import type { Page } from "puppeteer-core";
-import { preview } from "vite";
-import { freePort } from "../../../scripts/test/free-port.mjs";
+import { serveBuiltSite } from "../../support/built-site.ts";
 import { launchFirefox } from "./firefox-browser.ts";
 
 export interface SiteInFirefox {
@@ -15,12 +13,7 @@ export interface SiteInFirefox {
 
 /** @param headers sent with every file */
 export async function openSiteInFirefox(headers: Readonly<Record<string, string>> = {}): Promise<SiteInFirefox> {
-  const configFile = fileURLToPath(new URL("../../../vite.config.ts", import.meta.url));
-  const server = await preview({
-    configFile,
-    logLevel: "warn",
-    preview: { port: await freePort(), strictPort: true, headers },
-  });
+  const server = await serveBuiltSite(headers);
   const firefox = await launchFirefox();
   const page = await firefox.browser.newPage();
   const faults: string[] = [];
@@ -33,5 +26,5 @@ export async function openSiteInFirefox(headers: Readonly<Record<string, string>
     await firefox.close();
     await server.close();
   };
-  return { address: server.resolvedUrls?.local[0] ?? "", page, faults, close };
+  return { address: server.address, page, faults, close };
 }

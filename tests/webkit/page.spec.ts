@@ -1,0 +1,70 @@
+import { Key, Origin } from "selenium-webdriver";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { manyLayersHash } from "../support/many-layers.ts";
+import { hashManyLayersInPage, manyLayersInput } from "../support/many-layers-page.ts";
+import { openSiteInWebkit, type SiteInWebkit } from "./support/site-in-webkit.ts";
+
+let site: SiteInWebkit;
+
+beforeAll(async () => {
+  site = await openSiteInWebkit();
+  await site.driver.get(`${site.address}?new`);
+  await site.driver.wait(() => site.evaluate(() => window.texelcast !== undefined), 60_000);
+  await site.evaluate(async () => {
+    await window.texelcast.ready;
+    await window.texelcast.idle();
+  });
+});
+
+afterAll(async () => {
+  await site?.close();
+});
+
+/** Of the decal that the first demo has. */
+const decalPlace = () =>
+  site.evaluate(() => {
+    const [layer] = window.texelcast.design().layers;
+    if (layer?.type !== "decal" || layer.projector.kind !== "planar") throw new Error("The mug has no decal.");
+    const point = window.texelcast.project(...layer.projector.position);
+    if (!point) throw new Error("The decal is not in view.");
+    return { x: Math.round(point.x), y: Math.round(point.y), position: layer.projector.position };
+  });
+
+const settledHash = () =>
+  site.evaluate(async () => {
+    await window.texelcast.idle();
+    return window.texelcast.hash();
+  });
+
+test("the page opens on its first demo and draws it", async () => {
+  const agent = await site.evaluate(() => navigator.userAgent);
+  expect(agent).toContain("AppleWebKit/");
+  expect(agent).not.toContain("Chrome");
+  await site.driver.wait(() => site.evaluate(async () => (await window.texelcast.stats()).frames > 0), 60_000);
+  expect(await site.evaluate(() => window.texelcast.design().layers.length)).toBeGreaterThan(0);
+  const { shownRevision, bakeCount } = await site.evaluate(() => window.texelcast.stats());
+  expect(bakeCount).toBe(1);
+  expect(shownRevision).toBeGreaterThan(0);
+  expect(await site.faults()).toEqual([]);
+});
+
+test("the decal is dragged with the mouse, texels change under way, and undo gives the first bytes back", async () => {
+  const start = await settledHash();
+  const from = await decalPlace();
+  const mouse = () => site.driver.actions({ async: true });
+  const to = (x: number, y: number) => ({ origin: Origin.VIEWPORT, x: from.x + x, y: from.y + y, duration: 60 });
+  await mouse().move(to(0, 0)).press().move(to(20, -5)).move(to(40, -10)).perform();
+  await site.driver.wait(() => site.evaluate(async (hash) => (await window.texelcast.hash()) !== hash, start), 60_000);
+  await mouse().move(to(60, -15)).release().perform();
+  const moved = await settledHash();
+  expect(moved).not.toBe(start);
+  expect((await decalPlace()).position).not.toEqual(from.position);
+
+  await site.driver.actions().keyDown(Key.CONTROL).sendKeys("z").keyUp(Key.CONTROL).perform();
+  expect(await settledHash()).toBe(start);
+  expect(await site.faults()).toEqual([]);
+});
+
+test("many layers give the one hash in WebKit that Chromium, Firefox, Node and native code give", async () => {
+  expect(await site.evaluate(hashManyLayersInPage, manyLayersInput())).toBe(manyLayersHash);
+});
