@@ -10,6 +10,7 @@ import { chromium } from "./bootstrap/chromium.mjs";
 import { firefox } from "./bootstrap/firefox.mjs";
 import { withLock } from "./bootstrap/lock.mjs";
 import { nodePackages } from "./bootstrap/node-packages.mjs";
+import { oldestChromium } from "./bootstrap/oldest-chromium.mjs";
 import {
   basisGlue,
   commandLine,
@@ -35,7 +36,8 @@ const GOALS = {
   cli: [nodePackages, wasmModule, basisGlue, designSchema, commandLine],
   package: [nodePackages, wasmModule, basisGlue, designSchema, npmPackage],
   test: [
-    ...[nodePackages, testTools, chromium, firefox, webkit, wasmModule, basisGlue, demoAssets, designSchema],
+    ...[nodePackages, testTools, chromium, oldestChromium, firefox, webkit, wasmModule, basisGlue],
+    ...[demoAssets, designSchema],
     ...[commandLine, npmPackage, storefrontPages, storefrontServer],
   ],
   lint: [nodePackages, basisGlue, testTools],

@@ -7,7 +7,7 @@ import { run } from "./run.mjs";
 export const nodePackages = {
   isFresh: isInstalled,
   async bringUpToDate(progress) {
-    if (!isInstalled()) await progress.work("npm packages", npmCi);
+    if (!isInstalled()) await progress.work("npm packages", () => npmCi());
   },
 };
 
@@ -35,11 +35,12 @@ function packagesOf(file) {
   return existsSync(inRoot(file)) ? JSON.parse(readFileSync(inRoot(file), "utf8")).packages : null;
 }
 
-function npmCi() {
+/** @param {string} [folder] with a package-lock.json; default: the checkout */
+export function npmCi(folder) {
   // No package of ours needs its install script; Playwright's browser is looked for by a step of its own.
   const args = ["ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"];
   const env = { ...process.env, PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD: "1" };
   const npm = process.env.npm_execpath;
-  if (npm?.endsWith(".js")) return run(process.execPath, [npm, ...args], { env });
-  return run("npm", args, { env, shell: process.platform === "win32" });
+  if (npm?.endsWith(".js")) return run(process.execPath, [npm, ...args], { cwd: folder, env });
+  return run("npm", args, { cwd: folder, env, shell: process.platform === "win32" });
 }

@@ -36,6 +36,14 @@ describe("what comes together with a model", () => {
   });
 });
 
+describe("a picture", () => {
+  it("is one by any of the endings that programs give it", async () => {
+    for (const name of ["a.png", "a.jpg", "a.JPEG", "a.jfif", "a.webp", "a.avif", "a.svg", "a.svgz"]) {
+      expect(await added(WHOLE, name)).toEqual([name]);
+    }
+  });
+});
+
 describe("a palette", () => {
   const file = (name: string) => ({ path: name, file: new File(["bytes"], name) });
 

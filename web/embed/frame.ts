@@ -1,4 +1,5 @@
 /** `texelcast/embed`, the shop's side of the iframe: small, and without the editor's code. */
+import { parseUrl } from "../core/parse-url.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import {
   FRAME_METHODS,
@@ -78,9 +79,13 @@ export async function mountTexelcast(container: Element, options: MountOptions):
   };
   const answer = async (method: string, args: readonly unknown[], end: AbortSignal): Promise<unknown> => {
     if (method !== "beforeAccept") throw new TexelcastError("bad-argument", `The shop's page has no “${method}”.`);
-    const signal = AbortSignal.any([end, AbortSignal.timeout(ACCEPTANCE_PATIENCE_MS)]);
+    // (AbortSignal.any is younger than browsers that customers still have.)
+    const given = new AbortController();
+    for (const one of [end, AbortSignal.timeout(ACCEPTANCE_PATIENCE_MS)]) {
+      one.addEventListener("abort", () => given.abort(one.reason));
+    }
     // Whatever it is, the element judges it: what is no answer refuses.
-    return beforeAccept === null || (await beforeAccept(args[0] as never, { signal }));
+    return beforeAccept === null || (await beforeAccept(args[0] as never, { signal: given.signal }));
   };
 
   let held = propertiesOf(options);
@@ -145,7 +150,7 @@ export async function mountTexelcast(container: Element, options: MountOptions):
 }
 
 function pageAddress(page: string | URL): URL {
-  const address = URL.canParse(page) ? new URL(page) : null;
+  const address = parseUrl(page);
   if (address !== null && /^https?:$/.test(address.protocol)) return address;
   throw new TexelcastError("bad-argument", "The editor's page needs a whole http(s) address.", {
     field: "page",

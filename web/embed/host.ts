@@ -1,4 +1,5 @@
 /** The editor's side of the iframe: lets one shop, of one exact origin, drive one element. */
+import { parseUrl } from "../core/parse-url.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Acceptance, BeforeAccept, TexelcastEditorApi } from "../element/element-api.ts";
 import { FRAME_EVENTS, FRAME_METHODS, FRAME_PROPERTIES } from "./frame-api.ts";
@@ -71,7 +72,7 @@ export function hostEditor(editor: HTMLElement & TexelcastEditorApi, { shops }: 
 }
 
 function shopOrigin(named: string | null, shops: readonly string[] | null): string {
-  const isExact = named !== null && URL.canParse(named) && new URL(named).origin === named;
+  const isExact = named !== null && parseUrl(named)?.origin === named;
   if (parent !== window && isExact && (shops === null || shops.includes(named))) return named;
   throw new TexelcastError("bad-origin", "This page works inside the page of a shop that it knows.", {
     field: SHOP_PARAMETER,

@@ -2,6 +2,7 @@
  * Style sheets for whatever tree something stands in. Constructed, not inlined: a strict content security policy refuses inline
  * styles. A constructed sheet serves one document alone, and a tree that goes to another one leaves its sheets behind.
  */
+import { inLight } from "./light-dark.ts";
 import { inOwnRem } from "./own-rem.ts";
 
 const made = new WeakMap<Document, Map<string, CSSStyleSheet>>();
@@ -17,7 +18,8 @@ export function adoptStyle(inside: HTMLElement | ShadowRoot, text: string, key =
   let sheet = sheets.get(key);
   if (!sheet || key !== text) {
     sheet ??= new Sheet();
-    sheet.replaceSync(inOwnRem(text));
+    const known = CSS.supports("color", "light-dark(red,red)") ? text : inLight(text);
+    sheet.replaceSync(inOwnRem(known));
     sheets.set(key, sheet);
   }
   const tree = inside.getRootNode();

@@ -25,11 +25,8 @@ export function collectDrop(transfer: DataTransfer): Promise<CollectedFile[]> {
   return (async () => {
     const collected: CollectedFile[] = [];
     for (const entry of entries) {
-      if (!(entry instanceof File)) {
-        if (entry) await readEntry(entry, collected);
-      } else if (!entry.name.startsWith(".")) {
-        collected.push({ path: entry.name, file: entry });
-      }
+      if (entry instanceof File) collected.push({ path: entry.name, file: entry });
+      else if (entry) await readEntry(entry, collected);
     }
     return collected;
   })();

@@ -23,7 +23,7 @@ export interface Intake {
 }
 
 const MODEL = /\.(glb|gltf)$/i;
-const PICTURE = /\.(png|jpe?g|webp|avif|svgz?)$/i;
+const PICTURE = /\.(png|jpe?g|jfif|webp|avif|svgz?)$/i;
 const FONT = /\.(ttf|otf|ttc|otc|woff2?)$/i;
 const DESIGN = /\.json$/i;
 const PROJECT = /\.texelcast$/i;

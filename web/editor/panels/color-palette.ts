@@ -3,9 +3,10 @@ import { css, html, type TemplateResult } from "lit";
 import { Download, ImagePlus, RotateCcw, Upload } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { ACCEPT } from "../ui/accepted-files.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
-import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import { pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 
 export class ColorPalette extends EditorElement {

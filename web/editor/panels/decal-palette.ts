@@ -4,9 +4,10 @@ import { ImagePlus, Type } from "lucide";
 import type { DemoDecal } from "../files/demo-catalogue.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { ACCEPT } from "../ui/accepted-files.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
-import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import { pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 
 /** Type of a drag from the palette to the model; its data is the demo decal's id. */

@@ -29,7 +29,8 @@ import type { ClipboardCommands } from "../state/clipboard-commands.ts";
 import type { Editor } from "../state/editor.ts";
 import { layerBelow } from "../state/layer-merge.ts";
 import { canGoAlong, maskFade } from "../state/mask-edits.ts";
-import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import { ACCEPT } from "../ui/accepted-files.ts";
+import { pickFiles } from "../ui/file-picker.ts";
 import type { MenuItem } from "../ui/menu.ts";
 
 /** A quiet middle grey-blue: seen on light and on dark models, and clearly a beginning. */

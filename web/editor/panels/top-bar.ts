@@ -18,9 +18,10 @@ import {
 } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { ACCEPT } from "../ui/accepted-files.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
-import { ACCEPT, pickFiles } from "../ui/file-picker.ts";
+import { pickFiles } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import type { MenuItem } from "../ui/menu.ts";
 import "./layout-switch.ts";

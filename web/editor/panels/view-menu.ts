@@ -165,7 +165,8 @@ export class ViewMenu extends EditorElement {
     const opener = this.#opener?.getBoundingClientRect();
     // The view may have given its place to the other one while this was open.
     if (!panel?.isConnected || !opener) return;
-    if (!panel.matches(":popover-open")) panel.showPopover();
+    // Where there are no popovers it is shown anyway.
+    if (panel.showPopover && !panel.matches(":popover-open")) panel.showPopover();
     const { offsetWidth: width, offsetHeight: height } = panel;
     const [before, after] = [opener.left - GAP - width, opener.right + GAP];
     const rightToLeft = getComputedStyle(this).direction === "rtl";

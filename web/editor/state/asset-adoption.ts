@@ -1,4 +1,5 @@
 /** The files of a design that was read from a file: fetched from where it lies, and taken in. */
+import { parseUrl } from "../../core/parse-url.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type { Design, DesignAsset } from "../document/design.ts";
@@ -48,7 +49,7 @@ async function readAsset(uri: string, field: string, { path, files, baseUrl, rea
   if (inside) return inside;
   const companion = files && !uri.includes(":") ? findCompanion(uri, path, files) : undefined;
   if (companion) return bytesOf(companion.file);
-  const address = URL.canParse(uri, baseUrl) ? new URL(uri, baseUrl) : undefined;
+  const address = parseUrl(uri, baseUrl);
   const allowed = address && (uri.startsWith("https:") || (baseUrl !== undefined && !uri.includes(":")));
   if (!allowed) {
     throw new TexelcastError("missing-file", `The design names the picture ${uri}, which is not part of it.`, {

@@ -8,13 +8,8 @@ export interface PickOptions {
   readonly folder?: boolean;
 }
 
-export const ACCEPT = {
-  model: ".glb,.gltf,.texelcast,.bin,.png,.jpg,.jpeg,.webp,.avif",
-  picture: ".png,.jpg,.jpeg,.webp,.avif,.svg,image/png,image/jpeg,image/webp,image/avif,image/svg+xml",
-  font: ".ttf,.otf,font/ttf,font/otf",
-  design: ".json,.texelcast,.png,.jpg,.jpeg,.webp,.avif,.svg,.ttf,.otf",
-  any: ".texelcast,.glb,.gltf,.bin,.json,.png,.jpg,.jpeg,.webp,.avif,.svg",
-} as const;
+/** Apart from the others (accepted-files.ts): a shop's customers need no more. */
+export const PICTURES = ".png,.jpg,.jpeg,.webp,.avif,.svg,image/png,image/jpeg,image/webp,image/avif,image/svg+xml";
 
 /** Calls `take` when the user has chosen something. Must be called from a user's gesture. */
 export function pickFiles(

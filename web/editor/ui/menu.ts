@@ -248,7 +248,7 @@ export class Menu extends RemElement {
     const menu = this.renderRoot.querySelector<HTMLElement>("[role=menu]");
     const opener = this.#at ? DOMRect.fromRect(this.#at) : this.#opener?.getBoundingClientRect();
     if (!menu || !opener) return;
-    menu.showPopover();
+    menu.showPopover?.();
     const { offsetWidth: width, offsetHeight: height } = menu;
     const below = innerHeight - opener.bottom - GAP;
     const top = height > below && opener.top > below ? opener.top - GAP - height : opener.bottom + GAP;

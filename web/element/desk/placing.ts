@@ -108,8 +108,9 @@ async function putPicture(
 
 async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; bytes: Uint8Array }> {
   const { words, limits } = desk.settings;
-  if (source instanceof Uint8Array) return { name: "picture", bytes: source };
-  if (source instanceof ArrayBuffer) return { name: "picture", bytes: new Uint8Array(source) };
+  if (source instanceof Uint8Array || source instanceof ArrayBuffer) {
+    return { name: "picture", bytes: new Uint8Array(source) };
+  }
   if (source instanceof Blob) {
     const name = source instanceof File ? source.name : "picture";
     // Of a file that is too large nothing is read beyond what tells so.
@@ -160,17 +161,23 @@ export async function askShop({ settings, signal }: Desk, asset: CandidateAsset)
 /** What somebody answers, asked with a signal that is aborted when nobody waits for it any more: then it rejects with the reason. */
 async function inTime<T>(end: AbortSignal, ask: (signal: AbortSignal) => T): Promise<Awaited<T>> {
   end.throwIfAborted();
+  // (AbortSignal.any is younger than browsers that customers still have.)
   const patience = new AbortController();
-  const late = new TexelcastError("timeout", "“beforeAccept” did not answer.", { value: String(PATIENCE) });
-  const timer = setTimeout(() => patience.abort(late), PATIENCE);
-  const signal = AbortSignal.any([end, patience.signal]);
+  const { signal } = patience;
   const silence = new Promise<never>((_, reject) => {
     signal.addEventListener("abort", () => reject(signal.reason));
   });
+  const stop = (): void =>
+    patience.abort(
+      end.reason ?? new TexelcastError("timeout", "“beforeAccept” did not answer.", { value: String(PATIENCE) }),
+    );
+  const timer = setTimeout(stop, PATIENCE);
+  end.addEventListener("abort", stop);
   try {
     // One that throws at once is raced, too: alone, the silence would reject unheard.
     return await Promise.race([Promise.resolve(signal).then(ask), silence]);
   } finally {
     clearTimeout(timer);
+    end.removeEventListener("abort", stop);
   }
 }

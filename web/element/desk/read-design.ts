@@ -1,4 +1,5 @@
 /** A design as a page gives it, made whole and safe: every field checked, every file fetched, looked at and taken in. */
+import { parseUrl } from "../../core/parse-url.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Design, DesignAsset } from "../../editor/document/design.ts";
 import { decodeDataUri } from "../../editor/files/data-uri.ts";
@@ -94,7 +95,7 @@ async function bytesOf(
 ): Promise<Uint8Array> {
   if (uri.startsWith("data:")) return decodeDataUri(uri, key);
   // A whole address is taken where it is the design's own server's: another one would learn who looks at the design.
-  const own = URL.canParse(uri) && new URL(uri).origin === new URL(base).origin;
+  const own = parseUrl(uri)?.origin === new URL(base).origin;
   if (!own) checkAddress(key, uri);
   return await fetchBytes(addressOf(uri, base, reading.words), reading);
 }

@@ -1,4 +1,5 @@
 /** A model from the web: its bytes, and the files that a .gltf names. */
+import { parseUrl } from "../../core/parse-url.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { ToldError } from "../../editor/strings/told-error.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
@@ -66,8 +67,9 @@ export async function fetchBytes(url: URL, { words, signal, progress }: Fetching
 }
 
 export function addressOf(address: string, base: string, words: Words): URL {
-  if (!URL.canParse(address, base)) throw unreachable(address, words);
-  return new URL(address, base);
+  const url = parseUrl(address, base);
+  if (url === null) throw unreachable(address, words);
+  return url;
 }
 
 /** The last part of an address, as people would call the file. */

@@ -1,7 +1,7 @@
 /** What the shop mode loads when it is first touched, beside the view's hands: what puts things on the product and changes them. */
 import type { nothing, TemplateResult } from "lit";
 import type { DesignLayer } from "../../editor/document/design.ts";
-import { ACCEPT, pickFiles } from "../../editor/ui/file-picker.ts";
+import { PICTURES, pickFiles } from "../../editor/ui/file-picker.ts";
 import type { Desk } from "../desk/desk.ts";
 import { addPicture } from "../desk/placing.ts";
 import { Texts } from "../desk/texts.ts";
@@ -26,7 +26,7 @@ export class ShopTools {
 
   /** Asks the user for files. */
   pickPictures(picked: (files: readonly File[]) => void): void {
-    pickFiles({ accept: ACCEPT.picture }, (files) => picked(files.map(({ file }) => file)));
+    pickFiles({ accept: PICTURES }, (files) => picked(files.map(({ file }) => file)));
   }
 
   /** Puts files on, a single one where it was dropped (client pixels). */
