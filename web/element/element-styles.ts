@@ -1,8 +1,9 @@
 /** The element before and around its mode: its box, the poster, what is told. */
 import { css } from "lit";
-import { selectArrow } from "../editor/ui/select-arrow.ts";
+import { selectArrow, typeForFingers } from "../editor/ui/field-styles.ts";
 
 export const elementStyles = css`
+  ${typeForFingers}
   ${selectArrow}
   :host {
     position: relative;

@@ -49,7 +49,10 @@ function drawn(page: Page): Promise<void> {
   });
 }
 
-/** Whatever is pressed and is smaller than `least` pixels either way. */
+/**
+ * Whatever is pressed and is smaller than `least` pixels either way; for fingers also fields whose type is so small that phones of Apple's
+ * zoom the page in on them.
+ */
 export function smallTargets(page: Page, least: number): Promise<string[]> {
   return page.evaluate((least) => {
     const found = new Set<string>();
@@ -63,8 +66,12 @@ export function smallTargets(page: Page, least: number): Promise<string[]> {
         const target = element.closest<HTMLElement>("label") ?? field;
         if (!target.checkVisibility({ opacityProperty: true, visibilityProperty: true })) continue;
         const { width, height } = target.getBoundingClientRect();
-        if (width === 0 || height === 0 || Math.min(width, height) >= least - 0.5) continue;
+        if (width === 0 || height === 0) continue;
         const name = element.getAttribute("aria-label") ?? element.textContent?.trim().slice(0, 30);
+        const isTyped = element.matches("select, textarea, input:not([type=checkbox], [type=radio], [type=range])");
+        const type = Number.parseFloat(getComputedStyle(element).fontSize);
+        if (least >= 44 && isTyped && type < 16) found.add(`${host?.localName} "${name}" has type of ${type}`);
+        if (Math.min(width, height) >= least - 0.5) continue;
         found.add(`${host?.localName} ${element.localName} "${name}" is ${width.toFixed(0)} × ${height.toFixed(0)}`);
       }
     };

@@ -1,6 +1,6 @@
 /** Design tokens. Set on the workbench; custom properties reach into every shadow root below it. */
 import { css } from "lit";
-import { selectArrow } from "./select-arrow.ts";
+import { selectArrow, typeForFingers } from "./field-styles.ts";
 
 export const theme = css`
   :host {
@@ -195,6 +195,7 @@ export const plainControls = css`
     background-color: var(--surface-low);
     font-variant-numeric: tabular-nums;
   }
+  ${typeForFingers}
   ${selectArrow}
   select {
     text-overflow: ellipsis;
