@@ -65,6 +65,27 @@ test("the decal is dragged with the mouse, texels change under way, and undo giv
   expect(await site.faults()).toEqual([]);
 });
 
+test("a long press on a button chooses no words, two quick ones zoom nothing, and lists have the page's own arrow", async () => {
+  const looks = await site.evaluate(() => {
+    const found = { buttons: [] as string[][], lists: [] as string[] };
+    const visit = (root: ParentNode): void => {
+      for (const element of root.querySelectorAll<HTMLElement>("*")) {
+        if (element.shadowRoot) visit(element.shadowRoot);
+        const style = getComputedStyle(element);
+        if (element.localName === "button") found.buttons.push([style.webkitUserSelect, style.touchAction]);
+        if (element.localName === "select") found.lists.push(style.appearance);
+      }
+    };
+    visit(document);
+    return found;
+  });
+  expect(looks.buttons.length).toBeGreaterThan(20);
+  const zooms = ([chosen, touched]: string[]) => chosen !== "none" || !/^(manipulation|none)$/.test(touched ?? "");
+  expect(looks.buttons.filter(zooms)).toEqual([]);
+  expect(looks.lists.length).toBeGreaterThan(0);
+  expect(looks.lists).toEqual(looks.lists.map(() => "none"));
+});
+
 test("many layers give the one hash in WebKit that Chromium, Firefox, Node and native code give", async () => {
   expect(await site.evaluate(hashManyLayersInPage, manyLayersInput())).toBe(manyLayersHash);
 });

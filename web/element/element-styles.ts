@@ -1,15 +1,14 @@
 /** The element before and around its mode: its box, the poster, what is told. */
 import { css } from "lit";
-import { selectArrow, typeForFingers } from "../editor/ui/field-styles.ts";
 
 export const elementStyles = css`
-  ${typeForFingers}
-  ${selectArrow}
   :host {
     position: relative;
     display: block;
     container: texelcast / size;
     overflow: clip;
+    /* A phone of Apple's on its side would enlarge some words, and not others. */
+    -webkit-text-size-adjust: 100%;
     block-size: var(--texelcast-height, min(44rem, 85svh));
     min-block-size: 20rem;
     background: var(--_stage);

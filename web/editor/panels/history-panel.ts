@@ -57,6 +57,7 @@ export class HistoryPanel extends EditorElement {
         overflow: hidden;
         white-space: nowrap;
         cursor: pointer;
+        -webkit-user-select: none;
         user-select: none;
       }
       .step span {

@@ -126,6 +126,7 @@ export class NumberField extends RemElement {
         color: var(--text-quiet);
         font-size: var(--text-small);
         cursor: ew-resize;
+        -webkit-user-select: none;
         user-select: none;
         touch-action: pan-y;
         white-space: nowrap;

@@ -5,6 +5,8 @@ import { selectArrow, typeForFingers } from "./field-styles.ts";
 export const theme = css`
   :host {
     color-scheme: light dark;
+    /* A phone of Apple's on its side would enlarge some words, and not others. */
+    -webkit-text-size-adjust: 100%;
     --font: system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", "Noto Sans", sans-serif;
     --text-small: 0.6875rem;
     --text-normal: 0.8125rem;
@@ -124,6 +126,9 @@ export const plainControls = css`
     border-radius: var(--radius);
     background: transparent;
     cursor: pointer;
+    /* Pressed twice in haste, one would have the page zoomed in; pressed for long, WebKit would choose its words. */
+    touch-action: manipulation;
+    -webkit-user-select: none;
     user-select: none;
     -webkit-tap-highlight-color: transparent;
     transition: background-color 120ms;
