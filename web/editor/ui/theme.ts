@@ -1,6 +1,5 @@
 /** Design tokens. Set on the workbench; custom properties reach into every shadow root below it. */
 import { css } from "lit";
-import { selectArrow, typeForFingers } from "./field-styles.ts";
 
 export const theme = css`
   :host {
@@ -200,9 +199,18 @@ export const plainControls = css`
     background-color: var(--surface-low);
     font-variant-numeric: tabular-nums;
   }
-  ${typeForFingers}
-  ${selectArrow}
+  /* WebKit's own arrow comes with a raised button. Where a list sets a background, it is its colour alone. */
   select {
+    appearance: none;
+    padding-inline-end: 24px;
+    background-image:
+      linear-gradient(45deg, transparent 43%, currentColor 43% 57%, transparent 57%),
+      linear-gradient(-45deg, transparent 43%, currentColor 43% 57%, transparent 57%);
+    background-position:
+      right 12px center,
+      right 8px center;
+    background-size: 5px 5px;
+    background-repeat: no-repeat;
     text-overflow: ellipsis;
   }
   input[type="text"]:hover,
@@ -213,6 +221,14 @@ export const plainControls = css`
   select:focus-visible {
     outline-offset: -1px;
     background-color: var(--surface);
+  }
+  /* Apple's phones zoom the page in on a field of smaller type, and leave it so. Whatever else sets its type. */
+  @media (pointer: coarse) {
+    input,
+    select,
+    textarea {
+      font-size: max(16px, 1em) !important;
+    }
   }
   input[type="range"],
   input[type="checkbox"],
