@@ -2,6 +2,7 @@ import { fileURLToPath } from "node:url";
 import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
 import { sitePolicy } from "./scripts/site-policy.ts";
 import { watlasWithoutEval } from "./scripts/watlas-without-eval.ts";
+import { parseUrl } from "./web/core/parse-url.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
@@ -16,7 +17,7 @@ const texelcastShops = (): Plugin => ({
   name: "texelcast-shops",
   transformIndexHtml(html, { server }) {
     const listed = server === undefined ? (process.env.TEXELCAST_SHOPS ?? "").split(/\s+/).filter(Boolean) : ["*"];
-    const wrong = listed.find((shop) => shop !== "*" && !(URL.canParse(shop) && new URL(shop).origin === shop));
+    const wrong = listed.find((shop) => shop !== "*" && parseUrl(shop)?.origin !== shop);
     if (wrong !== undefined) {
       throw new Error(`TEXELCAST_SHOPS: "${wrong}" is no exact origin. Write it as "https://shop.example".`);
     }

@@ -1,5 +1,6 @@
 /** What a file that arrives is, told by its content and never by what its sender says, and whether the shop takes it. */
 
+import type { AssetType } from "../../web/editor/document/design.ts";
 import { readFontHeader, sniffFont } from "../../web/engine/font-file.ts";
 import { checkJpegScans } from "../../web/engine/jpeg-scans.ts";
 import { readPictureHeader, sniffPicture } from "../../web/engine/picture-header.ts";
@@ -8,21 +9,12 @@ import { isSvg } from "../../web/engine/svg-start.ts";
 import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { shopError } from "./shop-error.ts";
 
-export type StoredType =
-  | "image/png"
-  | "image/jpeg"
-  | "image/webp"
-  | "image/avif"
-  | "image/svg+xml"
-  | "font/ttf"
-  | "font/otf";
-
 /**
  * The media type of a picture, drawing or font, after its header was read in full: a file that passes can be printed.
  *
  * @throws TexelcastError "bad-picture", "bad-font"; "too-large" above `SHOP_LIMITS`.
  */
-export async function checkAsset(bytes: Uint8Array, name: string): Promise<StoredType> {
+export async function checkAsset(bytes: Uint8Array, name: string): Promise<AssetType> {
   if (sniffFont(bytes) !== null) return `font/${readFontHeader(bytes, name).format}`;
   if (sniffPicture(bytes) === null && isSvg(bytes)) {
     await readSvgFile(bytes, name);

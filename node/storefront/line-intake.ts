@@ -6,7 +6,7 @@ import { type Design, materialsOf, parseDesign, walkLayers } from "../../web/edi
 import { filledText, numberBetween, strict, text } from "../../web/editor/document/schema-parts.ts";
 import { isShippedFontAddress } from "../../web/engine/font-address.ts";
 import { type LineRequest, type Product, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
-import { checkAsset, type StoredType } from "./asset-check.ts";
+import { checkAsset } from "./asset-check.ts";
 import { type AssetStore, isSha256 } from "./asset-store.ts";
 import type { Catalogue } from "./catalogue.ts";
 import { workOf } from "./design-work.ts";
@@ -167,7 +167,7 @@ async function readDataAddress(uri: string, field: readonly (string | number)[])
 }
 
 async function checkType(bytes: Uint8Array, said: string, key: string): Promise<void> {
-  const found: StoredType = await checkAsset(bytes, key);
+  const found = await checkAsset(bytes, key);
   if (found !== said) throw refusal(["assets", key, "type"], `must be ${found}, as that is what the file is`, said);
 }
 

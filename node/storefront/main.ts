@@ -8,6 +8,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import type { FastifyInstance } from "fastify";
+import { parseUrl } from "../../web/core/parse-url.ts";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { isFolder, makeFolder } from "../make-folder.ts";
@@ -113,7 +114,7 @@ function daysOf(given: string): number {
 /** As browsers send it, without a slash at its end: with anything more it would be compared in vain. */
 function originAt(given: string | undefined, option: string): string | null {
   if (given === undefined) return null;
-  const { protocol, origin, href } = URL.canParse(given) ? new URL(given) : { protocol: "", origin: "", href: given };
+  const { protocol, origin, href } = parseUrl(given) ?? { protocol: "", origin: "", href: given };
   if (/^https?:$/.test(protocol) && href === `${origin}/`) return origin;
   return refuse(`${option} must be as "https://shop.example", is "${given}".`);
 }

@@ -1,6 +1,7 @@
 /** A Firefox for its stage of the tests, on a screen that nobody sees (virtual-screen.mjs). */
 import { existsSync, readFileSync } from "node:fs";
-import { canAptInstall, howToInstall, isProgram, onPath } from "./system.mjs";
+import { optionalStep, whyNot } from "./optional-step.mjs";
+import { canAptInstall, isProgram, onPath } from "./system.mjs";
 import { screenNeeds } from "./virtual-screen.mjs";
 
 /** @type {import("./system.mjs").Need} */
@@ -12,12 +13,8 @@ const FIREFOX = {
   note: "Firefox:         https://www.mozilla.org/firefox, or TEXELCAST_FIREFOX=/path/to/firefox (not a snap: it cannot read the tests' profile)",
 };
 
-/** Installed on Debian; elsewhere the stage says what it lacks and is skipped. @type {import("./stamps.mjs").Step} */
-export const firefox = {
-  isFresh: () => !mayInstall() || firefoxNeeds().length === 0,
-  needs: () => (mayInstall() ? firefoxNeeds() : []),
-  bringUpToDate: async () => {},
-};
+/** Installed on Debian. */
+export const firefox = optionalStep(firefoxNeeds, mayInstall);
 
 /** The path of the Firefox to test with: TEXELCAST_FIREFOX, or the system's; null where there is none that can be driven. */
 export function findFirefox() {
@@ -32,10 +29,7 @@ export function findFirefox() {
 }
 
 /** Why the tests in Firefox cannot run here, with what to install; null where they can. */
-export function whyNoFirefox() {
-  const needs = firefoxNeeds();
-  return needs.length === 0 ? null : howToInstall(needs);
-}
+export const whyNoFirefox = () => whyNot(firefoxNeeds());
 
 function firefoxNeeds() {
   return [...(findFirefox() ? [] : [FIREFOX]), ...screenNeeds()];

@@ -2,12 +2,11 @@
  * A browser of March 2023, as phones have that get no newer one: what has come since (URL.canParse, AbortSignal.any, popovers,
  * light-dark()) is not there, and nothing that a customer or a designer does may need it.
  */
-import { readFileSync } from "node:fs";
 import { type Browser, chromium, expect, type Page, test } from "@playwright/test";
-import { renderPrint } from "../../node/print.ts";
 import { oldestChromiumLaunch } from "../../scripts/bootstrap/oldest-chromium.mjs";
 import { manyLayersHash } from "../support/many-layers.ts";
 import { hashManyLayersInPage, manyLayersInput } from "../support/many-layers-page.ts";
+import { exportMugInPage, mugPrintHash } from "../support/mug-print.ts";
 
 const launch = oldestChromiumLaunch();
 test.skip(launch === null, "this Chromium is for Linux on x64");
@@ -48,8 +47,7 @@ test("a shop's element takes a picture, words and a drag there, and prints the b
     const element = document.querySelector("texelcast-editor") as Element;
     element.select(await element.addDecal("demo/decals/smiley.png"));
   });
-  const handle = page.locator("texelcast-editor").getByRole("button", { name: "Done" });
-  await expect(handle).toBeVisible();
+  await expect(page.locator("texelcast-editor").getByRole("button", { name: "Done" })).toBeVisible();
   const box = await page.locator("texelcast-editor .own.view").boundingBox();
   if (!box) throw new Error("The product is not shown.");
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -58,19 +56,13 @@ test("a shop's element takes a picture, words and a drag there, and prints the b
   await page.mouse.down();
   await page.mouse.move(x - 40, y - 30, { steps: 5 });
   await page.mouse.up();
-  const shown = await page.evaluate(async () => {
-    const element = document.querySelector("texelcast-editor") as Element;
-    await element.addText("Moin שלום");
-    const { sha256 } = await element.exportTexture();
-    const { design, assets } = await element.exportDesign();
-    return { sha256, design, assets: assets.map(({ name, bytes }) => ({ name, bytes: [...bytes] })) };
+  await page.evaluate(async () => {
+    await document.querySelector<Element>("texelcast-editor")?.addText("Moin שלום");
   });
-  expect(shown.design.layers.map(({ type }) => type)).toEqual(["decal", "text"]);
-  expect(shown.design.layers[0]).not.toEqual(before?.design.layers[0]);
-  const assets = shown.assets.map(({ name, bytes }) => ({ name, bytes: Uint8Array.from(bytes) }));
-  const model = new Uint8Array(readFileSync(new URL("../../build/public/demo/mug.glb", import.meta.url)));
-  const print = await renderPrint({ model, design: shown.design, assets, size: 256 });
-  expect(shown.sha256).toBe(print.sha256);
+  const exported = await page.evaluate(exportMugInPage);
+  expect(exported.design.layers.map(({ type }) => type)).toEqual(["decal", "text"]);
+  expect(exported.design.layers[0]).not.toEqual(before?.design.layers[0]);
+  expect(exported.sha256).toBe(await mugPrintHash(exported));
   expect(faults).toEqual([]);
   await page.close();
 });

@@ -1,5 +1,6 @@
 import type { Page } from "puppeteer-core";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { decalPlaceInPage, settledHashInPage } from "../support/first-demo-page.ts";
 import { manyLayersHash } from "../support/many-layers.ts";
 import { hashManyLayersInPage, manyLayersInput } from "../support/many-layers-page.ts";
 import { openSiteInFirefox, type SiteInFirefox } from "./support/site-in-firefox.ts";
@@ -20,21 +21,8 @@ afterAll(async () => {
   await site?.close();
 });
 
-/** Of the decal that the first demo has. */
-const decalPlace = () =>
-  page.evaluate(() => {
-    const [layer] = window.texelcast.design().layers;
-    if (layer?.type !== "decal" || layer.projector.kind !== "planar") throw new Error("The mug has no decal.");
-    const point = window.texelcast.project(...layer.projector.position);
-    if (!point) throw new Error("The decal is not in view.");
-    return { ...point, position: layer.projector.position };
-  });
-
-const settledHash = () =>
-  page.evaluate(async () => {
-    await window.texelcast.idle();
-    return window.texelcast.hash();
-  });
+const decalPlace = () => page.evaluate(decalPlaceInPage);
+const settledHash = () => page.evaluate(settledHashInPage);
 
 test("the page opens on its first demo and draws it", async () => {
   expect(await page.evaluate(() => navigator.userAgent)).toContain("Firefox/");

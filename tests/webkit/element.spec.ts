@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import { afterAll, beforeAll, expect, test } from "vitest";
-import { renderPrint } from "../../node/print.ts";
 import { avifFile } from "../support/avif-file.ts";
+import { exportMugInPage, mugPrintHash } from "../support/mug-print.ts";
 import { openSiteInWebkit, type SiteInWebkit } from "./support/site-in-webkit.ts";
 
 type Element = HTMLElementTagNameMap["texelcast-editor"];
@@ -31,7 +31,7 @@ test("a shop's element opens in WebKit, takes pictures of each kind and words, a
     { name: "ahoy.svg", bytes: Buffer.from(drawing) },
     { name: "gradient.avif", bytes: Buffer.from(await gradient()) },
   ];
-  const shown = await site.evaluate(
+  await site.evaluate(
     async (files) => {
       await customElements.whenDefined("texelcast-editor");
       const element = document.querySelector("texelcast-editor") as Element;
@@ -40,16 +40,11 @@ test("a shop's element opens in WebKit, takes pictures of each kind and words, a
         await element.addDecal(new File([bytes], name), { position: [0, 0.03 + 0.02 * place, 0.04], width: 0.03 });
       }
       await element.addText("Moin שלום", { position: [0, 0.02, 0.04] });
-      const { sha256 } = await element.exportTexture();
-      const { design, assets } = await element.exportDesign();
-      return { sha256, design, assets: assets.map(({ name, bytes }) => ({ name, bytes: [...bytes] })) };
     },
     pictures.map(({ name, bytes }) => ({ name, text: bytes.toString("base64") })),
   );
-  expect(shown.design.layers).toHaveLength(4);
-  const assets = shown.assets.map(({ name, bytes }) => ({ name, bytes: Uint8Array.from(bytes) }));
-  const model = new Uint8Array(readFileSync(new URL("../../build/public/demo/mug.glb", import.meta.url)));
-  const print = await renderPrint({ model, design: shown.design, assets, size: 256 });
-  expect(shown.sha256).toBe(print.sha256);
+  const exported = await site.evaluate(exportMugInPage);
+  expect(exported.design.layers).toHaveLength(4);
+  expect(exported.sha256).toBe(await mugPrintHash(exported));
   expect(await site.faults()).toEqual([]);
 });

@@ -1,5 +1,6 @@
 import { Key, Origin } from "selenium-webdriver";
 import { afterAll, beforeAll, expect, test } from "vitest";
+import { decalPlaceInPage, settledHashInPage } from "../support/first-demo-page.ts";
 import { manyLayersHash } from "../support/many-layers.ts";
 import { hashManyLayersInPage, manyLayersInput } from "../support/many-layers-page.ts";
 import { openSiteInWebkit, type SiteInWebkit } from "./support/site-in-webkit.ts";
@@ -20,21 +21,8 @@ afterAll(async () => {
   await site?.close();
 });
 
-/** Of the decal that the first demo has. */
-const decalPlace = () =>
-  site.evaluate(() => {
-    const [layer] = window.texelcast.design().layers;
-    if (layer?.type !== "decal" || layer.projector.kind !== "planar") throw new Error("The mug has no decal.");
-    const point = window.texelcast.project(...layer.projector.position);
-    if (!point) throw new Error("The decal is not in view.");
-    return { x: Math.round(point.x), y: Math.round(point.y), position: layer.projector.position };
-  });
-
-const settledHash = () =>
-  site.evaluate(async () => {
-    await window.texelcast.idle();
-    return window.texelcast.hash();
-  });
+const decalPlace = () => site.evaluate(decalPlaceInPage);
+const settledHash = () => site.evaluate(settledHashInPage);
 
 test("the page opens on its first demo and draws it", async () => {
   const agent = await site.evaluate(() => navigator.userAgent);
@@ -52,7 +40,12 @@ test("the decal is dragged with the mouse, texels change under way, and undo giv
   const start = await settledHash();
   const from = await decalPlace();
   const mouse = () => site.driver.actions({ async: true });
-  const to = (x: number, y: number) => ({ origin: Origin.VIEWPORT, x: from.x + x, y: from.y + y, duration: 60 });
+  const to = (x: number, y: number) => ({
+    origin: Origin.VIEWPORT,
+    x: Math.round(from.x) + x,
+    y: Math.round(from.y) + y,
+    duration: 60,
+  });
   await mouse().move(to(0, 0)).press().move(to(20, -5)).move(to(40, -10)).perform();
   await site.driver.wait(() => site.evaluate(async (hash) => (await window.texelcast.hash()) !== hash, start), 60_000);
   await mouse().move(to(60, -15)).release().perform();

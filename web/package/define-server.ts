@@ -1,6 +1,6 @@
 /**
- * `texelcast/define` on a server, in Node and at an edge, for rendering there: there are no elements to register, so the tag is left as it is in the
- * markup and comes to life in the browser.
+ * `texelcast/define` on a server, in Node and at an edge, for rendering there: there are no elements to register, so the tag is left
+ * as it is in the markup and comes to life in the browser.
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 

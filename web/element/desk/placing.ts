@@ -108,9 +108,8 @@ async function putPicture(
 
 async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; bytes: Uint8Array }> {
   const { words, limits } = desk.settings;
-  if (source instanceof Uint8Array || source instanceof ArrayBuffer) {
-    return { name: "picture", bytes: new Uint8Array(source) };
-  }
+  if (source instanceof Uint8Array) return { name: "picture", bytes: source };
+  if (source instanceof ArrayBuffer) return { name: "picture", bytes: new Uint8Array(source) };
   if (source instanceof Blob) {
     const name = source instanceof File ? source.name : "picture";
     // Of a file that is too large nothing is read beyond what tells so.
