@@ -3,12 +3,12 @@ import type { ModelSource } from "./engine-api.ts";
 import { type GltfContainer, readContainer, writeGlb } from "./gltf-container.ts";
 import { extensionsUsed } from "./gltf-json.ts";
 import { type PackedGltf, packGltf } from "./gltf-packer.ts";
-import { COMPRESSION, INSTANCES } from "./model-extensions.ts";
+import { COMPRESSION, INSTANCES, NODE_VISIBILITY, SPECULAR_GLOSSINESS } from "./model-extensions.ts";
 import { BASISU_TEXTURE, findBaseTexture, imageBytes } from "./model-textures.ts";
 import { readPictureHeader } from "./picture-header.ts";
 
 /** What `readableModel` undoes. */
-const UNUSUAL: readonly string[] = [BASISU_TEXTURE, ...COMPRESSION, INSTANCES];
+const UNUSUAL: readonly string[] = [BASISU_TEXTURE, ...COMPRESSION, INSTANCES, NODE_VISIBILITY, SPECULAR_GLOSSINESS];
 
 export interface LoadedModel {
   readonly name: string;
@@ -16,10 +16,10 @@ export interface LoadedModel {
   readonly original: GltfContainer;
   /**
    * Self-contained, geometry compressed as in the file. Its materials, textures and images are the file's; what only KTX2 textures
-   * have, they have as PNG.
+   * have, they have as PNG, and what stood in KHR_materials_pbrSpecularGlossiness, as their base colour.
    */
   readonly packed: PackedGltf;
-  /** Self-contained and uncompressed, each instance of a mesh a node of its own. */
+  /** Self-contained and uncompressed, each instance of a mesh a node of its own, nothing on hidden nodes. */
   readonly glb: Uint8Array;
 }
 

@@ -17,7 +17,9 @@ import {
   objectAt,
 } from "./gltf-json.ts";
 import { packGltf } from "./gltf-packer.ts";
+import { SPECULAR_GLOSSINESS } from "./model-extensions.ts";
 import { TEXTURE_SOURCE_EXTENSIONS } from "./model-textures.ts";
+import { giveDiffuse, takeDiffuse } from "./specular-glossiness.ts";
 
 export interface TextureEdit {
   /** glTF material index; one past the last is the implied default material. */
@@ -34,13 +36,25 @@ export interface TextureEdit {
 export function writeModel(original: GltfContainer, edits: readonly TextureEdit[]): Uint8Array<ArrayBuffer> {
   const { json, binary } = packGltf(original);
   const editor = new BinaryEditor(json, binary, original.name);
-  for (const edit of edits) putTexture(json, editor, edit, original.name);
+  for (const edit of edits) {
+    const material = materialOf(json, edit.material, original.name);
+    takeDiffuse(material);
+    // One picture that stands in both places would count as two uses of it.
+    delete objectAt(objectAt(material, "extensions"), SPECULAR_GLOSSINESS)?.diffuseTexture;
+    putTexture(json, editor, material, edit, original.name);
+    giveDiffuse(material);
+  }
   dropUnusedTextureExtensions(json, original.name);
   return writeGlb(json, editor.finish(), original.extraChunks);
 }
 
-function putTexture(json: JsonObject, editor: BinaryEditor, edit: TextureEdit, name: string): void {
-  const material = materialOf(json, edit.material, name);
+function putTexture(
+  json: JsonObject,
+  editor: BinaryEditor,
+  material: JsonObject,
+  edit: TextureEdit,
+  name: string,
+): void {
   const pbr = memberOf(material, "pbrMetallicRoughness");
   const info = objectAt(pbr, "baseColorTexture");
   const textures = listForWriting(json, "textures", name);
