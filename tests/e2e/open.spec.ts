@@ -1,3 +1,4 @@
+import { zipSync } from "fflate";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
 import { ktx2File, ktx2Model, softPicture } from "../support/ktx2-file.ts";
 import { expect, test } from "./support/editor-page.ts";
@@ -181,6 +182,27 @@ test("opens a .gltf together with its side files, dropped without their folder",
     [20, 120, 130, 255],
   ]);
   await expect(editor.notices).toHaveCount(0);
+});
+
+test("opens a model that is zipped with its side files, and names it after the archive", async ({ editor, page }) => {
+  await editor.open();
+  const [gltf, ...sides] = squareGltf();
+  if (!gltf) throw new Error("There is no model.");
+  const inside = [["scene.gltf", gltf.buffer] as const, ...sides.map(({ name, buffer }) => [name, buffer] as const)];
+  const archive = file("red_board.zip", zipSync(Object.fromEntries(inside)));
+  await editor.openModel([archive]);
+  await expect(page.locator("tc-top-bar .models")).toContainText("red_board");
+  expect(await editor.textureSize()).toEqual({ width: 64, height: 64 });
+  await expect(editor.notices).toHaveCount(0);
+  const before = await editor.settledHash();
+  await editor.drop([file("cut.zip", archive.buffer.subarray(0, 200))], { x: 300, y: 400 });
+  await expect(editor.notices).toHaveAttribute("data-code", "bad-archive");
+  await expect(editor.notices).toContainText("cut.zip");
+  await editor.drop([file("sources.zip", zipSync({ "board.fbx": new Uint8Array(9) }))], { x: 300, y: 400 });
+  await expect(editor.notices.filter({ hasText: "There is no model, design or picture in sources.zip" })).toHaveCount(
+    1,
+  );
+  expect(await editor.settledHash()).toBe(before);
 });
 
 test("a picture dropped on the model is placed where it was dropped", async ({ editor, page }) => {

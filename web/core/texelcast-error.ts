@@ -28,7 +28,7 @@ export interface TexelcastErrorJson {
  * The one error type of Texelcast. `message` is a whole sentence for the user; `code` is for programs and stable: a
  * status name of the core in lower case with dashes ("no-uvs", "bad-model", "out-of-budget", …), or one of
  * "bad-picture", "bad-font", "bad-design", "unsupported", "bad-argument", "missing-file", "outside-folder", "cancelled",
- * "disposed", "engine-crashed", "engine-halted", "bad-container", "bad-project", "storage-full", "storage-refused",
+ * "disposed", "engine-crashed", "engine-halted", "bad-container", "bad-project", "bad-archive", "storage-full", "storage-refused",
  * "storage-conflict", "graphics-lost", "too-large", "unsafe-file", "refused", "too-many-decals".
  */
 export class TexelcastError extends Error {

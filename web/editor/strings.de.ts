@@ -35,7 +35,7 @@ export const german: Strings = {
     newFromTemplate: "Neu aus Vorlage…",
     newFromTemplateHint: "Ein leerer Skin oder ein Produkt",
     openModel: "Modell öffnen…",
-    openModelHint: ".glb oder .gltf mit allen Dateien",
+    openModelHint: ".glb oder .gltf mit allen Dateien, auch als .zip",
     openFolder: "Modellordner öffnen…",
     openFolderHint: ".gltf mit Texturen",
     undo: (step) => (step ? `Rückgängig: ${step}` : "Nichts rückgängig zu machen"),
@@ -67,7 +67,8 @@ export const german: Strings = {
     frame: "Das ganze Modell zeigen",
     play: "Animation abspielen",
     emptyTitle: "Öffne ein Modell",
-    emptyBody: "Eine .glb-Datei oder eine .gltf mit allen Dateien: Wähle sie oder zieh sie irgendwo auf diese Seite.",
+    emptyBody:
+      "Eine .glb-Datei oder eine .gltf mit allen Dateien, auch als .zip: Wähle sie oder zieh sie irgendwo auf diese Seite.",
     allHidden: "Alle Teile des Modells sind ausgeblendet.",
     dropModel: "Loslassen zum Öffnen",
     dropHint: "Ein Modell, ein Design oder ein Bild, genau dort, wo es hinsoll",
@@ -734,8 +735,10 @@ export const german: Strings = {
     twoModels: (first, second) => `Zwei Modelle kamen auf einmal: ${first} und ${second}.`,
     twoModelsHint: "Öffne ein Modell nach dem anderen.",
     unknownFile: (name) => `${name} ist kein Modell, Design oder Bild, das diese Seite kennt.`,
+    nothingZipped: (name) => `In ${name} ist kein Modell, Design oder Bild, das diese Seite kennt.`,
+    couldNotUnzip: () => "Das Archiv ließ sich nicht entpacken.",
     unknownFileHint:
-      "Modelle: .glb, .gltf. Bilder: .png, .jpg, .webp, .avif, .svg. Schriften: .ttf, .otf. Designs: .design.json. Projekte: .texelcast. Paletten: .gpl.",
+      "Modelle: .glb, .gltf, auch in einem .zip. Bilder: .png, .jpg, .webp, .avif, .svg. Schriften: .ttf, .otf. Designs: .design.json. Projekte: .texelcast. Paletten: .gpl.",
     partMissing: "Ein Teil dieser Seite, der dafür gebraucht wird, ließ sich nicht holen.",
     partMissingHint:
       "Prüfe die Verbindung und versuche es noch einmal. Hilft das nicht, lade die Seite neu, sobald die Verbindung steht.",

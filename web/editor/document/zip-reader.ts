@@ -26,6 +26,17 @@ export interface ZipLimits {
 
 export const ZIP_LIMITS: ZipLimits = { entries: 20_000, totalSize: 2 ** 31 - 1 };
 
+/** What is said of an archive that is refused. */
+export interface ZipTerms {
+  readonly code: string;
+  readonly hint: string;
+}
+
+const PROJECT_TERMS: ZipTerms = {
+  code: "bad-project",
+  hint: "Save the project again from the page that made it.",
+};
+
 const END_SIGNATURE = 0x06054b50;
 const DIRECTORY_SIGNATURE = 0x02014b50;
 const LOCAL_SIGNATURE = 0x04034b50;
@@ -33,21 +44,28 @@ const STORED = 0;
 const DEFLATED = 8;
 /** Deflate's best is 1032 to 1. */
 const MOST_RATIO = 1032;
+/** Names that are not said to be UTF-8, and are none, are in the PC's old letters (APPNOTE, D.1): from 128 on. */
+const OLD_LETTERS =
+  "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u00a0";
+const UTF8_NAME = 1 << 11;
 /** Compressed bytes fed at once: what a lying entry can inflate to beyond its size is at most 1032 times this. */
 const PIECE = 1 << 15;
 
-const HINT = "Save the project again from the page that made it.";
+/** `message` reads on from the entry's name where there is one. */
+type Refuse = (message: string, entry?: string, value?: string, cause?: unknown) => TexelcastError;
 
 export class ZipReader {
   readonly name: string;
   readonly entries: ReadonlyMap<string, ZipEntry>;
   readonly #bytes: Uint8Array;
+  readonly #refuse: Refuse;
 
-  /** @throws TexelcastError "bad-project" that names the archive and the entry at fault. */
-  constructor(bytes: Uint8Array, name: string, limits: ZipLimits = ZIP_LIMITS) {
+  /** @throws TexelcastError "bad-project", or as `terms` says, that names the archive and the entry at fault. */
+  constructor(bytes: Uint8Array, name: string, terms: ZipTerms = PROJECT_TERMS) {
     this.#bytes = bytes;
+    this.#refuse = (message, entry, value, cause) => zipError(name, message, entry, value, cause, terms);
     this.name = name;
-    this.entries = readDirectory(bytes, name, limits);
+    this.entries = readDirectory(bytes, this.#refuse, ZIP_LIMITS);
   }
 
   /**
@@ -58,9 +76,9 @@ export class ZipReader {
   read(entryName: string, maxSize: number): Uint8Array | undefined {
     const entry = this.entries.get(entryName);
     if (entry === undefined) return undefined;
-    const refuse = (message: string, value?: string) => zipError(this.name, message, entryName, value);
+    const refuse: Refuse = (message, _, value, cause) => this.#refuse(message, entryName, value, cause);
     if (entry.size > maxSize) {
-      throw refuse(`inflates to ${entry.size} bytes, the limit there is ${maxSize}`, `${entry.size} bytes`);
+      throw refuse(`inflates to ${entry.size} bytes, the limit there is ${maxSize}`, entryName, `${entry.size} bytes`);
     }
     const packed = this.#packed(entry);
     const bytes = entry.method === STORED ? packed.slice() : inflate(packed, entry.size, refuse);
@@ -70,7 +88,7 @@ export class ZipReader {
   }
 
   #packed(entry: ZipEntry): Uint8Array {
-    const refuse = (message: string) => zipError(this.name, message, entry.name);
+    const refuse: Refuse = (message) => this.#refuse(message, entry.name);
     const { offset, compressedSize } = entry;
     const view = viewOf(this.#bytes);
     if (offset + 30 > view.byteLength || view.getUint32(offset, true) !== LOCAL_SIGNATURE) {
@@ -82,14 +100,14 @@ export class ZipReader {
   }
 }
 
-function readDirectory(bytes: Uint8Array, archive: string, limits: ZipLimits): Map<string, ZipEntry> {
+function readDirectory(bytes: Uint8Array, refuse: Refuse, limits: ZipLimits): Map<string, ZipEntry> {
   const view = viewOf(bytes);
-  const end = findEnd(view, archive);
+  const end = findEnd(view, refuse);
   const count = view.getUint16(end + 10, true);
   const split = view.getUint16(end + 4, true) !== 0 || view.getUint16(end + 8, true) !== count;
-  if (split || count === 0xffff) throw zipError(archive, "the archive is split or too large for this page");
+  if (split || count === 0xffff) throw refuse("the archive is split or too large for this page");
   if (count > limits.entries) {
-    throw zipError(archive, `the archive has ${count} entries, the limit is ${limits.entries}`);
+    throw refuse(`the archive has ${count} entries, the limit is ${limits.entries}`);
   }
   const entries = new Map<string, ZipEntry>();
   const names = new Set<string>();
@@ -98,41 +116,41 @@ function readDirectory(bytes: Uint8Array, archive: string, limits: ZipLimits): M
   let total = 0;
   for (let index = 0; index < count; index++) {
     if (at + 46 > end || view.getUint32(at, true) !== DIRECTORY_SIGNATURE) {
-      throw zipError(archive, "the archive's directory is broken");
+      throw refuse("the archive's directory is broken");
     }
     const next =
       at + 46 + view.getUint16(at + 28, true) + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
-    if (next > end) throw zipError(archive, "the archive's directory is broken");
-    const entry = readEntry(bytes, view, at, archive);
+    if (next > end) throw refuse("the archive's directory is broken");
+    const entry = readEntry(bytes, view, at, refuse);
     at = next;
-    checkName(entry.name, names, archive);
-    checkSizes(entry, archive);
+    checkName(entry.name, names, refuse);
+    checkSizes(entry, refuse);
     packed += entry.compressedSize;
     total += entry.size;
     // Entries that share their bytes make a small archive inflate without end.
-    if (packed > bytes.length) throw zipError(archive, "shares its bytes with other entries", entry.name);
+    if (packed > bytes.length) throw refuse("shares its bytes with other entries", entry.name);
     if (total > limits.totalSize) {
       const message = `makes the archive inflate to more than ${limits.totalSize} bytes`;
-      throw zipError(archive, message, entry.name, `${entry.size} bytes`);
+      throw refuse(message, entry.name, `${entry.size} bytes`);
     }
     if (!entry.name.endsWith("/")) entries.set(entry.name, entry);
   }
   return entries;
 }
 
-function findEnd(view: DataView, archive: string): number {
+function findEnd(view: DataView, refuse: Refuse): number {
   const first = Math.max(0, view.byteLength - 22 - 0xffff);
   for (let at = view.byteLength - 22; at >= first; at--) {
     if (view.getUint32(at, true) === END_SIGNATURE) return at;
   }
-  throw zipError(archive, "this is no zip archive, or it is cut off");
+  throw refuse("this is no zip archive, or it is cut off");
 }
 
-function readEntry(bytes: Uint8Array, view: DataView, at: number, archive: string): ZipEntry {
+function readEntry(bytes: Uint8Array, view: DataView, at: number, refuse: Refuse): ZipEntry {
   const nameLength = view.getUint16(at + 28, true);
-  const name = decodeName(bytes.subarray(at + 46, at + 46 + nameLength), archive);
   const flags = view.getUint16(at + 8, true);
-  if ((flags & 1) !== 0) throw zipError(archive, "is encrypted", name);
+  const name = decodeName(bytes.subarray(at + 46, at + 46 + nameLength), (flags & UTF8_NAME) !== 0, refuse);
+  if ((flags & 1) !== 0) throw refuse("is encrypted", name);
   return {
     name,
     method: view.getUint16(at + 10, true),
@@ -143,40 +161,39 @@ function readEntry(bytes: Uint8Array, view: DataView, at: number, archive: strin
   };
 }
 
-function decodeName(bytes: Uint8Array, archive: string): string {
+function decodeName(bytes: Uint8Array, isUtf8: boolean, refuse: Refuse): string {
   try {
     return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   } catch (cause) {
-    throw zipError(archive, "an entry's name is not UTF-8 text", undefined, undefined, cause);
+    if (isUtf8) throw refuse("an entry's name is not UTF-8 text", undefined, undefined, cause);
+    return Array.from(bytes, (byte) => (byte < 128 ? String.fromCharCode(byte) : OLD_LETTERS[byte - 128])).join("");
   }
 }
 
-function checkName(name: string, names: Set<string>, archive: string): void {
+function checkName(name: string, names: Set<string>, refuse: Refuse): void {
   const parts = name.replace(/\/$/, "").split("/");
   const strange = parts.some((part) => part === "" || part === "." || part === "..");
   const control = [...name].some((character) => character < " " || character === "\\" || character === "\u007f");
-  if (strange || control || /^[a-z]:/i.test(name)) throw zipError(archive, "is not a path inside the archive", name);
+  if (strange || control || /^[a-z]:/i.test(name)) throw refuse("is not a path inside the archive", name);
   // File systems that fold case, or write letters apart from their accents, would take them for one.
   const folded = name.normalize("NFC").toLowerCase();
-  if (names.has(folded)) throw zipError(archive, "stands twice in the archive", name);
+  if (names.has(folded)) throw refuse("stands twice in the archive", name);
   names.add(folded);
 }
 
-function checkSizes({ name, method, size, compressedSize }: ZipEntry, archive: string): void {
+function checkSizes({ name, method, size, compressedSize }: ZipEntry, refuse: Refuse): void {
   if (size === 0xffffffff || compressedSize === 0xffffffff) {
-    throw zipError(archive, "has a 64-bit size, which is not read", name);
+    throw refuse("has a 64-bit size, which is not read", name);
   }
   if (method !== STORED && method !== DEFLATED) {
-    throw zipError(archive, `is compressed by method ${method}; only deflate is read`, name);
+    throw refuse(`is compressed by method ${method}; only deflate is read`, name);
   }
   const impossible = method === STORED ? size !== compressedSize : size > compressedSize * MOST_RATIO;
   if (impossible) {
     const message = `says it inflates from ${compressedSize} to ${size} bytes, which is not possible`;
-    throw zipError(archive, message, name, `${size} bytes`);
+    throw refuse(message, name, `${size} bytes`);
   }
 }
-
-type Refuse = (message: string) => TexelcastError;
 
 function inflate(packed: Uint8Array, size: number, refuse: Refuse): Uint8Array {
   const bytes = new Uint8Array(size);
@@ -191,9 +208,7 @@ function inflate(packed: Uint8Array, size: number, refuse: Refuse): Uint8Array {
       inflater.push(packed.subarray(at, at + PIECE), at + PIECE >= packed.length);
     }
   } catch (thrown) {
-    throw TexelcastError.wrap(thrown, "bad-project", refuse("is damaged").message, {
-      ...refuse("is damaged").toJSON(),
-    });
+    throw thrown instanceof TexelcastError ? thrown : refuse("is damaged", undefined, undefined, thrown);
   }
   return bytes.subarray(0, length);
 }
@@ -207,12 +222,13 @@ export function zipError(
   entry?: string,
   value?: string,
   cause?: unknown,
+  terms: ZipTerms = PROJECT_TERMS,
 ): TexelcastError {
-  return new TexelcastError("bad-project", entry === undefined ? message : `${JSON.stringify(entry)} ${message}`, {
+  return new TexelcastError(terms.code, entry === undefined ? message : `${JSON.stringify(entry)} ${message}`, {
     subject: archive,
     ...(entry !== undefined && { field: entry }),
     ...(value !== undefined && { value }),
-    hint: HINT,
+    hint: terms.hint,
     cause,
   });
 }

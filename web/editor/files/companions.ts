@@ -1,7 +1,7 @@
 /** Files that came together: one names another by a relative address. */
 import type { CollectedFile } from "./file-collection.ts";
 
-export async function bytesOf(file: Blob): Promise<Uint8Array> {
+export async function bytesOf(file: Blob): Promise<Uint8Array<ArrayBuffer>> {
   return new Uint8Array(await file.arrayBuffer());
 }
 

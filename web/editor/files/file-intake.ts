@@ -9,6 +9,8 @@ import type { CollectedFile } from "./file-collection.ts";
 
 export interface Intake {
   readonly model?: ModelSource;
+  /** What the model is called: the name of its file, or of its folder where many models' files have that name. */
+  readonly title?: string;
   readonly design?: CollectedFile;
   /** A project in one file, which has its design and mostly its model inside. */
   readonly project?: CollectedFile;
@@ -22,6 +24,8 @@ export interface Intake {
   readonly companions: readonly CollectedFile[];
 }
 
+/** What is opened first, and is then the files that are in it. */
+export const ARCHIVE = /\.zip$/i;
 const MODEL = /\.(glb|gltf)$/i;
 const PICTURE = /\.(png|jpe?g|jfif|webp|avif|svgz?)$/i;
 const FONT = /\.(ttf|otf|ttc|otc|woff2?)$/i;
@@ -54,7 +58,7 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
     });
   }
   return {
-    ...(read && { model: read.model }),
+    ...(read && { model: read.model, title: titleOf(read.model.name, modelFile.path) }),
     ...(design && { design }),
     ...(project && { project }),
     pictures,
@@ -67,6 +71,13 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
 /** Beside a model, and not its own: in a folder lie previews and sources of its textures that it does not name either. */
 function isBeside(file: CollectedFile, own: ReadonlySet<CollectedFile>): boolean {
   return !own.has(file) && !file.path.includes("/");
+}
+
+/** Libraries of models call each of them so, in a folder or an archive that has its name. */
+const NAMELESS = /^(scene|model)\.(glb|gltf)$/i;
+
+function titleOf(name: string, path: string): string {
+  return (NAMELESS.test(name) && path.split("/").at(-2)) || name;
 }
 
 interface ReadModel {

@@ -1,8 +1,9 @@
-/** Packs and unpacks projects beside the page's thread. */
+/** Packs and unpacks projects and archives beside the page's thread. */
 
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
+import type { UnzippedFile } from "./archive-files.ts";
 import type { ProjectAnswer, ProjectToPack, ProjectWork, UnpackedProject } from "./project-packing.ts";
 
 /**
@@ -40,6 +41,19 @@ export async function unpackInWorker(
   );
   if ("unpacked" in answer) return answer.unpacked;
   throw new ToldError("internal", strings.projects.unpackerFailed(""), { subject: fileName });
+}
+
+/** What `unzipFiles` finds in an archive. Rejects as `packInWorker`, with what is wrong with the archive. */
+export async function unzipInWorker(
+  bytes: Uint8Array<ArrayBuffer>,
+  path: string,
+  signal: AbortSignal,
+  strings: Strings,
+): Promise<readonly UnzippedFile[]> {
+  const { couldNotUnzip: failed, cancelled } = strings.errors;
+  const answer = await askWorker({ unzip: { bytes, path } }, path, { failed, cancelled }, signal);
+  if ("unzipped" in answer) return answer.unzipped;
+  throw new ToldError("internal", failed(""), { subject: path });
 }
 
 async function askWorker(

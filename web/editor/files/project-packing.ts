@@ -1,6 +1,7 @@
-/** What the page and the worker that packs and unpacks project files say to each other. */
+/** What the page and the worker that packs and unpacks projects and archives say to each other. */
 import type { TexelcastErrorJson } from "../../core/texelcast-error.ts";
 import { type ProjectFile, type ProjectToWrite, readProjectFile, writeProjectFile } from "../document/index.ts";
+import type { UnzippedFile } from "./archive-files.ts";
 import { decodeDataUri } from "./data-uri.ts";
 
 /** A project whose pictures and fonts are inside the design, as `data:` URIs. */
@@ -14,12 +15,14 @@ export interface UnpackedProject extends Omit<ProjectFile, "assetBytes"> {
 
 export type ProjectWork =
   | { readonly pack: ProjectToPack }
-  | { readonly unpack: { readonly bytes: Uint8Array; readonly fileName: string } };
+  | { readonly unpack: { readonly bytes: Uint8Array; readonly fileName: string } }
+  | { readonly unzip: { readonly bytes: Uint8Array<ArrayBuffer>; readonly path: string } };
 
 /** A function cannot be sent, so each kind of work has its own answer. */
 export type ProjectAnswer =
   | { readonly packed: Uint8Array<ArrayBuffer> }
   | { readonly unpacked: UnpackedProject }
+  | { readonly unzipped: readonly UnzippedFile[] }
   | { readonly error: TexelcastErrorJson };
 
 /** Throws a TexelcastError that names the asset which could not be read. */

@@ -14,7 +14,8 @@ import {
 } from "../files/demo-catalogue.ts";
 import { download, fileNameOf, fileStem } from "../files/download.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
-import { type Intake, sortFiles } from "../files/file-intake.ts";
+import { ARCHIVE, type Intake, sortFiles } from "../files/file-intake.ts";
+import { unzipInWorker } from "../files/project-client.ts";
 import { noteRead } from "../storage/packed-project.ts";
 import type { ProjectContent } from "../storage/project.ts";
 import { ToldError } from "../strings/told-error.ts";
@@ -103,7 +104,7 @@ export class FileCommands {
       if (collected.length === 0) return;
       const [first] = collected;
       name = collected.length === 1 ? (first?.file.name ?? "") : board.strings.files.several(collected.length);
-      const sorted = await sortFiles(collected, board.strings);
+      const sorted = await sortFiles(await this.#unzipped(collected), board.strings);
       if (this.#parts.admission && (sorted.model || sorted.design || sorted.project)) throw this.#notHere(collected);
       if (sorted.palette) await this.#parts.palettes().open(sorted.palette.file);
       await this.#useSorted(sorted, name, hit);
@@ -112,13 +113,38 @@ export class FileCommands {
     }
   }
 
+  /** Archives as the files that are in them. */
+  async #unzipped(collected: readonly CollectedFile[]): Promise<readonly CollectedFile[]> {
+    const { board, tasks } = this.#parts;
+    const { errors, tasks: words } = board.strings;
+    const files: CollectedFile[] = [];
+    for (const each of collected) {
+      if (!ARCHIVE.test(each.path)) {
+        files.push(each);
+        continue;
+      }
+      const { name } = each.file;
+      const bytes = await bytesOf(each.file);
+      const unzipped = await tasks.run(words.opening(name), ({ signal }) =>
+        unzipInWorker(bytes, each.path, signal, board.strings),
+      );
+      if (unzipped.length === 0) {
+        throw new ToldError("unsupported", errors.nothingZipped(name), { subject: name, hint: errors.unknownFileHint });
+      }
+      for (const { path, bytes: content } of unzipped) {
+        files.push({ path, file: new File([content], path.slice(path.lastIndexOf("/") + 1)) });
+      }
+    }
+    return files;
+  }
+
   /** @param name what a refusal names where it is about no file alone */
   async #useSorted(sorted: Intake, name: string, hit: SurfaceHit | null): Promise<void> {
     const { model, design, project } = sorted;
     const named = project ? project.file.name : model && design ? model.name : name;
     try {
       if (project) {
-        const own = model && { source: model, title: model.name, demoId: null };
+        const own = model && { source: model, title: sorted.title ?? model.name, demoId: null };
         await this.#parts.projects().openFile(named, await bytesOf(project.file), own);
       } else {
         await this.#openSorted(sorted, hit);
@@ -128,12 +154,17 @@ export class FileCommands {
     }
   }
 
-  async #openSorted({ model, design, pictures, fonts, companions }: Intake, hit: SurfaceHit | null): Promise<void> {
+  async #openSorted(
+    { model, title, design, pictures, fonts, companions }: Intake,
+    hit: SurfaceHit | null,
+  ): Promise<void> {
     const { library } = this.#parts;
     const opened = design && (await this.#readDesign(design, companions));
     try {
-      if (model) await this.#openModel({ source: model, title: model.name, demoId: null }, opened ?? emptyDesign());
-      else if (opened && design) this.#takeDesign(opened, design.file.name);
+      if (model) {
+        const ref = { source: model, title: title ?? model.name, demoId: null };
+        await this.#openModel(ref, opened ?? emptyDesign());
+      } else if (opened && design) this.#takeDesign(opened, design.file.name);
     } finally {
       library.release(Object.values(opened?.assets ?? {}));
     }

@@ -100,6 +100,10 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
     `${named(error, "Das Projekt")} ist beschädigt oder kein Projekt.`,
     "Nimm eine andere Sicherung dieser Datei.",
   ],
+  "bad-archive": (error) => [
+    `${named(error, "Das Archiv")} ist beschädigt oder zu groß.`,
+    "Entpacke es, und öffne die Dateien daraus.",
+  ],
   "bad-zones": (error) =>
     error.reason === "no-surface"
       ? [

@@ -2,9 +2,9 @@
 import { PICTURES } from "./file-picker.ts";
 
 export const ACCEPT = {
-  model: ".glb,.gltf,.texelcast,.bin,.png,.jpg,.jpeg,.webp,.avif",
+  model: ".glb,.gltf,.zip,.texelcast,.bin,.png,.jpg,.jpeg,.webp,.avif",
   picture: PICTURES,
   font: ".ttf,.otf,font/ttf,font/otf",
-  design: ".json,.texelcast,.png,.jpg,.jpeg,.webp,.avif,.svg,.ttf,.otf",
-  any: ".texelcast,.glb,.gltf,.bin,.json,.png,.jpg,.jpeg,.webp,.avif,.svg",
+  design: ".json,.texelcast,.zip,.png,.jpg,.jpeg,.webp,.avif,.svg,.ttf,.otf",
+  any: ".texelcast,.zip,.glb,.gltf,.bin,.json,.png,.jpg,.jpeg,.webp,.avif,.svg",
 } as const;
