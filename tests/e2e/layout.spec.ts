@@ -1,7 +1,7 @@
 import { expect, test } from "./support/editor-page.ts";
 import { lookAlike } from "./support/look-alike.ts";
 import { readPng } from "./support/read-png.ts";
-import { file } from "./support/test-files.ts";
+import { file, squareGlb } from "./support/test-files.ts";
 
 test.describe("on a phone", () => {
   test.use({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
@@ -297,6 +297,10 @@ test("the first steps go on by themselves with what is done, and wait for what i
   await page.keyboard.press("Control+z");
   const flower = await editor.addDemoDecal("flower");
   await expect(title).toHaveText("Drag it where it should go");
+  await editor.openModel([squareGlb()]);
+  await expect(title, "where nothing is to be dragged").toHaveText("Choose a picture");
+  await page.keyboard.press("Control+z");
+  await expect(title).toHaveText("Drag it where it should go");
   await moved(flower);
   await expect(title).toHaveText("Take it with you");
   await page.keyboard.press("Control+z");
@@ -316,6 +320,23 @@ test("a notice has the place of the first steps' card to itself, which is back w
   await expect(card).toBeHidden();
   await editor.notices.locator(".dismiss").click();
   await expect(card).toBeVisible();
+});
+
+test("several notices leave most of a phone free, and are read one after the other", async ({ editor, page }) => {
+  await editor.open();
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const name of ["one.glb", "two.glb", "three.glb"]) {
+    await editor.drop([file(name, "this is no model")], { x: 200, y: 200 });
+    await expect(editor.notices.filter({ hasText: name })).toHaveCount(1);
+  }
+  const read = (name: string) => editor.notices.filter({ hasText: name }).locator("p").first();
+  const [all] = await editor.places(page.locator("tc-notice-stack .alerts"));
+  expect(all.height).toBeLessThan(844 / 3);
+  await expect(read("three.glb")).toBeVisible();
+  await expect(read("two.glb")).toBeHidden();
+  await editor.notices.filter({ hasText: "three.glb" }).locator(".dismiss").click();
+  await expect(read("two.glb")).toBeVisible();
+  await expect(read("one.glb")).toBeHidden();
 });
 
 test.describe("on a tablet", () => {

@@ -276,8 +276,9 @@ export class Workbench extends EditorElement {
     this.#endFingers();
   }
 
-  protected watched({ view, model, animation, history }: EditorState): readonly unknown[] {
-    return [view.layout, model === null, animation.clip === null, this.#hintsDone(history)];
+  protected watched({ view, model, animation, history, design }: EditorState): readonly unknown[] {
+    const isBare = design.layers.length === 0;
+    return [view.layout, model === null, animation.clip === null, this.#hintsDone(history), isBare];
   }
 
   /** Of the first steps: a picture or words were added; and moved. */
@@ -356,7 +357,7 @@ export class Workbench extends EditorElement {
             ? html`<tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>`
             : html`<tc-stage .editor=${editor} @templates=${this.#templates}><slot name="view" slot="view"></slot></tc-stage>`
         }
-        <tc-notice-stack .editor=${editor}></tc-notice-stack>
+        <tc-notice-stack .editor=${editor} ?compact=${compact}></tc-notice-stack>
         ${compact || this.#hintBesideViews ? nothing : this.#hint()}
         ${
           split
@@ -377,7 +378,7 @@ export class Workbench extends EditorElement {
 
   #hint(): TemplateResult | typeof nothing {
     return this.state.model && !this.embedded
-      ? html`<tc-first-hint .words=${this.strings.hint} .done=${this.#hintsDone(this.state.history)} ?compact=${this.compact || this.#hintBesideViews}></tc-first-hint>`
+      ? html`<tc-first-hint .words=${this.strings.hint} .done=${this.#hintsDone(this.state.history)} .bare=${this.state.design.layers.length === 0} ?compact=${this.compact || this.#hintBesideViews}></tc-first-hint>`
       : nothing;
   }
 

@@ -9,18 +9,24 @@ import { icon } from "../ui/icon.ts";
 import { RemElement } from "../ui/rem-element.ts";
 import { plainControls } from "../ui/theme.ts";
 
+const CHOOSE = 0;
+const DRAG = 1;
+
 const SEEN = "texelcast-hint-seen";
 
 export class FirstHint extends RemElement {
   static override properties = {
     words: { attribute: false },
     done: { attribute: false },
+    bare: { attribute: false },
     step: { state: true },
     seen: { state: true },
   };
   declare words: Strings["hint"];
   /** How many of the steps the user has taken without being told. */
   declare done: number;
+  /** There is nothing to drag: the model has no layers. */
+  declare bare: boolean;
   declare step: number;
   declare seen: boolean;
 
@@ -117,6 +123,7 @@ export class FirstHint extends RemElement {
   constructor() {
     super();
     this.done = 0;
+    this.bare = false;
     this.step = 0;
     this.seen = wasSeen();
   }
@@ -125,11 +132,17 @@ export class FirstHint extends RemElement {
     if (changed.has("done")) this.step = Math.max(this.step, this.done);
   }
 
+  /** Another model may have come after a picture was chosen for the one before. */
+  get #shown(): number {
+    return this.bare && this.step === DRAG ? CHOOSE : this.step;
+  }
+
   override render(): TemplateResult | typeof nothing {
-    const current = this.words.steps[this.step];
+    const shown = this.#shown;
+    const current = this.words.steps[shown];
     if (this.seen || !current) return nothing;
     const [title, body] = current;
-    const isLast = this.step === this.words.steps.length - 1;
+    const isLast = shown === this.words.steps.length - 1;
     return html`
       <section aria-label=${this.words.label}>
         <header>
@@ -140,7 +153,7 @@ export class FirstHint extends RemElement {
         </header>
         <p aria-live="polite">${body}</p>
         <footer>
-          <span>${this.words.place(this.step + 1, this.words.steps.length)}</span>
+          <span>${this.words.place(shown + 1, this.words.steps.length)}</span>
           <button id="next" @click=${isLast ? this.#close : this.#next}>${isLast ? this.words.done : this.words.next}</button>
         </footer>
       </section>
@@ -149,6 +162,7 @@ export class FirstHint extends RemElement {
 
   readonly #next = (): void => {
     this.step += 1;
+    if (this.#shown < this.step) this.step += 1;
   };
 
   readonly #close = (): void => {

@@ -64,6 +64,17 @@ export class NoticeStack extends EditorElement {
         overflow-wrap: anywhere;
         line-height: 1.45;
       }
+      /* Three in full would cover a phone: those before the newest are their headings until it is closed. */
+      :host([compact]) .notice:not(:last-child) {
+        align-items: center;
+        padding-block: var(--space-1);
+      }
+      :host([compact]) .notice:not(:last-child) .words > :not(h2) {
+        display: none;
+      }
+      :host([compact]) .notice:not(:last-child) .dismiss {
+        margin-block: 0;
+      }
       .where {
         color: var(--text-quiet);
         font-size: var(--text-small);
