@@ -1,6 +1,7 @@
 /** A Chromium for the end-to-end tests. */
 import { existsSync } from "node:fs";
 import { createRequire } from "node:module";
+import { join } from "node:path";
 import { isProgram, onPath } from "./system.mjs";
 
 /** @type {import("./system.mjs").Need} */
@@ -21,7 +22,30 @@ export const chromium = {
 export function findChromium() {
   const named = process.env.TEXELCAST_CHROMIUM;
   if (named) return isProgram(named) ? named : null;
-  return onPath("chromium", "chromium-browser", "google-chrome", "google-chrome-stable") ?? playwrightsOwn();
+  const onItsPath = onPath("chromium", "chromium-browser", "google-chrome", "google-chrome-stable");
+  return onItsPath ?? chromiumPlaces().find(isProgram) ?? playwrightsOwn();
+}
+
+/**
+ * Where installers put it on systems whose PATH does not lead there.
+ * @param {string} [platform] @param {NodeJS.ProcessEnv} [env]
+ */
+export function chromiumPlaces(platform = process.platform, env = process.env) {
+  if (platform === "darwin") {
+    return ["Google Chrome", "Chromium", "Microsoft Edge"].map(
+      (name) => `/Applications/${name}.app/Contents/MacOS/${name}`,
+    );
+  }
+  if (platform !== "win32") return [];
+  const folders = [env.ProgramFiles, env["ProgramFiles(x86)"], env.LOCALAPPDATA].filter(
+    (folder) => folder !== undefined,
+  );
+  const programs = [
+    ["Google", "Chrome", "Application", "chrome.exe"],
+    ["Chromium", "Application", "chrome.exe"],
+    ["Microsoft", "Edge", "Application", "msedge.exe"],
+  ];
+  return programs.flatMap((parts) => folders.map((folder) => join(folder, ...parts)));
 }
 
 /**

@@ -33,10 +33,11 @@ export function run(program, args, { cwd = ROOT, env = process.env, shell = fals
 
 /**
  * Runs a short program and gives its output, or null where it is missing or fails.
- * @param {string} program @param {readonly string[]} args @param {NodeJS.ProcessEnv} [env]
+ * @param {string} program @param {readonly string[]} args words without spaces @param {NodeJS.ProcessEnv} [env]
+ * @param {boolean} [shell] without one, Windows starts no .bat; to it, a folder with a space is two words unless quoted
  */
-export function outputOf(program, args, env = process.env) {
-  const result = spawnSync(program, args, { cwd: ROOT, env, encoding: "utf8", shell: process.platform === "win32" });
+export function outputOf(program, args, env = process.env, shell = process.platform === "win32") {
+  const result = spawnSync(shell ? `"${program}"` : program, args, { cwd: ROOT, env, encoding: "utf8", shell });
   return result.status === 0 ? result.stdout.trim() : null;
 }
 

@@ -1,8 +1,10 @@
 import { mkdirSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
+import { chromiumPlaces } from "../../scripts/bootstrap/chromium.mjs";
 import { findFirefox, whyNoFirefox } from "../../scripts/bootstrap/firefox.mjs";
 import { inRoot } from "../../scripts/bootstrap/paths.mjs";
 import { Progress } from "../../scripts/bootstrap/progress.mjs";
+import { outputOf } from "../../scripts/bootstrap/run.mjs";
 import { stampedStep } from "../../scripts/bootstrap/stamps.mjs";
 import { howToInstall } from "../../scripts/bootstrap/system.mjs";
 import { findWebkitDriver, whyNoWebkit } from "../../scripts/bootstrap/webkit.mjs";
@@ -116,4 +118,29 @@ test("without a Firefox to drive, the reason says what to install", () => {
   expect(whyNoFirefox()).toContain("- Firefox, for the page's tests in it");
   expect(whyNoFirefox()).toContain("sudo apt-get install --no-install-recommends firefox-esr");
   vi.unstubAllEnvs();
+});
+
+describe("a program that is asked for its version", () => {
+  beforeEach(() => mkdirSync(inRoot(FOLDER, "Program Files"), { recursive: true }));
+  afterEach(cleanUp);
+
+  test("may lie in a folder whose name has a space, also where a shell starts it", () => {
+    const program = inRoot(FOLDER, "Program Files", "cmake");
+    writeFileSync(program, '#!/bin/sh\necho "cmake $1"\n', { mode: 0o755 });
+    expect(outputOf(program, ["--version"], process.env, true)).toBe("cmake --version");
+    expect(outputOf(program, ["--version"], process.env, false)).toBe("cmake --version");
+  });
+});
+
+describe("an installed Chrome that no PATH leads to", () => {
+  test("is looked for where macOS and Windows put it", () => {
+    expect(chromiumPlaces("darwin", {})[0]).toBe("/Applications/Google Chrome.app/Contents/MacOS/Google Chrome");
+    const places = chromiumPlaces("win32", {
+      ProgramFiles: "C:/Program Files",
+      LOCALAPPDATA: "C:/Users/a/AppData/Local",
+    });
+    expect(places).toHaveLength(6);
+    expect(places[0]).toBe("C:/Program Files/Google/Chrome/Application/chrome.exe");
+    expect(places.at(-1)).toBe("C:/Users/a/AppData/Local/Microsoft/Edge/Application/msedge.exe");
+  });
 });
