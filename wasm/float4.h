@@ -105,9 +105,11 @@ inline Float4 square_root(Float4 a) {
 
 #if defined(__wasm_simd128__)
 // Clang 14 turns "widen, then convert" into four conversions lane by lane (which cost a drag a third of its time) unless
-// something stands between the two.
+// something stands between the two. From 16 on it makes one of them, and 19 ends with an error of its own where something does.
 inline Float4 convert_widened(v128_t integers) {
+#if __clang_major__ < 16
     asm("" : "+r"(integers));
+#endif
     return reinterpret_cast<Float4>(wasm_f32x4_convert_i32x4(integers));
 }
 #endif
