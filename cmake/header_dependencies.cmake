@@ -3,6 +3,7 @@
 # Why not find_package: where they are installed in /usr/include it adds `-isystem /usr/include`, and the cross build then
 # reads the host's C library headers. Where a library is not installed, its pinned release is fetched.
 include(FetchContent)
+include(mend_rapidjson)
 set(TEXELCAST_DEPS_INCLUDE ${CMAKE_SOURCE_DIR}/build/deps/include)
 set(TEXELCAST_INCLUDE_HINTS /usr/include /usr/local/include /opt/homebrew/include /opt/local/include)
 
@@ -50,6 +51,7 @@ function(texelcast_header_dependency target)
             # Its last release, 1.1.0 of 2016, is not C++20: a commit that package managers build.
             texelcast_provide(rapidjson rapidjson/document.h rapidjson include https://github.com/Tencent/rapidjson.git
                               24b5e7a8b27f42fa16b96fc70aade9106cf7102f)
+            texelcast_mend_rapidjson(${TEXELCAST_DEPS_INCLUDE}/rapidjson)
         elseif(name STREQUAL "doctest")
             texelcast_provide(doctest doctest/doctest.h doctest . https://github.com/doctest/doctest.git v2.4.11)
         else()

@@ -1,0 +1,45 @@
+import { execFileSync } from "node:child_process";
+import { lstatSync, mkdirSync, readFileSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { afterEach, beforeEach, describe, expect, it } from "vitest";
+import { inRoot } from "../../scripts/bootstrap/paths.mjs";
+
+const FOLDER = inRoot("build/test-mended-headers");
+const INSTALLED = `${FOLDER}/usr/include/rapidjson`;
+const LINK = `${FOLDER}/deps/rapidjson`;
+
+const AROUND = ["#if A[1] /* ; \\ $B{} */", "#endif"] as const;
+const header = (line: string): string => `${AROUND[0]}\n    ${line}\n${AROUND[1]}\n`;
+const BROKEN = header("GenericStringRef& operator=(const GenericStringRef& rhs) { s = rhs.s; length = rhs.length; }");
+const MENDED = header("GenericStringRef& operator=(const GenericStringRef& rhs) = delete;");
+
+function mend(): void {
+  execFileSync("cmake", [`-DFOLDER=${LINK}`, "-P", inRoot("cmake/mend_rapidjson.cmake")]);
+}
+
+const read = (file: string): string => readFileSync(file, "utf8");
+
+describe("an installed RapidJSON", () => {
+  const cleanUp = (): void => rmSync(FOLDER, { recursive: true, force: true });
+  beforeEach(() => {
+    cleanUp();
+    mkdirSync(INSTALLED, { recursive: true });
+    mkdirSync(`${FOLDER}/deps`);
+    writeFileSync(`${INSTALLED}/reader.h`, "reader");
+    symlinkSync(INSTALLED, LINK);
+  });
+  afterEach(cleanUp);
+
+  it("that new compilers refuse is replaced by a copy that they take, and stays as it was itself", () => {
+    writeFileSync(`${INSTALLED}/document.h`, BROKEN);
+    mend();
+    mend();
+    expect([read(`${LINK}/document.h`), read(`${LINK}/reader.h`)]).toEqual([MENDED, "reader"]);
+    expect(read(`${INSTALLED}/document.h`)).toBe(BROKEN);
+  });
+
+  it("that has nothing to mend is used where it lies", () => {
+    writeFileSync(`${INSTALLED}/document.h`, MENDED);
+    mend();
+    expect(lstatSync(LINK).isSymbolicLink()).toBe(true);
+  });
+});
