@@ -282,6 +282,32 @@ test("words can be put on a product before the dialog that it stands in is opene
   expect(sides?.every((side) => side > 0 && side < 1)).toBe(true);
 });
 
+test("what is handed in was told as a change before, with the words that were still being typed", async ({ page }) => {
+  await openShop(page);
+  const editor = page.locator("texelcast-editor");
+  const words = editor.getByRole("textbox", { name: "Words" });
+  await editor.evaluate((element: HTMLElementTagNameMap["texelcast-editor"]) => element.addText("First"));
+  await words.focus();
+  await page.keyboard.type("Then");
+  const { order, same } = await editor.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => {
+    const order: string[] = [];
+    let newest = "";
+    element.addEventListener("change", ({ detail: { design } }) => {
+      newest = JSON.stringify(design);
+      order.push("change");
+    });
+    element.addEventListener("submit", () => order.push("submit"));
+    const { design } = await element.submit();
+    const same = newest === JSON.stringify(design);
+    // What would still be told comes with the next: they are told one after the other.
+    await element.addText("Later");
+    await element.submit();
+    return { order, same };
+  });
+  expect(order).toEqual(["change", "submit", "change", "submit"]);
+  expect(same).toBe(true);
+});
+
 test("pressed again while its font is slow, a text comes once, and is ready to be typed over", async ({ page }) => {
   let deliver = (): void => {};
   const delivered = new Promise<void>((resolve) => {

@@ -72,7 +72,7 @@ describe("what is handed in", () => {
   it("holds the words whose typing ended with the press on the button, in the design and the texture alike", async () => {
     const { desk, texts, mode, measured } = deskWithText();
     void texts.change("words", { text: "Ada" }, true);
-    const handedIn = submitDetail(mode);
+    const handedIn = submitDetail(mode, async () => undefined);
     measured();
     const detail = await handedIn;
     expect(wordsOf(detail.design.layers)).toEqual(["Ada"]);
@@ -84,7 +84,7 @@ describe("what is handed in", () => {
     const { desk, texts, mode, measured } = deskWithText();
     void texts.change("words", { text: "Grace" }, false);
     measured();
-    const detail = await submitDetail(mode);
+    const detail = await submitDetail(mode, async () => undefined);
     expect(wordsOf(detail.design.layers)).toEqual(["Grace"]);
     expect(detail.texture.sha256).toContain('"Grace"');
     desk.travel(-1);
@@ -99,7 +99,7 @@ describe("what is handed in", () => {
   it("is made anew where the customer goes on while it is printed", async () => {
     const { desk, mode, whilePrinting } = deskWithText();
     whilePrinting(() => desk.change<TextLayer>("words", { text: "Second thoughts" }, true));
-    const detail = await submitDetail(mode);
+    const detail = await submitDetail(mode, async () => undefined);
     expect(wordsOf(detail.design.layers)).toEqual(["Second thoughts"]);
     expect(detail.texture.sha256).toContain('"Second thoughts"');
   });

@@ -42,6 +42,8 @@ export class Work {
   readonly #taken = new Map<"design" | "zones", Promise<void>>();
   #view: HTMLElement | null = null;
   #changeTimer: ReturnType<typeof setTimeout> | undefined;
+  #untold = false;
+  #telling = Promise.resolve();
   #exports: DesignExport | null = null;
 
   constructor({ element, voice, idle }: WorkParts) {
@@ -147,7 +149,7 @@ export class Work {
   async submit(): Promise<SubmitDetail> {
     const mode = await this.atDesk();
     const { submitDetail } = await import("./desk/hand-over.ts");
-    const detail = await submitDetail(mode);
+    const detail = await submitDetail(mode, () => this.#tellChange());
     if (sendEvent(this.#element, "submit", detail)) this.#voice.announce(this.#voice.words.submitted);
     return detail;
   }
@@ -274,7 +276,18 @@ export class Work {
 
   #changed(): void {
     clearTimeout(this.#changeTimer);
-    this.#changeTimer = setTimeout(() => void this.#voice.told(this.#sendChange(true)), CHANGE_REST);
+    this.#changeTimer = setTimeout(() => this.#tellChange(), CHANGE_REST);
+    this.#untold = true;
+  }
+
+  /** Tells what has not been told of the design, without a rest; what is being told already is waited for. */
+  #tellChange(): Promise<void> {
+    if (this.#untold) {
+      clearTimeout(this.#changeTimer);
+      this.#untold = false;
+      this.#telling = this.#voice.told(this.#sendChange(true));
+    }
+    return this.#telling;
   }
 
   /** A design that was brought along is measured for its badges, and is no change. */

@@ -22,8 +22,9 @@ export async function changeDetail(mode: AtDesk, exports: DesignExport): Promise
 /**
  * The design, the texture and the report of one moment: what was typed or dragged up to the call is in it, and where the user
  * goes on meanwhile all is made anew. Rejects with "cancelled" where the desk is closed.
+ * @param tellChange tells the page of the newest change: what it takes for approved must be the last that it heard of
  */
-export async function submitDetail(mode: AtDesk): Promise<SubmitDetail> {
+export async function submitDetail(mode: AtDesk, tellChange: () => Promise<void>): Promise<SubmitDetail> {
   const { desk } = mode;
   for (;;) {
     await mode.idle();
@@ -33,6 +34,7 @@ export async function submitDetail(mode: AtDesk): Promise<SubmitDetail> {
     const print = printOptions(mode, {}, desk.settings);
     const texture = await exportTexture(mode, print);
     const report = desk.zones === null ? null : await printReport(mode);
+    await tellChange().catch(() => undefined);
     if (desk.design === design && desk.atRest) return { ...exported, print, texture, report };
   }
 }
