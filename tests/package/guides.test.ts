@@ -12,8 +12,10 @@ import { type DesignsServer, startDesignsServer } from "./support/designs-server
 import { STORY_FILES } from "./support/engine-story.ts";
 import { guideFiles, looseFences } from "./support/guide.ts";
 import { addShopFiles, type InstalledPackage, installPackage } from "./support/installed.ts";
-import { personalise } from "./support/personalise.ts";
+import { customer, personalise } from "./support/personalise.ts";
 import {
+  holdBack,
+  makeGate,
   openBrowser,
   openPage,
   passOn,
@@ -29,6 +31,8 @@ vi.setConfig({ testTimeout: 120_000, hookTimeout: 120_000 });
 
 const FILES = guideFiles();
 const VARIANT = 4471;
+const LOGO_HASH = createHash("sha256").update(STORY_FILES["logo.png"]).digest("hex");
+const NOBODY = "00000000-0000-4000-8000-000000000000";
 const WOO_PRODUCT = "17";
 
 let installed: InstalledPackage;
@@ -37,6 +41,9 @@ let designs: DesignsServer;
 let shop: StaticServer;
 /** The editor's page has an origin of its own. */
 let editor: StaticServer;
+/** The web server's way to the guide's server. */
+let below: Route;
+let mayBeSaved = Promise.resolve();
 /** Bodies that came to the platforms' carts. */
 const carted: unknown[] = [];
 
@@ -67,7 +74,14 @@ beforeAll(async () => {
   const { folder } = installed;
   addShopFiles(folder, { ...STORY_FILES, ...FILES, "favicon.ico": "" });
   designs = await startDesignsServer(folder);
-  const below = passOn("/designs", designs.port);
+  const toDesigns = passOn("/designs", designs.port);
+  below = (request, response, path) => {
+    // A body that a browser's test tools held back would come without its files.
+    if (request.method === "POST" && path === "/designs")
+      void mayBeSaved.then(() => toDesigns(request, response, path));
+    else return toDesigns(request, response, path);
+    return true;
+  };
   const proxy = passOn("/apps/designs", designs.port, "/designs");
   const route: Route = (...of) => below(...of) || proxy(...of) || carts(...of);
   shop = await serveFolder(folder, {}, "localhost", route);
@@ -83,6 +97,11 @@ beforeAll(async () => {
     product: {
       title: 'Mug "Ada"',
       selected_or_first_available_variant: { id: VARIANT },
+      variants: [
+        { id: VARIANT, title: "Small", available: true },
+        { id: VARIANT + 1, title: "Large & red", available: true },
+        { id: VARIANT + 2, title: "Huge", available: false },
+      ],
       metafields: { texelcast: { model: { value: `${editor.origin}/mug.glb` } } },
     },
   });
@@ -91,7 +110,7 @@ beforeAll(async () => {
     "esc_url($model)": `${editor.origin}/mug.glb`,
   });
   addShopFiles(folder, {
-    "shopify.html": page("Shopify", section),
+    "shopify.html": page("Shopify", `<div class="shopify-section">${section}</div>`),
     "woocommerce.html": page(
       "WooCommerce",
       `<form action="/woocommerce/cart" method="post">${plugin}
@@ -157,23 +176,98 @@ async function printedHash(design: string): Promise<string> {
     .digest("hex");
 }
 
+const ordered = (opened: Page): Promise<string> => opened.locator("[name=design]").inputValue();
+
 /** The editor's own button, then the id that the page got for the order: what was approved is what the server prints. */
 async function expectApproved(opened: Page, place: Page | Frame): Promise<void> {
   const approved = await personalise(opened, place);
   await opened.getByText("Prints: 1").waitFor();
-  await place.locator("texelcast-editor [part~=submit-button]").click();
-  await opened.locator("[name=buy]:enabled").waitFor({ timeout: 30_000 });
-  expect(await printedHash(await opened.locator("[name=design]").inputValue())).toBe(approved());
+  await handIn(opened, place);
+  expect(await printedHash(await ordered(opened))).toBe(approved());
 }
 
+async function handIn(opened: Page, place: Page | Frame): Promise<void> {
+  await place.locator("texelcast-editor [part~=submit-button]").click();
+  await opened.locator("[name=buy]:enabled").waitFor({ timeout: 30_000 });
+}
+
+/** Goes on after an approved design, once it was saved and once while it is: neither may be ordered any more. */
+async function expectOnlyNewest(opened: Page, place: Page | Frame): Promise<void> {
+  const { addText } = customer(place);
+  await addText("second");
+  await opened.getByText("Prints: 2").waitFor();
+  await expectNothingToBuy(opened);
+
+  const saving = makeGate();
+  mayBeSaved = saving.open;
+  await place.locator("texelcast-editor [part~=submit-button]").click();
+  await opened.getByText("Saving your design").waitFor();
+  await addText("third");
+  await opened.getByText("Prints: 3").waitFor();
+  const answered = opened.waitForResponse(/\/designs$/);
+  saving.letGo();
+  expect((await answered).status()).toBe(201);
+  await opened.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+  await expectNothingToBuy(opened);
+
+  await handIn(opened, place);
+  const reply = await fetch(`${shop.origin}/designs/${await ordered(opened)}/design.json`);
+  expect(((await reply.json()) as { layers: unknown[] }).layers).toHaveLength(3);
+}
+
+const expectNothingToBuy = async (opened: Page): Promise<void> =>
+  expect(await opened.locator("[name=buy]").isDisabled()).toBe(true);
+
 test("plain HTML: what the customer approved is what the guide's server prints, under a strict policy", async () => {
-  const route = passOn("/designs", designs.port);
-  const server = await serveFolder(installed.folder, { "content-security-policy": STRICT_POLICY }, "localhost", route);
+  const server = await serveFolder(installed.folder, { "content-security-policy": STRICT_POLICY }, "localhost", below);
   const { page: opened, complaints } = await openPage(browser, `${server.origin}/`);
   await expectApproved(opened, opened);
+  await expectOnlyNewest(opened, opened);
   expect(complaints).toEqual([]);
   await opened.close();
   await server.stop();
+});
+
+test("plain HTML: what was saved is shown again by its address, with the same hash", async () => {
+  const { page: opened, complaints } = await openPage(browser, `${shop.origin}/`);
+  const approved = await personalise(opened, opened);
+  await handIn(opened, opened);
+  const address = `/designs/${await ordered(opened)}/design.json`;
+  await opened.reload();
+  expect(await customer(opened).textureOf(address)).toBe(approved());
+  expect(complaints).toEqual([]);
+  await opened.close();
+});
+
+test("plain HTML: a customer is told in words that a design could not be saved, and why, and can try again", async () => {
+  const { page: opened } = await openPage(browser, `${shop.origin}/`);
+  await personalise(opened, opened);
+  const done = opened.locator("texelcast-editor [part~=submit-button]");
+  const status = opened.locator("form [role=status]");
+  for (const [answer, words] of [
+    [null, "no connection"],
+    [413, "too large"],
+    [422, "422"],
+    [503, "503"],
+  ] as const) {
+    await opened.route(/\/designs$/, (route) => (answer === null ? route.abort() : route.fulfill({ status: answer })));
+    await done.click();
+    await status.getByText(words).waitFor();
+    expect(await status.textContent()).toContain("Your design could not be saved");
+    await expectNothingToBuy(opened);
+    await opened.unroute(/\/designs$/);
+  }
+  await handIn(opened, opened);
+  await opened.close();
+});
+
+test("plain HTML: a product with nothing on it is not for sale as a personalised one", async () => {
+  const { page: opened } = await openPage(browser, `${shop.origin}/`);
+  await customer(opened).start();
+  await opened.locator("texelcast-editor [part~=submit-button]").click();
+  await opened.getByText("Put a picture or words on it first.").waitFor();
+  await expectNothingToBuy(opened);
+  await opened.close();
 });
 
 test("plain HTML with an import map shows the mug with the page's own three.js", async () => {
@@ -190,15 +284,11 @@ test("plain HTML with an import map shows the mug with the page's own three.js",
 test.each(["react", "vue"])(
   "%s, built by Vite: what the customer approved is what the guide's server prints",
   async (name) => {
-    const server = await serveFolder(
-      join(installed.folder, "built"),
-      {},
-      "localhost",
-      passOn("/designs", designs.port),
-    );
+    const server = await serveFolder(join(installed.folder, "built"), {}, "localhost", below);
     const { page: opened, complaints } = await openPage(browser, `${server.origin}/${name}.html`);
     await opened.locator("texelcast-editor").waitFor({ state: "attached" });
     await expectApproved(opened, opened);
+    await expectOnlyNewest(opened, opened);
     expect(complaints).toEqual([]);
     await opened.close();
     await server.stop();
@@ -207,8 +297,20 @@ test.each(["react", "vue"])(
 
 test("the iframe of another origin: what the customer approved is what the guide's server prints", async () => {
   const { page: opened, complaints } = await openPage(browser, `${shop.origin}/framed.html`);
-  await expectApproved(opened, await framed(opened));
+  const frame = await framed(opened);
+  await expectApproved(opened, frame);
+  await expectOnlyNewest(opened, frame);
   expect(complaints).toEqual([]);
+  await opened.close();
+});
+
+test("the iframe's page says what is wrong where the editor's page cannot be mounted, and fits a phone", async () => {
+  const script = (FILES["framed.js"] ?? "").replace("https://editor.example/editor.html", "/editor.html");
+  const opened = await browser.newPage({ viewport: { width: 390, height: 844 }, isMobile: true });
+  await opened.route("**/framed.js", (route) => route.fulfill({ body: script, contentType: "text/javascript" }));
+  await opened.goto(`${shop.origin}/framed.html`);
+  await opened.getByText("The editor's page needs a whole http(s) address.").waitFor();
+  expect(await opened.evaluate(() => document.documentElement.scrollWidth)).toBe(390);
   await opened.close();
 });
 
@@ -231,6 +333,56 @@ test("Shopify's section puts the design's id and the approved hash into the cart
   await opened.close();
 });
 
+test("Shopify's section sells the variant that is chosen, and none without its design while the editor is still coming", async () => {
+  const opened = await browser.newPage();
+  const editorsPage = await holdBack(opened, /\/editor\.html/);
+  await opened.goto(`${shop.origin}/shopify.html`, { waitUntil: "domcontentloaded" });
+  const variant = opened.getByLabel("Variant");
+  expect(await variant.inputValue()).toBe(String(VARIANT));
+  await variant.selectOption("Large & red");
+  await opened.getByRole("button", { name: "Add to cart" }).click();
+  await opened.getByText("Making your print file").waitFor();
+  expect(carted.splice(0)).toEqual([]);
+  editorsPage.letGo();
+  await opened.getByText("Put a picture or words on it first.").waitFor();
+
+  await personalise(opened, await framed(opened));
+  await opened.getByRole("button", { name: "Add to cart" }).click();
+  await opened.waitForURL(`${shop.origin}/cart`);
+  expect(carted.splice(0)).toMatchObject([{ items: [{ id: VARIANT + 1 }] }]);
+  await opened.close();
+});
+
+test("Shopify's theme editor lays the section anew, and the editor comes again", async () => {
+  const { page: opened, complaints } = await openPage(browser, `${shop.origin}/shopify.html`);
+  await framed(opened);
+  await opened.evaluate(async () => {
+    const section = document.querySelector(".shopify-section") as HTMLElement;
+    const fresh = new DOMParser().parseFromString(await (await fetch(location.href)).text(), "text/html");
+    section.innerHTML = fresh.querySelector(".shopify-section")?.innerHTML ?? "";
+    section.dispatchEvent(new CustomEvent("shopify:section:load", { bubbles: true }));
+  });
+  await opened.locator("iframe").waitFor();
+  await personalise(opened, await framed(opened));
+  await opened.getByRole("button", { name: "Add to cart" }).click();
+  await opened.waitForURL(`${shop.origin}/cart`);
+  expect(carted.splice(0)).toHaveLength(1);
+  expect(complaints).toEqual([]);
+  await opened.close();
+});
+
+test("WooCommerce's form is not sent without its design while the editor is still coming", async () => {
+  const opened = await browser.newPage();
+  const editorsPage = await holdBack(opened, /\/editor\.html/);
+  await opened.goto(`${shop.origin}/woocommerce.html`, { waitUntil: "domcontentloaded" });
+  await opened.getByRole("button", { name: "Add to cart" }).click();
+  await opened.getByText("Making your print file").waitFor();
+  editorsPage.letGo();
+  await opened.getByText("Put a picture or words on it first.").waitFor();
+  expect(carted.splice(0)).toEqual([]);
+  await opened.close();
+});
+
 test("WooCommerce's plugin is PHP, and its page and script send the design's id with the product's form", async () => {
   const { page: opened, complaints } = await openPage(browser, `${shop.origin}/woocommerce.html`);
   const approved = await personalise(opened, await framed(opened));
@@ -246,20 +398,59 @@ test("WooCommerce's plugin is PHP, and its page and script send the design's id 
   await opened.close();
 });
 
-test("the guide's server prints nothing that was not approved, and keeps no file under a name that is not its hash", async () => {
-  const logo = STORY_FILES["logo.png"];
-  const hash = createHash("sha256").update(logo).digest("hex");
-  const send = async (name: string): Promise<Response> => {
-    const form = new FormData();
-    form.append("design", STORY_FILES["design.json"].replace("logo.png", `assets/${hash}.png`));
-    form.append("print", JSON.stringify({ size: 64 }));
-    form.append("approved", "0".repeat(64));
-    form.append(name, new Blob([logo]));
-    return await fetch(`${shop.origin}/designs`, { method: "POST", body: form });
+/** A form as the page's half sends it, with what a stranger would change about it. */
+function sentDesign(changes: Readonly<Record<string, string | null>> = {}, fileName = LOGO_HASH): FormData {
+  const form = new FormData();
+  const parts = {
+    design: STORY_FILES["design.json"].replace("logo.png", `assets/${LOGO_HASH}.png`),
+    print: JSON.stringify({ size: 64 }),
+    approved: "0".repeat(64),
+    ...changes,
   };
-  expect((await send("../../stolen")).status).toBe(422);
-  const { id } = (await (await send(hash)).json()) as { id: string };
+  for (const [name, text] of Object.entries(parts)) if (text !== null) form.append(name, text);
+  form.append(fileName, new Blob([STORY_FILES["logo.png"]]));
+  return form;
+}
+const send = (body: FormData, query = ""): Promise<Response> =>
+  fetch(`${shop.origin}/designs${query}`, { method: "POST", body });
+
+test("the guide's server prints nothing that was not approved, and keeps no file under a name that is not its hash", async () => {
+  expect((await send(sentDesign({}, "../../stolen"))).status).toBe(422);
+  const { id } = (await (await send(sentDesign())).json()) as { id: string };
   expect((await fetch(`${shop.origin}/designs/${id}/print.png`)).status).toBe(409);
+});
+
+test.each<[string, FormData]>([
+  ["a design that is none", sentDesign({ design: "{}" })],
+  ["no design", sentDesign({ design: null })],
+  ["no print", sentDesign({ print: null })],
+  ["a print that is no object", sentDesign({ print: "null" })],
+  ["a print that takes minutes", sentDesign({ print: '{"size":16384}' })],
+  ["no approved hash", sentDesign({ approved: null })],
+  ["a file of the design missing", sentDesign({ design: STORY_FILES["design.json"].replace("logo", "other") })],
+])("the guide's server refuses %s while the customer is there", async (_, form) => {
+  expect((await send(form)).status).toBe(422);
+});
+
+test("the guide's server takes what Shopify's app proxy adds to an address", async () => {
+  const reply = await send(sentDesign(), "?shop=ada.myshopify.com&path_prefix=%2Fapps%2Fdesigns&signature=ab");
+  expect(reply.status).toBe(201);
+});
+
+test("the guide's server gives a kept file to no script and no frame, and nothing by another name", async () => {
+  const { id } = (await (await send(sentDesign())).json()) as { id: string };
+  const get = (path: string): Promise<Response> => fetch(`${shop.origin}/designs/${path}`);
+  const file = await get(`${id}/assets/${LOGO_HASH}.png`);
+  expect(new Uint8Array(await file.arrayBuffer())).toEqual(new Uint8Array(STORY_FILES["logo.png"]));
+  expect(file.headers.get("content-type")).toBe("application/octet-stream");
+  expect(file.headers.get("x-content-type-options")).toBe("nosniff");
+  const strange = [
+    `${id}/approved`,
+    `${id}/assets/..%2fapproved`,
+    `${id}/assets/${"0".repeat(64)}.png`,
+    `${NOBODY}/print.png`,
+  ];
+  for (const path of strange) expect((await get(path)).status, path).toBe(404);
 });
 
 test("every piece of code in the guides is run by a test", () => {

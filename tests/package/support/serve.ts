@@ -77,7 +77,8 @@ export function passOn(below: string, port: number, to = below): Route {
   return (request, response, path) => {
     if (!path.startsWith(below)) return false;
     const { method, headers } = request;
-    const passed = httpRequest({ port, path: to + path.slice(below.length), method, headers }, (answer) => {
+    const { search } = new URL(request.url ?? "/", "http://x");
+    const passed = httpRequest({ port, path: to + path.slice(below.length) + search, method, headers }, (answer) => {
       response.writeHead(answer.statusCode ?? 502, answer.headers);
       answer.pipe(response);
     });
@@ -85,6 +86,25 @@ export function passOn(below: string, port: number, to = below): Route {
     request.pipe(passed);
     return true;
   };
+}
+
+/** Keeps a page's requests to an address back until they are let go. */
+export async function holdBack(page: Page, address: RegExp): Promise<{ letGo: () => void }> {
+  const gate = makeGate();
+  await page.route(address, async (route) => {
+    await gate.open;
+    await route.continue();
+  });
+  return gate;
+}
+
+/** What waits for `open` goes on when it is let go. */
+export function makeGate(): { readonly open: Promise<void>; readonly letGo: () => void } {
+  let letGo = (): void => {};
+  const open = new Promise<void>((resolve) => {
+    letGo = resolve;
+  });
+  return { open, letGo };
 }
 
 export async function openBrowser(): Promise<Browser> {
