@@ -308,6 +308,27 @@ test("what is handed in was told as a change before, with the words that were st
   expect(same).toBe(true);
 });
 
+test("who sets another design while the product is loading, and waits for it, gets it shown", async ({ page }) => {
+  await openShop(page, "?loading=lazy");
+  const layers = await page
+    .locator("texelcast-editor")
+    .evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => {
+      const before = element.start();
+      await new Promise((resolve) => element.addEventListener("progress", resolve, { once: true }));
+      await new Promise((resolve) => setTimeout(resolve));
+      element.design = {
+        format: "texelcast-design",
+        version: 1,
+        layers: [{ type: "fill", id: "red", color: "#ff0000" }],
+      };
+      const exported = element.exportDesign();
+      await Promise.all([before, element.start()]);
+      return (await exported).design.layers.map(({ id }) => id);
+    });
+  expect(layers).toEqual(["red"]);
+  expect(await codes(page)).toEqual([]);
+});
+
 test("pressed again while its font is slow, a text comes once, and is ready to be typed over", async ({ page }) => {
   let deliver = (): void => {};
   const delivered = new Promise<void>((resolve) => {

@@ -32,6 +32,8 @@ export class Work {
   #share = 0;
   #run: Run | null = null;
   #starting: Promise<void> | null = null;
+  /** The start that what the page has set made of the one before: who waits for that gets this. */
+  #anew: Promise<void> | null = null;
   /** How often it was closed: a start that finds another count than it began with is given up. */
   #closings = 0;
   /** What was worked on when the mode was closed last; `behind` a newer one that the page has set and nobody has seen yet. */
@@ -110,6 +112,7 @@ export class Work {
     this.#run?.close();
     this.#run = null;
     this.#starting = null;
+    this.#anew = null;
     this.#view?.replaceChildren();
     this.#phase = phase;
     this.#voice.dismiss();
@@ -128,7 +131,7 @@ export class Work {
       if (this.#run === null && this.#phase === "loading") return;
       this.close();
       if (has("design")) this.#kept = null;
-      void this.start();
+      this.#anew = this.start();
       return;
     }
     if (!mode) return;
@@ -196,7 +199,7 @@ export class Work {
         this.#run = null;
         this.#phase = "failed";
         voice.show(thrown);
-      }
+      } else if (this.#anew) return await this.#anew;
       throw thrown;
     } finally {
       element.requestUpdate();
