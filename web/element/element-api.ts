@@ -23,7 +23,7 @@ export type EditorMode = "shop" | "full";
 /** "eager": at once; "lazy": when touched; "auto": when it is about to be seen, or touched. */
 export type EditorLoading = "auto" | "lazy" | "eager";
 
-/** Languages of the element's own words. Another locale speaks the first of these that it begins with, else English. */
+/** Languages of the element's own words. Another locale is passed over for the page's, then the browser's, else English. */
 export type EditorLocale = "en" | "de";
 
 /** A file of the design's, by the address that the design names it with. */
