@@ -147,5 +147,11 @@ test("Next.js's guide: its page is rendered and hydrated, and its route prints w
   const designs = await startDesignsServer(join(installed.folder, "next"));
   const { id, approved } = await order("next", designs);
   expect(sha256(readFileSync(join(installed.folder, `next/designs/${id}.png`))), designs.faults()).toBe(approved);
+  // A stranger's form asks for what would take minutes; refused before its design is read.
+  const form = new FormData();
+  form.append("print", '{"size":16384}');
+  const asked = await fetch(`http://localhost:${designs.port}/designs`, { method: "POST", body: form });
+  expect(asked.status).toBe(422);
+  expect(designs.faults()).toBe("");
   await designs.stop();
 });
