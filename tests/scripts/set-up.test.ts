@@ -8,6 +8,7 @@ import { outputOf } from "../../scripts/bootstrap/run.mjs";
 import { stampedStep } from "../../scripts/bootstrap/stamps.mjs";
 import { howToInstall } from "../../scripts/bootstrap/system.mjs";
 import { findWebkitDriver, whyNoWebkit } from "../../scripts/bootstrap/webkit.mjs";
+import { clangOf } from "../../scripts/package/wasm-compiler.mjs";
 
 const FOLDER = "build/test-set-up";
 const STAMP = "test-set-up";
@@ -142,5 +143,18 @@ describe("an installed Chrome that no PATH leads to", () => {
     expect(places).toHaveLength(6);
     expect(places[0]).toBe("C:/Program Files/Google/Chrome/Application/chrome.exe");
     expect(places.at(-1)).toBe("C:/Users/a/AppData/Local/Microsoft/Edge/Application/msedge.exe");
+  });
+});
+
+describe("the compiler that a build was made with", () => {
+  beforeEach(() => mkdirSync(inRoot(FOLDER, "CMakeFiles", "3.31.6"), { recursive: true }));
+  afterEach(cleanUp);
+
+  test("is known by what CMake noted of it, and unknown where nothing was built", () => {
+    expect(clangOf(inRoot(FOLDER))).toBe(null);
+    expect(clangOf(inRoot(FOLDER, "nothing"))).toBe(null);
+    const noted = 'set(CMAKE_CXX_COMPILER_ID "Clang")\nset(CMAKE_CXX_COMPILER_VERSION "19.1.7")\n';
+    write("CMakeFiles/3.31.6/CMakeCXXCompiler.cmake", noted);
+    expect(clangOf(inRoot(FOLDER))).toBe(19);
   });
 });
