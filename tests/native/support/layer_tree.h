@@ -136,7 +136,7 @@ inline TreeLayer draw_layer(std::uint32_t size, int levels, bool in_mask, Random
     } else {
         layer.picture = patchy_noise(size, random);
     }
-    layer.def.blend = random.coin() ? TXC_BLEND_NORMAL : draw_smooth_mode(random);
+    layer.def.blend = random.coin() ? std::uint32_t{TXC_BLEND_NORMAL} : draw_smooth_mode(random);
     layer.def.blend_space = random.below(2);
     layer.def.opacity = random.coin() ? 1.0f : static_cast<float>(random.between(0.2, 1));
     layer.def.visible = random.below(8) == 0 ? 0 : 1;
