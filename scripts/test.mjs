@@ -13,7 +13,7 @@ const { values, positionals } = wordsOrExit({ options: { only: { type: "string" 
 
 await bootstrapOrExit("test");
 // Only now: the stages use packages.
-const { STAGES } = await import("./test/stages.mjs");
+const { STAGES, stagesOf } = await import("./test/stages.mjs");
 const chosen = values.only?.split(",") ?? STAGES.map((stage) => stage.key);
 const unknown = chosen.find((key) => !STAGES.some((stage) => stage.key === key));
 if (unknown !== undefined) {
@@ -24,7 +24,7 @@ if (unknown !== undefined) {
 const total = { passed: 0, failed: 0, skipped: 0 };
 /** @type {string[]} */
 const summary = [];
-for (const stage of STAGES.filter(({ key }) => chosen.includes(key))) {
+for (const stage of stagesOf(chosen)) {
   console.log(`\n== ${stage.title} ==`);
   const start = performance.now();
   const counts = await stage.run(positionals).catch((error) => {

@@ -15,7 +15,13 @@ import { freePort } from "./free-port.mjs";
 import { runAndRead } from "./run-and-read.mjs";
 
 /** @typedef {import("./counts.mjs").Counts} Counts */
-/** @typedef {{key: string, title: string, run: (args: readonly string[]) => Promise<Counts>}} Stage */
+/**
+ * @typedef {object} Stage
+ * @property {string} key
+ * @property {string} title
+ * @property {boolean} [onSite] it drives the static site, which must be of these sources
+ * @property {(args: readonly string[]) => Promise<Counts>} run
+ */
 
 const RESULTS = join(BUILD, "test-results");
 const EXECUTABLE = process.platform === "win32" ? "core_tests.exe" : "core_tests";
@@ -28,18 +34,26 @@ export const STAGES = [
   { key: "wasm", title: "Core, in WebAssembly", run: wasmTests },
   { key: "vitest", title: "Engine, document, command line, viewer and scripts (vitest)", run: (args) => vitest(args) },
   { key: "build", title: "Static site (npm run build)", run: siteBuild },
-  { key: "e2e", title: "The page in Chromium (Playwright)", run: playwright },
+  { key: "e2e", title: "The page in Chromium (Playwright)", onSite: true, run: playwright },
   {
     key: "firefox",
     title: "The page in Firefox (WebDriver BiDi)",
+    onSite: true,
     run: (args) => otherBrowser("firefox", whyNoFirefox(), args),
   },
   {
     key: "webkit",
     title: "The page in WebKit (WebDriver)",
+    onSite: true,
     run: (args) => otherBrowser("webkit", whyNoWebkit(), args),
   },
 ];
+
+/** The stages of these keys, and the site's build before those that drive it. @param {readonly string[]} keys */
+export function stagesOf(keys) {
+  const drivesSite = STAGES.some(({ key, onSite }) => onSite && keys.includes(key));
+  return STAGES.filter(({ key }) => keys.includes(key) || (key === "build" && drivesSite));
+}
 
 async function lint() {
   const counts = { passed: 0, failed: 0, skipped: 0 };

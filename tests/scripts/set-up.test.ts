@@ -9,6 +9,7 @@ import { stampedStep } from "../../scripts/bootstrap/stamps.mjs";
 import { howToInstall } from "../../scripts/bootstrap/system.mjs";
 import { findWebkitDriver, whyNoWebkit } from "../../scripts/bootstrap/webkit.mjs";
 import { clangOf } from "../../scripts/package/wasm-compiler.mjs";
+import { stagesOf } from "../../scripts/test/stages.mjs";
 
 const FOLDER = "build/test-set-up";
 const STAMP = "test-set-up";
@@ -156,5 +157,15 @@ describe("the compiler that a build was made with", () => {
     const noted = 'set(CMAKE_CXX_COMPILER_ID "Clang")\nset(CMAKE_CXX_COMPILER_VERSION "19.1.7")\n';
     write("CMakeFiles/3.31.6/CMakeCXXCompiler.cmake", noted);
     expect(clangOf(inRoot(FOLDER))).toBe(19);
+  });
+});
+
+describe("a stage of the tests that is asked for alone", () => {
+  const keysOf = (...keys: string[]): string[] => stagesOf(keys).map(({ key }) => key);
+
+  test("is run alone, but that a browser's has the site built before", () => {
+    expect(keysOf("vitest")).toEqual(["vitest"]);
+    for (const browser of ["e2e", "firefox", "webkit"]) expect(keysOf(browser)).toEqual(["build", browser]);
+    expect(keysOf("webkit", "build", "lint")).toEqual(["lint", "build", "webkit"]);
   });
 });
