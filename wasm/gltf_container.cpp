@@ -78,7 +78,7 @@ constexpr char kNull = 'z';
 /// The members that say which triangles there are, where they lie and what they wear, and what glTF 2.0 asks of them:
 /// tinygltf passes over one of another kind as if it were not there. Each as its kind, or its elements'; how many elements
 /// its list has (blank: it is no list; '.': any number; else counted from '0'); the depth at which it stands, from 1 for the
-/// file's own members ('0': wherever it does); and its name.
+/// file's own members ('0': wherever it does below them); and its name.
 constexpr char kMemberRules[] =
     "1 0bufferView\0"
     "1 0buffer\0"
@@ -96,9 +96,18 @@ constexpr char kMemberRules[] =
     "1 0index\0"
     "1 0texCoord\0"
     "1 0source\0"
-    "1 0scene\0"
+    "1 1scene\0"
     "1 0inverseBindMatrices\0"
+    "o.1accessors\0"
+    "o.1bufferViews\0"
+    "o.1buffers\0"
+    "o.1images\0"
+    "o.1materials\0"
+    "o.1meshes\0"
+    "o.1nodes\0"
     "o.1scenes\0"
+    "o.1skins\0"
+    "o.1textures\0"
     "1.3nodes\0"
     "1.3children\0"
     "1.3joints\0"
@@ -236,6 +245,7 @@ private:
     const char* find_rule() const {
         const Level& object = levels_.back();
         const std::size_t depth = levels_.size();
+        if (depth > 1 && !in_known_member_) return nullptr;
         if (depth >= 3) {
             const Level& holder = levels_[depth - 2];
             const std::string& name = holder.is_array ? levels_[depth - 3].key : holder.key;
@@ -243,7 +253,9 @@ private:
             if (name == "attributes" || name == "targets") return kMemberRules;
         }
         for (const char* rule = kMemberRules; *rule != 0; rule += std::strlen(rule) + 1) {
-            if (object.key == rule + 3 && (rule[2] == '0' || rule[2] == static_cast<char>('0' + depth))) return rule;
+            if (object.key == rule + 3 &&
+                (depth == 1 ? rule[2] == '1' : rule[2] == '0' || rule[2] - '0' == static_cast<int>(depth)))
+                return rule;
         }
         return nullptr;
     }
@@ -254,6 +266,7 @@ private:
         if (levels_.empty() || free_depth_ > 0) return true;
         const Level& level = levels_.back();
         rule_ = level.is_array ? level.rule : find_rule();
+        if (levels_.size() == 1) in_known_member_ = rule_ != nullptr;
         if (rule_ == nullptr) return true;
         const char asked = level.is_array || rule_[1] == ' ' ? rule_[0] : kList;
         const char* words = words_for(asked);
@@ -343,6 +356,7 @@ private:
     TxcStatus status_ = TXC_STATUS_OK;
     std::vector<Level> levels_;
     const char* rule_ = nullptr;    // of the value under way
+    bool in_known_member_ = false;  // of the file; what glTF 2.0 does not have, as 1.0's techniques, may hold anything
     std::uint32_t free_depth_ = 0;  // levels since extras or extensions began
     std::vector<Buffer> buffers_;
     std::vector<View> views_;

@@ -262,18 +262,20 @@ TxcStatus read_elements(const Model& model, int index, std::uint64_t element_siz
     return TXC_STATUS_OK;
 }
 
-/// Reads an accessor as floats, `components` each; sparse values, strides and normalised integers included.
+/// Reads an accessor as floats, the first `components` of each element, as a renderer's shader does; sparse values, strides
+/// and normalised integers included.
 TxcStatus read_floats(const Model& model, int index, std::uint32_t components, BudgetShare& scratch,
                       std::vector<float>& out) {
     const tinygltf::Accessor* accessor = nullptr;
     if (const TxcStatus status = find_accessor(model, index, accessor); status != TXC_STATUS_OK) return status;
     const std::uint32_t size = component_size(accessor->componentType);
-    if (size == 0 || component_count(accessor->type) != components) {
+    const std::uint32_t there = component_count(accessor->type);
+    if (size == 0 || there < components) {
         return fail(TXC_STATUS_BAD_MODEL,
                     "accessors[%d]: type %d of component type %d is not what its use asks for (%u components)", index,
                     accessor->type, accessor->componentType, components);
     }
-    return read_elements(model, index, std::uint64_t{size} * components, components, true, scratch, out,
+    return read_elements(model, index, std::uint64_t{size} * there, components, true, scratch, out,
                          [&](const std::uint8_t* from, float* into) {
                              for (std::uint32_t c = 0; c < components; ++c)
                                  into[c] =
@@ -734,7 +736,8 @@ TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryB
             if (status != TXC_STATUS_OK) return status;
         }
     }
-    if (out_mesh.triangles.empty()) return fail(TXC_STATUS_NO_TRIANGLES, "the model's scene has no triangles");
+    if (out_mesh.triangles.empty())
+        return fail(TXC_STATUS_NO_TRIANGLES, "the model's scene has only points and lines, or nothing");
     if (!out_mesh.has_default_material) out_mesh.materials.pop_back();
     out_mesh.summarise();
     return TXC_STATUS_OK;

@@ -115,9 +115,10 @@ TxcStatus Material::paint_status(std::uint32_t index) const {
                     "in a 3D editor first",
                     index, triangles.size(), tex_coord);
     }
-    if (has_unusable_uv) {
+    if (has_unusable_uv || triangles_without_uv + degenerate_uv_triangles == triangles.size()) {
         return fail(TXC_STATUS_BAD_UVS,
-                    "material %u has a texture coordinate that is not a number or lies beyond %g: unwrap it anew",
+                    "material %u has a texture coordinate that is not a number or lies beyond %g, or only triangles "
+                    "without area in the texture: unwrap it anew",
                     index, static_cast<double>(kMaxUv));
     }
     return TXC_STATUS_OK;

@@ -58,9 +58,9 @@ extern "C" {
     X(UNSUPPORTED_MODEL, "the model needs a glTF extension that the core does not read")                               \
     X(BAD_GEOMETRY, "the model's geometry has values that cannot be used")                                             \
     X(NO_MATERIAL, "the model has no material with that index")                                                        \
-    X(NO_TRIANGLES, "no triangle uses that material")                                                                  \
+    X(NO_TRIANGLES, "there are no triangles to paint")                                                                 \
     X(NO_UVS, "the material's triangles have no texture coordinates, so there is no texture to paint")                 \
-    X(BAD_UVS, "the texture coordinates are not finite or too far out of range")                                       \
+    X(BAD_UVS, "the texture coordinates are not finite, too far out of range, or without area")                        \
     X(NOT_BAKED, "the target's bake has not finished")                                                                 \
     X(INTERNAL, "a fault of the core itself: please report it")
 

@@ -86,7 +86,9 @@ TEST_CASE("Points and lines have no triangles; a file of nothing else has none")
         GlbBuilder alone = glb;
         alone.mesh(lines);
         alone.add("nodes", R"({"mesh":0})");
-        CHECK(try_read(alone.glb()).status == TXC_STATUS_NO_TRIANGLES);
+        const ReadModel bare = try_read(alone.glb());
+        CHECK(bare.status == TXC_STATUS_NO_TRIANGLES);
+        CHECK(bare.detail == "the model's scene has only points and lines, or nothing");
         glb.mesh(lines + "," + triangles);
         glb.add("nodes", R"({"mesh":0})");
         CHECK(read(glb.glb()).mesh.triangles.size() == 2);
@@ -121,6 +123,23 @@ TEST_CASE("Interleaved attributes are read by their stride and offset") {
         CHECK(near(model.mesh.normals.at(i), 0, 0, 1, 0));
         CHECK(near(model.mesh.uvs.at(i), f * 0.125, 1 - f * 0.125, 0));
     }
+}
+
+TEST_CASE("Of attributes with a number too many the first ones count, and one too few is refused") {
+    // Exporters that know depth in textures write texture coordinates of three numbers; renderers read the first two.
+    GlbBuilder glb;
+    const int positions = glb.floats({0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0, 9}, 4);
+    const int uvs = glb.floats({0.25f, 0.5f, 9, 0.75f, 0.5f, 9, 0.25f, 1, 9}, 3);
+    const ReadModel model = read_primitive(glb, text(R"("POSITION":%d,"TEXCOORD_0":%d)", positions, uvs));
+    CHECK(near(model.position(2), 0, 1, 0, 0));
+    CHECK(near(model.mesh.uvs.at(1), 0.75, 0.5, 0));
+    CHECK(near(model.mesh.uvs.at(2), 0.25, 1, 0));
+
+    GlbBuilder flat;
+    const int two = flat.floats({0, 0, 1, 0, 0, 1}, 2);
+    flat.mesh(text(R"({"attributes":{"POSITION":%d}})", two));
+    flat.add("nodes", R"({"mesh":0})");
+    CHECK(try_read(flat.glb()).status == TXC_STATUS_BAD_MODEL);
 }
 
 TEST_CASE("Sparse values replace those of the base") {

@@ -351,6 +351,15 @@ TEST_CASE("What extras and extensions hold may be of any kind, whatever it is ca
     CHECK(try_read(glb.glb()).status == TXC_STATUS_OK);
 }
 
+TEST_CASE("Members of the file that glTF 2.0 does not have may hold anything, as what glTF 1.0 left behind does") {
+    GlbBuilder glb = make_model(make_plane());
+    glb.set("techniques", R"([{"attributes":{"a_normal":"normal"},"parameters":{"light":{"count":-1}},"source":"x"}])");
+    glb.set("source", R"("a scan")");
+    glb.set("index", "null");
+    const std::string json = with_other(glb.json(), R"("version":"2.0")", R"("version":"2.0","source":"a scan")");
+    CHECK(try_read(GlbBuilder::pack(json, glb.binary())).status == TXC_STATUS_OK);
+}
+
 TEST_CASE("A model that needs a later version of glTF is refused by that version") {
     GlbBuilder glb = make_model(make_plane());
     const auto with = [&](const char* version) {

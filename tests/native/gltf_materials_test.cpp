@@ -207,3 +207,21 @@ TEST_CASE("The base colour factor is read as it stands in the file") {
         read(with_material(R"({"pbrMetallicRoughness":{"baseColorFactor":[0.25,0.5,0.75,0.125]}})").glb());
     CHECK(model.mesh.materials.at(0).base_color_factor == glm::vec4(0.25f, 0.5f, 0.75f, 0.125f));
 }
+
+TEST_CASE("A material whose triangles all lie on points or lines of the texture owns no texel, and cannot be painted") {
+    // As models do that take each part's colour from one pixel of a palette.
+    GlbBuilder glb;
+    const int positions = glb.floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, 3);
+    const auto status_with = [&](const std::vector<float>& uvs) {
+        GlbBuilder one = glb;
+        const int set = one.floats(uvs, 2);
+        const int indices = one.integers(std::vector<std::uint8_t>{0, 1, 2, 2, 1, 3}, kUnsignedByte, "SCALAR", 1);
+        one.mesh(text(R"({"attributes":{"POSITION":%d,"TEXCOORD_0":%d},"indices":%d})", positions, set, indices));
+        one.add("nodes", R"({"mesh":0})");
+        const ReadModel model = read(one.glb());
+        return model.mesh.materials.at(0).paint_status(0);
+    };
+    CHECK(status_with({0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f}) == TXC_STATUS_BAD_UVS);
+    CHECK(status_with({0.25f, 0.5f, 0.5f, 0.5f, 0.75f, 0.5f, 1, 0.5f}) == TXC_STATUS_BAD_UVS);
+    CHECK(status_with({0, 0, 1, 0, 0, 1, 0, 1}) == TXC_STATUS_OK);
+}

@@ -7,7 +7,7 @@ import { readNpy } from "./read-npy.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
 const UNPAINTABLE =
-  'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: no triangle uses that material\n' +
+  'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: there are no triangles to paint\n' +
   '  Choose one that can: 0 ("paint").\n';
 
 /** Bakes a plane into `maps` and gives the folder's reader. */

@@ -77,7 +77,7 @@ describe("one picture for each material", () => {
     const folder = folderWith([fill(0)]);
     const { code, stderr } = await render(folder, "m-{material}.png", "--material", "1");
     expect(stderr).toBe(
-      'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: no triangle uses that material\n' +
+      'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: there are no triangles to paint\n' +
         '  Choose one that can: 0 ("paint").\n',
     );
     expect(code).toBe(3);

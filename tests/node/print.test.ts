@@ -152,7 +152,7 @@ describe("texelcast print", () => {
 
   it("exits with 3 for a material that cannot be painted, and names what asks for it", async () => {
     const { run } = await workbench([decal()], zones([zone({ material: 1 })]));
-    const why = 'material 1 ("of no triangle") cannot be painted: no triangle uses that material\n';
+    const why = 'material 1 ("of no triangle") cannot be painted: there are no triangles to paint\n';
     const how = '  Choose one that can: 0 ("paint").\n';
     expect(await run("print", "--material", "1", "--out", "x.png")).toMatchObject({
       code: 3,
@@ -419,7 +419,7 @@ describe("renderPrint and checkPrint", () => {
     const model = planeGlb();
     await expect(renderPrint({ ...plain, model, material: 1 })).rejects.toMatchObject({
       ...{ code: "no-triangles", subject: "model.glb", field: "material", value: "1" },
-      message: 'material: material 1 ("of no triangle") cannot be painted: no triangle uses that material',
+      message: 'material: material 1 ("of no triangle") cannot be painted: there are no triangles to paint',
       hint: 'Choose one that can: 0 ("paint").',
     });
     await expect(renderPrint({ ...plain, model, material: 7 })).rejects.toMatchObject({

@@ -328,7 +328,7 @@ describe("texelcast render to .glb", () => {
 });
 
 const UNPAINTABLE =
-  'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: no triangle uses that material\n' +
+  'texelcast: plane.glb: --material: material 1 ("of no triangle") cannot be painted: there are no triangles to paint\n' +
   '  Choose one that can: 0 ("paint").\n';
 
 describe("what texelcast render refuses", () => {
