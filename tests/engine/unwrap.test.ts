@@ -112,11 +112,11 @@ describe("a model that is unwrapped", () => {
     expect((await overlapOf(glb, SIZE)).overlapping).toBe(0);
   });
 
-  it("gets coordinates and a white texture where it has none, and keeps its colour factor", async () => {
+  it("gets coordinates where it has none, and its colour as a texture, so that paint on it keeps its own colours", async () => {
     const { uvs: _, ...bare } = square(0);
     const source = await squares({
       meshes: [bare],
-      materials: [{ pbrMetallicRoughness: { baseColorFactor: [1, 0.5, 0, 1] } }],
+      materials: [{ pbrMetallicRoughness: { baseColorFactor: [1, 0.5, 0.002, 0.25] } }],
       textures: [],
       images: [],
     });
@@ -124,9 +124,12 @@ describe("a model that is unwrapped", () => {
     expect(materials[0]?.texCoord).toBe(0);
     const document = await documentOf(glb);
     const [material] = document.getRoot().listMaterials();
-    expect(material?.getBaseColorFactor()).toEqual([1, 0.5, 0, 1]);
-    const picture = await decodePicture(material?.getBaseColorTexture()?.getImage() ?? new Uint8Array(), "white");
-    expect([picture.width, new Set(picture.rgba)]).toEqual([SIZE, new Set([255])]);
+    expect(material?.getBaseColorFactor()).toEqual([1, 1, 1, 1]);
+    const picture = await decodePicture(material?.getBaseColorTexture()?.getImage() ?? new Uint8Array(), "plain");
+    expect([picture.width, picture.height]).toEqual([SIZE, SIZE]);
+    // As sRGB: 0.5 is 187.5 by the curve, 0.002 lies on its straight part.
+    const colors = Array.from({ length: 4 }, (_, c) => new Set(picture.rgba.filter((_, i) => i % 4 === c)));
+    expect(colors).toEqual([new Set([255]), new Set([188]), new Set([7]), new Set([64])]);
     expect((await overlapOf(glb, SIZE)).covered).toBeGreaterThan(1000);
   });
 

@@ -56,6 +56,7 @@ function putTexture(
   name: string,
 ): void {
   const pbr = memberOf(material, "pbrMetallicRoughness");
+  if (edit.factorBaked) pbr.baseColorFactor = [1, 1, 1, 1];
   const info = objectAt(pbr, "baseColorTexture");
   const textures = listForWriting(json, "textures", name);
   const index = indexAt(info, "index");
@@ -65,7 +66,6 @@ function putTexture(
     const image = editor.addImage(edit.png);
     pbr.baseColorTexture = { index: textures.length, ...(edit.texCoord !== 0 && { texCoord: edit.texCoord }) };
     textures.push({ source: image });
-    if (edit.factorBaked) pbr.baseColorFactor = [1, 1, 1, 1];
     return;
   }
   // The texture info stays whatever the case: it holds the UV set and KHR_texture_transform.

@@ -16,6 +16,7 @@ import { type TextureEdit, writeModel } from "../model-writer.ts";
 import { encodePng } from "../png-encoder.ts";
 import { layOutCharts } from "./chart-atlas.ts";
 import { chartMeshes, type MaterialPart, readPart, usesOf } from "./material-parts.ts";
+import { plainColor } from "./plain-color.ts";
 import { type MovedTriangles, resampleTexture, type Wrap } from "./texture-resampler.ts";
 import { TEXTURE_TRANSFORM, texturePlace } from "./uv-transform.ts";
 import { writePart } from "./write-part.ts";
@@ -70,14 +71,18 @@ export async function unwrapModel(source: ModelSource, options: UnwrapOptions): 
     // Read where numbers are numbers; written where those that JavaScript cannot hold are kept.
     const place = texturePlace(container.json, material, name);
     const parts = faces.map((face) => readPart(container.json, face, place, accessors, name));
-    const { picture, filter } = await loadBasePicture(model, { material });
+    const { picture, filter, factorBaked } = await loadBasePicture(model, { material });
     const layout = await layOutCharts(chartMeshes(parts), {
       size: options.size,
       padding: paddingFor(options.size),
       name,
     });
     step(0.4);
-    const rgba = repaint(json, material, { parts, corners: layout.corners, picture, filter, size: options.size, name });
+    const work = { parts, corners: layout.corners, filter, size: options.size, name };
+    const rgba =
+      picture === null
+        ? filled(options.size, plainColor(container.json, material, name))
+        : repaint(json, material, { ...work, picture });
     step(0.7);
     const texCoord = freeSet(json, parts, name);
     const withoutPlace = parts.map((part, i) => {
@@ -94,7 +99,7 @@ export async function unwrapModel(source: ModelSource, options: UnwrapOptions): 
     if (others.length > 0) setAside(json, material, others, name);
     moveTexture(json, material, texCoord, name);
     const png = await encodePng({ width: options.size, height: options.size, rgba });
-    edits.push({ material, png, texCoord, factorBaked: false });
+    edits.push({ material, png, texCoord, factorBaked });
     materials.push({
       material,
       triangles: parts.reduce((sum, { indices }) => sum + indices.length / 3, 0),
@@ -123,16 +128,22 @@ function nothingToUnwrap(json: JsonObject, material: number, name: string): Texe
 interface Repainting {
   readonly parts: readonly MaterialPart[];
   readonly corners: readonly Float32Array[];
-  readonly picture: Picture | null;
+  readonly picture: Picture;
   readonly filter: number;
   readonly size: number;
   readonly name: string;
 }
 
-/** The picture as the model showed it, on the new coordinates; white where it showed none (its factor stays the material's). */
+/**
+ * A square of one colour. A material without a picture is of its factor alone, which becomes the picture: left to be
+ * multiplied in, it would dye what is painted, on black CAD parts to black.
+ */
+const filled = (size: number, color: readonly number[]): Uint8Array =>
+  Uint8Array.from({ length: 4 * size * size }, (_, i) => color[i % 4] as number);
+
+/** The picture as the model showed it, on the new coordinates; the material's factor stays. */
 function repaint(json: JsonObject, material: number, work: Repainting): Uint8Array {
   const { parts, corners, picture, filter, size, name } = work;
-  if (picture === null) return new Uint8Array(4 * size * size).fill(255);
   const texture = listOf(json, "textures", name)[findBaseTexture(json, material, name)?.texture ?? -1];
   const sampler = listOf(json, "samplers", name)[indexAt(texture, "sampler") ?? -1];
   const wrap = (key: string): Wrap => WRAPS[indexAt(sampler, key) ?? 0] ?? "repeat";
