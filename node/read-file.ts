@@ -102,14 +102,15 @@ export async function resolveInFolder(uri: string, reference: Reference): Promis
       value: uri,
       hint,
     });
-  const scheme = /^[a-z][a-z0-9+.-]*:/i.exec(name)?.[0];
+  // One letter is a drive of Windows.
+  const scheme = /^[a-z][a-z0-9+.-]+:/i.exec(name)?.[0];
   if (scheme !== undefined) {
     const hint =
       "The command line reads files only: download it, put it beside the file that names it, and name it there.";
     throw outside(`is a ${scheme.toLowerCase()} address, not a file beside it`, hint);
   }
   const putInside = `Put the file into ${quote(folder)} or below, and name it there.`;
-  if (name.startsWith("/")) throw outside("is an absolute path", putInside);
+  if (/^([a-z]:|\/)/i.test(name)) throw outside("is an absolute path", putInside);
   if (name.includes("\0")) throw outside("is not a file name", putInside);
   const target = path.resolve(folder, name);
   if (!contains(path.resolve(folder), target)) throw outside("lies outside the folder", putInside);

@@ -27,6 +27,21 @@ describe("what comes together with a model", () => {
     expect(await added(NAMING, "logo.png", "skin a.png")).toEqual(["logo.png"]);
   });
 
+  it.each([
+    ["with backslashes", "maps\\skin a.png"],
+    ["by a path of another computer", "D:\\work\\maps\\skin a.png"],
+    ["in capitals", "maps/SKIN A.PNG"],
+  ])("is the model's own where it names it %s", async (_, uri) => {
+    expect(await added(writeGlb({ ...json, images: [{ uri }] }, binary), "logo.png", "skin a.png")).toEqual([
+      "logo.png",
+    ]);
+  });
+
+  it("is taken by its name's very letters before others that differ in their case", async () => {
+    const model = writeGlb({ ...json, images: [{ uri: "maps/Skin.png" }] }, binary);
+    expect(await added(model, "skin.png", "Skin.png")).toEqual(["skin.png"]);
+  });
+
   it("is left alone in a folder, where pictures of the model lie beside it", async () => {
     expect(await added(WHOLE, "model/preview.png")).toEqual([]);
   });

@@ -48,6 +48,12 @@ describe("a GLB", () => {
     expect(container.extraChunks).toEqual([extra]);
   });
 
+  it("is read where its names are not UTF-8, as some exporters write them: what cannot be told is a sign for that", () => {
+    const before = encode('{"asset":{"version":"2.0"},"materials":[{"name":"Gr');
+    const bytes = glbOf(Uint8Array.of(...before, 0xfc, ...encode('n"}]}')));
+    expect(readContainer({ name, bytes }).json.materials).toEqual([{ name: "Gr\ufffdn" }]);
+  });
+
   it.each([
     ["a text file", encode("I am a text file named model.glb"), /neither as a GLB/],
     ["an empty file", new Uint8Array(), /it is empty/],
@@ -60,7 +66,7 @@ describe("a GLB", () => {
     ["a chunk longer than the file", glbOf(encode("{}  "), { jsonLength: 0xfffffff0 }), /its chunk 0 says/],
     ["no chunk at all", glbOf(encode("{}  "), { total: 12 }), /first chunk is not JSON/],
     ["a first chunk that is not JSON", glbOf(encode("{}  "), { type: 0x004e4942 }), /first chunk is not JSON/],
-    ["JSON that is not UTF-8", glbOf(Uint8Array.of(0x7b, 0xff, 0xfe, 0x7d)), /not UTF-8/],
+    ["JSON that is no text", glbOf(Uint8Array.of(0x7b, 0xff, 0xfe, 0x7d)), /cannot be parsed/],
     ["broken JSON", glbOf(encode('{"asset": ')), /cannot be parsed/],
     ["JSON that is a list", glbOf(encode("[1,2]   ")), /not an object/],
     ["no version", glbOf(encode('{"asset":{}}')), /does not say its version/],
@@ -181,6 +187,9 @@ describe("a .gltf with side files", () => {
     const away = problemOf(() => packGltf(readContainer({ name, bytes: remote, resources })));
     expect(away).toMatchObject({ code: "missing-file", value: "https://example.org/p.png" });
     expect(away.hint).toMatch(/Nothing is downloaded/);
+    const windows = external({ buffer: "m.bin", image: "D:\\work\\p.png" });
+    const elsewhere = problemOf(() => packGltf(readContainer({ name, bytes: windows, resources })));
+    expect(elsewhere.hint).toMatch(/^Give “D:\\work\\p.png” together with the model/);
   });
 
   it.each([

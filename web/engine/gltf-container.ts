@@ -38,7 +38,7 @@ export function readContainer(source: ModelSource): GltfContainer {
   if (isGlb) return { name, resources, isBinary: true, ...readGlb(bytes, name) };
   const start = bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf ? 3 : 0;
   if (firstCharacter(bytes, start) !== "{") throw notGltf(bytes, name);
-  const jsonText = decodeUtf8(bytes.subarray(start), name);
+  const jsonText = textOf(bytes.subarray(start));
   return {
     name,
     resources,
@@ -84,7 +84,7 @@ function readGlb(bytes: Uint8Array, name: string): Pick<GltfContainer, "jsonText
   }
   const [first, second] = chunks;
   if (first === undefined || first.type !== CHUNK_JSON) throw badContainer(name, "its first chunk is not JSON");
-  const jsonText = decodeUtf8(first.bytes, name);
+  const jsonText = textOf(first.bytes);
   const hasBinary = second?.type === CHUNK_BIN;
   return {
     jsonText,
@@ -148,16 +148,11 @@ export function listSideFiles(source: Pick<ModelSource, "name" | "bytes">): stri
   return [...uris];
 }
 
+/** Names in another encoding than glTF's UTF-8, as some exporters write them, lose the letters that cannot be told; the rest is of use. */
+const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
+
 function viewOf(bytes: Uint8Array): DataView {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-}
-
-function decodeUtf8(bytes: Uint8Array, name: string): string {
-  try {
-    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  } catch {
-    throw badContainer(name, "its JSON is not UTF-8 text");
-  }
 }
 
 function firstCharacter(bytes: Uint8Array, start: number): string {

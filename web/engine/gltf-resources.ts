@@ -23,7 +23,8 @@ export function resolveUri(
     const bytes = resources.get(key);
     if (bytes !== undefined) return { bytes, mediaType: "" };
   }
-  const remote = /^[a-z][a-z0-9+.-]*:/i.test(uri);
+  // One letter is a drive of Windows.
+  const remote = /^[a-z][a-z0-9+.-]+:/i.test(uri);
   throw new TexelcastError("missing-file", `“${name}” needs the file “${uri}”, which was not given with it.`, {
     subject: name,
     field,

@@ -7,21 +7,26 @@ export async function bytesOf(file: Blob): Promise<Uint8Array<ArrayBuffer>> {
 
 /**
  * The file that a relative address means: by its path beside `base`, else (files dropped without their folders) the
- * only one of that name.
+ * only one of that name, or of that name but for capitals, which Windows does not tell apart.
  */
 export function findCompanion(
   address: string,
   base: string,
   files: readonly CollectedFile[],
 ): CollectedFile | undefined {
-  const wanted = decodeAddress(address).replace(/^\.\//, "");
+  // Exporters on Windows write backslashes.
+  const wanted = decodeAddress(address).replaceAll("\\", "/").replace(/^\.\//, "");
   const folder = base.slice(0, base.lastIndexOf("/") + 1);
   const exact = files.find(({ path }) => path === folder + wanted);
   if (exact) return exact;
-  const name = wanted.slice(wanted.lastIndexOf("/") + 1);
-  const named = files.filter(({ path }) => path.slice(path.lastIndexOf("/") + 1) === name);
-  return named.length === 1 ? named[0] : undefined;
+  const name = nameOf(wanted);
+  const named = files.filter(({ path }) => nameOf(path) === name);
+  const alike =
+    named.length > 0 ? named : files.filter(({ path }) => nameOf(path).toLowerCase() === name.toLowerCase());
+  return alike.length === 1 ? alike[0] : undefined;
 }
+
+const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
 function decodeAddress(address: string): string {
   try {
