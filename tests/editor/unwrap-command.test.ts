@@ -62,6 +62,23 @@ describe("a model that was refused for lack of texture coordinates", () => {
     }
   });
 
+  it("gets a larger texture where its parts do not fit, as large as a viewer holds", async () => {
+    const sizes: number[] = [];
+    const least = (enough: number) => async (size: number) => {
+      sizes.push(size);
+      if (size < enough) throw new TexelcastError("bad-size", "No.");
+      return GLB;
+    };
+    const many = page(least(2048));
+    await many.openBare();
+    expect([many.opened, many.told()]).toEqual([["chair.glb"], []]);
+    const tooMany = page(least(8192));
+    await tooMany.openBare();
+    await tooMany.openBare(8);
+    expect([tooMany.opened, tooMany.told()]).toEqual([[], [["Could not unwrap the model", "bad-size"]]]);
+    expect(sizes).toEqual([1024, 2048, 1024, 2048, 4096, 1024, 2048]);
+  });
+
   it("gets smaller textures the more materials it has", async () => {
     const sizes: number[] = [];
     const { openBare } = page(async (size) => {

@@ -1,4 +1,5 @@
 /** Gives the open model texture coordinates in which its parts share no texels: one step, which an undo takes back. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { MaterialInfo, ModelSource, TargetInfo } from "../../engine/engine-api.ts";
 import { SHARED_TEXELS } from "../../engine/shared-texels.ts";
 import type { Design, DesignLayer } from "../document/design.ts";
@@ -121,12 +122,20 @@ export class UnwrapCommand {
     }
   }
 
-  async #unwrapped({ ref, materials }: BareModel, size: number): Promise<ModelRef> {
+  async #unwrapped({ ref, materials }: BareModel, least: number): Promise<ModelRef> {
     const { board, tasks, unwrap } = this.#parts;
     const { strings } = board;
-    const bytes = await tasks.run(strings.tasks.unwrapping, (task) =>
-      unwrap(ref.source, { materials, size }, task, strings),
-    );
+    const bytes = await tasks.run(strings.tasks.unwrapping, async (task) => {
+      for (let size = least; ; size *= 2) {
+        try {
+          return await unwrap(ref.source, { materials, size }, task, strings);
+        } catch (thrown) {
+          // Very many parts want more texels for the room between them.
+          const isFull = thrown instanceof TexelcastError && thrown.code === "bad-size";
+          if (!isFull || sizeFor(materials.length, Math.min(MOST_SIZE, size * 2)) <= size) throw thrown;
+        }
+      }
+    });
     return { source: { name: glbName(ref.source.name), bytes }, title: ref.title, demoId: null };
   }
 
