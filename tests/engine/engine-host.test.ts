@@ -65,6 +65,7 @@ describe("a loaded model", () => {
     const attempt = startHost().loadModel({ name: "nan.glb", bytes: buildGlb({ meshes: [nowhere] }) });
     await expect(attempt).rejects.toMatchObject({ code: "bad-geometry", subject: "nan.glb" });
     await expect(attempt).rejects.toThrow(/“nan\.glb”/);
+    await expect(attempt, "and what to do").rejects.toMatchObject({ hint: expect.stringContaining("glTF Validator") });
   });
 
   it.each<[string, Parameters<typeof buildGlb>[0], string]>([

@@ -13,13 +13,16 @@ export interface JsonObject {
 /** Deeper JSON would overflow the stack of whoever walks it next, and no real model comes near. */
 const MAX_DEPTH = 512;
 
+/** What to do about a file that cannot be used. */
+export const REPAIR = "Export the model again, or check the file with the glTF Validator.";
+
 /** @param problem the end of the sentence “… is not a sound glTF file: …”; `value` is cut short. */
 export function badContainer(name: string, problem: string, field?: string, value?: unknown): TexelcastError {
   return new TexelcastError("bad-container", `“${name}” is not a sound glTF file: ${problem}.`, {
     subject: name,
     ...(field !== undefined && { field }),
     ...(value !== undefined && { value: shorten(value) }),
-    hint: "Export the model again, or check the file with the glTF Validator.",
+    hint: REPAIR,
   });
 }
 
