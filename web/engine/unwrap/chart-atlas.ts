@@ -29,6 +29,8 @@ const CHART_COST = 4;
 const PACKING = { bilinear: true, rotateCharts: false };
 /** Packings that are tried until one fits; each is smaller by what the one before was too large. */
 const FIT_STEPS = 24;
+/** Between charts, texels: both have room for the gutter of a texture of 1024 texels, which is the least that there is. */
+const LEAST_PADDING = 4;
 /** Then a larger scale is sought between that and one of this much more, by halves. */
 const GROWTH = 1.08;
 const GROWTH_STEPS = 3;
@@ -54,15 +56,30 @@ export async function layOutCharts(
       });
     }
     atlas.computeCharts({ maxCost: CHART_COST, fixWinding: true });
-    packToFit(atlas, { size, padding, name });
-    return { corners: meshes.map((mesh, i) => cornersOf(atlas, i, mesh, size, padding)), charts: atlas.chartCount };
+    const apart = packToFit(atlas, { size, padding, name });
+    return { corners: meshes.map((mesh, i) => cornersOf(atlas, i, mesh, size, apart)), charts: atlas.chartCount };
   } finally {
     atlas.delete();
   }
 }
 
-/** Packs with the largest scale at which all charts lie inside, with half of the padding left at the texture's border. */
-function packToFit(atlas: Atlas, { size, padding, name }: { size: number; padding: number; name: string }): void {
+/**
+ * Packs `padding` apart, or, where so many charts do not fit, as near to each other as charts on a small texture are: beside a
+ * gutter that is cut short stands a chart that would not be there. Returns how far apart they are.
+ */
+function packToFit(atlas: Atlas, { size, padding, name }: { size: number; padding: number; name: string }): number {
+  if (packApart(atlas, size, padding)) return padding;
+  if (padding > LEAST_PADDING && packApart(atlas, size, LEAST_PADDING)) return LEAST_PADDING;
+  throw new TexelcastError("bad-size", `The ${atlas.chartCount} parts of “${name}” do not fit into ${size} texels.`, {
+    subject: name,
+    field: "size",
+    value: String(size),
+    hint: "Choose a larger texture.",
+  });
+}
+
+/** Packs with the largest scale at which all charts lie inside, with half of the padding left at the texture's border; false without one. */
+function packApart(atlas: Atlas, size: number, padding: number): boolean {
   const room = size - padding;
   // Of any size; "resolution" would give several textures.
   const pack = (texelsPerUnit: number): number => {
@@ -71,21 +88,18 @@ function packToFit(atlas: Atlas, { size, padding, name }: { size: number; paddin
   };
   atlas.packCharts({ ...PACKING, padding, resolution: Math.max(1, room), texelsPerUnit: 0 });
   // Nothing but triangles without area: there is no chart to lay anywhere.
-  if (atlas.chartCount === 0) return;
+  if (atlas.chartCount === 0) return true;
   let scale = atlas.texelsPerUnit;
   let side = pack(scale);
   for (let step = 0; side > room && step < FIT_STEPS; step++) {
-    scale *= Math.min(0.98, room / side);
+    const shrunk = Math.min(0.98, room / side);
+    const before = side;
+    scale *= shrunk;
     side = pack(scale);
+    // What is left is the room between charts that have a texel each.
+    if (shrunk < 0.9 && side >= before) return false;
   }
-  if (side > room) {
-    throw new TexelcastError("bad-size", `The ${atlas.chartCount} parts of “${name}” do not fit into ${size} texels.`, {
-      subject: name,
-      field: "size",
-      value: String(size),
-      hint: "Choose a larger texture.",
-    });
-  }
+  if (side > room) return false;
   let high = scale * GROWTH;
   for (let step = 0; step < GROWTH_STEPS; step++) {
     const middle = (scale + high) / 2;
@@ -93,6 +107,7 @@ function packToFit(atlas: Atlas, { size, padding, name }: { size: number; paddin
     else high = middle;
   }
   pack(scale);
+  return true;
 }
 
 function cornersOf(

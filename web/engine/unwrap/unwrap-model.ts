@@ -113,7 +113,7 @@ export async function unwrapModel(source: ModelSource, options: UnwrapOptions): 
   return { glb: writeModel(moved, edits), materials };
 }
 
-/** Between two charts both have room for their gutters (spec.md, 2). */
+/** Between two charts both have room for their gutters (spec.md, 2), if all charts fit so (chart-atlas.ts). */
 const paddingFor = (size: number): number => 2 * Math.max(2, Math.round(size / 512));
 
 function nothingToUnwrap(json: JsonObject, material: number, name: string): TexelcastError {
