@@ -14,7 +14,7 @@ export interface UnwrapCommandOptions {
   readonly out: string;
   /** Side of the new textures, texels. */
   readonly size: number;
-  /** Without it, all that share texels or have no texture coordinates. */
+  /** Without it, all that share texels or have no texture coordinates of use. */
   readonly material?: number;
 }
 
@@ -53,10 +53,13 @@ export async function unwrap(file: string, { out, size, material }: UnwrapComman
 /** @throws TexelcastError "no-material" where there is none. */
 function needing({ file, materials }: ModelReport): number[] {
   const found = materials.filter(
-    ({ refusal, uv }) => refusal?.code === "no-uvs" || (uv.measured !== null && uv.measured.overlap > SHARED_TEXELS),
+    ({ refusal, uv }) =>
+      refusal?.code === "no-uvs" ||
+      refusal?.code === "bad-uvs" ||
+      (uv.measured !== null && uv.measured.overlap > SHARED_TEXELS),
   );
   if (found.length > 0) return found.map(({ index }) => index);
-  throw new TexelcastError("no-material", "no material shares texels or lacks texture coordinates", {
+  throw new TexelcastError("no-material", "no material shares texels or lacks texture coordinates of use", {
     subject: file,
     field: "--material",
     hint: "Name one with --material to unwrap it all the same.",

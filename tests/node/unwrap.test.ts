@@ -25,6 +25,20 @@ describe("texelcast unwrap", () => {
     expect(JSON.parse(inspected.stdout).materials[0].uv).toMatchObject({ set: 1, measured: { overlap: 0 } });
   });
 
+  it("takes what has coordinates of no use, as those of a palette's one pixel, without being told", async () => {
+    const cwd = temporaryFolder();
+    const onePixel = { ...plane(), uvs: [0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5] };
+    writeFileSync(path.join(cwd, "palette.glb"), buildGlb({ meshes: [onePixel] }));
+    const run = await texelcast(["unwrap", "palette.glb", "--out", "apart.glb", "--size", "256"], { cwd });
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toContain("material 0");
+    const inspected = await texelcast(["inspect", "apart.glb", "--json"], { cwd });
+    expect(JSON.parse(inspected.stdout).materials[0]).toMatchObject({
+      canTakeDecals: true,
+      uv: { degenerateTriangles: 0 },
+    });
+  });
+
   it("says so where nothing is shared, and which materials there are", async () => {
     const cwd = folderWithTwins();
     await texelcast(["unwrap", "twins.glb", "--out", "apart.glb", "--size", "256"], { cwd });
