@@ -2,6 +2,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { PROJECT_EXTENSION } from "../document/index.ts";
 import { ZipReader, type ZipTerms } from "../document/zip-reader.ts";
+import { nameOf } from "./companions.ts";
 import { ARCHIVE } from "./file-intake.ts";
 
 export interface UnzippedFile {
@@ -32,7 +33,7 @@ const MANIFEST = "project.json";
  * @throws TexelcastError "bad-archive" that names the archive and the entry at fault
  */
 export function unzipFiles(bytes: Uint8Array<ArrayBuffer>, path: string): UnzippedFile[] {
-  const name = path.slice(path.lastIndexOf("/") + 1);
+  const name = nameOf(path);
   const archive = new ZipReader(bytes, name, TERMS);
   const folder = path.replace(ARCHIVE, "");
   if (archive.entries.has(MANIFEST)) return [{ path: `${folder}${PROJECT_EXTENSION}`, bytes }];

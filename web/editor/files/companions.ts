@@ -26,7 +26,8 @@ export function findCompanion(
   return alike.length === 1 ? alike[0] : undefined;
 }
 
-const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
+/** The last part of a path or an address. */
+export const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
 function decodeAddress(address: string): string {
   try {

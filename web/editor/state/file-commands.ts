@@ -4,7 +4,7 @@ import type { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, emptyDesign, materialsIn, parseDesign, serialiseDesign } from "../document/index.ts";
-import { bytesOf } from "../files/companions.ts";
+import { bytesOf, nameOf } from "../files/companions.ts";
 import {
   type DemoCatalogue,
   type DemoDecal,
@@ -132,7 +132,7 @@ export class FileCommands {
         throw new ToldError("unsupported", errors.nothingZipped(name), { subject: name, hint: errors.unknownFileHint });
       }
       for (const { path, bytes: content } of unzipped) {
-        files.push({ path, file: new File([content], path.slice(path.lastIndexOf("/") + 1)) });
+        files.push({ path, file: new File([content], nameOf(path)) });
       }
     }
     return files;
@@ -205,7 +205,7 @@ export class FileCommands {
     if (!demos) return;
     try {
       const { bytes, design } = await this.#fetchDemo(demo, demos);
-      const source = { name: demo.model.slice(demo.model.lastIndexOf("/") + 1), bytes };
+      const source = { name: nameOf(demo.model), bytes };
       try {
         await this.#openModel(unwrapped ?? { source, title: demo.name, demoId: demo.id }, design);
       } finally {
@@ -245,7 +245,7 @@ export class FileCommands {
     try {
       const { page } = store.state.demos;
       const bytes = await this.#opening(name, () => fetchBytes(model, page));
-      const source = { name: model.slice(model.lastIndexOf("/") + 1), bytes };
+      const source = { name: nameOf(model), bytes };
       await this.#openModel({ source, title: name, demoId: null }, emptyDesign());
     } catch (thrown) {
       this.#tellRefusal(name, thrown, (unwrapped) => this.#openModel(unwrapped, emptyDesign()));
