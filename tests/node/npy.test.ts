@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { npyHeader } from "../../node/npy.ts";
 
-const textOf = (header: Uint8Array): string => new TextDecoder("latin1").decode(header);
+const textOf = (header: Uint8Array): string => Buffer.from(header).toString("latin1");
 
 describe("the header of a NumPy array file", () => {
   it("is the one that numpy.save writes", () => {
