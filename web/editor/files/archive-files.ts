@@ -3,7 +3,7 @@ import { TexelcastError } from "../../core/texelcast-error.ts";
 import { PROJECT_EXTENSION } from "../document/index.ts";
 import { ZipReader, type ZipTerms } from "../document/zip-reader.ts";
 import { nameOf } from "./companions.ts";
-import { ARCHIVE } from "./file-intake.ts";
+import { ARCHIVE, MODEL } from "./file-intake.ts";
 
 export interface UnzippedFile {
   /** Path below a folder that is called as the archive. */
@@ -20,7 +20,6 @@ const HIDDEN = /^(\.|__MACOSX$)/;
 /** What no model, design or picture here asks for, and may be large: sources, other kinds of models, archives, films. */
 const FOREIGN =
   /\.(fbx|obj|mtl|stl|ply|dae|usd[acz]?|blend\d*|max|c4d|m[ab]|spp|psd|exr|hdr|zip|rar|7z|mp4|mov|txt|md|pdf|html?|rtf|url)$/i;
-const MODEL = /\.(glb|gltf)$/i;
 const DESIGN = /\.design\.json$/i;
 /** The entry by which a project is known that was given another ending. */
 const MANIFEST = "project.json";

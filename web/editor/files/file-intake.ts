@@ -26,7 +26,7 @@ export interface Intake {
 
 /** What is opened first, and is then the files that are in it. */
 export const ARCHIVE = /\.zip$/i;
-const MODEL = /\.(glb|gltf)$/i;
+export const MODEL = /\.(glb|gltf)$/i;
 const PICTURE = /\.(png|jpe?g|jfif|webp|avif|svgz?)$/i;
 const FONT = /\.(ttf|otf|ttc|otc|woff2?)$/i;
 const DESIGN = /\.json$/i;
