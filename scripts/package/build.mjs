@@ -13,6 +13,7 @@ import { licenceText } from "./licences.mjs";
 import { ENTRIES, manifestOf } from "./manifest.mjs";
 import { mergeChunks } from "./merge-chunks.mjs";
 import { noNode } from "./no-node.mjs";
+import { pageEntries } from "./page-entries.mjs";
 import { shrinkScripts } from "./shrink.mjs";
 import { tightStyles } from "./tight-styles.mjs";
 import { NamedFiles, urlFiles } from "./url-files.mjs";
@@ -55,7 +56,12 @@ export async function buildPackage() {
   /** @param {import("esbuild").BuildOptions} own @param {readonly string[]} roots sources that are loaded as a whole */
   const bundle = async (own, roots = []) => {
     const options = { ...SHARED, ...own };
-    const plugins = [urlFiles(files), tightStyles(), ...(own.platform === "browser" ? [noNode()] : [])];
+    const plugins = [
+      urlFiles(files),
+      tightStyles(),
+      ...(own.platform === "browser" ? [noNode()] : []),
+      ...(own.plugins ?? []),
+    ];
     const { metafile } = await build({ ...options, metafile: true, plugins });
     for (const input of Object.keys(metafile.inputs)) inputs.add(inRoot(input));
     if (roots.length > 0) await mergeChunks({ dist: DIST, metafile, roots, options });
@@ -81,6 +87,7 @@ export async function buildPackage() {
     entryPoints: entries.flatMap(({ name, edge }) => (edge ? [{ in: edge, out: `${name}-edge` }] : [])),
     platform: "neutral",
     minify: true,
+    plugins: [pageEntries()],
   });
   // Bundles of their own: a worker sees no import map, and must not load the page's half.
   for (const [name, source] of files.workers) {

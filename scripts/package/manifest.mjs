@@ -19,7 +19,7 @@ export const ENTRIES = {
   "./vue": { source: "web/element/vue.ts", name: "vue", runs: "page" },
   "./core": { source: "web/package/core.ts", name: "core", runs: "page" },
   "./three": { source: "web/package/three.ts", name: "three", runs: "page" },
-  "./node": { source: "node/package.ts", name: "node", runs: "node" },
+  "./node": { source: "node/package.ts", name: "node", runs: "node", edge: "web/package/node-edge.ts" },
   "./host": { source: "web/package/host.ts", name: "host", runs: "page" },
   "./embed": { source: "web/package/embed.ts", name: "embed", runs: "page" },
 };

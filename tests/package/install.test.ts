@@ -84,24 +84,56 @@ test("a server's scripts name their files in statements, where what gathers a se
   expect(addresses.flatMap(([, arrow, address]) => (arrow ? [address] : []))).toEqual([]);
 });
 
-test.each(EDGES)("%s, a server that is no Node, imports the element's name and registers nothing", async (runtime) => {
+/** What a script says that the package is bundled into as this edge does it, run where there is neither Node nor a page. */
+async function sayAtEdge(runtime: string, contents: string): Promise<unknown> {
   const { outputFiles } = await build({
-    stdin: {
-      contents: `
-        import { EDITOR_TAG, TexelcastEditor } from "texelcast/define";
-        import { TexelcastError } from "texelcast";
-        said = [EDITOR_TAG, typeof TexelcastEditor, typeof TexelcastError];`,
-      resolveDir: installed.folder,
-    },
+    stdin: { contents, resolveDir: installed.folder },
     bundle: true,
     write: false,
+    format: "iife",
+    logLevel: "error",
     platform: "neutral",
     conditions: [runtime],
     target: "es2022",
   });
   const globals: { said?: unknown } = {};
   runInNewContext(outputFiles[0]?.text ?? "", globals);
-  expect(globals.said).toEqual(["texelcast-editor", "function", "function"]);
+  return await globals.said;
+}
+
+test.each(EDGES)("%s, a server that is no Node, imports the element's name and registers nothing", async (runtime) => {
+  const script = `
+    import { EDITOR_TAG, TexelcastEditor } from "texelcast/define";
+    import { TexelcastError } from "texelcast";
+    said = [EDITOR_TAG, typeof TexelcastEditor, typeof TexelcastError];`;
+  expect(await sayAtEdge(runtime, script)).toEqual(["texelcast-editor", "function", "function"]);
+});
+
+test.each(EDGES)("on %s, what is thrown is of the class that the root import names", async (runtime) => {
+  const script = `
+    import { TexelcastEditor } from "texelcast/define";
+    import { TexelcastError } from "texelcast";
+    try { new TexelcastEditor(); } catch (error) { said = error instanceof TexelcastError; }`;
+  expect(await sayAtEdge(runtime, script)).toBe(true);
+});
+
+test.each(EDGES)("on %s, a server's entry reads designs, and says where they can be printed", async (runtime) => {
+  const script = `
+    import { TexelcastError } from "texelcast";
+    import { checkPrint, createEngine, parseDesign, renderPrint } from "texelcast/node";
+    const calls = [renderPrint, checkPrint, async () => createEngine()];
+    said = Promise.all(calls.map((call) => call({}).catch((error) => [error instanceof TexelcastError, error.code, error.hint])))
+      .then((refusals) => [parseDesign('{ "format": "texelcast-design", "version": 1 }').layers.length, ...refusals]);`;
+  const refusal = [true, "unsupported", "Print on a server with one of them, and ask it from here."];
+  expect(await sayAtEdge(runtime, script)).toEqual([0, refusal, refusal, refusal]);
+});
+
+test("at an edge, a server's entry offers all that it offers in Node", async () => {
+  const script = `
+    const names = async (file) => Object.keys(await import("./node_modules/texelcast/dist/" + file)).sort();
+    console.log(JSON.stringify([await names("node.js"), await names("node-edge.js")]));`;
+  const [inNode, atEdge] = JSON.parse(await runInNode(installed.folder, script)) as string[][];
+  expect(atEdge).toEqual(inNode);
 });
 
 test("a page's engine says on a server that it needs a page, and what there is instead", async () => {
