@@ -88,6 +88,8 @@ function complaints(files: Readonly<Record<string, string>>, options: object): s
   const project = {
     compilerOptions: {
       strict: true,
+      exactOptionalPropertyTypes: true,
+      verbatimModuleSyntax: true,
       skipLibCheck: false,
       noEmit: true,
       target: "es2022",
