@@ -137,8 +137,8 @@ describe("an AVIF picture", () => {
     const height = expected.length / width;
     expect(await readPictureHeader(file, "n.avif")).toMatchObject({ width, height, orientation: 1 });
     // Of a texture too: it is how the picture is, and no camera's note.
-    for (const orient of [true, false]) {
-      const picture = await decodePicture(file, "n.avif", { orient });
+    for (const asSeen of [true, false]) {
+      const picture = await decodePicture(file, "n.avif", { asSeen });
       expect([picture.width, picture.height]).toEqual([width, height]);
       expect(reds(picture)).toEqual(expected);
     }
@@ -147,7 +147,7 @@ describe("an AVIF picture", () => {
   it("is not turned by EXIF, whose turn its own stands for", async () => {
     const exif = { type: "Exif", data: joined(u32(0), tiff(6)), references: { cdsc: [1] } };
     const file = makeAvif({ parts: [numbered, exif] });
-    expect(await decodePicture(file, "n.avif", { orient: true })).toEqual(NUMBERED);
+    expect(await decodePicture(file, "n.avif", { asSeen: true })).toEqual(NUMBERED);
   });
 
   it("of tiles is put together, and cut where they are too large", async () => {

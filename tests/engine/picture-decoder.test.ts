@@ -243,7 +243,7 @@ describe("a photo's EXIF orientation", () => {
     [7, 3, [6, 4, 2, 5, 3, 1]],
     [8, 3, [2, 4, 6, 1, 3, 5]],
   ])("%i is undone when asked", async (orientation, width, expected) => {
-    const upright = await decodePicture(numbered(orientation), "photo", { orient: true });
+    const upright = await decodePicture(numbered(orientation), "photo", { asSeen: true });
     expect(upright.width).toBe(width);
     expect([...upright.rgba].filter((_, i) => i % 4 === 0)).toEqual(expected);
   });
@@ -258,7 +258,7 @@ describe("a photo's EXIF orientation", () => {
       const segment = [0xff, 0xe1, 0, block.length + 2, ...block];
       const photo = Uint8Array.from([...jpeg.subarray(0, 2), ...segment, ...jpeg.subarray(2)]);
       expect(await readPictureHeader(photo, "photo.jpg")).toMatchObject({ width: 32, height: 16, orientation: 6 });
-      expect(await decodePicture(photo, "photo.jpg", { orient: true })).toMatchObject({ width: 16, height: 32 });
+      expect(await decodePicture(photo, "photo.jpg", { asSeen: true })).toMatchObject({ width: 16, height: 32 });
     }
   });
 
@@ -269,7 +269,7 @@ describe("a photo's EXIF orientation", () => {
       const photo = Buffer.concat([webpLossless, Buffer.from("EXIF"), size, Buffer.from(block)]);
       photo.writeUInt32LE(photo.length - 8, 4);
       expect(await readPictureHeader(photo, "photo.webp")).toMatchObject({ width: 32, height: 16, orientation: 6 });
-      expect(await decodePicture(photo, "photo.webp", { orient: true })).toMatchObject({ width: 16, height: 32 });
+      expect(await decodePicture(photo, "photo.webp", { asSeen: true })).toMatchObject({ width: 16, height: 32 });
     }
   });
 

@@ -143,7 +143,7 @@ export class EngineHost implements Engine {
         this.#replaceImage(session, key, null);
         return size;
       }
-      const { width, height, rgba } = await decodePicture(asset.bytes, asset.name, { orient: true });
+      const { width, height, rgba } = await decodePicture(asset.bytes, asset.name, { asSeen: true });
       this.#checkAlive();
       const image = session.createImage(width, height, rgba);
       this.#drawn.removeSvg(key);

@@ -1,19 +1,18 @@
 /**
  * PNG, JPEG, WebP and AVIF to straight-alpha RGBA, by the same WebAssembly in the browser and in Node, so that the same file
  * gives the same bytes everywhere (spec section 7). Never by a canvas, which premultiplies and differs between machines.
- * Colour profiles and gamma chunks are ignored, as glTF asks of base colour textures.
+ * Colour profiles are ignored in models' textures, as glTF asks, and followed in what people bring; gamma chunks are ignored in both.
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Picture } from "./engine-api.ts";
-import { orientPixels } from "./exif-orientation.ts";
 import { badPicture, type PictureFormat, readPictureHeader } from "./picture-header.ts";
 import { decodePng } from "./png-codec.ts";
 
 export { type PictureHeader, readPictureHeader } from "./picture-header.ts";
 
 export interface DecodeOptions {
-  /** Turns a photo upright as its EXIF tag says; default false, as glTF viewers show textures. */
-  readonly orient?: boolean;
+  /** Upright as EXIF says, and its colours made sRGB from what its profile says; default false, as glTF viewers show textures. */
+  readonly asSeen?: boolean;
 }
 
 /**
@@ -37,7 +36,8 @@ export async function decodePicture(bytes: Uint8Array, name: string, options: De
     );
   }
   if (rgba.length !== width * height * 4) throw badPicture(name, "damaged", "its data does not fit its size");
-  return options.orient ? orientPixels(rgba, width, height, header.orientation) : { width, height, rgba };
+  if (!options.asSeen) return { width, height, rgba };
+  return await (await import("./picture-as-seen.ts")).asSeen(rgba, header, bytes, name);
 }
 
 /** A model's own texture is a PNG as a rule: its codec's glue comes with the engine, the others' by their first picture. */

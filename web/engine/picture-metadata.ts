@@ -1,26 +1,33 @@
 /**
  * Pictures without what cameras and programs write beside the pixels: places, names, serial numbers, small copies of what was
  * cut away, what was appended behind the end. Nothing is decoded or encoded, so the pixels stay to the bit, the same file
- * always gives the same bytes, and a clean file gives itself. How the camera was held is kept, as the one thing that shows.
- *
- * Colour profiles go too: the decoders do not look at them (picture-decoder.ts).
+ * always gives the same bytes, and a clean file gives itself. What shows is kept: how the camera was held, and of a colour profile
+ * the numbers that make colours.
  */
 import { joinBytes } from "./join-bytes.ts";
 import type { PictureFormat } from "./picture-header.ts";
 import { pngChunk } from "./png-chunk.ts";
 
+/** What shows of it. */
+export interface KeptMetadata {
+  /** As the header says it, 1 to 8. */
+  readonly orientation: number;
+  /** The chunk or the segments of a colour profile (`keptColors`); null where the colours are sRGB's. */
+  readonly colors: Uint8Array | null;
+}
+
 /**
- * @param orientation As the header says it, 1 to 8.
- * @param bytes A file whose header has been read (`readPictureHeader`), which proves its chunks or segments whole.
+ * @param bytes A file whose header has been read (`readPictureHeader`), which proves its chunks or segments whole. An AVIF keeps
+ *   what it says of its colours.
  */
 export async function withoutMetadata(
   format: PictureFormat,
   bytes: Uint8Array,
-  orientation: number,
+  kept: KeptMetadata,
 ): Promise<Uint8Array<ArrayBuffer>> {
   if (format === "avif") return (await import("./avif-header.ts")).cleanAvif(bytes);
-  if (format === "png") return cleanPng(bytes, orientation);
-  return format === "jpeg" ? cleanJpeg(bytes, orientation) : cleanWebp(bytes, orientation);
+  if (format === "png") return cleanPng(bytes, kept);
+  return format === "jpeg" ? cleanJpeg(bytes, kept) : cleanWebp(bytes, kept);
 }
 
 /** A TIFF block that says the orientation alone (EXIF 2.32, 4.6.2). */
@@ -40,13 +47,14 @@ function orientationBlock(orientation: number): Uint8Array {
 /** What the pixels need; an animation (acTL, fcTL, fdAT) loses all but its first picture, which is what is painted. */
 const PNG_CHUNKS: ReadonlySet<string> = new Set(["IHDR", "PLTE", "tRNS", "IDAT", "IEND"]);
 
-function cleanPng(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuffer> {
+function cleanPng(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Uint8Array<ArrayBuffer> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const parts: Uint8Array[] = [bytes.subarray(0, 8)];
   for (let at = 8; ; ) {
     const length = view.getUint32(at);
     const type = asciiOf(bytes, at + 4, 4);
     if (PNG_CHUNKS.has(type)) parts.push(bytes.subarray(at, at + 12 + length));
+    if (type === "IHDR" && colors !== null) parts.push(colors);
     if (type === "IHDR" && orientation !== 1) parts.push(pngChunk("eXIf", orientationBlock(orientation)));
     if (type === "IEND") return joinBytes(parts);
     at += 12 + length;
@@ -55,13 +63,14 @@ function cleanPng(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuffe
 
 const JPEG = { end: 0xd9, scan: 0xda, app0: 0xe0, app14: 0xee, app15: 0xef, comment: 0xfe } as const;
 
-function cleanJpeg(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuffer> {
+function cleanJpeg(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Uint8Array<ArrayBuffer> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const parts: Uint8Array[] = [bytes.subarray(0, 2)];
   if (orientation !== 1) {
     const data = joinBytes([codesOf("Exif\0\0"), orientationBlock(orientation)]);
     parts.push(Uint8Array.of(0xff, 0xe1, 0, 2 + data.length), data);
   }
+  if (colors !== null) parts.push(colors);
   for (let at = 2; at + 1 < bytes.length; ) {
     const marker = view.getUint8(at + 1);
     if (view.getUint8(at) !== 0xff || marker === 0xff) {
@@ -109,9 +118,10 @@ function scanEnd(bytes: Uint8Array, from: number): number {
 const WEBP_CHUNKS: ReadonlySet<string> = new Set(["VP8X", "VP8 ", "VP8L", "ALPH"]);
 /** Flags of VP8X: a colour profile, EXIF, XMP. */
 const WEBP_EXTRAS = 0x20 | 0x08 | 0x04;
+const WEBP_PROFILE = 0x20;
 const WEBP_EXIF = 0x08;
 
-function cleanWebp(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuffer> {
+function cleanWebp(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Uint8Array<ArrayBuffer> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const end = 8 + view.getUint32(4, true);
   const parts: Uint8Array[] = [bytes.slice(0, 12)];
@@ -121,9 +131,11 @@ function cleanWebp(bytes: Uint8Array, orientation: number): Uint8Array<ArrayBuff
     if (WEBP_CHUNKS.has(type)) {
       const chunk = bytes.slice(at, at + 8 + length + (length & 1));
       if (type === "VP8X") {
-        chunk[8] = ((chunk[8] ?? 0) & ~WEBP_EXTRAS) | (orientation === 1 ? 0 : WEBP_EXIF);
+        const kept = (orientation === 1 ? 0 : WEBP_EXIF) | (colors === null ? 0 : WEBP_PROFILE);
+        chunk[8] = ((chunk[8] ?? 0) & ~WEBP_EXTRAS) | kept;
       }
       parts.push(chunk);
+      if (type === "VP8X" && colors !== null) parts.push(colors);
     }
     at += 8 + length + (length & 1);
   }

@@ -4,6 +4,7 @@
  */
 
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { mentionsColors } from "./color-mention.ts";
 import { checkJpegScans } from "./jpeg-scans.ts";
 import { readPictureHeader } from "./picture-header.ts";
 import { withoutMetadata } from "./picture-metadata.ts";
@@ -29,10 +30,10 @@ export interface CheckedPicture {
 export const UPLOAD_LIMITS = { bytes: 20 * 2 ** 20, megapixels: 64 } as const;
 
 /**
- * Checks a picture and takes its metadata away; decodes nothing.
+ * Checks a picture and takes its metadata away but what shows; decodes nothing.
  *
  * Rejects with "too-large" (bytes or pixels), "unsafe-file" (a drawing with scripts), "bad-picture" (neither PNG, JPEG, WebP, AVIF nor
- * SVG, damaged, cut short, CMYK, animated), each naming the file and saying what to do.
+ * SVG, damaged, cut short, CMYK, animated, a colour profile by tables), each naming the file and saying what to do.
  */
 export async function checkUpload(name: string, bytes: Uint8Array, limits: UploadLimits = {}): Promise<CheckedPicture> {
   const { bytes: mostBytes = UPLOAD_LIMITS.bytes, megapixels = UPLOAD_LIMITS.megapixels } = limits;
@@ -51,9 +52,12 @@ export async function checkUpload(name: string, bytes: Uint8Array, limits: Uploa
     throw tooLarge(name, has, `${width} × ${height}`);
   }
   const turned = orientation >= 5;
+  const colors = mentionsColors(bytes)
+    ? await (await import("./picture-profile.ts")).keptColors(format, bytes, name)
+    : null;
   return {
     type: `image/${format}`,
-    bytes: await withoutMetadata(format, bytes, orientation),
+    bytes: await withoutMetadata(format, bytes, { orientation, colors }),
     width: turned ? height : width,
     height: turned ? width : height,
   };

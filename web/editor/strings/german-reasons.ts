@@ -40,6 +40,7 @@ export const PICTURES: Reasons = {
   "no-pixels": ["Es enthält keine Pixel.", ANOTHER],
   "no-size": ["Es hat keine Breite und Höhe über 0.", PLAIN_SVG],
   "not-well-formed": ["Es ist kein gültiges SVG.", PLAIN_SVG],
+  profile: ["Sein Farbprofil besteht aus Tabellen.", "Speichere es in sRGB-Farben."],
   scans: ["Es geht zu oft über das ganze Bild.", "Speichere es noch einmal, als JPEG oder PNG."],
   svg: ["Es ist eine SVG-Zeichnung.", AS_PICTURE],
   tiff: ["Es ist ein TIFF.", AS_PICTURE],

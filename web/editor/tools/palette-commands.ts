@@ -36,7 +36,7 @@ export class PaletteCommands {
   }
 
   async #ofPicture(file: File): Promise<Palette> {
-    const colors = colorsOf(await decodePicture(await bytesOf(file), file.name), PICTURE_COLORS);
+    const colors = colorsOf(await decodePicture(await bytesOf(file), file.name, { asSeen: true }), PICTURE_COLORS);
     if (colors.length === 0) {
       throw new ToldError("bad-palette", this.#board.strings.palette.errors.clearPicture, { subject: file.name });
     }
