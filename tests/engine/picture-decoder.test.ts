@@ -59,6 +59,16 @@ describe("PNG", () => {
   ): Uint8Array => makePng({ width, height: 1, bitDepth, colorType, rows: [bytes], ...more });
   const palette = [255, 0, 0, 0, 255, 0, 0, 0, 255];
 
+  it.each(["iCCP", "gAMA", "cHRM", "sRGB", "pHYs", "tEXt", "zTXt", "iTXt", "acTL", "fcTL", "fdAT"])(
+    "is read where what stands in %s is no such thing, as viewers read it",
+    async (type) => {
+      for (const data of [[], [7], [255, 255, 255, 255, 255], new Array(40).fill(200)]) {
+        const png = row(2, 8, 2, [1, 2, 3, 4, 5, 6], { extra: [[type, Uint8Array.from(data)]] });
+        expect(await pixels(png)).toEqual([1, 2, 3, 255, 4, 5, 6, 255]);
+      }
+    },
+  );
+
   it.each<[string, Uint8Array, number[]]>([
     ["RGBA 8", row(6, 8, 1, [1, 2, 3, 0]), [1, 2, 3, 0]],
     ["RGBA 16", row(6, 16, 1, [1, 255, 3, 4, 5, 6, 7, 200]), [2, 3, 5, 8]],

@@ -4,9 +4,9 @@
  * always gives the same bytes, and a clean file gives itself. What shows is kept: how the camera was held, and of a colour profile
  * the numbers that make colours.
  */
+import { orientationBlock } from "./exif-block.ts";
 import { joinBytes } from "./join-bytes.ts";
 import type { PictureFormat } from "./picture-header.ts";
-import { pngChunk } from "./png-chunk.ts";
 
 /** What shows of it. */
 export interface KeptMetadata {
@@ -26,39 +26,8 @@ export async function withoutMetadata(
   kept: KeptMetadata,
 ): Promise<Uint8Array<ArrayBuffer>> {
   if (format === "avif") return (await import("./avif-header.ts")).cleanAvif(bytes);
-  if (format === "png") return cleanPng(bytes, kept);
+  if (format === "png") return (await import("./clean-png.ts")).cleanPng(bytes, kept);
   return format === "jpeg" ? cleanJpeg(bytes, kept) : cleanWebp(bytes, kept);
-}
-
-/** A TIFF block that says the orientation alone (EXIF 2.32, 4.6.2). */
-function orientationBlock(orientation: number): Uint8Array {
-  const block = new Uint8Array(26);
-  const view = new DataView(block.buffer);
-  block.set([0x49, 0x49, 0x2a, 0]);
-  view.setUint32(4, 8, true);
-  view.setUint16(8, 1, true);
-  view.setUint16(10, 0x0112, true);
-  view.setUint16(12, 3, true);
-  view.setUint32(14, 1, true);
-  view.setUint16(18, orientation, true);
-  return block;
-}
-
-/** What the pixels need; an animation (acTL, fcTL, fdAT) loses all but its first picture, which is what is painted. */
-const PNG_CHUNKS: ReadonlySet<string> = new Set(["IHDR", "PLTE", "tRNS", "IDAT", "IEND"]);
-
-function cleanPng(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Uint8Array<ArrayBuffer> {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const parts: Uint8Array[] = [bytes.subarray(0, 8)];
-  for (let at = 8; ; ) {
-    const length = view.getUint32(at);
-    const type = asciiOf(bytes, at + 4, 4);
-    if (PNG_CHUNKS.has(type)) parts.push(bytes.subarray(at, at + 12 + length));
-    if (type === "IHDR" && colors !== null) parts.push(colors);
-    if (type === "IHDR" && orientation !== 1) parts.push(pngChunk("eXIf", orientationBlock(orientation)));
-    if (type === "IEND") return joinBytes(parts);
-    at += 12 + length;
-  }
 }
 
 const JPEG = { end: 0xd9, scan: 0xda, app0: 0xe0, app14: 0xee, app15: 0xef, comment: 0xfe } as const;

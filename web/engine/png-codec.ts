@@ -43,7 +43,14 @@ const BIT_DEPTH = 24;
 /** Rejects with "missing-file", and with what the codec says of bytes that it cannot read. */
 export async function decodePng(bytes: Uint8Array): Promise<Pick<ImageData, "data">> {
   const codec = await pngCodec();
-  return keepStack(codec, () => (bytes[BIT_DEPTH] === 16 ? { data: decodeDeep(bytes) } : decode(bytes)));
+  const read = (png: Uint8Array) =>
+    keepStack(codec, () => (png[BIT_DEPTH] === 16 ? { data: decodeDeep(png) } : decode(png)));
+  try {
+    return read(bytes);
+  } catch {
+    // The codec minds faults of texts and the like, at which no viewer looks: once more without them.
+    return read(await (await import("./clean-png.ts")).cleanPng(bytes));
+  }
 }
 
 /** 16 bits a channel, each to the nearest of 8. By itself the codec would cut the lower ones off, which darkens by half a step. */
