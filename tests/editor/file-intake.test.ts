@@ -52,6 +52,14 @@ describe("what comes together with a model", () => {
 });
 
 describe("a picture", () => {
+  it("is one that cannot be read where it came alone, so that what it is instead is told", async () => {
+    const others = ["logo.pdf", "logo.ai", "logo.eps", "layers.psd", "cat.gif", "scan.tif", "photo.HEIC"];
+    const files = others.map((name) => ({ path: name, file: new File(["bytes"], name) }));
+    const { pictures } = await sortFiles(files, stringsIn("en"));
+    expect(pictures.map(({ path }) => path)).toEqual(others);
+    expect(await added(WHOLE, ...others)).toEqual([]);
+  });
+
   it("is one by any of the endings that programs give it", async () => {
     for (const name of ["a.png", "a.jpg", "a.JPEG", "a.jfif", "a.webp", "a.avif", "a.svg", "a.svgz"]) {
       expect(await added(WHOLE, name)).toEqual([name]);

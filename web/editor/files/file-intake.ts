@@ -28,6 +28,8 @@ export interface Intake {
 export const ARCHIVE = /\.zip$/i;
 export const MODEL = /\.(glb|gltf)$/i;
 const PICTURE = /\.(png|jpe?g|jfif|webp|avif|svgz?)$/i;
+/** What people take for pictures, and what is wrong with them is told when they are read. */
+const OTHER_PICTURE = /\.(gif|bmp|tiff?|hei[cf]|jxl|psd|pdf|ai|eps)$/i;
 const FONT = /\.(ttf|otf|ttc|otc|woff2?)$/i;
 const DESIGN = /\.json$/i;
 const PROJECT = /\.texelcast$/i;
@@ -47,7 +49,7 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
   const project = files.find(({ path }) => PROJECT.test(path));
   const read = modelFile && (await readModel(modelFile, files));
   const spare = design || project ? [] : read ? files.filter((file) => isBeside(file, read.own)) : files;
-  const pictures = spare.filter(({ path }) => PICTURE.test(path));
+  const pictures = spare.filter(({ path }) => PICTURE.test(path) || (!read && OTHER_PICTURE.test(path)));
   const fonts = spare.filter(({ path }) => FONT.test(path));
   const palette = files.find(({ path }) => PALETTE.test(path));
   if (!modelFile && !design && !project && !palette && pictures.length + fonts.length === 0) {

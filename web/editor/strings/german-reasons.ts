@@ -3,6 +3,7 @@
 type Reasons = Readonly<Record<string, readonly [problem: string, hint: string]>>;
 
 const AS_PICTURE = "Speichere es als PNG, JPEG, WebP oder AVIF.";
+const AS_DRAWING = "Exportiere es als SVG, das in jeder Größe scharf bleibt, oder als PNG.";
 const ONCE_MORE = "Kopiere oder lade die Datei noch einmal.";
 const ANOTHER = "Speichere das Bild in einem anderen Programm noch einmal, als PNG, JPEG, WebP, AVIF oder SVG.";
 const SIMPLER = "Vereinfache die Zeichnung, oder speichere sie als PNG.";
@@ -22,6 +23,7 @@ export const PICTURES: Reasons = {
   empty: ["Die Datei ist leer.", ONCE_MORE],
   encoding: ["Sein Text ist weder UTF-8 noch UTF-16.", PLAIN_SVG],
   entities: ["Es wächst durch seine Entitäten über jedes Maß.", PLAIN_SVG],
+  eps: ["Es ist eine EPS-Zeichnung.", AS_DRAWING],
   film: ["Es ist ein Film.", "Speichere ein Bild daraus als stehendes Bild."],
   frames: ["Es enthält mehr Bilder, als ein stehendes hat.", AS_PICTURE],
   gif: ["Es ist ein GIF.", AS_PICTURE],
@@ -35,12 +37,15 @@ export const PICTURES: Reasons = {
     "Zeichne, was darin ist, in die Zeichnung selbst.",
   ],
   "inner-pixels": ["Die Bilder darin haben zu viele Pixel.", "Mach sie kleiner."],
+  jxl: ["Es ist ein JPEG-XL-Bild.", AS_PICTURE],
   ktx2: ["Es ist eine KTX2-Textur.", AS_PICTURE],
   "ktx2-kind": ["Es ist eine KTX2-Textur von einer Art, die nicht gelesen wird.", AS_PICTURE],
   "no-pixels": ["Es enthält keine Pixel.", ANOTHER],
   "no-size": ["Es hat keine Breite und Höhe über 0.", PLAIN_SVG],
   "not-well-formed": ["Es ist kein gültiges SVG.", PLAIN_SVG],
+  pdf: ["Es ist ein PDF, wie es auch die Dateien von Illustrator sind.", AS_DRAWING],
   profile: ["Sein Farbprofil besteht aus Tabellen.", "Speichere es in sRGB-Farben."],
+  psd: ["Es ist eine Photoshop-Datei.", AS_PICTURE],
   scans: ["Es geht zu oft über das ganze Bild.", "Speichere es noch einmal, als JPEG oder PNG."],
   svg: ["Es ist eine SVG-Zeichnung.", AS_PICTURE],
   tiff: ["Es ist ein TIFF.", AS_PICTURE],
