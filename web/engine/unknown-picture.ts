@@ -20,7 +20,7 @@ function describeUnknown(bytes: Uint8Array): readonly [reason: string, problem: 
   if (start.startsWith("%PDF")) return ["pdf", "it is a PDF, as Illustrator's documents are", AS_DRAWING];
   // In some a small picture goes before the text, behind this mark.
   if (/^(%!PS|\xc5\xd0\xd3\xc6)/.test(start)) return ["eps", "it is an EPS drawing", AS_DRAWING];
-  if (/^(\xff\x0a|\0\0\0\x0cJXL )/.test(start)) return ["jxl", "it is a JPEG XL picture", AS_PICTURE];
+  if (start.startsWith("\xff\n") || start.slice(4, 8) === "JXL ") return ["jxl", "it is a JPEG XL picture", AS_PICTURE];
   if (isKtx2(bytes)) return ["ktx2", "it is a KTX2 texture", AS_PICTURE];
   if (/^\s*(<svg|<\?xml)/.test(start)) return ["svg", "it is an SVG drawing", AS_PICTURE];
   return ["unknown", "it is neither PNG, JPEG, WebP nor AVIF", AS_PICTURE];
