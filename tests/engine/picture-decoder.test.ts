@@ -65,6 +65,8 @@ describe("PNG", () => {
       for (const data of [[], [7], [255, 255, 255, 255, 255], new Array(40).fill(200)]) {
         const png = row(2, 8, 2, [1, 2, 3, 4, 5, 6], { extra: [[type, Uint8Array.from(data)]] });
         expect(await pixels(png)).toEqual([1, 2, 3, 255, 4, 5, 6, 255]);
+        const deep = row(2, 16, 1, [1, 255, 3, 4, 5, 6], { extra: [[type, Uint8Array.from(data)]] });
+        expect(await pixels(deep)).toEqual([2, 3, 5, 255]);
       }
     },
   );

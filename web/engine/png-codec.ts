@@ -1,10 +1,10 @@
 /** The PNG codec of @jsquash (Rust's `png`), started once, by the decoder and the encoder alike. */
-import { decode, decode_rgba16 } from "@jsquash/png/codec/pkg/squoosh_png.js";
+import { decode } from "@jsquash/png/codec/pkg/squoosh_png.js";
 import { init as startPng } from "@jsquash/png/decode.js";
 import { compileCodec } from "./codec-wasm.ts";
 
 /** What of the codec's exports is used here. */
-interface PngExports {
+export interface PngExports {
   __wbindgen_add_to_stack_pointer(bytes: number): number;
 }
 
@@ -43,25 +43,13 @@ const BIT_DEPTH = 24;
 /** Rejects with "missing-file", and with what the codec says of bytes that it cannot read. */
 export async function decodePng(bytes: Uint8Array): Promise<Pick<ImageData, "data">> {
   const codec = await pngCodec();
-  const read = (png: Uint8Array) =>
-    keepStack(codec, () => (png[BIT_DEPTH] === 16 ? { data: decodeDeep(png) } : decode(png)));
+  const isDeep = bytes[BIT_DEPTH] === 16;
   try {
-    return read(bytes);
+    if (!isDeep) return keepStack(codec, () => decode(bytes));
   } catch {
-    // The codec minds faults of texts and the like, at which no viewer looks: once more without them.
-    return read(await (await import("./clean-png.ts")).cleanPng(bytes));
+    // It minds faults of texts and the like, at which no viewer looks: once more without them.
   }
-}
-
-/** 16 bits a channel, each to the nearest of 8. By itself the codec would cut the lower ones off, which darkens by half a step. */
-function decodeDeep(bytes: Uint8Array): Uint8ClampedArray<ArrayBuffer> {
-  const picture = decode_rgba16(bytes);
-  const deep = picture.data;
-  picture.free();
-  const data = new Uint8ClampedArray(deep.length);
-  // 65535 is 255 × 257. Such an array takes the nearest whole number.
-  for (let i = 0; i < data.length; i++) data[i] = (deep[i] as number) / 257;
-  return data;
+  return (await import("./special-png.ts")).decodeSpecialPng(codec, bytes, isDeep);
 }
 
 /**
