@@ -129,6 +129,7 @@ export async function buildPackage() {
   for (const schema of ["design", "zones"]) {
     cpSync(inRoot(`build/${schema}.schema.json`), join(PACKAGE, `${schema}.schema.json`));
   }
+  cpSync(inRoot("web/element/wording"), join(PACKAGE, "wording"), { recursive: true });
   writeFileSync(
     join(PACKAGE, "custom-elements.json"),
     `${JSON.stringify(elementManifest("dist/define.js"), null, 2)}\n`,

@@ -59,6 +59,7 @@ export function manifestOf(checkout) {
       "./texelcast.wasm": "./dist/assets/texelcast.wasm",
       "./design.schema.json": "./design.schema.json",
       "./zones.schema.json": "./zones.schema.json",
+      "./wording/*.json": "./wording/*.json",
       "./package.json": "./package.json",
     },
     sideEffects: [
@@ -76,6 +77,7 @@ export function manifestOf(checkout) {
       "docs",
       "custom-elements.json",
       "*.schema.json",
+      "wording",
       "THIRD-PARTY-LICENCES.txt",
       "CHANGELOG.md",
     ],

@@ -128,6 +128,15 @@ test.each(EDGES)("on %s, a server's entry reads designs, and says where they can
   expect(await sayAtEdge(runtime, script)).toEqual([0, refusal, refusal, refusal]);
 });
 
+test("the words in other languages lie beside the scripts, to be imported or served", async () => {
+  const script = `
+    import { createRequire } from "node:module";
+    const require = createRequire(import.meta.url);
+    const words = ["fr", "es", "it", "nl"].map((language) => require("texelcast/wording/" + language + ".json").lang);
+    console.log(words.join());`;
+  expect(await runInNode(installed.folder, script)).toBe("fr,es,it,nl");
+});
+
 test("at an edge, a server's entry offers all that it offers in Node", async () => {
   const script = `
     const names = async (file) => Object.keys(await import("./node_modules/texelcast/dist/" + file)).sort();

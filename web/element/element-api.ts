@@ -7,12 +7,14 @@ import type { AssetType, Design, DesignLayer } from "../editor/document/design.t
 import type { ModelSource, Projector, Vec3 } from "../engine/engine-api.ts";
 import type { PrintFile, PrintFileOptions, PrintReport } from "../engine/print-report.ts";
 import type { PrintZones } from "../engine/print-zones.ts";
+import type { EditorWording } from "./words/wording.ts";
 
 export type { TexelcastErrorJson } from "../core/texelcast-error.ts";
 export type { AssetType, Design, DesignLayer } from "../editor/document/design.ts";
 export type { ModelSource, Projector } from "../engine/engine-api.ts";
 export type { PrintFile, PrintFileOptions, PrintFinding, PrintMeasures, PrintReport } from "../engine/print-report.ts";
 export type { PrintZones } from "../engine/print-zones.ts";
+export type { EditorWording } from "./words/wording.ts";
 
 /** The element's name in HTML. */
 export const EDITOR_TAG = "texelcast-editor";
@@ -216,6 +218,7 @@ export interface TexelcastEditorAttributes {
   material?: string | number;
   size?: string | number;
   locale?: string;
+  wording?: string;
   readonly?: boolean | "";
   poster?: string;
   loading?: EditorLoading;
@@ -242,6 +245,8 @@ export interface TexelcastEditorProperties {
   size: number | null;
   /** Language; "" is the document's, else the browser's. */
   locale: string;
+  /** Words of the shop's own for the shop's mode, or their address; those that are left out stay the element's. */
+  wording: string | EditorWording | null;
   /** Shows the design and lets nobody change it. */
   readonly: boolean;
   /** Address of a picture that is shown until the model is. */

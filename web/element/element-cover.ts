@@ -15,7 +15,7 @@ export interface Cover {
 
 export function cover({ words, poster, phase, share, error, start }: Cover): TemplateResult {
   return html`
-    <div class="cover" part="cover" lang=${words.language} data-phase=${phase} ?data-bare=${!poster}>
+    <div class="cover" part="cover" lang=${words.lang} data-phase=${phase} ?data-bare=${!poster}>
       <slot name="poster">
         ${!poster ? nothing : html`<img class="poster" part="poster" src=${poster} alt="" />`}
       </slot>
@@ -43,7 +43,7 @@ export function cover({ words, poster, phase, share, error, start }: Cover): Tem
 
 /** An error as the user sees it while they work, until it is sent away or the next act begins. */
 export function notice({ message, hint }: ShownError, words: Words, dismiss: () => void): TemplateResult {
-  return html`<div class="own notice" part="notice" role="alert" lang=${words.language}>
+  return html`<div class="own notice" part="notice" role="alert" lang=${words.lang}>
     <div>
       <p>${message}</p>
       ${hint ? html`<p class="quiet">${hint}</p>` : nothing}

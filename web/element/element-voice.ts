@@ -3,16 +3,16 @@ import type { LitElement } from "lit";
 import type { TexelcastEditorProperties } from "./element-api.ts";
 import { errorDetail, isCancelled, type ShownError, typedError } from "./element-errors.ts";
 import { sendEvent } from "./element-events.ts";
-import { english, languageOf, type Words, type WordsLanguage, wordsIn } from "./words/words.ts";
+import { english, languageOf, type Words, wordsIn } from "./words/words.ts";
 
 export class Voice {
-  readonly #element: LitElement & Pick<TexelcastEditorProperties, "locale">;
+  readonly #element: LitElement & Pick<TexelcastEditorProperties, "locale" | "wording">;
   #words: Words = english;
-  #language: WordsLanguage = "en";
+  #wish = {};
   #announcement = "";
   #shownError: ShownError | null = null;
 
-  constructor(element: LitElement & Pick<TexelcastEditorProperties, "locale">) {
+  constructor(element: LitElement & Pick<TexelcastEditorProperties, "locale" | "wording">) {
     this.#element = element;
   }
 
@@ -27,14 +27,15 @@ export class Voice {
     return this.#shownError;
   }
 
-  /** Takes up the element's language, which may have to be loaded. */
+  /** Takes up the element's language and the shop's own words, which may have to be loaded. */
   async speak(): Promise<void> {
-    const { locale } = this.#element;
+    const { locale, wording } = this.#element;
     const language = languageOf([locale, languageAround(this.#element), ...navigator.languages]);
-    this.#language = language;
-    const words = await wordsIn(language);
-    // Another one may have been asked for meanwhile, and have come first.
-    if (this.#language !== language) return;
+    const wish = {};
+    this.#wish = wish;
+    const words = await wordsIn(language, wording, (error) => this.report(error));
+    // Others may have been asked for meanwhile, and have come first.
+    if (this.#wish !== wish) return;
     this.#words = words;
     this.#element.requestUpdate();
   }

@@ -53,6 +53,7 @@ export interface TexelcastEditor {
  * @attr {number} material - glTF material index that new things go on, and that is printed. Default: the model's largest.
  * @attr {number} size - Texels of the texture's side. Default: the model's own.
  * @attr {string} locale - Language of the element: "en", "de". Default: the page's.
+ * @attr {string} wording - Address of words in another language, or of the shop's own, in JSON.
  * @attr {boolean} readonly - Shows the design and lets nobody change it.
  * @attr {string} poster - Address of a picture that is shown until the model is.
  * @attr {"auto" | "lazy" | "eager"} loading - When it begins: about to be seen, touched, or at once. Default "auto".
@@ -129,6 +130,7 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
   declare material: TexelcastEditorProperties["material"];
   declare size: TexelcastEditorProperties["size"];
   declare locale: TexelcastEditorProperties["locale"];
+  declare wording: TexelcastEditorProperties["wording"];
   declare readonly: TexelcastEditorProperties["readonly"];
   declare poster: TexelcastEditorProperties["poster"];
   declare loading: TexelcastEditorProperties["loading"];
@@ -289,17 +291,18 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
       ${made?.render() ?? view}
       ${phase === "ready" ? nothing : cover({ words, poster, phase, share, error: shownError, start })}
       ${phase === "ready" && shownError ? notice(shownError, words, () => this.#voice.dismiss()) : nothing}
-      <div class="visually-hidden" role="status" lang=${words.language}>${announcement}</div>
+      <div class="visually-hidden" role="status" lang=${words.lang}>${announcement}</div>
     `;
   }
 
   /** @internal */
   protected override updated(changed: PropertyValues<this>): void {
     const has = (...names: (keyof TexelcastEditorProperties)[]): boolean => names.some((name) => changed.has(name));
-    const speaking = has("locale") ? this.#voice.speak() : Promise.resolve();
+    const speaks = has("locale", "wording");
+    const speaking = speaks ? this.#voice.speak() : Promise.resolve();
     // In the language that was just asked for.
     void speaking.then(() => {
-      if (has("locale")) this.#work.configure();
+      if (speaks) this.#work.configure();
       const { faults } = readSettings(this, this.#voice.words);
       const told = new Set([...faults].flatMap(([name, fault]) => (has(name) ? [fault] : [])));
       for (const fault of told) this.#voice.report(fault);

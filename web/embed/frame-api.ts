@@ -4,6 +4,7 @@ import type {
   DesignInput,
   EditorLoading,
   EditorMode,
+  EditorWording,
   ModelSource,
   TexelcastEditorEventMap,
   TexelcastEditorMethods,
@@ -18,6 +19,7 @@ export interface FrameProperties {
   readonly material?: number | null;
   readonly size?: number | null;
   readonly locale?: string;
+  readonly wording?: string | EditorWording | null;
   readonly readonly?: boolean;
   readonly poster?: string;
   readonly loading?: EditorLoading;
@@ -79,6 +81,7 @@ export const FRAME_PROPERTIES = [
   "readonly",
   "size",
   "src",
+  "wording",
   "zones",
 ] as const satisfies readonly (keyof FrameProperties)[];
 

@@ -45,8 +45,8 @@ export function placeFor(
   }
   const hit = at ?? start?.hit ?? (position === undefined ? null : viewer.surface.near(position));
   if (options.projector === undefined && hit === null) {
-    const { nowhere, hint } = PLACING_WORDS[words.language];
-    throw new ToldError("bad-argument", nowhere, { hint });
+    const { message, hint } = { ...PLACING_WORDS[words.language], ...words.own?.nowhere };
+    throw new ToldError("bad-argument", message, { hint });
   }
   const projector = options.projector ?? viewer.projectorAt(hit as SurfaceHit, width, aspect);
   const material = options.material ?? desk.reach.at(projector, false, hit?.material ?? desk.material);

@@ -66,7 +66,7 @@ export async function takeSnapshots(
   for (const orbit of orbits) {
     const picture = await mode.viewer.capture(orbit, width, height);
     if (picture === null) {
-      const { message, hint } = NO_GRAPHICS[words.language];
+      const { message, hint } = { ...NO_GRAPHICS[words.language], ...words.own?.noGraphics };
       throw new ToldError("unsupported", message, { hint });
     }
     pictures.push(picture);

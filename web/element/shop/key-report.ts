@@ -62,7 +62,8 @@ export class KeyReport {
   }
 
   #way(right: number, up: number): string[] {
-    const ways = WAYS[this.#desk.settings.words.language];
+    const { language, own } = this.#desk.settings.words;
+    const ways = own?.ways ?? WAYS[language];
     return [
       ...(right === 0 ? [] : [`${this.#length(Math.abs(right))} ${ways[right < 0 ? 0 : 1]}`]),
       ...(up === 0 ? [] : [`${this.#length(Math.abs(up))} ${ways[up < 0 ? 2 : 3]}`]),
@@ -83,7 +84,7 @@ export class KeyReport {
   }
 
   #number(value: number): string {
-    const { language } = this.#desk.settings.words;
-    return (Math.round(value * 10) / 10 + 0).toFixed(1).replace(".", language === "de" ? "," : ".");
+    const { language, own } = this.#desk.settings.words;
+    return (Math.round(value * 10) / 10 + 0).toFixed(1).replace(".", own?.decimal ?? (language === "de" ? "," : "."));
   }
 }

@@ -45,7 +45,7 @@ export class ShopView {
     return html`
       <div
         class="shop"
-        lang=${host.words.language}
+        lang=${host.words.lang}
         ?data-alone=${readonly}
         @focusin=${this.#touched}
         @pointerenter=${this.#touched}

@@ -1,11 +1,13 @@
 /** The element's own words, apart from the whole editor's: a shop's page loads these alone. */
 import { type ErrorWords, ownWords } from "../../editor/strings/error-words.ts";
 import type { PrintFinding } from "../../engine/print-report.ts";
+import type { EditorWording } from "./wording.ts";
 
 export type WordsLanguage = "en" | "de";
 
 export const english = {
   language: "en" as WordsLanguage,
+  lang: "en",
   /** What the engine or the reader of a file reports. */
   told: ownWords,
   /** What the printer would say; `grave`: it must not be printed so. */
@@ -93,4 +95,7 @@ export const english = {
   },
 };
 
-export type Words = typeof english;
+/** What a shop's own words have beside (`worded`). */
+export type OwnWords = Pick<EditorWording, "nowhere" | "noGraphics" | "ways"> & { readonly decimal: string };
+
+export type Words = typeof english & { readonly own?: OwnWords };

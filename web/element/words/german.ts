@@ -4,6 +4,7 @@ import { germanFinding } from "./german-findings.ts";
 
 export const german: Words = {
   language: "de",
+  lang: "de",
   told: germanError,
   finding: germanFinding,
 

@@ -1,4 +1,4 @@
-/** Which language an element speaks. Each element has its own; German comes when it is first asked for. */
+/** Which language an element speaks. Each element has its own; German and a shop's own words come when they are first asked for. */
 import { english, type Words, type WordsLanguage } from "./english.ts";
 
 export type { Words, WordsLanguage } from "./english.ts";
@@ -13,11 +13,23 @@ export function languageOf(wishes: readonly unknown[]): WordsLanguage {
   return "en";
 }
 
-/** English where a language's words cannot be loaded. */
-export async function wordsIn(language: WordsLanguage): Promise<Words> {
-  if (language === "en") return english;
-  return await import("./german.ts").then(
-    ({ german }) => german,
-    () => english,
-  );
+/**
+ * English where a language's words cannot be loaded.
+ *
+ * @param wording a shop's own words, or their address; null: none.
+ * @param told hears of those of them that cannot be taken.
+ */
+export async function wordsIn(
+  language: WordsLanguage,
+  wording: unknown,
+  told: (error: unknown) => void,
+): Promise<Words> {
+  const words: Words =
+    language === "en"
+      ? english
+      : await import("./german.ts").then(
+          ({ german }) => german,
+          () => english,
+        );
+  return wording ? await (await import("./worded.ts")).worded(words, wording, told) : words;
 }
