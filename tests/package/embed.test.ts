@@ -208,7 +208,7 @@ test("an iframe that is moved in the page is driven anew: what was on its way is
      frame.addEventListener("error", ({ detail }) => errors.push(detail.code));
      let signal;
      globalThis.hook = (asked) => { signal = asked; return new Promise(() => {}); };
-     await frame.set({ locale: "de" });
+     await frame.set({ locale: "de", wording: { submit: "In den Korb" } });
      const waiting = [codeOf(frame.start()), codeOf(frame.addDecal(new Uint8Array(3), { name: "logo" })), frame.start().catch(() => {})];
      while (!signal) await frame.undo();
      frame.validate();
@@ -231,7 +231,8 @@ test("an iframe that is moved in the page is driven anew: what was on its way is
     ignored: 0,
   });
   const frame = opened.page.frames().at(-1);
-  expect(await frame?.evaluate("[editor.maxDecals, editor.locale, editor.size]")).toEqual([3, "de", 512]);
+  const properties = await frame?.evaluate("[editor.maxDecals, editor.locale, editor.wording.submit, editor.size]");
+  expect(properties).toEqual([3, "de", "In den Korb", 512]);
   expect(opened.complaints).toEqual([]);
 });
 
