@@ -36,6 +36,23 @@ test("the shop's words are seen and heard, also those that come while the produc
   await expect(editor.getByRole("button", { name: "Done" })).toBeVisible();
 });
 
+test("words of a language that runs from the right do so, in a page that runs from the left as well", async ({
+  page,
+}) => {
+  await page.goto("element.html?loading=eager");
+  await page.evaluate(() => document.querySelector("texelcast-editor")?.start());
+  await say(page, { lang: "he", addText: "הוסף טקסט" });
+  const editor = page.locator("texelcast-editor");
+  await editor.getByRole("button", { name: "הוסף טקסט" }).click();
+  await expect(editor.locator("select")).toBeVisible();
+  for (const part of [".add", ".foot", ".row .quiet"])
+    await expect(editor.locator(part).first()).toHaveCSS("direction", "rtl");
+  await expect(editor.locator("select"), "its arrow is at the other end").toHaveCSS("background-position", /^8px/);
+  await say(page, { lang: "en" });
+  await expect(editor.locator(".add")).toHaveCSS("direction", "ltr");
+  await expect(editor.locator("select")).toHaveCSS("background-position", /^right|^calc/);
+});
+
 test("words at an address are fetched, and the newest wish stays, whichever comes first", async ({ page }) => {
   let answer = (): void => undefined;
   const late = new Promise<void>((resolve) => {

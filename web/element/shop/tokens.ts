@@ -26,6 +26,10 @@ export const tokens = css`
       sans-serif
     );
   }
+  :is([lang^="ar"], [lang^="fa"], [lang^="he"], [lang^="ur"]) {
+    --_run: rtl;
+    --arrow: left 8px center, left 12px center;
+  }
   /* Not on the host, from which what a page puts into the slots inherits. */
   .own {
     --text-small: 0.75rem;
@@ -59,8 +63,8 @@ export const tokens = css`
     /* What a page says of all its elements ("*") it says of this one too, and all inside would inherit it. */
     letter-spacing: normal;
     word-spacing: normal;
-    /* Its own words are of languages that run from the left, whatever the page's is. */
-    direction: ltr;
+    /* Its words run as their language does, whatever the page's is. */
+    direction: var(--_run, ltr);
     text-align: start;
     text-indent: 0;
     text-shadow: none;
