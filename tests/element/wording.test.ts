@@ -166,7 +166,7 @@ describe.each(SHIPPED)("the words in %s that come along", (language) => {
     expect(same.filter((word) => word.length > 5)).toEqual([]);
     expect(own.map(([path]) => path)).toEqual(told(english).map(([path]) => path));
     // What is told is told in each.
-    const places = (word: string): string => [...word.matchAll(/[79]/g)].join();
+    const places = (word: string): string => [...word.matchAll(/[79]/g)].sort().join();
     expect(own.map(([path, word]) => [path, places(word)])).toEqual(
       told(english).map(([path, word]) => [path, places(word)]),
     );
