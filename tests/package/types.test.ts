@@ -18,6 +18,15 @@ const PAGE_FILES = {
     document.querySelector("texelcast-editor")?.classList.add("shown");
     // @ts-expect-error There is no such property.
     editor.colour = "red";`,
+  "wording.ts": `
+    import type { EditorWording, TexelcastEditor } from "texelcast/define";
+    import french from "texelcast/wording/fr.json" with { type: "json" };
+    export function speakFrench(editor: TexelcastEditor): void {
+      editor.wording = { ...french, submit: "Ajouter au panier" };
+    }
+    export const polish: EditorWording = { lang: "pl", printIssues: { one: "{count} uwaga", other: "{count} uwagi" } };
+    // @ts-expect-error There is no such word.
+    export const wrong: EditorWording = { sumbit: "x" };`,
   "sends.ts": `
     import { createEngine } from "texelcast/core";
     import { mountTexelcast } from "texelcast/embed";
@@ -94,6 +103,7 @@ function complaints(files: Readonly<Record<string, string>>, options: object): s
       noEmit: true,
       target: "es2022",
       jsx: "react-jsx",
+      resolveJsonModule: true,
       types: [],
       ...options,
     },

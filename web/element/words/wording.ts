@@ -108,8 +108,8 @@ export interface EditorWording {
   readonly nowhere?: Told;
   /** Of `snapshot()`. */
   readonly noGraphics?: Told;
-  /** Behind a length, to screen readers: left, right, down, up. */
-  readonly ways?: readonly [left: string, right: string, down: string, up: string];
+  /** Behind a length, to screen readers, four: to the left, to the right, down, up. */
+  readonly ways?: readonly string[];
   /** What the printer would say, by the report's codes: {value}, {limit}, {zone}, {characters}. `grave`: where it must not be printed so. */
   readonly findings?: { readonly [code: string]: Told & { readonly grave?: Told } };
   /** Errors by code, "bad-picture", or by code and reason, "bad-picture/cmyk", which goes first: {name}, {value}. */
