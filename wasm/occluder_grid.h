@@ -37,6 +37,12 @@ public:
     /// Gathers the triangles near the decal's volume. Errors: OUT_OF_BUDGET.
     TxcStatus build();
 
+    /// Whether it is for decals in this place. What they cast, and onto which material, is nothing to it.
+    bool is_of(const PlanarProjector& projector) const {
+        return projector_.to_decal.matrix == projector.to_decal.matrix &&
+               projector_.to_decal.offset == projector.to_decal.offset;
+    }
+
     /// True where a triangle other than `own` stands between the point (model space) and the front of the volume.
     bool is_blocked(const glm::dvec3& point, std::uint32_t own) const;
 
@@ -94,7 +100,7 @@ private:
 
     const Mesh& mesh_;
     const OcclusionTree& tree_;
-    const PlanarProjector& projector_;
+    const PlanarProjector projector_;
     std::uint32_t cells_ = 1;  // along one side
     std::vector<Occluder> occluders_;
     std::vector<std::uint32_t> cell_start_;  // first block; cells_ * cells_ + 1

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace txc {
 namespace {
@@ -12,17 +13,24 @@ constexpr int kBins = 16;
 constexpr int kMaxSahDepth = 48;
 constexpr double kLeastDistanceShare = 0.0005;
 
-double half_area(const Bounds& box) {
-    if (box.empty) return 0.0;
-    const glm::dvec3 size = glm::dvec3(box.max) - glm::dvec3(box.min);
-    return size.x * size.y + size.y * size.z + size.z * size.x;
-}
+/// A box of triangles; of none, inside out.
+struct ItemBox {
+    Float4 low = splat(std::numeric_limits<float>::infinity());
+    Float4 high = -low;
 
-void grow(Bounds& box, const Bounds& other) {
-    if (other.empty) return;
-    box.add(other.min);
-    box.add(other.max);
-}
+    void add(Float4 other_low, Float4 other_high) {
+        low = lesser(low, other_low);
+        high = greater(high, other_high);
+    }
+    double half_area() const {
+        const double x = static_cast<double>(high[0]) - static_cast<double>(low[0]);
+        const double y = static_cast<double>(high[1]) - static_cast<double>(low[1]);
+        const double z = static_cast<double>(high[2]) - static_cast<double>(low[2]);
+        return x * y + y * z + z * x;
+    }
+    glm::vec3 min() const { return {low[0], low[1], low[2]}; }
+    glm::vec3 max() const { return {high[0], high[1], high[2]}; }
+};
 
 /// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), both sides.
 bool meets(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& origin,
@@ -47,25 +55,28 @@ bool meets(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const 
 TxcStatus OcclusionTree::build(const Mesh& mesh) {
     mesh_ = &mesh;
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
-    // Nodes and order stay; boxes and centroids are scratch.
+    // Nodes and order stay; items are scratch.
     if (const TxcStatus status = share_.resize(
-            static_cast<std::uint64_t>(count) * (2 * sizeof(Node) + 4 + sizeof(Bounds) + 12), "the occlusion tree");
+            static_cast<std::uint64_t>(count) * (2 * sizeof(Node) + 4 + sizeof(Item)), "the occlusion tree");
         status != TXC_STATUS_OK)
         return status;
-    std::vector<Bounds> boxes(count);
-    std::vector<glm::vec3> centroids(count);
-    order_.resize(count);
-    Bounds all;
+    std::vector<Item> items(count);
+    ItemBox all;
     for (std::uint32_t t = 0; t < count; ++t) {
-        for (const std::uint32_t v : mesh.triangles[t].vertex) boxes[t].add(mesh.positions[v]);
-        centroids[t] = boxes[t].min * 0.5f + boxes[t].max * 0.5f;
-        grow(all, boxes[t]);
-        order_[t] = t;
+        ItemBox box;
+        for (const std::uint32_t v : mesh.triangles[t].vertex) {
+            const Float4 corner = load_vec3(mesh.positions[v]);
+            box.add(corner, corner);
+        }
+        all.add(box.low, box.high);
+        Int4 low_bits = reinterpret_cast<Int4>(box.low);
+        low_bits[3] = static_cast<std::int32_t>(t);
+        items[t] = {reinterpret_cast<Float4>(low_bits), box.high};
     }
-    least_distance_ = static_cast<double>(all.diagonal()) * kLeastDistanceShare;
+    least_distance_ = static_cast<double>(count > 0 ? glm::length(all.max() - all.min()) : 0.0f) * kLeastDistanceShare;
     nodes_.clear();
     nodes_.reserve(static_cast<std::size_t>(count) * 2);
-    nodes_.push_back({all.min, 0, all.max, count});
+    nodes_.push_back({all.min(), 0, all.max(), count});
     struct Open {
         std::uint32_t node;
         int depth;
@@ -74,74 +85,74 @@ TxcStatus OcclusionTree::build(const Mesh& mesh) {
     while (!open.empty()) {
         const Open next = open.back();
         open.pop_back();
-        split(next.node, next.depth >= kMaxSahDepth, centroids, boxes);
+        split(next.node, next.depth >= kMaxSahDepth, items);
         if (nodes_[next.node].count == 0) {
             open.push_back({nodes_[next.node].first + 1, next.depth + 1});
             open.push_back({nodes_[next.node].first, next.depth + 1});
         }
     }
     nodes_.shrink_to_fit();
+    order_.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i)
+        order_[i] = static_cast<std::uint32_t>(reinterpret_cast<Int4>(items[i].low)[3]);
     return share_.resize(nodes_.size() * sizeof(Node) + order_.size() * 4, "the occlusion tree");
 }
 
-void OcclusionTree::split(std::uint32_t node_index, bool in_halves, const std::vector<glm::vec3>& centroids,
-                          const std::vector<Bounds>& boxes) {
+void OcclusionTree::split(std::uint32_t node_index, bool in_halves, std::vector<Item>& items) {
     const std::uint32_t first = nodes_[node_index].first;
     const std::uint32_t count = nodes_[node_index].count;
     if (count <= kLeafSize) return;
-    Bounds middle;
-    for (std::uint32_t i = first; i < first + count; ++i) middle.add(centroids[order_[i]]);
-
-    double best_cost = 1e300;
-    int best_axis = -1;
-    int best_bin = 0;
-    for (int axis = 0; axis < 3 && !in_halves; ++axis) {
-        const float low = middle.min[axis];
-        const float extent = middle.max[axis] - low;
-        if (!(extent > 0.0f)) continue;
-        Bounds bins[kBins];
+    Item* const begin = items.data() + first;
+    Item* const end = begin + count;
+    // Twice their middles: halved, small ones would be rounded.
+    ItemBox middle;
+    for (const Item* item = begin; item != end; ++item) middle.add(item->low + item->high, item->low + item->high);
+    const Float4 extents = middle.high - middle.low;
+    const int axis = extents[0] >= extents[1] ? (extents[0] >= extents[2] ? 0 : 2) : (extents[1] >= extents[2] ? 1 : 2);
+    const float low = middle.low[axis];
+    const float extent = extents[axis];
+    const auto bin_of = [&](const Item& item) {
+        return std::min(kBins - 1, static_cast<int>((item.low[axis] + item.high[axis] - low) / extent * kBins));
+    };
+    Item* cut = begin + count / 2;
+    if (extent > 0.0f && !in_halves) {
+        ItemBox bins[kBins];
         std::uint32_t counts[kBins] = {};
-        for (std::uint32_t i = first; i < first + count; ++i) {
-            const int bin = std::min(kBins - 1, static_cast<int>((centroids[order_[i]][axis] - low) / extent * kBins));
-            grow(bins[bin], boxes[order_[i]]);
+        for (const Item* item = begin; item != end; ++item) {
+            const int bin = bin_of(*item);
+            bins[bin].add(item->low, item->high);
             ++counts[bin];
         }
-        Bounds right_boxes[kBins];
-        Bounds right;
+        ItemBox right_boxes[kBins];
+        ItemBox right;
         for (int bin = kBins - 1; bin > 0; --bin) {
-            grow(right, bins[bin]);
+            right.add(bins[bin].low, bins[bin].high);
             right_boxes[bin] = right;
         }
-        Bounds left;
+        // The first bin and the last hold the outermost middles, so there are some on either side of each cut.
+        double best_cost = 1e300;
+        int best_bin = 1;
+        ItemBox left;
         std::uint32_t left_count = 0;
         for (int bin = 1; bin < kBins; ++bin) {
-            grow(left, bins[bin - 1]);
+            left.add(bins[bin - 1].low, bins[bin - 1].high);
             left_count += counts[bin - 1];
-            if (left_count == 0 || left_count == count) continue;
-            const double cost = half_area(left) * left_count + half_area(right_boxes[bin]) * (count - left_count);
+            const double cost = left.half_area() * left_count + right_boxes[bin].half_area() * (count - left_count);
             if (cost < best_cost) {
                 best_cost = cost;
-                best_axis = axis;
                 best_bin = bin;
             }
         }
-    }
-    const auto begin = order_.begin() + first;
-    auto cut = begin + count / 2;
-    if (best_axis >= 0) {
-        const float low = middle.min[best_axis];
-        const float extent = middle.max[best_axis] - low;
-        cut = std::partition(begin, begin + count, [&](std::uint32_t t) {
-            return std::min(kBins - 1, static_cast<int>((centroids[t][best_axis] - low) / extent * kBins)) < best_bin;
-        });
+        cut = std::partition(begin, end, [&](const Item& item) { return bin_of(item) < best_bin; });
     }
     const auto left_count = static_cast<std::uint32_t>(cut - begin);
     Node children[2] = {{{}, first, {}, left_count}, {{}, first + left_count, {}, count - left_count}};
     for (Node& child : children) {
-        Bounds box;
-        for (std::uint32_t i = child.first; i < child.first + child.count; ++i) grow(box, boxes[order_[i]]);
-        child.min = box.min;
-        child.max = box.max;
+        ItemBox box;
+        for (const Item* item = items.data() + child.first; item != items.data() + child.first + child.count; ++item)
+            box.add(item->low, item->high);
+        child.min = box.min();
+        child.max = box.max();
     }
     nodes_[node_index].first = static_cast<std::uint32_t>(nodes_.size());
     nodes_[node_index].count = 0;

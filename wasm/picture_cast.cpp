@@ -1,7 +1,5 @@
 #include "picture_cast.h"
 
-#include <memory>
-
 #include "exact_math.h"
 
 namespace txc {
@@ -29,12 +27,20 @@ TxcStatus cast_picture(const CastScene& scene, const PictureCast& cast, const Im
     if (cast.projector != TXC_PROJECTOR_PLANAR) {
         return project_curved_decal(scene.map, scene.mesh, cast.settings, cast.curved, image, tree, out, out_texels);
     }
-    std::unique_ptr<OccluderGrid> occluders;
-    if (tree != nullptr) {
+    const std::vector<std::uint32_t> candidates = find_candidates(scene.map, cast.settings, image);
+    if (tree == nullptr || candidates.empty())
+        return project_decal(scene.map, scene.mesh, cast.settings, image, candidates, nullptr, out, out_texels);
+    // Not the scene's while they are in use: where memory runs short, that is given up.
+    std::unique_ptr<OccluderGrid> occluders = std::move(scene.occluders);
+    if (occluders == nullptr || !occluders->is_of(cast.settings.projector)) {
+        occluders.reset();
         occluders = std::make_unique<OccluderGrid>(scene.mesh, *tree, cast.settings.projector, scene.budget);
         if (const TxcStatus status = occluders->build(); status != TXC_STATUS_OK) return status;
     }
-    return project_decal(scene.map, scene.mesh, cast.settings, image, occluders.get(), out, out_texels);
+    const TxcStatus status =
+        project_decal(scene.map, scene.mesh, cast.settings, image, candidates, occluders.get(), out, out_texels);
+    scene.occluders = std::move(occluders);
+    return status;
 }
 
 }  // namespace txc

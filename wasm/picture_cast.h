@@ -1,6 +1,8 @@
 // One picture cast at the surface by one projector of any kind: what a decal is, and each dab of a stroke.
 #pragma once
 
+#include <memory>
+
 #include "curved_projection.h"
 #include "projection.h"
 
@@ -28,6 +30,8 @@ struct CastScene {
     const Mesh& mesh;
     const OcclusionTree* tree;  // of `mesh`; null where no cast asks for occluders
     MemoryBudget& budget;
+    /// Of the newest planar cast that asked, null for none: a decal over several materials is cast at the map of each.
+    std::unique_ptr<OccluderGrid>& occluders;
 };
 
 /// Paints the picture into `out` (in place of what was there). `out_texels`: how many texels took colour. Errors:

@@ -500,9 +500,8 @@ private:
 
 }  // namespace
 
-TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                        const ImagePyramid& image, OccluderGrid* occluders, LayerTiles& out,
-                        std::uint32_t& out_texels) {
+std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const DecalSettings& settings,
+                                           const ImagePyramid& image) {
     std::vector<std::uint32_t> candidates;
     ModelToDecal to_decal = settings.projector.to_decal;
     if (!settings.nearest && !settings.repeat) {
@@ -510,6 +509,12 @@ TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalS
         to_decal.reach.y += 0.5 / image.levels[0].height;
     }
     map.tree.find(map, to_decal, candidates);
+    return candidates;
+}
+
+TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
+                        const ImagePyramid& image, const std::vector<std::uint32_t>& candidates,
+                        OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels) {
     return paint_tiles(map, candidates, DecalPainter(map, mesh, settings, image, occluders), out, out_texels);
 }
 

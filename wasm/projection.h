@@ -39,9 +39,14 @@ struct DecalSettings {
     }
 };
 
-/// Paints the decal into `out` (in place of what was there). `occluders` null paints through. `out_texels`: how many
-/// texels took colour. Errors: OUT_OF_BUDGET; `out` is then empty.
+/// The map's tiles that the decal may colour.
+std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const DecalSettings& settings,
+                                           const ImagePyramid& image);
+
+/// Paints the decal into `out` (in place of what was there), on some of its `candidates`. `occluders` null paints through.
+/// `out_texels`: how many texels took colour. Errors: OUT_OF_BUDGET; `out` is then empty.
 TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                        const ImagePyramid& image, OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels);
+                        const ImagePyramid& image, const std::vector<std::uint32_t>& candidates,
+                        OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels);
 
 }  // namespace txc

@@ -65,6 +65,7 @@ Session::Session(const TxcSessionDef& def)
 }
 
 void Session::give_back() {
+    occluders_.reset();
     targets_.for_each([](TxcTarget, Target& target) { target.backdrops.forget(); });
     layers_.for_each([](TxcLayer, Layer& layer) {
         // One whose texels are to be made anew has none, or the very ones for which there is no room.
@@ -92,6 +93,7 @@ void Session::forget_model() {
     targets_.clear();
     layers_.clear();
     maps_.clear();
+    occluders_.reset();
     occlusion_.reset();
 }
 

@@ -115,6 +115,7 @@ private:
     std::unique_ptr<Mesh> mesh_;
     BudgetShare mesh_share_;
     std::unique_ptr<OcclusionTree> occlusion_;
+    std::unique_ptr<OccluderGrid> occluders_;  // of the newest decal: that of the next target is mostly the same
     std::vector<std::shared_ptr<LocalSpaceMap>> maps_;  // oldest first; those that no target uses may be dropped
     IdTable<ImagePyramid> images_;
     std::vector<PrintZone> zones_;

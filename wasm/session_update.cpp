@@ -35,7 +35,7 @@ TxcStatus Session::project_layer(Target& target, Layer& layer, TxcUpdate& update
         if (layer.cast.asks_for_occluders()) {
             if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
         }
-        const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
+        const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_, occluders_};
         const TxcStatus status = cast_picture(scene, layer.cast, *image, layer.tiles, texels);
         if (status != TXC_STATUS_OK) return status;
     }
@@ -95,7 +95,7 @@ TxcStatus Session::project_stroke(Target& target, Layer& layer, TxcUpdate& updat
     if (asks_for_occluders) {
         if (const TxcStatus status = ensure_occlusion_tree(); status != TXC_STATUS_OK) return status;
     }
-    const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_};
+    const CastScene scene{*target.map, *mesh_, occlusion_.get(), budget_, occluders_};
     std::uint64_t texels = 0;
     target.ensure_tile_marks();
     const TxcStatus status = paint_dabs(scene, layer.cast, brush, stroke.dabs, stroke.painted, layer.tiles,
@@ -275,6 +275,8 @@ bool Session::is_shown(const Layer& layer) const {
 
 TxcStatus Session::prepare_layer(TxcLayer id, bool inside, std::uint32_t first_tile, std::uint32_t tile_count,
                                  std::uint32_t& out_next_tile) {
+    // A pause of other work: every target has been drawn.
+    occluders_.reset();
     Layer* layer = nullptr;
     if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
     out_next_tile = TXC_NONE;

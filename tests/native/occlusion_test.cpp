@@ -7,6 +7,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "occluder_grid.h"
+#include "support/allocation_meter.h"
 #include "support/brute_force_rays.h"
 
 using namespace support;
@@ -418,4 +419,71 @@ TEST_CASE("The point of a triangle nearest to another is found in each of its se
         const glm::dvec3 normal = glm::cross(ab, ac);
         if (glm::length(normal) > 1e-3) CHECK_UNARY(std::fabs(glm::dot(normal, found - a)) < 1e-9);
     }
+}
+
+namespace {
+
+/// Two balls side by side, one material each, and a decal that lies over both of them, or over the first alone.
+struct TwoBalls {
+    TestSession session;
+    TxcTarget targets[2];
+    TxcLayer layers[2];
+
+    explicit TwoBalls(double width) {
+        for (std::uint32_t material : {0u, 1u})
+            session.add(moved(make_sphere(0.5, 240, 120), material * 2.0, 0.0, 0.0), material);
+        TxcLayerDef def = decal_def(session.image(Picture(1, 1, kPaint)));
+        def.occlusion = TXC_OCCLUSION_SELF;
+        resize(def, width, 1, 2);
+        for (std::uint32_t material : {0u, 1u}) {
+            targets[material] = session.target(16, 16, TXC_NONE, 1, material);
+            session.update(targets[material]);
+            layers[material] = session.layer(targets[material], def);
+        }
+    }
+
+    /// The most that an update had allocated at once, beyond what was there before it.
+    std::uint64_t allocation_of_update(std::uint32_t material) {
+        const std::uint64_t before = allocated_bytes();
+        take_allocation_peak();
+        session.update(targets[material]);
+        return take_allocation_peak() - before;
+    }
+};
+
+// Of these balls: what gathering occluders takes, and what the rest of a cast does.
+constexpr std::uint64_t kOccluders = 4 << 20;
+constexpr std::uint64_t kLittle = 512 * 1024;
+
+}  // namespace
+
+TEST_CASE("A decal over several materials gathers its occluders once, and they are given back in a pause") {
+    if (!kMetersAllocations) return;
+    TwoBalls balls(6.0);
+    CHECK(balls.allocation_of_update(0) > kOccluders);
+    CHECK(balls.allocation_of_update(1) < kLittle);
+    const std::uint64_t held = allocated_bytes();
+    std::uint32_t next = 0;
+    must(txc_layer_prepare(balls.session.id(), balls.layers[0], 0, 0, 1, &next));
+    CHECK(allocated_bytes() + kOccluders < held);
+}
+
+TEST_CASE("A material that a decal names and does not reach gathers no occluders") {
+    if (!kMetersAllocations) return;
+    TwoBalls balls(0.8);
+    CHECK(balls.allocation_of_update(0) > kOccluders);
+    // Not what is kept of the first.
+    std::uint32_t next = 0;
+    must(txc_layer_prepare(balls.session.id(), balls.layers[0], 0, 0, 1, &next));
+    CHECK(balls.allocation_of_update(1) < kLittle);
+}
+
+TEST_CASE("Occluders that are kept for the next material are none to a decal that has moved") {
+    TestSession session;
+    session.add(make_plane(1.0, 0.0), 0);
+    session.add(make_plane(0.5, 0.3), 1);
+    const TxcTarget target = session.target(64, 64);
+    CHECK(paint_front(session, target, 1.0, TXC_OCCLUSION_SELF).at(32, 32) == kBase);
+    // With half the depth the plate lies before the volume. Kept occluders would still hide what is behind it.
+    CHECK(paint_front(session, target, 0.5, TXC_OCCLUSION_SELF).at(32, 32) == kPaint);
 }
