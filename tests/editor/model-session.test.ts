@@ -20,11 +20,14 @@ interface Baking {
 /** An open model of three materials, of which the first has a target, and an engine whose bakes end when they are told to. */
 function session({
   showFlat = async () => undefined,
+  outline = () => undefined,
   opened = [],
   height = 1,
   viewer = {},
 }: {
-  readonly showFlat?: () => Promise<void>;
+  readonly showFlat?: (target: TargetInfo) => Promise<void>;
+  /** Told of the materials whose outlines are asked for. */
+  readonly outline?: (material: number) => void;
   /** Materials of the next model, and its height; the open one's is 1. */
   readonly opened?: readonly object[];
   readonly height?: number;
@@ -36,7 +39,10 @@ function session({
   const bakes: Baking[] = [];
   let begun = (): void => undefined;
   const engine = {
-    uvTriangles: async () => new Float32Array(),
+    uvTriangles: async (material: number) => {
+      outline(material);
+      return new Float32Array();
+    },
     loadModel: async () => ({ name: "b.glb", materials: opened, ...roomOf(height) }),
     openTarget: ({ material, width = USUAL_SIDE }: TargetOptions, _: unknown, signal: AbortSignal) =>
       new Promise((resolve, reject) => {
@@ -163,6 +169,38 @@ describe("the targets of the open model", () => {
     await shown;
     expect(store.state.material).toBe(0);
     expect(baked).toEqual([[0, USUAL_SIDE]]);
+  });
+
+  it("are prepared once where a layer on one of them is chosen, so that the flat view shows it, too", async () => {
+    const { models, baked, finish } = session();
+    const ensured = models.ensureTargets(designOn(1));
+    const shown = models.showMaterial(1);
+    await finish(1);
+    await Promise.all([ensured, shown]);
+    expect(baked).toEqual([[1, USUAL_SIDE]]);
+  });
+
+  it("come into the flat view where that turns to one of them while it is prepared", async () => {
+    const flat: number[] = [];
+    const { models, nextBake } = session({ showFlat: async ({ material }) => void flat.push(material) });
+    const ensured = models.ensureTargets(designOn(1));
+    const bake = await nextBake();
+    const shown = models.showMaterial(1);
+    bake.finish();
+    await Promise.all([ensured, shown]);
+    expect(flat).toEqual([1]);
+  });
+
+  it("have their outlines asked for where the flat view shows them alone", async () => {
+    const outlined: number[] = [];
+    const { models, finish } = session({ outline: (material) => void outlined.push(material) });
+    const ensured = models.ensureTargets(designOn(1, 2));
+    await finish(1);
+    await finish(2);
+    await ensured;
+    expect(outlined).toEqual([]);
+    await models.showMaterial(2);
+    expect(outlined).toEqual([2]);
   });
 
   it("say so where the user cancels what a design needs", async () => {

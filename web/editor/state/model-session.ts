@@ -124,15 +124,25 @@ export class ModelSession {
     this.#store.set({ material });
     const target = this.#store.state.targets.get(material);
     if (target) {
-      const uvTriangles = await this.#uvTrianglesOf(material);
-      try {
-        await this.#router.showInTextureView(target, uvTriangles);
-        return;
-      } catch {
-        // One that cannot be drawn gives no texels. Opened anew, it tells all of them once it can.
-      }
+      await this.#showFlat(target);
+      return;
     }
-    await this.#openInLine(material);
+    // It may be on its way already, for a layer on it.
+    await this.#openInLine(material, () => !this.#store.state.targets.has(material));
+    const opened = this.#store.state.targets.get(material);
+    const isWanted = material === this.#store.state.material && material !== this.#router.textureMaterial;
+    if (opened && isWanted) await this.#showFlat(opened);
+  }
+
+  async #showFlat(target: TargetInfo): Promise<void> {
+    const { material } = target;
+    const uvTriangles = await this.#uvTrianglesOf(material);
+    try {
+      await this.#router.showInTextureView(target, uvTriangles);
+    } catch {
+      // One that cannot be drawn gives no texels. Opened anew, it tells all of them once it can.
+      await this.#openInLine(material);
+    }
   }
 
   /** Opens the targets that a design's layers need and that are not open yet. */
@@ -200,7 +210,8 @@ export class ModelSession {
   async #openTarget(material: number, task: TaskHandle): Promise<void> {
     const { targetSettings, usualTarget } = this.#store.state;
     const { size, gutter } = targetSettings.get(material) ?? usualTarget;
-    const uvTriangles = await this.#uvTrianglesOf(material);
+    const isShown = material === this.#store.state.material;
+    const uvTriangles = isShown ? await this.#uvTrianglesOf(material) : null;
     const info = await this.#engine.openTarget(
       {
         material,
@@ -215,7 +226,7 @@ export class ModelSession {
   }
 
   /** In the turn in which the engine answered: the next thing it says is the target's first picture. */
-  #bind(info: TargetInfo, uvTriangles: Float32Array): void {
+  #bind(info: TargetInfo, uvTriangles: Float32Array | null): void {
     this.#router.bind(info, info.material === this.#store.state.material ? uvTriangles : null);
     this.#store.set({ targets: new Map(this.#store.state.targets).set(info.material, info) });
   }

@@ -24,6 +24,11 @@ export class UpdateRouter {
     engine.onUpdate((update) => this.#receive(update));
   }
 
+  /** The material that the texture view was told to show; null for none. */
+  get textureMaterial(): number | null {
+    return this.#textureMaterial;
+  }
+
   /** Forgets every target: the engine has another model now. */
   clear(): void {
     this.#bound.clear();
