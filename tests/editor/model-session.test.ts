@@ -6,7 +6,7 @@ import { ModelSession } from "../../web/editor/state/model-session.ts";
 import { Store } from "../../web/editor/state/store.ts";
 import { Tasks } from "../../web/editor/state/tasks.ts";
 import type { UpdateRouter } from "../../web/editor/state/update-router.ts";
-import type { Engine, TargetInfo, TargetOptions } from "../../web/engine/engine-api.ts";
+import type { Engine, ModelInfo, TargetInfo, TargetOptions } from "../../web/engine/engine-api.ts";
 import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
 import { FRONT } from "../support/layers.ts";
 
@@ -43,7 +43,7 @@ function session({
       outline(material);
       return new Float32Array();
     },
-    loadModel: async () => ({ name: "b.glb", materials: opened, ...roomOf(height) }),
+    loadModel: async () => ({ name: "b.glb", materials: opened, ...roomOf(height), glb: new Uint8Array(8) }),
     openTarget: ({ material, width = USUAL_SIDE }: TargetOptions, _: unknown, signal: AbortSignal) =>
       new Promise((resolve, reject) => {
         signal.addEventListener("abort", () => reject(new TexelcastError("cancelled", "Cancelled.")));
@@ -238,6 +238,27 @@ describe("a model in place of another", () => {
     await opening;
     return { brought, hidden: [...store.state.shown.hidden] };
   }
+
+  it("is kept without the GLB that the view was given, which the one before brings again where it comes back", async () => {
+    const given: number[] = [];
+    const viewer: Partial<ModelViewer> = {
+      setModel: async ({ glb }: ModelInfo) => void given.push(glb.length),
+      keepCamera: () => () => undefined,
+      setHiddenParts: () => undefined,
+    };
+    const { store, models, nextBake, finish } = session({ opened: [{ index: 0, refusal: null }], viewer });
+    const ref = { source: { name: "b.glb", bytes: new Uint8Array() }, title: "b", demoId: null };
+    const opening = models.open(ref, emptyDesign(), () => undefined);
+    await finish(0);
+    await opening;
+    expect(store.state.model?.info.glb).toHaveLength(0);
+    const second = models.open(ref, emptyDesign(), () => undefined);
+    await nextBake();
+    store.state.tasks[0]?.cancel?.();
+    await finish(0);
+    await expect(second).rejects.toMatchObject({ code: "cancelled" });
+    expect(given).toEqual([8, 8, 8]);
+  });
 
   it("is seen as that is where it takes the same room, without the parts that are hidden", async () => {
     expect(await seen(1)).toEqual({ brought: ["camera", [1]], hidden: [1] });

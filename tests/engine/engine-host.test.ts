@@ -1,6 +1,7 @@
 import { afterEach, describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { TargetOptions } from "../../web/engine/engine-api.ts";
+import { loadModelFile } from "../../web/engine/model-loader.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { decal } from "../support/layers.ts";
 import { buildGlb, cube, plane, sphere } from "../support/model-builder.ts";
@@ -50,6 +51,14 @@ describe("a loaded model", () => {
     await engine.openTarget({ material: 0 });
     expect(await allTexels(engine)).toEqual((await decodePicture(CHART, "chart")).rgba);
     expect(Buffer.from((await engine.exportGlb()).subarray(0, 4)).toString()).toBe("glTF");
+  });
+
+  it("is not copied where the engine takes its bytes over, as a worker does, and keeps no GLB besides", async () => {
+    const bytes = buildGlb(texturedPlane);
+    const { original, glb } = await loadModelFile({ name: "plane.glb", bytes }, true);
+    expect(original.binary?.buffer).toBe(bytes.buffer);
+    expect((await loadModelFile({ name: "plane.glb", bytes })).original.binary?.buffer).not.toBe(bytes.buffer);
+    expect(glb.buffer, "what is handed out").not.toBe(bytes.buffer);
   });
 
   it("stays when loading another one fails", async () => {

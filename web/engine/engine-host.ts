@@ -114,20 +114,22 @@ export class EngineHost implements Engine {
     this.#options = options;
   }
 
-  loadModel(source: ModelSource): Promise<ModelInfo> {
+  /** @param takesOver whether the source's bytes are the engine's from now on, and not copied */
+  loadModel(source: ModelSource, takesOver = false): Promise<ModelInfo> {
     return this.#enqueue(async (session) => {
       checkFile(source);
-      const model = await loadModelFile(source);
+      // Whoever receives the GLB may hand it on to another thread: it is not kept.
+      const { glb, ...model } = await loadModelFile(source, takesOver);
       this.#checkAlive();
       try {
-        session.loadGlb(model.glb);
+        session.loadGlb(glb);
       } catch (error) {
         throw aboutFile(error, source.name);
       }
       this.#model = model;
       for (const target of this.#targets.values()) target.forgetImages();
       this.#targets.clear();
-      return modelInfo(session, model);
+      return modelInfo(session, model, glb);
     });
   }
 

@@ -80,6 +80,8 @@ function runCall(
   onProgress: (share: number) => void,
   signal: AbortSignal,
 ): Promise<unknown> {
+  // What a message brought is nobody else's.
+  if (call.name === "loadModel") return engine.loadModel(call.args[0], true);
   if (call.name === "openTarget") return engine.openTarget(call.args[0], onProgress, signal);
   if (call.name === "exportPrint") return engine.exportPrint(call.args[0], onProgress, signal);
   // Name and arguments belong together by the type of Call; TypeScript cannot see it across the union.

@@ -5,7 +5,7 @@ import { isObject, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
 import { NODE_VISIBILITY } from "./model-extensions.ts";
 
 /** The uncompressed GLB without the extension and without the meshes that it hides; all nodes are there and keep their indices. */
-export function withoutHidden(glb: Uint8Array, name: string): Uint8Array {
+export function withoutHidden(glb: Uint8Array<ArrayBuffer>, name: string): Uint8Array<ArrayBuffer> {
   const container = readContainer({ name, bytes: glb });
   const json = parseJson(container);
   const nodes = listOf(json, "nodes", name);

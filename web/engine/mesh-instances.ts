@@ -23,7 +23,7 @@ const PLACES = [
  * The uncompressed GLB without the extension; nodes keep their indices, new ones stand behind them. Throws "bad-container" naming the
  * node whose lists do not fit each other, and "out-of-budget".
  */
-export function withoutInstances(glb: Uint8Array, name: string): Uint8Array {
+export function withoutInstances(glb: Uint8Array<ArrayBuffer>, name: string): Uint8Array<ArrayBuffer> {
   const container = readContainer({ name, bytes: glb });
   const json = parseJson(container);
   const accessors = new Accessors(container.json, container.binary, name);

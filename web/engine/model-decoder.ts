@@ -32,7 +32,7 @@ const BLANK_PNG = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4D
  * The model without compression, as a GLB; materials keep their indices. `packed` is left as it was. Throws "bad-model"
  * when the compressed data cannot be decoded.
  */
-export async function decodeModel(packed: PackedGltf, name: string): Promise<Uint8Array> {
+export async function decodeModel(packed: PackedGltf, name: string): Promise<Uint8Array<ArrayBuffer>> {
   const json = withExtMeshopt(JSON.parse(stringifyExact(packed.json)) as JsonObject, name);
   checkMeshoptSizes(json, name);
   fillTextures(json, name);
@@ -67,7 +67,7 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
     // without the view that tinygltf insists on.
     for (const accessor of root.listAccessors()) accessor.setBuffer(first).setSparse(false);
     for (const buffer of others) buffer.dispose();
-    return await io.writeBinary(document);
+    return (await io.writeBinary(document)) as Uint8Array<ArrayBuffer>;
   } catch (cause) {
     throw new TexelcastError("bad-model", `The compressed geometry of “${name}” cannot be decoded.`, {
       subject: name,

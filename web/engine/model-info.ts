@@ -5,8 +5,8 @@ import { listOf, textAt } from "./gltf-json.ts";
 import { baseTextureSize, type LoadedModel } from "./model-loader.ts";
 import { vec3 } from "./open-target.ts";
 
-/** Of the model that the session holds; lengths are metres in model space, and `glb` is a copy. */
-export async function modelInfo(session: Session, model: LoadedModel): Promise<ModelInfo> {
+/** Of the model that the session holds; lengths are metres in model space. */
+export async function modelInfo(session: Session, model: LoadedModel, glb: ModelInfo["glb"]): Promise<ModelInfo> {
   const info = session.modelInfo();
   return {
     name: model.name,
@@ -17,8 +17,7 @@ export async function modelInfo(session: Session, model: LoadedModel): Promise<M
     materials: await Promise.all(
       Array.from({ length: info.materialCount }, (_, index) => materialInfo(session, model, index)),
     ),
-    // The receiver may hand it on to another thread.
-    glb: model.glb.slice(),
+    glb,
   };
 }
 

@@ -19,20 +19,24 @@ export interface LoadedModel {
    * have, they have as PNG, and what stood in KHR_materials_pbrSpecularGlossiness, as their base colour.
    */
   readonly packed: PackedGltf;
-  /** Self-contained and uncompressed, each instance of a mesh a node of its own, nothing on hidden nodes. */
-  readonly glb: Uint8Array;
+}
+
+/** A model just read, with what is needed of it once. */
+export interface ReadModel extends LoadedModel {
+  /** Self-contained and uncompressed, each instance of a mesh a node of its own, nothing on hidden nodes; memory of its own. */
+  readonly glb: Uint8Array<ArrayBuffer>;
 }
 
 /**
- * Reads a model. The source's bytes are copied, so the caller may do with them what it likes. Throws "bad-container",
- * "missing-file" (naming the side file), "bad-model", "out-of-budget", and "bad-picture" (naming a KTX2 image).
+ * Reads a model. The source's bytes are copied, so the caller may do with them what it likes, or taken over. Throws
+ * "bad-container", "missing-file" (naming the side file), "bad-model", "out-of-budget", and "bad-picture" (naming a KTX2 image).
  */
-export async function loadModelFile(source: ModelSource): Promise<LoadedModel> {
+export async function loadModelFile(source: ModelSource, takesOver = false): Promise<ReadModel> {
   // Not by `slice`, which of Node's Buffers gives the same memory again.
+  const own = (bytes: Uint8Array): Uint8Array => (takesOver ? bytes : new Uint8Array(bytes));
   const resources = new Map<string, Uint8Array>();
-  for (const [uri, bytes] of source.resources ?? []) resources.set(uri, new Uint8Array(bytes));
-  const bytes = new Uint8Array(source.bytes);
-  const original = readContainer({ name: source.name, bytes, resources });
+  for (const [uri, bytes] of source.resources ?? []) resources.set(uri, own(bytes));
+  const original = readContainer({ name: source.name, bytes: own(source.bytes), resources });
   const packed = packGltf(original);
   const unusual = extensionsUsed(packed.json).some((extension) => UNUSUAL.includes(extension));
   const readable = unusual

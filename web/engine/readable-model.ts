@@ -12,7 +12,7 @@ export interface ReadableModel {
   /** Geometry as in the file; pictures that were KTX2 alone are PNG. */
   readonly packed: PackedGltf;
   /** Uncompressed, each instance a node of its own, nothing on hidden nodes. */
-  readonly glb: Uint8Array;
+  readonly glb: Uint8Array<ArrayBuffer>;
 }
 
 /** `given.json` may change. Rejects as `loadModelFile` says. */

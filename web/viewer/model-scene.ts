@@ -38,8 +38,8 @@ export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
   const bytes = info.glb;
   let gltf: GLTF;
   try {
-    const data = bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength) as ArrayBuffer;
-    gltf = await new GLTFLoader().parseAsync(data, "");
+    const isWhole = bytes.length === bytes.buffer.byteLength;
+    gltf = await new GLTFLoader().parseAsync((isWhole ? bytes : bytes.slice()).buffer, "");
   } catch (cause) {
     throw new TexelcastError("bad-model", `${info.name} cannot be shown: ${messageOf(cause)}`, {
       subject: info.name,

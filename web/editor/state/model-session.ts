@@ -169,7 +169,8 @@ export class ModelSession {
     const bringView = keepsView && before && hasRoomOf(model, before) ? this.#keepView() : null;
     await this.#viewer.setModel(model.info);
     this.#store.set({
-      model,
+      // Its GLB, with all textures, is read.
+      model: { ...model, info: { ...model.info, glb: new Uint8Array() } },
       material,
       targets: new Map(),
       targetSettings: this.#settings.get(model.ref) ?? new Map(),
@@ -202,8 +203,8 @@ export class ModelSession {
 
   async #restore(before: OpenModel): Promise<void> {
     await this.#tasks.run(this.#strings.tasks.restoring(before.ref.title), async (task) => {
-      await this.#engine.loadModel(before.ref.source);
-      await this.#show(before, this.#store.state.design, task, true);
+      const info = await this.#engine.loadModel(before.ref.source);
+      await this.#show({ ref: before.ref, info }, this.#store.state.design, task, true);
     });
   }
 
