@@ -239,6 +239,22 @@ describe("a model in place of another", () => {
     return { brought, hidden: [...store.state.shown.hidden] };
   }
 
+  it("has its texture prepared while the view still reads it, and bound once the view has it", async () => {
+    let isRead = (): void => undefined;
+    const viewer = { setModel: () => new Promise<void>((resolve) => (isRead = resolve)) };
+    const { store, models, finish, baked } = session({ opened: [{ index: 0, refusal: null }], viewer });
+    const ref = { source: { name: "b.glb", bytes: new Uint8Array() }, title: "b", demoId: null };
+    const before = store.state.model;
+    const opening = models.open(ref, emptyDesign(), () => undefined);
+    await finish(0);
+    expect(baked).toEqual([[0, USUAL_SIDE]]);
+    expect(store.state.model).toBe(before);
+    isRead();
+    await opening;
+    expect([...store.state.targets.keys()]).toEqual([0]);
+    expect(store.state.model?.ref).toBe(ref);
+  });
+
   it("is kept without the GLB that the view was given, which the one before brings again where it comes back", async () => {
     const given: number[] = [];
     const viewer: Partial<ModelViewer> = {

@@ -27,6 +27,14 @@ export interface ModelSessionParts {
   readonly send: (design: Design) => void;
 }
 
+/** What the engine is asked for. */
+interface BakeAsked {
+  readonly material: number;
+  readonly settings: TargetSettings;
+  /** The texture view is to show it. */
+  readonly isShown: boolean;
+}
+
 /** Work that waits in line or is under way. */
 interface Turn {
   /** Whose target it opens; null for that of a whole model. */
@@ -167,22 +175,33 @@ export class ModelSession {
     this.#send(design);
     const before = this.#store.state.model;
     const bringView = keepsView && before && hasRoomOf(model, before) ? this.#keepView() : null;
+    const targetSettings = this.#settings.get(model.ref) ?? new Map<number, TargetSettings>();
+    // The engine prepares the texture while the view reads the model.
+    let isViewed = false;
+    const settings = targetSettings.get(material) ?? this.#store.state.usualTarget;
+    const baked = this.#bake({ material, settings, isShown: true }, task.signal, (share) => {
+      if (isViewed) task.progress(share);
+    });
+    // Where the view refuses the model nobody asks how it ended.
+    baked.catch(() => undefined);
     await this.#viewer.setModel(model.info);
+    isViewed = true;
     this.#store.set({
       // Its GLB, with all textures, is read.
       model: { ...model, info: { ...model.info, glb: new Uint8Array() } },
       material,
       targets: new Map(),
-      targetSettings: this.#settings.get(model.ref) ?? new Map(),
+      targetSettings,
       textureMode: "texture",
     });
     // Whoever shows a model's parts hears of it in the next microtask, and shows all of them.
     await Promise.resolve();
     bringView?.();
     task.relabel(this.#strings.tasks.baking);
-    await this.#openTarget(material, task).catch((thrown: unknown) => {
+    const bind = await baked.catch((thrown: unknown) => {
       throw brokenCoordinates(model, material, thrown);
     });
+    bind();
     for (const other of usedMaterials(design)) {
       if (other !== material && this.#paintable(other)) await this.#openTarget(other, task);
     }
@@ -209,21 +228,33 @@ export class ModelSession {
   }
 
   async #openTarget(material: number, task: TaskHandle): Promise<void> {
-    const { targetSettings, usualTarget } = this.#store.state;
-    const { size, gutter } = targetSettings.get(material) ?? usualTarget;
-    const isShown = material === this.#store.state.material;
-    const uvTriangles = isShown ? await this.#uvTrianglesOf(material) : null;
-    const info = await this.#engine.openTarget(
+    const { targetSettings, usualTarget, material: shown } = this.#store.state;
+    const settings = targetSettings.get(material) ?? usualTarget;
+    const ask = { material, settings, isShown: material === shown };
+    const bind = await this.#bake(ask, task.signal, (share) => task.progress(share));
+    bind();
+  }
+
+  /** Lets the engine open a target. What comes back gives it to the views, which must have the model then. */
+  async #bake(
+    { material, settings: { size, gutter }, isShown }: BakeAsked,
+    signal: AbortSignal,
+    onProgress: (share: number) => void,
+  ): Promise<() => void> {
+    // Asked for together: the page may be long in taking an answer, while it draws.
+    const outlines = isShown ? this.#uvTrianglesOf(material) : null;
+    const opened = this.#engine.openTarget(
       {
         material,
         mipmaps: true,
         ...(size !== null && { width: size, height: size }),
         ...(gutter !== null && { gutter }),
       },
-      (share) => task.progress(share),
-      task.signal,
+      onProgress,
+      signal,
     );
-    this.#bind(info, uvTriangles);
+    const [info, uvTriangles] = await Promise.all([opened, outlines]);
+    return () => this.#bind(info, uvTriangles);
   }
 
   /** In the turn in which the engine answered: the next thing it says is the target's first picture. */
