@@ -1,4 +1,6 @@
 import type { Page } from "@playwright/test";
+import { writeGlb } from "../../web/engine/gltf-container.ts";
+import { manySidedModel } from "../support/many-sided-model.ts";
 import { type EditorPage, expect, type TestFile, test } from "./support/editor-page.ts";
 import { sharedFile, skipWithoutShared } from "./support/shared-files.ts";
 import { demoFile, file, glbWithoutUvs } from "./support/test-files.ts";
@@ -30,6 +32,15 @@ test("a truncated GLB is refused and the work stays", async ({ editor, page }) =
 
 test("a text file named .glb is refused and the work stays", async ({ editor, page }) => {
   await refuses(editor, page, file("poem.glb", "Rose, oh reiner Widerspruch"), /^(bad-model|bad-container)$/);
+});
+
+test("a model with a number for a name is refused by the field's name and value", async ({ editor, page }) => {
+  const { json, binary } = manySidedModel();
+  Object.assign((json.meshes as object[])[0] ?? {}, { name: 5 });
+  const model = file("named.glb", writeGlb(json, binary));
+  await refuses(editor, page, model, /^bad-container$/);
+  await editor.openModel([model]);
+  await expect(editor.notices).toContainText("“meshes[0].name” must be a text, and is 5");
 });
 
 test("a model without texture coordinates is refused, with what to do, and the work stays", async ({

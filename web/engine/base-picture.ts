@@ -3,6 +3,7 @@ import { Filters } from "../core/abi.ts";
 import type { Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { EngineColor, Picture, TargetOptions } from "./engine-api.ts";
+import { REPAIR } from "./gltf-json.ts";
 import type { LoadedModel } from "./model-loader.ts";
 import { baseTextureSize } from "./model-loader.ts";
 import { findBaseTexture, imageBytes } from "./model-textures.ts";
@@ -85,6 +86,7 @@ async function loadModelBase(model: LoadedModel, material: number): Promise<Base
       {
         subject: model.name,
         field: `images[${texture.image}]`,
+        hint: REPAIR,
       },
     );
   }

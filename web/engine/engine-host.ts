@@ -9,7 +9,6 @@ import type { ImageHandle } from "../core/session.ts";
 import { Session } from "../core/session.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { type CoreSource, loadCore } from "../core/wasm-module.ts";
-import { aboutFile } from "./about-file.ts";
 import { checkFile } from "./check-file.ts";
 import { DrawnOnDemand } from "./drawn-on-demand.ts";
 import type {
@@ -124,7 +123,7 @@ export class EngineHost implements Engine {
       try {
         session.loadGlb(glb);
       } catch (error) {
-        throw aboutFile(error, source.name);
+        throw (await import("./model-fault.ts")).modelFault(error, model.original.json, source.name);
       }
       this.#model = model;
       for (const target of this.#targets.values()) target.forgetImages();

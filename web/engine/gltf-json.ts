@@ -45,7 +45,7 @@ export function parseGltfJson(text: string, name: string): JsonObject {
   const version = isObject(json.asset) ? json.asset.version : undefined;
   if (typeof version !== "string") throw badContainer(name, "it does not say its version", "asset.version", version);
   if (!version.startsWith("2.")) {
-    throw new TexelcastError("bad-container", `“${name}” is glTF ${shorten(version)}; only glTF 2.0 can be read.`, {
+    throw new TexelcastError("bad-container", `“${name}” is glTF “${shorten(version)}”; only glTF 2.0 can be read.`, {
       subject: name,
       field: "asset.version",
       value: shorten(version),

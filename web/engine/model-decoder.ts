@@ -4,18 +4,11 @@
  */
 /// <reference path="./draco3dgltf.d.ts" />
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { fillTextures } from "./blank-textures.ts";
 import { readCodec } from "./codec-wasm.ts";
 import { stringifyExact } from "./exact-numbers.ts";
-import {
-  badContainer,
-  extensionsUsed,
-  indexAt,
-  isObject,
-  type JsonObject,
-  listForWriting,
-  listOf,
-  objectAt,
-} from "./gltf-json.ts";
+import { gltfFault } from "./gltf-fault.ts";
+import { badContainer, extensionsUsed, indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
 import { COMPRESSION, DRACO } from "./model-extensions.ts";
 
@@ -23,10 +16,6 @@ const [EXT_MESHOPT, KHR_MESHOPT] = MESHOPT_EXTENSIONS;
 
 /** Meshopt's counts are not bounded by the compressed size, so they are bounded here, before anything is allocated. */
 const MAX_DECODED_BYTES = 2 ** 30;
-
-/** Stands for a picture that is not there: one white pixel, which shows nothing. */
-const BLANK = "blank.png";
-const BLANK_PNG = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4DwABAQEAHLCMmQAAAABJRU5ErkJggg==";
 
 /**
  * The model without compression, as a GLB; materials keep their indices. `packed` is left as it was. Throws "bad-model"
@@ -51,11 +40,10 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
   }
   try {
     const binary = (packed.binary ?? new Uint8Array()) as Uint8Array<ArrayBuffer>;
-    const blank = Uint8Array.from(atob(BLANK_PNG), (byte) => byte.charCodeAt(0));
     type Gltf = Parameters<typeof io.readJSON>[0]["json"];
     const document = await io.readJSON({
       json: json as unknown as Gltf,
-      resources: { [GLB_BUFFER]: binary, [BLANK]: blank },
+      resources: { [GLB_BUFFER]: binary },
     });
     const root = document.getRoot();
     for (const extension of root.listExtensionsUsed()) {
@@ -69,10 +57,11 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
     for (const buffer of others) buffer.dispose();
     return (await io.writeBinary(document)) as Uint8Array<ArrayBuffer>;
   } catch (cause) {
+    const fault = gltfFault(packed.json, name);
+    if (fault !== null) throw fault;
     throw new TexelcastError("bad-model", `The compressed geometry of “${name}” cannot be decoded.`, {
       subject: name,
       field: used.join(", "),
-      value: cause instanceof Error ? cause.message : String(cause),
       hint: "Export the model again, or without compression.",
       cause,
     });
@@ -97,22 +86,6 @@ function withExtMeshopt(json: JsonObject, name: string): JsonObject {
     if (Array.isArray(list)) json[key] = [...new Set(list.map((item) => (item === KHR_MESHOPT ? EXT_MESHOPT : item)))];
   }
   return json;
-}
-
-/** A texture may name no picture, which @gltf-transform does not take: its place still says which coordinates a material has. */
-function fillTextures(json: JsonObject, name: string): void {
-  const textures = listOf(json, "textures", name);
-  const bare = new Set<unknown>();
-  for (const [index, texture] of textures.entries()) {
-    const others = Object.values(objectAt(texture, "extensions") ?? {}).some((extension) => isObject(extension));
-    if (texture.source === undefined && !others) bare.add(index);
-  }
-  if (bare.size === 0) return;
-  const source = listForWriting(json, "images", name).push({ uri: BLANK }) - 1;
-  for (const index of bare) Object.assign(textures[index as number] as JsonObject, { source });
-  // As a direction, white would tilt the surface.
-  for (const material of listOf(json, "materials", name))
-    if (bare.has(objectAt(material, "normalTexture")?.index)) delete material.normalTexture;
 }
 
 function checkMeshoptSizes(json: JsonObject, name: string): void {

@@ -7,7 +7,7 @@ const NEAREST = 9728;
 /** Extensions that name a texture's picture in place of `source`. */
 export const WEBP_TEXTURE = "EXT_texture_webp";
 export const BASISU_TEXTURE = "KHR_texture_basisu";
-const AVIF_TEXTURE = "EXT_texture_avif";
+export const AVIF_TEXTURE = "EXT_texture_avif";
 /** All extensions of that kind that are known here; DDS pictures cannot be decoded. */
 export const TEXTURE_SOURCE_EXTENSIONS = [WEBP_TEXTURE, BASISU_TEXTURE, AVIF_TEXTURE, "MSFT_texture_dds"] as const;
 

@@ -9,7 +9,6 @@ import {
   Vector3,
 } from "three";
 import { type GLTF, GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
-import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelInfo } from "../engine/engine-api.ts";
 
 export interface ModelScene {
@@ -35,18 +34,7 @@ export interface MeshLabel {
 
 /** Loads `info.glb`. Rejects with a TexelcastError of code "bad-model" where three.js cannot read it. */
 export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
-  const bytes = info.glb;
-  let gltf: GLTF;
-  try {
-    const isWhole = bytes.length === bytes.buffer.byteLength;
-    gltf = await new GLTFLoader().parseAsync((isWhole ? bytes : bytes.slice()).buffer, "");
-  } catch (cause) {
-    throw new TexelcastError("bad-model", `${info.name} cannot be shown: ${messageOf(cause)}`, {
-      subject: info.name,
-      hint: "Check the file in a glTF validator, or export it again as glTF 2.0.",
-      cause,
-    });
-  }
+  const gltf = await parse(info.glb).catch(async () => (await import("./mended-scene.ts")).parseMended(info, parse));
   const materials = new Map<number, MeshStandardMaterial[]>();
   for (const mesh of meshesOf(gltf.scene)) {
     const material = mesh.material as MeshStandardMaterial;
@@ -64,6 +52,14 @@ export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
     labels: new Map(meshesOf(gltf.scene).map((mesh) => [mesh, labelOf(gltf, mesh)])),
     dispose: () => disposeTree(gltf.scene),
   };
+}
+
+async function parse(glb: Uint8Array): Promise<GLTF> {
+  const isWhole = glb.length === glb.buffer.byteLength;
+  const gltf = await new GLTFLoader().parseAsync((isWhole ? glb : glb.slice()).buffer as ArrayBuffer, "");
+  // For a file without scenes there is none, though it is typed as if there were.
+  meshesOf(gltf.scene);
+  return gltf;
 }
 
 /** Every mesh below `root`, in the scene's order. */
@@ -110,7 +106,8 @@ function labelOf(gltf: GLTF, mesh: Mesh): MeshLabel {
   const source = node?.mesh === undefined ? undefined : meshes[node.mesh];
   return {
     node: node?.name || source?.name || "",
-    material: (mesh.material as Material).name,
+    // Three takes whatever the file has.
+    material: String((mesh.material as Material).name),
     several: (source?.primitives?.length ?? 1) > 1,
     extras: node?.extras,
   };
@@ -137,8 +134,4 @@ function disposeTree(root: Group): void {
     }
     material.dispose();
   }
-}
-
-function messageOf(cause: unknown): string {
-  return cause instanceof Error ? cause.message : String(cause);
 }

@@ -32,6 +32,11 @@ const notLoaded = ({ subject }: TexelcastErrorJson): Told => [
   RELOAD,
 ];
 
+const notReadable = (error: TexelcastErrorJson): Told => {
+  const where = error.field === undefined ? "" : `: bei ${error.field} steht nicht, was dort stehen muss`;
+  return [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell${where}.`, REPAIR];
+};
+
 const FAULT: Told = [
   "In der Seite ist ein Fehler aufgetreten.",
   "Versuche es noch einmal, oder lade die Seite neu. Deine Arbeit ist noch da.",
@@ -39,8 +44,8 @@ const FAULT: Told = [
 
 /** As the engine's client, the core and the readers of files report them. */
 const WORDINGS: Readonly<Record<string, Wording>> = {
-  "bad-model": (error) => [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell.`, REPAIR],
-  "bad-container": (error) => [`${named(error, "Die Datei")} ist kein lesbares glTF-Modell.`, REPAIR],
+  "bad-model": (error) => notReadable(error),
+  "bad-container": (error) => notReadable(error),
   "unsupported-model": (error) => [
     `${named(error, "Das Modell")} braucht eine glTF-Erweiterung, die hier nicht gelesen wird.`,
     "Exportiere es ohne diese Erweiterung.",

@@ -1,0 +1,34 @@
+/** Why a model's file cannot be used, as its owner can understand it. Loaded when one was refused. */
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { gltfFault } from "./gltf-fault.ts";
+import type { JsonObject } from "./gltf-json.ts";
+import { REPAIR } from "./gltf-json.ts";
+
+/** What the core says of a model that some member of its file may be the reason of. */
+const OF_THE_FILE: readonly string[] = ["bad-model", "no-triangles"];
+
+/**
+ * The core knows bytes, not files: where no member of the file's JSON is at fault, this puts the model's name in front of what it
+ * says, and what to do behind it.
+ */
+export function modelFault(error: unknown, json: JsonObject, name: string): unknown {
+  if (!(error instanceof TexelcastError) || error.code === "engine-crashed") return error;
+  const found = OF_THE_FILE.includes(error.code) ? gltfFault(json, name) : null;
+  if (found !== null) return found;
+  return new TexelcastError(error.code, `“${name}”: ${error.message}`, {
+    subject: name,
+    ...(error.field !== undefined && { field: error.field }),
+    ...(error.value !== undefined && { value: error.value }),
+    hint: error.hint ?? (error.code === "out-of-budget" ? "Simplify the model." : REPAIR),
+    ...(error.reason !== undefined && { reason: error.reason }),
+    cause: error,
+  });
+}
+
+/** For a model that the engine has read, and a viewer cannot; `cause` is what that one said. */
+export function notShown(json: JsonObject, name: string, cause: unknown): TexelcastError {
+  return (
+    gltfFault(json, name) ??
+    new TexelcastError("bad-model", `“${name}” can be read, but not shown.`, { subject: name, hint: REPAIR, cause })
+  );
+}
