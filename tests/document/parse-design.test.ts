@@ -203,7 +203,9 @@ describe("refusing a design", () => {
 
   it("tells of a hundred thousand faulty dabs as of one", () => {
     const { message } = refusal(stroke({ dabs: new Array(100_000).fill({ kind: "planar" }) }));
-    expect(message).toMatch(/^layers\[0\]\.dabs\[0\]\.position: is missing; .*; and 299980 more$/);
+    expect(message).toMatch(
+      /^layers\[0\]\.dabs\[0\]\.position: is missing: must be a list of 3 numbers; .*; and 299980 more$/,
+    );
   });
 
   it.each<[string, unknown, string]>([

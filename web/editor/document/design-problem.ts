@@ -38,12 +38,11 @@ export function describeValue(value: unknown): string {
 const shorten = (text: string): string =>
   text.length > MAX_VALUE_LENGTH ? `${cutText(text, MAX_VALUE_LENGTH - 1)}…` : text;
 
-function formatProblem({ path, message, ...rest }: DesignProblem): string {
+function formatProblem({ path, message, ...rest }: DesignProblem, what: string): string {
   const place = formatPath(path);
-  const label = place === "" ? "the design" : `${place}:`;
+  const label = place === "" ? what : `${place}:`;
   if (!("value" in rest)) return `${label} ${message}`;
-  if (rest.value === undefined)
-    return message === "is missing" ? `${label} is missing` : `${label} is missing: ${message}`;
+  if (rest.value === undefined) return `${label} is missing: ${message}`;
   return `${label} ${message}, is ${describeValue(rest.value)}`;
 }
 
@@ -55,6 +54,7 @@ export function designError(
   problems: readonly DesignProblem[],
   hint?: string,
   code = "bad-design",
+  what = "the design",
 ): TexelcastError {
   const byPlace = new Map<string, DesignProblem>();
   for (const problem of problems) {
@@ -62,7 +62,7 @@ export function designError(
     if (!byPlace.has(place)) byPlace.set(place, problem);
   }
   const distinct = [...byPlace.values()];
-  const lines = distinct.slice(0, MAX_REPORTED).map(formatProblem);
+  const lines = distinct.slice(0, MAX_REPORTED).map((problem) => formatProblem(problem, what));
   const untold = distinct.length - lines.length;
   const first = distinct[0];
   return new TexelcastError(code, lines.join("; ") + (untold > 0 ? `; and ${untold} more` : ""), {

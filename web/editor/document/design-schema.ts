@@ -159,7 +159,7 @@ const hasUvDab = ({ dabs }: { readonly dabs: readonly { readonly kind: string }[
 
 const stroke = v.pipe(
   strict({
-    type: v.literal("stroke"),
+    type: v.literal("stroke", 'must be "stroke"'),
     ...layerEntries,
     brush,
     dabs: boundedList(DESIGN_LIMITS.dabs, "dabs", dab),
@@ -212,13 +212,16 @@ const parts = v.variant(
 );
 
 const fill = v.pipe(
-  strict({
-    type: v.literal("fill"),
-    ...layerEntries,
-    color: hexColor,
-    gradient: v.optional(v.nullable(gradient), null),
-    parts: v.optional(v.nullable(parts), null),
-  }),
+  strict(
+    {
+      type: v.literal("fill"),
+      ...layerEntries,
+      color: hexColor,
+      gradient: v.optional(v.nullable(gradient), null),
+      parts: v.optional(v.nullable(parts), null),
+    },
+    { color: ", which shows where there is no gradient, and is kept beside one" },
+  ),
   checkAt(
     "parts",
     (layer) => layer.parts === null || typeof layer.material === "number" || layer.material.length === 1,

@@ -12,12 +12,28 @@ const quoted = (values: readonly string[]): string => values.map((value) => `"${
 
 type Run = v.GenericSchema["~run"];
 
-/** An object that refuses what it does not know, all of it by name, and says what it does. */
-export function strict<const Entries extends v.ObjectEntries>(entries: Entries) {
+/**
+ * An object that refuses what it does not know, all of it by name, and says what it does.
+ *
+ * @param missing what is said of fields that are not there, behind what they must be
+ */
+export function strict<const Entries extends v.ObjectEntries>(
+  entries: Entries,
+  missing: Readonly<Record<string, string>> = {},
+) {
   const names = Object.keys(entries).join(", ");
+  const told = new Map<string, string>();
   const schema = v.strictObject(entries, (issue) => {
     if (issue.expected === "never") return `is not a known field (known here: ${names})`;
-    return issue.expected === "Object" ? "must be an object" : "is missing";
+    if (issue.expected === "Object") return "must be an object";
+    // The field's name, as JSON: what it must be is what its own schema says of nothing.
+    const name = JSON.parse(issue.expected ?? "") as string;
+    // Kept: a hundred thousand dabs may lack it.
+    if (!told.has(name)) {
+      const [first] = v.safeParse(entries[name] as v.GenericSchema, undefined).issues ?? [];
+      told.set(name, `${first?.message}${missing[name] ?? ""}`);
+    }
+    return told.get(name) as string;
   });
   return Object.assign(schema, {
     "~run": strictly(schema as unknown as v.GenericSchema, new Set(Object.keys(entries))),

@@ -1,9 +1,8 @@
 /** Zones files: the print areas of a product, read and checked. Beside the product's model, one file each. */
 import * as v from "valibot";
-import { TexelcastError } from "../../core/texelcast-error.ts";
 import { NO_ZONES, type PrintZones } from "../../engine/print-zones.ts";
 import { DESIGN_LIMITS, RESERVED_KEYS } from "./design-limits.ts";
-import { type DesignProblem, describeValue, formatPath } from "./design-problem.ts";
+import { type DesignProblem, designError } from "./design-problem.ts";
 import { parseJson } from "./parse-json.ts";
 import {
   boundedList,
@@ -91,8 +90,6 @@ export const zonesSchema = strict({
 /** The parts of the schema that the published JSON Schema gives definitions of their own. @internal */
 export const zonesParts = { zone, shape, polygon, point, rotation, length };
 
-const MAX_REPORTED = 20;
-
 /**
  * Reads a zones file.
  *
@@ -103,7 +100,10 @@ const MAX_REPORTED = 20;
 export function parseZones(source: unknown, name = "the zones file"): PrintZones {
   const data = typeof source === "string" ? parseJson(source, name, "the zones file", "bad-zones") : source;
   const result = v.safeParse(zonesSchema, data);
-  if (!result.success) throw zonesError(name, result.issues.map(problemOf));
+  if (!result.success) {
+    const hint = "The fields of a zones file are described in docs/print-truth.md.";
+    throw designError(name, result.issues.map(problemOf), hint, "bad-zones", "the zones file");
+  }
   const { zones, ...rest } = result.output;
   return { ...rest, zones: zones.map((one) => ({ ...one, name: one.name ?? one.id })) };
 }
@@ -112,20 +112,4 @@ function problemOf(issue: v.BaseIssue<unknown>): DesignProblem {
   const path = (issue.path ?? []).map((item) => item.key as string | number);
   const unknownField = issue.type === "strict_object" && issue.expected === "never";
   return { path, message: issue.message, ...(unknownField ? {} : { value: issue.input }) };
-}
-
-function zonesError(name: string, problems: readonly DesignProblem[]): TexelcastError {
-  const told = problems.slice(0, MAX_REPORTED).map(({ path, message, value }) => {
-    const place = formatPath(path);
-    const what = value === undefined ? message : `${message}, is ${describeValue(value)}`;
-    return place === "" ? `the zones file ${what}` : `${place}: ${what}`;
-  });
-  const untold = problems.length - told.length;
-  const first = problems[0];
-  return new TexelcastError("bad-zones", told.join("; ") + (untold > 0 ? `; and ${untold} more` : ""), {
-    subject: name,
-    hint: "The fields of a zones file are described in docs/print-truth.md.",
-    ...(first === undefined ? {} : { field: formatPath(first.path) }),
-    ...(first?.value === undefined ? {} : { value: describeValue(first.value) }),
-  });
 }
