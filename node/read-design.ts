@@ -60,7 +60,10 @@ export async function readAsset(
   if (inside !== undefined) return { name: `${file}: ${uri}`, bytes: inside };
   const target = await resolveInFolder(uri, { file, field });
   const code = design.assets[key]?.type.startsWith("font/") ? "bad-font" : "bad-picture";
-  return { name: target, bytes: await readFileBytes(target, { code, namedBy: { file, field } }) };
+  return {
+    name: `${file}: ${field}: ${uri}`,
+    bytes: await readFileBytes(target, { code, namedBy: { file, field, uri } }),
+  };
 }
 
 /** The files beside it that a design names, as far as they may be read. */

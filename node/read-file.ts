@@ -2,6 +2,7 @@
 import { open, realpath, stat } from "node:fs/promises";
 import path from "node:path";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
+import { systemReason } from "./system-reason.ts";
 
 /** 2 GiB less one byte: Node reads no more in one go. */
 export const MAX_FILE_BYTES = 2 ** 31 - 1;
@@ -14,10 +15,11 @@ export interface ReadOptions {
   readonly namedBy?: Reference;
 }
 
-/** Where a document names another file; `field` is its path in the document, where that is known. */
+/** Where a document names another file; `field` is its path in the document, where that is known, and `uri` what stands there. */
 export interface Reference {
   readonly file: string;
   readonly field?: string;
+  readonly uri?: string;
 }
 
 /**
@@ -29,7 +31,7 @@ export interface Reference {
 export async function readFileBytes(filePath: string, options: ReadOptions): Promise<Uint8Array> {
   const { maxBytes = MAX_FILE_BYTES, namedBy } = options;
   const details = namedBy === undefined ? { subject: filePath || '""' } : detailsOf(namedBy);
-  const about = namedBy === undefined ? "" : `${prefixOf(namedBy)}${quote(filePath)}: `;
+  const about = namedBy === undefined ? "" : `${prefixOf(namedBy)}${quote(namedBy.uri ?? filePath)}: `;
   const refuse = (message: string, hint: string, value?: string) =>
     new TexelcastError(options.code, about + message, { ...details, hint, ...(value === undefined ? {} : { value }) });
   try {
@@ -52,7 +54,7 @@ export async function readFileBytes(filePath: string, options: ReadOptions): Pro
     const { code } = cause as NodeJS.ErrnoException;
     if (code === "ENOENT" || code === "ENOTDIR") {
       const hint = "Check the name; upper and lower case differ.";
-      const value = namedBy === undefined ? {} : { value: filePath };
+      const value = namedBy === undefined ? {} : { value: namedBy.uri ?? filePath };
       throw new TexelcastError("missing-file", `${about}there is no such file`, { ...details, ...value, hint, cause });
     }
     throw new TexelcastError(options.code, `${about}cannot be read: ${systemReason(cause)}`, {
@@ -62,10 +64,6 @@ export async function readFileBytes(filePath: string, options: ReadOptions): Pro
     });
   }
 }
-
-/** What a system call complains of; the rest of its message repeats the path, however long. */
-const systemReason = (cause: unknown): string =>
-  cause instanceof Error ? (/^[A-Z0-9]+: [^,]+/.exec(cause.message)?.[0] ?? cause.message) : String(cause);
 
 /** Who is told where a document is no text. */
 export interface TextReference {

@@ -13,7 +13,7 @@ export async function readModel(file: string): Promise<ModelSource> {
   let room = MAX_FILE_BYTES - bytes.length;
   for (const uri of listSideFiles({ name: file, bytes })) {
     const target = await resolveInFolder(uri, { file });
-    const side = await readFileBytes(target, { code: "bad-model", maxBytes: room, namedBy: { file } });
+    const side = await readFileBytes(target, { code: "bad-model", maxBytes: room, namedBy: { file, uri } });
     room -= side.length;
     resources.set(uri, side);
   }

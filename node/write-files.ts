@@ -1,10 +1,11 @@
 /** Writing results so that no reader, and no interruption, ever meets half a file. */
 import { randomUUID } from "node:crypto";
 import { closeSync, constants, openSync, rmSync } from "node:fs";
-import { type FileHandle, open, rename, stat } from "node:fs/promises";
+import { access, type FileHandle, open, rename, stat } from "node:fs/promises";
 import path from "node:path";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 import { makeFolder } from "./make-folder.ts";
+import { systemReason } from "./system-reason.ts";
 
 const SIGNALS = ["SIGINT", "SIGTERM", "SIGHUP"] as const;
 /** Who may read, write and run a file. */
@@ -32,8 +33,11 @@ export class PendingFiles {
   async create(target: string): Promise<PendingFile> {
     const file = await writing(target, async () => {
       if (this.#pending.size === 0) for (const signal of SIGNALS) process.on(signal, this.#onSignal);
-      await makeFolder(path.dirname(target));
-      const temporary = path.join(path.dirname(target), `.texelcast-${randomUUID()}.tmp`);
+      const folder = path.dirname(target);
+      await makeFolder(folder).catch((cause: unknown) => {
+        throw cannotWrite(target, `its folder cannot be made: ${systemReason(cause)}`, cause);
+      });
+      const temporary = path.join(folder, `.texelcast-${randomUUID()}.tmp`);
       // Made and listed in one go: a signal between the two would leave it behind.
       const pending: { readonly temporary: string; file?: FileHandle } = { temporary };
       closeSync(openSync(temporary, "wx"));
@@ -86,8 +90,11 @@ export class PendingFiles {
  * "bad-argument" where the file is one of the inputs, by whatever name.
  */
 export async function checkOutputFile(target: string, inputs: readonly string[] = []): Promise<void> {
-  await checkOutputFolder(path.dirname(target));
-  const found = await stat(target).catch(() => null);
+  await checkFolderOf(target);
+  const found = await stat(target).catch((cause: NodeJS.ErrnoException) => {
+    if (cause.code === "ENAMETOOLONG") throw cannotWrite(target, "its name is too long", cause);
+    return null;
+  });
   if (found === null) return;
   for (const input of inputs) {
     const read = await stat(input).catch(() => null);
@@ -100,13 +107,19 @@ export async function checkOutputFile(target: string, inputs: readonly string[] 
   throw cannotWrite(target, "it is a pipe or a device, and a result takes the place of what has its name");
 }
 
-/** As `checkOutputFile`, for a folder. */
-export async function checkOutputFolder(folder: string): Promise<void> {
-  for (let place = path.resolve(folder); ; place = path.dirname(place)) {
+/** That the file's folder is there or can be made, as far as the folders above it tell. */
+async function checkFolderOf(target: string): Promise<void> {
+  for (let place = path.dirname(target); ; place = path.dirname(place)) {
     const found = await stat(place).catch(() => null);
-    if (found?.isDirectory()) return;
-    if (found !== null) throw cannotWrite(folder, `${JSON.stringify(place)} is a file, not a folder`);
-    if (place === path.dirname(place)) return;
+    if (found !== null && !found.isDirectory()) {
+      throw cannotWrite(target, `${JSON.stringify(place)} is a file, not a folder`);
+    }
+    if (found !== null) {
+      await access(place, constants.W_OK).catch((cause: unknown) => {
+        throw cannotWrite(target, `the folder ${JSON.stringify(place)} takes no files: ${systemReason(cause)}`, cause);
+      });
+    }
+    if (found !== null || place === path.dirname(place)) return;
   }
 }
 
@@ -121,7 +134,8 @@ async function writing<Result>(target: string, action: () => Promise<Result>): P
   try {
     return await action();
   } catch (cause) {
-    throw cannotWrite(target, cause instanceof Error ? cause.message : String(cause), cause);
+    if (cause instanceof TexelcastError) throw cause;
+    throw cannotWrite(target, systemReason(cause), cause);
   }
 }
 

@@ -37,6 +37,7 @@ async function workbench(layers: readonly object[], glb = planeGlb()): Promise<W
   const assets = {
     logo: { type: "image/png", uri: "logo.png" },
     serif: { type: "font/ttf", uri: "serif.ttf" },
+    notes: { type: "image/png", uri: "design.json" },
   };
   writeFileSync(inFolder("design.json"), JSON.stringify({ format: "texelcast-design", version: 1, assets, layers }));
   return {
@@ -354,6 +355,12 @@ describe("what texelcast render refuses", () => {
     ["a material without triangles", [], ["--material", "1"], UNPAINTABLE],
     ["a ground that is missing", [], ["--base", "ground.png"], "ground.png: there is no such file"],
     ["a ground that is no picture", [], ["--base", "design.json"], "design.json"],
+    [
+      "a decal whose picture is none",
+      [{ type: "decal", asset: "notes", projector: middle }],
+      [],
+      "texelcast: The picture “design.json: assets.notes.uri: design.json” cannot be used: it is neither PNG",
+    ],
     [
       "words in a font whose file is missing",
       [{ type: "text", text: "Ada", font: "serif", projector: middle }],

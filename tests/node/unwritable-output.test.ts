@@ -1,4 +1,4 @@
-import { closeSync, existsSync, linkSync, openSync, readFileSync, writeFileSync } from "node:fs";
+import { closeSync, existsSync, linkSync, mkdirSync, openSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, it, onTestFinished } from "vitest";
 import { solidPng } from "../support/png-file.ts";
@@ -27,10 +27,33 @@ describe.runIf(existsSync("/proc/self"))("a folder in which none can be made", (
     expect(code).toBe(3);
     expect(stdout).toBe("");
     const [wrong, hint, ...rest] = stderr.split("\n");
-    expect(wrong).toContain(`texelcast: ${target}: cannot be written: `);
-    expect(wrong).toContain("mkdir '/proc/no-such'");
+    expect(wrong).toBe(
+      `texelcast: ${target}: cannot be written: its folder cannot be made: ENOENT: no such file or directory`,
+    );
     expect(hint).toMatch(/^ {2}Give --out another place/);
     expect(rest).toEqual([""]);
+  });
+});
+
+describe.runIf(existsSync("/proc/self"))("a place that takes no files", () => {
+  const LONG = `${"a".repeat(300)}.png`;
+
+  it.for([
+    ["a folder of the system's", "/proc/x.png", "/proc/x.png: cannot be written: ENOENT: no such file or directory"],
+    ["a name that is too long", LONG, `${LONG}: cannot be written: its name is too long`],
+    ["a folder's own name", "maps.png", "maps.png: cannot be written: there is a folder of that name"],
+    [
+      "a folder that is a file",
+      "plane.glb/x.png",
+      'plane.glb/x.png: cannot be written: "plane.glb" is a file, not a folder',
+    ],
+  ] as const)("is told by the path that was asked for, and no other: %s", async ([, out, told], { signal }) => {
+    const folder = folderWithPlane();
+    mkdirSync(path.join(folder, "maps.png"));
+    const args = ["render", "plane.glb", "design.json", "--out", out, "--size", "8"];
+    const { code, stderr } = await texelcast(args, { cwd: folder, signal });
+    expect(stderr).toBe(`texelcast: ${told}\n  Give --out another place, or make room there.\n`);
+    expect(code).toBe(3);
   });
 });
 

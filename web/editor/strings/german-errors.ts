@@ -11,6 +11,8 @@ type Told = readonly [message: string, hint: string, told?: "whole"];
 
 const named = ({ subject }: TexelcastErrorJson, otherwise: string): string => (subject ? `„${subject}“` : otherwise);
 
+const of = ({ subject }: TexelcastErrorJson): string => (subject ? ` „${subject}“` : "");
+
 const REPAIR = "Repariere das Modell in einem 3D-Programm und exportiere es noch einmal.";
 const ANOTHER = "Speichere es in einem anderen Programm noch einmal, als PNG, JPEG, WebP, AVIF oder SVG.";
 const RELOAD = "Prüfe die Verbindung und lade die Seite neu.";
@@ -118,7 +120,12 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
           "Eine Zone muss auf der Oberfläche ihres Materials liegen.",
           "whole",
         ]
-      : [`${named(error, "Die Druckflächen")} lassen sich nicht verwenden.`, "Siehe docs/print-truth.md."],
+      : [
+          error.field
+            ? `In den Druckflächen${of(error)} steht bei ${error.field} nicht, was dort stehen muss.`
+            : `Die Druckflächen${of(error)} lassen sich nicht verwenden.`,
+          "Siehe docs/print-truth.md.",
+        ],
   "missing-file": (error) => {
     if (error.reason === "not-loaded" || error.value === undefined) return notLoaded(error);
     return [
