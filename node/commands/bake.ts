@@ -8,7 +8,7 @@ import { type NpyType, npyHeader } from "../npy.ts";
 import { openEngine } from "../open-engine.ts";
 import type { Size } from "../options.ts";
 import { Progress } from "../progress.ts";
-import { readModel, sideFilesOf } from "../read-model.ts";
+import { readModel } from "../read-model.ts";
 import { formatCount, formatShare, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
 
@@ -55,7 +55,7 @@ export async function bake(file: string, options: BakeOptions): Promise<void> {
   const outputs = ARRAYS.flatMap(({ name }) => [pathOf(name, "npy"), pathOf(name, "png")]);
   for (const output of outputs) await checkOutputFile(output, [file]);
   const model = await readModel(file);
-  const inputs = await sideFilesOf(model);
+  const inputs = model.files;
   for (const output of outputs) await checkOutputFile(output, inputs);
   const engine = openEngine();
   const progress = new Progress();

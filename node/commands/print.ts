@@ -5,7 +5,7 @@ import { withPrintJob } from "../print-job.ts";
 import { checkPrintedMaterial } from "../printed-material.ts";
 import { Progress } from "../progress.ts";
 import { assetFilesOf, readAsset, readDesign } from "../read-design.ts";
-import { readModel, sideFilesOf } from "../read-model.ts";
+import { readModel } from "../read-model.ts";
 import { formatCount, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
 import { readZones } from "./check.ts";
@@ -26,7 +26,7 @@ export async function print(modelFile: string, designFile: string, options: Prin
   const zones = zonesFile === undefined ? null : await readZones(zonesFile);
   const design = await readDesign(designFile);
   const model = await readModel(modelFile);
-  await checkOutputFile(out, [...(await assetFilesOf(design)), ...(await sideFilesOf(model))]);
+  await checkOutputFile(out, [...(await assetFilesOf(design)), ...model.files]);
   const job = { ...design, model, readAsset: (key: string) => readAsset(design, key), zones };
   const wanted: PrintFileOptions = {
     ...rest,

@@ -11,7 +11,7 @@ import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from ".
 import { Progress } from "../progress.ts";
 import { assetFilesOf, type LoadedDesign, readAsset, readDesign } from "../read-design.ts";
 import { readFileBytes } from "../read-file.ts";
-import { readModel, sideFilesOf } from "../read-model.ts";
+import { readModel } from "../read-model.ts";
 import { formatCount, plural, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
 
@@ -34,8 +34,9 @@ export async function render(modelFile: string | null, designFile: string, optio
   await checkOutputFile(out.kind === "pngs" ? fileOfMaterial(out.file, DEFAULT_MATERIAL) : out.file, inputs);
   const design = await readDesign(designFile);
   inputs.push(...(await assetFilesOf(design)));
-  const model = modelFile === null ? modelInside(design) : await readModel(modelFile);
-  if (modelFile !== null) inputs.push(...(await sideFilesOf(model)));
+  const read = modelFile === null ? null : await readModel(modelFile);
+  inputs.push(...(read?.files ?? []));
+  const model = read ?? modelInside(design);
   const base = await readBase(options.base);
   const engine = openEngine();
   const progress = new Progress();

@@ -1,12 +1,13 @@
 /** `texelcast unwrap`: the model with texture coordinates in which no two triangles of a material share a texel. */
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import type { ModelSource } from "../../web/engine/engine-api.ts";
 import { SHARED_TEXELS } from "../../web/engine/shared-texels.ts";
 import { type UnwrappedMaterial, unwrapModel } from "../../web/engine/unwrap/unwrap-model.ts";
 import { findMaterial } from "../find-material.ts";
 import { inspectModel, type MaterialReport, type ModelReport } from "../inspect-model.ts";
 import { openEngine } from "../open-engine.ts";
 import { Progress } from "../progress.ts";
-import { readModel, sideFilesOf } from "../read-model.ts";
+import { readModel } from "../read-model.ts";
 import { formatCount, formatShare, plural, printable } from "../terminal-text.ts";
 import { checkOutputFile, PendingFiles } from "../write-files.ts";
 
@@ -22,12 +23,12 @@ export interface UnwrapCommandOptions {
 export async function unwrap(file: string, { out, size, material }: UnwrapCommandOptions): Promise<void> {
   await checkOutputFile(out, [file]);
   const model = await readModel(file);
-  await checkOutputFile(out, [file, ...(await sideFilesOf(model))]);
+  await checkOutputFile(out, model.files);
   const engine = openEngine();
   const progress = new Progress();
   const files = new PendingFiles();
   try {
-    const measure = (source: typeof model): Promise<ModelReport> =>
+    const measure = (source: ModelSource): Promise<ModelReport> =>
       inspectModel(engine, source, (index, share) => progress.report(`Measuring material ${index}`, share));
     progress.report("Reading the model");
     if (material !== undefined) findMaterial(await engine.loadModel(model), material);

@@ -3,6 +3,7 @@ import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } 
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
+import { zipSync } from "fflate";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { texelcast } from "../node/run-cli.ts";
 
@@ -23,6 +24,9 @@ beforeAll(() => {
   cpSync(`${root}build/public/shop/mug.zones.json`, path.join(folder, "mug.zones.json"));
   const demo = JSON.parse(readFileSync(path.join(folder, "demo.json"), "utf8")) as { models: { design: object }[] };
   writeFileSync(path.join(folder, "design.json"), JSON.stringify(demo.models[0]?.design));
+  const packed = { "cup/mug.glb": "mug.glb", "board/skateboard.glb": "skateboard.glb" };
+  const files = Object.entries(packed).map(([entry, file]) => [entry, readFileSync(path.join(folder, file))]);
+  writeFileSync(path.join(folder, "pack.zip"), zipSync(Object.fromEntries(files)));
 });
 afterAll(() => rmSync(folder, { recursive: true, force: true }));
 

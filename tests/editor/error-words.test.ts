@@ -1,4 +1,5 @@
 import { readdirSync, readFileSync } from "node:fs";
+import { zipSync } from "fflate";
 import { describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { fetchBytes } from "../../web/editor/files/demo-catalogue.ts";
@@ -13,6 +14,7 @@ import { english } from "../../web/element/words/english.ts";
 import { german } from "../../web/element/words/german.ts";
 import { readFontHeader } from "../../web/engine/font-file.ts";
 import { readPictureHeader } from "../../web/engine/picture-header.ts";
+import { unzipModel } from "../../web/engine/zipped-model.ts";
 
 const FLAT = new TexelcastError("no-uvs", "The material has no texture coordinates.", { subject: "fox.glb" });
 const BROKEN = new TexelcastError("bad-design", 'layers[0].opacity: must be a number, is "x"', {
@@ -73,6 +75,13 @@ describe("what the engine reports", () => {
       exact: "",
     });
     expect(germanError(gif.toJSON()).message).toContain("Es ist ein GIF.");
+    const which = thrownBy(() =>
+      unzipModel({ name: "pack.zip", bytes: zipSync({ "a.glb": new Uint8Array(1), "b.glb": new Uint8Array(1) }) }),
+    );
+    expect(noticeOf(1, "", which, stringsIn("de"))).toMatchObject({
+      message: "„pack.zip“ enthält mehrere Modelle.",
+      exact: expect.stringContaining("“a.glb”, “b.glb”"),
+    });
     const woff = thrownBy(() => readFontHeader(new TextEncoder().encode("wOF2"), "sans.woff2"));
     expect(noticeOf(1, "", woff, stringsIn("de")).message).toContain("Es ist eine Webschrift (WOFF).");
   });

@@ -12,9 +12,9 @@ import type { PrintZones } from "./print-zones.ts";
 export type { BlendMode } from "./blend-modes.ts";
 export type { EnginePicture, EngineText, TextMeasure } from "./engine-text.ts";
 
-/** A model's bytes with the side files that its `.gltf` names (relative address to bytes). */
+/** A model's bytes with the side files that its `.gltf` names (relative address to bytes), or a zip that has all of it. */
 export interface ModelSource {
-  /** File name as the user knows it; errors name it. */
+  /** File name as the user knows it; errors name it. Of a zip with several models it chooses one: "pack.zip#robot/scene.gltf". */
   readonly name: string;
   readonly bytes: Uint8Array;
   readonly resources?: ReadonlyMap<string, Uint8Array>;

@@ -28,10 +28,12 @@ export interface ReadModel extends LoadedModel {
 }
 
 /**
- * Reads a model. The source's bytes are copied, so the caller may do with them what it likes, or taken over. Throws
- * "bad-container", "missing-file" (naming the side file), "bad-model", "out-of-budget", and "bad-picture" (naming a KTX2 image).
+ * Reads a model, also from a zip (`unzipModel`). The source's bytes are copied, so the caller may do with them what it likes, or
+ * taken over. Throws "bad-container", "missing-file" (naming the side file), "bad-model", "out-of-budget", and "bad-picture" (naming a
+ * KTX2 image).
  */
-export async function loadModelFile(source: ModelSource, takesOver = false): Promise<ReadModel> {
+export async function loadModelFile(given: ModelSource, takesOver = false): Promise<ReadModel> {
+  const source = isZip(given.bytes) ? (await import("./zipped-model.ts")).unzipModel(given) : given;
   // Not by `slice`, which of Node's Buffers gives the same memory again.
   const own = (bytes: Uint8Array): Uint8Array => (takesOver ? bytes : new Uint8Array(bytes));
   const resources = new Map<string, Uint8Array>();
@@ -44,6 +46,9 @@ export async function loadModelFile(source: ModelSource, takesOver = false): Pro
     : { packed, glb: writeGlb(packed.json, packed.binary) };
   return { name: source.name, original, ...readable };
 }
+
+/** Whether a file is an archive, by how it begins. */
+export const isZip = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && bytes[1] === 0x4b && bytes[2] === 3;
 
 /** Pixels of a material's base colour picture as its header says; null without a picture, or when it cannot be read. */
 export async function baseTextureSize(model: LoadedModel, material: number): Promise<readonly [number, number] | null> {

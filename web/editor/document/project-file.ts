@@ -7,17 +7,19 @@ import * as v from "valibot";
 import { cutText } from "../../core/cut-text.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
+import { ZipReader, type ZipTerms, zipError } from "../../engine/zip-reader.ts";
 import { ASSET_ENDINGS, type Design, type DesignAsset } from "./design.ts";
 import { describeValue, formatPath } from "./design-problem.ts";
 import { parseDesign } from "./parse-design.ts";
 import { printJson } from "./print-json.ts";
 import { repeatedKeys } from "./repeated-keys.ts";
 import { serialiseDesign } from "./serialise-design.ts";
-import { ZipReader, zipError } from "./zip-reader.ts";
 
 export const PROJECT_FORMAT = "texelcast-project";
 export const PROJECT_VERSION = 1;
 export const PROJECT_EXTENSION = ".texelcast";
+
+const TERMS: ZipTerms = { code: "bad-project", hint: "Save the project again from the page that made it." };
 
 /** Size and gutter of a material's texture; null: the default. */
 export interface ProjectTarget {
@@ -119,7 +121,7 @@ export function writeProjectFile({ name, design, assetBytes, targets, model }: P
  * @throws TexelcastError "bad-project" that names file and entry, "bad-design" for its design.
  */
 export function readProjectFile(bytes: Uint8Array, fileName: string): ProjectFile {
-  const archive = new ZipReader(bytes, fileName);
+  const archive = new ZipReader(bytes, fileName, TERMS);
   const manifest = parseManifest(requiredText(archive, MANIFEST, MAX_MANIFEST), fileName);
   const text = requiredText(archive, DESIGN, MAX_DESIGN);
   const design = parseDesign(text, `${fileName}: ${DESIGN}`);
@@ -189,33 +191,33 @@ function parseManifest(text: string, archive: string): Manifest {
   try {
     data = JSON.parse(text);
   } catch (cause) {
-    throw zipError(archive, "is not valid JSON", MANIFEST, undefined, cause);
+    throw zipError(TERMS, archive, "is not valid JSON", MANIFEST, undefined, cause);
   }
   const [repeated] = repeatedKeys(text);
-  if (repeated) throw zipError(archive, `has ${formatPath(repeated)} twice in one object`, MANIFEST);
+  if (repeated) throw zipError(TERMS, archive, `has ${formatPath(repeated)} twice in one object`, MANIFEST);
   const { format, version } = (typeof data === "object" && data !== null ? data : {}) as Record<string, unknown>;
   if (format !== PROJECT_FORMAT) {
-    throw zipError(archive, `must have the format "${PROJECT_FORMAT}"`, MANIFEST, describeValue(format));
+    throw zipError(TERMS, archive, `must have the format "${PROJECT_FORMAT}"`, MANIFEST, describeValue(format));
   }
   if (version !== PROJECT_VERSION) {
     const newer = typeof version === "number" && version > PROJECT_VERSION;
     const message = newer ? "was made by a newer Texelcast: update to open it" : "has an unknown version";
-    throw zipError(archive, message, MANIFEST, describeValue(version));
+    throw zipError(TERMS, archive, message, MANIFEST, describeValue(version));
   }
   const result = v.safeParse(manifestSchema, data);
   if (result.success) return result.output;
   const [issue] = result.issues;
   const path = formatPath((issue.path ?? []).map((item) => item.key as string | number));
-  throw zipError(archive, `has a fault at ${path}: ${issue.message}`, MANIFEST, describeValue(issue.input));
+  throw zipError(TERMS, archive, `has a fault at ${path}: ${issue.message}`, MANIFEST, describeValue(issue.input));
 }
 
 function requiredText(archive: ZipReader, entry: string, maxSize: number): string {
   const bytes = archive.read(entry, maxSize);
-  if (bytes === undefined) throw zipError(archive.name, `has no ${entry}, so it is no Texelcast project`);
+  if (bytes === undefined) throw zipError(TERMS, archive.name, `has no ${entry}, so it is no Texelcast project`);
   try {
     return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
   } catch (cause) {
-    throw zipError(archive.name, "is not UTF-8 text", entry, undefined, cause);
+    throw zipError(TERMS, archive.name, "is not UTF-8 text", entry, undefined, cause);
   }
 }
 

@@ -1,9 +1,8 @@
 /** What a zip holds that the page can open, as if its folder had been dropped: libraries of models give them as such. */
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { nameOf } from "../../engine/companion-files.ts";
+import { ARCHIVE, ARCHIVE_TERMS, isOfUse, MODEL, MOST_BYTES, openArchive } from "../../engine/zipped-files.ts";
 import { PROJECT_EXTENSION } from "../document/index.ts";
-import { ZipReader, type ZipTerms } from "../document/zip-reader.ts";
-import { nameOf } from "./companions.ts";
-import { ARCHIVE, MODEL } from "./file-intake.ts";
 
 export interface UnzippedFile {
   /** Path below a folder that is called as the archive. */
@@ -11,15 +10,8 @@ export interface UnzippedFile {
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
-const TERMS: ZipTerms = { code: "bad-archive", hint: "Unpack it, and open the files that were in it." };
 /** More than an honest model has. */
 const MOST_FILES = 2000;
-const MOST_BYTES = 2 ** 30;
-/** What other systems put beside the files. */
-const HIDDEN = /^(\.|__MACOSX$)/;
-/** What no model, design or picture here asks for, and may be large: sources, other kinds of models, archives, films. */
-const FOREIGN =
-  /\.(fbx|obj|mtl|stl|ply|dae|usd[acz]?|blend\d*|max|c4d|m[ab]|spp|psd|exr|hdr|zip|rar|7z|mp4|mov|txt|md|pdf|html?|rtf|url)$/i;
 const DESIGN = /\.design\.json$/i;
 /** The entry by which a project is known that was given another ending. */
 const MANIFEST = "project.json";
@@ -33,7 +25,7 @@ const MANIFEST = "project.json";
  */
 export function unzipFiles(bytes: Uint8Array<ArrayBuffer>, path: string): UnzippedFile[] {
   const name = nameOf(path);
-  const archive = new ZipReader(bytes, name, TERMS);
+  const archive = openArchive(bytes, name);
   const folder = path.replace(ARCHIVE, "");
   if (archive.entries.has(MANIFEST)) return [{ path: `${folder}${PROJECT_EXTENSION}`, bytes }];
   const entries = [...archive.entries.values()].filter((entry) => isOfUse(entry.name));
@@ -49,11 +41,9 @@ export function unzipFiles(bytes: Uint8Array<ArrayBuffer>, path: string): Unzipp
   }));
 }
 
-const isOfUse = (name: string): boolean => !FOREIGN.test(name) && !name.split("/").some((part) => HIDDEN.test(part));
-
 const tooLarge = (name: string, value: string, limit: string): TexelcastError =>
-  new TexelcastError(TERMS.code, `“${name}” holds ${value}, and ${limit} are the most.`, {
+  new TexelcastError(ARCHIVE_TERMS.code, `“${name}” holds ${value}, and ${limit} are the most.`, {
     subject: name,
     value,
-    hint: TERMS.hint,
+    hint: ARCHIVE_TERMS.hint,
   });

@@ -1,10 +1,12 @@
 /** What a handful of files means: a model with its side files, a design, pictures for decals. */
 
+import { findCompanion } from "../../engine/companion-files.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { listSideFiles } from "../../engine/gltf-container.ts";
+import { MODEL } from "../../engine/zipped-files.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
-import { bytesOf, findCompanion } from "./companions.ts";
+import { bytesOf } from "./file-bytes.ts";
 import type { CollectedFile } from "./file-collection.ts";
 
 export interface Intake {
@@ -24,9 +26,6 @@ export interface Intake {
   readonly companions: readonly CollectedFile[];
 }
 
-/** What is opened first, and is then the files that are in it. */
-export const ARCHIVE = /\.zip$/i;
-export const MODEL = /\.(glb|gltf)$/i;
 const PICTURE = /\.(png|jpe?g|jfif|webp|avif|svgz?)$/i;
 /** What people take for pictures, and what is wrong with them is told when they are read. */
 const OTHER_PICTURE = /\.(gif|bmp|tiff?|hei[cf]|jxl|psd|pdf|ai|eps)$/i;

@@ -3,7 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { AlignCenter, AlignLeft, AlignRight, FileUp, Ratio } from "lucide";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontOf } from "../../engine/shipped-fonts.ts";
 import type { Align, TextLayer } from "../document/index.ts";
-import { bytesOf } from "../files/companions.ts";
+import { bytesOf } from "../files/file-bytes.ts";
 import { layerById } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { emBounds, emOf, withEm } from "../state/text-box.ts";

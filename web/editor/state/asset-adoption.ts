@@ -1,10 +1,11 @@
 /** The files of a design that was read from a file: fetched from where it lies, and taken in. */
 import { parseUrl } from "../../core/parse-url.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { findCompanion } from "../../engine/companion-files.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type { Design, DesignAsset } from "../document/design.ts";
-import { bytesOf, findCompanion } from "../files/companions.ts";
 import { decodeDataUri } from "../files/data-uri.ts";
+import { bytesOf } from "../files/file-bytes.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 
 /** On a slow line each would wait for the answer to the one before it; all at once would hold their bytes twice. */

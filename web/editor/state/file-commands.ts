@@ -1,10 +1,11 @@
 /** Files in and out: models, designs and pictures opened or dropped; designs saved, textures and models exported. */
 
 import type { TexelcastError } from "../../core/texelcast-error.ts";
+import { nameOf } from "../../engine/companion-files.ts";
 import type { Engine } from "../../engine/engine-api.ts";
+import { ARCHIVE } from "../../engine/zipped-files.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, emptyDesign, materialsIn, parseDesign, serialiseDesign } from "../document/index.ts";
-import { bytesOf, nameOf } from "../files/companions.ts";
 import {
   type DemoCatalogue,
   type DemoDecal,
@@ -13,8 +14,9 @@ import {
   fetchBytes,
 } from "../files/demo-catalogue.ts";
 import { download, fileNameOf, fileStem } from "../files/download.ts";
+import { bytesOf } from "../files/file-bytes.ts";
 import type { CollectedFile } from "../files/file-collection.ts";
-import { ARCHIVE, type Intake, sortFiles } from "../files/file-intake.ts";
+import { type Intake, sortFiles } from "../files/file-intake.ts";
 import { unzipInWorker } from "../files/project-client.ts";
 import { noteRead } from "../storage/packed-project.ts";
 import type { ProjectContent } from "../storage/project.ts";

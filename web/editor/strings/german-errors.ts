@@ -107,10 +107,25 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
     `${named(error, "Das Projekt")} ist beschädigt oder kein Projekt.`,
     "Nimm eine andere Sicherung dieser Datei.",
   ],
-  "bad-archive": (error) => [
-    `${named(error, "Das Archiv")} ist beschädigt oder zu groß.`,
-    "Entpacke es, und öffne die Dateien daraus.",
-  ],
+  "bad-archive": (error) => {
+    const archive = named(error, "Das Archiv");
+    if (error.reason === "without-model")
+      return [
+        `In ${named(error, "dem Archiv")} ist kein Modell.`,
+        "Ein Modell ist eine .glb-Datei oder eine .gltf mit ihren Dateien.",
+        "whole",
+      ];
+    if (error.reason === "which-model") {
+      return [
+        `${archive} enthält mehrere Modelle.`,
+        "Nenne eines davon: mit seinem Pfad, hinter dem Namen des Archivs und einem „#“.",
+      ];
+    }
+    return [
+      `${archive} ließ sich nicht öffnen: es ist beschädigt, zu groß oder ungewöhnlich.`,
+      "Entpacke es, und öffne die Dateien daraus.",
+    ];
+  },
   "bad-zones": (error) =>
     error.reason === "no-surface"
       ? [

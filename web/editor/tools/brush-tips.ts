@@ -1,8 +1,8 @@
 /** Pictures as a brush's tip: those of the design, those that come with the page, and the user's own files. */
 import { type Design, type DesignAsset, flattenLayers } from "../document/index.ts";
-import { bytesOf } from "../files/companions.ts";
 import { type DemoDecal, fetchBytes } from "../files/demo-catalogue.ts";
 import { fileStem } from "../files/download.ts";
+import { bytesOf } from "../files/file-bytes.ts";
 import type { Admission } from "../state/admission.ts";
 import type { AssetLibrary } from "../state/asset-library.ts";
 import type { EditorState } from "../state/editor-state.ts";

@@ -1,7 +1,7 @@
 /** The palette's own file work: from a .gpl, from a picture, and back into a .gpl. */
 import { decodePicture } from "../../engine/picture-decoder.ts";
-import { bytesOf } from "../files/companions.ts";
 import { download, fileNameOf, fileStem } from "../files/download.ts";
+import { bytesOf } from "../files/file-bytes.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import { ToldError } from "../strings/told-error.ts";
 import { DEFAULT_PALETTE } from "./default-palette.ts";

@@ -16,7 +16,8 @@ export interface Fetching {
 export async function fetchModel(address: string, base: string, fetching: Fetching): Promise<ModelSource> {
   const url = addressOf(address, base, fetching.words);
   const bytes = await fetchBytes(url, fetching);
-  const name = nameOf(url);
+  // Behind an archive's address, which of its models is meant.
+  const name = nameOf(url, url.hash);
   const isText = bytes[0] === 0x7b || bytes[0] === 0x20 || bytes[0] === 0x0a || bytes[0] === 0xef;
   return isText ? { name, bytes, resources: await fetchSideFiles({ name, bytes }, url, fetching) } : { name, bytes };
 }
@@ -72,9 +73,9 @@ export function addressOf(address: string, base: string, words: Words): URL {
   return url;
 }
 
-/** The last part of an address, as people would call the file. */
-export function nameOf(url: URL): string {
-  const last = url.pathname.slice(url.pathname.lastIndexOf("/") + 1);
+/** The last part of an address, as people would call the file, and what comes `behind` it. */
+export function nameOf(url: URL, behind = ""): string {
+  const last = url.pathname.slice(url.pathname.lastIndexOf("/") + 1) + behind;
   try {
     return decodeURIComponent(last) || url.host;
   } catch {

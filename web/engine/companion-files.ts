@@ -1,19 +1,14 @@
 /** Files that came together: one names another by a relative address. */
-import type { CollectedFile } from "./file-collection.ts";
-
-export async function bytesOf(file: Blob): Promise<Uint8Array<ArrayBuffer>> {
-  return new Uint8Array(await file.arrayBuffer());
-}
 
 /**
  * The file that a relative address means: by its path beside `base`, else (files dropped without their folders) the
  * only one of that name, or of that name but for capitals, which Windows does not tell apart.
  */
-export function findCompanion(
+export function findCompanion<File extends { readonly path: string }>(
   address: string,
   base: string,
-  files: readonly CollectedFile[],
-): CollectedFile | undefined {
+  files: readonly File[],
+): File | undefined {
   // Exporters on Windows write backslashes.
   const wanted = decodeAddress(address).replaceAll("\\", "/").replace(/^\.\//, "");
   const folder = base.slice(0, base.lastIndexOf("/") + 1);

@@ -4,8 +4,8 @@
  * several disks and 64-bit sizes.)
  */
 import { Inflate } from "fflate";
-import { TexelcastError } from "../../core/texelcast-error.ts";
-import { crc32 } from "../../engine/crc32.ts";
+import { TexelcastError } from "../core/texelcast-error.ts";
+import { crc32 } from "./crc32.ts";
 
 export interface ZipEntry {
   /** Relative, with "/"; never "..", never twice in an archive. */
@@ -16,6 +16,8 @@ export interface ZipEntry {
   readonly method: number;
   readonly crc: number;
   readonly offset: number;
+  /** It stands for another file, by whose path Unix took it for one. */
+  readonly isLink: boolean;
 }
 
 export interface ZipLimits {
@@ -32,11 +34,6 @@ export interface ZipTerms {
   readonly hint: string;
 }
 
-const PROJECT_TERMS: ZipTerms = {
-  code: "bad-project",
-  hint: "Save the project again from the page that made it.",
-};
-
 const END_SIGNATURE = 0x06054b50;
 const DIRECTORY_SIGNATURE = 0x02014b50;
 const LOCAL_SIGNATURE = 0x04034b50;
@@ -48,6 +45,9 @@ const MOST_RATIO = 1032;
 const OLD_LETTERS =
   "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜ¢£¥₧ƒáíóúñÑªº¿⌐¬½¼¡«»░▒▓│┤╡╢╖╕╣║╗╝╜╛┐└┴┬├─┼╞╟╚╔╩╦╠═╬╧╨╤╥╙╘╒╓╫╪┘┌█▄▌▐▀αßΓπΣσµτΦΘΩδ∞φε∩≡±≥≤⌠⌡÷≈°∙·√ⁿ²■\u00a0";
 const UTF8_NAME = 1 << 11;
+const MADE_ON_UNIX = 3;
+/** The upper four bits of a file's mode. */
+const LINK_TYPE = 0o12;
 /** Compressed bytes fed at once: what a lying entry can inflate to beyond its size is at most 1032 times this. */
 const PIECE = 1 << 15;
 
@@ -60,10 +60,10 @@ export class ZipReader {
   readonly #bytes: Uint8Array;
   readonly #refuse: Refuse;
 
-  /** @throws TexelcastError "bad-project", or as `terms` says, that names the archive and the entry at fault. */
-  constructor(bytes: Uint8Array, name: string, terms: ZipTerms = PROJECT_TERMS) {
+  /** @throws TexelcastError as `terms` says, that names the archive and the entry at fault. */
+  constructor(bytes: Uint8Array, name: string, terms: ZipTerms) {
     this.#bytes = bytes;
-    this.#refuse = (message, entry, value, cause) => zipError(name, message, entry, value, cause, terms);
+    this.#refuse = (message, entry, value, cause) => zipError(terms, name, message, entry, value, cause);
     this.name = name;
     this.entries = readDirectory(bytes, this.#refuse, ZIP_LIMITS);
   }
@@ -71,12 +71,13 @@ export class ZipReader {
   /**
    * An entry's bytes; undefined for one that is not there.
    *
-   * @throws TexelcastError "bad-project" for one above `maxSize` (before it is inflated), broken, or longer than it says.
+   * @throws TexelcastError for one above `maxSize` (before it is inflated), broken, or longer than it says.
    */
   read(entryName: string, maxSize: number): Uint8Array | undefined {
     const entry = this.entries.get(entryName);
     if (entry === undefined) return undefined;
     const refuse: Refuse = (message, _, value, cause) => this.#refuse(message, entryName, value, cause);
+    if (entry.isLink) throw refuse("is a link to another file, and links are not followed");
     if (entry.size > maxSize) {
       throw refuse(`inflates to ${entry.size} bytes, the limit there is ${maxSize}`, entryName, `${entry.size} bytes`);
     }
@@ -158,6 +159,7 @@ function readEntry(bytes: Uint8Array, view: DataView, at: number, refuse: Refuse
     compressedSize: view.getUint32(at + 20, true),
     size: view.getUint32(at + 24, true),
     offset: view.getUint32(at + 42, true),
+    isLink: view.getUint8(at + 5) === MADE_ON_UNIX && view.getUint16(at + 40, true) >> 12 === LINK_TYPE,
   };
 }
 
@@ -217,12 +219,12 @@ const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes
 
 /** `message` reads on from the entry's name where there is one. */
 export function zipError(
+  terms: ZipTerms,
   archive: string,
   message: string,
   entry?: string,
   value?: string,
   cause?: unknown,
-  terms: ZipTerms = PROJECT_TERMS,
 ): TexelcastError {
   return new TexelcastError(terms.code, entry === undefined ? message : `${JSON.stringify(entry)} ${message}`, {
     subject: archive,
