@@ -9,12 +9,11 @@ import { compressedModels } from "../support/compressed-models.ts";
 import { manySidedModel } from "../support/many-sided-model.ts";
 import { buildGlb, plane } from "../support/model-builder.ts";
 import { endHosts, startHost } from "../support/painted-plane.ts";
+import { letThreeReadPictures } from "../support/three-in-node.ts";
 
 afterEach(endHosts);
 
-/** What three.js finds in a browser. */
-vi.stubGlobal("self", globalThis);
-vi.stubGlobal("createImageBitmap", async () => ({ width: 1, height: 1, close: () => undefined }));
+letThreeReadPictures();
 vi.spyOn(console, "warn").mockReturnValue();
 vi.spyOn(console, "error").mockReturnValue();
 

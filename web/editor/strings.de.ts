@@ -587,6 +587,7 @@ export const german: Strings = {
     reload: "Neu laden",
     barePart: "Dort lässt sich nichts malen",
     barePartWhy: (name, why) => `Das Material dieses Teils, ${name}, nimmt keine Farbe an: ${why}.`,
+    sharedPartWhy: "Dieser Teil zeigt die Textur eines anderen, und gemalt wird nur, was auf dem anderen liegt.",
     lostDecal: (name) => `${name} liegt neben dem Modell`,
     lostDecalWhy: "Dort wird davon wenig oder nichts gemalt. Schieb es zurück, oder mach den Schritt rückgängig.",
     unwrapPart: "Abwickeln",

@@ -42,10 +42,15 @@ export function smoothed(query: SurfaceQuery, place: SurfaceSample, size: Vector
   return { position: place.position, normal: query.smoothNormal(place, averagingRadius(query, size)) };
 }
 
-/** The same for a point that may lie beside the surface: the normal is that of the surface nearest to it. */
+/**
+ * The same for a point that may lie beside the surface: the normal is that of the surface nearest to it, to the side that the
+ * point's own looks to.
+ */
 export function smoothedNear(query: SurfaceQuery, place: SurfacePoint, size: Vector3): SurfacePoint {
   const nearest = query.closest(place.position);
-  return nearest === null ? place : { position: place.position, normal: smoothed(query, nearest, size).normal };
+  if (nearest === null) return place;
+  const { normal } = smoothed(query, nearest, size);
+  return { position: place.position, normal: normal.multiplyScalar(normal.dot(place.normal) < 0 ? -1 : 1) };
 }
 
 /**
@@ -66,12 +71,25 @@ export function placeOnSurface(
   const { normal } = smoothedNear(query, place, size);
   const up = uprightness(normal) > LEVEL_BELOW ? UP_MODEL : levelUp(normal, view);
   const rotation = uprightFrame(normal, up) ?? new Quaternion();
+  const pose: DecalPose = { position: place.position.clone(), rotation, size };
   if (keep !== null) {
     rotation.multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 0, 1), rollOf(keep.rotation)));
+    size.z = keep.size.z;
+    return pose;
   }
-  const pose: DecalPose = { position: place.position.clone(), rotation, size };
-  size.z = keep === null ? fittingDepth(query, pose) : keep.size.z;
-  return pose;
+  size.z = fittingDepth(query, pose);
+  // What is seen is painted: what lies over its middle and is not seen there, as the near wall of a thin leg that is turned inside
+  // out, would occlude it, unless it is as near as that.
+  const least = query.bounds.radius * 1e-3;
+  const cover = query.distanceAlong(fromLocal(pose, 0, 0, least), normal, size.z / 2 - least);
+  return cover === null ? pose : cutAbove(pose, KEPT_CLEARANCE * cover);
+}
+
+/** The box with no more than `free` of it above its middle. */
+function cutAbove(pose: DecalPose, free: number): DecalPose {
+  const top = pose.size.z / 2;
+  const position = fromLocal(pose, 0, 0, (free - top) / 2);
+  return { ...pose, position, size: pose.size.clone().setZ(top + free) };
 }
 
 /**
@@ -109,18 +127,16 @@ export function beneath(concealed: SurfaceQuery, query: SurfaceQuery, pose: Deca
     if (foot !== null) {
       const cover = concealed.raycast(foot.position, outward, foot.distance);
       const height = top - foot.distance;
-      free = cover === null ? free : Math.min(free, height + KEPT_CLEARANCE * cover.distance);
+      if (cover !== null) free = Math.min(free, height + KEPT_CLEARANCE * cover.distance);
     }
   }
-  const position = pose.position.clone().addScaledVector(outward, (free - top) / 2);
-  return { ...pose, position, size: pose.size.clone().setZ(top + free) };
+  return cutAbove(pose, free);
 }
 
 /** The surface point beneath (or above) a box's centre along its own axis; the nearest one where the axis meets none. */
 export function footOf(query: SurfaceQuery, pose: DecalPose): SurfaceSample | null {
-  const forward = axisOf(pose, 2);
-  const origin = pose.position.clone().addScaledVector(forward, pose.size.z / 2);
-  return query.raycast(origin, forward.negate(), pose.size.z) ?? query.closest(pose.position);
+  const origin = fromLocal(pose, 0, 0, pose.size.z / 2);
+  return query.raycast(origin, axisOf(pose, 2).negate(), pose.size.z) ?? query.closest(pose.position);
 }
 
 /**
@@ -174,7 +190,7 @@ export function fittingDepth(query: SurfaceQuery, pose: DecalPose): number {
     if (first !== undefined) {
       const depth = first.distance - reach;
       // A sample far below is another part of the model, seen past an edge.
-      drop = Math.abs(depth) < reach * 0.75 ? Math.max(drop, Math.abs(depth)) : drop;
+      if (Math.abs(depth) < reach * 0.75) drop = Math.max(drop, Math.abs(depth));
       behind = Math.min(behind, depth >= reach * 0.75 ? depth : (second?.distance ?? Number.POSITIVE_INFINITY) - reach);
     }
   }

@@ -10,6 +10,7 @@ export function hitOf(sample: SurfaceSample): SurfaceHit {
     material: sample.material,
     uv: [wrapUnit(sample.uv[0]), wrapUnit(sample.uv[1])],
     face: sample.face,
+    isBack: sample.isBack,
   };
 }
 

@@ -1,5 +1,15 @@
 /** Questions to the resting model: where does a ray meet it, which point is nearest, what is its smooth normal there. */
-import { type Box3, BufferAttribute, BufferGeometry, DoubleSide, Ray, Sphere, Triangle, Vector3 } from "three";
+import {
+  type Box3,
+  BufferAttribute,
+  BufferGeometry,
+  DoubleSide,
+  type Intersection,
+  Ray,
+  Sphere,
+  Triangle,
+  Vector3,
+} from "three";
 import { type HitPointInfo, MeshBVH } from "three-mesh-bvh";
 import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
 import type { ReachVolume } from "./reached-materials.ts";
@@ -17,6 +27,8 @@ export interface SurfaceSample extends SurfacePoint {
   readonly material: number;
   /** Texture coordinates as the model has them, not wrapped. */
   readonly uv: readonly [number, number];
+  /** Met from behind: the normal looks along the ray, as on a model that is turned inside out. */
+  readonly isBack?: boolean | undefined;
 }
 
 /** A point of a triangle. */
@@ -27,9 +39,6 @@ interface NearestPlace {
   /** Squared distance, metres. */
   square: number;
 }
-
-/** A single-sided model that a ray enters from inside is skipped over at most this often. */
-const MOST_BACK_FACES = 16;
 
 /**
  * Points of a ball, in radii, whose nearest surface is averaged. A ball and not a disc: it is the same ball from either
@@ -83,7 +92,7 @@ export class SurfaceQuery {
   /** The first triangle that is seen along the ray; back faces of single-sided materials are passed. */
   raycast(origin: Vector3, direction: Vector3, far = Number.POSITIVE_INFINITY): SurfaceSample | null {
     const hit = this.#firstSeen(origin, direction, far);
-    return hit && this.#sample(hit.triangle, hit.point, hit.distance);
+    return hit && this.#sample(hit.faceIndex as number, hit.point, hit.distance, direction);
   }
 
   /** How far along the ray `raycast` meets the surface, metres; null where it meets none. What lies there is not worked out. */
@@ -91,36 +100,28 @@ export class SurfaceQuery {
     return this.#firstSeen(origin, direction, far)?.distance ?? null;
   }
 
-  #firstSeen(
-    origin: Vector3,
-    direction: Vector3,
-    far: number,
-  ): { readonly triangle: number; readonly point: Vector3; readonly distance: number } | null {
+  #firstSeen(origin: Vector3, direction: Vector3, far: number): Intersection | null {
     this.#ray.origin.copy(origin);
     this.#ray.direction.copy(direction);
-    let near = 0;
-    for (let skipped = 0; skipped < MOST_BACK_FACES; skipped++) {
-      const hit = this.#bvh?.raycastFirst(this.#ray, DoubleSide, near, far);
-      if (hit?.faceIndex === undefined || hit.faceIndex === null) {
-        return null;
-      }
-      if (this.#isSeenAlong(hit.faceIndex, direction)) {
-        return { triangle: hit.faceIndex, point: hit.point, distance: hit.distance };
-      }
-      near = hit.distance + this.bounds.radius * 1e-6;
-    }
-    return null;
+    const isSeen = (hit: Intersection): boolean => this.#isSeenAlong(hit.faceIndex as number, direction);
+    const first = this.#bvh?.raycastFirst(this.#ray, DoubleSide, 0, far);
+    // One that is seen may lie right on one that is not: then all along the ray are asked, and not those behind it.
+    return (!first || isSeen(first) ? first : this.#alongRay(far).find(isSeen)) ?? null;
+  }
+
+  /** All that the ray meets, nearest first. */
+  #alongRay(far: number): Intersection[] {
+    const hits: Intersection[] = this.#bvh?.raycast(this.#ray, DoubleSide, 0, far) ?? [];
+    return hits.sort((a, b) => a.distance - b.distance);
   }
 
   /** All triangles along the ray whose face looks against it, nearest first. */
   raycastFacing(origin: Vector3, direction: Vector3, far: number): SurfaceSample[] {
     this.#ray.origin.copy(origin);
     this.#ray.direction.copy(direction);
-    const hits = this.#bvh?.raycast(this.#ray, DoubleSide, 0, far) ?? [];
-    return hits
+    return this.#alongRay(far)
       .map((hit) => this.#sample(hit.faceIndex as number, hit.point, hit.distance))
-      .filter((sample) => sample.normal.dot(direction) < 0)
-      .sort((a, b) => a.distance - b.distance);
+      .filter((sample) => sample.normal.dot(direction) < 0);
   }
 
   /** Whether nothing of the model lies between two points; both may lie on the surface. */
@@ -190,12 +191,9 @@ export class SurfaceQuery {
 
   /** The triangle of a material at a place in texture space; null between its charts. */
   triangleAtUv(material: number, uv: readonly [number, number]): UvPlace | null {
-    let lookup = this.#lookups.get(material);
-    if (lookup === undefined) {
-      lookup = new UvLookup(this.surface, material);
-      this.#lookups.set(material, lookup);
-    }
-    return lookup.at(uv[0], uv[1]);
+    const lookup = this.#lookups.get(material) ?? new UvLookup(this.surface, material);
+    this.#lookups.set(material, lookup);
+    return lookup.at(...uv);
   }
 
   /**
@@ -288,14 +286,13 @@ export class SurfaceQuery {
   }
 
   #isSeenAlong(triangle: number, direction: Vector3): boolean {
-    if (((this.surface.flagsOfTriangle[triangle] ?? 0) & DOUBLE_SIDED) !== 0) {
-      return true;
-    }
     this.#loadTriangle(triangle);
-    return this.#triangle.getNormal(new Vector3()).dot(direction) < 0;
+    const sides = (this.surface.flagsOfTriangle[triangle] as number) & DOUBLE_SIDED;
+    return sides !== 0 || this.#triangle.getNormal(new Vector3()).dot(direction) < 0;
   }
 
-  #sample(triangle: number, position: Vector3, distance: number): SurfaceSample {
+  /** @param along the ray that met it */
+  #sample(triangle: number, position: Vector3, distance: number, along?: Vector3): SurfaceSample {
     const { uvs, materialOfTriangle } = this.surface;
     const normal = this.#normalAt(triangle, position);
     const [a, b, c] = this.#loadTriangle(triangle);
@@ -306,7 +303,8 @@ export class SurfaceQuery {
       (uvs[c * 2 + axis] as number) * share.z;
     const material = materialOfTriangle[triangle] as number;
     const face = this.surface.faceOfTriangle[triangle] as number;
-    return { position, normal, distance, triangle, face, material, uv: [uvAt(0), uvAt(1)] };
+    const isBack = along && normal.dot(along) > 0;
+    return { position, normal, distance, triangle, face, material, uv: [uvAt(0), uvAt(1)], isBack };
   }
 
   /** The surface's unit normal at a point of a triangle. */
@@ -314,7 +312,7 @@ export class SurfaceQuery {
     const { normals, flagsOfTriangle } = this.surface;
     const [a, b, c] = this.#loadTriangle(triangle);
     const normal = new Vector3();
-    if (((flagsOfTriangle[triangle] ?? 0) & FACETED) === 0) {
+    if (((flagsOfTriangle[triangle] as number) & FACETED) === 0) {
       const share = this.#triangle.getBarycoord(position, new Vector3()) ?? new Vector3(1, 0, 0);
       addScaled(normal, normals, a, share.x);
       addScaled(normal, normals, b, share.y);

@@ -122,6 +122,8 @@ export interface SurfaceHit {
   readonly uv: readonly [number, number];
   /** Triangle of the material, as `Engine.uvTriangles` counts them. */
   readonly face: number;
+  /** It is seen from behind: its normal looks away, and what is put there paints back faces. */
+  readonly isBack?: boolean | undefined;
 }
 
 export interface ModelViewerEvents {

@@ -1,4 +1,4 @@
-/** Parts of the model whose material takes no paint: what lies on one of them alone is seen nowhere, which is said. */
+/** Parts of the model that take no paint of their own: what lies on one of them alone is seen nowhere, which is said. */
 import type { MaterialInfo } from "../../engine/engine-api.ts";
 import type { Strings } from "../strings.ts";
 import { takesPaintUnwrapped } from "./bare-model-error.ts";
@@ -43,6 +43,18 @@ export class BareParts {
     else if (unwrapping === null) board.info({ ...told, hint: errors.noUvsHint });
     else {
       const run = (): void => void tasks.quietly(unwrapping.runForBare());
+      board.info({ ...told, hint: errors.bareModelHint, action: { label: notices.unwrapPart, run } });
+    }
+  }
+
+  /** The same of a part that shows the texels of another one. */
+  tellShared(): void {
+    const { board, tasks, unwrapping } = this.#parts;
+    const { notices, errors } = board.strings;
+    const told = { title: notices.barePart, message: notices.sharedPartWhy };
+    if (unwrapping === null) board.info(told);
+    else {
+      const run = (): void => void tasks.quietly(unwrapping.run());
       board.info({ ...told, hint: errors.bareModelHint, action: { label: notices.unwrapPart, run } });
     }
   }

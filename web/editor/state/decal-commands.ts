@@ -30,9 +30,11 @@ import { LeftMasks } from "./left-masks.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 import { type MaskSurface, rememberedSurface } from "./remembered-surface.ts";
+import { ownsNoTexel } from "./shared-place.ts";
 import { type StepKind, StepReport } from "./step-report.ts";
 import type { Store } from "./store.ts";
 import { type Placement, TriedKinds } from "./tried-kinds.ts";
+import { sharesTexels } from "./unwrap-command.ts";
 import { type WholeGroup, wholeGroups } from "./whole-groups.ts";
 
 /** Of the model's diagonal: a new decal's longer side, a nudge. */
@@ -208,12 +210,21 @@ export class DecalCommands {
     const wished = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
     const { recordedDesign } = this.#session;
     const projector = hit ? wished : clearPlaces(recordedDesign, [wished], this.#diagonal(), this.#viewer)(wished);
-    const material = this.reach.at(projector, false, spot?.material ?? this.#store.state.material ?? 0);
+    const backfaces = spot?.isBack === true;
+    const material = this.reach.at(projector, backfaces, spot?.material ?? this.#store.state.material ?? 0);
     const id = freeIdIn(recordedDesign);
     const { design, layer } = make(id, projector, material);
-    this.#session.record(addOnTop(design, layer, this.#group()), label);
+    this.#session.record(addOnTop(design, { ...layer, backfaces }, this.#group()), label);
     this.#session.select(id);
-    this.#bare.tell(this.reach.bareOf(projector, false, spot?.material ?? null));
+    this.#tellUnpainted(projector, backfaces, spot?.material ?? null);
+  }
+
+  /** Says so where a decal was put on a part that is not painted. `onto`: that part's material; null where none was met. */
+  #tellUnpainted(projector: Projector, backfaces: boolean, onto: number | null): void {
+    this.#bare.tell(this.reach.bareOf(projector, backfaces, onto));
+    const target = this.#store.state.targets.get(onto ?? -1);
+    const shares = target !== undefined && sharesTexels(target) && projector.kind === "planar";
+    if (shares && ownsNoTexel(this.#viewer.surface, projector)) this.#bare.tellShared();
   }
 
   /** The group that is worked in: new decals lie on top of it. */
@@ -390,7 +401,7 @@ export class DecalCommands {
       else if (phase === "move") this.#layers.preview(id, patch);
       else this.#layers.change(id, patch, this.#board.strings.steps[kind]);
       if (phase !== "end") return;
-      this.#bare.tell(this.reach.bareOf(projector, layer.backfaces, onto));
+      this.#tellUnpainted(projector, layer.backfaces, onto);
       this.#tellLeft([layer, ...(this.#carried ?? []).map((carried) => carried.layer)]);
     }
   }

@@ -24,6 +24,7 @@ const NEW_SHARE = 0.22;
 export interface Place {
   readonly projector: Projector;
   readonly material: LayerMaterials;
+  readonly backfaces: boolean;
 }
 
 /** Where something of that aspect (width by height) goes. Throws "bad-argument" where there is no surface for it. */
@@ -49,8 +50,9 @@ export function placeFor(
     throw new ToldError("bad-argument", message, { hint });
   }
   const projector = options.projector ?? viewer.projectorAt(hit as SurfaceHit, width, aspect);
-  const material = options.material ?? desk.reach.at(projector, false, hit?.material ?? desk.material);
-  return { projector, material };
+  const backfaces = !options.projector && !!hit?.isBack;
+  const material = options.material ?? desk.reach.at(projector, backfaces, hit?.material ?? desk.material);
+  return { projector, material, backfaces };
 }
 
 /** What a page says of something new, if it says anything: customers do not, and need not load what looks at it. */
@@ -93,9 +95,9 @@ async function putPicture(
     // Somebody may have added another one meanwhile.
     desk.checkRoom();
     const label = options.name ?? fileStem(name);
-    const { projector, material } = placeFor(desk, viewer, picture.width / picture.height, options, at);
+    const place = placeFor(desk, viewer, picture.width / picture.height, options, at);
     const { design, key } = withAsset(desk.design, label, picture.asset);
-    const layer = makeDecalLayer({ id: freeIdIn(design), name: label, material, asset: key, projector });
+    const layer = makeDecalLayer({ id: freeIdIn(design), name: label, asset: key, ...place });
     const { words } = desk.settings;
     desk.record(addOnTop(design, layer), words.steps.add);
     desk.select(layer.id);
