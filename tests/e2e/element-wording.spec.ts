@@ -47,10 +47,9 @@ test("words of a language that runs from the right do so, in a page that runs fr
   await expect(editor.locator("select")).toBeVisible();
   for (const part of [".add", ".foot", ".row .quiet"])
     await expect(editor.locator(part).first()).toHaveCSS("direction", "rtl");
-  await expect(editor.locator("select"), "its arrow is at the other end").toHaveCSS("background-position", /^8px/);
+  await expect(editor.locator("select"), "names of fonts are Latin").toHaveCSS("direction", "ltr");
   await say(page, { lang: "en" });
   await expect(editor.locator(".add")).toHaveCSS("direction", "ltr");
-  await expect(editor.locator("select")).toHaveCSS("background-position", /^right|^calc/);
 });
 
 test("words at an address are fetched, and the newest wish stays, whichever comes first", async ({ page }) => {

@@ -206,7 +206,9 @@ export const plainControls = css`
     background-image:
       linear-gradient(45deg, transparent 43%, currentColor 43% 57%, transparent 57%),
       linear-gradient(-45deg, transparent 43%, currentColor 43% 57%, transparent 57%);
-    background-position: var(--arrow, right 12px center, right 8px center);
+    background-position:
+      right 12px center,
+      right 8px center;
     background-size: 5px 5px;
     background-repeat: no-repeat;
     text-overflow: ellipsis;

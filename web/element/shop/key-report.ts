@@ -84,7 +84,7 @@ export class KeyReport {
   }
 
   #number(value: number): string {
-    const { language, own } = this.#desk.settings.words;
-    return (Math.round(value * 10) / 10 + 0).toFixed(1).replace(".", own?.decimal ?? (language === "de" ? "," : "."));
+    const { lang } = this.#desk.settings.words;
+    return (Math.round(value * 10) / 10 + 0).toLocaleString(lang, { minimumFractionDigits: 1 });
   }
 }

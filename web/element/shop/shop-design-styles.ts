@@ -106,6 +106,10 @@ export const designStyles = css`
     color: var(--text);
     font: var(--text-normal) / 1.35 var(--_font);
   }
+  /* The names of fonts, and the arrow behind them. */
+  select {
+    direction: ltr;
+  }
   textarea {
     min-height: max(2.75rem, var(--target));
     padding: var(--space-2);

@@ -28,7 +28,6 @@ export const tokens = css`
   }
   :is([lang^="ar"], [lang^="fa"], [lang^="he"], [lang^="ur"]) {
     --_run: rtl;
-    --arrow: left 8px center, left 12px center;
   }
   /* Not on the host, from which what a page puts into the slots inherits. */
   .own {

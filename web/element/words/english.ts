@@ -74,7 +74,7 @@ export const english = {
 
   errors: {
     noModel: "There is no product to show.",
-    noModelHint: "Give it a src: the address of a .glb or .gltf file.",
+    noModelHint: "Set src to the address of a .glb or .gltf.",
     unreachable: (address: string): string => `${address} could not be fetched.`,
     unreachableHint: "Check the address, and that this page may read it.",
     notReady: "The product is not shown yet.",
@@ -88,14 +88,12 @@ export const english = {
     zoneMaterial: (zone: string, material: number): string =>
       `The model has no material ${material} for the zone “${zone}”.`,
     zoneMaterialHint: (materials: string): string => `Give it one of the model's: ${materials}.`,
-    graphicsLost: "The browser has taken the graphics away. Nothing of your design is lost.",
+    graphicsLost: "The browser took the graphics away. Your design is kept.",
     graphicsLostHint: "Try again, or restart the browser.",
     badOption: (name: string): string => `${name} is not what it must be.`,
     unexpected: "Something went wrong.",
   },
 };
 
-/** What a shop's own words have beside (`worded`). */
-export type OwnWords = Pick<EditorWording, "nowhere" | "noGraphics" | "ways"> & { readonly decimal: string };
-
-export type Words = typeof english & { readonly own?: OwnWords };
+/** `own`: what a shop's own words have beside (`worded`). */
+export type Words = typeof english & { readonly own?: Pick<EditorWording, "nowhere" | "noGraphics" | "ways"> };

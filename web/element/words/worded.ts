@@ -86,7 +86,6 @@ class Wording {
       finding: this.#findings(findings),
       told: this.#errors(told),
       own: {
-        decimal: this.#decimal,
         ...(nowhere !== undefined && { nowhere: this.#checked(nowhere, "nowhere", []) }),
         ...(noGraphics !== undefined && { noGraphics: this.#checked(noGraphics, "noGraphics", []) }),
         ...(ways !== undefined && this.#areWays(ways) && { ways }),
