@@ -50,7 +50,8 @@ export function smoothedNear(query: SurfaceQuery, place: SurfacePoint, size: Vec
   const nearest = query.closest(place.position);
   if (nearest === null) return place;
   const { normal } = smoothed(query, nearest, size);
-  return { position: place.position, normal: normal.multiplyScalar(normal.dot(place.normal) < 0 ? -1 : 1) };
+  if (normal.dot(place.normal) < 0) normal.negate();
+  return { position: place.position, normal };
 }
 
 /**
@@ -80,7 +81,7 @@ export function placeOnSurface(
   size.z = fittingDepth(query, pose);
   // What is seen is painted: what lies over its middle and is not seen there, as the near wall of a thin leg that is turned inside
   // out, would occlude it, unless it is as near as that.
-  const least = query.bounds.radius * 1e-3;
+  const least = query.bounds.radius / 1e3;
   const cover = query.distanceAlong(fromLocal(pose, 0, 0, least), normal, size.z / 2 - least);
   return cover === null ? pose : cutAbove(pose, KEPT_CLEARANCE * cover);
 }

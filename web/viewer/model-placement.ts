@@ -24,7 +24,8 @@ export class ModelPlacement {
   /** `DecalViewer.projectorAt`. */
   at(hit: SurfaceHit, width: number, aspect: number, keep: PlanarProjector | undefined): PlanarProjector {
     const { query, concealed } = this.#model;
-    const normal = new Vector3(...hit.normal).multiplyScalar(hit.isBack ? -1 : 1);
+    const normal = new Vector3(...hit.normal);
+    if (hit.isBack) normal.negate();
     const place = { position: new Vector3(...hit.position), normal };
     const kept = keep === undefined ? null : poseOf(keep);
     const pose = placeOnSurface(query, place, width, aspect, this.viewOf(place.position), kept);
