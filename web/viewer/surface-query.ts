@@ -127,10 +127,8 @@ export class SurfaceQuery {
   /** Whether nothing of the model lies between two points; both may lie on the surface. */
   isClear(from: Vector3, to: Vector3): boolean {
     const direction = to.clone().sub(from);
-    const distance = direction.length();
-    direction.divideScalar(distance || 1);
-    const slack = this.bounds.radius * 2e-3;
-    return this.#firstSeen(from, direction, Math.max(0, distance - slack)) === null;
+    const far = direction.length() - this.bounds.radius * 2e-3;
+    return this.#firstSeen(from, direction.normalize(), Math.max(0, far)) === null;
   }
 
   /** The materials, ascending, with a triangle that the volume reaches. */
