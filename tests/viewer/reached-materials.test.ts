@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { Projector } from "../../web/engine/engine-api.ts";
-import { reachVolume } from "../../web/viewer/reached-materials.ts";
+import { type ReachVolume, reachVolume } from "../../web/viewer/reached-materials.ts";
 import { SurfaceQuery } from "../../web/viewer/surface-query.ts";
 
 /** Squares of one metre, each of the material of its place in the list, at these places; they face +Z or, turned, -Z. */
@@ -106,6 +106,34 @@ describe("the materials that a decal reaches", () => {
     expect(reached(pair, { ...label, position: [-0.5, 0, -1] } as Projector)).toEqual([0]);
     expect(reached(pair, { ...label, position: [0, 2, -1] } as Projector)).toEqual([]);
     expect(reached(squares({ at: [0, 0, 0], turned: true }), label)).toEqual([]);
+  });
+
+  it("are found each, also where a model has more than fit in a word", () => {
+    const many = squares(...Array.from({ length: 70 }, (_, place) => ({ at: [place, 0, 0] as const })));
+    const all = Array.from({ length: 70 }, (_, place) => place);
+    expect(reached(many, box(34.5, 80))).toEqual(all);
+    expect(reached(many, box(34.5, 10))).toEqual(all.slice(29, 41));
+  });
+
+  it("are not looked for where only those lie that are found", () => {
+    const at = Array.from({ length: 4000 }, (_, place) => [place % 60, Math.floor(place / 60), 0] as const);
+    const field = squares(...at.map((each) => ({ at: each })));
+    // Two materials in turns, and one that lies apart.
+    field.surface.materialOfTriangle.forEach((_, triangle) => {
+      field.surface.materialOfTriangle[triangle] = triangle === 0 ? 2 : Math.floor(triangle / 2) % 2;
+    });
+    const query = new SurfaceQuery(field.surface);
+    const volume = reachVolume({ ...box(35), size: [40, 200, 0.2] } as Projector, false) as ReachVolume;
+    let looks = 0;
+    const counted: ReachVolume = {
+      touchesBox: (bounds) => {
+        looks += 1;
+        return volume.touchesBox(bounds);
+      },
+      reachesTriangle: (triangle) => volume.reachesTriangle(triangle),
+    };
+    expect(query.materialsWithin(counted)).toEqual([0, 1]);
+    expect(looks).toBeLessThan(100);
   });
 
   it("are not asked of a flat stamp, which lies in the texture", () => {

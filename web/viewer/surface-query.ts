@@ -12,6 +12,7 @@ import {
 } from "three";
 import { type HitPointInfo, MeshBVH } from "three-mesh-bvh";
 import { minimalRotation, type SurfacePoint } from "./decal-pose.ts";
+import { nodeMaterials, SHARED_BIT } from "./node-materials.ts";
 import type { ReachVolume } from "./reached-materials.ts";
 import { DOUBLE_SIDED, FACETED, type RestingSurface } from "./resting-surface.ts";
 import { shellsOf } from "./surface-shells.ts";
@@ -48,9 +49,10 @@ const AVERAGING_OFFSETS: readonly Vector3[] = [...fibonacciSphere(20, 1), ...fib
 
 export class SurfaceQuery {
   readonly surface: RestingSurface;
-  readonly #bvh: MeshBVH | null;
+  readonly #bvh: MeshBVH | null = null;
   #shells: Uint32Array | null = null;
-  readonly #materialCount: number;
+  /** Made when it is first asked which materials lie in a volume. */
+  #nodeMaterials: readonly number[] | null = null;
   readonly #ray = new Ray();
   readonly #triangle = new Triangle();
   /** Of the newest score of points: the next ones, of the next frame of a drag, lie near them. */
@@ -60,11 +62,7 @@ export class SurfaceQuery {
 
   constructor(surface: RestingSurface) {
     this.surface = surface;
-    this.#materialCount = new Set(surface.materialOfTriangle).size;
-    if (surface.index.length === 0) {
-      this.#bvh = null;
-      return;
-    }
+    if (surface.index.length === 0) return;
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(surface.positions, 3));
     geometry.setIndex(new BufferAttribute(surface.index, 1));
@@ -85,8 +83,7 @@ export class SurfaceQuery {
   /** A sample's place in its own triangle: shares of the three corners, as `at` takes them. */
   sharesOf({ triangle, position }: Pick<SurfaceSample, "triangle" | "position">): [number, number, number] {
     this.#loadTriangle(triangle);
-    const shares = this.#triangle.getBarycoord(position, new Vector3());
-    return shares === null ? [1, 0, 0] : [shares.x, shares.y, shares.z];
+    return this.#triangle.getBarycoord(position, new Vector3())?.toArray() ?? [1, 0, 0];
   }
 
   /** The first triangle that is seen along the ray; back faces of single-sided materials are passed. */
@@ -135,14 +132,19 @@ export class SurfaceQuery {
   materialsWithin(volume: ReachVolume): number[] {
     const { materialOfTriangle } = this.surface;
     const found = new Set<number>();
+    this.#nodeMaterials ??= this.#bvh && nodeMaterials(this.#bvh, materialOfTriangle);
+    const below = this.#nodeMaterials as readonly number[];
+    let sought = ~0;
     this.#bvh?.shapecast({
-      intersectsBounds: (box) => volume.touchesBox(box),
+      // What holds materials alone that are found already, as most of a large volume does, is left out.
+      intersectsBounds: (box, _isLeaf, _score, _depth, node) =>
+        ((below[node] as number) & sought) !== 0 && volume.touchesBox(box),
       intersectsTriangle: (triangle, index) => {
         const material = materialOfTriangle[index] as number;
         if (!found.has(material) && volume.reachesTriangle(triangle)) {
           found.add(material);
+          if (material < SHARED_BIT) sought &= ~(1 << material);
         }
-        return found.size === this.#materialCount;
       },
     });
     return [...found].sort((a, b) => a - b);
@@ -293,12 +295,10 @@ export class SurfaceQuery {
   #sample(triangle: number, position: Vector3, distance: number, along?: Vector3): SurfaceSample {
     const { uvs, materialOfTriangle } = this.surface;
     const normal = this.#normalAt(triangle, position);
-    const [a, b, c] = this.#loadTriangle(triangle);
-    const share = this.#triangle.getBarycoord(position, new Vector3()) ?? new Vector3(1, 0, 0);
+    const shares = this.sharesOf({ triangle, position });
+    const corners = this.#loadTriangle(triangle);
     const uvAt = (axis: number) =>
-      (uvs[a * 2 + axis] as number) * share.x +
-      (uvs[b * 2 + axis] as number) * share.y +
-      (uvs[c * 2 + axis] as number) * share.z;
+      corners.reduce((sum, corner, place) => sum + (uvs[corner * 2 + axis] as number) * (shares[place] as number), 0);
     const material = materialOfTriangle[triangle] as number;
     const face = this.surface.faceOfTriangle[triangle] as number;
     const isBack = along && normal.dot(along) > 0;
@@ -308,13 +308,12 @@ export class SurfaceQuery {
   /** The surface's unit normal at a point of a triangle. */
   #normalAt(triangle: number, position: Vector3): Vector3 {
     const { normals, flagsOfTriangle } = this.surface;
-    const [a, b, c] = this.#loadTriangle(triangle);
+    const shares = this.sharesOf({ triangle, position });
     const normal = new Vector3();
     if (((flagsOfTriangle[triangle] as number) & FACETED) === 0) {
-      const share = this.#triangle.getBarycoord(position, new Vector3()) ?? new Vector3(1, 0, 0);
-      addScaled(normal, normals, a, share.x);
-      addScaled(normal, normals, b, share.y);
-      addScaled(normal, normals, c, share.z);
+      for (const [place, corner] of this.#loadTriangle(triangle).entries()) {
+        normal.addScaledVector(new Vector3().fromArray(normals, corner * 3), shares[place] as number);
+      }
     }
     if (normal.lengthSq() < 1e-12) {
       this.#triangle.getNormal(normal);
@@ -347,12 +346,6 @@ function squareTo({ min, max }: Box3, { x, y, z }: Vector3): number {
 /** Place of the lowest bit that is set. */
 function lowestBit(bits: number): number {
   return 31 - Math.clz32(bits & -bits);
-}
-
-function addScaled(target: Vector3, values: Float32Array, vertex: number, factor: number): void {
-  target.x += (values[vertex * 3] as number) * factor;
-  target.y += (values[vertex * 3 + 1] as number) * factor;
-  target.z += (values[vertex * 3 + 2] as number) * factor;
 }
 
 /** Points spread evenly over a sphere about the origin. */
