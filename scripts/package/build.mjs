@@ -9,6 +9,7 @@ import { inRoot } from "../bootstrap/paths.mjs";
 import { declarations } from "./declarations.mjs";
 import { writeDocuments } from "./documents.mjs";
 import { elementManifest } from "./element-manifest.mjs";
+import { leftOut } from "./left-out.mjs";
 import { licenceText } from "./licences.mjs";
 import { ENTRIES, manifestOf } from "./manifest.mjs";
 import { mergeChunks } from "./merge-chunks.mjs";
@@ -59,7 +60,7 @@ export async function buildPackage() {
     const plugins = [
       urlFiles(files),
       tightStyles(),
-      ...(own.platform === "browser" ? [noNode()] : []),
+      ...(own.platform === "browser" ? [noNode(), leftOut()] : []),
       ...(own.plugins ?? []),
     ];
     const { metafile } = await build({ ...options, metafile: true, plugins });
