@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { TargetOptions } from "../../web/engine/engine-api.ts";
-import { loadModelFile } from "../../web/engine/model-loader.ts";
+import { baseTextureSize, loadModelFile } from "../../web/engine/model-loader.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { decal } from "../support/layers.ts";
 import { buildGlb, cube, plane, sphere } from "../support/model-builder.ts";
@@ -59,6 +59,14 @@ describe("a loaded model", () => {
     expect(original.binary?.buffer).toBe(bytes.buffer);
     expect((await loadModelFile({ name: "plane.glb", bytes })).original.binary?.buffer).not.toBe(bytes.buffer);
     expect(glb.buffer, "what is handed out").not.toBe(bytes.buffer);
+  });
+
+  it("has its pictures read for their size once, however many materials and targets ask for it", async () => {
+    const model = await loadModelFile({ name: "plane.glb", bytes: buildGlb(texturedPlane) });
+    expect(await baseTextureSize(model, 0)).toEqual([SIZE, SIZE]);
+    // Were it read again, it would be damaged.
+    model.packed.binary?.fill(0);
+    expect(await baseTextureSize(model, 0)).toEqual([SIZE, SIZE]);
   });
 
   it("stays when loading another one fails", async () => {

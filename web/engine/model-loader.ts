@@ -19,7 +19,11 @@ export interface LoadedModel {
    * have, they have as PNG, and what stood in KHR_materials_pbrSpecularGlossiness, as their base colour.
    */
   readonly packed: PackedGltf;
+  /** Of its images by their index, once asked for: a PNG is read to its end for it, and materials share images. */
+  readonly sizes: Map<number, Promise<PixelSize | null>>;
 }
+
+type PixelSize = readonly [width: number, height: number];
 
 /** A model just read, with what is needed of it once. */
 export interface ReadModel extends LoadedModel {
@@ -44,18 +48,23 @@ export async function loadModelFile(given: ModelSource, takesOver = false): Prom
   const readable = unusual
     ? await (await import("./readable-model.ts")).readableModel(packed, source.name)
     : { packed, glb: writeGlb(packed.json, packed.binary) };
-  return { name: source.name, original, ...readable };
+  return { name: source.name, original, sizes: new Map(), ...readable };
 }
 
 /** Whether a file is an archive, by how it begins. */
 export const isZip = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && bytes[1] === 0x4b && bytes[2] === 3;
 
 /** Pixels of a material's base colour picture as its header says; null without a picture, or when it cannot be read. */
-export async function baseTextureSize(model: LoadedModel, material: number): Promise<readonly [number, number] | null> {
-  const { json, binary } = model.packed;
-  const texture = findBaseTexture(json, material, model.name);
-  if (texture === null || texture.image === null) return null;
-  const image = imageBytes(json, binary, texture.image, model.name);
+export async function baseTextureSize(model: LoadedModel, material: number): Promise<PixelSize | null> {
+  const image = findBaseTexture(model.packed.json, material, model.name)?.image ?? null;
+  if (image === null) return null;
+  const size = model.sizes.get(image) ?? imageSize(model, image);
+  model.sizes.set(image, size);
+  return size;
+}
+
+async function imageSize({ packed, name }: LoadedModel, index: number): Promise<PixelSize | null> {
+  const image = imageBytes(packed.json, packed.binary, index, name);
   if (image === null) return null;
   try {
     const { width, height } = await readPictureHeader(image.bytes, image.name);
