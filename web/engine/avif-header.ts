@@ -8,8 +8,8 @@ import { MAX_SIZE } from "../core/sizes.ts";
 import { av1Frames } from "./av1-frames.ts";
 import { type AvifFile, type AvifItem, damaged, otherKind, readAvifFile } from "./avif-file.ts";
 import { writeAvif } from "./avif-writer.ts";
-import { orientPixels } from "./exif-orientation.ts";
 import { BoxReader } from "./isobmff.ts";
+import { orientPixels } from "./orient-pixels.ts";
 import { PictureFault, type RawHeader } from "./picture-fault.ts";
 import { checkPixels } from "./picture-header.ts";
 

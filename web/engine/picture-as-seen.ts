@@ -1,7 +1,7 @@
 /** A picture as its file asks for it to be shown: upright, and in sRGB. What a model's own textures are spared, as glTF asks. */
 import { mentionsColors } from "./color-mention.ts";
 import type { Picture } from "./engine-api.ts";
-import { orientPixels } from "./exif-orientation.ts";
+import { orientPixels } from "./orient-pixels.ts";
 import type { PictureHeader } from "./picture-header.ts";
 
 /**
