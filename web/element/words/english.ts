@@ -88,7 +88,7 @@ export const english = {
     zoneMaterial: (zone: string, material: number): string =>
       `The model has no material ${material} for the zone “${zone}”.`,
     zoneMaterialHint: (materials: string): string => `Give it one of the model's: ${materials}.`,
-    graphicsLost: "The browser took the graphics away. Your design is kept.",
+    graphicsLost: "The browser has taken the graphics away. Nothing of your design is lost.",
     graphicsLostHint: "Try again, or restart the browser.",
     badOption: (name: string): string => `${name} is not what it must be.`,
     unexpected: "Something went wrong.",
