@@ -257,7 +257,7 @@ export class ModelSession {
     return () => this.#bind(info, uvTriangles);
   }
 
-  /** In the turn in which the engine answered: the next thing it says is the target's first picture. */
+  /** Gives a target that the engine has opened to the views. */
   #bind(info: TargetInfo, uvTriangles: Float32Array | null): void {
     this.#router.bind(info, info.material === this.#store.state.material ? uvTriangles : null);
     this.#store.set({ targets: new Map(this.#store.state.targets).set(info.material, info) });

@@ -37,8 +37,8 @@ export class UpdateRouter {
   }
 
   /**
-   * To be called in the same turn in which the engine said that the target is open: its first update, the whole
-   * picture, comes next. With `uvTriangles` the texture view shows this target from now on.
+   * To be called when the engine has said that the target is open, and the views have its model: what came of it until then is
+   * applied. With `uvTriangles` the texture view shows this target from now on.
    */
   bind(info: TargetInfo, uvTriangles: Float32Array | null): void {
     this.#bound.set(info.material, info);
