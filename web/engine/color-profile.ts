@@ -6,6 +6,7 @@
  * LittleCMS in WebAssembly (lcms-wasm 1.0.5) reads profiles by tables as well. It is 115 kB after gzip for every phone's photo, a
  * build with assertions, and brings a test runner along.
  */
+import { asciiCodes } from "./ascii-codes.ts";
 import { power } from "./exact-power.ts";
 import { PictureFault } from "./picture-fault.ts";
 
@@ -272,20 +273,18 @@ export function cleanProfile(icc: Uint8Array): Uint8Array | null {
     [20, "XYZ "],
     [36, "acsp"],
   ] as const)
-    clean.set(codes(text), at);
+    clean.set(asciiCodes(text), at);
   for (const [i, part] of [0xf6d6, 0x10000, 0xd32d].entries()) view.setUint32(68 + 4 * i, part); // The light: D50.
   view.setUint32(HEAD, tags.length);
   for (const [i, { tag, bytes }] of tags.entries()) {
     const at = HEAD + 4 + 12 * i;
-    clean.set(codes(tag), at);
+    clean.set(asciiCodes(tag), at);
     view.setUint32(at + 4, places[i] ?? 0);
     view.setUint32(at + 8, bytes.length);
     clean.set(bytes, places[i]);
   }
   return clean;
 }
-
-const codes = (text: string): Uint8Array => Uint8Array.from(text, (character) => character.charCodeAt(0));
 
 /** A matrix of three columns in 65536ths. */
 function columns(first: Three<number>, second: Three<number>, third: Three<number>): Three<Three<number>> {

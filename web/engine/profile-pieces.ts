@@ -1,4 +1,5 @@
 /** A colour profile as each format holds it, in bytes that hang on the profile alone. */
+import { asciiCodes } from "./ascii-codes.ts";
 import { JPEG_MARK } from "./color-mention.ts";
 import { joinBytes } from "./join-bytes.ts";
 import { pngChunk } from "./png-chunk.ts";
@@ -6,7 +7,7 @@ import { storedZlib } from "./stored-zlib.ts";
 
 /** Under a name, which has to be there. */
 export const pngProfile = (profile: Uint8Array): Uint8Array =>
-  pngChunk("iCCP", joinBytes([codesOf("ICC\0\0"), storedZlib(profile)]));
+  pngChunk("iCCP", joinBytes([asciiCodes("ICC\0\0"), storedZlib(profile)]));
 
 /** By numbers of ITU-T H.273, with the one for RGB that is RGB, and the whole range. */
 export const pngColorNumbers = (primaries: number, curve: number): Uint8Array =>
@@ -21,17 +22,15 @@ export function jpegProfile(profile: Uint8Array): Uint8Array {
     const piece = profile.subarray(i * MOST_OF_PIECE, (i + 1) * MOST_OF_PIECE);
     const length = 2 + JPEG_MARK.length + 2 + piece.length;
     const head = Uint8Array.of(0xff, 0xe2, length >> 8, length & 0xff);
-    return joinBytes([head, codesOf(JPEG_MARK), Uint8Array.of(i + 1, count), piece]);
+    return joinBytes([head, asciiCodes(JPEG_MARK), Uint8Array.of(i + 1, count), piece]);
   });
   return joinBytes(segments);
 }
 
 export function webpProfile(profile: Uint8Array): Uint8Array {
   const chunk = new Uint8Array(8 + profile.length + (profile.length & 1));
-  chunk.set(codesOf("ICCP"));
+  chunk.set(asciiCodes("ICCP"));
   new DataView(chunk.buffer).setUint32(4, profile.length, true);
   chunk.set(profile, 8);
   return chunk;
 }
-
-const codesOf = (text: string): Uint8Array => Uint8Array.from(text, (character) => character.charCodeAt(0));

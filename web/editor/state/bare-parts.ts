@@ -31,7 +31,7 @@ export class BareParts {
    */
   tell(material: MaterialInfo | null): void {
     if (!material?.refusal) return;
-    const { board, tasks, unwrapping } = this.#parts;
+    const { board, unwrapping } = this.#parts;
     const { notices, errors, materialName } = board.strings;
     const { code } = material.refusal;
     const why = whyNotPaintable(code, board.strings);
@@ -41,21 +41,22 @@ export class BareParts {
     };
     if (!takesPaintUnwrapped(material)) board.info(told);
     else if (unwrapping === null) board.info({ ...told, hint: errors.noUvsHint });
-    else {
-      const run = (): void => void tasks.quietly(unwrapping.runForBare());
-      board.info({ ...told, hint: errors.bareModelHint, action: { label: notices.unwrapPart, run } });
-    }
+    else this.#offer(told, () => unwrapping.runForBare());
   }
 
   /** The same of a part that shows the texels of another one. */
   tellShared(): void {
-    const { board, tasks, unwrapping } = this.#parts;
-    const { notices, errors } = board.strings;
+    const { board, unwrapping } = this.#parts;
+    const { notices } = board.strings;
     const told = { title: notices.barePart, message: notices.sharedPartWhy };
     if (unwrapping === null) board.info(told);
-    else {
-      const run = (): void => void tasks.quietly(unwrapping.run());
-      board.info({ ...told, hint: errors.bareModelHint, action: { label: notices.unwrapPart, run } });
-    }
+    else this.#offer(told, () => unwrapping.run());
+  }
+
+  #offer(told: { readonly title: string; readonly message: string }, unwrap: () => Promise<unknown>): void {
+    const { board, tasks } = this.#parts;
+    const { notices, errors } = board.strings;
+    const run = (): void => void tasks.quietly(unwrap());
+    board.info({ ...told, hint: errors.bareModelHint, action: { label: notices.unwrapPart, run } });
   }
 }
