@@ -1,7 +1,7 @@
 /** What a picture's file says of its colours: the profile that lies in it, or the numbers that stand for one. */
 
 import { JPEG_MARK } from "./color-mention.ts";
-import { cleanProfile, codedProfile, convertToSrgb, readColorProfile } from "./color-profile.ts";
+import { cleanProfile, codedProfile, convertToSrgb, readColorProfile, viewOf } from "./color-profile.ts";
 import { BoxReader } from "./isobmff.ts";
 import { joinBytes } from "./join-bytes.ts";
 import { PictureFault } from "./picture-fault.ts";
@@ -58,8 +58,6 @@ async function colorSource(format: PictureFormat, bytes: Uint8Array): Promise<Co
   if (format === "jpeg") return ofJpeg(bytes);
   return format === "webp" ? ofWebp(bytes) : await ofAvif(bytes);
 }
-
-const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
 const textAt = (bytes: Uint8Array, at: number, length: number): string =>
   String.fromCharCode(...bytes.subarray(at, at + length));
