@@ -1,3 +1,4 @@
+import { availableParallelism } from "node:os";
 import { defineConfig } from "@playwright/test";
 import { chromiumLaunch } from "./scripts/bootstrap/chromium.mjs";
 
@@ -9,9 +10,9 @@ const LAUNCH = chromiumLaunch();
 export default defineConfig({
   testDir: "tests/e2e",
   outputDir: "build/test-results/e2e",
-  // One browser with software WebGL already uses a small machine nearly whole: two of them save a sixth of the time, and
-  // double what each story waits for.
-  workers: 1,
+  // With Mesa's WebGL (scripts/bootstrap/chromium.mjs) two browsers take three quarters of one's time on two processors; more of them
+  // only double what each story waits for.
+  workers: Math.min(2, availableParallelism()),
   retries: 0,
   timeout: 120_000,
   expect: { timeout: 20_000 },

@@ -70,17 +70,31 @@ const FEATURES_LEFT_OUT = [
   "ThirdPartyStoragePartitioning",
 ];
 
-/** How Chromium is launched here: it draws WebGL in software, and refuses its sandbox to root, as in a container. */
+/** Mesa's entry in the list of EGLs, there where it is installed; and where its drivers lie, by system. */
+const MESA_EGL = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
+const MESA_DRIVERS = ["x86_64-linux-gnu/dri", "aarch64-linux-gnu/dri", "dri", "../lib64/dri"];
+
+/** Whether Mesa can draw in software here. */
+function hasLlvmpipe() {
+  return existsSync(MESA_EGL) && MESA_DRIVERS.some((folder) => existsSync(join("/usr/lib", folder, "swrast_dri.so")));
+}
+
+/**
+ * How Chromium is launched here: it draws WebGL in software, and refuses its sandbox to root, as in a container. Where there is Mesa,
+ * its llvmpipe draws in a third of the time that Chromium's own SwiftShader takes: 42 stories take 179 seconds instead of 225.
+ */
 export function chromiumLaunch() {
+  const mesa = hasLlvmpipe();
   return {
     executablePath: findChromium() ?? undefined,
     args: [
       ...(process.getuid?.() === 0 ? ["--no-sandbox"] : []),
-      "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader",
+      ...(mesa ? ["--use-gl=angle", "--use-angle=gl-egl"] : ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"]),
       "--ignore-gpu-blocklist",
       `--disable-features=${FEATURES_LEFT_OUT.join()}`,
     ],
+    // Neither another maker's EGL nor a GPU, so that it is drawn alike on all of them.
+    ...(mesa && { env: { ...process.env, LIBGL_ALWAYS_SOFTWARE: "1", __EGL_VENDOR_LIBRARY_FILENAMES: MESA_EGL } }),
   };
 }
 
