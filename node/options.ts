@@ -73,18 +73,19 @@ export const MATERIAL_IN_NAME = "{material}";
 /** "pngs" is one picture for each material, told apart by their names. */
 export interface RenderOutput {
   readonly file: string;
-  readonly kind: "png" | "pngs" | "glb";
+  readonly kind: "png" | "pngs" | "glb" | "usdz";
 }
 
 /** What is written is told by the path: by its ending, and by `{material}` in the file's name. */
 export function parseRenderOutput(text: string): RenderOutput {
-  const kind = /\.(png|glb)$/i.exec(text)?.[1]?.toLowerCase();
-  if (kind !== "png" && kind !== "glb") {
-    throw new InvalidArgumentError("It must end in .png (the texture) or .glb (the model with it inside).");
+  const kind = /\.(png|glb|usdz)$/i.exec(text)?.[1]?.toLowerCase();
+  if (kind !== "png" && kind !== "glb" && kind !== "usdz") {
+    throw new InvalidArgumentError("It must end in .png (the texture), or .glb or .usdz (the model with it inside).");
   }
   const each = path.basename(text).includes(MATERIAL_IN_NAME);
-  if (each && kind === "glb")
-    throw new InvalidArgumentError("A .glb holds all materials, so its name has no {material}.");
+  if (each && kind !== "png") {
+    throw new InvalidArgumentError(`A .${kind} holds all materials, so its name has no {material}.`);
+  }
   return { file: text, kind: each ? "pngs" : kind };
 }
 

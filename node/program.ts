@@ -43,6 +43,7 @@ In Python:
 const RENDER_EXAMPLES = `
 Examples:
   texelcast render mug.glb design.json --out mug-painted.glb
+  texelcast render mug.glb design.json --out mug-in-the-room.usdz
   texelcast render mug.glb design.json --out print.png --size 4096
   texelcast render board.glb design.json --out "print-{material}.png"
   texelcast render shirt.glb design.json --out decals.png --material 1 --base "#ff8000"
@@ -131,12 +132,13 @@ export function createProgram(): Command {
     .description(
       "Replays a design on a model. A .png holds one material's finished texture ({material} in its name: one picture for each " +
         "that the design paints); a .glb is the model with the textures " +
-        "of all materials that the design paints replaced, everything else of the file as it was.",
+        "of all materials that the design paints replaced, everything else of the file as it was; a .usdz is that model at rest, " +
+        "for augmented reality on iPhones and iPads.",
     )
     .argument("<model>", "a .glb, or a .gltf with its side files; left out where a project has its model inside")
     .argument("[design]", "a design document, JSON, or a project, .texelcast")
     .addOption(
-      new Option("--out <file>", "FILE.png, FILE.glb, or with {material} in its name one .png each")
+      new Option("--out <file>", "FILE.png, FILE.glb, FILE.usdz, or with {material} in its name one .png each")
         .argParser(parseRenderOutput)
         .makeOptionMandatory(),
     )

@@ -120,6 +120,7 @@ interface Result {
 
 function resultsOf({ file, kind }: RenderOutput, materials: readonly number[]): Result[] {
   if (kind === "glb") return [{ file, materials, bytes: (engine) => engine.exportGlb() }];
+  if (kind === "usdz") return [{ file, materials, bytes: (engine) => engine.exportUsdz() }];
   return materials.map((material) => ({
     file: fileOfMaterial(file, material),
     materials: [material],

@@ -1,5 +1,6 @@
 import { expect, test } from "./support/editor-page.ts";
 import { readPng } from "./support/read-png.ts";
+import { renderedAs } from "./support/rendered.ts";
 import { boardPicture, file, ringPicture, squareGlb, squareGltf, twoSquaresGlb } from "./support/test-files.ts";
 
 test("a saved design opens again to the same texels", async ({ editor }) => {
@@ -65,6 +66,13 @@ test("the exported GLB opens again with the same texture as its own", async ({ e
   await expect(page.locator("tc-top-bar .models")).toContainText("Mug-painted.glb");
   expect((await editor.design()).layers).toEqual([]);
   expect(await editor.settledHash()).toBe(before);
+});
+
+test("the exported USDZ is what the command line makes of the saved project", async ({ editor }) => {
+  await editor.open();
+  const { name, bytes } = await editor.exported("Model as USDZ");
+  expect(name).toBe("Mug-painted.usdz");
+  expect(renderedAs("out.usdz", [await editor.savedProject()]).equals(bytes)).toBe(true);
 });
 
 test("an exported GLB has the model's own textures where no visible layer paints", async ({ editor }) => {

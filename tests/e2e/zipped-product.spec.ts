@@ -22,12 +22,19 @@ for (const mode of ["shop", "full"] as const) {
       await editor.start();
       await editor.addDecal("demo/decals/smiley.png");
       const glb = await editor.exportModel();
-      return { code: refused?.code, message: refused?.message, bytes: glb.length };
+      const usdz = await editor.exportModel({ format: "usdz" });
+      const unknown = await editor.exportModel({ format: "obj" as "glb" }).then(
+        () => null,
+        ({ code, field, hint }: { code: string; field: string; hint: string }) => ({ code, field, hint }),
+      );
+      const begins = [glb, usdz].map((file) => String.fromCharCode(...file.subarray(0, 4)));
+      return { code: refused?.code, message: refused?.message, begins, unknown };
     });
     expect(outcome).toMatchObject({
       code: "bad-archive",
       message: "“pack.zip” holds 2 models: “cups/mug.glb”, “board/square.glb”.",
     });
-    expect(outcome.bytes).toBeGreaterThan(1000);
+    expect(outcome.begins).toEqual(["glTF", "PK\u0003\u0004"]);
+    expect(outcome.unknown).toEqual({ code: "bad-argument", field: "format", hint: '"glb", "usdz"' });
   });
 }

@@ -7,6 +7,7 @@ import { createEngineHost } from "../../web/engine/engine-host.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
 import { halvesGlb } from "../support/two-halves.ts";
+import { storedFiles } from "../support/usdz-files.ts";
 import { FACING_DOWN, plainPng, planeGlb, readGlbJson } from "./plane-model.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
@@ -271,6 +272,19 @@ describe("texelcast render of several materials", () => {
     const run = await bench.render("--out", "print-{material}.png");
     expect(run).toMatchObject({ code: 0, stdout: "no material is painted, so there is no picture to write\n" });
     expect(readdirSync(bench.folder).filter((name) => name.endsWith(".png"))).toEqual(["logo.png"]);
+  });
+});
+
+describe("texelcast render to .usdz", () => {
+  it("has the finished texture beside the layer, byte for byte that of the .png", async () => {
+    const bench = await workbench([decal()], planeGlb({ texture: await plainPng(64, 64, [1, 2, 3, 255]) }));
+    const run = await bench.render("--out", "out.usdz");
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toMatch(/^out\.usdz: [\d,]+ bytes, 1 layer, material 0 at 64 x 64\n$/);
+    await bench.render("--out", "out.png");
+    const [layer, picture] = storedFiles(bench.read("out.usdz"));
+    expect(layer?.path).toBe("model.usda");
+    expect(Buffer.from(picture?.bytes ?? []).equals(bench.read("out.png"))).toBe(true);
   });
 });
 

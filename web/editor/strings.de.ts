@@ -49,6 +49,8 @@ export const german: Strings = {
     exportPngHint: "Die fertige Textur",
     exportGlb: "Modell als GLB",
     exportGlbHint: "Alles andere bleibt, wie es war",
+    exportUsdz: "Modell als USDZ",
+    exportUsdzHint: "Steht damit im Raum, auf iPhone und iPad",
     help: "Tasten und Lizenzen",
   },
 

@@ -47,6 +47,8 @@ const english = {
     exportPngHint: "The finished texture",
     exportGlb: "Model as GLB",
     exportGlbHint: "Everything else stays as it was",
+    exportUsdz: "Model as USDZ",
+    exportUsdzHint: "To stand in the room, on iPhone and iPad",
     help: "Keys and licences",
   },
 

@@ -111,6 +111,11 @@ export type BeforeAccept = (
  */
 export type ExportTextureOptions = PrintFileOptions;
 
+export interface ExportModelOptions {
+  /** Default "glb", with all else of the model as it was; "usdz" is the model at rest, for augmented reality on iPhones and iPads. */
+  readonly format?: "glb" | "usdz";
+}
+
 /** PNG with its SHA-256: the hash that a customer approves, and that the print file has. */
 export type ExportedTexture = PrintFile;
 
@@ -290,8 +295,8 @@ export interface TexelcastEditorMethods {
   redo(): boolean;
   /** The finished texture, as it is printed. */
   exportTexture(options?: ExportTextureOptions): Promise<ExportedTexture>;
-  /** The model as GLB with the design in its textures. */
-  exportModel(): Promise<Uint8Array<ArrayBuffer>>;
+  /** The model with the design in its textures. */
+  exportModel(options?: ExportModelOptions): Promise<Uint8Array<ArrayBuffer>>;
   exportDesign(): Promise<ExportedDesign>;
   /** PNG of the model as it is seen, or of several views at once. */
   snapshot(view?: SnapshotView, options?: SnapshotOptions): Promise<Blob>;

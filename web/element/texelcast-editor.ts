@@ -9,6 +9,7 @@ import type {
   DecalSource,
   ExportedDesign,
   ExportedTexture,
+  ExportModelOptions,
   ExportTextureOptions,
   PlaceOptions,
   PrintReport,
@@ -233,10 +234,10 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
     });
   }
 
-  exportModel(): Promise<Uint8Array<ArrayBuffer>> {
+  exportModel(options: ExportModelOptions = {}): Promise<Uint8Array<ArrayBuffer>> {
     return this.#atDesk(async (mode) => {
-      await mode.idle();
-      return await mode.desk.exportModel();
+      const { exportModel } = await import("./desk/export-model.ts");
+      return await exportModel(mode, options);
     });
   }
 

@@ -384,6 +384,12 @@ export interface Engine {
    * stays as it was.
    */
   exportGlb(materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>>;
+  /**
+   * The same as USDZ, for augmented reality on iPhones and iPads: the model at rest, without animations, cameras and lights. Its
+   * pictures are PNG and JPEG, those that are painted with the texels of `exportPng`. Rejects with "bad-picture" for one of the
+   * model's own in another format that cannot be read.
+   */
+  exportUsdz(materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>>;
 
   /**
    * Where the product may be printed; null: everywhere. Layers are cut off at zones of the policy "clip" from now on, in

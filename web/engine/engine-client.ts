@@ -232,6 +232,10 @@ class EngineClient implements Engine {
     return this.#call("exportGlb", [materials]);
   }
 
+  exportUsdz(materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>> {
+    return this.#call("exportUsdz", [materials]);
+  }
+
   async setZones(zones: PrintZones | null): Promise<void> {
     await this.#call("setZones", [zones]);
     this.#zones = zones;

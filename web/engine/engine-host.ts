@@ -32,7 +32,6 @@ import { engineStats } from "./engine-stats.ts";
 import { callLater, nextTurn } from "./event-loop.ts";
 import { modelInfo } from "./model-info.ts";
 import { type LoadedModel, loadModelFile } from "./model-loader.ts";
-import type { TextureEdit } from "./model-writer.ts";
 import { type MapChannel, OpenTarget, type TargetPictures } from "./open-target.ts";
 import { decodePicture } from "./picture-decoder.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
@@ -293,21 +292,19 @@ export class EngineHost implements Engine {
   }
 
   exportGlb(materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>> {
+    return this.#exportModel("paintedGlb", materials);
+  }
+
+  exportUsdz(materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>> {
+    return this.#exportModel("paintedUsdz", materials);
+  }
+
+  #exportModel(as: "paintedGlb" | "paintedUsdz", materials?: readonly number[]): Promise<Uint8Array<ArrayBuffer>> {
     return this.#enqueue(async (session) => {
       const model = this.#requireModel();
-      const [{ encodePng }, { writeModel }] = await Promise.all([
-        import("./png-encoder.ts"),
-        import("./model-writer.ts"),
-      ]);
+      const write = (await import("./painted-model.ts"))[as];
       await this.#drawAll(session, true);
-      const edits: TextureEdit[] = [];
-      for (const [material, target] of this.#targets) {
-        if (materials?.includes(material) === false) continue;
-        const png = await encodePng(target.exportedPicture());
-        const { texCoord } = session.materialInfo(material);
-        edits.push({ material, png, texCoord, factorBaked: target.factorBaked });
-      }
-      return writeModel(model.original, edits);
+      return write(model, session, this.#targets, materials);
     });
   }
 

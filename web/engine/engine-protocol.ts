@@ -22,6 +22,7 @@ export type CallName =
   | "hash"
   | "exportPng"
   | "exportGlb"
+  | "exportUsdz"
   | "setZones"
   | "printReport"
   | "printMap"

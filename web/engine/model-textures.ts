@@ -30,14 +30,21 @@ export function findBaseTexture(json: JsonObject, material: number, name: string
   const sampler = listOf(json, "samplers", name)[indexAt(definition, "sampler") ?? -1];
   const nearest = indexAt(sampler, "magFilter") === NEAREST;
   const extensions = objectAt(definition, "extensions");
-  // WebP before the plain source: viewers that know the extension show that one. AVIF after it: its decoder is large.
-  const image =
-    indexAt(objectAt(extensions, WEBP_TEXTURE), "source") ??
-    indexAt(definition, "source") ??
-    indexAt(objectAt(extensions, AVIF_TEXTURE), "source");
+  const image = imageOfTexture(definition);
   if (image !== undefined) return { texture, image, undecodable: "", nearest };
   const undecodable = TEXTURE_SOURCE_EXTENSIONS.find((extension) => isObject(extensions?.[extension]));
   return undecodable === undefined ? null : { texture, image: null, undecodable, nearest };
+}
+
+/** The image that a texture shows; undefined when only a picture format that cannot be decoded is offered. */
+export function imageOfTexture(definition: JsonObject): number | undefined {
+  const extensions = objectAt(definition, "extensions");
+  // WebP before the plain source: viewers that know the extension show that one. AVIF after it: its decoder is large.
+  return (
+    indexAt(objectAt(extensions, WEBP_TEXTURE), "source") ??
+    indexAt(definition, "source") ??
+    indexAt(objectAt(extensions, AVIF_TEXTURE), "source")
+  );
 }
 
 /** A picture of a model, with the name that errors show. */

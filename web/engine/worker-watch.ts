@@ -15,6 +15,7 @@ const LONG: ReadonlySet<string> = new Set<CallName>([
   "openTarget",
   "exportPng",
   "exportGlb",
+  "exportUsdz",
   "viewMap",
   "printReport",
   "printMap",

@@ -345,7 +345,7 @@ export class EditorPage {
     });
   }
 
-  exported(item: "Texture as PNG" | "Model as GLB"): Promise<{ name: string; bytes: Buffer }> {
+  exported(item: "Texture as PNG" | "Model as GLB" | "Model as USDZ"): Promise<{ name: string; bytes: Buffer }> {
     return this.saved(async () => {
       await this.page.getByRole("button", { name: "Export", exact: true }).click();
       await this.page.getByRole("menuitem", { name: item }).click();

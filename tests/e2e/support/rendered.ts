@@ -13,17 +13,20 @@ interface SavedFile {
 }
 
 /** The PNG of `texelcast render` with these files as its arguments, in a folder that holds nothing else. */
-export function rendered(...files: readonly SavedFile[]): Buffer {
+export const rendered = (...files: readonly SavedFile[]): Buffer => renderedAs("rendered.png", files);
+
+/** The same under a name whose ending says what it is. */
+export function renderedAs(out: string, files: readonly SavedFile[]): Buffer {
   const folder = mkdtempSync(path.join(tmpdir(), "texelcast-e2e-"));
   try {
     for (const { name, bytes } of files) writeFileSync(path.join(folder, name), bytes);
     const names = files.map(({ name }) => name);
-    execFileSync(process.execPath, [COMMAND_LINE, "render", ...names, "--out", "rendered.png"], {
+    execFileSync(process.execPath, [COMMAND_LINE, "render", ...names, "--out", out], {
       cwd: folder,
       // npm names its own folder there, which the tool would go to.
       env: { ...process.env, INIT_CWD: folder },
     });
-    return readFileSync(path.join(folder, "rendered.png"));
+    return readFileSync(path.join(folder, out));
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }

@@ -14,6 +14,7 @@ import {
   Plus,
   Redo2,
   Save,
+  Smartphone,
   Undo2,
 } from "lucide";
 import type { EditorState } from "../state/editor-state.ts";
@@ -322,6 +323,13 @@ export class TopBar extends EditorElement {
         icon: FileDown,
         disabled: none,
         run: () => void files.exportGlb(),
+      },
+      {
+        label: this.#words.exportUsdz,
+        hint: this.#words.exportUsdzHint,
+        icon: Smartphone,
+        disabled: none,
+        run: () => void files.exportUsdz(),
       },
     ];
   }

@@ -285,13 +285,25 @@ export class FileCommands {
   }
 
   async exportGlb(): Promise<void> {
+    await this.#exportModel("glb", "model/gltf-binary", (engine, materials) => engine.exportGlb(materials));
+  }
+
+  async exportUsdz(): Promise<void> {
+    await this.#exportModel("usdz", "model/vnd.usdz+zip", (engine, materials) => engine.exportUsdz(materials));
+  }
+
+  async #exportModel(
+    ending: string,
+    type: string,
+    write: (engine: Engine, materials: readonly number[]) => Promise<Uint8Array<ArrayBuffer>>,
+  ): Promise<void> {
     const { engine, session, models, store } = this.#parts;
     if (!store.state.model) return;
-    await this.#export(`${fileNameOf(store.state.designName)}-painted.glb`, "model/gltf-binary", async () => {
+    await this.#export(`${fileNameOf(store.state.designName)}-painted.${ending}`, type, async () => {
       const design = session.recordedDesign;
       // The preparation of one may have been cancelled: its paint must not be lacking without a word.
       await models.ensureTargets(design);
-      return engine.exportGlb(paintedMaterials(design));
+      return write(engine, paintedMaterials(design));
     });
   }
 

@@ -7,13 +7,7 @@ import { type Design, type DesignLayer, isPlaced, type PlacedLayer } from "../..
 import { removeById } from "../../editor/document/layer-tree.ts";
 import type { AssetLibrary } from "../../editor/state/asset-library.ts";
 import { DecalReach } from "../../editor/state/decal-reach.ts";
-import {
-  layerById,
-  paintedMaterials,
-  patchLayer,
-  placedCount,
-  withoutUnusedAssets,
-} from "../../editor/state/design-edits.ts";
+import { layerById, patchLayer, placedCount, withoutUnusedAssets } from "../../editor/state/design-edits.ts";
 import type { DesignSession } from "../../editor/state/design-session.ts";
 import type { DesignState } from "../../editor/state/design-state.ts";
 import { OpenWork } from "../../editor/state/open-work.ts";
@@ -132,11 +126,6 @@ export class Desk {
 
   get selected(): DesignLayer | undefined {
     return this.session.selected;
-  }
-
-  /** The model as GLB, with the design in the textures that it paints. */
-  exportModel(): Promise<Uint8Array<ArrayBuffer>> {
-    return this.engine.exportGlb(paintedMaterials(this.shown));
   }
 
   /** Counts work that ends in a change of the design, or of what the engine shows of it, as under way. */

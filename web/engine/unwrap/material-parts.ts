@@ -1,14 +1,12 @@
 /** The triangles of one material, from all meshes of a model, as they are unwrapped: in the file's own order. */
 
 import type { Accessors } from "../accessors.ts";
+import { isMirroring, type Linear, turned } from "../affine-map.ts";
 import { badContainer, indexAt, isObject, type JsonObject, listOf, objectAt, textAt } from "../gltf-json.ts";
+import { isOfTriangles, trianglesOf } from "../primitive-triangles.ts";
+import type { TexturePlace } from "../texture-place.ts";
 import type { ChartMesh } from "./chart-atlas.ts";
-import { isMirroring, type Linear, scaleOfMesh, turned } from "./part-scale.ts";
-import type { TexturePlace } from "./uv-transform.ts";
-
-const TRIANGLES = 4;
-const STRIP = 5;
-const FAN = 6;
+import { scaleOfMesh } from "./part-scale.ts";
 
 /** One primitive of a mesh. */
 export interface MaterialPart {
@@ -44,9 +42,8 @@ export function usesOf(json: JsonObject, material: number, name: string): Materi
         others.push(...variantsOf(primitive).filter((variant) => variant.material === material));
         continue;
       }
-      const mode = indexAt(primitive, "mode") ?? TRIANGLES;
       const drawn = indexAt(objectAt(primitive, "attributes"), "POSITION") !== undefined;
-      if (mode >= TRIANGLES && mode <= FAN && drawn) faces.push({ mesh, primitive });
+      if (isOfTriangles(primitive) && drawn) faces.push({ mesh, primitive });
       else others.push(primitive);
     }
   }
@@ -91,25 +88,8 @@ export function readPart(
     uvs[i] = Number.isFinite(u) ? u : 0;
     uvs[i + 1] = Number.isFinite(v) ? v : 0;
   }
-  const indices = indicesOf(primitive, vertexCount, accessors, name);
+  const indices = trianglesOf(primitive, vertexCount, accessors, name);
   return { primitive, indices, vertexCount, positions, uvs, scale: scaleOfMesh(json, mesh, accessors, name) };
-}
-
-function indicesOf(primitive: JsonObject, vertexCount: number, accessors: Accessors, name: string): Uint32Array {
-  const index = indexAt(primitive, "indices");
-  const listed =
-    index === undefined ? Uint32Array.from({ length: vertexCount }, (_, i) => i) : accessors.readNumbers(index);
-  if (listed.some((vertex) => vertex >= vertexCount)) {
-    throw badContainer(name, `“accessors[${index}]” names a vertex beyond the last`, `accessors[${index}]`);
-  }
-  const mode = indexAt(primitive, "mode") ?? TRIANGLES;
-  if (mode === TRIANGLES) return Uint32Array.from(listed.subarray(0, listed.length - (listed.length % 3)));
-  const triangles: number[] = [];
-  for (let i = 0; i + 2 < listed.length; i++) {
-    const corners = mode === STRIP ? [i, i + 1 + (i % 2), i + 2 - (i % 2)] : [i + 1, i + 2, 0];
-    triangles.push(...corners.map((corner) => listed[corner] as number));
-  }
-  return Uint32Array.from(triangles);
 }
 
 /** xatlas takes triangles below about 1e-7 units of area for none, so parts come to it in this size. */

@@ -14,11 +14,11 @@ import { loadModelFile } from "../model-loader.ts";
 import { findBaseTexture } from "../model-textures.ts";
 import { type TextureEdit, writeModel } from "../model-writer.ts";
 import { encodePng } from "../png-encoder.ts";
+import { TEXTURE_TRANSFORM, texturePlace } from "../texture-place.ts";
 import { layOutCharts } from "./chart-atlas.ts";
 import { chartMeshes, type MaterialPart, readPart, usesOf } from "./material-parts.ts";
 import { plainColor } from "./plain-color.ts";
 import { type MovedTriangles, resampleTexture, type Wrap } from "./texture-resampler.ts";
-import { TEXTURE_TRANSFORM, texturePlace } from "./uv-transform.ts";
 import { writePart } from "./write-part.ts";
 
 export interface UnwrapOptions {

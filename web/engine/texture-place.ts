@@ -1,6 +1,6 @@
-/** Where a material's base colour texture lies: its UV set and KHR_texture_transform. */
-import { turnBy } from "../exact-turn.ts";
-import { indexAt, type JsonObject, listOf, objectAt } from "../gltf-json.ts";
+/** Where a material's textures lie: their UV set and KHR_texture_transform. */
+import { turnBy } from "./exact-turn.ts";
+import { indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
 
 export const TEXTURE_TRANSFORM = "KHR_texture_transform";
 
@@ -13,7 +13,11 @@ export interface TexturePlace {
 /** Of a material that may have no texture, or be the implied one: then set 0 as it is. */
 export function texturePlace(json: JsonObject, material: number, name: string): TexturePlace {
   const pbr = objectAt(listOf(json, "materials", name)[material], "pbrMetallicRoughness");
-  const info = objectAt(pbr, "baseColorTexture");
+  return placeOfTexture(objectAt(pbr, "baseColorTexture"));
+}
+
+/** @param info what names the texture in a material; undefined: set 0 as it is */
+export function placeOfTexture(info: JsonObject | undefined): TexturePlace {
   const transform = objectAt(objectAt(info, "extensions"), TEXTURE_TRANSFORM);
   const texCoord = indexAt(transform, "texCoord") ?? indexAt(info, "texCoord") ?? 0;
   if (transform === undefined) return { texCoord, apply: (u, v) => [u, v] };

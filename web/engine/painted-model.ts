@@ -1,0 +1,32 @@
+/** A model with the pictures of its open targets inside, as the files that are exported. */
+import type { Session } from "../core/session.ts";
+import type { LoadedModel } from "./model-loader.ts";
+import { type TextureEdit, writeModel } from "./model-writer.ts";
+import type { OpenTarget } from "./open-target.ts";
+import { encodePng } from "./png-encoder.ts";
+
+/** By material, drawn. */
+export type OpenTargets = ReadonlyMap<number, OpenTarget>;
+
+/** @param materials those to paint; all that are open without them */
+export async function paintedGlb(
+  { original }: LoadedModel,
+  session: Session,
+  targets: OpenTargets,
+  materials?: readonly number[],
+): Promise<Uint8Array<ArrayBuffer>> {
+  const edits: TextureEdit[] = [];
+  for (const [material, target] of targets) {
+    if (materials?.includes(material) === false) continue;
+    const png = await encodePng(target.exportedPicture());
+    const { texCoord } = session.materialInfo(material);
+    edits.push({ material, png, texCoord, factorBaked: target.factorBaked });
+  }
+  return writeModel(original, edits);
+}
+
+/** The same as USDZ. */
+export async function paintedUsdz(...painted: Parameters<typeof paintedGlb>): Promise<Uint8Array<ArrayBuffer>> {
+  const [{ writeUsdz }, glb] = await Promise.all([import("./usdz/write-usdz.ts"), paintedGlb(...painted)]);
+  return await writeUsdz(glb, painted[0].name);
+}
