@@ -24,6 +24,7 @@ async function survive(engine: EngineHost, bytes: Uint8Array, round: number): Pr
     const { materials } = await engine.loadModel({ name: "fuzz.glb", bytes });
     for (const { index } of materials) await engine.openTarget({ material: index, width: 16, height: 16 });
     await engine.exportGlb();
+    await engine.exportUsdz();
     return "fine";
   } catch (error) {
     if (!(error instanceof TexelcastError)) throw error;

@@ -1,4 +1,5 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
+import { writeGlb } from "../../web/engine/gltf-container.ts";
 import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { writeUsdz } from "../../web/engine/usdz/write-usdz.ts";
@@ -6,7 +7,7 @@ import { avifFile, avifModel } from "../support/avif-file.ts";
 import { GltfSketch } from "../support/gltf-sketch.ts";
 import { softPicture } from "../support/ktx2-file.ts";
 import { decal } from "../support/layers.ts";
-import { buildGlb, cube, type ModelParts, plane } from "../support/model-builder.ts";
+import { buildGlb, buildModel, cube, type ModelParts, plane } from "../support/model-builder.ts";
 import { at, endHosts, paintablePlane, startHost, texturedPlane } from "../support/painted-plane.ts";
 import { haveSharedModels, noteSkipped, SHARED_MODELS, sharedModel } from "../support/shared-models.ts";
 import { layerOf, seenByThree, storedFiles } from "../support/usdz-files.ts";
@@ -144,6 +145,21 @@ describe("a model as USDZ", () => {
     const broken = avifModel((await avifFile(softPicture(64, 32))).slice(0, 300));
     const refused = { code: "bad-picture", subject: "broken.glb, paint" };
     await expect(writeUsdz(broken, "broken.glb")).rejects.toMatchObject(refused);
+  });
+
+  it("refuses texture coordinates that only claim to be there, by their accessor", async () => {
+    const { json, binary } = buildModel({
+      ...texturedPlane,
+      materials: [{ normalTexture: { index: 0, texCoord: 1 } }],
+    });
+    const [mesh] = json.meshes as [{ primitives: [{ attributes: JsonObject }] }];
+    const accessors = json.accessors as JsonObject[];
+    mesh.primitives[0].attributes.TEXCOORD_1 =
+      accessors.push({ componentType: 5126, type: "VEC2", count: 2 ** 31 - 1 }) - 1;
+    await expect(writeUsdz(writeGlb(json, binary), "plane.glb")).rejects.toMatchObject({
+      code: "bad-container",
+      field: "accessors[4].count",
+    });
   });
 
   it("has no picture for a texture without bytes, and the colour alone", async () => {

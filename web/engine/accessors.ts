@@ -83,9 +83,9 @@ export class Accessors {
   }
 
   /** The same as numbers; normalised integers become the fractions that they stand for. */
-  readNumbers(index: number): Float64Array {
+  readNumbers(index: number, vertexCount?: number): Float64Array {
     const accessor = this.at(index);
-    const { bytes } = this.read(index);
+    const { bytes } = this.read(index, vertexCount);
     const type = accessor.componentType as number;
     const size = COMPONENT_BYTES[type] ?? 1;
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

@@ -103,13 +103,9 @@ class Vertices {
   #numbers(attributes: JsonObject, key: string, size: number): Float64Array | null {
     const index = indexAt(attributes, key);
     if (index === undefined) return null;
-    const numbers = this.#accessors.readNumbers(index);
+    const numbers = this.#accessors.readNumbers(index, this.count);
     if (numbers.length === size * this.count) return numbers;
-    throw badContainer(
-      this.#name,
-      `“accessors[${index}]” is ${key} of another length than POSITION`,
-      `accessors[${index}]`,
-    );
+    throw badContainer(this.#name, `“accessors[${index}]” is ${key} but no VEC${size}`, `accessors[${index}].type`);
   }
 
   /** What places each vertex: its joints', by their weights. Weights ought to add up to 1; like common viewers, makes them. */
