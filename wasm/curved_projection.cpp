@@ -29,10 +29,13 @@ public:
         clear_tile(texels);
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
+        ray_count_ = 0;
         map_.for_each_run_of(tile, [&](const TexelRun& run) {
             paint_run(run, seen_frame(run.frame), tile_x + run.x, tile_y + run.y,
                       texels + (run.y * kTileSize + run.x) * 4);
         });
+        // Last, as it costs most: where the picture is transparent it need not be asked.
+        if (ray_count_ > 0) tree_->clear_blocked(rays_, rays_ + ray_count_);
         return true;
     }
 
@@ -78,8 +81,7 @@ private:
             const float weight = facing_weight(normal, sight.ray);
             if (!(weight > 0.0f)) continue;
             const Float4 color = sampler_.sample();
-            // Last, as it costs most: where the picture is transparent it need not be asked.
-            if (tree_ != nullptr && color[3] > 0.0f && is_hidden(run, frame, at.position)) continue;
+            if (tree_ != nullptr && color[3] > 0.0f) ask_for_blockers(run, frame, at.position, texels + i * 4);
             store_rounded_ushort4(texels + i * 4, color * splat(weight));
         }
     }
@@ -95,14 +97,15 @@ private:
 
     /// Test 4. A gutter texel's own place lies off the surface, so it asks for the nearest point of its triangle, as
     /// with the planar projector.
-    bool is_hidden(const TexelRun& run, const TexelFrame& frame, const glm::dvec3& position_view) const {
+    void ask_for_blockers(const TexelRun& run, const TexelFrame& frame, const glm::dvec3& position_view,
+                          std::uint16_t* texel) {
         const ProjectorPose& pose = projector_.pose;
         glm::dvec3 origin = pose.position + pose.turn_to_model(position_view);
         if ((run.flags & kRunGutter) != 0) origin = nearest_point_on_triangle(mesh_, frame.triangle, origin);
         glm::dvec3 direction;
         double length = 0.0;
-        if (!projector_.ray_from(pose.to_view(origin), direction, length)) return false;
-        return tree_->is_blocked(origin, pose.turn_to_model(direction), length, frame.triangle);
+        if (!projector_.ray_from(pose.to_view(origin), direction, length)) return;
+        rays_[ray_count_++] = {origin, pose.turn_to_model(direction), length, frame.triangle, texel};
     }
 
     const LocalSpaceMap& map_;
@@ -112,6 +115,9 @@ private:
     PictureSampler& sampler_;
     const OcclusionTree* tree_;
     std::vector<SeenFrame> cache_ = std::vector<SeenFrame>(256);
+    // Of the tile's texels that may be hidden.
+    TexelRay rays_[kTileTexels];
+    std::uint32_t ray_count_ = 0;
 };
 
 /// Paints the flat stamp: every texel that there is, whatever lies under it.

@@ -312,7 +312,7 @@ bool OccluderGrid::is_before(const Occluder& o, const glm::dvec3& q, double leas
 bool OccluderGrid::is_blocked(const glm::dvec3& point, std::uint32_t own) const {
     const glm::dvec3 q = projector_.to_decal.apply(point);
     if (!lies_in_grid(q))
-        return tree_.is_blocked(point, projector_.towards_viewer, (0.5 - q.z) * projector_.depth, own);
+        return tree_.is_blocked({point, projector_.towards_viewer, (0.5 - q.z) * projector_.depth, own});
     const double least = least_depth(q);
     const Bounds16 at = {step_below(q.x), step_above(q.x), step_below(q.y), step_above(q.y), 0};
     const std::uint16_t beyond = step_not_above(least);

@@ -13,6 +13,15 @@
 
 namespace txc {
 
+/// A texel's way towards its projector, metres.
+struct TexelRay {
+    glm::dvec3 origin;
+    glm::dvec3 direction;  // unit
+    double length;
+    std::uint32_t own;  // the texel's triangle, which does not block it
+    std::uint16_t* texel = nullptr;
+};
+
 class OcclusionTree {
 public:
     explicit OcclusionTree(MemoryBudget& budget) : share_(budget) {}
@@ -20,9 +29,13 @@ public:
     /// `mesh` must outlive the tree. Errors: OUT_OF_BUDGET.
     TxcStatus build(const Mesh& mesh);
 
-    /// True where the ray from `origin` along the unit `direction` meets any triangle but `own` between the tree's own
-    /// least distance and `length`, metres.
-    bool is_blocked(const glm::dvec3& origin, const glm::dvec3& direction, double length, std::uint32_t own) const;
+    /// True where the ray meets any triangle but its own between the tree's least distance and its length.
+    bool is_blocked(const TexelRay& ray) const;
+
+    /// Clears the texels whose rays are blocked, of rays that lie close together, as a tile's do: the tree is asked once, for the
+    /// triangles near all of them. (A perspective decal over all that is seen of a mug of 18,000 triangles, at 2048 x 2048, takes 0.42 of
+    /// the time that a walk through the tree for each ray took, one over a torus of 20,000 half and of 200,000 0.78.)
+    void clear_blocked(const TexelRay* begin, const TexelRay* end) const;
 
     /// Triangles whose boxes may touch the volume, in no order that matters.
     void find(const ModelToDecal& volume, std::vector<std::uint32_t>& out) const;
@@ -45,6 +58,12 @@ private:
     };
 
     void split(std::uint32_t node_index, bool in_halves, std::vector<Item>& items);
+    template <typename Test>
+    void gather(std::vector<std::uint32_t>& out, Test&& test) const;
+    /// Gathers the triangles whose boxes lie near the rays in near_.
+    void find_near(const TexelRay* begin, const TexelRay* end) const;
+    /// Whether one of those blocks the ray.
+    bool is_met(const TexelRay& ray) const;
 
     const Mesh* mesh_ = nullptr;
     std::vector<Node> nodes_;
@@ -54,6 +73,7 @@ private:
     // 0.01 % the rims of touching parts turn dark (38 dB), at 0.3 % thin gaps stop casting (24 dB).
     double least_distance_ = 0.0;
     BudgetShare share_;
+    mutable std::vector<std::uint32_t> near_;
 };
 
 /// The point of a triangle that is nearest to `point`.

@@ -55,8 +55,43 @@ TEST_CASE("The tree finds what a search of all triangles finds") {
             bool unsure = false;
             const bool expected = brute.is_blocked(origin, direction, reach, own, unsure);
             if (unsure) continue;
-            CHECK_UNARY(tree.is_blocked(to_glm(origin), to_glm(direction), reach, own) == expected);
+            CHECK_UNARY(tree.is_blocked({to_glm(origin), to_glm(direction), reach, own}) == expected);
             ++(expected ? blocked_count : free_count);
+        }
+    }
+    CHECK(blocked_count > 400);
+    CHECK(free_count > 400);
+}
+
+TEST_CASE("Rays that are asked for together are blocked as each alone is, be there few triangles near them or many") {
+    Random random(71);
+    txc::MemoryBudget budget(1u << 28);
+    std::uint32_t blocked_count = 0;
+    std::uint32_t free_count = 0;
+    for (const std::uint32_t count : {1u, 40u, 4000u}) {
+        const txc::Mesh mesh = make_core_mesh(make_random_triangles(random, count, 1.0, count < 100 ? 0.5 : 0.05));
+        txc::OcclusionTree tree(budget);
+        must(tree.build(mesh));
+        for (int round = 0; round < 20; ++round) {
+            const glm::dvec3 eye(random.between(-3, 3), random.between(-3, 3), random.between(-3, 3));
+            const glm::dvec3 middle(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+            std::vector<std::uint16_t> texels(256 * 4, 1);
+            std::vector<txc::TexelRay> rays;
+            for (std::size_t i = 0; i < 256; ++i) {
+                // Some of them on one line, as a tile's row is.
+                const double down = round % 3 == 0 ? 0.0 : random.between(-0.2, 0.2);
+                const glm::dvec3 origin = middle + glm::dvec3(random.between(-0.2, 0.2), down, 0.0);
+                const double distance = glm::length(eye - origin);
+                rays.push_back({origin, (eye - origin) / distance, distance * random.between(0.2, 1.0),
+                                random.below(count), texels.data() + i * 4});
+            }
+            tree.clear_blocked(rays.data(), rays.data() + rays.size());
+            for (std::size_t i = 0; i < rays.size(); ++i) {
+                const bool expected = tree.is_blocked(rays[i]);
+                CHECK_UNARY((texels[i * 4] == 0) == expected);
+                CHECK_UNARY(texels[i * 4 + 3] == texels[i * 4]);
+                ++(expected ? blocked_count : free_count);
+            }
         }
     }
     CHECK(blocked_count > 400);
@@ -72,8 +107,8 @@ TEST_CASE("Flat and axis-aligned triangles do not fall between the boxes") {
     must(tree.build(mesh));
     for (int i = 0; i < 63; ++i) {
         const glm::dvec3 origin(0.01, 0.02, i * 0.125);
-        CHECK_UNARY(tree.is_blocked(origin, {0, 0, 1}, 0.2, 0xffffffffu));
-        CHECK_UNARY(!tree.is_blocked(origin, {0, 0, 1}, 0.1, 0xffffffffu));
+        CHECK_UNARY(tree.is_blocked({origin, {0, 0, 1}, 0.2, 0xffffffffu}));
+        CHECK_UNARY(!tree.is_blocked({origin, {0, 0, 1}, 0.1, 0xffffffffu}));
     }
 }
 
@@ -92,9 +127,9 @@ TEST_CASE("A wall hides along its joints from rays that do not move along an axi
     for (int i = -8; i <= 8; ++i) {
         const double at = i * 0.1;
         for (const glm::dvec3& direction : {glm::dvec3(0, 0, 1), glm::dvec3(slant, 0, 0.8), glm::dvec3(-slant, 0, 0.8)})
-            CHECK_UNARY(tree.is_blocked({at, 0, 0}, direction, 2.0, 0xffffffffu));
+            CHECK_UNARY(tree.is_blocked({{at, 0, 0}, direction, 2.0, 0xffffffffu}));
         for (const glm::dvec3& direction : {glm::dvec3(0, 0, 1), glm::dvec3(0, slant, 0.8), glm::dvec3(0, -slant, 0.8)})
-            CHECK_UNARY(tree.is_blocked({0, at, 0}, direction, 2.0, 0xffffffffu));
+            CHECK_UNARY(tree.is_blocked({{0, at, 0}, direction, 2.0, 0xffffffffu}));
     }
 }
 
@@ -106,9 +141,9 @@ TEST_CASE("Many triangles on one spot make a tree of bounded depth") {
     txc::MemoryBudget budget(1u << 28);
     txc::OcclusionTree tree(budget);
     must(tree.build(mesh));
-    CHECK(tree.is_blocked({0.1, 0.2, 0.0}, {0, 0, 1}, 2.0, 0));
-    CHECK_FALSE(tree.is_blocked({0.1, 0.2, 0.0}, {0, 0, 1}, 0.4, 0));
-    CHECK_FALSE(tree.is_blocked({0.1, 0.2, 1.0}, {0, 0, 1}, 2.0, 0));
+    CHECK(tree.is_blocked({{0.1, 0.2, 0.0}, {0, 0, 1}, 2.0, 0}));
+    CHECK_FALSE(tree.is_blocked({{0.1, 0.2, 0.0}, {0, 0, 1}, 0.4, 0}));
+    CHECK_FALSE(tree.is_blocked({{0.1, 0.2, 1.0}, {0, 0, 1}, 2.0, 0}));
 }
 
 TEST_CASE("A decal's grid of occluders answers as the tree's rays do") {
