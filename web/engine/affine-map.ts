@@ -14,7 +14,7 @@ export interface Affine {
 }
 
 /** Leaves everything where it is. */
-export const NOWHERE_ELSE: Affine = {
+export const IDENTITY: Affine = {
   linear: [
     [1, 0, 0],
     [0, 1, 0],

@@ -1,7 +1,7 @@
 /** How large a mesh stands in its scene: charts are cut and measured by the size that a viewer sees (glTF 2.0, 3.5.3). */
 
 import type { Accessors } from "../accessors.ts";
-import { affineOf, type Linear, NOWHERE_ELSE, placeOf, times } from "../affine-map.ts";
+import { affineOf, IDENTITY, type Linear, placeOf, times } from "../affine-map.ts";
 import { indexAt, type JsonObject, listOf } from "../gltf-json.ts";
 
 /**
@@ -11,7 +11,7 @@ import { indexAt, type JsonObject, listOf } from "../gltf-json.ts";
 export function scaleOfMesh(json: JsonObject, mesh: number, accessors: Accessors, name: string): Linear {
   const nodes = listOf(json, "nodes", name);
   const node = nodes.findIndex((each) => each.mesh === mesh);
-  if (node < 0) return NOWHERE_ELSE.linear;
+  if (node < 0) return IDENTITY.linear;
   const skin = listOf(json, "skins", name)[indexAt(nodes[node], "skin") ?? -1];
   if (skin === undefined) return worldOf(nodes, node);
   const joint = Array.isArray(skin.joints) && typeof skin.joints[0] === "number" ? skin.joints[0] : -1;
@@ -21,7 +21,7 @@ export function scaleOfMesh(json: JsonObject, mesh: number, accessors: Accessors
 }
 
 function worldOf(nodes: readonly JsonObject[], node: number): Linear {
-  let world = NOWHERE_ELSE.linear;
+  let world = IDENTITY.linear;
   let at = node;
   // A file may call a node its own ancestor: no chain is longer than there are nodes.
   for (let steps = 0; steps <= nodes.length && nodes[at] !== undefined; steps++) {

@@ -7,9 +7,9 @@ import {
   type Affine,
   affineOf,
   cofactorsOf,
+  IDENTITY,
   isMirroring,
   moved,
-  NOWHERE_ELSE,
   placeOf,
   turned,
   within,
@@ -51,7 +51,7 @@ export function* posedParts(json: JsonObject, accessors: Accessors, name: string
       if (!isObject(primitive) || !isOfTriangles(primitive)) continue;
       const vertices = new Vertices(primitive, Array.isArray(weights) ? weights : [], accessors, name);
       if (vertices.count === 0) continue;
-      const place = places[index] ?? NOWHERE_ELSE;
+      const place = places[index] ?? IDENTITY;
       const placing = joints ? vertices.skinnedBy(joints) : () => place;
       yield {
         material: indexAt(primitive, "material") ?? implied,
@@ -128,7 +128,7 @@ class Vertices {
           for (let c = 0; c < sum.length; c++) sum[c] = (sum[c] as number) + weight * (joint[c] as number);
         }
       }
-      if (total === 0) return NOWHERE_ELSE;
+      if (total === 0) return IDENTITY;
       const column = (c: number): [number, number, number] => [
         (sum[3 * c] as number) / total,
         (sum[3 * c + 1] as number) / total,
@@ -194,9 +194,7 @@ function placesOf(json: JsonObject, name: string): Affine[] {
   const nodes = listOf(json, "nodes", name);
   const held = new Set(nodes.flatMap(childrenOf));
   const places: Affine[] = [];
-  const waiting = [...nodes.keys()]
-    .filter((index) => !held.has(index))
-    .map((index) => ({ index, parent: NOWHERE_ELSE }));
+  const waiting = [...nodes.keys()].filter((index) => !held.has(index)).map((index) => ({ index, parent: IDENTITY }));
   // Grows while it is read.
   for (const { index, parent } of waiting) {
     const node = nodes[index];
@@ -213,7 +211,7 @@ function jointsOf(skin: JsonObject, places: readonly Affine[], accessors: Access
   const bind = indexAt(skin, "inverseBindMatrices");
   const matrices = bind === undefined ? null : accessors.readNumbers(bind);
   return numbersIn(skin.joints).map((joint, i) => {
-    const place = places[joint] ?? NOWHERE_ELSE;
+    const place = places[joint] ?? IDENTITY;
     return matrices === null ? place : within(place, affineOf(matrices, i));
   });
 }

@@ -39,10 +39,9 @@ export function usdMaterial(
     network.input("float", "roughness", "1");
   } else {
     network.input("color3f", "diffuseColor", color);
-    const surface = network.texture("surface", objectAt(pbr, "metallicRoughnessTexture"), "raw", [
-      ...[1, numberOf(pbr?.roughnessFactor, 1)],
-      ...[numberOf(pbr?.metallicFactor, 1), 1],
-    ]);
+    const [roughness, metallic] = [numberOf(pbr?.roughnessFactor, 1), numberOf(pbr?.metallicFactor, 1)];
+    const info = objectAt(pbr, "metallicRoughnessTexture");
+    const surface = network.texture("surface", info, "raw", [1, roughness, metallic, 1]);
     network.input("float", "roughness", surface.value("g"));
     network.input("float", "metallic", surface.value("b"));
     network.input("color3f", "emissiveColor", emission(network, gltf, extension("KHR_materials_emissive_strength")));
