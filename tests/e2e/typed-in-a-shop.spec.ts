@@ -75,7 +75,10 @@ for (const mode of ["shop", "full"]) {
     await page.keyboard.type("da");
     await page.keyboard.press("Tab");
     await page.keyboard.press("ControlOrMeta+z");
-    expect(await textsOf(editor)).toEqual(["A"]);
+    await expect.poll(() => textsOf(editor)).toEqual(["A"]);
+    expect(await editor.evaluate((element: Editor) => element.canRedo), "the browser's own undo would be no step").toBe(
+      true,
+    );
   });
 
   test(`a page's own undo takes back what is typed in the ${mode} mode and no more, and its redo brings it again`, async ({

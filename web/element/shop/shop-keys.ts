@@ -15,17 +15,16 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   if (event.defaultPrevented || event.isComposing || event.altKey) return false;
   const [target] = event.composedPath();
   const typing =
-    target instanceof HTMLTextAreaElement ||
-    (target instanceof HTMLInputElement && target.type !== "color") ||
-    target instanceof HTMLSelectElement;
+    target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type !== "color");
   if (event.ctrlKey || event.metaKey) {
+    // A choice has no undo of its own: the browser would take back letters of the field before it, which is no step.
     if (typing) return false;
     const key = event.key.toLowerCase();
     if (key !== "z" && key !== "y") return false;
     void desk.step(key === "z" && !event.shiftKey ? -1 : 1);
     return true;
   }
-  if (typing) return false;
+  if (typing || target instanceof HTMLSelectElement) return false;
   const { selected } = desk;
   if (selected === undefined) return false;
   if (event.key === "Escape") return desk.select(null);
