@@ -1,6 +1,8 @@
 // The paper's second step for projectors whose map is not affine over a triangle, so that each texel has its own place
 // in the picture, its own footprint and its own ray (spec sections 3 to 5); and for the flat stamp, which has none of
-// the surface. projection.h has the planar projector, whose map is affine and therefore cheaper.
+// the surface. projection.h has the planar projector, whose map is affine and therefore cheaper: where a tile is so small that any map
+// is affine over it, its colours are painted that way here, too (a perspective decal over a mug and two tori at 2048 x 2048 takes 0.14
+// to 0.2 of the time, a cylindrical one 0.43 to 0.67), and texels are looked at one by one for their angles and what hides them, if at all.
 #pragma once
 
 #include <variant>

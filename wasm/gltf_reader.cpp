@@ -391,7 +391,7 @@ TxcStatus place_nodes(const Model& model, std::vector<glm::dmat4>& global, std::
     std::vector<std::size_t> stack;
     // `visit` says whether to go on to the node's children.
     const auto descend = [&](std::size_t root, auto&& visit) {
-        stack.assign(1, root);
+        stack.push_back(root);
         while (!stack.empty()) {
             const std::size_t n = stack.back();
             stack.pop_back();
@@ -484,13 +484,13 @@ struct Reader {
 /// Strips and fans as a triangle list (glTF 2.0, 3.7.2.1).
 void to_triangle_list(int mode, std::vector<std::uint32_t>& indices) {
     if (mode == TINYGLTF_MODE_TRIANGLES) return;
+    const bool is_strip = mode == TINYGLTF_MODE_TRIANGLE_STRIP;
     std::vector<std::uint32_t> list;
     for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
-        if (mode == TINYGLTF_MODE_TRIANGLE_STRIP) {
-            list.insert(list.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
-        } else {
-            list.insert(list.end(), {indices[i + 1], indices[i + 2], indices[0]});
-        }
+        // (To insert all three as a list is 0.3 kB more of the module.)
+        list.push_back(indices[is_strip ? i : i + 1]);
+        list.push_back(indices[is_strip ? i + 1 + i % 2 : i + 2]);
+        list.push_back(indices[is_strip ? i + 2 - i % 2 : 0]);
     }
     indices = std::move(list);
 }

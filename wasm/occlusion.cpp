@@ -36,24 +36,6 @@ struct ItemBox {
     glm::vec3 max() const { return {high[0], high[1], high[2]}; }
 };
 
-/// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), both sides.
-bool meets(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& origin,
-           const glm::dvec3& direction, double& out_distance) {
-    const glm::dvec3 ab = b - a;
-    const glm::dvec3 ac = c - a;
-    const glm::dvec3 p = glm::cross(direction, ac);
-    const double determinant = glm::dot(ab, p);
-    if (determinant == 0.0) return false;
-    const glm::dvec3 t = origin - a;
-    const double u = glm::dot(t, p) / determinant;
-    if (!(u >= 0.0 && u <= 1.0)) return false;
-    const glm::dvec3 q = glm::cross(t, ab);
-    const double v = glm::dot(direction, q) / determinant;
-    if (!(v >= 0.0 && u + v <= 1.0)) return false;
-    out_distance = glm::dot(ac, q) / determinant;
-    return true;
-}
-
 }  // namespace
 
 TxcStatus OcclusionTree::build(const Mesh& mesh) {
@@ -164,14 +146,20 @@ void OcclusionTree::split(std::uint32_t node_index, bool in_halves, std::vector<
     nodes_.push_back(children[1]);
 }
 
+// Möller and Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), both sides.
 bool OcclusionTree::is_met(const TexelRay& ray) const {
-    for (std::uint32_t& t : near_) {
-        if (t == ray.own) continue;
-        const Triangle& triangle = mesh_->triangles[t];
-        const auto corner = [&](int i) { return glm::dvec3(mesh_->positions[triangle.vertex[i]]); };
-        double distance;
-        if (meets(corner(0), corner(1), corner(2), ray.origin, ray.direction, distance) && distance > least_distance_ &&
-            distance <= ray.length) {
+    for (NearTriangle& t : near_) {
+        const glm::dvec3 p = glm::cross(ray.direction, t.ac);
+        const double determinant = glm::dot(t.ab, p);
+        if (determinant == 0.0 || t.index == ray.own) continue;
+        const glm::dvec3 from_a = ray.origin - t.a;
+        const double u = glm::dot(from_a, p) / determinant;
+        if (!(u >= 0.0 && u <= 1.0)) continue;
+        const glm::dvec3 q = glm::cross(from_a, t.ab);
+        const double v = glm::dot(ray.direction, q) / determinant;
+        if (!(v >= 0.0 && u + v <= 1.0)) continue;
+        const double distance = glm::dot(t.ac, q) / determinant;
+        if (distance > least_distance_ && distance <= ray.length) {
             // What blocks one ray is likely to block the next.
             std::swap(t, near_.front());
             return true;
@@ -225,7 +213,7 @@ void OcclusionTree::find_near(const TexelRay* begin, const TexelRay* end) const 
         // Bounded: along an axis that the way does not move on, a box that begins at it would give NaN, and be passed by.
         inverse[axis] = std::clamp(1.0 / ((low[1] + high[1]) * 0.5 - first[axis]), -1e300, 1e300);
     }
-    gather(near_, [&](const Node& node) {
+    gather(found_, [&](const Node& node) {
         double enter = 0.0;
         double leave = 1.0;
         for (int axis = 0; axis < 3; ++axis) {
@@ -240,6 +228,37 @@ void OcclusionTree::find_near(const TexelRay* begin, const TexelRay* end) const 
         }
         return enter <= leave;
     });
+    keep_near(begin, end);
+}
+
+void OcclusionTree::keep_near(const TexelRay* begin, const TexelRay* end) const {
+    const auto corner = [&](std::uint32_t triangle, int i) {
+        return glm::dvec3(mesh_->positions[mesh_->triangles[triangle].vertex[i]]);
+    };
+    glm::dvec3 up(0.0);
+    double ground = -1e300;  // a lone ray is not worth the asking
+    if (end - begin > 1) {
+        const TexelRay& middle = begin[(end - begin) / 2];
+        const glm::dvec3 origin = corner(middle.own, 0);
+        up = glm::cross(corner(middle.own, 1) - origin, corner(middle.own, 2) - origin);
+        if (glm::dot(up, middle.direction) < 0.0) up = -up;
+        double lowest = 1e300;
+        double rise = 1e300;
+        for (const TexelRay* ray = begin; ray != end; ++ray) {
+            lowest = std::min(lowest, glm::dot(up, ray->origin));
+            rise = std::min(rise, glm::dot(up, ray->direction));
+        }
+        // A little lower, for rounding. Where a ray goes down there is no ground.
+        if (rise > 0.0) ground = lowest + rise * least_distance_ * 0.999;
+    }
+    near_.clear();
+    for (const std::uint32_t t : found_) {
+        const glm::dvec3 a = corner(t, 0);
+        const glm::dvec3 b = corner(t, 1);
+        const glm::dvec3 c = corner(t, 2);
+        if (std::max(glm::dot(up, a), std::max(glm::dot(up, b), glm::dot(up, c))) >= ground)
+            near_.push_back({a, b - a, c - a, t});
+    }
 }
 
 void OcclusionTree::clear_blocked(const TexelRay* begin, const TexelRay* end) const {

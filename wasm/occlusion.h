@@ -57,11 +57,23 @@ private:
         Float4 high;
     };
 
+    /// A triangle that may block the rays at hand.
+    struct NearTriangle {
+        glm::dvec3 a;
+        glm::dvec3 ab;
+        glm::dvec3 ac;
+        std::uint32_t index;
+    };
+
     void split(std::uint32_t node_index, bool in_halves, std::vector<Item>& items);
     template <typename Test>
     void gather(std::vector<std::uint32_t>& out, Test&& test) const;
     /// Gathers the triangles whose boxes lie near the rays in near_.
     void find_near(const TexelRay* begin, const TexelRay* end) const;
+    /// Puts what was found into near_, but for what lies under the rays: along the surface's normal none of that reaches as high as
+    /// the lowest ray's least distance. (A perspective decal over a mug takes 0.82 of the time, over 20,000 and 200,000 triangles 0.8
+    /// and 0.68, and the triangles side by side in near_ 1.01, 0.85 and 0.84 of that.)
+    void keep_near(const TexelRay* begin, const TexelRay* end) const;
     /// Whether one of those blocks the ray.
     bool is_met(const TexelRay& ray) const;
 
@@ -73,7 +85,8 @@ private:
     // 0.01 % the rims of touching parts turn dark (38 dB), at 0.3 % thin gaps stop casting (24 dB).
     double least_distance_ = 0.0;
     BudgetShare share_;
-    mutable std::vector<std::uint32_t> near_;
+    mutable std::vector<std::uint32_t> found_;
+    mutable std::vector<NearTriangle> near_;
 };
 
 /// The point of a triangle that is nearest to `point`.

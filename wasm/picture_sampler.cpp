@@ -28,6 +28,9 @@ PictureSampler::PictureSampler(const ImagePyramid& image, const PictureSettings&
       settings_(settings),
       width_(static_cast<float>(image.levels[0].width)),
       height_(static_cast<float>(image.levels[0].height)),
+      // Left to right is x from -1/2 to 1/2; bottom to top is y, and picture rows run down (spec section 1).
+      scale_x_(static_cast<double>(settings.flip_x ? -width_ : width_)),
+      scale_y_(static_cast<double>(settings.flip_y ? height_ : -height_)),
       period_(static_cast<float>(settings.period * image.levels[0].width)),
       longest_(kLongestSide * std::max(width_, height_)),
       fade_(settings.repeat ? 0.0f : 0.5f) {}
@@ -37,17 +40,20 @@ PictureMargin PictureSampler::margin() const {
     return {0.5 / static_cast<double>(width_), 0.5 / static_cast<double>(height_)};
 }
 
+Float4 PictureSampler::in_pixels(double x, double y, double origin) const {
+    return Float4{static_cast<float>(x * scale_x_ + origin * static_cast<double>(width_)),
+                  static_cast<float>(y * scale_y_ + origin * static_cast<double>(height_)), 0.0f, 0.0f};
+}
+
 bool PictureSampler::aim(const PictureSight& sight) {
-    // Left to right is x from -1/2 to 1/2; bottom to top is y, and picture rows run down (spec section 1).
-    const double scale_x = static_cast<double>(settings_.flip_x ? -width_ : width_);
-    const double scale_y = static_cast<double>(settings_.flip_y ? height_ : -height_);
-    x_ = static_cast<float>(sight.x * scale_x + 0.5 * static_cast<double>(width_));
-    y_ = static_cast<float>(sight.y * scale_y + 0.5 * static_cast<double>(height_));
+    const Float4 place = in_pixels(sight.x, sight.y, 0.5);
+    x_ = place[0];
+    y_ = place[1];
     if (settings_.nearest) return x_ >= 0.0f && x_ <= width_ && y_ >= 0.0f && y_ <= height_;
-    float across_x = static_cast<float>(sight.across_x * scale_x);
-    float across_y = static_cast<float>(sight.across_y * scale_y);
-    float down_x = static_cast<float>(sight.down_x * scale_x);
-    float down_y = static_cast<float>(sight.down_y * scale_y);
+    float across_x = static_cast<float>(sight.across_x * scale_x_);
+    float across_y = static_cast<float>(sight.across_y * scale_y_);
+    float down_x = static_cast<float>(sight.down_x * scale_x_);
+    float down_y = static_cast<float>(sight.down_y * scale_y_);
     if (!cut(across_x, across_y, longest_) || !cut(down_x, down_y, longest_)) return false;
     if (period_ > 0.0f) {
         // Beside the axis a texel would see more than the whole way round.
@@ -73,7 +79,7 @@ bool PictureSampler::aim(const PictureSight& sight) {
 
 Float4 PictureSampler::sample() {
     if (settings_.nearest) return sample_nearest(image_.levels[0], x_, y_);
-    if (!has_footprint_) footprint_ = make_footprint(image_, across_x_, across_y_, down_x_, down_y_, settings_.repeat);
+    if (!has_footprint_) make_footprint(image_, across_x_, across_y_, down_x_, down_y_, settings_.repeat, footprint_);
     has_footprint_ = true;
     const Footprint& f = footprint_;
     // Where the picture comes round again, what it is padded with is not what lies beside it.

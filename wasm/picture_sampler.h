@@ -28,6 +28,12 @@ public:
     /// Mean colour over the footprint of the texel aimed at; premultiplied, on the scale of kFullScale.
     Float4 sample();
 
+    /// A vector of decal space in pixels of the picture, from `origin` as a share of its width and height: 0, or of a point 0.5, from its
+    /// left and top edges. The other lanes are 0.
+    Float4 in_pixels(double x, double y, double origin) const;
+    /// Whether the picture has another one beside it.
+    bool comes_round() const { return period_ > 0.0f; }
+
     /// What the broad phase must allow for.
     PictureMargin margin() const;
 
@@ -39,6 +45,8 @@ private:
     PictureSettings settings_;
     float width_;  // pixels
     float height_;
+    double scale_x_;  // from decal space
+    double scale_y_;
     float period_;    // pixels
     float longest_;   // a footprint's side is cut to this, pixels
     float fade_;      // on either side of the picture's edge, pixels

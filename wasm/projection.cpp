@@ -24,7 +24,6 @@ constexpr float kFootprintSpread = 0.1f;
 // checkers of a pixel keep 42 dB, and have 36 with 0.1; at 640 x 448 stripes of a pixel have 39.5 with 0.1, at 1024 x 512 41.4. A drag
 // at 512 x 512 takes 0.99 to 1.01 of the time. (At 2048 x 2048 it would take 1.15 to 1.26.)
 constexpr float kFineFootprintSpread = 0.04f;
-constexpr std::uint32_t kFewTiles = 2048;
 // Half a tile may be this many pixels wide: slopes are 16 bits (kSlopeBits).
 constexpr float kMostReach = 127.0f;
 
@@ -67,18 +66,19 @@ public:
             projector_.rows[kY][c] *= splat(scale_y);
         }
         for (int c = 0; c < 3; ++c) {
-            centre_[c] = projector_.centre[c][0];
-            columns_[c] = Float4{projector_.rows[kX][c][0], projector_.rows[kY][c][0], projector_.rows[kDepth][c][0],
-                                 projector_.rows[kFacing][c][0]};
+            view_.centre[c] = projector_.centre[c][0];
+            view_.columns[c] = Float4{projector_.rows[kX][c][0], projector_.rows[kY][c][0],
+                                      projector_.rows[kDepth][c][0], projector_.rows[kFacing][c][0]};
         }
+        view_.at = Float4{0.5f * width_, 0.5f * height_, 0.0f, 0.0f};
         if (occluders != nullptr) known_clear_.assign(map.frames.size(), 0);
     }
 
     /// Paints one tile's texels into `texels`. False where it has none to paint.
     bool paint_tile(const MapTile& tile, std::uint16_t* texels) {
         if (!settings_.nearest) {
-            const Done done = paint_as_one(tile, texels);
-            if (done != Done::kNot) return done == Done::kPainted;
+            const TileFate fate = paint_as_one(tile, true, texels);
+            if (fate != TileFate::kNot) return fate == TileFate::kPainted;
         }
         clear_tile(texels);
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
@@ -104,22 +104,25 @@ public:
         return true;
     }
 
-private:
-    /// A tile as a whole: not done is one that must be looked at frame by frame.
-    enum class Done { kNot, kMissed, kPainted };
+    TileFate paint_through(const TileView& view, const MapTile& tile, std::uint16_t* texels) {
+        view_ = view;
+        return paint_as_one(tile, false, texels);
+    }
 
-    /// Paints a tile whose texels are all alike to the decal.
-    Done paint_as_one(const MapTile& tile, std::uint16_t* texels) {
+private:
+    /// Paints a tile whose texels are all alike to the decal. `may_weigh`: where some are too deep or turned too far, they are told
+    /// from the others by their frames.
+    TileFate paint_as_one(const MapTile& tile, bool may_weigh, std::uint16_t* texels) {
         const std::uint32_t place = map_.tile_of[tile.index];
         const TilePatch& patch = map_.patches->find(map_, place);
         // First, since it is all that most tiles on a model's far side are asked.
         const float facing = turn_normal(patch.normal);
-        const float facing_spread = turn_normal_extent(patch.normal_spread);
-        if (!settings_.backfaces && facing + facing_spread <= 0.0f) return Done::kMissed;
-        const Float4 middle = turn(patch.middle - centre_) + Float4{0.5f * width_, 0.5f * height_, 0.0f, 0.0f};
+        const float facing_spread = turn_normal_extent(patch.normal_spread) + view_.ray_spread * patch.longest_normal;
+        if (!settings_.backfaces && facing + facing_spread <= 0.0f) return TileFate::kMissed;
+        const Float4 middle = view_.turn(patch.middle - view_.centre) + view_.at;
         const Float4 reach = turn_extent(patch.step) * splat(32767.0f);
-        const Float4 across = turn(patch.across);
-        const Float4 down = turn(patch.down);
+        const Float4 across = view_.turn(patch.across);
+        const Float4 down = view_.turn(patch.down);
         const Float4 margin =
             (absolute(across) + absolute(down) + turn_extent(patch.across_spread) + turn_extent(patch.down_spread)) *
                 splat(0.5f) +
@@ -128,8 +131,8 @@ private:
         const Float4 high = middle + reach;
         if (high[kX] < -margin[kX] || low[kX] > width_ + margin[kX] || high[kY] < -margin[kY] ||
             low[kY] > height_ + margin[kY] || high[kDepth] < -0.5f || low[kDepth] > 0.5f)
-            return Done::kMissed;
-        if (patch.state != TilePatch::State::kUniform) return Done::kNot;
+            return TileFate::kMissed;
+        if (patch.state != TilePatch::State::kUniform) return TileFate::kNot;
         // Written so that what is no number is not as one.
         const bool is_deep = low[kDepth] >= -0.5f && high[kDepth] <= 0.5f;
         const float least_facing = settings_.backfaces ? std::fabs(facing) - facing_spread : facing - facing_spread;
@@ -138,31 +141,33 @@ private:
         const Float4 spread = greater(turn_extent(patch.across_spread), turn_extent(patch.down_spread));
         const Float4 sides = greater(absolute(across), absolute(down));
         const float most_spread = footprint_spread_ * (1.0f + std::max(sides[kX], sides[kY]));
-        if (!(spread[kX] <= most_spread && spread[kY] <= most_spread)) return Done::kNot;
-        if (!(reach[kX] <= kMostReach && reach[kY] <= kMostReach)) return Done::kNot;
+        if (!(spread[kX] <= most_spread && spread[kY] <= most_spread)) return TileFate::kNot;
+        if (!(reach[kX] <= kMostReach && reach[kY] <= kMostReach)) return TileFate::kNot;
         const Footprint footprint =
             make_footprint(image_, across[kX], across[kY], down[kX], down[kY], settings_.repeat);
-        const bool is_inside = low[kX] >= footprint.inset_x && high[kX] <= width_ - footprint.inset_x &&
-                               low[kY] >= footprint.inset_y && high[kY] <= height_ - footprint.inset_y;
+        const float inset_x =
+            view_.comes_round ? std::max(footprint.inset_x, footprint.reach_x + 0.51f) : footprint.inset_x;
+        const bool is_inside = low[kX] >= inset_x && high[kX] <= width_ - inset_x && low[kY] >= footprint.inset_y &&
+                               high[kY] <= height_ - footprint.inset_y;
         // Beyond the picture all is alike, if the padding holds a whole footprint and what the picture fades into.
-        const bool is_padded =
-            footprint.inset_x <= -footprint.reach_x - 1.0f && footprint.inset_y <= -footprint.reach_y - 1.0f;
-        if (!is_inside && !is_padded) return Done::kNot;
+        const bool is_padded = inset_x <= -footprint.reach_x - 1.0f && footprint.inset_y <= -footprint.reach_y - 1.0f;
+        if (!is_inside && !is_padded) return TileFate::kNot;
         const PyramidLevel& level = image_.levels[footprint.level];
         // (Reading a number of each line of the next tile's patch here, ahead of its turn, made a drag 1.03 times as long.)
         const PatchView view = view_of(patch, level, footprint, middle, reach);
-        if (is_clear_around(level, footprint, view)) return Done::kMissed;
+        if (is_clear_around(level, footprint, view)) return TileFate::kMissed;
         // Not before: where the picture is transparent, nothing need be asked. (Of 200,000 triangles a drag takes 0.95 of the time.)
-        if (!is_clear(tile)) return Done::kNot;
-        const TileCoverage painted = is_deep && is_facing ? patch.there : weigh_texels(tile);
-        if (painted.is_empty()) return Done::kMissed;
+        if (!is_clear(tile)) return TileFate::kNot;
+        const TileCoverage painted = !may_weigh || (is_deep && is_facing) ? patch.there : weigh_texels(tile);
+        if (painted.is_empty()) return TileFate::kMissed;
         const PatchTexels& places = map_.patches->texels(map_, place);
         const bool may_join = patch.continuity == TilePatch::Continuity::kWhole;
         RoughTexel* const rough = paint_patch(painted, may_join, places, view, level, footprint, texels, rough_);
         paint_rough(rough_, static_cast<std::uint32_t>(rough - rough_));
-        if (!is_facing && settings_.fades()) fade_texels(weights_, texels);
+        if (may_weigh && !is_facing && settings_.fades()) fade_texels(weights_, texels);
         clear_uncovered(painted, texels);
-        return Done::kPainted;
+        if (!may_weigh && !is_facing) return TileFate::kUnweighed;
+        return TileFate::kPainted;
     }
 
     /// Whether the picture has nothing that footprints of these texels reach.
@@ -236,7 +241,7 @@ private:
         view.chords = tile_chord_limits(image_, footprint);
         // Sums of slopes times whole numbers stay within 2^30, up to kMostReach.
         const auto slopes = [&](int axis) {
-            return round_to_int(columns_[axis] * splat(patch.step[axis]) * scale *
+            return round_to_int(view_.columns[axis] * splat(patch.step[axis]) * scale *
                                 splat(static_cast<float>(1 << kSlopeBits)));
         };
         const Int4 by_z = slopes(2) & 0xffff;
@@ -279,21 +284,17 @@ private:
         return clear;
     }
 
-    /// Vectors of model space into the picture: x, y, depth.
-    Float4 turn(Float4 v) const {
-        return columns_[0] * splat(v[0]) + columns_[1] * splat(v[1]) + columns_[2] * splat(v[2]);
-    }
     /// Half the extents of what a box with such half extents becomes.
     Float4 turn_extent(Float4 v) const {
-        return absolute(columns_[0]) * splat(v[0]) + absolute(columns_[1]) * splat(v[1]) +
-               absolute(columns_[2]) * splat(v[2]);
+        return absolute(view_.columns[0]) * splat(v[0]) + absolute(view_.columns[1]) * splat(v[1]) +
+               absolute(view_.columns[2]) * splat(v[2]);
     }
     float turn_normal(Float4 v) const {
-        return columns_[0][kFacing] * v[0] + columns_[1][kFacing] * v[1] + columns_[2][kFacing] * v[2];
+        return view_.columns[0][kFacing] * v[0] + view_.columns[1][kFacing] * v[1] + view_.columns[2][kFacing] * v[2];
     }
     float turn_normal_extent(Float4 v) const {
-        return std::fabs(columns_[0][kFacing]) * v[0] + std::fabs(columns_[1][kFacing]) * v[1] +
-               std::fabs(columns_[2][kFacing]) * v[2];
+        return std::fabs(view_.columns[0][kFacing]) * v[0] + std::fabs(view_.columns[1][kFacing]) * v[1] +
+               std::fabs(view_.columns[2][kFacing]) * v[2];
     }
 
     /// Projects the frames that own covered texels of a tile, and lists those that the decal may reach. All before the first
@@ -487,8 +488,7 @@ private:
     float footprint_spread_;
     float fade_;                             // pixels on either side of the picture's edge
     PlanarProjector projector_;              // into pixels of the picture, from its middle
-    Float4 centre_{};                        // the projector's
-    Float4 columns_[3] = {};                 // of the same map, and of the one to n . ray
+    TileView view_;                          // the same map, and depth in place of nothing
     TileFrame tile_frames_[kTileTexels];     // of the tile under way
     std::vector<std::uint8_t> known_clear_;  // per frame: 1 where nothing hides it (the cache below forgets)
     RoughTexel rough_[kTileTexels + 1];      // of the tile under way: they are painted in one go
@@ -499,6 +499,21 @@ private:
 };
 
 }  // namespace
+
+struct TilePainter::Painter : DecalPainter {
+    using DecalPainter::DecalPainter;
+};
+
+TilePainter::TilePainter(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
+                         const ImagePyramid& image, OccluderGrid* occluders)
+    : painter_(std::make_unique<Painter>(map, mesh, settings, image, occluders)) {}
+TilePainter::~TilePainter() = default;
+
+TileFate TilePainter::paint(const MapTile& tile, const TileView& view, std::uint16_t* texels) {
+    return painter_->paint_through(view, tile, texels);
+}
+
+bool TilePainter::paint_tile(const MapTile& tile, std::uint16_t* texels) { return painter_->paint_tile(tile, texels); }
 
 std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const DecalSettings& settings,
                                            const ImagePyramid& image) {
@@ -515,7 +530,7 @@ std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const Decal
 TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
                         const ImagePyramid& image, const std::vector<std::uint32_t>& candidates,
                         OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels) {
-    return paint_tiles(map, candidates, DecalPainter(map, mesh, settings, image, occluders), out, out_texels);
+    return paint_tiles(map, candidates, TilePainter(map, mesh, settings, image, occluders), out, out_texels);
 }
 
 }  // namespace txc

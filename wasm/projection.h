@@ -2,6 +2,8 @@
 // (spec sections 4 and 5).
 #pragma once
 
+#include <memory>
+
 #include "image_pyramid.h"
 #include "layer_tiles.h"
 #include "local_space_map.h"
@@ -37,6 +39,44 @@ struct DecalSettings {
         const Float4 between = select(cosines <= end, splat(0.0f), (cosines - end) / (start - end));
         return select(cosines >= start, splat(1.0f), between);
     }
+};
+
+/// A texture of no more tiles than these shows each of them large on the model.
+inline constexpr std::uint32_t kFewTiles = 2048;
+
+/// What came of a tile that was tried as a whole. Not done is one that must be looked at texel by texel, unweighed one whose texels
+/// have their colours, and are still to be asked for their angles and depths.
+enum class TileFate { kNot, kMissed, kUnweighed, kPainted };
+
+/// A decal of any projector as one tile sees it, where its map is as good as affine.
+struct TileView {
+    // What a metre along each axis of model space changes: x and y in pixels of the picture, nothing, n . ray.
+    Float4 columns[3] = {};
+    Float4 centre{};           // where this holds, model space
+    Float4 at{};               // x and y there, from the picture's left and top edges
+    float ray_spread = 0.0f;   // how far rays over the tile may be from the one at the centre
+    bool comes_round = false;  // the picture has another one beside it, and not what it is padded with
+
+    /// Vectors of model space into the picture.
+    Float4 turn(Float4 v) const {
+        return columns[0] * splat(v[0]) + columns[1] * splat(v[1]) + columns[2] * splat(v[2]);
+    }
+};
+
+/// Paints a decal's tiles: a planar one's, and whole ones of any other.
+class TilePainter {
+public:
+    TilePainter(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings, const ImagePyramid& image,
+                OccluderGrid* occluders);
+    ~TilePainter();
+    /// The planar decal. False where it has nothing to paint.
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels);
+    /// Asks for no depth, and for nothing that hides texels.
+    TileFate paint(const MapTile& tile, const TileView& view, std::uint16_t* texels);
+
+private:
+    struct Painter;
+    std::unique_ptr<Painter> painter_;
 };
 
 /// The map's tiles that the decal may colour.

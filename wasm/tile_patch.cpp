@@ -123,16 +123,12 @@ void make_patch(const LocalSpaceMap& map, const MapTile& tile, TilePatch& out) {
 bool is_continuous(const TilePatch& patch, const PatchTexels& texels, Float4 wholes) {
     const float side = std::max(largest_lane(absolute(patch.across)), largest_lane(absolute(patch.down)));
     const Float4 slack = splat(0.5f * side) * wholes + splat(2.0f);
-    const auto place = [&](std::size_t at) {
-        const auto half = [](std::int32_t low) { return static_cast<float>(static_cast<std::int16_t>(low)); };
-        return Float4{half(texels.xy[at]), half(texels.xy[at] >> 16), half(texels.z[at]), 0.0f};
-    };
     const auto is_there = [&](std::size_t at) {
         return (patch.there.rows[at / kTileSize] >> at % kTileSize & 1u) != 0;
     };
     const auto joins = [&](std::size_t at, std::size_t next, Float4 step, Float4 spread) {
         if (!is_there(at) || !is_there(next)) return true;
-        return !any_lane(absolute(place(next) - place(at) - step * wholes) > spread * wholes + slack);
+        return !any_lane(absolute(texels.at(next) - texels.at(at) - step * wholes) > spread * wholes + slack);
     };
     for (std::size_t at = 0; at < 256; ++at) {
         if ((at + 1) % kTileSize != 0 && !joins(at, at + 1, patch.across, patch.across_spread)) return false;

@@ -67,6 +67,11 @@ struct TilePatch {
 struct PatchTexels {
     std::int32_t xy[256];  // x in the low half, y in the high one
     std::int16_t z[256];
+
+    Float4 at(std::size_t i) const {
+        const auto half = [](std::int32_t low) { return static_cast<float>(static_cast<std::int16_t>(low)); };
+        return Float4{half(xy[i]), half(xy[i] >> 16), half(z[i]), 0.0f};
+    }
 };
 
 /// The patches of a map's tiles.
