@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <utility>
 
 #include "support/comparison.h"
 #include "support/projector_defs.h"
@@ -74,15 +73,15 @@ private:
 
 TEST_CASE("A slide thrown at a finely textured sphere agrees, straight and aslant, magnified and minified") {
     FineComparison sphere(make_sphere_part());
-    for (const auto& [size, cell] : {std::pair{24u, 5u}, std::pair{96u, 3u}, std::pair{240u, 5u}}) {
-        CAPTURE(size);
+    for (const auto& checker : {make_checker(24, 24, 5), make_checker(96, 96, 3), make_checker(240, 240, 5)}) {
+        CAPTURE(checker.width);
         for (const bool is_aslant : {false, true}) {
             CAPTURE(is_aslant);
             TxcLayerDef def = perspective_def(0, is_aslant ? 6.0 : 5.0, 1.0, 0.5, 6.0);
             place(def, is_aslant ? 2.2 : 0.2, 0.4, is_aslant ? 1.7 : 2.6);
             look_at(def, 0.05, 0.02, 1.0);
             def.flip_x = is_aslant ? 1 : 0;
-            sphere.check(def, make_checker(size, size, cell), 4000);
+            sphere.check(def, checker, 4000);
         }
     }
 }
@@ -123,13 +122,13 @@ TEST_CASE("A label on a finely textured cylinder agrees, by itself and where it 
                             {360.0, 180.0, TXC_WRAP_NONE},
                             {360.0, 178.0, TXC_WRAP_NONE},
                             {360.0, 178.0, TXC_WRAP_REPEAT}};
-    for (const auto& [arc, turned, wrap] : labels) {
-        CAPTURE(arc);
-        CAPTURE(wrap);
-        TxcLayerDef def = cylindrical_def(0, 0.95, 0.12, arc, 0.3);
-        turn(def, 0, 1, 0, turned);
-        def.wrap = wrap;
-        cylinder.check(def, make_checker(arc > 100.0 ? 2400 : 110, 60, 5), 4000);
+    for (const Label& label : labels) {
+        CAPTURE(label.arc);
+        CAPTURE(label.wrap);
+        TxcLayerDef def = cylindrical_def(0, 0.95, 0.12, label.arc, 0.3);
+        turn(def, 0, 1, 0, label.turned);
+        def.wrap = label.wrap;
+        cylinder.check(def, make_checker(label.arc > 100.0 ? 2400 : 110, 60, 5), 4000);
     }
 }
 
