@@ -258,6 +258,8 @@ void OcclusionTree::keep_near(const TexelRay* begin, const TexelRay* end) const 
         const glm::dvec3 c = corner(t, 2);
         if (std::max(glm::dot(up, a), std::max(glm::dot(up, b), glm::dot(up, c))) >= ground)
             near_.push_back({a, b - a, c - a, t});
+        // These rays are asked for by halves.
+        if (near_.size() > kMostNear && end - begin > 1) return;
     }
 }
 
