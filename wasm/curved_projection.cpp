@@ -118,7 +118,7 @@ private:
         view.at += (low + high) * splat(0.5f);
         const Float4 sides = greater(absolute(view.turn(patch.across)), absolute(view.turn(patch.down)));
         const Float4 strays = high - low;
-        const float most = map_.tiles.size() <= kFewTiles ? kMostStrayOfFew : kMostStray;
+        const float most = has_large_tiles(map_) ? kMostStrayOfFew : kMostStray;
         return std::max(strays[0], strays[1]) <= most * std::max(1.0f, 0.5f * std::max(sides[0], sides[1]));
     }
 

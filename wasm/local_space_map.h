@@ -87,6 +87,7 @@ struct LocalSpaceMap {
         overlap_tiles;  // per tile: claims a texel, where any texel has two or more
     TileTree tree;
     std::uint32_t covered_texels = 0;
+    std::uint32_t covered_beyond = 0;  // of the texture that the map is a window of, outside of it
     std::uint32_t gutter_texels = 0;
     std::uint32_t overlapping_texels = 0;
     BudgetShare share;

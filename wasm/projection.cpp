@@ -55,7 +55,7 @@ public:
           occluders_(occluders),
           width_(static_cast<float>(image.levels[0].width)),
           height_(static_cast<float>(image.levels[0].height)),
-          footprint_spread_(map.tiles.size() <= kFewTiles ? kFineFootprintSpread : kFootprintSpread),
+          footprint_spread_(has_large_tiles(map) ? kFineFootprintSpread : kFootprintSpread),
           fade_(settings.repeat ? 0.0f : 0.5f),
           projector_(settings.projector) {
         // Left to right is x from -1/2 to 1/2; bottom to top is y, and picture rows run down (spec section 1).

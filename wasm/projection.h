@@ -41,8 +41,11 @@ struct DecalSettings {
     }
 };
 
-/// A texture of no more tiles than these shows each of them large on the model.
-inline constexpr std::uint32_t kFewTiles = 2048;
+/// Whether a texture has so few texels that each of its tiles is large on the model. All of the texture is asked, of which the map may
+/// be a window: that has its very texels.
+inline bool has_large_tiles(const LocalSpaceMap& map) {
+    return map.covered_texels + map.covered_beyond <= 2048u * kTileTexels;
+}
 
 /// What came of a tile that was tried as a whole. Not done is one that must be looked at texel by texel, unweighed one whose texels
 /// have their colours, and are still to be asked for their angles and depths.

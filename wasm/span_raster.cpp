@@ -127,6 +127,7 @@ TxcStatus SpanRaster::add_span(std::uint32_t frame, std::uint32_t row, std::uint
 TxcStatus SpanRaster::add_window_span(std::uint32_t frame, std::uint32_t row, std::uint32_t first,
                                       std::uint32_t count) {
     const MapKey& key = map_.key;
+    map_.covered_beyond += count;
     if (row < key.origin_y || row >= key.origin_y + key.height) return TXC_STATUS_OK;
     const std::uint32_t from = std::max(first, key.origin_x);
     const std::uint32_t to = std::min(first + count, key.origin_x + key.width);
@@ -135,6 +136,7 @@ TxcStatus SpanRaster::add_window_span(std::uint32_t frame, std::uint32_t row, st
     const std::uint32_t y = row - key.origin_y;
     window_covered_.claim_span(x, y, to - from);
     map_.covered_texels += to - from;
+    map_.covered_beyond -= to - from;
     count_runs(tile_run_counts_.data() + y / kTileSize * map_.tile_columns(), x, to - from);
     return spans_.add(frame, x, y, to - from);
 }

@@ -11,25 +11,25 @@ using namespace support;
 namespace {
 
 constexpr std::uint32_t kWhole = 192;
-constexpr std::uint32_t kMargin = 32;  // more than gutter and bleed of so small a texture
+constexpr std::uint32_t kMargin = 32;  // more than gutter and bleed of textures as small as those below
 
 struct Window {
     std::uint32_t x, y, width, height;
 };
 
-TxcTargetDef window_def(const Window& window) {
+TxcTargetDef window_def(const Window& window, std::uint32_t whole = kWhole) {
     TxcTargetDef def;
     txc_target_def_default(&def);
     def.width = window.width;
     def.height = window.height;
-    def.texture_width = def.texture_height = kWhole;
+    def.texture_width = def.texture_height = whole;
     def.window_x = window.x;
     def.window_y = window.y;
     return def;
 }
 
-TxcTarget open_window(TestSession& session, const Window& window) {
-    const TxcTargetDef def = window_def(window);
+TxcTarget open_window(TestSession& session, const Window& window, std::uint32_t whole = kWhole) {
+    const TxcTargetDef def = window_def(window, whole);
     TxcTarget target = 0;
     must(txc_target_create(session.id(), &def, &target));
     session.bake(target);
@@ -78,14 +78,16 @@ Picture read_bled(TestSession& session, TxcTarget target) {
 
 /// Of what lies further from the borders that the window cuts than the margin.
 void check_same_as_whole(const Picture& whole, const Picture& part, const Window& window) {
+    const std::uint32_t width = whole.width;
+    const std::uint32_t height = whole.height;
     std::uint32_t different = 0;
     std::uint32_t compared = 0;
     for (std::uint32_t y = 0; y < window.height; ++y) {
         for (std::uint32_t x = 0; x < window.width; ++x) {
             const std::uint32_t right = window.x + window.width;
             const std::uint32_t bottom = window.y + window.height;
-            if ((window.x > 0 && x < kMargin) || (right < kWhole && x + kMargin >= window.width)) continue;
-            if ((window.y > 0 && y < kMargin) || (bottom < kWhole && y + kMargin >= window.height)) continue;
+            if ((window.x > 0 && x < kMargin) || (right < width && x + kMargin >= window.width)) continue;
+            if ((window.y > 0 && y < kMargin) || (bottom < height && y + kMargin >= window.height)) continue;
             ++compared;
             different += part.at(x, y) == whole.at(window.x + x, window.y + y) ? 0 : 1;
         }
@@ -123,6 +125,32 @@ TEST_CASE("So has a window of a texture that repeats, or that several triangles 
     Shape twice = make_plane();
     twice.append(make_sphere(0.4, 16, 8, {0.2, 0.1, 0.8, 0.7}));
     check_windows(twice);
+}
+
+TEST_CASE("A window of few tiles has the very texels of a whole of many") {
+    constexpr std::uint32_t kLarge = 1024;
+    TestSession session(make_sphere(0.5));
+    const TxcImage image = session.image(make_noise(640, 640, 3));
+    const auto add = [&](TxcTarget target) {
+        TxcLayerDef decal = decal_def(image);
+        resize(decal, 0.9, 0.9, 2.0);
+        session.layer(target, decal);
+        TxcLayerDef label = decal_def(image);
+        label.projector = TXC_PROJECTOR_CYLINDRICAL;
+        label.radius = 0.5f;
+        label.height = 0.6f;
+        label.arc_degrees = 180.0f;
+        label.depth = 0.3f;
+        label.opacity = 0.5f;
+        session.layer(target, label);
+    };
+    const TxcTarget target = session.target(kLarge, kLarge);
+    add(target);
+    const Picture whole = read_bled(session, target);
+    const Window window{256, 384, 256, 256};
+    const TxcTarget part = open_window(session, window, kLarge);
+    add(part);
+    check_same_as_whole(whole, read_bled(session, part), window);
 }
 
 TEST_CASE("A window tells the overlaps that lie in it") {
