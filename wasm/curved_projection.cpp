@@ -17,6 +17,8 @@ namespace {
 constexpr float kMostStray = 1.0f / 16.0f;
 constexpr float kMostStrayOfFew = 1.0f / 64.0f;
 
+glm::dvec3 three(Float4 v) { return {v[0], v[1], v[2]}; }
+
 /// A perspective projector or a cylindrical one. (A painter for each is 0.4 kB more of the module, and none is quicker.)
 class SolidProjector {
 public:
@@ -27,6 +29,9 @@ public:
     const ProjectorPose& pose() const { return perspective_ != nullptr ? perspective_->pose : cylindrical_->pose; }
     bool look(const TexelPlace& at, TexelSight& out) const {
         return perspective_ != nullptr ? perspective_->look(at, out) : cylindrical_->look(at, out);
+    }
+    bool holds(const glm::dvec3& point, double reach) const {
+        return perspective_ != nullptr ? perspective_->holds(point, reach) : cylindrical_->holds(point, reach);
     }
     bool ray_from(const glm::dvec3& point, glm::dvec3& out_direction, double& out_length) const {
         return perspective_ != nullptr ? perspective_->ray_from(point, out_direction, out_length)
@@ -74,8 +79,8 @@ public:
     }
 
 private:
-    /// The projector's map about a tile's middle, as an affine one. False where it is not as good as that, and where some texels lie
-    /// before the volume or behind it.
+    /// The projector's map about a tile's middle, as an affine one. False where it is not as good as that, and where some texels may
+    /// lie before the volume or behind it.
     bool find_view(const MapTile& tile, TileView& view) const {
         const std::uint32_t place = map_.tile_of[tile.index];
         const TilePatch& patch = map_.patches->find(map_, place);
@@ -84,9 +89,11 @@ private:
         TexelPlace at{};
         TexelSight sight;
         const auto look = [&](Float4 point) {
-            at.position = pose.to_view(glm::dvec3(point[0], point[1], point[2]));
+            at.position = pose.to_view(three(point));
             return projector_.look(at, sight);
         };
+        const double reach = glm::length(three(patch.step)) * 32767.0;
+        if (!projector_.holds(pose.to_view(three(patch.middle)), reach)) return false;
         for (int c = 0; c < 3; ++c) {
             at.across = glm::dvec3(pose.right[c], pose.up[c], pose.towards[c]);
             if (!look(patch.middle)) return false;

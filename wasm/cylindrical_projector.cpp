@@ -47,6 +47,10 @@ bool CylindricalProjector::look(const TexelPlace& at, TexelSight& out) const {
     return true;
 }
 
+bool CylindricalProjector::holds(const glm::dvec3& point, double reach) const {
+    return std::fabs(std::sqrt(point.x * point.x + point.z * point.z) - radius) + reach <= depth;
+}
+
 bool CylindricalProjector::ray_from(const glm::dvec3& point, glm::dvec3& out_direction, double& out_length) const {
     const double from_axis = std::sqrt(point.x * point.x + point.z * point.z);
     if (!(from_axis > radius * kAxisShare)) return false;

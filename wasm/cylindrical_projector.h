@@ -20,6 +20,9 @@ struct CylindricalProjector {
     /// half a period of the middle. False on the axis, too: from there every way is outward.
     bool look(const TexelPlace& at, TexelSight& out) const;
 
+    /// Whether all that lies no further than `reach` from a point (view space) is inside of the volume in depth.
+    bool holds(const glm::dvec3& point, double reach) const;
+
     /// The way from a point (view space) outward: a unit direction in view space, and how much of it lies inside the
     /// volume, metres. False on the axis.
     bool ray_from(const glm::dvec3& point, glm::dvec3& out_direction, double& out_length) const;

@@ -55,6 +55,10 @@ bool PerspectiveProjector::look(const TexelPlace& at, TexelSight& out) const {
     return true;
 }
 
+bool PerspectiveProjector::holds(const glm::dvec3& point, double reach) const {
+    return -point.z - reach >= near_distance && -point.z + reach <= far_distance;
+}
+
 bool PerspectiveProjector::ray_from(const glm::dvec3& point, glm::dvec3& out_direction, double& out_length) const {
     const double depth = -point.z;
     if (!(depth > near_distance)) return false;

@@ -21,6 +21,9 @@ struct PerspectiveProjector {
     /// Test 1 in depth, and where the camera sees the texel. `at` is in view space.
     bool look(const TexelPlace& at, TexelSight& out) const;
 
+    /// Whether all that lies no further than `reach` from a point (view space) is inside of the volume in depth.
+    bool holds(const glm::dvec3& point, double reach) const;
+
     /// The way from a point (view space) to the eye: a unit direction in view space, and how much of it lies inside the
     /// volume, metres.
     bool ray_from(const glm::dvec3& point, glm::dvec3& out_direction, double& out_length) const;

@@ -99,6 +99,31 @@ TEST_CASE("A slide agrees on a finely textured sphere where its far plane cuts i
     sphere.check(def, make_gradient(128, 128), 4000);
 }
 
+TEST_CASE("A volume's ends cut what bulges amid tiles whose own ends lie inside") {
+    // Ridges of 2 mm, each along the middle of a tile.
+    const auto ridge = [](double s) { return std::lround(s * 24) % 2 == 1 ? 0.002 : 0.0; };
+    FineComparison plate(make_grid(24, 9, kChart, [&](double s, double t, double(&p)[3], double(&n)[3]) {
+        p[0] = (s - 0.5) * 0.35;
+        p[1] = (0.5 - t) * 0.25;
+        p[2] = 1.0 + ridge(s);
+        n[0] = n[1] = 0.0;
+        n[2] = 1.0;
+    }));
+    TxcLayerDef def = perspective_def(0, 6.0, 1.0, 1.9989, 6.0);
+    place(def, 0, 0, 3);
+    plate.check(def, make_gradient(128, 128), 4000);
+    FineComparison label(make_grid(24, 9, kChart, [&](double s, double t, double(&p)[3], double(&n)[3]) {
+        const double around = (s - 0.5) * 0.35;
+        n[0] = std::sin(around);
+        n[1] = 0.0;
+        n[2] = std::cos(around);
+        p[0] = n[0] * (1.0 + ridge(s));
+        p[1] = (0.5 - t) * 0.25;
+        p[2] = n[2] * (1.0 + ridge(s));
+    }));
+    label.check(cylindrical_def(0, 0.9, 0.12, 16.0, 0.1011), make_gradient(128, 128), 4000);
+}
+
 TEST_CASE("A slide thrown from so near that no tile is flat to it agrees on a fine texture, too") {
     FineComparison sphere(make_sphere_part());
     TxcLayerDef def = perspective_def(0, 100.0, 1.0, 0.02, 3.0);
