@@ -50,14 +50,15 @@ class CurvedPainter {
 public:
     CurvedPainter(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
                   const CurvedProjector& projector, const ImagePyramid& image, PictureSampler& sampler,
-                  const OcclusionTree* tree)
+                  const OcclusionTree* tree, OccluderGrid* occluders)
         : map_(map),
           mesh_(mesh),
           settings_(settings),
           projector_(projector),
           sampler_(sampler),
           tree_(tree),
-          tiles_(map, mesh, settings, image, nullptr) {}
+          occluders_(occluders),
+          tiles_(map, mesh, settings, image, occluders) {}
 
     /// Paints one tile's texels into `texels`. False where it has none to paint.
     bool paint_tile(const MapTile& tile, std::uint16_t* texels) {
@@ -66,7 +67,7 @@ public:
         TileFate fate = TileFate::kNot;
         if (!settings_.nearest && find_view(tile, view)) fate = tiles_.paint(tile, view, texels);
         if (fate == TileFate::kMissed) return false;
-        if (fate == TileFate::kPainted && tree_ == nullptr) return true;
+        if (fate == TileFate::kPainted && !asks_tree() && tiles_.is_clear(tile)) return true;
         if (fate == TileFate::kNot) clear_tile(texels);
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
@@ -163,9 +164,17 @@ private:
                 color *= splat(weight);
                 store_rounded_ushort4(texels, color);
             }
-            if (tree_ != nullptr && color[3] > 0.0f) ask_for_blockers(run, frame, at.position, texels);
+            if (!(color[3] > 0.0f)) continue;
+            if (asks_tree()) {
+                ask_for_blockers(run, frame, at.position, texels);
+            } else if (occluders_ != nullptr && tiles_.is_hidden(run, x0 + i, y0)) {
+                std::fill_n(texels, 4, std::uint16_t{0});
+            }
         }
     }
+
+    /// Whether what hides texels is asked ray by ray.
+    bool asks_tree() const { return tree_ != nullptr && occluders_ == nullptr; }
 
     /// Tests 2 and 3: the weight by the angle between normal and ray, 0 where the texel is culled.
     float facing_weight(const glm::dvec3& normal, const glm::dvec3& ray) const {
@@ -195,6 +204,7 @@ private:
     SolidProjector projector_;
     PictureSampler& sampler_;
     const OcclusionTree* tree_;
+    OccluderGrid* occluders_;
     TilePainter tiles_;
     // Of the tile's texels that may be hidden.
     TexelRay rays_[kTileTexels];
@@ -229,13 +239,9 @@ private:
     PictureSampler& sampler_;
 };
 
-double period_of(const PerspectiveProjector&) { return 0.0; }
-double period_of(const CylindricalProjector& projector) { return projector.period; }
-double period_of(const UvProjector&) { return 0.0; }
-
 PictureSettings picture_settings(const DecalSettings& settings, const CurvedProjector& projector) {
-    const double period = std::visit([](const auto& p) { return period_of(p); }, projector);
-    return {settings.nearest, settings.repeat, settings.flip_x, settings.flip_y, period};
+    const auto* label = std::get_if<CylindricalProjector>(&projector);
+    return {settings.nearest, settings.repeat, settings.flip_x, settings.flip_y, label != nullptr ? label->period : 0.0};
 }
 
 void find_stamp_candidates(const LocalSpaceMap& map, const UvProjector& projector, const PictureMargin& margin,
@@ -260,35 +266,29 @@ TxcStatus read_curved_projector(const TxcLayerDef& def, CurvedProjector& out) {
     return UvProjector::from_def(def, out.emplace<UvProjector>());
 }
 
-void find_curved_candidates(const LocalSpaceMap& map, const CurvedProjector& projector, const PictureMargin& margin,
-                            std::vector<std::uint32_t>& out) {
+std::vector<std::uint32_t> find_curved_candidates(const LocalSpaceMap& map, const DecalSettings& settings,
+                                                  const CurvedProjector& projector, const ImagePyramid& image) {
+    std::vector<std::uint32_t> candidates;
+    const PictureMargin margin = settings.margin(image);
     if (const auto* stamp = std::get_if<UvProjector>(&projector)) {
-        find_stamp_candidates(map, *stamp, margin, out);
+        find_stamp_candidates(map, *stamp, margin, candidates);
     } else {
         const SolidProjector solid(projector);
         map.tree.find(
-            map, [&](const ModelBox& box) { return solid.may_touch(box, margin); }, out);
+            map, [&](const ModelBox& box) { return solid.may_touch(box, margin); }, candidates);
     }
+    return candidates;
 }
 
 TxcStatus project_curved_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                               const CurvedProjector& projector, const ImagePyramid& image, const OcclusionTree* tree,
-                               LayerTiles& out, std::uint32_t& out_texels) {
-    std::vector<std::uint32_t> candidates;
-    const PictureSampler sampler(image, picture_settings(settings, projector));
-    find_curved_candidates(map, projector, sampler.margin(), candidates);
-    return project_curved_tiles(map, mesh, settings, projector, image, tree, candidates, out, out_texels);
-}
-
-TxcStatus project_curved_tiles(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                               const CurvedProjector& projector, const ImagePyramid& image, const OcclusionTree* tree,
-                               const std::vector<std::uint32_t>& candidates, LayerTiles& out,
-                               std::uint32_t& out_texels) {
+                               const CurvedProjector& projector, const ImagePyramid& image,
+                               const std::vector<std::uint32_t>& candidates, const OcclusionTree* tree,
+                               OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels) {
     PictureSampler sampler(image, picture_settings(settings, projector));
     if (const auto* stamp = std::get_if<UvProjector>(&projector))
         return paint_tiles(map, candidates, StampPainter(map, *stamp, sampler), out, out_texels);
-    return paint_tiles(map, candidates, CurvedPainter(map, mesh, settings, projector, image, sampler, tree), out,
-                       out_texels);
+    return paint_tiles(map, candidates,
+                       CurvedPainter(map, mesh, settings, projector, image, sampler, tree, occluders), out, out_texels);
 }
 
 }  // namespace txc

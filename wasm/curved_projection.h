@@ -21,20 +21,16 @@ using CurvedProjector = std::variant<PerspectiveProjector, CylindricalProjector,
 /// From an ABI layer's fields, whose projector is not planar. BAD_ARGUMENT names the field.
 TxcStatus read_curved_projector(const TxcLayerDef& def, CurvedProjector& out);
 
-/// Places (in LocalSpaceMap::tiles) of the tiles that may take paint, ascending.
-void find_curved_candidates(const LocalSpaceMap& map, const CurvedProjector& projector, const PictureMargin& margin,
-                            std::vector<std::uint32_t>& out);
+/// Places (in LocalSpaceMap::tiles) of the tiles that the decal may colour, ascending. `settings` without its own projector.
+std::vector<std::uint32_t> find_curved_candidates(const LocalSpaceMap& map, const DecalSettings& settings,
+                                                  const CurvedProjector& projector, const ImagePyramid& image);
 
-/// Paints the decal into `out` (in place of what was there). `settings` without its own projector; `tree` null paints
-/// through. `out_texels`: how many texels took colour. Errors: OUT_OF_BUDGET; `out` is then empty.
+/// Paints the decal into `out` (in place of what was there), on some of its `candidates`. `tree` and `occluders` null paint through;
+/// where rays run side by side in a space there are occluders, and else the tree is asked. `out_texels`: how many texels took
+/// colour. Errors: OUT_OF_BUDGET; `out` is then empty.
 TxcStatus project_curved_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                               const CurvedProjector& projector, const ImagePyramid& image, const OcclusionTree* tree,
-                               LayerTiles& out, std::uint32_t& out_texels);
-
-/// The same over the given tiles alone, ascending.
-TxcStatus project_curved_tiles(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
-                               const CurvedProjector& projector, const ImagePyramid& image, const OcclusionTree* tree,
-                               const std::vector<std::uint32_t>& candidates, LayerTiles& out,
-                               std::uint32_t& out_texels);
+                               const CurvedProjector& projector, const ImagePyramid& image,
+                               const std::vector<std::uint32_t>& candidates, const OcclusionTree* tree,
+                               OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels);
 
 }  // namespace txc

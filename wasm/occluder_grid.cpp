@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 #if defined(__wasm_simd128__)
@@ -12,9 +13,7 @@
 namespace txc {
 namespace {
 
-// Texels whose centre lies a little outside the picture still take paint (their footprint reaches in). The grid covers
-// that much more on each side; texels further out ask the tree.
-constexpr double kHalfSide = 0.5625;
+constexpr double kHalfSide = RaySpace::kHalfSide;  // texels further out ask the tree
 constexpr std::uint32_t kMaxCells = 512;
 // Eight occluders to a cell, were each in one cell alone: larger triangles lie in several.
 constexpr double kCellsAnOccluder = 0.125;
@@ -161,10 +160,8 @@ bool is_in_volume(const Triangle& t) {
 }  // namespace
 
 TxcStatus OccluderGrid::build() {
-    ModelToDecal volume = projector_.to_decal;
-    volume.reach = glm::dvec3(kHalfSide, kHalfSide, 0.5);
     std::vector<std::uint32_t> near;
-    tree_.find(volume, near);
+    tree_.find(space_, near);
     const std::size_t word_count = mesh_.triangles.size() / 32 + 1;
     if (const TxcStatus status = share_.resize(
             near.size() * (sizeof(Occluder) + sizeof(Bounds16) + 4) + word_count * sizeof(PlaceWord), kBudgetName);
@@ -179,12 +176,14 @@ TxcStatus OccluderGrid::build() {
         PlaceWord& word = places_[w];
         word.first = static_cast<std::uint32_t>(occluders_.size());
         for (std::uint32_t left = word.listed; left != 0; left &= left - 1) {
+            const std::uint32_t triangle = w * 32 + static_cast<std::uint32_t>(__builtin_ctz(left));
             Occluder occluder;
-            if (flatten(w * 32 + __builtin_ctz(left), occluder) && is_in_volume(occluder)) {
+            if (flatten(triangle, occluder) && is_in_volume(occluder)) {
                 occluders_.push_back(occluder);
                 bounds.push_back(bounds_of(occluder));
             } else {
                 word.listed ^= left & -left;
+                if (reaches_behind_eye(triangle)) is_whole_ = false;
             }
         }
     }
@@ -214,16 +213,24 @@ std::uint32_t OccluderGrid::place_of(std::uint32_t triangle) const {
     return word.first + static_cast<std::uint32_t>(__builtin_popcount(word.listed & (bit - 1)));
 }
 
+glm::dvec3 OccluderGrid::corner_of(std::uint32_t triangle, int corner) const {
+    return space_.apply(glm::dvec3(mesh_.positions[mesh_.triangles[triangle].vertex[corner]]));
+}
+
+bool OccluderGrid::reaches_behind_eye(std::uint32_t triangle) const {
+    int behind = 0;
+    for (int c = 0; c < 3; ++c) behind += std::isinf(corner_of(triangle, c).x) ? 1 : 0;
+    return behind == 1 || behind == 2;
+}
+
 bool OccluderGrid::flatten(std::uint32_t triangle, Occluder& out) const {
-    glm::dvec3 corner[3];
-    for (int c = 0; c < 3; ++c)
-        corner[c] = projector_.to_decal.apply(glm::dvec3(mesh_.positions[mesh_.triangles[triangle].vertex[c]]));
+    const glm::dvec3 corner[3] = {corner_of(triangle, 0), corner_of(triangle, 1), corner_of(triangle, 2)};
     const glm::dvec3 low = glm::min(corner[0], glm::min(corner[1], corner[2]));
     const glm::dvec3 high = glm::max(corner[0], glm::max(corner[1], corner[2]));
     const glm::dvec3 ab = corner[1] - corner[0];
     const glm::dvec3 ac = corner[2] - corner[0];
     const double area = ab.x * ac.y - ab.y * ac.x;
-    if (area == 0.0) return false;  // seen edge-on: a ray passes it by
+    if (area == 0.0 || std::isinf(high.x)) return false;  // seen edge-on: a ray passes it by; or from behind the eye
     out.depth_dx = (ab.z * ac.y - ac.z * ab.y) / area;
     out.depth_dy = (ac.z * ab.x - ab.z * ac.x) / area;
     out.depth = corner[0].z - out.depth_dx * corner[0].x - out.depth_dy * corner[0].y;
@@ -300,27 +307,28 @@ bool OccluderGrid::lies_in_grid(const glm::dvec3& q) const {
     return std::fabs(q.x) <= kHalfSide && std::fabs(q.y) <= kHalfSide;
 }
 
-bool OccluderGrid::is_before(const Occluder& o, const glm::dvec3& q, double least) const {
+bool OccluderGrid::is_before(const Occluder& o, const glm::dvec3& q) const {
     const double depth = o.depth + o.depth_dx * q.x + o.depth_dy * q.y;
-    if (!(depth > least && depth <= 0.5)) return false;
+    if (!(depth > q.z && depth <= 0.5)) return false;
     for (int from = 0; from < 3; ++from) {
         if (!is_left_of_edge(o.x, o.y, from, q.x, q.y)) return false;
     }
-    return true;
+    return depth > q.z + space_.lift(q, tree_.least_distance());
 }
 
 bool OccluderGrid::is_blocked(const glm::dvec3& point, std::uint32_t own) const {
-    const glm::dvec3 q = projector_.to_decal.apply(point);
-    if (!lies_in_grid(q))
-        return tree_.is_blocked({point, projector_.towards_viewer, (0.5 - q.z) * projector_.depth, own});
-    const double least = least_depth(q);
+    const glm::dvec3 q = space_.apply(point);
+    if (!lies_in_grid(q)) {
+        const TexelRay ray = space_.ray_from(point, q, own);
+        return ray.length > 0.0 && tree_.is_blocked(ray);
+    }
     const Bounds16 at = {step_below(q.x), step_above(q.x), step_below(q.y), step_above(q.y), 0};
-    const std::uint16_t beyond = step_not_above(least);
+    const std::uint16_t beyond = step_not_above(q.z);
     const std::uint32_t cell = cell_of(at.low_y) * cells_ + cell_of(at.low_x);
     for (std::uint32_t block = cell_start_[cell]; block < cell_start_[cell + 1]; ++block) {
         for (std::uint32_t left = meeting(blocks_[block], at, beyond); left != 0; left &= left - 1) {
             const Occluder& o = occluders_[blocks_[block].place[__builtin_ctz(left)]];
-            if (o.nearest > least && o.triangle != own && is_before(o, q, least)) return true;
+            if (o.triangle != own && is_before(o, q)) return true;
         }
     }
     return false;
@@ -328,11 +336,10 @@ bool OccluderGrid::is_blocked(const glm::dvec3& point, std::uint32_t own) const 
 
 bool OccluderGrid::is_blocked_by(std::vector<std::uint32_t>& blockers, const glm::dvec3& point,
                                  std::uint32_t own) const {
-    const glm::dvec3 q = projector_.to_decal.apply(point);
+    const glm::dvec3 q = space_.apply(point);
     if (!lies_in_grid(q)) return is_blocked(point, own);
-    const double least = least_depth(q);
     for (std::uint32_t& place : blockers) {
-        if (!is_before(occluders_[place], q, least)) continue;
+        if (!is_before(occluders_[place], q)) continue;
         std::swap(place, blockers.front());
         return true;
     }
@@ -348,7 +355,12 @@ bool OccluderGrid::find_blockers(std::uint32_t own, std::vector<std::uint32_t>& 
     } else if (!flatten(own, triangle)) {
         return false;
     }
-    const double margin = tree_.least_distance() / projector_.depth;
+    // Of the corner that is lifted least, from as far as any.
+    double margin = std::numeric_limits<double>::infinity();
+    for (int c = 0; c < 3; ++c) {
+        const glm::dvec3 corner(triangle.x[c], triangle.y[c], triangle.farthest);
+        margin = std::min(margin, space_.lift(corner, tree_.least_distance()));
+    }
     const double least = triangle.farthest + margin;
     const EdgePairs edges(triangle);
     const Bounds16 bounds = bounds_of(triangle);

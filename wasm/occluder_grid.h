@@ -1,6 +1,6 @@
-// Test 4 of spec section 4 for one planar decal. All its rays run along the box's Z axis, so "does the ray meet a
-// triangle" is "does a triangle, seen from the viewer, cover this point nearer to the viewer": triangles near the box are
-// flattened into the decal's XY plane and sorted into a grid of cells, and a texel looks at its own cell alone.
+// Test 4 of spec section 4 for one planar or perspective decal. In its ray space all rays run along the Z axis, so "does the ray meet
+// a triangle" is "does a triangle, seen from the viewer, cover this point nearer to the viewer": triangles near the volume are
+// flattened into that space's XY plane and sorted into a grid of cells, and a texel looks at its own cell alone.
 //
 // Most texels need not look at all: two triangles that do not overlap in that plane cannot hide each other, so each
 // triangle is asked once which others may stand before it, and on a surface without folds the answer is "none".
@@ -24,24 +24,24 @@
 #include <cstdint>
 #include <vector>
 
-#include "occlusion.h"
-#include "projector.h"
+#include "ray_space.h"
 
 namespace txc {
 
 class OccluderGrid {
 public:
-    OccluderGrid(const Mesh& mesh, const OcclusionTree& tree, const PlanarProjector& projector, MemoryBudget& budget)
-        : mesh_(mesh), tree_(tree), projector_(projector), share_(budget) {}
+    OccluderGrid(const Mesh& mesh, const OcclusionTree& tree, const RaySpace& space, MemoryBudget& budget)
+        : mesh_(mesh), tree_(tree), space_(space), share_(budget) {}
 
     /// Gathers the triangles near the decal's volume. Errors: OUT_OF_BUDGET.
     TxcStatus build();
 
     /// Whether it is for decals in this place. What they cast, and onto which material, is nothing to it.
-    bool is_of(const PlanarProjector& projector) const {
-        return projector_.to_decal.matrix == projector.to_decal.matrix &&
-               projector_.to_decal.offset == projector.to_decal.offset;
-    }
+    bool is_of(const RaySpace& space) const { return space_.is_same(space); }
+
+    /// False where the volume has a triangle that reaches behind the eye, and so has no place in the ray space: the tree's rays
+    /// must be asked then.
+    bool is_whole() const { return is_whole_; }
 
     /// True where a triangle other than `own` stands between the point (model space) and the front of the volume.
     bool is_blocked(const glm::dvec3& point, std::uint32_t own) const;
@@ -55,7 +55,7 @@ public:
     bool is_blocked_by(std::vector<std::uint32_t>& blockers, const glm::dvec3& point, std::uint32_t own) const;
 
 private:
-    /// A triangle in decal space: corners in the plane, and its depth there as an affine function.
+    /// A triangle in ray space: corners in the plane, and its depth there as an affine function.
     struct Occluder {
         double x[4];  // the fourth is the first again
         double y[4];
@@ -86,11 +86,12 @@ private:
     static std::uint32_t meeting(const Block& block, const Bounds16& bounds, std::uint16_t beyond);
     /// Which of a block's occluders have their low corner in neither an earlier column nor an earlier row than these.
     static std::uint32_t beginning(const Block& block, std::uint16_t column, std::uint16_t row);
+    glm::dvec3 corner_of(std::uint32_t triangle, int corner) const;
+    bool reaches_behind_eye(std::uint32_t triangle) const;
     bool flatten(std::uint32_t triangle, Occluder& out) const;
     std::uint32_t place_of(std::uint32_t triangle) const;
-    bool is_before(const Occluder& occluder, const glm::dvec3& q, double least) const;
+    bool is_before(const Occluder& occluder, const glm::dvec3& q) const;
     bool lies_in_grid(const glm::dvec3& q) const;
-    double least_depth(const glm::dvec3& q) const { return q.z + tree_.least_distance() / projector_.depth; }
     std::uint32_t cell_of(std::uint16_t coordinate) const { return coordinate * cells_ >> 16; }
     /// The least coordinate in a column or row of cells.
     std::uint16_t first_step_of(std::uint32_t cell) const {
@@ -100,7 +101,8 @@ private:
 
     const Mesh& mesh_;
     const OcclusionTree& tree_;
-    const PlanarProjector projector_;
+    const RaySpace space_;
+    bool is_whole_ = true;
     std::uint32_t cells_ = 1;  // along one side
     std::vector<Occluder> occluders_;
     std::vector<std::uint32_t> cell_start_;  // first block; cells_ * cells_ + 1

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <limits>
 
+#include "ray_space.h"
+
 namespace txc {
 namespace {
 
@@ -276,8 +278,8 @@ void OcclusionTree::clear_blocked(const TexelRay* begin, const TexelRay* end) co
     }
 }
 
-void OcclusionTree::find(const ModelToDecal& volume, std::vector<std::uint32_t>& out) const {
-    gather(out, [&](const Node& node) { return volume.may_touch({node.min, node.max}); });
+void OcclusionTree::find(const RaySpace& space, std::vector<std::uint32_t>& out) const {
+    gather(out, [&](const Node& node) { return space.may_touch({node.min, node.max}); });
 }
 
 glm::dvec3 nearest_point_on_triangle(const Mesh& mesh, std::uint32_t triangle, const glm::dvec3& point) {

@@ -13,6 +13,8 @@
 
 namespace txc {
 
+class RaySpace;
+
 /// A texel's way towards its projector, metres.
 struct TexelRay {
     glm::dvec3 origin;
@@ -37,8 +39,8 @@ public:
     /// the time that a walk through the tree for each ray took, one over a torus of 20,000 half and of 200,000 0.78.)
     void clear_blocked(const TexelRay* begin, const TexelRay* end) const;
 
-    /// Triangles whose boxes may touch the volume, in no order that matters.
-    void find(const ModelToDecal& volume, std::vector<std::uint32_t>& out) const;
+    /// Triangles whose boxes may touch what the space holds, in no order that matters.
+    void find(const RaySpace& space, std::vector<std::uint32_t>& out) const;
 
     /// Hits nearer than this do not count, metres.
     double least_distance() const { return least_distance_; }

@@ -21,24 +21,34 @@ TxcStatus PictureCast::read_projector(const TxcLayerDef& def) {
     return PlanarProjector::from_def(def, settings.projector);
 }
 
+std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const PictureCast& cast,
+                                           const ImagePyramid& image) {
+    return cast.projector == TXC_PROJECTOR_PLANAR ? find_candidates(map, cast.settings, image)
+                                                  : find_curved_candidates(map, cast.settings, cast.curved, image);
+}
+
 TxcStatus cast_picture(const CastScene& scene, const PictureCast& cast, const ImagePyramid& image, LayerTiles& out,
                        std::uint32_t& out_texels) {
     const OcclusionTree* tree = cast.asks_for_occluders() ? scene.tree : nullptr;
-    if (cast.projector != TXC_PROJECTOR_PLANAR) {
-        return project_curved_decal(scene.map, scene.mesh, cast.settings, cast.curved, image, tree, out, out_texels);
-    }
-    const std::vector<std::uint32_t> candidates = find_candidates(scene.map, cast.settings, image);
-    if (tree == nullptr || candidates.empty())
-        return project_decal(scene.map, scene.mesh, cast.settings, image, candidates, nullptr, out, out_texels);
+    const std::vector<std::uint32_t> candidates = find_candidates(scene.map, cast, image);
+    const auto project = [&](OccluderGrid* occluders) {
+        if (cast.projector == TXC_PROJECTOR_PLANAR)
+            return project_decal(scene.map, scene.mesh, cast.settings, image, candidates, occluders, out, out_texels);
+        return project_curved_decal(scene.map, scene.mesh, cast.settings, cast.curved, image, candidates, tree,
+                                    occluders, out, out_texels);
+    };
+    if (tree == nullptr || candidates.empty() || cast.projector == TXC_PROJECTOR_CYLINDRICAL) return project(nullptr);
+    const RaySpace space = cast.projector == TXC_PROJECTOR_PLANAR
+                               ? RaySpace(cast.settings.projector)
+                               : RaySpace(std::get<PerspectiveProjector>(cast.curved), scene.mesh.bounds);
     // Not the scene's while they are in use: where memory runs short, that is given up.
     std::unique_ptr<OccluderGrid> occluders = std::move(scene.occluders);
-    if (occluders == nullptr || !occluders->is_of(cast.settings.projector)) {
+    if (occluders == nullptr || !occluders->is_of(space)) {
         occluders.reset();
-        occluders = std::make_unique<OccluderGrid>(scene.mesh, *tree, cast.settings.projector, scene.budget);
+        occluders = std::make_unique<OccluderGrid>(scene.mesh, *tree, space, scene.budget);
         if (const TxcStatus status = occluders->build(); status != TXC_STATUS_OK) return status;
     }
-    const TxcStatus status =
-        project_decal(scene.map, scene.mesh, cast.settings, image, candidates, occluders.get(), out, out_texels);
+    const TxcStatus status = project(occluders->is_whole() ? occluders.get() : nullptr);
     scene.occluders = std::move(occluders);
     return status;
 }

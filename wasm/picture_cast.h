@@ -24,13 +24,17 @@ struct PictureCast {
     bool asks_for_occluders() const { return occludes && projector != TXC_PROJECTOR_UV; }
 };
 
+/// The map's tiles that the picture may colour.
+std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const PictureCast& cast,
+                                           const ImagePyramid& image);
+
 /// What pictures are cast at.
 struct CastScene {
     const LocalSpaceMap& map;
     const Mesh& mesh;
     const OcclusionTree* tree;  // of `mesh`; null where no cast asks for occluders
     MemoryBudget& budget;
-    /// Of the newest planar cast that asked, null for none: a decal over several materials is cast at the map of each.
+    /// Of the newest planar or perspective cast that asked, null for none: a decal over several materials is cast at the map of each.
     std::unique_ptr<OccluderGrid>& occluders;
 };
 

@@ -35,11 +35,6 @@ PictureSampler::PictureSampler(const ImagePyramid& image, const PictureSettings&
       longest_(kLongestSide * std::max(width_, height_)),
       fade_(settings.repeat ? 0.0f : 0.5f) {}
 
-PictureMargin PictureSampler::margin() const {
-    if (settings_.nearest || settings_.repeat) return {};
-    return {0.5 / static_cast<double>(width_), 0.5 / static_cast<double>(height_)};
-}
-
 Float4 PictureSampler::in_pixels(double x, double y, double origin) const {
     return Float4{static_cast<float>(x * scale_x_ + origin * static_cast<double>(width_)),
                   static_cast<float>(y * scale_y_ + origin * static_cast<double>(height_)), 0.0f, 0.0f};

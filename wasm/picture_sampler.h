@@ -34,9 +34,6 @@ public:
     /// Whether the picture has another one beside it.
     bool comes_round() const { return period_ > 0.0f; }
 
-    /// What the broad phase must allow for.
-    PictureMargin margin() const;
-
 private:
     bool meets(float x) const { return x >= -margin_x_ && x <= width_ + margin_x_; }
     Float4 sample_ring() const;

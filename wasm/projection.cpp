@@ -109,9 +109,25 @@ public:
         return paint_as_one(tile, false, texels);
     }
 
+    /// Whether nothing hides any texel of a tile.
+    bool is_clear(const MapTile& tile) {
+        if (occluders_ == nullptr) return true;
+        bool clear = true;
+        map_.for_each_run_of(tile, [&](const TexelRun& run) {
+            clear =
+                clear && (known_clear_[run.frame] != 0 || hiding_of(decal_frame(run.frame, nullptr)) == Hiding::kNone);
+        });
+        return clear;
+    }
+
+    bool is_hidden(const TexelRun& run, std::int32_t x, std::int32_t y) {
+        return known_clear_[run.frame] == 0 &&
+               is_hidden(run, decal_frame(run.frame, nullptr), map_.frames[run.frame], x, y);
+    }
+
 private:
-    /// Paints a tile whose texels are all alike to the decal. `may_weigh`: where some are too deep or turned too far, they are told
-    /// from the others by their frames.
+    /// Paints a tile whose texels are all alike to the decal. `may_weigh`: a planar decal's, where those that are too deep or turned too
+    /// far are told from the others by their frames, and what hides any is asked first.
     TileFate paint_as_one(const MapTile& tile, bool may_weigh, std::uint16_t* texels) {
         const std::uint32_t place = map_.tile_of[tile.index];
         const TilePatch& patch = map_.patches->find(map_, place);
@@ -157,7 +173,7 @@ private:
         const PatchView view = view_of(patch, level, footprint, middle, reach);
         if (is_clear_around(level, footprint, view)) return TileFate::kMissed;
         // Not before: where the picture is transparent, nothing need be asked. (Of 200,000 triangles a drag takes 0.95 of the time.)
-        if (!is_clear(tile)) return TileFate::kNot;
+        if (may_weigh && !is_clear(tile)) return TileFate::kNot;
         const TileCoverage painted = !may_weigh || (is_deep && is_facing) ? patch.there : weigh_texels(tile);
         if (painted.is_empty()) return TileFate::kMissed;
         const PatchTexels& places = map_.patches->texels(map_, place);
@@ -271,17 +287,6 @@ private:
         view.last_column = pixels[2];
         view.last_row = pixels[3];
         return view;
-    }
-
-    /// Whether nothing hides any texel of a tile.
-    bool is_clear(const MapTile& tile) {
-        if (occluders_ == nullptr) return true;
-        bool clear = true;
-        map_.for_each_run_of(tile, [&](const TexelRun& run) {
-            clear =
-                clear && (known_clear_[run.frame] != 0 || hiding_of(decal_frame(run.frame, nullptr)) == Hiding::kNone);
-        });
-        return clear;
     }
 
     /// Half the extents of what a box with such half extents becomes.
@@ -513,16 +518,20 @@ TileFate TilePainter::paint(const MapTile& tile, const TileView& view, std::uint
     return painter_->paint_through(view, tile, texels);
 }
 
+bool TilePainter::is_clear(const MapTile& tile) { return painter_->is_clear(tile); }
+
+bool TilePainter::is_hidden(const TexelRun& run, std::int32_t x, std::int32_t y) {
+    return painter_->is_hidden(run, x, y);
+}
+
 bool TilePainter::paint_tile(const MapTile& tile, std::uint16_t* texels) { return painter_->paint_tile(tile, texels); }
 
 std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const DecalSettings& settings,
                                            const ImagePyramid& image) {
     std::vector<std::uint32_t> candidates;
     ModelToDecal to_decal = settings.projector.to_decal;
-    if (!settings.nearest && !settings.repeat) {
-        to_decal.reach.x += 0.5 / image.levels[0].width;
-        to_decal.reach.y += 0.5 / image.levels[0].height;
-    }
+    const PictureMargin margin = settings.margin(image);
+    to_decal.reach += glm::dvec3(margin.x, margin.y, 0.0);
     map.tree.find(map, to_decal, candidates);
     return candidates;
 }

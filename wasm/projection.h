@@ -23,6 +23,12 @@ struct DecalSettings {
     float fade_start_cosine = 0.0f;  // weight 1 from here up
     float fade_end_cosine = 0.0f;    // weight 0 from here down
 
+    /// How far beyond its rectangle the picture still paints.
+    PictureMargin margin(const ImagePyramid& image) const {
+        if (nearest || repeat) return {};
+        return {0.5 / image.levels[0].width, 0.5 / image.levels[0].height};
+    }
+
     /// Whether the angle decides otherwise than between front and back.
     bool fades() const { return fade_start_cosine > 0.0f; }
 
@@ -76,6 +82,10 @@ public:
     bool paint_tile(const MapTile& tile, std::uint16_t* texels);
     /// Asks for no depth, and for nothing that hides texels.
     TileFate paint(const MapTile& tile, const TileView& view, std::uint16_t* texels);
+    /// Whether nothing hides any texel of a tile. With occluders, and of whichever decal they are.
+    bool is_clear(const MapTile& tile);
+    /// Test 4, likewise.
+    bool is_hidden(const TexelRun& run, std::int32_t x, std::int32_t y);
 
 private:
     struct Painter;

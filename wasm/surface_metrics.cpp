@@ -123,21 +123,8 @@ bool pixel_metric(const ImagePyramid& image, const PictureSight& sight, const Te
 /// Places (in LocalSpaceMap::tiles) of the tiles that a layer may paint, or whose texels its picture is cast at.
 std::vector<std::uint32_t> tiles_of(const MeasuredLayer& measured) {
     const LocalSpaceMap& map = measured.map;
+    if (measured.image != nullptr) return find_candidates(map, measured.layer.cast, *measured.image);
     std::vector<std::uint32_t> places;
-    if (measured.image != nullptr) {
-        const PictureCast& cast = measured.layer.cast;
-        const PyramidLevel& picture = measured.image->levels[0];
-        const PictureMargin margin{0.5 / picture.width, 0.5 / picture.height};
-        if (cast.projector != TXC_PROJECTOR_PLANAR) {
-            find_curved_candidates(map, cast.curved, margin, places);
-        } else {
-            ModelToDecal to_decal = cast.settings.projector.to_decal;
-            to_decal.reach.x += margin.x;
-            to_decal.reach.y += margin.y;
-            map.tree.find(map, to_decal, places);
-        }
-        return places;
-    }
     for (std::uint32_t place = 0; place < map.tiles.size(); ++place) {
         if (measured.layer.is_everywhere() || measured.layer.tiles.find(map.tiles[place].index) != nullptr)
             places.push_back(place);

@@ -32,8 +32,13 @@ void TileTree::build(const LocalSpaceMap& map) {
     }
 }
 
-template <typename MayTouch>
-void TileTree::collect(const LocalSpaceMap& map, const MayTouch& may_touch, std::vector<std::uint32_t>& out) const {
+void TileTree::find(const LocalSpaceMap& map, const ModelToDecal& to_decal, std::vector<std::uint32_t>& out) const {
+    find(
+        map, [&](const ModelBox& box) { return to_decal.may_touch(box); }, out);
+}
+
+void TileTree::find(const LocalSpaceMap& map, const std::function<bool(const ModelBox&)>& may_touch,
+                    std::vector<std::uint32_t>& out) const {
     out.clear();
     const std::uint32_t columns = map.tile_columns();
     const std::uint32_t rows = map.tile_rows();
@@ -53,16 +58,6 @@ void TileTree::collect(const LocalSpaceMap& map, const MayTouch& may_touch, std:
             }
         }
     }
-}
-
-void TileTree::find(const LocalSpaceMap& map, const ModelToDecal& to_decal, std::vector<std::uint32_t>& out) const {
-    collect(
-        map, [&](const ModelBox& box) { return to_decal.may_touch(box); }, out);
-}
-
-void TileTree::find(const LocalSpaceMap& map, const std::function<bool(const ModelBox&)>& may_touch,
-                    std::vector<std::uint32_t>& out) const {
-    collect(map, may_touch, out);
 }
 
 }  // namespace txc

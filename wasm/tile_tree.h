@@ -46,9 +46,6 @@ public:
     std::uint64_t byte_count() const { return groups_.size() * sizeof(Group); }
 
 private:
-    template <typename MayTouch>
-    void collect(const LocalSpaceMap& map, const MayTouch& may_touch, std::vector<std::uint32_t>& out) const;
-
     struct Group {
         ModelBox box;
         bool empty = true;

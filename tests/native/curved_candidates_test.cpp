@@ -45,15 +45,15 @@ public:
         txc::LayerTiles by_search(budget_);
         std::uint32_t texels_of_all = 0;
         std::uint32_t texels_of_search = 0;
-        must(project_curved_tiles(*map_, mesh_, settings, projector, image_, nullptr, all, by_all, texels_of_all));
-        must(project_curved_decal(*map_, mesh_, settings, projector, image_, nullptr, by_search, texels_of_search));
+        const std::vector<std::uint32_t> found = find_curved_candidates(*map_, settings, projector, image_);
+        const auto project = [&](const std::vector<std::uint32_t>& places, txc::LayerTiles& out, std::uint32_t& texels) {
+            must(project_curved_decal(*map_, mesh_, settings, projector, image_, places, nullptr, nullptr, out, texels));
+        };
+        project(all, by_all, texels_of_all);
+        project(found, by_search, texels_of_search);
         CHECK(texels_of_all == texels_of_search);
         CHECK_UNARY(by_all.indices == by_search.indices);
         CHECK_UNARY(by_all.texels == by_search.texels);
-        txc::PictureMargin margin;
-        if (!settings.nearest && !settings.repeat) margin = {0.5 / 3, 0.5 / 2};
-        std::vector<std::uint32_t> found{1, 2, 3};
-        find_curved_candidates(*map_, projector, margin, found);
         CHECK_UNARY(std::is_sorted(found.begin(), found.end()));
         CHECK_UNARY(std::adjacent_find(found.begin(), found.end()) == found.end());
         return {static_cast<std::uint32_t>(found.size()), static_cast<std::uint32_t>(by_all.indices.size())};
