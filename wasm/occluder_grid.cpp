@@ -178,12 +178,13 @@ TxcStatus OccluderGrid::build() {
         for (std::uint32_t left = word.listed; left != 0; left &= left - 1) {
             const std::uint32_t triangle = w * 32 + static_cast<std::uint32_t>(__builtin_ctz(left));
             Occluder occluder;
-            if (flatten(triangle, occluder) && is_in_volume(occluder)) {
+            const bool is_flat = flatten(triangle, occluder);
+            if (is_flat && is_in_volume(occluder)) {
                 occluders_.push_back(occluder);
                 bounds.push_back(bounds_of(occluder));
             } else {
                 word.listed ^= left & -left;
-                if (reaches_behind_eye(triangle)) is_whole_ = false;
+                if (!is_flat && reaches_behind_eye(triangle)) is_whole_ = false;
             }
         }
     }
@@ -213,18 +214,23 @@ std::uint32_t OccluderGrid::place_of(std::uint32_t triangle) const {
     return word.first + static_cast<std::uint32_t>(__builtin_popcount(word.listed & (bit - 1)));
 }
 
-glm::dvec3 OccluderGrid::corner_of(std::uint32_t triangle, int corner) const {
-    return space_.apply(glm::dvec3(mesh_.positions[mesh_.triangles[triangle].vertex[corner]]));
+void OccluderGrid::find_corners(std::uint32_t triangle, glm::dvec3 (&out)[3]) const {
+    glm::dvec3 points[3];
+    for (int c = 0; c < 3; ++c) points[c] = glm::dvec3(mesh_.positions[mesh_.triangles[triangle].vertex[c]]);
+    space_.apply(points, out);
 }
 
 bool OccluderGrid::reaches_behind_eye(std::uint32_t triangle) const {
+    glm::dvec3 corner[3];
+    find_corners(triangle, corner);
     int behind = 0;
-    for (int c = 0; c < 3; ++c) behind += std::isinf(corner_of(triangle, c).x) ? 1 : 0;
+    for (const glm::dvec3& c : corner) behind += std::isinf(c.x) ? 1 : 0;
     return behind == 1 || behind == 2;
 }
 
 bool OccluderGrid::flatten(std::uint32_t triangle, Occluder& out) const {
-    const glm::dvec3 corner[3] = {corner_of(triangle, 0), corner_of(triangle, 1), corner_of(triangle, 2)};
+    glm::dvec3 corner[3];
+    find_corners(triangle, corner);
     const glm::dvec3 low = glm::min(corner[0], glm::min(corner[1], corner[2]));
     const glm::dvec3 high = glm::max(corner[0], glm::max(corner[1], corner[2]));
     const glm::dvec3 ab = corner[1] - corner[0];
@@ -307,13 +313,19 @@ bool OccluderGrid::lies_in_grid(const glm::dvec3& q) const {
     return std::fabs(q.x) <= kHalfSide && std::fabs(q.y) <= kHalfSide;
 }
 
-bool OccluderGrid::is_before(const Occluder& o, const glm::dvec3& q) const {
+bool OccluderGrid::is_before(const Occluder& o, const glm::dvec3& q, double least) const {
     const double depth = o.depth + o.depth_dx * q.x + o.depth_dy * q.y;
-    if (!(depth > q.z && depth <= 0.5)) return false;
+    if (!(depth > least && depth <= 0.5)) return false;
     for (int from = 0; from < 3; ++from) {
         if (!is_left_of_edge(o.x, o.y, from, q.x, q.y)) return false;
     }
-    return depth > q.z + space_.lift(q, tree_.least_distance());
+    return true;
+}
+
+bool OccluderGrid::hides(const Occluder& o, const glm::dvec3& q, double least) const {
+    if (!is_before(o, q, least)) return false;
+    if (!space_.has_eye()) return true;
+    return o.depth + o.depth_dx * q.x + o.depth_dy * q.y > q.z + space_.lift(q, tree_.least_distance());
 }
 
 bool OccluderGrid::is_blocked(const glm::dvec3& point, std::uint32_t own) const {
@@ -322,13 +334,14 @@ bool OccluderGrid::is_blocked(const glm::dvec3& point, std::uint32_t own) const 
         const TexelRay ray = space_.ray_from(point, q, own);
         return ray.length > 0.0 && tree_.is_blocked(ray);
     }
+    const double least = least_depth(q);
     const Bounds16 at = {step_below(q.x), step_above(q.x), step_below(q.y), step_above(q.y), 0};
-    const std::uint16_t beyond = step_not_above(q.z);
+    const std::uint16_t beyond = step_not_above(least);
     const std::uint32_t cell = cell_of(at.low_y) * cells_ + cell_of(at.low_x);
     for (std::uint32_t block = cell_start_[cell]; block < cell_start_[cell + 1]; ++block) {
         for (std::uint32_t left = meeting(blocks_[block], at, beyond); left != 0; left &= left - 1) {
             const Occluder& o = occluders_[blocks_[block].place[__builtin_ctz(left)]];
-            if (o.triangle != own && is_before(o, q)) return true;
+            if (o.nearest > least && o.triangle != own && hides(o, q, least)) return true;
         }
     }
     return false;
@@ -338,8 +351,9 @@ bool OccluderGrid::is_blocked_by(std::vector<std::uint32_t>& blockers, const glm
                                  std::uint32_t own) const {
     const glm::dvec3 q = space_.apply(point);
     if (!lies_in_grid(q)) return is_blocked(point, own);
+    const double least = least_depth(q);
     for (std::uint32_t& place : blockers) {
-        if (!is_before(occluders_[place], q)) continue;
+        if (!hides(occluders_[place], q, least)) continue;
         std::swap(place, blockers.front());
         return true;
     }
@@ -355,12 +369,7 @@ bool OccluderGrid::find_blockers(std::uint32_t own, std::vector<std::uint32_t>& 
     } else if (!flatten(own, triangle)) {
         return false;
     }
-    // Of the corner that is lifted least, from as far as any.
-    double margin = std::numeric_limits<double>::infinity();
-    for (int c = 0; c < 3; ++c) {
-        const glm::dvec3 corner(triangle.x[c], triangle.y[c], triangle.farthest);
-        margin = std::min(margin, space_.lift(corner, tree_.least_distance()));
-    }
+    const double margin = space_.least_lift(triangle.x, triangle.y, triangle.farthest, tree_.least_distance());
     const double least = triangle.farthest + margin;
     const EdgePairs edges(triangle);
     const Bounds16 bounds = bounds_of(triangle);

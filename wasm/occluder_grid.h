@@ -86,12 +86,17 @@ private:
     static std::uint32_t meeting(const Block& block, const Bounds16& bounds, std::uint16_t beyond);
     /// Which of a block's occluders have their low corner in neither an earlier column nor an earlier row than these.
     static std::uint32_t beginning(const Block& block, std::uint16_t column, std::uint16_t row);
-    glm::dvec3 corner_of(std::uint32_t triangle, int corner) const;
+    void find_corners(std::uint32_t triangle, glm::dvec3 (&out)[3]) const;
     bool reaches_behind_eye(std::uint32_t triangle) const;
     bool flatten(std::uint32_t triangle, Occluder& out) const;
     std::uint32_t place_of(std::uint32_t triangle) const;
-    bool is_before(const Occluder& occluder, const glm::dvec3& q) const;
+    bool is_before(const Occluder& occluder, const glm::dvec3& q, double least) const;
+    bool hides(const Occluder& occluder, const glm::dvec3& q, double least) const;
     bool lies_in_grid(const glm::dvec3& q) const;
+    /// What an occluder must come nearer than to hide q. Before an eye the least for that, since how much more it is takes time.
+    double least_depth(const glm::dvec3& q) const {
+        return space_.has_eye() ? q.z : q.z + space_.lift(q, tree_.least_distance());
+    }
     std::uint32_t cell_of(std::uint16_t coordinate) const { return coordinate * cells_ >> 16; }
     /// The least coordinate in a column or row of cells.
     std::uint16_t first_step_of(std::uint32_t cell) const {

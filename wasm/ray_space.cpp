@@ -42,16 +42,12 @@ bool RaySpace::is_same(const RaySpace& other) const {
            eye_.near_distance == other.eye_.near_distance && eye_.far_distance == other.eye_.far_distance;
 }
 
-double RaySpace::distance_of(const glm::dvec3& point) const {
-    return glm::dot(eye_.pose.position - point, eye_.pose.towards);
-}
-
-glm::dvec3 RaySpace::apply(const glm::dvec3& point) const {
-    const glm::dvec3 q = to_space_.apply(point);
-    if (!has_eye()) return q;
-    const double distance = distance_of(point);
-    if (!(distance > eye_.near_distance * kInTheEye)) return glm::dvec3(std::numeric_limits<double>::infinity());
-    return q / distance;
+void RaySpace::divide(const glm::dvec3* points, glm::dvec3* out, int count) const {
+    for (int i = 0; i < count; ++i) {
+        const double distance = glm::dot(eye_.pose.position - points[i], eye_.pose.towards);
+        const bool is_seen = distance > eye_.near_distance * kInTheEye;
+        out[i] = is_seen ? out[i] / distance : glm::dvec3(std::numeric_limits<double>::infinity());
+    }
 }
 
 bool RaySpace::may_touch(const ModelBox& box) const {
@@ -59,14 +55,19 @@ bool RaySpace::may_touch(const ModelBox& box) const {
     return has_eye() ? eye_.may_touch(box, {kBeyond, kBeyond}) : to_space_.may_touch(box);
 }
 
-double RaySpace::lift(const glm::dvec3& q, double distance) const {
-    if (!has_eye()) return distance / depth_;
-    const double nearness = (q.z - shift_) / scale_;
-    const double x = q.x / eye_.scale_x;
-    const double y = q.y / eye_.scale_y;
+double RaySpace::lift_to_eye(double x, double y, double z, double distance) const {
+    const double nearness = (z - shift_) / scale_;
+    x /= eye_.scale_x;
+    y /= eye_.scale_y;
     const double share = distance * nearness / std::sqrt(1.0 + x * x + y * y);  // of the way to the eye
     if (!(share < 1.0)) return std::numeric_limits<double>::infinity();
     return scale_ * nearness * (share / (1.0 - share));
+}
+
+double RaySpace::least_lift_to_eye(const double (&x)[4], const double (&y)[4], double z, double distance) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int c = 0; c < 3; ++c) least = std::min(least, lift_to_eye(x[c], y[c], z, distance));
+    return least;
 }
 
 TexelRay RaySpace::ray_from(const glm::dvec3& point, const glm::dvec3& q, std::uint32_t own) const {
