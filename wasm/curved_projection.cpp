@@ -46,7 +46,7 @@ private:
     const CylindricalProjector* cylindrical_;
 };
 
-class CurvedPainter {
+class CurvedPainter final : public LayerPainter {
 public:
     CurvedPainter(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
                   const CurvedProjector& projector, const ImagePyramid& image, PictureSampler& sampler,
@@ -61,7 +61,7 @@ public:
           tiles_(map, mesh, settings, image, occluders) {}
 
     /// Paints one tile's texels into `texels`. False where it has none to paint.
-    bool paint_tile(const MapTile& tile, std::uint16_t* texels) {
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels) override {
         ray_count_ = 0;
         TileView view;
         TileFate fate = TileFate::kNot;
@@ -212,12 +212,12 @@ private:
 };
 
 /// Paints the flat stamp: every texel that there is, whatever lies under it.
-class StampPainter {
+class StampPainter final : public LayerPainter {
 public:
     StampPainter(const LocalSpaceMap& map, const UvProjector& projector, PictureSampler& sampler)
         : map_(map), projector_(projector), sampler_(sampler) {}
 
-    bool paint_tile(const MapTile& tile, std::uint16_t* texels) {
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels) override {
         clear_tile(texels);
         const std::uint32_t tile_x = tile.index % map_.tile_columns() * kTileSize;
         const std::uint32_t tile_y = tile.index / map_.tile_columns() * kTileSize;
@@ -241,7 +241,8 @@ private:
 
 PictureSettings picture_settings(const DecalSettings& settings, const CurvedProjector& projector) {
     const auto* label = std::get_if<CylindricalProjector>(&projector);
-    return {settings.nearest, settings.repeat, settings.flip_x, settings.flip_y, label != nullptr ? label->period : 0.0};
+    return {settings.nearest, settings.repeat, settings.flip_x, settings.flip_y,
+            label != nullptr ? label->period : 0.0};
 }
 
 void find_stamp_candidates(const LocalSpaceMap& map, const UvProjector& projector, const PictureMargin& margin,
@@ -285,10 +286,12 @@ TxcStatus project_curved_decal(const LocalSpaceMap& map, const Mesh& mesh, const
                                const std::vector<std::uint32_t>& candidates, const OcclusionTree* tree,
                                OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels) {
     PictureSampler sampler(image, picture_settings(settings, projector));
-    if (const auto* stamp = std::get_if<UvProjector>(&projector))
-        return paint_tiles(map, candidates, StampPainter(map, *stamp, sampler), out, out_texels);
-    return paint_tiles(map, candidates,
-                       CurvedPainter(map, mesh, settings, projector, image, sampler, tree, occluders), out, out_texels);
+    if (const auto* stamp = std::get_if<UvProjector>(&projector)) {
+        StampPainter painter(map, *stamp, sampler);
+        return paint_tiles(map, candidates, painter, out, out_texels);
+    }
+    CurvedPainter painter(map, mesh, settings, projector, image, sampler, tree, occluders);
+    return paint_tiles(map, candidates, painter, out, out_texels);
 }
 
 }  // namespace txc

@@ -85,7 +85,7 @@ private:
 };
 
 /// Paints the runs of one tile after the other.
-class FillPainter {
+class FillPainter final : public LayerPainter {
 public:
     FillPainter(const LocalSpaceMap& map, const FillShape& shape, const TxcLayerDef& def,
                 const std::vector<std::uint8_t>& chosen)
@@ -103,7 +103,7 @@ public:
         return any;
     }
 
-    bool paint_tile(const MapTile& tile, std::uint16_t* texels) const {
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels) override {
         clear_tile(texels);
         const auto tile_x = static_cast<std::int32_t>(tile.index % map_.tile_columns() * kTileSize);
         const auto tile_y = static_cast<std::int32_t>(tile.index / map_.tile_columns() * kTileSize);
@@ -189,7 +189,7 @@ TxcStatus paint_fill(const LocalSpaceMap& map, const Mesh& mesh, const FillShape
         const Material& material = mesh.materials[map.key.material];
         for (const std::uint32_t triangle : shape.triangles) chosen[material.triangles[triangle]] = 1;
     }
-    const FillPainter painter(map, shape, def, chosen);
+    FillPainter painter(map, shape, def, chosen);
     std::vector<std::uint32_t> places;
     for (std::uint32_t place = 0; place < map.tiles.size(); ++place) {
         if (painter.reaches(map.tiles[place])) places.push_back(place);

@@ -17,6 +17,9 @@
 // 200,000 triangles takes 0.91 of what it took with a hash table of them (over 20,000, 1.00). Edges that part asked first in single
 // precision, all three at once, made it 1.06; corners in a list of their own 1.06.
 //
+// A perspective decal over all that is seen of a mug takes 0.63 of the time that the tree's rays took, by tiles, over tori of 20,000 and
+// 200,000 triangles a quarter, at 2048 x 2048.
+//
 // The same answers as rays through the tree give (a test compares them). 306,000 texels of a 20,000 triangle torus took
 // 340 ms with one ray each, in WebAssembly, 30 ms with a look into the cell each, and 4 ms so.
 #pragma once

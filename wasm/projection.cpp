@@ -539,7 +539,8 @@ std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const Decal
 TxcStatus project_decal(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings,
                         const ImagePyramid& image, const std::vector<std::uint32_t>& candidates,
                         OccluderGrid* occluders, LayerTiles& out, std::uint32_t& out_texels) {
-    return paint_tiles(map, candidates, TilePainter(map, mesh, settings, image, occluders), out, out_texels);
+    TilePainter painter(map, mesh, settings, image, occluders);
+    return paint_tiles(map, candidates, painter, out, out_texels);
 }
 
 }  // namespace txc

@@ -73,13 +73,13 @@ struct TileView {
 };
 
 /// Paints a decal's tiles: a planar one's, and whole ones of any other.
-class TilePainter {
+class TilePainter final : public LayerPainter {
 public:
     TilePainter(const LocalSpaceMap& map, const Mesh& mesh, const DecalSettings& settings, const ImagePyramid& image,
                 OccluderGrid* occluders);
     ~TilePainter();
     /// The planar decal. False where it has nothing to paint.
-    bool paint_tile(const MapTile& tile, std::uint16_t* texels);
+    bool paint_tile(const MapTile& tile, std::uint16_t* texels) override;
     /// Asks for no depth, and for nothing that hides texels.
     TileFate paint(const MapTile& tile, const TileView& view, std::uint16_t* texels);
     /// Whether nothing hides any texel of a tile. With occluders, and of whichever decal they are.

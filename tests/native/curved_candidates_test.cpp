@@ -46,8 +46,10 @@ public:
         std::uint32_t texels_of_all = 0;
         std::uint32_t texels_of_search = 0;
         const std::vector<std::uint32_t> found = find_curved_candidates(*map_, settings, projector, image_);
-        const auto project = [&](const std::vector<std::uint32_t>& places, txc::LayerTiles& out, std::uint32_t& texels) {
-            must(project_curved_decal(*map_, mesh_, settings, projector, image_, places, nullptr, nullptr, out, texels));
+        const auto project = [&](const std::vector<std::uint32_t>& places, txc::LayerTiles& out,
+                                 std::uint32_t& texels) {
+            must(
+                project_curved_decal(*map_, mesh_, settings, projector, image_, places, nullptr, nullptr, out, texels));
         };
         project(all, by_all, texels_of_all);
         project(found, by_search, texels_of_search);

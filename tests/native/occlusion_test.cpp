@@ -197,8 +197,8 @@ TEST_CASE("A slide's grid of occluders answers as rays to the eye do, unless tri
             make_core_mesh(make_random_triangles(random, 2 + random.below(600), 1.0, round % 3 == 0 ? 0.6 : 0.1));
         txc::OcclusionTree tree(budget);
         must(tree.build(mesh));
-        TxcLayerDef def = perspective_def(0, random.between(5, 100), random.between(0.5, 2.0), random.between(0.02, 1.0),
-                                          random.between(1.5, 6.0));
+        TxcLayerDef def = perspective_def(0, random.between(5, 100), random.between(0.5, 2.0),
+                                          random.between(0.02, 1.0), random.between(1.5, 6.0));
         const double away = round % 2 == 0 ? 3.0 : 0.6;  // every other eye amid the triangles
         place(def, random.between(-away, away), random.between(-away, away), random.between(-away, away));
         look_at(def, random.between(-0.4, 0.4), random.between(-0.4, 0.4), random.between(-0.4, 0.4));
