@@ -9,7 +9,7 @@ namespace txc {
 namespace {
 
 // A tile is painted at once where what its texels see beside their own places differs by no more than this: pixels, or as much of half
-// a footprint's side where that is longer. On textures of few tiles less: there each is large on the model, and all cost little.
+// a footprint's side where that is longer. On textures of few texels less: there each tile is large on the model, and all cost little.
 //
 // Against texel by texel, slides and labels over a sphere with checkers of 1, 3 and 5 pixels, at up to two pixels a texel, then keep 49
 // dB at 1024 x 1024, 50 at 2048 x 2048 and 74 at 512 x 512. (With as much of the whole side checkers seen at three pixels a texel keep

@@ -20,7 +20,7 @@ constexpr float kAny = std::numeric_limits<float>::max();
 // those tiles comes to 35 dB against their own footprints where it has 37, on a checker of 3 pixels. A patch painted frame by frame
 // there, each with its own footprint, took 1.02 to 1.06 of the time: loops that paint some of four texels are slower ones.)
 constexpr float kFootprintSpread = 0.1f;
-// The same where there are so few tiles that each of them is large on the model: on a sphere at 256 x 128 stripes and
+// The same where there are so few texels that each tile is large on the model: on a sphere at 256 x 128 stripes and
 // checkers of a pixel keep 42 dB, and have 36 with 0.1; at 640 x 448 stripes of a pixel have 39.5 with 0.1, at 1024 x 512 41.4. A drag
 // at 512 x 512 takes 0.99 to 1.01 of the time. (At 2048 x 2048 it would take 1.15 to 1.26.)
 constexpr float kFineFootprintSpread = 0.04f;
