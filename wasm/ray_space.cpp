@@ -34,7 +34,6 @@ RaySpace::RaySpace(const PerspectiveProjector& projector, const Bounds& model) :
         to_space_.offset[r] = -glm::dot(rows[r], pose.position);
     }
     to_space_.offset.z += scale_;
-    to_space_.reach = glm::dvec3(kHalfSide, kHalfSide, 0.5);
 }
 
 bool RaySpace::is_same(const RaySpace& other) const {

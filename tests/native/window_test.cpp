@@ -4,6 +4,7 @@
 #include <string>
 
 #include "support/picture.h"
+#include "support/projector_defs.h"
 #include "support/test_session.h"
 
 using namespace support;
@@ -44,12 +45,7 @@ void add_layers(TestSession& session, TxcTarget target, TxcImage image) {
     resize(decal, 0.9, 0.7, 2.0);
     turn(decal, 0.6, 0.8, 0.0, 30.0);
     session.layer(target, decal);
-    TxcLayerDef label = decal_def(image);
-    label.projector = TXC_PROJECTOR_CYLINDRICAL;
-    label.radius = 0.5f;
-    label.height = 0.4f;
-    label.arc_degrees = 300.0f;
-    label.depth = 0.3f;
+    TxcLayerDef label = cylindrical_def(image, 0.5, 0.4, 300.0, 0.3);
     label.blend = TXC_BLEND_MULTIPLY;
     session.layer(target, label);
     TxcLayerDef stamp = decal_def(image);
@@ -135,12 +131,7 @@ TEST_CASE("A window of few tiles has the very texels of a whole of many") {
         TxcLayerDef decal = decal_def(image);
         resize(decal, 0.9, 0.9, 2.0);
         session.layer(target, decal);
-        TxcLayerDef label = decal_def(image);
-        label.projector = TXC_PROJECTOR_CYLINDRICAL;
-        label.radius = 0.5f;
-        label.height = 0.6f;
-        label.arc_degrees = 180.0f;
-        label.depth = 0.3f;
+        TxcLayerDef label = cylindrical_def(image, 0.5, 0.6, 180.0, 0.3);
         label.opacity = 0.5f;
         session.layer(target, label);
     };
