@@ -1,5 +1,7 @@
 #include "layer_tiles.h"
 
+#include "texel_bytes.h"
+
 namespace txc {
 namespace {
 

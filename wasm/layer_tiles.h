@@ -10,7 +10,6 @@
 #include "local_space_map.h"
 #include "memory_budget.h"
 #include "raw_vector.h"
-#include "texel_bytes.h"
 
 namespace txc {
 

@@ -76,7 +76,7 @@ export function moved({ linear, origin }: Affine, x: number, y: number, z: numbe
 /** What a map makes of areas' normals, in direction: the inverse transpose but for its length, and for its sign in a mirror. */
 export const cofactorsOf = ([a, b, c]: Linear): Linear => [cross(b, c), cross(c, a), cross(a, b)];
 
-const cross = (a: readonly number[], b: readonly number[]): [number, number, number] => {
+export const cross = (a: readonly number[], b: readonly number[]): [number, number, number] => {
   const [ax = 0, ay = 0, az = 0] = a;
   const [bx = 0, by = 0, bz = 0] = b;
   return [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];

@@ -7,6 +7,7 @@ import * as v from "valibot";
 import { cutText } from "../../core/cut-text.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
+import { zipDay } from "../../engine/zip-day.ts";
 import { ZipReader, type ZipTerms, zipError } from "../../engine/zip-reader.ts";
 import { ASSET_ENDINGS, type Design, type DesignAsset } from "./design.ts";
 import { describeValue, formatPath } from "./design-problem.ts";
@@ -231,8 +232,7 @@ function missing(archive: string, field: string, entry: string): TexelcastError 
 }
 
 function zip(files: readonly (readonly [string, Uint8Array])[]): Uint8Array {
-  // The oldest day that zip can write, everywhere the same: a date of its own would make two saves of one project differ.
-  const mtime = new Date(1980, 0, 1);
+  const mtime = zipDay();
   const entries = files.map(([name, bytes]): [string, Zippable[string]] => [
     name,
     [bytes, { level: STORED.test(name) ? 0 : 6, mtime }],

@@ -1,4 +1,5 @@
 /** A part of a model as a Mesh of OpenUSD. */
+import { cross } from "../affine-map.ts";
 import type { TexturePlace } from "../texture-place.ts";
 import type { PosedPart } from "./posed-parts.ts";
 import type { UsdMaterial } from "./usd-material.ts";
@@ -50,13 +51,12 @@ function picked(values: Float64Array, size: number, order: Uint32Array): Float64
 function flatNormals(positions: Float64Array, triangles: Uint32Array): Float64Array {
   const normals = new Float64Array(3 * triangles.length);
   for (let i = 0; i < triangles.length; i += 3) {
-    const [a = [], b = [], c = []] = [0, 1, 2].map((corner) => {
-      const at = 3 * (triangles[i + corner] as number);
-      return positions.subarray(at, at + 3);
-    });
-    const side = (to: ArrayLike<number>, axis: number): number => (to[axis] as number) - (a[axis] as number);
-    const part = (one: number, other: number): number => side(b, one) * side(c, other) - side(b, other) * side(c, one);
-    const [x, y, z] = [part(1, 2), part(2, 0), part(0, 1)];
+    const side = (to: number): number[] =>
+      [0, 1, 2].map((axis) => {
+        const at = (corner: number): number => positions[3 * (triangles[i + corner] as number) + axis] as number;
+        return at(to) - at(0);
+      });
+    const [x, y, z] = cross(side(1), side(2));
     const length = Math.sqrt(x * x + y * y + z * z);
     const normal = length === 0 ? [0, 0, 1] : [x / length, y / length, z / length];
     for (let corner = 0; corner < 3; corner++) normals.set(normal, 3 * (i + corner));

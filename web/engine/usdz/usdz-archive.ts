@@ -1,5 +1,6 @@
 /** A USDZ package: a zip of stored files, each of which begins at a multiple of 64 bytes (openusd.org, "USDZ File Format"). */
 import { type Zippable, zipSync } from "fflate";
+import { zipDay } from "../zip-day.ts";
 
 export interface PackedFile {
   readonly path: string;
@@ -16,8 +17,7 @@ const FILLING = 0x1986;
 /** The first is the layer that viewers open. Paths are ASCII. */
 export function packUsdz(files: readonly PackedFile[]): Uint8Array<ArrayBuffer> {
   const entries: Zippable = {};
-  // The oldest day that zip can write, everywhere the same.
-  const mtime = new Date(1980, 0, 1);
+  const mtime = zipDay();
   let at = 0;
   for (const { path, bytes } of files) {
     const first = at + HEADER + path.length + FIELD_HEADER;
