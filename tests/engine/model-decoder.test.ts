@@ -115,6 +115,20 @@ describe("a compressed model", () => {
     }
   });
 
+  it("is refused where it counts more than a file could hold, before any of it is made", async () => {
+    const { json, binary } = readContainer({ name: "m.glb", bytes: meshopt });
+    const accessors = json.accessors as object[];
+    accessors.push({ componentType: 5126, count: 2 ** 27, type: "VEC4" });
+    await expect(
+      loadModelFile({ name: "zeros.glb", bytes: writeGlb(json, binary ?? new Uint8Array()) }),
+    ).rejects.toMatchObject({
+      code: "out-of-budget",
+      subject: "zeros.glb",
+      field: `accessors[${accessors.length - 1}].count`,
+      value: String(2 ** 27),
+    });
+  });
+
   it("is handed on without its compression, with its pictures as they were", async () => {
     for (const bytes of [draco, meshopt]) {
       const { glb, packed } = await loadModelFile({ name: "m.glb", bytes });

@@ -29,6 +29,7 @@ import { ACCEPT } from "./ui/accepted-files.ts";
 import { EditorElement } from "./ui/editor-element.ts";
 import { pickFiles } from "./ui/file-picker.ts";
 import { endOpenField } from "./ui/open-field.ts";
+import { focusPressed } from "./ui/press-focus.ts";
 import "./ui/menu.ts";
 import type { Refusal } from "./ui/number-field.ts";
 import "./ui/number-field.ts";
@@ -256,6 +257,7 @@ export class Workbench extends EditorElement {
       },
       { signal },
     );
+    focusPressed(this, signal);
     for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
     whole.addEventListener("dragover", (event) => this.#dragOver(event as DragEvent), { signal });
     whole.addEventListener("dragleave", (event) => this.#dragLeave(event as DragEvent), { signal });

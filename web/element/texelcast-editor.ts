@@ -200,7 +200,8 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
 
   /** Begins to load, whatever `loading` says. */
   start(): Promise<void> {
-    return this.#work.start();
+    // What the page has set before it asks holds for what it asks: another product is begun by then.
+    return this.isUpdatePending ? this.updateComplete.then(() => this.#work.start()) : this.#work.start();
   }
 
   addDecal(source: DecalSource, options?: PlaceOptions): Promise<string> {

@@ -18,12 +18,24 @@ CameraControls.install({
   THREE: { Vector2, Vector3, Vector4, Quaternion, Matrix4, Spherical, Box3, Sphere, Raycaster },
 });
 
+/**
+ * Dolly speeds of camera-controls: its own, and the one by which a trackpad's pinch, a wheel with Ctrl, brings the model nearer by as
+ * much as the fingers part: 100 of the wheel are an e-fold pinch, and by that the distance is to become 0.95 ^ (100 / a step's units * speed).
+ */
+const OWN_SPEED = 1;
+const PINCH_SPEED = (/Mac/.test(navigator.platform) ? 1 : 3) / (-100 * Math.log(0.95));
+
 export class HeldCamera implements HeldRig {
   readonly controls: CameraControls;
+  readonly #abort = new AbortController();
 
   /** @param before what it takes over from @param requestFrame asks for `update` */
   constructor(camera: PerspectiveCamera, root: HTMLElement, before: StillRig, requestFrame: () => void) {
     const { ACTION } = CameraControls;
+    // Before the controls listen.
+    const early = { capture: true, passive: true, signal: this.#abort.signal };
+    root.addEventListener("wheel", ({ ctrlKey }) => this.#setSpeed(ctrlKey ? PINCH_SPEED : OWN_SPEED), early);
+    root.addEventListener("pointerdown", () => this.#setSpeed(OWN_SPEED), early);
     const controls = new CameraControls(camera, root);
     this.controls = controls;
     controls.mouseButtons.left = ACTION.ROTATE;
@@ -107,6 +119,11 @@ export class HeldCamera implements HeldRig {
   }
 
   dispose(): void {
+    this.#abort.abort();
     this.controls.dispose();
+  }
+
+  #setSpeed(speed: number): void {
+    this.controls.dollySpeed = speed;
   }
 }

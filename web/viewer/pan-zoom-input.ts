@@ -1,5 +1,6 @@
 /** Wheel, drag, pinch and keys as zoom and pan: for the texture view. */
 import type { TextureCamera } from "./texture-camera.ts";
+import { hearTrackpadPinches } from "./trackpad-pinch.ts";
 
 export interface PanZoomHooks {
   changed(): void;
@@ -26,6 +27,7 @@ export class PanZoomInput {
     this.#hooks = hooks;
     const { signal } = this.#abort;
     element.addEventListener("wheel", (event) => this.#onWheel(event), { signal, passive: false });
+    hearTrackpadPinches(element, signal);
     element.addEventListener("pointerdown", (event) => this.#onDown(event), { signal });
     element.addEventListener("pointermove", (event) => this.#onMove(event), { signal });
     for (const type of ["pointerup", "pointercancel"] as const) {

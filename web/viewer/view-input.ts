@@ -12,6 +12,7 @@ import { heldToAxis } from "./held-to-axis.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceSample } from "./surface-query.ts";
 import { takesBack } from "./take-back-key.ts";
+import { hearTrackpadPinches } from "./trackpad-pinch.ts";
 import type { ViewerDecal } from "./viewer-api.ts";
 import { windowOf } from "./window-of.ts";
 
@@ -72,6 +73,7 @@ export class ViewInput {
     root.addEventListener("pointercancel", (event) => this.#onCancel(event), early);
     root.addEventListener("lostpointercapture", (event) => this.#onLost(event), early);
     root.addEventListener("pointerleave", () => this.#onLeave(), { signal: this.#abort.signal });
+    hearTrackpadPinches(root, this.#abort.signal);
     const window = windowOf(root);
     window.addEventListener("keydown", (event) => this.#onKey(event, true), early);
     window.addEventListener("keyup", (event) => this.#onKey(event, false), early);

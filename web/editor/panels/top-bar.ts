@@ -22,7 +22,7 @@ import type { Strings } from "../strings.ts";
 import { ACCEPT } from "../ui/accepted-files.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
-import { pickFiles } from "../ui/file-picker.ts";
+import { pickFiles, picksFolders } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import type { MenuItem } from "../ui/menu.ts";
 import "./layout-switch.ts";
@@ -282,13 +282,17 @@ export class TopBar extends EditorElement {
         icon: Box,
         run: () => pickFiles({ accept: ACCEPT.model }, (chosen) => void files.openFiles(chosen)),
       },
-      {
-        label: this.#words.openFolder,
-        hint: this.#words.openFolderHint,
-        icon: FolderOpen,
-        run: () => pickFiles({ accept: "", folder: true }, (chosen) => void files.openFiles(chosen)),
-      },
+      ...(picksFolders() ? [this.#openFolderItem()] : []),
     ];
+  }
+
+  #openFolderItem(): MenuItem {
+    return {
+      label: this.#words.openFolder,
+      hint: this.#words.openFolderHint,
+      icon: FolderOpen,
+      run: () => pickFiles({ accept: "", folder: true }, (chosen) => void this.editor.files.openFiles(chosen)),
+    };
   }
 
   #openItem(): MenuItem {

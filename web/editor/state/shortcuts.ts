@@ -1,5 +1,6 @@
 /** Keys of the page. What has the focus comes first: a text field keeps every key, a list its letters, a slider its arrows. */
 import { takeTyped } from "../ui/open-field.ts";
+import { bracketOf } from "./bracket-key.ts";
 import type { Editor } from "./editor.ts";
 import type { LayerCommands } from "./layer-commands.ts";
 import { VIEW_LAYOUTS } from "./view-state.ts";
@@ -33,7 +34,9 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
   }
   if (handleView(event, editor)) return true;
   if (editor.store.state.readonly) return handleLook(event, editor);
-  return editor.tools.handleKey(event) || (event.altKey ? handleAlt : handlePlain)(event, editor);
+  // A Mac with a German keyboard has them on the level of Alt.
+  const types = event.key === "[" || event.key === "]";
+  return editor.tools.handleKey(event) || (event.altKey && !types ? handleAlt : handlePlain)(event, editor);
 }
 
 /** From a field in a panel to what it is about; a dialog's own is left with the dialog. */
@@ -47,9 +50,8 @@ function leaveField(event: KeyboardEvent, { work }: Editor): boolean {
 function handleCommand(event: KeyboardEvent, { files, layers, store }: Editor, actions: ShortcutActions): boolean {
   if (event.altKey) return false;
   if (store.state.readonly && event.key.toLowerCase() !== "s") return false;
-  // By place on the keyboard: where a layout has these characters on another level, Ctrl means another one.
-  if (event.code === "BracketRight") return arrange(layers, 1, event.shiftKey);
-  if (event.code === "BracketLeft") return arrange(layers, -1, event.shiftKey);
+  const bracket = bracketOf(event);
+  if (bracket !== null) return arrange(layers, bracket, event.shiftKey);
   switch (event.key.toLowerCase()) {
     case "z":
       void files.travel(event.shiftKey ? "redo" : "undo");
@@ -147,9 +149,8 @@ function handleLook(event: KeyboardEvent, { layers, viewer }: Editor): boolean {
 
 function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Editor): boolean {
   const coarse = event.shiftKey;
-  // By place on the keyboard: with Shift, the characters of these keys differ between layouts.
-  if (event.code === "BracketLeft") return decals.spin(1, coarse);
-  if (event.code === "BracketRight") return decals.spin(-1, coarse);
+  const bracket = bracketOf(event);
+  if (bracket !== null) return decals.spin(bracket === -1 ? 1 : -1, coarse);
   switch (event.key) {
     case "ArrowLeft":
       return decals.nudge(-1, 0, coarse);

@@ -1,6 +1,7 @@
 /** Pencil, pixel eraser, line, rectangle and bucket: each gesture changes one pixel layer, in one step of the history. */
 import { type IconNode, Minus, PaintBucket, Pencil, Square } from "lucide";
 import type { SurfaceHit, ToolInput, ToolSample } from "../../viewer/viewer-api.ts";
+import { bracketOf } from "../state/bracket-key.ts";
 import { tellShownAlready } from "../state/mask-edits.ts";
 import type { Strings } from "../strings.ts";
 import { PaintCursor } from "./paint-cursor.ts";
@@ -120,8 +121,8 @@ export class PixelTool implements Tool {
 
   key(event: KeyboardEvent, view: "model" | "texture" | null): boolean {
     if (this.#cursor.key(event, view !== null)) return true;
-    const direction = { BracketLeft: -1, BracketRight: 1 }[event.code];
-    if (direction === undefined || event.shiftKey) return false;
+    const direction = bracketOf(event);
+    if (direction === null || event.shiftKey) return false;
     const { tools } = this.#context;
     const pixelSize = Math.min(MOST_PIXEL_SIZE, Math.max(1, tools.settings.pixelSize + direction));
     tools.configure({ pixelSize });

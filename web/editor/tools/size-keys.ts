@@ -1,4 +1,5 @@
 /** Keys of a brush: [ and ] its size, with Shift its hardness; digits its opacity. */
+import { bracketOf } from "../state/bracket-key.ts";
 import type { ToolSettings } from "./tool-settings.ts";
 import type { Toolbox } from "./toolbox.ts";
 
@@ -19,9 +20,8 @@ export function brushKeyChange(
   { size, hardness }: Pick<ToolSettings, "size" | "hardness">,
   sizes: { readonly least: number; readonly most: number },
 ): Partial<ToolSettings> | null {
-  // By place on the keyboard: with Shift, the characters of these keys differ between layouts.
-  const direction = { BracketLeft: -1, BracketRight: 1 }[event.code];
-  if (direction !== undefined) {
+  const direction = bracketOf(event);
+  if (direction !== null) {
     if (event.shiftKey) {
       const steps = Math.round(hardness / HARDNESS_STEP) + direction;
       return { hardness: Math.min(1, Math.max(0, Number((steps * HARDNESS_STEP).toFixed(2)))) };

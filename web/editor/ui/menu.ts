@@ -164,7 +164,8 @@ export class Menu extends RemElement {
         aria-expanded=${this.open}
         aria-label=${this.name}
         title=${this.name}
-        @click=${() => this.#toggle(!this.open)}
+        @mousedown=${this.#keepOpen}
+        @click=${() => (this.open ? this.#close() : this.#show())}
         @keydown=${this.#openerKey}
       >
         ${this.icon ? icon(this.icon) : nothing}
@@ -225,17 +226,12 @@ export class Menu extends RemElement {
     // One that is open already stands elsewhere.
     this.open = false;
     await this.updateComplete;
-    await this.#toggle(true, false, { x, y });
+    await this.#show(false, { x, y });
   }
 
-  async #toggle(
-    open: boolean,
-    last = false,
-    at: { readonly x: number; readonly y: number } | null = null,
-  ): Promise<void> {
-    this.open = open;
+  async #show(last = false, at: { readonly x: number; readonly y: number } | null = null): Promise<void> {
+    this.open = true;
     this.#at = at;
-    if (!open) return;
     await this.updateComplete;
     this.#place();
     const entries = this.#entries();
@@ -277,7 +273,7 @@ export class Menu extends RemElement {
     if (event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
     event.preventDefault();
     event.stopPropagation();
-    void this.#toggle(true, event.key === "ArrowUp");
+    void this.#show(event.key === "ArrowUp");
   }
 
   #menuKey(event: KeyboardEvent): void {
@@ -297,6 +293,11 @@ export class Menu extends RemElement {
     } else return;
     event.stopPropagation();
     if (event.key !== "Tab") event.preventDefault();
+  }
+
+  /** Until the click: a press does not lead the keyboard to a button in Safari, but away from the menu, which would open anew. */
+  #keepOpen(event: Event): void {
+    if (this.open) event.preventDefault();
   }
 
   #leave(event: FocusEvent): void {

@@ -1,6 +1,7 @@
 /** Keys inside the element. What has the focus comes first: a text field keeps every key, a choice its arrows. */
 
 import { isPlaced } from "../../editor/document/design.ts";
+import { bracketOf } from "../../editor/state/bracket-key.ts";
 import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import type { Desk } from "../desk/desk.ts";
@@ -43,8 +44,8 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   const nudge = (right: number, up: number): boolean =>
     desk.hands !== null &&
     place("nudge", desk.hands.nudge(projector, right * step, up * step), right * step, up * step);
-  if (event.code === "BracketLeft") return place("spin", spunProjector(projector, steps));
-  if (event.code === "BracketRight") return place("spin", spunProjector(projector, -steps));
+  const bracket = bracketOf(event);
+  if (bracket !== null) return place("spin", spunProjector(projector, -bracket * steps));
   switch (event.key) {
     case "ArrowLeft":
       return nudge(-1, 0);

@@ -2,6 +2,7 @@
 import type { nothing, TemplateResult } from "lit";
 import type { DesignLayer } from "../../editor/document/design.ts";
 import { PICTURES, pickFiles } from "../../editor/ui/file-picker.ts";
+import { focusPressed } from "../../editor/ui/press-focus.ts";
 import type { Desk } from "../desk/desk.ts";
 import { addPicture } from "../desk/placing.ts";
 import { Texts } from "../desk/texts.ts";
@@ -18,6 +19,7 @@ export class ShopTools {
   constructor(desk: Desk) {
     this.#desk = desk;
     this.texts = new Texts(desk);
+    focusPressed(desk.viewer.element.getRootNode(), desk.signal);
   }
 
   addPicture(source: DecalSource, options?: PlaceOptions): Promise<string> {
