@@ -1,4 +1,5 @@
 /** What `texelcast inspect` finds out about a model: plain data, the same that `--json` prints. */
+import { TexelcastError } from "../web/core/texelcast-error.ts";
 import type { MaterialInfo, ModelInfo, ModelSource, Vec3 } from "../web/engine/engine-api.ts";
 import type { EngineHost } from "../web/engine/engine-host.ts";
 
@@ -67,9 +68,18 @@ export async function inspectModel(
   const model = await engine.loadModel(source);
   const materials: MaterialReport[] = [];
   for (const material of model.materials) {
-    const measured =
-      material.refusal === null ? await measure(engine, material, (share) => onProgress(material.index, share)) : null;
-    materials.push(reportMaterial(material, measured));
+    if (material.refusal !== null) {
+      materials.push(reportMaterial(material, null));
+      continue;
+    }
+    try {
+      const measured = await measure(engine, material, (share) => onProgress(material.index, share));
+      materials.push(reportMaterial(material, measured));
+    } catch (thrown) {
+      // Known when it is baked, and not before; of the others it says nothing.
+      if (!(thrown instanceof TexelcastError && thrown.code === "bad-uvs")) throw thrown;
+      materials.push(reportMaterial({ ...material, refusal: thrown }, null));
+    }
   }
   return reportModel(model, materials);
 }
@@ -102,7 +112,7 @@ function reportMaterial(material: MaterialInfo, measured: UvMeasure | null): Mat
     index: material.index,
     name: material.name,
     canTakeDecals: material.refusal === null,
-    refusal: material.refusal,
+    refusal: material.refusal && { code: material.refusal.code, message: material.refusal.message },
     triangles: material.triangles,
     textureSize: material.textureSize,
     uv: {

@@ -39,6 +39,30 @@ describe("texelcast unwrap", () => {
     });
   });
 
+  it("gives a texture of its own to what repeats its texture too often to be painted, which inspect tells beside what can be", async () => {
+    const cwd = temporaryFolder();
+    const tiled = { ...plane(1, 1), uvs: [0, 300, 300, 300, 300, 0, 0, 0] };
+    writeFileSync(
+      path.join(cwd, "tiled.glb"),
+      buildGlb({ meshes: [plane(1, 0), tiled], materials: [{ name: "Paint" }, { name: "Brick" }] }),
+    );
+    const inspected = await texelcast(["inspect", "tiled.glb", "--json"], { cwd });
+    expect(inspected).toMatchObject({ code: 0, stderr: "" });
+    expect(JSON.parse(inspected.stdout).materials).toMatchObject([
+      { canTakeDecals: true, refusal: null },
+      {
+        canTakeDecals: false,
+        refusal: { code: "bad-uvs", message: expect.stringContaining("256 times") },
+        uv: { measured: null },
+      },
+    ]);
+    const run = await texelcast(["unwrap", "tiled.glb", "--out", "apart.glb", "--size", "64"], { cwd });
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toContain('material 1 "Brick"');
+    const again = await texelcast(["inspect", "apart.glb", "--json"], { cwd });
+    expect(JSON.parse(again.stdout).materials).toMatchObject([{ canTakeDecals: true }, { canTakeDecals: true }]);
+  });
+
   it("says so where nothing is shared, and which materials there are", async () => {
     const cwd = folderWithTwins();
     await texelcast(["unwrap", "twins.glb", "--out", "apart.glb", "--size", "256"], { cwd });
