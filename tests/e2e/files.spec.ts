@@ -80,6 +80,7 @@ test("an exported GLB has the model's own textures where no visible layer paints
   const model = twoSquaresGlb();
   await editor.openModel([model]);
   expect((await editor.exported("Model as GLB")).bytes.equals(model.buffer)).toBe(true);
+  expect((await editor.exported("Texture as PNG")).name, "one of two").toBe("squares-Left.png");
   await editor.addDemoDecal("badge");
   expect((await editor.exported("Model as GLB")).bytes.equals(model.buffer)).toBe(false);
   await editor.row("Travel badge").locator("[data-action=visible]").click();

@@ -42,6 +42,8 @@ test("a tab closed without saving is back as it was, and its file renders to the
   const { bytes: exported } = await again.exported("Texture as PNG");
   const project = await again.savedProject();
   expect(project.name).toBe("square.texelcast");
+  const bare = await again.saved(() => again.chooseOfProjects("Save without the model"));
+  expect(bare.name).toBe("square (without model).texelcast");
   const [input, output] = [info.outputPath(project.name), info.outputPath("rendered.png")];
   writeFileSync(input, project.bytes);
   const run = spawnSync(process.execPath, [COMMAND_LINE, "render", input, "--out", output], { encoding: "utf8" });

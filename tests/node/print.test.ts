@@ -178,6 +178,23 @@ describe("texelcast print", () => {
     expect(await run("print", ...flat, "--size", "16", "--dpi", "100", "--out", "x.png")).toMatchObject({ code: 0 });
   });
 
+  it("says to look at the print scale where by it no DPI at all can be printed", async () => {
+    const { run } = await workbench([decal()], { ...zones([zone()]), printScale: 1000 });
+    const { code, stderr } = await run(
+      "print",
+      "--zones",
+      "zones.json",
+      "--zone",
+      "left",
+      "--flattened",
+      "--out",
+      "x.png",
+    );
+    expect(stderr).toContain("300 DPI would need a texture larger than");
+    expect(stderr).toMatch(/print scale: 1000 /);
+    expect(code).toBe(3);
+  });
+
   it("names the option whose DPI no texture has, and the zones file whose zone lies on nothing", async () => {
     const { run } = await workbench(
       [decal()],

@@ -613,6 +613,7 @@ export const german: Strings = {
     saveFile: "Als eine Datei speichern",
     saveFileHint: "Design, Bilder und Modell, .texelcast",
     saveFileWithoutModel: "Ohne das Modell speichern",
+    nameWithoutModel: (name) => `${name} (ohne Modell)`,
     saveFileWithoutModelHint: "Für ein Modell, das andere schon haben",
     openFile: "Datei öffnen…",
     openFileHint: ".texelcast, ein Design oder ein Modell",

@@ -604,6 +604,7 @@ const english = {
     saveFile: "Save as one file",
     saveFileHint: "Design, pictures and model, .texelcast",
     saveFileWithoutModel: "Save without the model",
+    nameWithoutModel: (name: string): string => `${name} (without model)`,
     saveFileWithoutModelHint: "For use with a model that others have",
     openFile: "Open file…",
     openFileHint: ".texelcast, a design, or a model",

@@ -41,7 +41,7 @@ export async function surveyPrint(
   const own = await targetSize(context.model, { material });
   if (asked !== null || dpi === undefined) return surveyAt(context, material, zone, asked ?? own);
   const rough = await surveyAt(context, material, zone, within(own, SURVEY_SIDE));
-  return surveyAt(context, material, zone, sizeFor(dpi, rough, own));
+  return surveyAt(context, material, zone, sizeFor(dpi, rough, own, context));
 }
 
 function askedSize({ size }: PrintFileOptions): Size | null {
@@ -55,7 +55,7 @@ function within([width, height]: Size, side: number): Size {
 }
 
 /** The least longer side, a power of two, at which both axes have as many texels an inch. */
-function sizeFor(dpi: number, rough: PrintSurvey, own: Size): Size {
+function sizeFor(dpi: number, rough: PrintSurvey, own: Size, context: PrintContext): Size {
   const longer = Math.max(...rough.size);
   const density = Math.min(...rough.dpi);
   for (let side = LEAST_SIDE; side <= MAX_TEXTURE_SIZE; side *= 2) {
@@ -72,7 +72,10 @@ function sizeFor(dpi: number, rough: PrintSurvey, own: Size): Size {
     {
       field: "dpi",
       value: String(dpi),
-      hint: `Ask for ${most} DPI or less, or unwrap the model so that its printed parts take more of the texture.`,
+      hint:
+        most < 1
+          ? `Look whether the zones file has the right print scale: ${context.zones.printScale} makes of the whole texture less than a texel an inch.`
+          : `Ask for ${most} DPI or less, or unwrap the model so that its printed parts take more of the texture.`,
     },
   );
 }

@@ -2,7 +2,7 @@
 
 import type { TexelcastError } from "../../core/texelcast-error.ts";
 import { nameOf } from "../../engine/companion-files.ts";
-import type { Engine } from "../../engine/engine-api.ts";
+import type { Engine, ModelInfo } from "../../engine/engine-api.ts";
 import { ARCHIVE } from "../../engine/zipped-files.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 import { type Design, emptyDesign, materialsIn, parseDesign, serialiseDesign } from "../document/index.ts";
@@ -280,8 +280,18 @@ export class FileCommands {
     const { engine, store } = this.#parts;
     const { material, model } = store.state;
     if (material === null || !model) return;
-    const name = `${fileNameOf(store.state.designName)}-texture.png`;
+    const name = `${fileNameOf(store.state.designName)}-${this.#textureName(model.info, material)}.png`;
     await this.#export(name, "image/png", () => engine.exportPng(material));
+  }
+
+  /** Of one of several, by which its file does not take another's place. */
+  #textureName({ materials }: ModelInfo, material: number): string {
+    const paintable = materials.filter(({ refusal }) => refusal === null);
+    if (paintable.length < 2) return "texture";
+    const { materialName } = this.#parts.board.strings;
+    const { name = "" } = materials[material] ?? {};
+    const isOnly = paintable.filter((other) => other.name === name).length === 1;
+    return fileNameOf(materialName(material, isOnly ? name : ""));
   }
 
   async exportGlb(): Promise<void> {

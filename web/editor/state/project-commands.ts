@@ -127,7 +127,8 @@ export class ProjectCommands {
     await session.settled();
     const { model, designName, targetSettings } = store.state;
     if (!model) return;
-    const name = `${fileNameOf(designName)}${PROJECT_EXTENSION}`;
+    const stem = fileNameOf(designName);
+    const name = `${withModel ? stem : this.#words.nameWithoutModel(stem)}${PROJECT_EXTENSION}`;
     const design = session.recordedDesign;
     const { source, title, demoId } = model.ref;
     const project: ProjectToPack = {

@@ -15,6 +15,10 @@ const forcedColors = css`
       color: HighlightText !important;
       transition: none;
     }
+    /* Its arrow is a picture, which the system takes away. */
+    select {
+      appearance: auto;
+    }
     :not(button)[aria-selected="true"],
     [aria-current="true"] {
       outline: 2px solid Highlight;
