@@ -5,6 +5,8 @@ import { mountTexelcast } from "../../web/embed/frame.ts";
 test.each([
   ["page", { page: "/editor.html" }, "/editor.html"],
   ["beforeAccept", { page: "https://editor.example/embed.html", beforeAccept: "yes" }, "yes"],
+  ["timeoutMs", { page: "https://editor.example/embed.html", timeoutMs: -5 }, "-5"],
+  ["timeoutMs", { page: "https://editor.example/embed.html", timeoutMs: "soon" }, "soon"],
 ])("a %s that cannot be used is refused by its name", async (field, options, value) => {
   const mounted = mountTexelcast(null as never, options as never);
   await expect(mounted).rejects.toMatchObject({ code: "bad-argument", field, value, hint: expect.any(String) });

@@ -29,7 +29,8 @@ export interface TexelcastErrorJson {
  * status name of the core in lower case with dashes ("no-uvs", "bad-model", "out-of-budget", …), or one of
  * "bad-picture", "bad-font", "bad-design", "unsupported", "bad-argument", "missing-file", "outside-folder", "cancelled",
  * "disposed", "engine-crashed", "engine-halted", "bad-container", "bad-project", "bad-archive", "storage-full", "storage-refused",
- * "storage-conflict", "graphics-lost", "too-large", "unsafe-file", "refused", "too-many-decals".
+ * "storage-conflict", "graphics-lost", "too-large", "unsafe-file", "refused", "too-many-decals", "bad-zones", "no-model", "timeout",
+ * "bad-origin", "cannot-write".
  */
 export class TexelcastError extends Error {
   readonly code: string;

@@ -43,14 +43,22 @@ const FOR_THE_FRAME = ["page", "title", "beforeAccept", "timeoutMs"] as const;
 
 /**
  * Puts the editor's page into `container` and resolves when it has answered. Rejects with a TexelcastError: "bad-argument"
- * for an option that there is not, a page without an http(s) address, a `beforeAccept` that is no function or a container that is not there, "timeout" when the page does not answer, "unsupported" when it speaks another
- * version; the iframe is then taken away again.
+ * for an option that there is not, a page without an http(s) address, a `beforeAccept` that is no function, a `timeoutMs` that is no
+ * time or a container that is not there, "timeout" when the page does not answer, "unsupported" when it speaks another version; the
+ * iframe is then taken away again.
  */
 export async function mountTexelcast(container: Element, options: MountOptions): Promise<TexelcastFrame> {
   const { page, title = "Product designer", timeoutMs } = options;
   checkNames(options, [...FRAME_PROPERTIES, ...FOR_THE_FRAME]);
   const beforeAccept = options.beforeAccept || null;
   const address = pageAddress(page);
+  if (timeoutMs !== undefined && !(timeoutMs > 0)) {
+    throw new TexelcastError("bad-argument", "“timeoutMs” must be more than 0.", {
+      field: "timeoutMs",
+      value: String(timeoutMs),
+      hint: "Give milliseconds, or leave it out.",
+    });
+  }
   // The shop's say must not be missed: its page would learn of it file by file.
   if (beforeAccept && typeof beforeAccept !== "function") {
     throw new TexelcastError("bad-argument", "“beforeAccept” must be a function.", {

@@ -45,7 +45,7 @@ export type { MapChannel } from "./open-target.ts";
 const LONGEST_TURN_MS = 500;
 
 export interface EngineHostOptions {
-  /** The core's WebAssembly: an address, its bytes, or compiled. Default: build/wasm/texelcast.wasm. */
+  /** The core's WebAssembly: an address, its bytes, or compiled. Default: the one that comes with the package. */
   readonly wasm?: CoreSource;
   /** What the engine may hold at once, MiB; default 1024. */
   readonly memoryBudgetMib?: number;
