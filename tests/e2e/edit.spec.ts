@@ -501,3 +501,22 @@ test("the maps behind the texture are shown beside the model", async ({ editor, 
   await expect(page.locator("tc-texture-panel")).toHaveCount(0);
   await expect(editor.notices).toHaveCount(0);
 });
+
+test("what a step back brings back is chosen again, alone or with the others, and not what lies beside it", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  for (const name of ["flower", "badge", "smiley"]) await editor.addDemoDecal(name);
+  const chosen = async (): Promise<string[]> => page.locator("tc-layer-list [aria-selected=true]").allInnerTexts();
+  await editor.row("Flower").click();
+  await editor.row("Travel badge").click({ modifiers: ["Control"] });
+  const before = await chosen();
+  expect(before).toHaveLength(2);
+  await page.keyboard.press("Delete");
+  expect((await editor.design()).layers).toHaveLength(1);
+  await editor.row("Smiley").click();
+  await page.keyboard.press("Control+z");
+  await expect.poll(chosen).toEqual(before);
+});

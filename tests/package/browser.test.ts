@@ -284,6 +284,14 @@ test("the guide's lines for Node write the print file", async () => {
   await runInNode(installed.folder, guideFile("print.mjs"));
   const { width, height } = await readPictureHeader(readFileSync(join(installed.folder, "print.png")), "print.png");
   expect([width, height]).toEqual([512, 512]);
+  // Nor does a customer's design make it read another's file.
+  const design = JSON.parse(readFileSync(join(installed.folder, "design.json"), "utf8"));
+  for (const asset of Object.values<{ uri: string }>(design.assets)) asset.uri = "../other.png";
+  addShopFiles(installed.folder, { "other.png": readFileSync(join(installed.folder, "logo.png")) });
+  addShopFiles(join(installed.folder, "hostile"), { "design.json": JSON.stringify(design) });
+  await expect(runInNode(join(installed.folder, "hostile"), guideFile("print.mjs"))).rejects.toThrow(
+    "../other.png is no file of the design.",
+  );
 });
 
 // Both ends of the peer's range.

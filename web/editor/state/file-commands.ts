@@ -33,6 +33,7 @@ import type { EditorState } from "./editor-state.ts";
 import type { ModelSession } from "./model-session.ts";
 import { MAX_NOTICES, type NoticeBoard } from "./notice-board.ts";
 import type { ProjectCommands } from "./project-commands.ts";
+import { returnedLayers } from "./returned-layers.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
 import type { TextCommands } from "./text-commands.ts";
@@ -356,7 +357,10 @@ export class FileCommands {
       arrived();
     };
     if (goal.model === store.state.model?.ref || goal.model === null) {
+      const [id, ...others] = returnedLayers(session.recordedDesign, goal.design);
       arrive();
+      // It was chosen when it went or came, and is what comes next is about.
+      if (id !== undefined) session.select(id, others);
       return;
     }
     const { model } = goal;
