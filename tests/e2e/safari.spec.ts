@@ -14,11 +14,13 @@ async function tallness(page: Page): Promise<number> {
 const pinch = (page: Page, { x, y }: Point, ...scales: number[]): Promise<boolean> =>
   page.evaluate(
     ([clientX, clientY, steps]) => {
-      let target: Element | null = document.elementFromPoint(clientX, clientY);
-      for (let inner = target; inner; inner = inner.shadowRoot?.elementFromPoint(clientX, clientY) ?? null) {
-        if (inner === target && inner !== document.elementFromPoint(clientX, clientY)) break;
-        target = inner;
-      }
+      // Slotted, a shadow tree's own host is what is there.
+      const within = (outer: Element): Element | null => {
+        const inner = outer.shadowRoot?.elementFromPoint(clientX, clientY);
+        return !inner || inner === outer ? outer : within(inner);
+      };
+      const top = document.elementFromPoint(clientX, clientY);
+      const target = top && within(top);
       const tell = (type: string, scale: number): boolean => {
         const event = new MouseEvent(type, { bubbles: true, cancelable: true, composed: true, clientX, clientY });
         return target?.dispatchEvent(Object.assign(event, { scale, rotation: 0 })) ?? true;

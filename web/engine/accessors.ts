@@ -2,22 +2,12 @@
  * A model's accessors, read for changing a mesh: as numbers, and as the bytes of single elements, so that what is only
  * moved (joints, weights, morph targets, quantised places) comes out as it went in. glTF 2.0, 3.6.2.
  */
+import { COMPONENT_BYTES, SHAPES } from "./accessor-shapes.ts";
 import { dropReplaced } from "./drop-replaced.ts";
 import { padded } from "./gltf-container.ts";
 import { badContainer, indexAt, type JsonObject, listForWriting, listOf, objectAt, textAt } from "./gltf-json.ts";
 import { GrowingBinary } from "./growing-binary.ts";
 
-const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
-/** Columns and rows; a matrix's columns begin at multiples of four bytes. */
-const SHAPES: Readonly<Record<string, readonly [number, number]>> = {
-  SCALAR: [1, 1],
-  VEC2: [1, 2],
-  VEC3: [1, 3],
-  VEC4: [1, 4],
-  MAT2: [2, 2],
-  MAT3: [3, 3],
-  MAT4: [4, 4],
-};
 const ALIGNMENT = 4;
 export const ARRAY_BUFFER = 34962;
 export const ELEMENT_ARRAY_BUFFER = 34963;

@@ -4,6 +4,7 @@
  */
 /// <reference path="./draco3dgltf.d.ts" />
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { COMPONENT_BYTES, SHAPES } from "./accessor-shapes.ts";
 import { fillTextures } from "./blank-textures.ts";
 import { readCodec } from "./codec-wasm.ts";
 import { stringifyExact } from "./exact-numbers.ts";
@@ -22,16 +23,6 @@ const MAX_DECODED_BYTES = 2 ** 30;
  * times as much while it works on them.)
  */
 const MAX_UNVIEWED_BYTES = 2 ** 28;
-const COMPONENTS: Readonly<Record<string, number>> = {
-  SCALAR: 1,
-  VEC2: 2,
-  VEC3: 3,
-  VEC4: 4,
-  MAT2: 4,
-  MAT3: 9,
-  MAT4: 16,
-};
-const COMPONENT_BYTES: Readonly<Record<number, number>> = { 5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4 };
 
 /**
  * The model without compression, as a GLB; materials keep their indices. `packed` is left as it was. Throws "bad-model"
@@ -111,7 +102,8 @@ function checkUnviewedSizes(json: JsonObject, name: string): void {
     if (accessor.bufferView !== undefined) continue;
     const count = indexAt(accessor, "count") ?? 0;
     const bytes = COMPONENT_BYTES[indexAt(accessor, "componentType") ?? 0] ?? 4;
-    total += count * bytes * (COMPONENTS[String(accessor.type)] ?? 16);
+    const [columns, rows] = SHAPES[String(accessor.type)] ?? [4, 4];
+    total += count * columns * rows * bytes;
     if (total <= MAX_UNVIEWED_BYTES) continue;
     throw new TexelcastError(
       "out-of-budget",
