@@ -50,7 +50,7 @@ for (const [locale, told, unwrap] of [
       await expect(page.locator("tc-top-bar .models")).toContainText("twins");
       await editor.idle();
       await dropAt(editor, -120);
-      await expect(editor.notices).toHaveCount(0);
+      await expect(editor.notices, "what it is told on a part that owns them").not.toContainText(told);
       const before = await editor.settledHash();
       await dropAt(editor, 120);
       await expect(editor.notices).toContainText(told);
@@ -60,6 +60,32 @@ for (const [locale, told, unwrap] of [
     });
   });
 }
+
+test("the first decal on parts that share texture tells that others show it too, once, with a way out", async ({
+  editor,
+}) => {
+  await editor.open();
+  await editor.openModel([twins()]);
+  const told = editor.notices.filter({ hasText: "What is painted on one of them shows on the others too." });
+  await expect(told).toHaveCount(0);
+  await dropAt(editor, -120);
+  await expect(told).toHaveCount(1);
+  await dropAt(editor, -100);
+  await expect(told).toHaveCount(0);
+});
+
+test("so does the first stroke, and the parts are told apart from there", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openModel([twins()]);
+  await page.keyboard.press("b");
+  const { x, y } = await editor.middleOfStage();
+  await editor.drag({ x: x - 140, y }, { x: x - 100, y }, 4);
+  await editor.idle();
+  const told = editor.notices.filter({ hasText: "What is painted on one of them shows on the others too." });
+  await told.getByRole("button", { name: "Give each part its own texture" }).click();
+  await expect(page.locator("tc-target-settings .warning")).toBeHidden();
+  await expect(told).toHaveCount(0);
+});
 
 test("a decal on a model that is turned inside out is painted on what is seen, the right way round", async ({
   editor,

@@ -590,6 +590,8 @@ export const german: Strings = {
     barePart: "Dort lässt sich nichts malen",
     barePartWhy: (name, why) => `Das Material dieses Teils, ${name}, nimmt keine Farbe an: ${why}.`,
     sharedPartWhy: "Dieser Teil zeigt die Textur eines anderen, und gemalt wird nur, was auf dem anderen liegt.",
+    twinParts: "Teile dieses Modells nutzen dieselbe Textur",
+    twinPartsWhy: "Was auf einem davon gemalt wird, ist auch auf den anderen zu sehen.",
     lostDecal: (name) => `${name} liegt neben dem Modell`,
     lostDecalWhy: "Dort wird davon wenig oder nichts gemalt. Schieb es zurück, oder mach den Schritt rückgängig.",
     unwrapPart: "Abwickeln",

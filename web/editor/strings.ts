@@ -581,6 +581,8 @@ const english = {
     barePart: "Nothing can be painted there",
     barePartWhy: (name: string, why: string): string => `The material of that part, ${name}, takes no paint: ${why}.`,
     sharedPartWhy: "That part shows the texture of another one, and only what lies on the other is painted there.",
+    twinParts: "Parts of this model share texture",
+    twinPartsWhy: "What is painted on one of them shows on the others too.",
     lostDecal: (name: string): string => `${name} lies beside the model`,
     lostDecalWhy: "Little or nothing of it is painted there. Move it back, or undo.",
     unwrapPart: "Unwrap it",

@@ -219,12 +219,13 @@ export class DecalCommands {
     this.#tellUnpainted(projector, backfaces, spot?.material ?? null);
   }
 
-  /** Says so where a decal was put on a part that is not painted. `onto`: that part's material; null where none was met. */
+  /** Says so where a decal was put on a part that is not painted, or not alone. `onto`: that part's material; null where none was met. */
   #tellUnpainted(projector: Projector, backfaces: boolean, onto: number | null): void {
     this.#bare.tell(this.reach.bareOf(projector, backfaces, onto));
     const target = this.#store.state.targets.get(onto ?? -1);
     const shares = target !== undefined && sharesTexels(target) && projector.kind === "planar";
     if (shares && ownsNoTexel(this.#viewer.surface, projector)) this.#bare.tellShared();
+    else if (onto !== null) this.#bare.tellTwins([onto]);
   }
 
   /** The group that is worked in: new decals lie on top of it. */

@@ -119,7 +119,7 @@ export class Editor {
     this.layers = new LayerCommands({ session, viewer, store, board, admission });
     const models = this.#models;
     this.unwrapping = unwrap && new UnwrapCommand({ store, session, models, board, tasks, unwrap });
-    const bare = new BareParts({ board, tasks, unwrapping: this.unwrapping });
+    const bare = new BareParts({ store, board, tasks, unwrapping: this.unwrapping });
     this.decals = new DecalCommands({ session, viewer, store, board, layers: this.layers, bare });
     const { decals, layers } = this;
     this.clipboard = new ClipboardCommands({ session, library, layers, store, board, tasks, admission });

@@ -84,6 +84,7 @@ function begin(context: ToolContext, erases: boolean): PaintGesture | null {
       }
       if (store.state.selectedId !== layerId) session.select(layerId);
       board.announce(strings.tools.painted[id]);
+      bare.tellTwins(stroke.materials);
       if (target.kind === "mask" && !erases) tellShownAlready(session.recordedDesign, layerId, board);
     },
     cancel: () => stroke.cancel(),

@@ -62,6 +62,11 @@ export class StrokeGesture {
     return this.#chain.full;
   }
 
+  /** Indices of the materials that it has met so far. */
+  get materials(): readonly number[] {
+    return [...this.#materials];
+  }
+
   /** The material of the part that it began on, where it met nothing that takes paint. */
   get bare(): MaterialInfo | null {
     const [dab] = this.#chain.dabs;
