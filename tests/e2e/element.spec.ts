@@ -586,6 +586,7 @@ test("what keys do to a picture is said in the customer's language once they res
   await width.fill("9999");
   await width.press("Enter");
   await expect(said).toHaveText(/^Breite: 0,01 cm – [\d,]+ cm$/);
+  await expect(editor.locator("tc-number .why")).toHaveText(/^0,01 cm – [\d,]+ cm$/);
   expect(await Promise.race([leaked, page.evaluate(() => false)])).toBe(false);
   // Two parts of one name would be one to whoever walks by names.
   const named = editor.locator(".shop").getByLabel("Dein Design", { exact: true });

@@ -223,6 +223,28 @@ test("a number that is not taken is said with what may be typed, and stays marke
   await expect(input).toHaveAttribute("aria-invalid", "true");
 });
 
+test("beneath the number that is not taken stands what may be typed, until a number is taken", async ({
+  editor,
+  page,
+}) => {
+  await editor.openOnLowest();
+  const opacity = page.locator("tc-layer-properties [data-field=opacity]");
+  const input = opacity.locator("input[role=spinbutton]");
+  await input.fill("250");
+  await input.press("Enter");
+  const why = opacity.locator(".why");
+  await expect(why).toHaveText("from 0 % to 100 %");
+  const [field, told] = [await opacity.boundingBox(), await why.boundingBox()];
+  if (!field || !told) throw new Error("One of them is not shown.");
+  expect(Math.min(Math.abs(told.y - field.y - field.height), Math.abs(field.y - told.y - told.height))).toBeLessThan(8);
+  await input.fill("100/4");
+  await input.press("Enter");
+  await expect(why).toHaveCount(0);
+  await expect(opacity).not.toHaveAttribute("refused");
+  await expect(input).toHaveAttribute("aria-invalid", "false");
+  await expect(input).toHaveValue("25");
+});
+
 /** The ring of what has the focus: how opaque it is, and whether all of it is in what scrolls or cuts round it. */
 const focusRing = (page: Page) =>
   page.evaluate(() => {

@@ -51,6 +51,35 @@ describe("a number that is typed", () => {
     }
   });
 
+  it("may be a sum, a product or a part, with brackets, and with units beside its numbers or behind the whole", () => {
+    for (const [text, value] of [
+      ["10/2", 5],
+      ["10+2*3", 16],
+      ["(10 + 2) × 3", 36],
+      ["-(1,5 − 4)", 2.5],
+      ["100 - 25 - 25", 50],
+      ["12 ÷ 4 ÷ 3", 1],
+      ["5 * -2", -10],
+      ["10/2 cm", 50],
+      ["3 cm + 5 mm", 35],
+      ["3 cm + 5", 35],
+      ["(1 + 2) cm", 30],
+      ["2e1/4", 5],
+    ] as const) {
+      expect(typedNumber(text, "mm"), text).toBeCloseTo(value, 9);
+    }
+    expect(typedNumber("100% / 3", "%")).toBeCloseTo(33.333, 3);
+    expect(typedNumber("1.000/4", "mm", ",")).toBe(250);
+  });
+
+  it("is none where a sum is not whole, or what it says is no length", () => {
+    for (const text of ["10/", "*2", "1/0", "0/0", "(1+2", "1+2)", "()", "2 cm * 3 cm", "1 2", "(1 cm + 2) cm"]) {
+      expect(typedNumber(text, "mm"), text).toBeUndefined();
+    }
+    expect(typedNumber(`1${"+1".repeat(100)}`, "mm"), "longer than is typed").toBeUndefined();
+    expect(typedNumber("(".repeat(100_000), "mm")).toBeUndefined();
+  });
+
   it("is none with a unit that is none of its field's, or without digits, or beyond all numbers", () => {
     for (const text of ["12 mm", "mm", "", "a lot", "12 mm 3"]) expect(typedNumber(text, "%")).toBeUndefined();
     expect(typedNumber("%", "%")).toBeUndefined();

@@ -707,8 +707,9 @@ export const german: Strings = {
   },
 
   announce: {
-    refused: (name, least, most) =>
-      `${name}: ${least ? (most ? `von ${least} bis ${most}` : `mindestens ${least}`) : most ? `höchstens ${most}` : "eine Zahl"}`,
+    refused: (name, mayBe) => `${name}: ${mayBe}`,
+    mayBe: (least, most) =>
+      least ? (most ? `von ${least} bis ${most}` : `mindestens ${least}`) : most ? `höchstens ${most}` : "eine Zahl",
     selected: (name) => `${name} ausgewählt`,
     nothingSelected: "Nichts ausgewählt",
     added: (name) => `${name} hinzugefügt`,

@@ -698,8 +698,9 @@ const english = {
 
   announce: {
     /** "": no bound, as of a number that there is none of. */
-    refused: (name: string, least: string, most: string): string =>
-      `${name}: ${least ? (most ? `from ${least} to ${most}` : `${least} at least`) : most ? `${most} at most` : "a number"}`,
+    refused: (name: string, mayBe: string): string => `${name}: ${mayBe}`,
+    mayBe: (least: string, most: string): string =>
+      least ? (most ? `from ${least} to ${most}` : `${least} at least`) : most ? `${most} at most` : "a number",
     selected: (name: string): string => `${name} selected`,
     nothingSelected: "Nothing selected",
     added: (name: string): string => `${name} added`,

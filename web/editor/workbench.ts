@@ -31,7 +31,7 @@ import { pickFiles } from "./ui/file-picker.ts";
 import { endOpenField } from "./ui/open-field.ts";
 import { focusPressed } from "./ui/press-focus.ts";
 import "./ui/menu.ts";
-import type { Refusal } from "./ui/number-field.ts";
+import type { NumberField, Refusal } from "./ui/number-field.ts";
 import "./ui/number-field.ts";
 import "./ui/splitter.ts";
 import { windowOf } from "../viewer/window-of.ts";
@@ -253,7 +253,10 @@ export class Workbench extends EditorElement {
         // A page around the editor has no field of that kind.
         event.stopPropagation();
         const { name, least, most } = (event as CustomEvent<Refusal>).detail;
-        this.editor.board.announce(this.strings.announce.refused(name, least, most));
+        const { refused, mayBe } = this.strings.announce;
+        const [field] = event.composedPath() as NumberField[];
+        field?.explain(mayBe(least, most));
+        this.editor.board.announce(refused(name, mayBe(least, most)));
       },
       { signal },
     );

@@ -1,7 +1,8 @@
 /**
  * A numeric field: typing, arrow keys, and a label to scrub with the pointer. Emits `field-preview` while a scrub goes
  * on, `field-change` when a value is final, `field-cancel` when a key takes a scrub back; `detail` is a NumberFieldEvent.
- * `field-refused`, which panels let through, tells what may be typed of a number that was not taken: it is seen, and must be heard.
+ * `field-refused`, which panels let through, tells what may be typed of a number that was not taken: who knows the words for it
+ * lets it be heard, and gives them to the field to `explain`.
  */
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { takesBack } from "../../viewer/take-back-key.ts";
@@ -27,6 +28,9 @@ export interface Refusal {
   readonly most: string;
 }
 
+/** Pixels between a field and why it is marked, and between that and the page's edges. */
+const WHY_GAP = 4;
+
 /** Milliseconds that a field is marked at least whose number was not taken. */
 const REFUSAL = 5000;
 
@@ -44,6 +48,7 @@ export class NumberField extends RemElement {
     max: { type: Number },
     disabled: { type: Boolean },
     fieldsetDisabled: { state: true },
+    why: { state: true },
   };
   /** What is seen: short ("X"). */
   declare label: string;
@@ -57,6 +62,8 @@ export class NumberField extends RemElement {
   declare max: number;
   declare disabled: boolean;
   declare fieldsetDisabled: boolean;
+  /** Why what was typed was not taken, while it is told; "": it was. */
+  declare why: string;
 
   #scrub: {
     readonly pointer: number;
@@ -80,6 +87,7 @@ export class NumberField extends RemElement {
     this.max = Number.POSITIVE_INFINITY;
     this.disabled = false;
     this.fieldsetDisabled = false;
+    this.why = "";
   }
 
   static override styles = [
@@ -149,6 +157,19 @@ export class NumberField extends RemElement {
       input[aria-invalid="true"] {
         color: var(--danger);
       }
+      .why {
+        position: fixed;
+        inset: auto;
+        margin: 0;
+        max-width: 16rem;
+        padding: var(--space-1) var(--space-2);
+        border: 1px solid var(--danger);
+        border-radius: var(--radius);
+        background: var(--surface);
+        color: var(--danger);
+        font-size: var(--text-small);
+        pointer-events: none;
+      }
       .unit {
         display: var(--unit, inline);
         padding-inline-end: var(--space-2);
@@ -190,7 +211,13 @@ export class NumberField extends RemElement {
         @blur=${this.#commitTyped}
       />
       ${this.unit ? html`<span class="unit" aria-hidden="true">${this.unit}</span>` : ""}
-    </div>`;
+    </div>
+    ${this.why ? html`<div class="why" popover="manual" aria-hidden="true">${this.why}</div>` : nothing}`;
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#accept();
   }
 
   formDisabledCallback(disabled: boolean): void {
@@ -204,6 +231,25 @@ export class NumberField extends RemElement {
   override updated(changed: PropertyValues<this>): void {
     const own = this.#typing || this.#scrub?.active === true;
     if ((changed.has("value") || changed.has("step") || changed.has("name")) && !own) this.#show();
+    if (this.why) this.#placeWhy();
+  }
+
+  /** Tells beneath the field, for as long as it is marked, why what was typed was not taken. */
+  explain(why: string): void {
+    if (this.hasAttribute("refused")) this.why = why;
+  }
+
+  /** In the page's top layer: what scrolls round the field would cut it off. */
+  #placeWhy(): void {
+    const tip = this.renderRoot.querySelector<HTMLElement>(".why");
+    if (!tip) return;
+    tip.showPopover?.();
+    const { left, top, bottom } = this.getBoundingClientRect();
+    const [width, height] = [tip.offsetWidth, tip.offsetHeight];
+    const page = windowOf(this);
+    const under = bottom + WHY_GAP + height <= page.innerHeight ? bottom + WHY_GAP : top - WHY_GAP - height;
+    tip.style.top = `${under}px`;
+    tip.style.left = `${Math.max(WHY_GAP, Math.min(left, page.innerWidth - width - WHY_GAP))}px`;
   }
 
   override focus(): void {
@@ -266,8 +312,13 @@ export class NumberField extends RemElement {
     const value = this.#typed();
     const outside = value === undefined ? this.#input?.value.trim() !== "" : value < this.min || value > this.max;
     if (value !== undefined && value !== this.value) this.#emit("field-change", value, false);
-    this.#show();
-    if (outside) this.#refuse();
+    if (outside) {
+      this.#show();
+      this.#refuse();
+    } else {
+      this.#accept();
+      this.#show();
+    }
     return value && this.#bounded(value);
   }
 
@@ -285,9 +336,23 @@ export class NumberField extends RemElement {
     this.dispatchEvent(new CustomEvent("field-refused", { detail, bubbles: true, composed: true }));
     clearTimeout(this.#refusal);
     this.#refusal = setTimeout(() => {
-      this.toggleAttribute("refused", false);
+      this.#accept();
       if (!this.#typing) input?.setAttribute("aria-invalid", "false");
     }, REFUSAL);
+    // What moves under it would leave it behind.
+    windowOf(this).addEventListener("scroll", this.#hideWhy, { capture: true, passive: true });
+  }
+
+  readonly #hideWhy = (): void => {
+    this.why = "";
+  };
+
+  /** Nothing is refused any longer. */
+  #accept(): void {
+    clearTimeout(this.#refusal);
+    windowOf(this).removeEventListener("scroll", this.#hideWhy, { capture: true });
+    this.toggleAttribute("refused", false);
+    this.why = "";
   }
 
   /** Undefined where it is none, and where nothing can be so small: what is left of a size of 0 could not be seen. */

@@ -6,7 +6,7 @@ import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import { orientationOf } from "../../editor/state/rotation.ts";
 import "../../editor/ui/number-field.ts";
-import type { NumberFieldEvent, Refusal } from "../../editor/ui/number-field.ts";
+import type { NumberField, NumberFieldEvent, Refusal } from "../../editor/ui/number-field.ts";
 import type { Projector } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontOf } from "../../engine/shipped-fonts.ts";
 import type { Desk } from "../desk/desk.ts";
@@ -155,7 +155,9 @@ function number(
     @field-refused=${(event: CustomEvent<Refusal>) => {
       // The shop's page is none of its listeners.
       event.stopPropagation();
-      view.desk.hooks.announce(`${name}: ${event.detail.least} – ${event.detail.most}`);
+      const range = `${event.detail.least} – ${event.detail.most}`;
+      (event.target as NumberField).explain(range);
+      view.desk.hooks.announce(`${name}: ${range}`);
     }}
   ></tc-number>`;
 }
