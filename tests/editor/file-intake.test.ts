@@ -51,6 +51,34 @@ describe("what comes together with a model", () => {
   });
 });
 
+describe("a model whose files did not come with it", () => {
+  const naming = (...uris: readonly string[]) => {
+    const model = writeGlb({ ...json, images: uris.map((uri) => ({ uri })) }, binary);
+    return [{ path: "model.glb", file: new File([new Uint8Array(model)], "model.glb") }];
+  };
+
+  it("is refused with all of them at once, as people write their names", async () => {
+    const uris = ["textures/skin%20a.png", "textures/metal.png"];
+    const refused = sortFiles(naming(...uris), stringsIn("en"));
+    await expect(refused).rejects.toMatchObject({
+      code: "missing-file",
+      message: "model.glb needs files that did not come with it: textures/skin a.png, textures/metal.png.",
+    });
+    await expect(sortFiles(naming(...uris), stringsIn("de"))).rejects.toThrow(
+      "nicht dabei sind: textures/skin a.png, ",
+    );
+  });
+
+  it("is refused with some of them where they are many, and how many more there are", async () => {
+    const uris = Array.from({ length: 9 }, (_, i) => `${i}.png`);
+    await expect(sortFiles(naming(...uris), stringsIn("en"))).rejects.toThrow("5.png, and 3 more.");
+  });
+
+  it("is the engine's to refuse where one is missing", async () => {
+    expect((await sortFiles(naming("one.png"), stringsIn("en"))).model?.name).toBe("model.glb");
+  });
+});
+
 describe("a picture", () => {
   it("is one that cannot be read where it came alone, so that what it is instead is told", async () => {
     const others = ["logo.pdf", "logo.ai", "logo.eps", "layers.psd", "cat.gif", "scan.tif", "photo.HEIC"];

@@ -741,6 +741,9 @@ export const german: Strings = {
     noModelYet: "Es ist kein Modell offen, auf dem das Bild liegen könnte.",
     twoModels: (first, second) => `Zwei Modelle kamen auf einmal: ${first} und ${second}.`,
     twoModelsHint: "Öffne ein Modell nach dem anderen.",
+    filesMissing: (name, files, more) =>
+      `${name} braucht Dateien, die nicht dabei sind: ${files}${more > 0 ? ` und ${more} weitere` : ""}.`,
+    filesMissingHint: "Wähle oder zieh das Modell und alle seine Dateien auf einmal, ihren Ordner oder ein Zip davon.",
     unknownFile: (name) => `${name} ist kein Modell, Design oder Bild, das diese Seite kennt.`,
     nothingZipped: (name) => `In ${name} ist kein Modell, Design oder Bild, das diese Seite kennt.`,
     couldNotUnzip: () => "Das Archiv ließ sich nicht entpacken.",

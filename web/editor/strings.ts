@@ -732,6 +732,9 @@ const english = {
     noModelYet: "There is no model to put the picture on.",
     twoModels: (first: string, second: string): string => `Two models came at once: ${first} and ${second}.`,
     twoModelsHint: "Open one model at a time.",
+    filesMissing: (name: string, files: string, more: number): string =>
+      `${name} needs files that did not come with it: ${files}${more > 0 ? `, and ${more} more` : ""}.`,
+    filesMissingHint: "Choose or drop the model and all its files at once, or their folder, or a zip of them.",
     unknownFile: (name: string): string => `${name} is not a model, a design or a picture that this page knows.`,
     nothingZipped: (name: string): string => `There is no model, design or picture in ${name} that this page knows.`,
     couldNotUnzip: (reason: string): string => `The archive could not be unpacked. ${reason}`,

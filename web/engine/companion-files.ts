@@ -24,7 +24,8 @@ export function findCompanion<File extends { readonly path: string }>(
 /** The last part of a path or an address. */
 export const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
 
-function decodeAddress(address: string): string {
+/** An address as a person would write the file's name; as it stands where a stray "%" is no encoding. */
+export function decodeAddress(address: string): string {
   try {
     return decodeURIComponent(address);
   } catch {

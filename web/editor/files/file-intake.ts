@@ -1,6 +1,6 @@
 /** What a handful of files means: a model with its side files, a design, pictures for decals. */
 
-import { findCompanion } from "../../engine/companion-files.ts";
+import { decodeAddress, findCompanion } from "../../engine/companion-files.ts";
 import type { ModelSource } from "../../engine/engine-api.ts";
 import { listSideFiles } from "../../engine/gltf-container.ts";
 import { MODEL } from "../../engine/zipped-files.ts";
@@ -33,8 +33,17 @@ const FONT = /\.(ttf|otf|ttc|otc|woff2?)$/i;
 const DESIGN = /\.json$/i;
 const PROJECT = /\.texelcast$/i;
 const PALETTE = /\.gpl$/i;
+/** One letter is a drive of Windows. */
+const ON_THE_NET = /^[a-z][a-z0-9+.-]+:/i;
+/** Files that are named where a model lacks several. */
+const TOLD_MISSING = 6;
+/** Of an address that is none of a file. */
+const TOLD_LETTERS = 80;
 
-/** Throws a TexelcastError of code "unsupported" when nothing of it can be used or when it holds two models. */
+/**
+ * Throws a TexelcastError of code "unsupported" when nothing of it can be used or when it holds two models, and "missing-file"
+ * where several files that the model names did not come with it.
+ */
 export async function sortFiles(files: readonly CollectedFile[], strings: Strings): Promise<Intake> {
   const [modelFile, secondModel] = files.filter(({ path }) => MODEL.test(path));
   if (modelFile && secondModel) {
@@ -46,7 +55,7 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
   const designs = files.filter(({ path }) => DESIGN.test(path));
   const design = designs.find(({ path }) => path.endsWith(".design.json")) ?? designs[0];
   const project = files.find(({ path }) => PROJECT.test(path));
-  const read = modelFile && (await readModel(modelFile, files));
+  const read = modelFile && (await readModel(modelFile, files, strings));
   const spare = design || project ? [] : read ? files.filter((file) => isBeside(file, read.own)) : files;
   const pictures = spare.filter(({ path }) => PICTURE.test(path) || (!read && OTHER_PICTURE.test(path)));
   const fonts = spare.filter(({ path }) => FONT.test(path));
@@ -87,20 +96,42 @@ interface ReadModel {
   readonly own: ReadonlySet<CollectedFile>;
 }
 
-async function readModel(modelFile: CollectedFile, files: readonly CollectedFile[]): Promise<ReadModel> {
+async function readModel(
+  modelFile: CollectedFile,
+  files: readonly CollectedFile[],
+  strings: Strings,
+): Promise<ReadModel> {
   const name = modelFile.file.name;
   const bytes = await bytesOf(modelFile.file);
   const resources = new Map<string, Uint8Array>();
   const own = new Set<CollectedFile>();
+  const missing: string[] = [];
   for (const address of sideFilesOf(name, bytes)) {
     const companion = findCompanion(address, modelFile.path, files);
-    // A missing one is the engine's to report: it knows what the file is for.
-    if (!companion) continue;
-    own.add(companion);
-    resources.set(address, await bytesOf(companion.file));
+    if (companion) {
+      own.add(companion);
+      resources.set(address, await bytesOf(companion.file));
+    } else missing.push(decodeAddress(address));
   }
+  // A single one is the engine's to report, which knows what the file is for, and one on the net, which nobody fetches.
+  if (missing.length > 1 && !missing.some((address) => ON_THE_NET.test(address)))
+    throw severalMissing(name, missing, strings);
   return { model: { name, bytes, resources }, own };
 }
+
+/** So that whoever gathers them need not come once for each. */
+function severalMissing(name: string, missing: readonly string[], { errors }: Strings): ToldError {
+  const told = missing.slice(0, TOLD_MISSING);
+  const list = told.map((address) => shortened(address)).join(", ");
+  return new ToldError("missing-file", errors.filesMissing(name, list, missing.length - told.length), {
+    subject: name,
+    value: missing.join(", "),
+    hint: errors.filesMissingHint,
+  });
+}
+
+const shortened = (address: string): string =>
+  address.length > TOLD_LETTERS ? `${address.slice(0, TOLD_LETTERS)}…` : address;
 
 function sideFilesOf(name: string, bytes: Uint8Array): string[] {
   try {
