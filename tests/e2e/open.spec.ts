@@ -232,7 +232,7 @@ test("says what is missing when a .gltf comes without its buffer, and keeps the 
   const [gltf] = squareGltf();
   await editor.openModel(gltf ? [gltf] : []);
   await expect(editor.notices).toHaveAttribute("data-code", "missing-file");
-  await expect(editor.notices).toContainText("square%20data.bin");
+  await expect(editor.notices).toContainText("square data.bin, textures/board.png");
   expect(await editor.settledHash()).toBe(before);
 });
 

@@ -56,6 +56,21 @@ test("a tab closed without saving is back as it was, and its file renders to the
   expect(await again.design()).toEqual({ ...design, assets: (await again.design()).assets });
 });
 
+test("the open project is given another name from its own menu", async ({ editor, page }) => {
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  await page.evaluate(() => window.texelcast.kept());
+  await editor.chooseOfProjects("Rename…");
+  const field = page.getByRole("textbox", { name: /^Name of / });
+  await expect(field).toBeFocused();
+  await field.fill("Breakfast");
+  await field.press("Enter");
+  await expect(page.locator("tc-top-bar .projects")).toContainText("Breakfast");
+  await page.keyboard.press("Escape");
+  await page.reload();
+  await expect(page.locator("tc-top-bar .projects")).toContainText("Breakfast");
+});
+
 test("opening a model and undoing it leaves its project the one that a reload and a new tab go on with", async ({
   editor,
   page,

@@ -623,6 +623,7 @@ export const german: Strings = {
     openElsewhere: "In einem anderen Tab offen",
     deleted: "Gelöscht",
     open: (name) => `${name} öffnen`,
+    renameThis: "Umbenennen…",
     rename: (name) => `${name} umbenennen`,
     nameOf: (name) => `Name von ${name}`,
     duplicate: (name) => `${name} duplizieren`,

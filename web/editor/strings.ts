@@ -614,6 +614,7 @@ const english = {
     openElsewhere: "Open in another tab",
     deleted: "Deleted",
     open: (name: string): string => `Open ${name}`,
+    renameThis: "Rename…",
     rename: (name: string): string => `Rename ${name}`,
     nameOf: (name: string): string => `Name of ${name}`,
     duplicate: (name: string): string => `Duplicate ${name}`,

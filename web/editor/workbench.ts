@@ -308,7 +308,7 @@ export class Workbench extends EditorElement {
         .embedded=${this.embedded}
         @help=${() => this.#help()}
         @templates=${this.#templates}
-        @projects=${() => this.renderRoot.querySelector("tc-projects-dialog")?.show()}
+        @projects=${(event: CustomEvent<unknown>) => this.renderRoot.querySelector("tc-projects-dialog")?.show(event.detail === "rename")}
       ></tc-top-bar>
       ${this.#views()}
       ${

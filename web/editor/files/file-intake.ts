@@ -125,7 +125,6 @@ function severalMissing(name: string, missing: readonly string[], { errors }: St
   const list = told.map((address) => shortened(address)).join(", ");
   return new ToldError("missing-file", errors.filesMissing(name, list, missing.length - told.length), {
     subject: name,
-    value: missing.join(", "),
     hint: errors.filesMissingHint,
   });
 }

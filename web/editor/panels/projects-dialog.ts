@@ -141,12 +141,21 @@ export class ProjectsDialog extends EditorElement {
   #saidBefore = "";
   #noticedBefore = 0;
 
-  show(): void {
+  /** @param naming with the open project's name to be typed */
+  show(naming = false): void {
     this.#saidBefore = this.state.announcement;
     this.#noticedBefore = Math.max(0, ...this.state.notices.map(({ id }) => id));
     this.shown = true;
     this.#dialog?.showModal();
-    void this.editor.projects.refresh().then(() => this.editor.projects.refreshThumbnail());
+    void this.#refresh(naming);
+  }
+
+  async #refresh(naming: boolean): Promise<void> {
+    const { projects } = this.editor;
+    await projects.refresh();
+    const here = this.state.projects?.find(({ open }) => open === "here");
+    if (naming && here && this.shown) this.#rename(here.id);
+    await projects.refreshThumbnail();
   }
 
   protected watched({ projects, switching, keeping, announcement }: EditorState): readonly unknown[] {

@@ -11,6 +11,7 @@ import {
   Image,
   LayoutGrid,
   LayoutTemplate,
+  Pencil,
   Plus,
   Redo2,
   Save,
@@ -226,6 +227,13 @@ export class TopBar extends EditorElement {
         hint: projectWords.keeping[keeping] || projectWords.allHint,
         icon: LayoutGrid,
         run: () => this.dispatchEvent(new CustomEvent("projects")),
+      },
+      {
+        label: projectWords.renameThis,
+        icon: Pencil,
+        // What is kept nowhere yet, or cannot be, has no name to change.
+        disabled: none || keeping === "untouched" || keeping === "refused",
+        run: () => this.dispatchEvent(new CustomEvent("projects", { detail: "rename" })),
       },
       {
         label: projectWords.create,
