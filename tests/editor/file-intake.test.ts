@@ -51,6 +51,22 @@ describe("what comes together with a model", () => {
   });
 });
 
+describe("what is of no use", () => {
+  const useless = async (...paths: readonly string[]): Promise<readonly string[]> => {
+    const files = paths.map((path) => ({ path, file: new File(["bytes"], path) }));
+    return (await sortFiles(files, stringsIn("en"))).useless;
+  };
+
+  it("is named where it came beside a picture", async () => {
+    expect(await useless("logo.png", "notes.txt", "Hand.ttf")).toEqual(["notes.txt"]);
+  });
+
+  it("is nobody's business in a folder of pictures, or beside a design", async () => {
+    expect(await useless("art/logo.png", "art/notes.txt")).toEqual([]);
+    expect(await useless("work.design.json", "notes.txt")).toEqual([]);
+  });
+});
+
 describe("a model whose files did not come with it", () => {
   const naming = (...uris: readonly string[]) => {
     const model = writeGlb({ ...json, images: uris.map((uri) => ({ uri })) }, binary);

@@ -22,6 +22,8 @@ export interface Intake {
   readonly fonts: readonly CollectedFile[];
   /** Colours to paint with, which are no part of a design. */
   readonly palette?: CollectedFile;
+  /** The paths of what came beside pictures, fonts and colours and is of no use: in folders, and beside a model, much is. */
+  readonly useless: readonly string[];
   /** Everything that came along: a design's relative addresses are looked up here. */
   readonly companions: readonly CollectedFile[];
 }
@@ -74,9 +76,13 @@ export async function sortFiles(files: readonly CollectedFile[], strings: String
     pictures,
     fonts,
     ...(palette && { palette }),
+    useless: read || design || project ? [] : uselessOf(files, [...pictures, ...fonts, ...(palette ? [palette] : [])]),
     companions: files,
   };
 }
+
+const uselessOf = (files: readonly CollectedFile[], used: readonly CollectedFile[]): string[] =>
+  files.filter((file) => !used.includes(file) && !file.path.includes("/")).map(({ path }) => path);
 
 /** Beside a model, and not its own: in a folder lie previews and sources of its textures that it does not name either. */
 function isBeside(file: CollectedFile, own: ReadonlySet<CollectedFile>): boolean {

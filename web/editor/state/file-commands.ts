@@ -111,6 +111,10 @@ export class FileCommands {
       if (this.#parts.admission && (sorted.model || sorted.design || sorted.project)) throw this.#notHere(collected);
       if (sorted.palette) await this.#parts.palettes().open(sorted.palette.file);
       await this.#useSorted(sorted, name, hit);
+      for (const path of sorted.useless) {
+        const { unknownFile, unknownFileHint: hint } = board.strings.errors;
+        board.info({ title: board.strings.notices.notOpened(path), message: unknownFile(path), hint });
+      }
     } catch (thrown) {
       board.error(board.strings.errors.couldNotOpen(name), thrown);
     }
