@@ -3,10 +3,10 @@ import type { Locator, Page } from "@playwright/test";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
 import { squareGlb } from "./support/test-files.ts";
 
-/** The mug's height on the screen, pixels. */
+/** The height of a part of the mug's wall on the screen, pixels: the one that is seen in its middle at first. */
 async function tallness(page: Page): Promise<number> {
   const at = async (height: number): Promise<Point> =>
-    (await page.evaluate((y) => window.texelcast.project(0, y, 0), height)) ?? { x: 0, y: 0 };
+    (await page.evaluate((y) => window.texelcast.project(0.017, y, 0.037), height)) ?? { x: 0, y: 0 };
   return (await at(0.04)).y - (await at(0.06)).y;
 }
 

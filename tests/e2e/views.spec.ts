@@ -37,6 +37,26 @@ test("a wheel beside the model comes nearer to it, and does not lose it", async 
   expect(await tallness()).toBeGreaterThan(before * 1.5);
 });
 
+test("a wheel on the model comes near to its surface, and not through it", async ({ editor, page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await editor.open();
+  const view = await editor.view.boundingBox();
+  if (!view) throw new Error("The page shows no model.");
+  const onWall = () => page.evaluate(() => window.texelcast.project(0.017, 0.05, 0.037));
+  const before = await onWall();
+  if (!before) throw new Error("The mug is not in view.");
+  await page.mouse.move(before.x, before.y);
+  for (let step = 0; step < 40; step += 1) await page.mouse.wheel(0, -300);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  // From within the mug it would lie behind the camera.
+  const near = await onWall();
+  expect(Math.hypot((near?.x ?? 0) - before.x, (near?.y ?? 0) - before.y)).toBeLessThan(60);
+  await page.keyboard.press("f");
+  await expect
+    .poll(() => page.evaluate(() => window.texelcast.project(0, 0, 0)?.y ?? 0))
+    .toBeLessThan(view.y + view.height);
+});
+
 test("a template opens at 64 × 64, its outer layer hidden, with a guide of its parts", async ({ editor, page }) => {
   await editor.open();
   await openTemplate(page, "block-slim");

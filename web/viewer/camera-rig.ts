@@ -27,12 +27,22 @@ export interface CameraRig {
   dispose(): void;
 }
 
+/** What is about to bring the model nearer or farther. */
+export interface ZoomStep {
+  /** Metres: what is seen under the pointer, or in the middle of the view where nothing is; null: the model in neither. */
+  readonly surface: Vector3 | null;
+  /** What is under the pointer stays there; else the middle of the view does. */
+  readonly toPointer: boolean;
+  /** Or it may, as fingers that have not moved yet. */
+  readonly nearer: boolean;
+}
+
 /** A rig that hands can reach. */
 export interface HeldRig extends CameraRig {
   /** Whether the left button pans instead of turning, from its next press on. */
   setPanning(pans: boolean): void;
-  /** Whether a wheel keeps what is under the pointer where it is, from its next step on; else the middle of the view. */
-  setZoomToPointer(zooms: boolean): void;
+  /** A wheel is about to turn, or two fingers to pinch. */
+  beforeZoom(step: ZoomStep): void;
   /** Arrow keys turn, plus and minus dolly. Returns whether the key meant something. */
   step(key: string, eased: boolean): boolean;
 }

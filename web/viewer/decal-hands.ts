@@ -55,12 +55,17 @@ export class DecalHands {
   listen(): void {
     const { rig, view, posed } = this.#parts;
     const { element: root, events } = view;
-    // Beside the model a wheel that kept what is under the pointer would bring nearer what is not there, and lose the model.
-    root.addEventListener(
-      "wheel",
-      ({ clientX, clientY }) => rig.setZoomToPointer(this.sampleAt(this.screen.pointOf(clientX, clientY)) !== null),
-      { capture: true, passive: true },
-    );
+    const early = { capture: true, passive: true };
+    const zoom = ({ clientX, clientY }: MouseEvent, nearer: boolean, toPointer?: boolean): void => {
+      const { width, height } = this.screen.size;
+      const under = this.sampleAt(this.screen.pointOf(clientX, clientY));
+      const seen = under ?? this.sampleAt({ x: width / 2, y: height / 2 });
+      const surface = seen && (posed()?.toPosed(seen.position) ?? seen.position);
+      // Beside the model a wheel that kept what is under the pointer would bring nearer what is not there, and lose the model.
+      rig.beforeZoom({ surface, toPointer: toPointer ?? under !== null, nearer });
+    };
+    root.addEventListener("wheel", (event) => zoom(event, event.deltaY < 0), early);
+    root.addEventListener("pointerdown", (event) => event.isPrimary || zoom(event, true, true), early);
     this.#input = new ViewInput(root, this.gizmo, this.screen, {
       pick: (ray) => this.#parts.model()?.pick(ray) ?? null,
       isPosed: () => posed() !== null,

@@ -12,7 +12,8 @@ import {
   Vector3,
   Vector4,
 } from "three";
-import type { CameraReach, HeldRig, StillRig } from "./camera-rig.ts";
+import type { CameraReach, HeldRig, StillRig, ZoomStep } from "./camera-rig.ts";
+import { DepthControls } from "./depth-controls.ts";
 
 CameraControls.install({
   THREE: { Vector2, Vector3, Vector4, Quaternion, Matrix4, Spherical, Box3, Sphere, Raycaster },
@@ -25,9 +26,14 @@ CameraControls.install({
 const OWN_SPEED = 1;
 const PINCH_SPEED = (/Mac/.test(navigator.platform) ? 1 : 3) / (-100 * Math.log(0.95));
 
+/** Of the way to the model's middle: who is that far from what was looked at closely sees the model again, and turns it about its middle. */
+const FAR = 0.7;
+
 export class HeldCamera implements HeldRig {
-  readonly controls: CameraControls;
+  readonly controls: DepthControls;
   readonly #abort = new AbortController();
+  /** Of what is shown. */
+  readonly #middle = new Vector3();
 
   /** @param before what it takes over from @param requestFrame asks for `update` */
   constructor(camera: PerspectiveCamera, root: HTMLElement, before: StillRig, requestFrame: () => void) {
@@ -35,8 +41,12 @@ export class HeldCamera implements HeldRig {
     // Before the controls listen.
     const early = { capture: true, passive: true, signal: this.#abort.signal };
     root.addEventListener("wheel", ({ ctrlKey }) => this.#setSpeed(ctrlKey ? PINCH_SPEED : OWN_SPEED), early);
-    root.addEventListener("pointerdown", () => this.#setSpeed(OWN_SPEED), early);
-    const controls = new CameraControls(camera, root);
+    const press = (): void => {
+      this.#setSpeed(OWN_SPEED);
+      this.#lookToMiddle();
+    };
+    root.addEventListener("pointerdown", press, early);
+    const controls = new DepthControls(camera, root);
     this.controls = controls;
     controls.mouseButtons.left = ACTION.ROTATE;
     controls.mouseButtons.middle = ACTION.ROTATE;
@@ -60,6 +70,7 @@ export class HeldCamera implements HeldRig {
   }
 
   enclose(box: Box3): void {
+    box.getCenter(this.#middle);
     this.controls.setBoundary(box);
   }
 
@@ -87,8 +98,22 @@ export class HeldCamera implements HeldRig {
     this.controls.mouseButtons.left = pans ? CameraControls.ACTION.TRUCK : CameraControls.ACTION.ROTATE;
   }
 
-  setZoomToPointer(zooms: boolean): void {
-    this.controls.dollyToCursor = zooms;
+  beforeZoom({ surface, toPointer, nearer }: ZoomStep): void {
+    const { controls } = this;
+    controls.dollyToCursor = toPointer;
+    if (!nearer) this.#lookToMiddle();
+    else if (surface !== null) {
+      // Steps are shares of the way to the middle of the orbit: to that of a mug they would lead through its wall.
+      const depth = controls.depthOf(surface);
+      if (depth > 0 && depth < controls.depth) controls.setDepth(depth);
+    }
+  }
+
+  /** What is as far away again turns about its own middle. */
+  #lookToMiddle(): void {
+    const { controls } = this;
+    const middle = controls.depthOf(this.#middle);
+    if (controls.depth < middle && controls.depth > FAR * middle) controls.setDepth(middle);
   }
 
   /** Whether two fingers orbit and zoom, since one is a tool's; else they pan and zoom, and one orbits. */

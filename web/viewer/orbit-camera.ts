@@ -5,7 +5,7 @@
  */
 import { type Box3, MathUtils, MOUSE, type PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import type { CameraReach, HeldRig, StillRig } from "./camera-rig.ts";
+import type { CameraReach, HeldRig, StillRig, ZoomStep } from "./camera-rig.ts";
 
 /** How fast the view follows, of the way in a second: after a hand, and where it goes by itself. */
 const HAND_PACE = 30;
@@ -125,8 +125,8 @@ export class OrbitCamera implements HeldRig {
   /** The controls themselves pan with the shift key, and turn with it where they pan. */
   setPanning(): void {}
 
-  setZoomToPointer(zooms: boolean): void {
-    this.#zoomToPointer = zooms;
+  beforeZoom({ toPointer }: ZoomStep): void {
+    this.#zoomToPointer = toPointer;
   }
 
   step(key: string, eased: boolean): boolean {
