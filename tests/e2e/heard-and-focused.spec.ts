@@ -195,7 +195,7 @@ test("what keys do to a decal on the model is said once they rest", async ({ edi
 test("what is written short is heard whole", async ({ editor, page }) => {
   await page.addInitScript(() => localStorage.setItem("texelcast-language", "de"));
   await editor.openOnLowest();
-  for (const name of ["Gierung, °", "Neigung, °", "Drehung, °"]) {
+  for (const name of ["Kurs, °", "Neigung, °", "Drehung, °"]) {
     await expect(page.getByRole("spinbutton", { name, exact: true })).toBeVisible();
   }
 });

@@ -377,3 +377,13 @@ test("what is typed before a new text has its font chooses no tool and deletes n
   await page.keyboard.press("b");
   await expect(page.getByRole("radio", { name: "Brush" })).toBeChecked();
 });
+
+test("a text without words says that nothing of it is seen, until it has some", async ({ editor }) => {
+  const words = await openOnWords(editor);
+  const note = editor.page.locator("tc-text-fields .note");
+  await expect(note).toHaveCount(0);
+  await words.fill(" ");
+  await expect(note).toHaveText("Without words nothing of it is seen.");
+  await words.fill("Hello");
+  await expect(note).toHaveCount(0);
+});

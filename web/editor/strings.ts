@@ -499,6 +499,7 @@ const english = {
     outlineLetter: "Width",
     outlineHint: "How far it reaches out from the letters, of their height",
     fitBox: "Fit the box to the words",
+    empty: "Without words nothing of it is seen.",
     missing: "No font here has these characters:",
     missingTitle: "Some characters cannot be drawn",
     missingIn: (name: string, characters: string): string => `“${name}” has ${characters}, which no font here has.`,

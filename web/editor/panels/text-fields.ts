@@ -202,6 +202,7 @@ export class TextFields extends EditorElement {
   }
 
   #missing(layer: TextLayer): TemplateResult | typeof nothing {
+    if (layer.text.trim() === "") return html`<p class="note" role="status">${this.#words.empty}</p>`;
     const room = this.editor.texts.measureOf(layer);
     if (room === undefined) {
       // A font that cannot be had is told by the engine.
