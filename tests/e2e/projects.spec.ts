@@ -85,7 +85,7 @@ test("opening a model and undoing it leaves its project the one that a reload an
   await expect(page.locator("tc-status-line")).toContainText("Kept in this browser");
   await expect(page.locator("#save-design .unsaved")).toHaveCount(0);
   await expect(page.locator("tc-status-line")).not.toContainText("engine");
-  await expect(page.locator("tc-status-line [title*=engine]")).toContainText("texels painted");
+  await expect(page.locator("tc-status-line [title*=engine]")).toContainText("Last painted: ");
   await editor.openModel(squareGltf());
   await page.evaluate(() => window.texelcast.kept());
   await page.keyboard.press("Control+z");

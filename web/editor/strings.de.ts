@@ -548,7 +548,7 @@ export const german: Strings = {
   status: {
     label: "Status",
     size: (width, height) => `${width} × ${height}`,
-    painted: (texels) => `${texels} Texel bemalt`,
+    painted: (texels) => `Zuletzt bemalt: ${texels} Texel`,
     engine: (milliseconds) => `Engine ${milliseconds} ms`,
     upload: (milliseconds) => `Upload ${milliseconds} ms`,
     ready: "Bereit",

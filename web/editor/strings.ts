@@ -540,7 +540,7 @@ const english = {
   status: {
     label: "Status",
     size: (width: number, height: number): string => `${width} × ${height}`,
-    painted: (texels: string): string => `${texels} texels painted`,
+    painted: (texels: string): string => `Last painted: ${texels} texels`,
     engine: (milliseconds: string): string => `engine ${milliseconds} ms`,
     upload: (milliseconds: string): string => `upload ${milliseconds} ms`,
     ready: "Ready",
