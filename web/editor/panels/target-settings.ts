@@ -98,12 +98,40 @@ export class TargetSettings extends EditorElement {
           })}
         </select>
       </div>
-      ${readonlyFields(readonly, this.strings.readonly.why, this.#sizes(settings, ownWidth, ownHeight))}
+      ${readonlyFields(
+        readonly,
+        this.strings.readonly.why,
+        html`${this.#variants()}${this.#sizes(settings, ownWidth, ownHeight)}`,
+      )}
       ${checkField("pixel-mode", this.strings.tools.pixelMode, editor.tools.pixelMode, (pixelMode) =>
         editor.tools.configure({ pixelMode }),
       )}
       ${target ? this.#figures(target) : nothing}
       ${editor.unwrapping && !readonly && materialsToUnwrap(this.state).length > 0 ? this.#unwrap() : nothing}
+    `;
+  }
+
+  /** Which variant of its materials the model shows, where it has some. */
+  #variants(): TemplateResult | typeof nothing {
+    const { variants: command, tasks } = this.editor;
+    const variants = command?.variants;
+    if (!command || !variants) return nothing;
+    const { names, shown, hasOwnLook } = variants;
+    const show = (event: Event): void => {
+      const value = chosen(event);
+      void tasks.quietly(command.show(value === "" ? null : Number(value)));
+    };
+    return html`
+      <div class="field">
+        <label for="variant">${this.#words.variant}</label>
+        <select id="variant" .value=${String(shown ?? "")} @change=${show}>
+          ${hasOwnLook || shown === null ? html`<option value="" ?selected=${shown === null}>${this.#words.ownLook}</option>` : nothing}
+          ${names.map(
+            (name, index) =>
+              html`<option value=${index} ?selected=${index === shown}>${name || this.#words.variantNumber(index + 1)}</option>`,
+          )}
+        </select>
+      </div>
     `;
   }
 

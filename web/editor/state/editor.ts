@@ -45,6 +45,7 @@ import { Tasks } from "./tasks.ts";
 import { TextCommands } from "./text-commands.ts";
 import { UnwrapCommand, type Unwrapper } from "./unwrap-command.ts";
 import { UpdateRouter } from "./update-router.ts";
+import { VariantCommand } from "./variant-command.ts";
 import { ViewCommands } from "./view-commands.ts";
 import type { TextureMode } from "./view-state.ts";
 
@@ -88,6 +89,8 @@ export class Editor {
   readonly projects: ProjectCommands;
   /** Null where models are not unwrapped. */
   readonly unwrapping: UnwrapCommand | null;
+  /** Null where the model is not the user's to change. */
+  readonly variants: VariantCommand | null;
   readonly autosave: Autosave;
   readonly #models: ModelSession;
   readonly #router: UpdateRouter;
@@ -118,7 +121,9 @@ export class Editor {
     const { session, library } = this;
     this.layers = new LayerCommands({ session, viewer, store, board, admission });
     const models = this.#models;
-    this.unwrapping = unwrap && new UnwrapCommand({ store, session, models, board, tasks, unwrap });
+    const succeed = (before: ModelRef, after: ModelRef): void => this.autosave.succeed(before, after);
+    this.unwrapping = unwrap && new UnwrapCommand({ store, session, models, board, tasks, unwrap, succeed });
+    this.variants = unwrap && new VariantCommand({ store, session, models, board, succeed });
     const bare = new BareParts({ store, board, tasks, unwrapping: this.unwrapping });
     this.decals = new DecalCommands({ session, viewer, store, board, layers: this.layers, bare });
     const { decals, layers } = this;

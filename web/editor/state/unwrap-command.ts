@@ -40,6 +40,8 @@ export interface UnwrapCommandParts {
   readonly board: NoticeBoard;
   readonly tasks: Tasks;
   readonly unwrap: Unwrapper;
+  /** Lets a model stay in the project of the one whose place it takes. */
+  readonly succeed: (before: ModelRef, after: ModelRef) => void;
 }
 
 export const sharesTexels = ({ overlappingTexels, coveredTexels }: TargetInfo): boolean =>
@@ -80,7 +82,7 @@ export class UnwrapCommand {
 
   /** @param done tells the user */
   async #run(materials: readonly number[], done: () => void): Promise<void> {
-    const { store, session, models, board } = this.#parts;
+    const { store, session, models, board, succeed } = this.#parts;
     const { strings } = board;
     const before = store.state.model?.ref;
     if (!before || materials.length === 0 || store.state.readonly || store.state.switching) return;
@@ -93,6 +95,7 @@ export class UnwrapCommand {
       // A size that was chosen for the old texture may be too small for all of its parts.
       const settings = new Map([...store.state.targetSettings].filter(([material]) => !materials.includes(material)));
       models.rememberSettings(ref, settings);
+      succeed(before, ref);
       const record = (): void => session.recordModel(ref, design, strings.steps.unwrap);
       await models.open(ref, design, record, { keepsView: true });
       done();

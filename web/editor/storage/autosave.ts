@@ -101,6 +101,12 @@ export class Autosave {
     this.#projects.set(model, { id: randomId(), revision: 0, kept: null, origin: null });
   }
 
+  /** What is about to take a model's place in its own project: the same model, unwrapped or in another variant. */
+  succeed(before: ModelRef, after: ModelRef): void {
+    const project = this.#projects.get(before);
+    if (project) this.#projects.set(after, project);
+  }
+
   /** The open project was deleted: it stays on the page, and comes back as another one when it is changed. */
   forget(id: string): void {
     const current = this.#current;
