@@ -2,6 +2,7 @@
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 import type { MaterialInfo, ModelInfo, ModelSource, Vec3 } from "../web/engine/engine-api.ts";
 import type { EngineHost } from "../web/engine/engine-host.ts";
+import { type Variants, variantsOf } from "../web/engine/material-variants.ts";
 
 export interface MaterialReport {
   readonly index: number;
@@ -48,6 +49,8 @@ export interface ModelReport {
   readonly vertices: number;
   readonly bounds: Bounds;
   readonly materials: readonly MaterialReport[];
+  /** Of its materials (KHR_materials_variants), where it has some; `shown` is null where the file's own look is none of them. */
+  readonly variants?: { readonly names: readonly string[]; readonly shown: string | null };
 }
 
 const DEFAULT_SIZE = 1024;
@@ -56,7 +59,7 @@ const DEFAULT_SIZE = 1024;
 const LARGEST_MEASURED_SIZE = 4096;
 
 /**
- * Loads the model and bakes each material that can take decals, one at a time.
+ * Loads the model, which is no zip, and bakes each material that can take decals, one at a time.
  *
  * @param onProgress The material under way and the share of its bake.
  */
@@ -81,7 +84,7 @@ export async function inspectModel(
       materials.push(reportMaterial({ ...material, refusal: thrown }, null));
     }
   }
-  return reportModel(model, materials);
+  return reportModel(model, materials, variantsOf(source));
 }
 
 async function measure(
@@ -127,12 +130,18 @@ function reportMaterial(material: MaterialInfo, measured: UvMeasure | null): Mat
   };
 }
 
-function reportModel(model: ModelInfo, materials: readonly MaterialReport[]): ModelReport {
+function reportModel(model: ModelInfo, materials: readonly MaterialReport[], variants: Variants | null): ModelReport {
   return {
     file: model.name,
     triangles: model.triangles,
     vertices: model.vertices,
     bounds: { min: model.boundsMin, max: model.boundsMax },
     materials,
+    ...(variants && {
+      variants: {
+        names: variants.names,
+        shown: variants.shown === null ? null : (variants.names[variants.shown] ?? null),
+      },
+    }),
   };
 }

@@ -8,6 +8,7 @@ import type { PrintOptions } from "./commands/print.ts";
 import type { RenderOptions } from "./commands/render.ts";
 import type { SchemaOptions } from "./commands/schema.ts";
 import type { UnwrapCommandOptions } from "./commands/unwrap.ts";
+import type { VariantCommandOptions } from "./commands/variant.ts";
 import { EXIT_BAD_INPUT } from "./exit-codes.ts";
 import {
   parseBase,
@@ -65,6 +66,10 @@ Examples:
   texelcast unwrap knight.glb --out knight-unwrapped.glb
   texelcast unwrap shoe/shoe.gltf --out shoe.glb --material 1 --size 4096`;
 
+const VARIANT_EXAMPLES = `
+Examples:
+  texelcast variant shoe/shoe.gltf --out street.glb --name street`;
+
 const SCHEMA_EXAMPLES = `
 Examples:
   texelcast schema > design.schema.json
@@ -85,7 +90,7 @@ export function createProgram(): Command {
     .helpCommand(false)
     .addHelpText(
       "after",
-      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(CHECK_EXAMPLES, 1)}${withoutHeading(PRINT_EXAMPLES, 1)}${withoutHeading(UNWRAP_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
+      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(CHECK_EXAMPLES, 1)}${withoutHeading(PRINT_EXAMPLES, 1)}${withoutHeading(UNWRAP_EXAMPLES, 1)}${withoutHeading(VARIANT_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
     )
     .exitOverride()
     .configureOutput({
@@ -233,6 +238,20 @@ export function createProgram(): Command {
     .addHelpText("after", UNWRAP_EXAMPLES)
     .action(async (model: string, options: UnwrapCommandOptions) => {
       await (await import("./commands/unwrap.ts")).unwrap(model, options);
+    });
+
+  program
+    .command("variant")
+    .summary("show another variant of a model's materials")
+    .description(
+      "Writes the model with the materials of one of its variants (KHR_materials_variants), which `inspect` lists. It keeps all of them.",
+    )
+    .argument("<model>", "a .glb, or a .gltf with its side files")
+    .addOption(new Option("--out <file>", "FILE.glb").argParser(parseGlbOutput).makeOptionMandatory())
+    .requiredOption("--name <variant>", "as the model calls it")
+    .addHelpText("after", VARIANT_EXAMPLES)
+    .action(async (model: string, options: VariantCommandOptions) => {
+      await (await import("./commands/variant.ts")).variant(model, options);
     });
 
   program

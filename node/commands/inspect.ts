@@ -41,7 +41,7 @@ const HEADING = [
 ];
 const RIGHT_ALIGNED = [true, false, true, true, true, true, true, true, false];
 
-function describeModel({ file, triangles, vertices, bounds, materials }: ModelReport): string {
+function describeModel({ file, triangles, vertices, bounds, materials, variants }: ModelReport): string {
   const rows = materials.map(describeMaterial);
   const refusals = materials.flatMap(({ index, refusal }) =>
     refusal === null ? [] : [`material ${index} cannot take decals: ${refusal.message} (${refusal.code})`],
@@ -49,12 +49,18 @@ function describeModel({ file, triangles, vertices, bounds, materials }: ModelRe
   return [
     `${printable(file)}: ${plural(triangles, "triangle")}, ${formatCount(vertices)} vertices, ${plural(materials.length, "material")}`,
     `bounds ${formatBounds(bounds.min, bounds.max)}`,
+    ...(variants === undefined
+      ? []
+      : [`variants ${variants.names.map((name) => describeVariant(name, variants)).join(", ")}`]),
     "",
     formatTable([HEADING, ...rows], RIGHT_ALIGNED),
     ...(refusals.length === 0 ? [] : ["", ...refusals.map(printable)]),
     "",
   ].join("\n");
 }
+
+const describeVariant = (name: string, { shown }: NonNullable<ModelReport["variants"]>): string =>
+  `${name === "" ? "-" : printable(name)}${name === shown ? " (shown)" : ""}`;
 
 function describeMaterial({ index, name, canTakeDecals, triangles, textureSize, uv }: MaterialReport): string[] {
   return [

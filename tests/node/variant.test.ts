@@ -1,0 +1,49 @@
+/** `texelcast variant` as a user runs it. */
+import { writeFileSync } from "node:fs";
+import path from "node:path";
+import { describe, expect, it } from "vitest";
+import { writeGlb } from "../../web/engine/gltf-container.ts";
+import type { JsonObject } from "../../web/engine/gltf-json.ts";
+import { buildModel, plane } from "../support/model-builder.ts";
+import { temporaryFolder, texelcast } from "./run-cli.ts";
+
+/** A square that is red, and blue by night. */
+function folderWithVariants(): string {
+  const { json, binary } = buildModel({ meshes: [plane(1, 0)], materials: [{ name: "Red" }, { name: "Blue" }] });
+  const [primitive] = (json.meshes as JsonObject[]).flatMap(({ primitives }) => primitives as JsonObject[]);
+  const mappings = [{ material: 1, variants: [1] }];
+  Object.assign(primitive as JsonObject, { extensions: { KHR_materials_variants: { mappings } } });
+  json.extensions = { KHR_materials_variants: { variants: [{ name: "day" }, { name: "night" }] } };
+  json.extensionsUsed = ["KHR_materials_variants"];
+  const folder = temporaryFolder();
+  writeFileSync(path.join(folder, "square.glb"), writeGlb(json, binary));
+  return folder;
+}
+
+describe("texelcast variant", () => {
+  it("writes a model that shows the variant, which inspect lists", async () => {
+    const cwd = folderWithVariants();
+    const before = await texelcast(["inspect", "square.glb"], { cwd });
+    expect(before.stdout).toContain("variants day (shown), night\n");
+    const run = await texelcast(["variant", "square.glb", "--out", "night.glb", "--name", "night"], { cwd });
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toMatch(/^night\.glb: [\d,]+ bytes\n {2}material 1 in place of 0\n$/);
+    const after = JSON.parse((await texelcast(["inspect", "night.glb", "--json"], { cwd })).stdout);
+    expect(after.variants).toEqual({ names: ["day", "night"], shown: "night" });
+    expect(after.materials.map(({ triangles }: { triangles: number }) => triangles)).toEqual([0, 2]);
+  });
+
+  it("refuses a name that the model has not, with those that it has, and leaves the output alone", async () => {
+    const cwd = folderWithVariants();
+    const run = await texelcast(["variant", "square.glb", "--out", "dusk.glb", "--name", "dusk"], { cwd });
+    expect(run).toMatchObject({ code: 2, stdout: "" });
+    expect(run.stderr).toContain("no such variant");
+    expect(run.stderr).toContain("“day”, “night”");
+    expect((await texelcast(["inspect", "dusk.glb"], { cwd })).code).toBe(3);
+  });
+
+  it("asks for the variant's name", async () => {
+    const run = await texelcast(["variant", "square.glb", "--out", "dusk.glb"], { cwd: folderWithVariants() });
+    expect(run).toMatchObject({ code: 2, stdout: "" });
+  });
+});
