@@ -6,6 +6,7 @@ import { types } from "node:util";
 import { TexelcastError } from "../web/core/texelcast-error.ts";
 import { formatPath } from "../web/editor/document/design-problem.ts";
 import { type Design, parseDesign, parseZones, resolveLayers } from "../web/editor/document/index.ts";
+import { checkPrintOptions } from "../web/engine/check-print-options.ts";
 import type { ModelSource } from "../web/engine/engine-api.ts";
 import { materialsIn } from "../web/engine/layer-tree.ts";
 import type { PrintFile, PrintFileOptions, PrintReport } from "../web/engine/print-report.ts";
@@ -62,6 +63,7 @@ export interface CheckPrintOptions extends PrintSubject {
 export async function renderPrint(options: RenderPrintOptions): Promise<PrintFile> {
   checkRenderArguments(options);
   const { model, design, assets, zones, signal, onProgress, ...print } = options;
+  checkPrintOptions(print);
   const job = await printJob({ model, design, ...(assets && { assets }), zones });
   return withPrintJob(job, (engine, info) => {
     checkPrintedMaterial(info, print, job.zones, { material: { file: info.name, field: "material" }, zones: "zones" });

@@ -1,5 +1,6 @@
 /** `texelcast print`: a design on a model as a file for the printer. */
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { isSizedTwice } from "../../web/engine/print-options.ts";
 import type { PrintFileOptions } from "../../web/engine/print-report.ts";
 import { withPrintJob } from "../print-job.ts";
 import { checkPrintedMaterial } from "../printed-material.ts";
@@ -72,7 +73,7 @@ function checkOptions({ zones, zone, flattened, size, dpi }: PrintOptions): void
       "Name the zones file with --zones and one of its zones with --zone.",
     );
   }
-  if (size !== undefined && dpi !== undefined && !flattened) {
+  if (isSizedTwice({ size, dpi, flattened })) {
     throw wrong(
       "dpi",
       `--size has said already how many texels are printed, so ${dpi} DPI cannot be kept`,

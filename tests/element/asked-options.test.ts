@@ -77,6 +77,20 @@ describe("a print that a page asks the element for", () => {
     },
   );
 
+  it("is refused for DPI beside a size, and takes both of flat art", async () => {
+    for (const words of [english, german]) {
+      const both = { size: 64, dpi: 300 };
+      const error = await exportAsAsked(deskIn(words), both).catch((thrown: unknown) => thrown);
+      expect(error).toMatchObject({ code: "bad-argument", field: "dpi", value: "300" });
+      const { message, hint } = error as TexelcastError;
+      expect(message).toContain("300 DPI");
+      expect(hint).toMatch(/size.*dpi.*flattened/);
+      expect(message.startsWith("A print")).toBe(words === english);
+      const art = { ...both, zone: "front", flattened: true };
+      await expect(exportAsAsked(deskIn(words), art)).resolves.toEqual(art);
+    }
+  });
+
   it("names no zone where the product has none", async () => {
     await expect(exportAsAsked(deskIn(english, { zones: null }), { zone: "back" })).rejects.toMatchObject({
       code: "bad-argument",

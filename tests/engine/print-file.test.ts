@@ -115,6 +115,7 @@ describe("a print file", () => {
     ["a zone of a number", { zone: 1 }, "zone"],
     ["another base", { base: "white" }, "base"],
     ["an option that there is not", { dip: 300 }, "dip"],
+    ["DPI beside a size, which has said how many texels there are", { size: 64, dpi: 300 }, "dpi"],
   ])("is refused for %s, by name", async (_what, options, field) => {
     const engine = await printable();
     await engine.setZones(ZONES);

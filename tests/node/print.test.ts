@@ -416,6 +416,13 @@ describe("renderPrint and checkPrint", () => {
     expect((error as { value: string }).value).toMatch(/./);
   });
 
+  it("refuses DPI beside a size as the command line does, before anything is read", async () => {
+    const both = { ...usual, model: "no-such.glb", dpi: 300 };
+    await expect(renderPrint(both)).rejects.toMatchObject({ code: "bad-argument", field: "dpi", value: "300" });
+    const flat = await renderPrint({ ...usual, zone: "left", flattened: true, dpi: 100 });
+    expect(flat.dpi).toEqual([100, 100]);
+  });
+
   it("refuse an option that there is not by its name and value, and the print's report alike", async () => {
     const told = { code: "bad-argument", value: "300", hint: expect.stringContaining("docs/guides/server.md") };
     for (const print of [renderPrint, checkPrint]) {

@@ -6,11 +6,11 @@ import { sha256 } from "@noble/hashes/sha2.js";
 import { bytesToHex } from "@noble/hashes/utils.js";
 import { MAX_TEXTURE_SIZE } from "../core/sizes.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { checkPrintOptions } from "./check-print-options.ts";
 import { METRES_PER_INCH } from "./core-zones.ts";
 import { nextTurn } from "./event-loop.ts";
 import { type FlatBounds, type FlatMap, flatBounds, flatMap, sampleFlat } from "./flat-art.ts";
 import { PngStream } from "./png-stream.ts";
-import { printOptionFault } from "./print-options.ts";
 import { type PrintRaster, paintBands } from "./print-raster.ts";
 import type { PrintFile, PrintFileOptions } from "./print-report.ts";
 import { DEFAULT_DPI, type PrintSurvey, type Size, surveyPrint } from "./print-size.ts";
@@ -37,7 +37,7 @@ export async function makePrintFile(
   options: PrintFileOptions,
   windowSide?: number,
 ): Promise<PrintFile> {
-  checkForm(options);
+  checkPrintOptions(options);
   const zone = findZone(context, options);
   const material = options.material ?? zone?.material ?? 0;
   checkOptions(options, zone, material);
@@ -70,22 +70,6 @@ function findZone({ zones }: PrintContext, { zone }: PrintFileOptions): PrintZon
     zone,
     `There is no zone “${zone}”: ${known === "" ? "there are none" : `there are ${known}`}.`,
   );
-}
-
-function checkForm(options: PrintFileOptions): void {
-  const fault = printOptionFault(options);
-  if (fault === null) return;
-  const { field, value, allowed, unknown } = fault;
-  if (unknown) {
-    throw new TexelcastError("bad-argument", `A print has no option “${field}”.`, {
-      ...{ field, value },
-      hint: `There are ${allowed}.`,
-    });
-  }
-  throw new TexelcastError(field === "size" ? "bad-size" : "bad-argument", `A print's ${field} cannot be ${value}.`, {
-    ...{ field, value },
-    hint: `It may be ${allowed}.`,
-  });
 }
 
 function checkOptions({ flattened }: PrintFileOptions, zone: PrintZone | null, material: number): void {

@@ -8,8 +8,8 @@ export interface OptionFault {
   readonly value: string;
   /** What may stand there, in signs that every language reads; of an option that there is not, those that there are. */
   readonly allowed: string;
-  /** There is no such option. */
-  readonly unknown?: true;
+  /** "unknown": there is no such option. "clash": `size` says already how many texels are printed. */
+  readonly kind?: "unknown" | "clash";
 }
 
 interface Rule {
@@ -48,10 +48,24 @@ export function printOptionFault(options: unknown): OptionFault | null {
     if (value === undefined) continue;
     const rule = Object.hasOwn(RULES, field) && RULES[field as keyof PrintFileOptions];
     // A slip of the pen ("dip") would print with what nobody asked for.
-    if (!rule) return { field, value: told(value), allowed: KNOWN, unknown: true };
+    if (!rule) return { field, value: told(value), allowed: KNOWN, kind: "unknown" };
     if (!rule.admits(value)) return { field, value: told(value), allowed: rule.allowed };
   }
-  return null;
+  const asked: PrintFileOptions = options;
+  return isSizedTwice(asked) ? { field: "dpi", value: told(asked.dpi), allowed: "size, dpi", kind: "clash" } : null;
+}
+
+/** No texture has two sizes. Flat art has pixels of its own, sampled from a texture of any size. */
+export function isSizedTwice({
+  size,
+  dpi,
+  flattened,
+}: {
+  size?: unknown;
+  dpi?: unknown;
+  flattened?: unknown;
+}): boolean {
+  return size !== undefined && dpi !== undefined && !flattened;
 }
 
 /** The options that are said. */

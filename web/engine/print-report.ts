@@ -107,8 +107,8 @@ export interface PrintFileOptions {
   /** Texels of the texture: its width and height where it is square, up to 16384. Default: as `dpi` asks, else the material's own. */
   readonly size?: number | readonly [number, number];
   /**
-   * Pixels an inch of print. Without a `size` the texture is as large as that needs, in powers of two; flat art has as many
-   * pixels, default 300.
+   * Pixels an inch of print, in place of a `size`: the texture is as large as that needs, in powers of two. Flat art has as many
+   * pixels, default 300, and takes a `size` beside it: of the texture that it is sampled from.
    */
   readonly dpi?: number;
   /** Id of a zone: that alone, with its bleed; all around it is transparent. */
