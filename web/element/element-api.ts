@@ -55,6 +55,9 @@ export type DesignInput =
   | object
   | { readonly design: unknown; readonly assets: readonly { readonly name: string; readonly bytes: Uint8Array }[] };
 
+/** What `src` may be set to: an address, a model's bytes, or those with a name and the files beside it. */
+export type ModelInput = string | URL | Blob | Uint8Array | ArrayBuffer | ModelSource;
+
 /** A picture to be put on the model; a string is an address. */
 export type DecalSource = Blob | URL | string | Uint8Array | ArrayBuffer;
 
@@ -238,7 +241,7 @@ export interface TexelcastEditorAttributes {
 
 export interface TexelcastEditorProperties {
   /** Model: the address of a .glb, or of a .gltf with its files beside it; or the model's bytes. */
-  src: string | ModelSource | null;
+  src: ModelInput | null;
   /** Address of a design's JSON, or the design itself. Set while the model is shown, it is a step of the history. */
   design: DesignInput | null;
   /** Address of a zones file, or what is in it. */

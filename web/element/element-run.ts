@@ -68,11 +68,12 @@ export class Run {
       // At once: what shows the model is fetched while the model is.
       const loading = loadMode(kind);
       loading.catch(() => undefined);
+      // An address that is a URL, of whatever window.
+      const { href = src } = src as Partial<URL>;
       const source =
-        typeof src === "object" && "bytes" in src
-          ? // A page has an ArrayBuffer of what it fetched, and may have no name for it.
-            { ...{ name: "src" }, ...src, ...(!ArrayBuffer.isView(src.bytes) && { bytes: new Uint8Array(src.bytes) }) }
-          : await fetchModel(String(src), base, fetching);
+        typeof href === "string"
+          ? await fetchModel(href, base, fetching)
+          : await (await import("./desk/given-model.ts")).givenModel(src, words);
       const openMode = await loading;
       this.#check();
       progress(FETCHED);

@@ -5,14 +5,14 @@ import type {
   EditorLoading,
   EditorMode,
   EditorWording,
-  ModelSource,
+  ModelInput,
   TexelcastEditorEventMap,
   TexelcastEditorMethods,
 } from "../element/element-api.ts";
 
 /** The element's properties that can be told to another page; addresses are relative to the editor's page. */
 export interface FrameProperties {
-  readonly src?: string | ModelSource | null;
+  readonly src?: Exclude<ModelInput, URL> | null;
   readonly design?: DesignInput | null;
   readonly zones?: string | object | null;
   readonly mode?: EditorMode;
