@@ -1,10 +1,16 @@
 /** Addresses that a page gives: as text and as URL objects, with names and without. */
-import { describe, expect, it } from "vitest";
+import { createServer } from "node:http";
+import type { AddressInfo } from "node:net";
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { readBytes } from "../../web/core/read-bytes.ts";
 import { pictureName } from "../../web/element/desk/placing.ts";
 import { readZones } from "../../web/element/desk/prints.ts";
 import { readDesign } from "../../web/element/desk/read-design.ts";
+import { fetchBytes } from "../../web/element/desk/read-model.ts";
 import type { DesignInput } from "../../web/element/element-api.ts";
 import { english } from "../../web/element/words/english.ts";
+import { german } from "../../web/element/words/german.ts";
+import { worded } from "../../web/element/words/worded.ts";
 
 const BASE = "https://shop.example/product.html";
 const fetching = { words: english, signal: new AbortController().signal };
@@ -31,5 +37,49 @@ describe("an address", () => {
     expect(named("data:image/png;base64,iVBORw0KGgo/AAAA/SUhEUg==")).toBe("picture");
     expect(named("blob:https://shop.example/591989e5-8580-48c6-9806-e932d38fb3e6")).toBe("picture");
     expect([named("/logos/moon%20cat.png?v=2"), named("logo.webp")]).toEqual(["moon cat.png", "logo.webp"]);
+  });
+});
+
+describe("what cannot be fetched", () => {
+  afterEach(() => vi.unstubAllGlobals());
+
+  /** Gives what a server that answers with a status makes of a call, and what one that does not answer at all makes of it. */
+  async function askedOf<T>(call: (address: URL) => Promise<T>): Promise<readonly [answered: T, silent: T]> {
+    const server = createServer((_request, response) => response.writeHead(404).end("Not here."));
+    await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
+    const address = new URL(`http://127.0.0.1:${(server.address() as AddressInfo).port}/mug.glb`);
+    const answered = await call(address);
+    await new Promise((resolve) => server.close(resolve));
+    return [answered, await call(address)];
+  }
+  const thrownBy = (work: Promise<unknown>): Promise<unknown> =>
+    work.then(
+      () => "fetched",
+      (thrown: unknown) => thrown,
+    );
+
+  it("says which status the server answered with, or that there was no answer that the page may read", async () => {
+    for (const words of [english, german]) {
+      const [answered, silent] = await askedOf((url) => thrownBy(fetchBytes(url, { ...fetching, words })));
+      const hint = words.errors.unreachableHint;
+      expect(answered).toMatchObject({ code: "missing-file", reason: "http-404" });
+      expect(answered).toMatchObject({ hint: `${hint} (HTTP 404)` });
+      expect(silent).toMatchObject({ code: "missing-file", reason: "not-answered", hint });
+    }
+  });
+
+  it("says the same of a shop's own words", async () => {
+    vi.stubGlobal("document", { baseURI: BASE });
+    const [answered, silent] = await askedOf(
+      (url) => new Promise((resolve) => void worded(english, url.href, (error) => resolve(error))),
+    );
+    expect(answered).toMatchObject({ code: "missing-file", reason: "http-404" });
+    expect(silent).toMatchObject({ code: "missing-file", reason: "not-answered" });
+  });
+
+  it("says the same in Node, where the system's own reason is known", async () => {
+    const [answered, silent] = await askedOf((url) => thrownBy(readBytes(url, "The engine's WebAssembly")));
+    expect((answered as Error).message).toContain("the server answered 404 Not Found");
+    expect((silent as Error).message).toContain("ECONNREFUSED");
   });
 });

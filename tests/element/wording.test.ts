@@ -1,6 +1,6 @@
 /** Words of a shop's own in place of the element's. */
 import { readdirSync, readFileSync } from "node:fs";
-import { afterEach, describe, expect, it, vi } from "vitest";
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { english, type Words } from "../../web/element/words/english.ts";
 import { german } from "../../web/element/words/german.ts";
@@ -142,7 +142,7 @@ describe("a shop's own words", () => {
     ["is no JSON", new Response("<html>")],
   ])("at an address where it %s are told, and the element's stay", async (_, response) => {
     vi.stubGlobal("fetch", () => Promise.resolve(response));
-    expect(await applied("/fr.json")).toEqual({ words: english, faults: ["missing-file: /fr.json"] });
+    expect(await applied("/fr.json")).toEqual({ words: english, faults: ["missing-file: http://shop/fr.json"] });
   });
 
   it("are read from their address", async () => {
@@ -150,6 +150,9 @@ describe("a shop's own words", () => {
     expect((await applied("/own.json")).words.submit).toBe("Fertig");
   });
 
+  beforeEach(() => {
+    vi.stubGlobal("document", { baseURI: "http://shop/" });
+  });
   afterEach(() => {
     vi.unstubAllGlobals();
   });

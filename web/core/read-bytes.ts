@@ -21,8 +21,9 @@ export async function readBytes(address: URL | string, what: string): Promise<Ui
     if (!response.ok) throw new Error(`the server answered ${response.status} ${response.statusText}`);
     return new Uint8Array(await response.arrayBuffer());
   } catch (cause) {
-    const reason = cause instanceof Error ? cause.message : String(cause);
-    throw new TexelcastError("missing-file", `${what} could not be read from ${address}: ${reason}.`, {
+    // Node's own "fetch failed" says why in its cause alone.
+    const { message } = ((cause as Error).cause ?? cause) as Error;
+    throw new TexelcastError("missing-file", `${what} could not be read from ${address}: ${message}.`, {
       subject: String(address),
       reason: "not-loaded",
       hint: "Check its address.",

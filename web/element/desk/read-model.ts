@@ -18,7 +18,7 @@ export async function fetchModel(address: string, base: string, fetching: Fetchi
   const bytes = await fetchBytes(url, fetching);
   // Behind an archive's address, which of its models is meant.
   const name = nameOf(url, url.hash);
-  const isText = bytes[0] === 0x7b || bytes[0] === 0x20 || bytes[0] === 0x0a || bytes[0] === 0xef;
+  const isText = [0x7b, 0x20, 0x0a, 0xef].includes(bytes[0] ?? 0);
   return isText ? { name, bytes, resources: await fetchSideFiles({ name, bytes }, url, fetching) } : { name, bytes };
 }
 
@@ -38,32 +38,34 @@ async function fetchSideFiles(
   return new Map(files);
 }
 
-/** The whole of what lies at an address. Rejects with "missing-file", and where it is called off with the signal's own reason or "cancelled". */
+/**
+ * The whole of what lies at an address. Rejects with "missing-file", its reason "http-404" (or whichever status) or
+ * "not-answered" (no network, or a server that does not let the page read it: browsers do not say which), and where it is called
+ * off with the signal's own reason or "cancelled".
+ */
 export async function fetchBytes(url: URL, { words, signal, progress }: Fetching): Promise<Uint8Array> {
+  let refusal = "";
   try {
     const response = await fetch(url, { signal });
-    if (!response.ok || response.body === null) throw new Error(`status ${response.status}`);
+    const { body, headers } = response;
+    if (!response.ok) {
+      refusal = String(response.status);
+      throw new Error(refusal);
+    }
     // Of a compressed answer the length is not that of what comes.
-    const length = response.headers.has("content-encoding") ? 0 : Number(response.headers.get("content-length"));
-    if (!progress || !(length > 0)) return new Uint8Array(await response.arrayBuffer());
-    const parts: Uint8Array[] = [];
+    const length = headers.has("content-encoding") ? 0 : Number(headers.get("content-length"));
     let got = 0;
-    const reader = response.body.getReader();
-    for (let part = await reader.read(); !part.done; part = await reader.read()) {
-      parts.push(part.value);
-      got += part.value.length;
-      progress(Math.min(1, got / length));
-    }
-    const whole = new Uint8Array(got);
-    let at = 0;
-    for (const part of parts) {
-      whole.set(part, at);
-      at += part.length;
-    }
-    return whole;
+    const told = new TransformStream<Uint8Array<ArrayBuffer>, Uint8Array>({
+      transform(part, rest) {
+        got += part.length;
+        if (length > 0) progress?.(Math.min(1, got / length));
+        rest.enqueue(part);
+      },
+    });
+    return new Uint8Array(await new Response(body?.pipeThrough(told)).arrayBuffer());
   } catch (cause) {
     if (signal.aborted) throw TexelcastError.wrap(signal.reason, "cancelled", `${url.href} is not wanted any more.`);
-    throw unreachable(url.href, words, cause);
+    throw unreachable(url.href, words, cause, refusal);
   }
 }
 
@@ -83,9 +85,11 @@ export function nameOf(url: URL, behind = ""): string {
   }
 }
 
-const unreachable = (address: string, { errors }: Words, cause?: unknown): TexelcastError =>
+/** @param status That the server answered with, "" where it did not. */
+const unreachable = (address: string, { errors }: Words, cause?: unknown, status = ""): TexelcastError =>
   new ToldError("missing-file", errors.unreachable(address), {
     subject: address,
-    hint: errors.unreachableHint,
+    hint: errors.unreachableHint + (status && ` (HTTP ${status})`),
+    reason: status ? `http-${status}` : "not-answered",
     cause,
   });

@@ -2,6 +2,7 @@
 import { TexelcastError, type TexelcastErrorJson } from "../../core/texelcast-error.ts";
 import type { ErrorWords } from "../../editor/strings/error-words.ts";
 import type { PrintFinding } from "../../engine/print-report.ts";
+import { addressOf, fetchBytes } from "../desk/read-model.ts";
 import type { Words } from "./english.ts";
 import type { EditorWording, Told } from "./wording.ts";
 
@@ -32,27 +33,25 @@ const ERROR_PLACES = ["name", "value"] as const;
  */
 export async function worded(base: Words, given: unknown, told: (error: unknown) => void): Promise<Words> {
   try {
-    return new Wording(base, told).apply(typeof given === "string" ? await fetched(given) : given);
+    return new Wording(base, told).apply(typeof given === "string" ? await fetched(given, base) : given);
   } catch (error) {
     told(error);
     return base;
   }
 }
 
-async function fetched(address: string): Promise<unknown> {
-  const fault = (cause?: unknown): TexelcastError =>
-    new TexelcastError("missing-file", `The words at “${address}” could not be read.`, {
-      subject: address,
-      hint: "Check the address, that its server lets this page read it, and that it is JSON.",
+async function fetched(address: string, words: Words): Promise<unknown> {
+  const url = addressOf(address, document.baseURI, words);
+  const bytes = await fetchBytes(url, { words, signal: new AbortController().signal });
+  try {
+    return JSON.parse(new TextDecoder().decode(bytes));
+  } catch (cause) {
+    throw new TexelcastError("missing-file", `The words at “${url.href}” could not be read.`, {
+      subject: url.href,
+      hint: "Check that they are JSON.",
       cause,
     });
-  const response = await fetch(address).catch((cause: unknown) => {
-    throw fault(cause);
-  });
-  if (!response.ok) throw fault();
-  return await response.json().catch((cause: unknown) => {
-    throw fault(cause);
-  });
+  }
 }
 
 type Values = Readonly<Record<string, unknown>>;
