@@ -22,3 +22,32 @@ test("start() of an element that was just given another product resolves when th
     });
   expect(found).toEqual({ shown: true, refused: "missing-file" });
 });
+
+test("an element that is started while it is in no page shows nothing there, and leaves no worker behind", async ({
+  page,
+}) => {
+  await page.goto("element.html?loading=lazy&size=256&locale=en");
+  const found = await page.evaluate(async () => {
+    const element = document.querySelector("texelcast-editor") as HTMLElementTagNameMap["texelcast-editor"];
+    element.remove();
+    const rest = (): Promise<unknown> => new Promise((resolve) => setTimeout(resolve, 50));
+    await rest();
+    await element.start();
+    await element.restart();
+    const away = element.loaded;
+    // Put back before it is done, it goes on.
+    const started = element.start();
+    document.body.append(element);
+    await started;
+    await rest();
+    const back = element.loaded;
+    element.remove();
+    const never = document.createElement("texelcast-editor");
+    Object.assign(never, { src: "demo/mug.glb", size: 256 });
+    void never.start();
+    await rest();
+    return { away, back, never: never.loaded };
+  });
+  expect(found).toEqual({ away: false, back: true, never: false });
+  await expect.poll(() => page.workers().length).toBe(0);
+});

@@ -201,7 +201,7 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
   /** Begins to load, whatever `loading` says. */
   start(): Promise<void> {
     // What the page has set before it asks holds for what it asks: another product is begun by then.
-    return this.isUpdatePending ? this.updateComplete.then(() => this.#work.start()) : this.#work.start();
+    return this.#held(this.updateComplete.then(() => this.#work.start()));
   }
 
   addDecal(source: DecalSource, options?: PlaceOptions): Promise<string> {
@@ -323,6 +323,10 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
   }
 
   #called<T>(work: Promise<T>): Promise<T> {
+    return this.#voice.told(this.#held(work));
+  }
+
+  #held<T>(work: Promise<T>): Promise<T> {
     this.#calls += 1;
     const ended = (): void => {
       this.#calls -= 1;
@@ -330,7 +334,7 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
       if (this.#gone && this.#calls === 0) this.#work.close();
     };
     work.then(ended, ended);
-    return this.#voice.told(work);
+    return work;
   }
 
   readonly #touched = (): void => {

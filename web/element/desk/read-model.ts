@@ -64,7 +64,7 @@ export async function fetchBytes(url: URL, { words, signal, progress }: Fetching
     });
     return new Uint8Array(await new Response(body?.pipeThrough(told)).arrayBuffer());
   } catch (cause) {
-    if (signal.aborted) throw TexelcastError.wrap(signal.reason, "cancelled", `${url.href} is not wanted any more.`);
+    if (signal.aborted) throw TexelcastError.wrap(signal.reason, "cancelled", words.errors.notReady);
     throw unreachable(url.href, words, cause, refusal);
   }
 }
