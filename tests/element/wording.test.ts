@@ -130,6 +130,22 @@ describe("a shop's own words", () => {
     expect(words.remove("a")).toBe(english.remove("a"));
   });
 
+  it("of which one is not known are told with all that there are", async () => {
+    const hints: unknown[] = [];
+    await worded(english, { sumbit: "x" }, (error) => hints.push((error as TexelcastError).hint));
+    const own = new Set(Object.keys(english));
+    for (const fixed of ["language", "finding"]) own.delete(fixed);
+    for (const more of ["lang", "findings", "told", "nowhere", "noGraphics", "ways"]) own.add(more);
+    expect(hints).toHaveLength(1);
+    expect(
+      new Set(
+        String(hints[0])
+          .replace(/^It is one of: |\.$/g, "")
+          .split(", "),
+      ),
+    ).toEqual(own);
+  });
+
   it.each([3, [], null, "nowhere.json"])("that are none (%j) are told, and the element's stay", async (given) => {
     vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
     const { words, faults } = await applied(given);

@@ -8,7 +8,8 @@ import { english, languageOf, type Words, wordsIn } from "./words/words.ts";
 export class Voice {
   readonly #element: LitElement & Pick<TexelcastEditorProperties, "locale" | "wording">;
   #words: Words = english;
-  #wish = {};
+  /** The newest. */
+  #wish: { readonly wording?: unknown } = {};
   #announcement = "";
   #shownError: ShownError | null = null;
 
@@ -31,9 +32,11 @@ export class Voice {
   async speak(): Promise<void> {
     const { locale, wording } = this.#element;
     const language = languageOf([locale, languageAround(this.#element), ...navigator.languages]);
-    const wish = {};
+    const wish = { wording };
+    // Their faults were told then.
+    const again = wording === this.#wish.wording;
     this.#wish = wish;
-    const words = await wordsIn(language, wording, (error) => this.report(error));
+    const words = await wordsIn(language, wording, (error) => again || this.report(error));
     // Others may have been asked for meanwhile, and have come first.
     if (this.#wish !== wish) return;
     this.#words = words;

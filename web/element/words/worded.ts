@@ -124,9 +124,7 @@ class Wording {
           value,
           isPlainObject(own)
             ? "an object of words"
-            : `one of: ${Object.keys(base)
-                .filter((each) => !FIXED.has(each))
-                .join(", ")}`,
+            : `one of: ${[...Object.keys(base).filter((each) => !FIXED.has(each)), ...(path ? [] : APART)].join(", ")}`,
         );
     }
     return words;
@@ -241,6 +239,9 @@ class Wording {
 }
 
 const PLACE = /\{(\w+)\}/g;
+
+/** What a wording has beside the element's own words, or in another form. */
+const APART = ["lang", "findings", "told", "nowhere", "noGraphics", "ways"] as const satisfies (keyof EditorWording)[];
 
 /** What has words of another form, or none. */
 const FIXED: ReadonlySet<string> = new Set(["language", "lang", "told", "finding", "own"]);

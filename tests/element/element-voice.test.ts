@@ -1,0 +1,36 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { Voice } from "../../web/element/element-voice.ts";
+
+/** A voice whose element notes the fields of the errors that it tells. */
+function voiceOf(wording: unknown) {
+  const told: unknown[] = [];
+  const around = { closest: () => null, getRootNode: () => null, requestUpdate: () => undefined };
+  const element = Object.assign(new EventTarget(), around, { locale: "en", wording });
+  element.addEventListener("error", (event) => told.push((event as CustomEvent).detail.error.field));
+  return { voice: new Voice(element as unknown as ConstructorParameters<typeof Voice>[0]), element, told };
+}
+
+describe("a shop's own words that cannot be taken", () => {
+  beforeEach(() => {
+    vi.stubGlobal("ShadowRoot", class {});
+    vi.stubGlobal("navigator", { languages: ["en"] });
+  });
+  afterEach(() => vi.unstubAllGlobals());
+
+  it("are told once, however often the element takes up its words", async () => {
+    const { voice, told } = voiceOf({ sumbit: "x", undo: 3, redo: "Again" });
+    // As an element does that is to start at once, and one that starts anew.
+    await Promise.all([voice.speak(), voice.speak()]);
+    await voice.speak();
+    expect(told).toEqual(["wording.sumbit", "wording.undo"]);
+    expect(voice.words.redo).toBe("Again");
+  });
+
+  it("are told again when they are other ones", async () => {
+    const { voice, element, told } = voiceOf({ sumbit: "x" });
+    await voice.speak();
+    element.wording = { sumbit: "x" };
+    await voice.speak();
+    expect(told).toEqual(["wording.sumbit", "wording.sumbit"]);
+  });
+});
