@@ -1,4 +1,5 @@
 /** A design on a model, ready in an engine to be printed or measured: what the command line and the package share. */
+import { checkAsset } from "../web/editor/document/asset-check.ts";
 import type { Design } from "../web/editor/document/index.ts";
 import type { EngineLayer, ModelInfo, ModelSource } from "../web/engine/engine-api.ts";
 import type { EngineHost } from "../web/engine/engine-host.ts";
@@ -31,8 +32,8 @@ export async function withPrintJob<Result>(
     const model = await engine.loadModel(job.model);
     checkFit(model, job.design, job.file);
     const layers: readonly EngineLayer[] = job.layers.filter((layer) => layer.visible);
-    for (const key of picturesOf(layers)) await engine.setAsset(key, await job.readAsset(key));
-    for (const key of fontsOf(layers)) await engine.setFont(key, await job.readAsset(key));
+    for (const key of picturesOf(layers)) await engine.setAsset(key, await readChecked(job, key));
+    for (const key of fontsOf(layers)) await engine.setFont(key, await readChecked(job, key));
     await engine.setZones(job.zones);
     engine.setLayers(layers, 1);
     const result = await use(engine, model);
@@ -41,4 +42,14 @@ export async function withPrintJob<Result>(
   } finally {
     engine.dispose();
   }
+}
+
+/** How large a picture may be is the shop's own affair, and in the end the engine's budget. */
+const UNLIMITED = { bytes: Number.POSITIVE_INFINITY, megapixels: Number.POSITIVE_INFINITY };
+
+/** What the page would not take is not printed either, whoever wrote the design; what it takes is the same bytes. */
+async function readChecked({ design, readAsset }: PrintJob, key: string): ReturnType<PrintJob["readAsset"]> {
+  const { name, bytes } = await readAsset(key);
+  const asset = design.assets[key];
+  return { name, bytes: asset === undefined ? bytes : await checkAsset(key, asset, bytes, UNLIMITED, name) };
 }

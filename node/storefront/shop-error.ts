@@ -22,6 +22,7 @@ const STATUS_OF_CODE: Readonly<Record<string, number>> = {
   "bad-design": 422,
   "bad-picture": 422,
   "bad-font": 422,
+  "unsafe-file": 422,
   "storage-full": 507,
   "price-changed": 409,
   "too-many-requests": 429,

@@ -483,6 +483,30 @@ describe("renderPrint and checkPrint", () => {
     await expect(checkPrint(broken)).rejects.toMatchObject({ code: "bad-argument", field: "size", value: "null" });
   });
 
+  it("refuse, as the element does, files that are not what the design says, and drawings that would run something", async () => {
+    const svg = (inner: string): Uint8Array =>
+      Buffer.from(`<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">${inner}</svg>`);
+    const given = (type: string, bytes: Uint8Array) => ({
+      ...usual,
+      design: { ...design([decal()]), assets: { logo: { type, uri: "logo.png" } } },
+      assets: [{ name: "logo.png", bytes }],
+    });
+    const liar = { code: "bad-design", field: "assets.logo.type" };
+    for (const call of [
+      renderPrint,
+      (options: Parameters<typeof renderPrint>[0]) => checkPrint({ ...options, size: 16 }),
+    ]) {
+      await expect(call(given("image/png", svg("")))).rejects.toMatchObject({ ...liar, value: "image/png" });
+      await expect(call(given("image/svg+xml", LOGO))).rejects.toMatchObject({ ...liar, value: "image/svg+xml" });
+      const unsafe = given("image/svg+xml", svg("<script>alert(1)</script>"));
+      await expect(call(unsafe)).rejects.toMatchObject({ code: "unsafe-file", subject: "logo.png" });
+      const data = `data:image/png;base64,${Buffer.from(svg("")).toString("base64")}`;
+      const inside = { ...usual, design: { ...design([decal()]), assets: { logo: { type: "image/png", uri: data } } } };
+      await expect(call(inside)).rejects.toMatchObject(liar);
+      await expect(call(given("image/svg+xml", svg('<path d="M0 0h9v9z"/>')))).resolves.toBeDefined();
+    }
+  });
+
   it("take a customer's broken data: address for a fault of the design", async () => {
     const broken = { ...design([decal()]), assets: { logo: { type: "image/png", uri: "data:image/png;base64,@@@@" } } };
     await expect(renderPrint({ ...usual, design: broken })).rejects.toMatchObject({

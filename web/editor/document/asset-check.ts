@@ -45,7 +45,11 @@ function decoded(text: string | null): string | null {
 }
 
 /**
- * The bytes of an asset, clean (`checkUpload`). Rejects with "bad-design" where they, or the media type of a `data:` address, are not
+ * The bytes of an asset, clean (`checkUpload`).
+ *
+ * @param name what errors call the file
+ *
+ * Rejects with "bad-design" where they, or the media type of a `data:` address, are not
  * of the type that the design gives; and as `checkUpload` and `readFontHeader` do.
  */
 export async function checkAsset(
@@ -53,22 +57,23 @@ export async function checkAsset(
   { type, uri }: DesignAsset,
   bytes: Uint8Array,
   limits: UploadLimits = {},
+  name = key,
 ): Promise<Uint8Array<ArrayBuffer>> {
   const said = uri.startsWith("data:") ? (/^data:([^;,]*)/.exec(uri)?.[1] ?? "").toLowerCase() : type;
   if (said !== type) throw liar(key, type, said || "nothing");
   if (type.startsWith("font/")) {
     if (bytes.length > FONT_BYTES) {
-      throw new TexelcastError("too-large", `The font “${key}” has more than ${FONT_BYTES / 2 ** 20} MiB.`, {
+      throw new TexelcastError("too-large", `The font “${name}” has more than ${FONT_BYTES / 2 ** 20} MiB.`, {
         field: `assets.${key}`,
         value: String(bytes.length),
         hint: "Use a font with fewer characters.",
       });
     }
-    const is: AssetType = `font/${readFontHeader(bytes, key).format}`;
+    const is: AssetType = `font/${readFontHeader(bytes, name).format}`;
     if (is !== type) throw liar(key, type, is);
     return bytes.slice();
   }
-  const { type: is, bytes: clean } = await checkUpload(key, bytes, limits);
+  const { type: is, bytes: clean } = await checkUpload(name, bytes, limits);
   if (is !== type) throw liar(key, type, is);
   return clean;
 }
