@@ -113,6 +113,13 @@ export const propertyStyles = css`
     border-radius: var(--radius);
     background: var(--surface-low);
   }
+  /* Their grounds go where the system forces its colours: lines say then what belongs together, and what is a button. */
+  @media (forced-colors: active) {
+    .segments,
+    .buttons button {
+      border: 1px solid ButtonBorder;
+    }
+  }
   .segments label {
     position: relative;
     cursor: pointer;

@@ -69,6 +69,11 @@ export class Stage extends EditorElement {
       .tools button {
         background: color-mix(in oklab, var(--surface), transparent 15%);
       }
+      @media (forced-colors: active) {
+        .tools button {
+          border: 1px solid ButtonBorder;
+        }
+      }
       @media (hover: hover) {
         .tools button:hover {
           background: var(--surface);

@@ -61,6 +61,11 @@ export class ViewMenu extends EditorElement {
           padding-inline: var(--space-3);
         }
       }
+      @media (forced-colors: active) {
+        #view-menu {
+          border: 1px solid ButtonBorder;
+        }
+      }
     `,
   ];
 
