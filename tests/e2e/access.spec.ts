@@ -109,7 +109,7 @@ async function addText(editor: EditorPage): Promise<void> {
 }
 
 async function openTemplates(editor: EditorPage): Promise<void> {
-  await click("tc-top-bar .projects button", "tc-top-bar .projects [role=menuitem] >> nth=1")(editor);
+  await click("tc-top-bar .projects button", 'tc-top-bar .projects [role=menuitem]:has-text("New project")')(editor);
   await editor.page.locator("tc-template-dialog [data-template]").first().waitFor();
 }
 
