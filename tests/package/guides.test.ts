@@ -399,7 +399,11 @@ test("WooCommerce's plugin is PHP, and its page and script send the design's id 
 });
 
 /** A form as the page's half sends it, with what a stranger would change about it. */
-function sentDesign(changes: Readonly<Record<string, string | null>> = {}, fileName = LOGO_HASH): FormData {
+function sentDesign(
+  changes: Readonly<Record<string, string | null>> = {},
+  fileName = LOGO_HASH,
+  file: BlobPart = STORY_FILES["logo.png"],
+): FormData {
   const form = new FormData();
   const parts = {
     design: STORY_FILES["design.json"].replace("logo.png", `assets/${LOGO_HASH}.png`),
@@ -408,8 +412,13 @@ function sentDesign(changes: Readonly<Record<string, string | null>> = {}, fileN
     ...changes,
   };
   for (const [name, text] of Object.entries(parts)) if (text !== null) form.append(name, text);
-  form.append(fileName, new Blob([STORY_FILES["logo.png"]]));
+  form.append(fileName, new Blob([file]));
   return form;
+}
+/** A design whose own picture is no picture, though its name is the hash of what it is. */
+function brokenPicture(): Parameters<typeof sentDesign> {
+  const hash = createHash("sha256").update("no picture").digest("hex");
+  return [{ design: STORY_FILES["design.json"].replace("logo.png", `assets/${hash}.png`) }, hash, "no picture"];
 }
 const send = (body: FormData, query = ""): Promise<Response> =>
   fetch(`${shop.origin}/designs${query}`, { method: "POST", body });
@@ -426,10 +435,27 @@ test.each<[string, FormData]>([
   ["no print", sentDesign({ print: null })],
   ["a print that is no object", sentDesign({ print: "null" })],
   ["a print that takes minutes", sentDesign({ print: '{"size":16384}' })],
+  ["a print of a size that is none", sentDesign({ print: '{"size":"64"}' })],
+  ["a material that the model does not have", sentDesign({ print: '{"material":9}' })],
+  ["a material by name", sentDesign({ print: '{"material":"mug"}' })],
+  ["a picture that is none", sentDesign(...brokenPicture())],
   ["no approved hash", sentDesign({ approved: null })],
   ["a file of the design missing", sentDesign({ design: STORY_FILES["design.json"].replace("logo", "other") })],
 ])("the guide's server refuses %s while the customer is there", async (_, form) => {
   expect((await send(form)).status).toBe(422);
+});
+
+test("the guide's server answers while it prints, and prints one after the other", async () => {
+  const { id } = (await (await send(sentDesign({ print: JSON.stringify({ size: 2048 }) }))).json()) as { id: string };
+  const ended: string[] = [];
+  const ask = async (path: string, as: string): Promise<void> => {
+    expect((await fetch(`${shop.origin}/designs/${id}/${path}`)).ok).toBe(path === "design.json");
+    ended.push(as);
+  };
+  const prints = [ask("print.png", "first print"), ask("print.png", "second print")];
+  await ask("design.json", "design");
+  await Promise.all(prints);
+  expect(ended).toEqual(["design", "first print", "second print"]);
 });
 
 test("the guide's server takes what Shopify's app proxy adds to an address", async () => {
