@@ -51,6 +51,20 @@ describe("SVG files as decals", () => {
     }
   });
 
+  it("that the renderer stops at are told by name, with what to do, and the next is painted", async () => {
+    const { engine, errors, read } = await planeOf(64);
+    const far = '<g opacity="0.5" transform="translate(300)"><path d="M0 0h9v9z"/></g>';
+    const mask = `<mask id="m" maskUnits="userSpaceOnUse" width="999" height="999">${far}</mask>`;
+    const bytes = svgOf(`${mask}<path d="M0 0h9v9z" mask="url(#m)"/>`);
+    await engine.setAsset("drawing", { name: "far.svg", bytes });
+    engine.setLayers([decal("a", "drawing", { projector: { ...FRONT, size: [1, 1, 1] } })], 1);
+    await read();
+    expect(errors).toMatchObject([{ code: "bad-picture", subject: "far.svg", hint: expect.stringMatching(/PNG/) }]);
+    const plain = await read();
+    await engine.setAsset("drawing", { name: "half.svg", bytes: RED_HALF });
+    expect(await read()).not.toEqual(plain);
+  });
+
   it("are painted like pictures, with their own proportions", async () => {
     const { engine, read } = await planeOf(64);
     expect(await engine.setAsset("drawing", { name: "half.svg", bytes: RED_HALF })).toEqual({ width: 20, height: 10 });

@@ -1,6 +1,7 @@
 import { gzipSync } from "node:zlib";
 import { afterEach, describe, expect, it } from "vitest";
 import { canFilter, costOf, type SvgCost } from "../../web/engine/svg-cost.ts";
+import { elementsOf } from "../../web/engine/svg-elements.ts";
 import { readSvgFile } from "../../web/engine/svg-file.ts";
 import { NO_SHAPES } from "../../web/engine/svg-shapes.ts";
 import { decal } from "../support/layers.ts";
@@ -24,7 +25,7 @@ const drawingInside = (drawing: Uint8Array): Uint8Array =>
 const SHADOW =
   '<feGaussianBlur stdDeviation="2"/><feOffset dx="1" dy="1"/><feMerge><feMergeNode/><feMergeNode in="SourceGraphic"/></feMerge>';
 
-const filtersOf = (simplified: string): SvgCost["filters"] => costOf(simplified, () => NO_SHAPES).filters;
+const filtersOf = (simplified: string): SvgCost["filters"] => costOf(elementsOf(simplified), () => NO_SHAPES).filters;
 
 describe("the filters of a drawing", () => {
   it.each([

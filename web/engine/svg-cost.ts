@@ -3,7 +3,7 @@
  * few bytes can ask for hours. Weights are about ten nanoseconds each on a slow machine, measured with resvg in WebAssembly.
  */
 import { definitionUses } from "./svg-definitions.ts";
-import { elementsOf } from "./svg-elements.ts";
+import type { SvgElements } from "./svg-elements.ts";
 import { type FilterUse, filterUses, weightOfFilters } from "./svg-filters.ts";
 import { costOfShapes, type ShapeCost, weightOfOutline, weightOfShapes } from "./svg-shapes.ts";
 
@@ -15,12 +15,8 @@ export interface SvgCost {
 /** Of one drawing: some seconds on a usual machine. */
 const MOST_WEIGHT = 2.5e9;
 
-/**
- * @param simplified as for elementsOf
- * @param costOfPicture as of costOfShapes
- */
-export function costOf(simplified: string, costOfPicture: (data: string) => ShapeCost): SvgCost {
-  const elements = elementsOf(simplified);
+/** @param costOfPicture as of costOfShapes */
+export function costOf(elements: SvgElements, costOfPicture: (data: string) => ShapeCost): SvgCost {
   const definitions = definitionUses(elements);
   return {
     filters: filterUses(elements, definitions),

@@ -4,7 +4,7 @@ import { tagsOf } from "./xml-tags.ts";
 export interface SvgElement {
   readonly name: string;
   readonly attributes: ReadonlyMap<string, string>;
-  /** From its own units to those of its definition; where it has none, to the document's. */
+  /** From its own units to those of its definition; where it has none, to the document's with the picture's corner at 0. */
   readonly matrix: Matrix;
   /** The id of the pattern, mask or clip path that it is, or is part of; "" in the document itself. */
   readonly definition: string;
@@ -14,6 +14,9 @@ export interface SvgElement {
   readonly painted: Bounds | null;
   /** Of a path. */
   readonly outline: Outline | null;
+  /** Where it begins in the text, and where what follows it does. */
+  readonly start: number;
+  readonly end: number;
 }
 
 export interface Outline {
@@ -42,6 +45,7 @@ const SAME: Matrix = [1, 0, 0, 1, 0, 0];
 interface OpenElement extends SvgElement {
   /** To the units of the element around it. */
   readonly own: Matrix;
+  end: number;
   bounds: Bounds | null;
   painted: Bounds | null;
 }
@@ -50,7 +54,7 @@ interface OpenElement extends SvgElement {
 export function elementsOf(simplified: string): SvgElements {
   const elements: SvgElement[] = [];
   const open: OpenElement[] = [];
-  let [width, height] = [1, 1];
+  let page: Bounds = [0, 0, 1, 1];
   const end = (element: OpenElement): void => {
     elements.push(element);
     const around = open.at(-1);
@@ -59,24 +63,42 @@ export function elementsOf(simplified: string): SvgElements {
     if (bounds) around.bounds = united(around.bounds, moved(own, bounds));
     if (painted) around.painted = united(around.painted, moved(own, painted));
   };
-  for (const { name, kind, attributes } of tagsOf(simplified)) {
+  for (const { name, kind, attributes, start, length } of tagsOf(simplified)) {
     if (kind === "end") {
       const ended = open.pop();
-      if (ended) end(ended);
+      if (ended) end({ ...ended, end: start + length });
       continue;
     }
-    if (name === "svg") [, , width = 1, height = 1] = numbersOf(attributes.get("viewBox") ?? "");
+    if (name === "svg") page = pageOf(attributes);
     const around = open.at(-1);
     const own = matrixOf(attributes.get("transform") ?? attributes.get("patternTransform") ?? "");
-    const matrix = product(around?.matrix ?? SAME, own);
+    const matrix = product(around?.matrix ?? [1, 0, 0, 1, -page[0], -page[1]], own);
     const definition = DEFINITIONS.has(name) ? (attributes.get("id") ?? "") : (around?.definition ?? "");
     const { outline, bounds } = shapeOf(name, attributes);
     const painted = bounds && withStroke(bounds, attributes);
-    const element = { name, attributes, own, matrix, definition, outline, bounds, painted };
+    const place = { start, end: start + length };
+    const element = { name, attributes, own, matrix, definition, outline, bounds, painted, ...place };
     if (kind === "empty") end(element);
     else open.push(element);
   }
+  const [width, height] = sidesOf(page);
   return { width, height, elements };
+}
+
+/** What the picture shows, in the document's units: its view box, and what is beside that where its proportions differ. */
+function pageOf(attributes: ReadonlyMap<string, string>): Bounds {
+  const [x = 0, y = 0, width = 1, height = 1] = numbersOf(attributes.get("viewBox") ?? "");
+  const [scaleX, scaleY] = [Number(attributes.get("width")) / width, Number(attributes.get("height")) / height];
+  const [, alignX, alignY, isSlice] =
+    /^x(M[a-z]+)Y(M[a-z]+)(\s+slice)?/.exec(attributes.get("preserveAspectRatio") ?? "xMidYMid") ?? [];
+  // Without an alignment it is stretched.
+  if (!(scaleX > 0 && scaleY > 0) || alignX === undefined) return [x, y, x + width, y + height];
+  const scale = isSlice ? Math.max(scaleX, scaleY) : Math.min(scaleX, scaleY);
+  const [wide, high] = [(width * scaleX) / scale, (height * scaleY) / scale];
+  const before = (align: string | undefined, rest: number): number =>
+    align === "Min" ? 0 : align === "Max" ? rest : rest / 2;
+  const [left, top] = [x - before(alignX, wide - width), y - before(alignY, high - height)];
+  return [left, top, left + wide, top + high];
 }
 
 /** The ids that an attribute names as url(#id). */

@@ -5,16 +5,19 @@
 import { badPicture } from "./picture-header.ts";
 import { rasterSize } from "./raster-size.ts";
 import { EMOJI, readShippedFont, SHIPPED_FONTS, type ShippedFontId, standIn } from "./shipped-fonts.ts";
+import { withoutBeside } from "./svg-beside.ts";
 import { canDraw, canFilter, costOf, type SvgCost } from "./svg-cost.ts";
+import { elementsOf } from "./svg-elements.ts";
 import { checkInnerPictures, costOfInner } from "./svg-inside.ts";
 import { checkGrowth } from "./svg-limits.ts";
-import { readSvg, type SvgDocument, type SvgFonts, startSvgRenderer } from "./svg-renderer.ts";
+import { isTrap, readSvg, type SvgDocument, type SvgFonts, startSvgRenderer } from "./svg-renderer.ts";
 import { encodingOf } from "./svg-start.ts";
 import { isEmoji } from "./text-emoji.ts";
 import { isInvisible, scriptOf } from "./text-script.ts";
 
 export interface SvgFile {
   readonly name: string;
+  /** As it is to be drawn. */
   readonly svg: string;
   /** As the document gives them, CSS pixels; by them it keeps its proportions. */
   readonly width: number;
@@ -28,6 +31,7 @@ const MAX_BYTES = 16 * 2 ** 20;
 /** Longer side by shorter. */
 const MAX_ASPECT = 1000;
 const HINT = "Open it in a drawing program and save it again as plain SVG.";
+const AS_PNG = "Open it in a drawing program and save it again as plain SVG, or as PNG.";
 
 /**
  * Reads an SVG file. Rejects with "bad-picture" naming the file: too large, not UTF-8 or UTF-16, not well-formed, without a
@@ -64,12 +68,15 @@ export async function readSvgFile(
       HINT,
     );
   }
-  const cost = costOf(simplified, (data) => costOfInner(data, name));
+  const elements = elementsOf(simplified);
+  const cost = costOf(elements, (data) => costOfInner(data, name));
   const [leastWidth, leastHeight] = rasterSize(aspect, [1, 1]);
   if (!canDraw(cost, leastWidth, leastHeight)) {
     const what = canFilter(cost, leastWidth, leastHeight) ? "it" : "its filters";
     throw badPicture(name, "too-slow", `${what} would take too long to draw`, "Make it simpler, or save it as PNG.");
   }
+  const onPage = withoutBeside(simplified, elements);
+  if (onPage !== null) return { name, svg: onPage, width, height, fonts: [], cost };
   return { name, svg, width, height, fonts, cost };
 }
 
@@ -85,20 +92,22 @@ function readDocument(svg: string, fonts: SvgFonts | null, name: string): SvgDoc
   try {
     return readSvg(svg, fonts);
   } catch (thrown) {
-    throw badPicture(name, ...describeFault(thrown), HINT, thrown);
+    throw badPicture(name, ...describeFault(thrown), thrown);
   }
 }
 
-/** What resvg says, without its own introduction, after the reason of the error. */
-export function describeFault(thrown: unknown): readonly [reason: string, problem: string] {
+/** What resvg says, without its own introduction, between the reason of the error and what to do. */
+export function describeFault(thrown: unknown): readonly [reason: string, problem: string, hint: string] {
+  if (isTrap(thrown))
+    return ["undrawable", "the renderer stops at it, with parts far beside its page or deep in one another", AS_PNG];
   const said = thrown instanceof Error ? thrown.message : String(thrown);
   const cause = said.replace(/^SVG data parsing failed cause /, "");
-  if (/reference loop/.test(cause)) return ["entities", "its entities grow beyond all measure"];
-  if (/nodes limit/.test(cause)) return ["too-slow", "it has too many elements"];
-  if (/invalid size/.test(cause)) return ["no-size", "it has no width and height above 0"];
+  if (/reference loop/.test(cause)) return ["entities", "its entities grow beyond all measure", HINT];
+  if (/nodes limit/.test(cause)) return ["too-slow", "it has too many elements", HINT];
+  if (/invalid size/.test(cause)) return ["no-size", "it has no width and height above 0", HINT];
   return cause === said
-    ? ["undrawable", `it cannot be drawn (${said})`]
-    : ["not-well-formed", `it is not well-formed: ${cause}`];
+    ? ["undrawable", `it cannot be drawn (${said})`, AS_PNG]
+    : ["not-well-formed", `it is not well-formed: ${cause}`, HINT];
 }
 
 /** A character by its number: "&#x1f382;", "&#127874;". */

@@ -5,6 +5,7 @@ import { checkJpegScans } from "./jpeg-scans.ts";
 import { badPicture, checkedHeader, sniffPicture } from "./picture-header.ts";
 import { readPngHeader } from "./png-header.ts";
 import { costOf, type SvgCost } from "./svg-cost.ts";
+import { elementsOf } from "./svg-elements.ts";
 import { readSvg } from "./svg-renderer.ts";
 import { NO_SHAPES, type ShapeCost } from "./svg-shapes.ts";
 import { unknownPicture } from "./unknown-picture.ts";
@@ -86,7 +87,7 @@ function costOfDrawing(svg: string, name: string): SvgCost {
   try {
     ({ simplified } = readSvg(svg));
   } catch {}
-  return costOf(simplified, (data) => costOfPicture(data, name));
+  return costOf(elementsOf(simplified), (data) => costOfPicture(data, name));
 }
 
 function costOfPicture(data: string, name: string): ShapeCost {

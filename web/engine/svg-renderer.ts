@@ -5,6 +5,7 @@
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { compileCodec } from "./codec-wasm.ts";
 import type { Picture } from "./engine-api.ts";
+import { runRenewable } from "./renewable-wasm.ts";
 
 type ResvgPackage = typeof import("@resvg/resvg-wasm");
 
@@ -15,6 +16,7 @@ export interface SvgFonts {
 }
 
 let resvg: ResvgPackage | undefined;
+let renew = (): void => {};
 let starting: Promise<void> | undefined;
 
 /** Makes `renderSvg` ready. Rejects with "missing-file"; a later call tries again. */
@@ -28,7 +30,7 @@ export function startSvgRenderer(): Promise<void> {
 
 async function start(): Promise<void> {
   const [loaded, module] = await Promise.all([import("@resvg/resvg-wasm"), compileCodec("svg")]);
-  await loaded.initWasm(module);
+  renew = await runRenewable(module, () => loaded.initWasm(module));
   resvg = loaded;
 }
 
@@ -80,12 +82,21 @@ function withDocument<Result>(
     fontBuffers: [...(fonts?.buffers ?? [])],
     ...(fonts && { defaultFontFamily: fonts.family, sansSerifFamily: fonts.family }),
   };
-  const document = new resvg.Resvg(svg, { ...options, font });
-  // Not in a "finally": after a panic of Rust's, freeing fails too, and would hide what went wrong.
-  const result = use(document);
-  document.free();
-  return result;
+  try {
+    const document = new resvg.Resvg(svg, { ...options, font });
+    // Not in a "finally": after a panic of Rust's, freeing fails too, and would hide what went wrong.
+    const result = use(document);
+    document.free();
+    return result;
+  } catch (thrown) {
+    if (isTrap(thrown)) renew();
+    throw thrown;
+  }
 }
+
+/** Whether the renderer stopped amid its work: at what it does not expect, or in parts too deep in one another for its stack. */
+export const isTrap = (thrown: unknown): boolean =>
+  thrown instanceof WebAssembly.RuntimeError || thrown instanceof RangeError;
 
 function unpremultiplied(pixels: Uint8Array): Uint8Array<ArrayBuffer> {
   const rgba = new Uint8Array(pixels);

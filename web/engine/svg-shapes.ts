@@ -116,9 +116,14 @@ function weightOfPaint(
 
 function weightOfGroup(attributes: ReadonlyMap<string, string>): number {
   const cutOuts = idsIn(attributes.get("mask")).length + idsIn(attributes.get("clip-path")).length;
-  const isApart = cutOuts > 0 || ["opacity", "filter"].some((name) => attributes.has(name)) || attributes.has("style");
-  return (isApart ? GROUP : 0) + cutOuts * CUT_OUT;
+  return (isDrawnApart(attributes) ? GROUP : 0) + cutOuts * CUT_OUT;
 }
+
+const APART = ["mask", "clip-path", "opacity", "filter", "style"];
+
+/** Whether what has these attributes is drawn by itself, and then laid on the rest. */
+export const isDrawnApart = (attributes: ReadonlyMap<string, string>): boolean =>
+  APART.some((name) => attributes.has(name));
 
 /** @param rows of a unit of length, of the picture's height */
 function edgesOf(

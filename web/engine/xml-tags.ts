@@ -10,6 +10,8 @@ export interface XmlTag {
   readonly text: string;
   /** Comments and the like among that. */
   readonly others: number;
+  /** Where it begins in the text. */
+  readonly start: number;
   /** Characters of the tag itself. */
   readonly length: number;
 }
@@ -39,7 +41,7 @@ export function* tagsOf(xml: string): Iterable<XmlTag> {
     const name = space < 0 ? inside : inside.slice(0, space);
     const attributes = space < 0 ? NONE : attributesOf(inside.slice(space));
     const kind = isEnd ? "end" : isEmpty ? "empty" : "start";
-    yield { name: withoutPrefix(name), kind, attributes, text, others, length: end + 1 - start };
+    yield { name: withoutPrefix(name), kind, attributes, text, others, start, length: end + 1 - start };
     text = "";
     others = 0;
     at = end + 1;
