@@ -2,6 +2,7 @@ import { describe, expect, it } from "vitest";
 import { canDraw } from "../../web/engine/svg-cost.ts";
 import { readSvgFile, type SvgFile } from "../../web/engine/svg-file.ts";
 import { growthOf } from "../../web/engine/svg-growth.ts";
+import { checkGrowth } from "../../web/engine/svg-limits.ts";
 import { renderSvg } from "../../web/engine/svg-renderer.ts";
 import { cleanSvg } from "../../web/engine/svg-safety.ts";
 
@@ -139,11 +140,41 @@ describe("a drawing that would take for ever", () => {
       `${many(60_000, (index) => `<g id="i${index}"/>`)}${many(60_000, (index) => `<use href="#i${index}"/>`)}`,
     ],
     ["stops of one gradient", `<linearGradient id="g">${'<stop offset="0"/>'.repeat(100_000)}</linearGradient>`],
+    ["words of very many runs of style", `<text>${"<tspan>a</tspan>".repeat(3000)}</text>`],
+    [
+      "the same, less of it and reused",
+      `<defs><text id="a">${"<tspan>a</tspan>".repeat(1000)}</text></defs>${'<use href="#a"/>'.repeat(20)}`,
+    ],
+    [
+      "letters on a path",
+      `<path id="p" d="M0 0h9"/><text><textPath href="#p">${"a".repeat(100_000)}</textPath></text>`,
+    ],
+    [
+      "letters on a path, after some that are not",
+      `<path id="p" d="M0 0h9"/><text>a<textPath href="#p">a<tspan>${"a".repeat(100_000)}</tspan></textPath>a</text>`,
+    ],
     ["comments and the like", `<desc>${"<![CDATA[a]]>".repeat(200_000)}</desc>`],
   ])("is refused before it is read where that would take as long: %s", async (_what, body) => {
     expect(await refusalOf(documentOf(body))).toMatch(
       /^bad-picture: .*bomb\.svg.*(too long to read|beyond all measure)/,
     );
+  });
+});
+
+describe("the words of a drawing", () => {
+  it.each([
+    [
+      "lines and words with places of their own",
+      `<text>${'<tspan x="1" y="9">word <tspan>bold</tspan></tspan>\n'.repeat(2000)}</text>`,
+    ],
+    ["many texts", '<text x="1">a</text>'.repeat(5000)],
+    ["a line of many colours", `<text>${'<tspan fill="red">ab</tspan>'.repeat(300)}</text>`],
+    [
+      "many short words on paths",
+      `<path id="p" d="M0 0h9"/>${`<text><textPath href="#p">words on a path</textPath></text>`.repeat(1000)}`,
+    ],
+  ])("are taken where they are honest: %s", (_what, body) => {
+    expect(() => checkGrowth(documentOf(body), "words.svg")).not.toThrow();
   });
 });
 

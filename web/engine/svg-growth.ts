@@ -3,6 +3,7 @@
  * than there is, and the renderer does not recover from the one.
  */
 import { AskedParts, WHOLE } from "./asked-parts.ts";
+import { SetWords } from "./svg-words.ts";
 import { tagsOf, type XmlTag } from "./xml-tags.ts";
 
 export interface SvgGrowth {
@@ -10,7 +11,7 @@ export interface SvgGrowth {
   readonly length: number;
   /** Elements, those of gradients, patterns and masks wherever they are asked for. */
   readonly visits: number;
-  /** Of one thing with another, as the reader of SVG makes them: of rules of style with elements, and others. */
+  /** Of one thing with another, as the reader of SVG makes them: of rules of style with elements, of letters, and others. */
   readonly comparisons: number;
   /** Addresses with data that are none of a picture's, and may be drawings inside. */
   readonly inside: readonly string[];
@@ -58,6 +59,8 @@ export function growthOf(svg: string): SvgGrowth {
   const styles = stylesIn(text);
   const copied = new AskedParts();
   const visited = new AskedParts();
+  const set = new AskedParts();
+  const words = new SetWords();
   for (const [, where = "", id = ""] of text.matchAll(MARKER)) {
     copied.ask(isOnPoints(where) ? ON_POINTS : ON_ENDS, `#${id}`, 1);
   }
@@ -69,7 +72,11 @@ export function growthOf(svg: string): SvgGrowth {
     const around = open.at(-1);
     squares += OTHER * tag.others ** 2;
     if (around?.name === "style") rules += tag.text.split(/[{,]/).length - 1;
-    if (around?.isText) copied.grow(around.part, tag.text.replace(/\s+/g, "").length * GLYPH);
+    if (around?.isText) {
+      copied.grow(around.part, tag.text.replace(/\s+/g, "").length * GLYPH);
+      words.add(tag.text);
+      set.grow(around.part, words.part(tag));
+    }
     if (tag.kind === "end") {
       open.pop();
       continue;
@@ -82,6 +89,7 @@ export function growthOf(svg: string): SvgGrowth {
     for (const [parts, size] of [
       [copied, tag.length],
       [visited, 1],
+      [set, 0],
     ] as const) {
       parts.grow(part, size);
       if (part !== outer) parts.ask(outer, part, 1);
@@ -91,7 +99,10 @@ export function growthOf(svg: string): SvgGrowth {
     else if (reused?.startsWith("data:") && !PICTURE.test(reused)) inside.push(reused);
     if (tag.name === "stop") stops.set(part, (stops.get(part) ?? 0) + 1);
     const { asked, declarations } = styleOf(tag, styles);
-    for (const id of asked) visited.ask(part, id, 1);
+    for (const id of asked) {
+      visited.ask(part, id, 1);
+      set.ask(part, id, 1);
+    }
     squares += DECLARATION * declarations ** 2;
     if (PATHS.has(tag.name)) {
       copied.grow(part, dashes);
@@ -100,7 +111,7 @@ export function growthOf(svg: string): SvgGrowth {
     if (tag.kind === "start") open.push(element);
   }
   for (const count of stops.values()) squares += STOP * count ** 2;
-  const comparisons = (RULE * rules + reuses) * elements + squares;
+  const comparisons = (RULE * rules + reuses) * elements + squares + set.total();
   return { length: copied.total(), visits: visited.total(), comparisons, inside };
 }
 

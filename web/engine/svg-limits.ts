@@ -9,7 +9,7 @@ const MAX_ENTITY_GROWTH = 2 ** 20;
 const MAX_LENGTH = 64 * 2 ** 20;
 /** Elements, by all that asks for them. */
 const MAX_VISITS = 1e7;
-/** Of rules of style with elements, and the like: some five seconds each time that it is read. */
+/** Of rules of style with elements, of letters, and the like: some five seconds each time that it is read. */
 const MAX_COMPARISONS = 2e9;
 const HINT = "Open it in a drawing program and save it again as plain SVG.";
 
@@ -35,7 +35,12 @@ export function checkGrowth(svg: string, name: string): void {
     );
   }
   if (comparisons > MAX_COMPARISONS) {
-    throw badPicture(name, "too-slow", "it would take too long to read: too much in it is styled or reused", HINT);
+    throw badPicture(
+      name,
+      "too-slow",
+      "it would take too long to read: too much in it is styled, reused or written on paths",
+      HINT,
+    );
   }
 }
 
