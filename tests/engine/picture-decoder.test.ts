@@ -324,7 +324,7 @@ describe("a picture that cannot be used", () => {
     file.findIndex((byte, i) => byte === 0xff && [0xc0, 0xc1, 0xc2].includes(file[i + 1] ?? 0));
 
   it.each<[string, () => Uint8Array, RegExp]>([
-    ["text", () => new TextEncoder().encode("hello"), /neither PNG, JPEG, WebP nor AVIF/],
+    ["text", () => new TextEncoder().encode("hello"), /neither PNG, JPEG, WebP, AVIF nor SVG/],
     ["nothing", () => new Uint8Array(), /empty/],
     ["a GIF", () => new TextEncoder().encode("GIF89a"), /GIF/],
     ["a PDF", () => new TextEncoder().encode("%PDF-1.7"), /PDF, as Illustrator's/],

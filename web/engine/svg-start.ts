@@ -2,8 +2,10 @@
 
 /** Whether the bytes begin like an SVG document. */
 export function isSvg(bytes: Uint8Array): boolean {
-  const start = new TextDecoder(encodingOf(bytes)).decode(bytes.subarray(0, 4096));
-  return /^\s*(?:<\?xml[^>]*>\s*|<!--[\s\S]*?-->\s*)*(?:<!DOCTYPE\s+svg\b|<(?:[\w-]+:)?svg[\s>/])/i.test(start);
+  // Some begin with a licence.
+  const start = new TextDecoder(encodingOf(bytes)).decode(bytes.subarray(0, 65536));
+  // A comment ends at the first of its ends: else there were 2ⁿ ways to read n of them.
+  return /^\s*(?:<(?:\?[^>]*|!--(?:(?!-->)[\s\S])*--)>\s*)*(?:<!DOCTYPE\s+svg\b|<(?:[\w-]+:)?svg[\s>/])/i.test(start);
 }
 
 /** As the byte order mark says; UTF-8 without one. */

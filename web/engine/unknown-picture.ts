@@ -1,6 +1,7 @@
 /** What a file is that cannot be read as a picture, by its first bytes. */
 import type { TexelcastError } from "../core/texelcast-error.ts";
 import { badPicture, isKtx2 } from "./picture-header.ts";
+import { isSvg } from "./svg-start.ts";
 
 /** "bad-picture" that says what it is instead. */
 export const unknownPicture = (bytes: Uint8Array, name: string): TexelcastError =>
@@ -22,6 +23,10 @@ function describeUnknown(bytes: Uint8Array): readonly [reason: string, problem: 
   if (/^(%!PS|\xc5\xd0\xd3\xc6)/.test(start)) return ["eps", "it is an EPS drawing", AS_DRAWING];
   if (start.startsWith("\xff\n") || start.slice(4, 8) === "JXL ") return ["jxl", "it is a JPEG XL picture", AS_PICTURE];
   if (isKtx2(bytes)) return ["ktx2", "it is a KTX2 texture", AS_PICTURE];
-  if (/^\s*(<svg|<\?xml)/.test(start)) return ["svg", "it is an SVG drawing", AS_PICTURE];
-  return ["unknown", "it is neither PNG, JPEG, WebP nor AVIF", AS_PICTURE];
+  if (start.startsWith("\x1f\x8b")) {
+    return ["svgz", "it is packed, as a compressed SVG (.svgz) is", "Unpack it, or save it as plain SVG."];
+  }
+  if (isSvg(bytes)) return ["svg", "it is an SVG drawing", AS_PICTURE];
+  const hint = "Save it as PNG, JPEG, WebP or AVIF, or a drawing for a decal as SVG.";
+  return ["unknown", "it is neither PNG, JPEG, WebP, AVIF nor SVG", hint];
 }

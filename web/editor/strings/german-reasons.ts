@@ -48,13 +48,14 @@ export const PICTURES: Reasons = {
   psd: ["Es ist eine Photoshop-Datei.", AS_PICTURE],
   scans: ["Es geht zu oft über das ganze Bild.", "Speichere es noch einmal, als JPEG oder PNG."],
   svg: ["Es ist eine SVG-Zeichnung.", AS_PICTURE],
+  svgz: ["Es ist gepackt, wie komprimiertes SVG (.svgz).", "Entpack es, oder speichere es als einfaches SVG."],
   tiff: ["Es ist ein TIFF.", AS_PICTURE],
   "too-long": ["Es ist viel zu lang für seine Breite, oder zu breit für seine Höhe.", PLAIN_SVG],
   "too-many-bytes": ["Die Datei ist zu groß für eine Zeichnung.", SIMPLER],
   "too-many-pixels": ["Es hat mehr als 8192 Pixel an einer Seite.", "Mach es kleiner."],
   "too-slow": ["Es zu zeichnen würde zu lange dauern.", SIMPLER],
   undrawable: ["Es lässt sich nicht zeichnen.", PLAIN_SVG],
-  unknown: ["Es ist weder PNG, JPEG, WebP noch AVIF.", AS_PICTURE],
+  unknown: ["Es ist weder PNG, JPEG, WebP, AVIF noch SVG.", ANOTHER],
 };
 
 /** Of "bad-font". */
