@@ -65,6 +65,24 @@ describe("SVG files as decals", () => {
     expect(await read()).not.toEqual(plain);
   });
 
+  it.each([
+    [
+      "a part of a web page",
+      '<foreignObject width="9" height="9"><p xmlns="http://www.w3.org/1999/xhtml">a</p></foreignObject>',
+    ],
+    ["a picture elsewhere", '<image width="9" height="9" href="https://example.com/a.png"/>'],
+  ])("that hold nothing but %s are refused by name, since nothing of them would be painted", async (_what, body) => {
+    const shown = svgOf(`${body}<path d="M0 0h9v9z"/>`);
+    await expect(startHost().setAsset("held", { name: "held.svg", bytes: svgOf(body) })).rejects.toMatchObject({
+      code: "bad-picture",
+      reason: "nothing-drawn",
+      subject: "held.svg",
+      hint: expect.stringMatching(/PNG/),
+    });
+    await expect(startHost().setAsset("held", { name: "held.svg", bytes: shown })).resolves.toBeDefined();
+    await expect(startHost().setAsset("held", { name: "blank.svg", bytes: svgOf("") })).resolves.toBeDefined();
+  });
+
   it("are painted like pictures, with their own proportions", async () => {
     const { engine, read } = await planeOf(64);
     expect(await engine.setAsset("drawing", { name: "half.svg", bytes: RED_HALF })).toEqual({ width: 20, height: 10 });
@@ -151,6 +169,7 @@ describe("SVG files as decals", () => {
       '<style>@import url("http://127.0.0.1:9/a.css");</style>',
       '<use href="http://127.0.0.1:9/a.svg#b"/>',
       '<foreignObject width="20" height="10"><p xmlns="http://www.w3.org/1999/xhtml">x</p></foreignObject>',
+      '<path d="M0 0h20v10z" fill="#fff"/>',
     ].join("");
     await engine.setAsset("drawing", { name: "hostile.svg", bytes: svgOf(body) });
     engine.setLayers([decal("a", "drawing")], 1);

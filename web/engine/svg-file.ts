@@ -28,6 +28,8 @@ export interface SvgFile {
 }
 
 const MAX_BYTES = 16 * 2 ** 20;
+/** What the renderer leaves out; a picture at an address it writes out as "raw", one with data by its type. */
+const UNDRAWN = /<(?:[\w-]+:)?(?:foreignObject|image)\b/;
 /** Longer side by shorter. */
 const MAX_ASPECT = 1000;
 const HINT = "Open it in a drawing program and save it again as plain SVG.";
@@ -35,7 +37,8 @@ const AS_PNG = "Open it in a drawing program and save it again as plain SVG, or 
 
 /**
  * Reads an SVG file. Rejects with "bad-picture" naming the file: too large, not UTF-8 or UTF-16, not well-formed, without a
- * size, growing beyond all measure by what it reuses, entities or pictures inside, or taking as long to draw.
+ * size, with nothing that can be drawn, growing beyond all measure by what it reuses, entities or pictures inside, or taking
+ * as long to draw.
  *
  * @param readFont for its words; rejects with "missing-file"
  */
@@ -69,6 +72,14 @@ export async function readSvgFile(
     );
   }
   const elements = elementsOf(simplified);
+  const isBlank = !elements.elements.some(
+    ({ definition, outline, attributes }) =>
+      definition === "" && (outline !== null || /^data:image\/(?!raw)/.test(attributes.get("href") ?? "")),
+  );
+  if (isBlank && UNDRAWN.test(svg)) {
+    const problem = "it holds nothing that can be drawn: parts of web pages and pictures at addresses are left out";
+    throw badPicture(name, "nothing-drawn", problem, AS_PNG);
+  }
   const cost = costOf(elements, (data) => costOfInner(data, name));
   const [leastWidth, leastHeight] = rasterSize(aspect, [1, 1]);
   if (!canDraw(cost, leastWidth, leastHeight)) {

@@ -43,6 +43,10 @@ export const PICTURES: Reasons = {
   "no-pixels": ["Es enthält keine Pixel.", ANOTHER],
   "no-size": ["Es hat keine Breite und Höhe über 0.", PLAIN_SVG],
   "not-well-formed": ["Es ist kein gültiges SVG.", PLAIN_SVG],
+  "nothing-drawn": [
+    "Es enthält nichts, was sich zeichnen lässt: Teile von Webseiten und Bilder an Adressen fallen weg.",
+    PLAIN_SVG,
+  ],
   pdf: ["Es ist ein PDF, wie es auch die Dateien von Illustrator sind.", AS_DRAWING],
   profile: ["Sein Farbprofil besteht aus Tabellen.", "Speichere es in sRGB-Farben."],
   psd: ["Es ist eine Photoshop-Datei.", AS_PICTURE],
