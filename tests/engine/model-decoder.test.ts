@@ -206,6 +206,25 @@ describe("a compressed model", () => {
     }
   });
 
+  it("is told what is wrong with an accessor that reaches beyond its bytes, and not that it cannot be unpacked", async () => {
+    for (const model of [draco, meshopt]) {
+      const bytes = changed(model, (json) => {
+        // A part that is not packed as the rest is.
+        const [views, accessors] = [json.bufferViews, json.accessors] as [JsonObject[], JsonObject[]];
+        views.push({ buffer: 0, byteOffset: 0, byteLength: 16 });
+        accessors.push({ bufferView: views.length - 1, componentType: 5126, type: "VEC3", count: 1_000_000 });
+        const [mesh] = json.meshes as unknown as [{ primitives: JsonObject[] }];
+        mesh.primitives.push({ attributes: { POSITION: accessors.length - 1 } });
+      });
+      await expect(loadModelFile({ name: "beyond.glb", bytes })).rejects.toMatchObject({
+        code: "bad-container",
+        subject: "beyond.glb",
+        field: expect.stringMatching(/^accessors\[\d+\]\.count$/),
+        message: expect.stringMatching(/reaches to byte 12000000 of “bufferViews\[\d+\]”, which has 16/),
+      });
+    }
+  });
+
   it.each<[string, (place: JsonObject) => void, string]>([
     ["a count that does not fit its view", (place) => (place.count = 7), "bad-container"],
     ["a stride of zero", (place) => (place.byteStride = 0), "bad-container"],

@@ -3,7 +3,9 @@
  * the same decoders in the browser and in Node. They are loaded only when a model needs them.
  */
 /// <reference path="./draco3dgltf.d.ts" />
+
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { accessorBeyond } from "./accessor-bounds.ts";
 import { COMPONENT_BYTES, SHAPES } from "./accessor-shapes.ts";
 import { fillTextures } from "./blank-textures.ts";
 import { readCodec } from "./codec-wasm.ts";
@@ -65,7 +67,7 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
     for (const buffer of others) buffer.dispose();
     return (await io.writeBinary(document)) as Uint8Array<ArrayBuffer>;
   } catch (cause) {
-    const fault = gltfFault(packed.json, name);
+    const fault = gltfFault(packed.json, name) ?? accessorBeyond(packed.json, name);
     if (fault !== null) throw fault;
     throw new TexelcastError("bad-model", `The compressed geometry of “${name}” cannot be decoded.`, {
       subject: name,
