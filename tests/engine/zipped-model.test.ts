@@ -96,6 +96,8 @@ describe("a hostile zip given for a model", () => {
 
   it.each<[string, Uint8Array, RegExp]>([
     ["leads out of itself", zipSync({ "../scene.glb": glb() }), /"\.\.\/scene\.glb" is not a path inside the archive/],
+    ["goes up and comes back", zipSync({ "a/../scene.glb": glb() }), /"a\/\.\.\/scene\.glb" is not a path inside/],
+    ["has a folder above", zipSync({ "a.glb": glb(), "../": new Uint8Array() }), /"\.\.\/" is not a path inside/],
     ["has an absolute path", zipSync({ "/etc/scene.glb": glb() }), /is not a path inside the archive/],
     ["names a file twice", zipSync({ "a.glb": glb(), "A.GLB": glb() }), /stands twice in the archive/],
     ["is encrypted", one((record) => record.setUint16(8, 1, true)), /"scene\.glb" is encrypted/],
