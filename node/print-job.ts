@@ -6,6 +6,7 @@ import type { EngineHost } from "../web/engine/engine-host.ts";
 import { fontsOf, picturesOf } from "../web/engine/layer-picture.ts";
 import type { PrintZones } from "../web/engine/print-zones.ts";
 import { checkFit } from "./check-fit.ts";
+import { namingModel } from "./name-model.ts";
 import { openEngine } from "./open-engine.ts";
 
 export interface PrintJob {
@@ -36,7 +37,7 @@ export async function withPrintJob<Result>(
     for (const key of fontsOf(layers)) await engine.setFont(key, await readChecked(job, key));
     await engine.setZones(job.zones);
     engine.setLayers(layers, 1);
-    const result = await use(engine, model);
+    const result = await namingModel(job.model.name, use(engine, model));
     if (errors[0] !== undefined) throw errors[0];
     return result;
   } finally {

@@ -23,7 +23,7 @@ export interface Reference {
 }
 
 /**
- * The bytes of a regular file.
+ * The bytes of a regular file; none of one that has no size, whatever could be read from it.
  *
  * @throws TexelcastError "missing-file" where there is none, `options.code` for folders, devices, files above the limit
  * (2 GiB without one) and files that the system will not read.
@@ -45,7 +45,8 @@ export async function readFileBytes(filePath: string, options: ReadOptions): Pro
       if (size > maxBytes) {
         throw refuse(`has ${size} bytes, the limit is ${maxBytes}`, "Make the file smaller.", `${size} bytes`);
       }
-      return await file.readFile();
+      // What the system makes up as it is read, such as /proc/kmsg, has no size and may never end.
+      return size === 0 ? new Uint8Array() : await file.readFile();
     } finally {
       await file.close();
     }

@@ -4,6 +4,7 @@ import type { MapView, MaterialInfo, TargetInfo } from "../../web/engine/engine-
 import type { EngineHost } from "../../web/engine/engine-host.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
 import { findPaintable } from "../find-material.ts";
+import { namingModel } from "../name-model.ts";
 import { type NpyType, npyHeader } from "../npy.ts";
 import { openEngine } from "../open-engine.ts";
 import type { Size } from "../options.ts";
@@ -65,10 +66,11 @@ export async function bake(file: string, options: BakeOptions): Promise<void> {
     const material = findPaintable(await engine.loadModel(model), options.material);
     const size = options.size ?? textureSize(material);
     // The map does not hang on the picture, so a broken one need not stop the bake: a plain colour stands in for it.
-    const target = await engine.openTarget(
+    const opening = engine.openTarget(
       { material: material.index, ...size, ...(gutter === undefined ? {} : { gutter }), base: [1, 1, 1, 1] },
       (share) => progress.report("Baking", share),
     );
+    const target = await namingModel(model.name, opening);
     for (const array of ARRAYS) {
       progress.report(`Writing ${array.name}`);
       await writeArray(engine, target, array, pathOf(array.name, "npy"), files);

@@ -6,6 +6,7 @@ import { allPicturesOf, fontsOf, picturesOf } from "../../web/engine/layer-pictu
 import { materialsIn } from "../../web/engine/layer-tree.ts";
 import { checkFit, checkPaintable } from "../check-fit.ts";
 import { findMaterial, findPaintable } from "../find-material.ts";
+import { namingModel } from "../name-model.ts";
 import { openEngine } from "../open-engine.ts";
 import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from "../options.ts";
 import { Progress } from "../progress.ts";
@@ -56,7 +57,8 @@ export async function render(modelFile: string | null, designFile: string, optio
     const sizes = new Map<number, string>();
     for (const material of materials) {
       const target: TargetOptions = { material, ...(options.size ?? keptSize(design, material)), base };
-      const { width, height } = await engine.openTarget(target, (share) => progress.report("Baking", share));
+      const opening = engine.openTarget(target, (share) => progress.report("Baking", share));
+      const { width, height } = await namingModel(model.name, opening);
       sizes.set(material, `material ${material} at ${width} x ${height}`);
     }
     progress.report("Painting");
@@ -82,9 +84,10 @@ export async function render(modelFile: string | null, designFile: string, optio
   }
 }
 
+/** Called after both, as a model in an archive is. */
 function modelInside({ file, project }: LoadedDesign): ModelSource {
   const source = project?.model.source;
-  if (source) return source;
+  if (source) return { ...source, name: `${file}#${source.name}` };
   throw new TexelcastError("missing-file", "the project was saved without its model", {
     subject: file,
     hint: `Give the model first: texelcast render MODEL ${file} --out FILE.`,
