@@ -229,16 +229,16 @@ export class TopBar extends EditorElement {
         run: () => this.dispatchEvent(new CustomEvent("projects")),
       },
       {
+        label: projectWords.create,
+        icon: Plus,
+        run: () => this.dispatchEvent(new CustomEvent("templates")),
+      },
+      {
         label: projectWords.renameThis,
         icon: Pencil,
         // What is kept nowhere yet, or cannot be, has no name to change.
         disabled: none || keeping === "untouched" || keeping === "refused",
         run: () => this.dispatchEvent(new CustomEvent("projects", { detail: "rename" })),
-      },
-      {
-        label: projectWords.create,
-        icon: Plus,
-        run: () => this.dispatchEvent(new CustomEvent("templates")),
       },
       {
         label: projectWords.saveFile,
