@@ -28,6 +28,7 @@ const PINCH_SPEED = (/Mac/.test(navigator.platform) ? 1 : 3) / (-100 * Math.log(
 
 /** Of the way to the model's middle: who is that far from what was looked at closely sees the model again, and turns it about its middle. */
 const FAR = 0.7;
+const SAME = 1 - 1e-6;
 
 export class HeldCamera implements HeldRig {
   readonly controls: DepthControls;
@@ -113,7 +114,8 @@ export class HeldCamera implements HeldRig {
   #lookToMiddle(): void {
     const { controls } = this;
     const middle = controls.depthOf(this.#middle);
-    if (controls.depth < middle && controls.depth > FAR * middle) controls.setDepth(middle);
+    // Where it does so already, nothing is to move by a last bit.
+    if (controls.depth < SAME * middle && controls.depth > FAR * middle) controls.setDepth(middle);
   }
 
   /** Whether two fingers orbit and zoom, since one is a tool's; else they pan and zoom, and one orbits. */

@@ -118,8 +118,12 @@ export class TargetSettings extends EditorElement {
     if (!command || !variants) return nothing;
     const { names, shown, hasOwnLook } = variants;
     const show = (event: Event): void => {
-      const value = chosen(event);
-      void tasks.quietly(command.show(value === "" ? null : Number(value)));
+      const select = event.target as HTMLSelectElement;
+      const shownThen = command.show(select.value === "" ? null : Number(select.value)).then(() => {
+        // What could not be shown, which is told, is not chosen either.
+        select.value = String(command.variants?.shown ?? "");
+      });
+      void tasks.quietly(shownThen);
     };
     return html`
       <div class="field">

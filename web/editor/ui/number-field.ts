@@ -243,7 +243,8 @@ export class NumberField extends RemElement {
   #placeWhy(): void {
     const tip = this.renderRoot.querySelector<HTMLElement>(".why");
     if (!tip) return;
-    tip.showPopover?.();
+    // Where there are no popovers it is shown anyway.
+    if (tip.showPopover && !tip.matches(":popover-open")) tip.showPopover();
     const { left, top, bottom } = this.getBoundingClientRect();
     const [width, height] = [tip.offsetWidth, tip.offsetHeight];
     const page = windowOf(this);
