@@ -7,6 +7,7 @@ import { materialsIn, walkLayers } from "../document/layer-tree.ts";
 import { liesOnTexture } from "../document/mirror-layer.ts";
 import type { Strings } from "../strings.ts";
 import { type BareModel, takesPaintUnwrapped } from "./bare-model-error.ts";
+import { changedModel } from "./changed-model.ts";
 import { patchLayers } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { ModelRef } from "./design-state.ts";
@@ -139,7 +140,7 @@ export class UnwrapCommand {
         }
       }
     });
-    return { source: { name: glbName(ref.source.name), bytes }, title: ref.title, demoId: null };
+    return changedModel(ref, bytes);
   }
 
   #size(materials: readonly number[]): number {
@@ -156,8 +157,6 @@ export class UnwrapCommand {
 function sizeFor(count: number, side: number): number {
   return side > LEAST_OF_MANY && count * side * side > MOST_TEXELS ? sizeFor(count, side / 2) : side;
 }
-
-const glbName = (name: string): string => name.replace(/\.(gltf|glb)$/i, "").concat(".glb");
 
 /** What lies on the texture itself would lie elsewhere on the model. Faces keep their numbers; charts are others. */
 function hideFlat(design: Design, materials: readonly number[]): { readonly design: Design; readonly hidden: number } {

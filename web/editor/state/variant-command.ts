@@ -3,6 +3,7 @@ import type { ModelSource } from "../../engine/engine-api.ts";
 import { type Variants, variantsOf, withVariant } from "../../engine/material-variants.ts";
 import { type Design, layerMaterials, materialsOf } from "../document/design.ts";
 import { mapLayers, walkLayers } from "../document/layer-tree.ts";
+import { changedModel } from "./changed-model.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { ModelRef } from "./design-state.ts";
 import type { EditorState, TargetSettings } from "./editor-state.ts";
@@ -48,8 +49,7 @@ export class VariantCommand {
       await session.settled();
       if (store.state.model?.ref !== before) return;
       const { glb, moved, isRenaming } = withVariant(before.source, variant);
-      const source = { name: before.source.name.replace(/\.(gltf|glb)$/i, "").concat(".glb"), bytes: glb };
-      const ref: ModelRef = { source, title: before.title, demoId: null };
+      const ref = changedModel(before, glb);
       const design = carried(session.recordedDesign, moved, isRenaming);
       models.rememberSettings(ref, carriedSettings(store.state.targetSettings, moved));
       succeed(before, ref);
