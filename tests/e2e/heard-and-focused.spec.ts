@@ -209,29 +209,27 @@ test.describe("on a phone", () => {
   });
 });
 
-test("a number that is not taken is said with what may be typed, and stays marked while that is heard", async ({
-  editor,
-  page,
-}) => {
+/** The field of a layer's opacity in which a number was typed that is above the most. */
+async function refusedOpacity(editor: EditorPage): Promise<{ opacity: Locator; input: Locator }> {
   await editor.openOnLowest();
-  const opacity = page.locator("tc-layer-properties [data-field=opacity]");
+  const opacity = editor.page.locator("tc-layer-properties [data-field=opacity]");
   const input = opacity.locator("input[role=spinbutton]");
   await input.fill("250");
   await input.press("Enter");
+  return { opacity, input };
+}
+
+test("a number that is not taken is said with what may be typed, and stays marked while that is heard", async ({
+  editor,
+}) => {
+  const { opacity, input } = await refusedOpacity(editor);
   await expect(announcer(editor)).toHaveText("Opacity: from 0 % to 100 %");
   await expect(opacity).toHaveAttribute("refused");
   await expect(input).toHaveAttribute("aria-invalid", "true");
 });
 
-test("beneath the number that is not taken stands what may be typed, until a number is taken", async ({
-  editor,
-  page,
-}) => {
-  await editor.openOnLowest();
-  const opacity = page.locator("tc-layer-properties [data-field=opacity]");
-  const input = opacity.locator("input[role=spinbutton]");
-  await input.fill("250");
-  await input.press("Enter");
+test("beneath the number that is not taken stands what may be typed, until a number is taken", async ({ editor }) => {
+  const { opacity, input } = await refusedOpacity(editor);
   const why = opacity.locator(".why");
   await expect(why).toHaveText("from 0 % to 100 %");
   const [field, told] = [await opacity.boundingBox(), await why.boundingBox()];

@@ -1,7 +1,6 @@
 /** A model whose materials have variants: another one is shown, with what was painted. */
-import { writeGlb } from "../../web/engine/gltf-container.ts";
-import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { buildModel, plane } from "../support/model-builder.ts";
+import { glbWithVariants } from "../support/variant-model.ts";
 import { expect, type TestFile, test } from "./support/editor-page.ts";
 import { file } from "./support/test-files.ts";
 
@@ -12,22 +11,18 @@ function square(): TestFile {
     [0, 1, 0],
     [0, 0, 1],
   ];
-  const { json, binary } = buildModel({
+  const model = buildModel({
     meshes: [plane(1, 0)],
     materials: colors.map((color, i) => ({
       name: ["Red", "Green", "Blue"][i],
       pbrMetallicRoughness: { baseColorFactor: [...color, 1] },
     })),
   });
-  const [primitive] = (json.meshes as JsonObject[]).flatMap(({ primitives }) => primitives as JsonObject[]);
   const mappings = [
     { material: 1, variants: [0] },
     { material: 2, variants: [1] },
   ];
-  Object.assign(primitive as JsonObject, { extensions: { KHR_materials_variants: { mappings } } });
-  json.extensions = { KHR_materials_variants: { variants: [{ name: "Meadow" }, { name: "Lake" }] } };
-  json.extensionsUsed = ["KHR_materials_variants"];
-  return file("square.glb", writeGlb(json, binary));
+  return file("square.glb", glbWithVariants(model, ["Meadow", "Lake"], [mappings]));
 }
 
 test("a variant is chosen beside the texture, takes the decals along, and undo brings the one before back", async ({

@@ -3,6 +3,7 @@ import { readContainer, writeGlb } from "../../web/engine/gltf-container.ts";
 import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { variantsOf, withVariant } from "../../web/engine/material-variants.ts";
 import { buildModel, plane } from "../support/model-builder.ts";
+import { glbWithVariants, primitivesOf } from "../support/variant-model.ts";
 
 const NAMES = ["day", "night"];
 const mapping = (material: number, ...variants: number[]): JsonObject => ({ material, variants });
@@ -14,24 +15,18 @@ interface Square {
 
 /** Squares with their materials, of five, and what the variants make of them. */
 function model(squares: readonly Square[], names: readonly string[] = NAMES) {
-  const { json, binary } = buildModel({
+  const built = buildModel({
     meshes: squares.map(() => plane(1, 0)),
     materials: [0, 1, 2, 3, 4].map((index) => ({ name: `M${index}` })),
   });
-  const primitives = primitivesOf(json);
-  for (const [i, { material, mappings }] of squares.entries()) {
-    const primitive = primitives[i] as JsonObject;
+  for (const [i, primitive] of primitivesOf(built.json).entries()) {
+    const material = squares[i]?.material;
     if (material === undefined) delete primitive.material;
     else primitive.material = material;
-    if (mappings) primitive.extensions = { KHR_materials_variants: { mappings: [...mappings] } };
   }
-  json.extensions = { KHR_materials_variants: { variants: names.map((name) => ({ name })) } };
-  json.extensionsUsed = ["KHR_materials_variants"];
-  return { name: "model.glb", bytes: writeGlb(json, binary) };
+  const mappings = squares.map((square) => square.mappings);
+  return { name: "model.glb", bytes: glbWithVariants(built, names, mappings) };
 }
-
-const primitivesOf = (json: JsonObject): JsonObject[] =>
-  (json.meshes as JsonObject[]).flatMap(({ primitives }) => primitives as JsonObject[]);
 
 const materialsOf = (bytes: Uint8Array): unknown[] =>
   primitivesOf(readContainer({ name: "model.glb", bytes }).json).map(({ material }) => material);

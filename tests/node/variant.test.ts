@@ -2,21 +2,16 @@
 import { writeFileSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, it } from "vitest";
-import { writeGlb } from "../../web/engine/gltf-container.ts";
-import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { buildModel, plane } from "../support/model-builder.ts";
+import { glbWithVariants } from "../support/variant-model.ts";
 import { temporaryFolder, texelcast } from "./run-cli.ts";
 
 /** A square that is red, and blue by night. */
 function folderWithVariants(): string {
-  const { json, binary } = buildModel({ meshes: [plane(1, 0)], materials: [{ name: "Red" }, { name: "Blue" }] });
-  const [primitive] = (json.meshes as JsonObject[]).flatMap(({ primitives }) => primitives as JsonObject[]);
-  const mappings = [{ material: 1, variants: [1] }];
-  Object.assign(primitive as JsonObject, { extensions: { KHR_materials_variants: { mappings } } });
-  json.extensions = { KHR_materials_variants: { variants: [{ name: "day" }, { name: "night" }] } };
-  json.extensionsUsed = ["KHR_materials_variants"];
+  const model = buildModel({ meshes: [plane(1, 0)], materials: [{ name: "Red" }, { name: "Blue" }] });
   const folder = temporaryFolder();
-  writeFileSync(path.join(folder, "square.glb"), writeGlb(json, binary));
+  const glb = glbWithVariants(model, ["day", "night"], [[{ material: 1, variants: [1] }]]);
+  writeFileSync(path.join(folder, "square.glb"), glb);
   return folder;
 }
 

@@ -45,12 +45,10 @@ function decoded(text: string | null): string | null {
 }
 
 /**
- * The bytes of an asset, clean (`checkUpload`).
+ * The bytes of an asset, clean (`checkUpload`). Rejects with "bad-design" where they, or the media type of a `data:` address, are not
+ * of the type that the design gives; and as `checkUpload` and `readFontHeader` do.
  *
  * @param name what errors call the file
- *
- * Rejects with "bad-design" where they, or the media type of a `data:` address, are not
- * of the type that the design gives; and as `checkUpload` and `readFontHeader` do.
  */
 export async function checkAsset(
   key: string,
