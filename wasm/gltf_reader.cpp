@@ -473,12 +473,10 @@ TxcStatus joint_matrices(const Model& model, int skin_index, const std::vector<g
 
 struct Reader {
     const Model& model;
-    BudgetShare& share;    // the mesh's
     BudgetShare& scratch;  // the primitive under way's
     const std::vector<UvTransform>& uv_transforms;
     Mesh& mesh;
-    std::uint64_t vertex_total = 0;
-    std::uint64_t triangle_total = 0;
+    MeshSize filled;  // so much of it has been read
 };
 
 /// Strips and fans as a triangle list (glTF 2.0, 3.7.2.1).
@@ -498,6 +496,38 @@ void to_triangle_list(int mode, std::vector<std::uint32_t>& indices) {
 int attribute(const std::map<std::string, int>& attributes, const std::string& name) {
     const auto found = attributes.find(name);
     return found == attributes.end() ? -1 : found->second;
+}
+
+/// The accessor of the primitive's positions; below 0 where it has no triangles: points and lines have no texels, and without
+/// positions it is not drawn (glTF 2.0, 3.7.2.1).
+int drawn_positions(const tinygltf::Primitive& primitive) {
+    const bool has_triangles = primitive.mode == TINYGLTF_MODE_TRIANGLES ||
+                               primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
+                               primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN;
+    return has_triangles ? attribute(primitive.attributes, "POSITION") : -1;
+}
+
+// Places of primitives, and elements of an accessor, beyond which there is no need to count: so many places are more than anything
+// draws, and so many elements fit no budget. What both come to at the most still fits 64 bits.
+constexpr std::uint64_t kMostPlaces = 1u << 20;
+constexpr std::uint64_t kMostElements = std::uint64_t{1} << 35;
+
+/// Elements of an accessor, which is first looked at when it is read: of those that a file of so many bytes stores, no more than it
+/// can hold.
+std::uint64_t element_count(const Model& model, int index, std::uint32_t byte_count) {
+    if (static_cast<std::size_t>(index) >= model.accessors.size()) return 0;
+    const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(index)];
+    return std::min<std::uint64_t>(accessor.count, accessor.bufferView < 0 ? kMostElements : byte_count);
+}
+
+/// Adds the primitive's arrays, in one of its places.
+void add_size(const Model& model, const tinygltf::Primitive& primitive, std::uint32_t byte_count, MeshSize& size) {
+    const std::uint64_t vertices = element_count(model, drawn_positions(primitive), byte_count);
+    if (vertices == 0) return;
+    const std::uint64_t corners =
+        primitive.indices < 0 ? vertices : element_count(model, primitive.indices, byte_count);
+    size.vertices += vertices;
+    size.triangles += primitive.mode == TINYGLTF_MODE_TRIANGLES ? corners / 3 : corners < 2 ? 0 : corners - 2;
 }
 
 TxcStatus add_morph(Reader& reader, const std::map<std::string, int>& target, const char* name, double weight,
@@ -583,12 +613,8 @@ glm::dvec3 place_normal(const glm::dmat4& matrix, const glm::dvec3& normal) {
 TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, const std::vector<double>& morph_weights,
                          const glm::dmat4& node_matrix, const std::vector<glm::dmat4>* joints, const char* whose) {
     const Model& model = reader.model;
-    if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
-        primitive.mode != TINYGLTF_MODE_TRIANGLE_FAN) {
-        return TXC_STATUS_OK;  // points and lines have no texels
-    }
-    const int position_accessor = attribute(primitive.attributes, "POSITION");
-    if (position_accessor < 0) return TXC_STATUS_OK;  // glTF 2.0, 3.7.2.1: not drawn
+    const int position_accessor = drawn_positions(primitive);
+    if (position_accessor < 0) return TXC_STATUS_OK;
     reader.scratch.release();
     std::vector<float> positions;
     if (const TxcStatus status = read_floats(model, position_accessor, 3, reader.scratch, positions);
@@ -668,12 +694,6 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
             normals[v * 3 + static_cast<std::size_t>(c)] = length > 0.0 ? static_cast<float>(n[c] / length) : 0.0f;
     }
 
-    reader.vertex_total += vertex_count;
-    reader.triangle_total += indices.size() / 3;
-    if (const TxcStatus status =
-            reader.share.resize(mesh_byte_count(reader.vertex_total, reader.triangle_total), "reading the model");
-        status != TXC_STATUS_OK)
-        return status;
     // Fronts that are mirrored would be clockwise. One joint may do so and another not.
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         const std::size_t vertex = indices[i];
@@ -688,7 +708,7 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
     arrays.indices = indices.data();
     arrays.index_count = static_cast<std::uint32_t>(indices.size());
     arrays.material = static_cast<std::uint32_t>(material);
-    return append_primitive(reader.mesh, arrays, whose);
+    return place_primitive(reader.mesh, reader.filled, arrays, whose);
 }
 
 }  // namespace
@@ -710,15 +730,32 @@ TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryB
     std::vector<std::size_t> scene_nodes;
     if (const TxcStatus status = place_nodes(model, global, scene_nodes); status != TXC_STATUS_OK) return status;
 
+    // All places of all meshes are counted before the first is read: a small file may have its meshes in very many.
+    MeshSize size;
+    std::uint64_t places = 0;
+    for (const std::size_t n : scene_nodes) {
+        const int index = model.nodes[n].mesh;
+        if (index < 0) continue;
+        if (static_cast<std::size_t>(index) >= model.meshes.size())
+            return fail(TXC_STATUS_BAD_MODEL, "nodes[%zu]: there is no meshes[%d]", n, index);
+        const std::vector<tinygltf::Primitive>& primitives = model.meshes[static_cast<std::size_t>(index)].primitives;
+        places += primitives.size();
+        if (places > kMostPlaces)
+            return fail(TXC_STATUS_OUT_OF_BUDGET, "nodes[%zu]: up to it, the meshes' parts are in %llu places", n,
+                        static_cast<unsigned long long>(places));
+        for (const tinygltf::Primitive& primitive : primitives) add_size(model, primitive, byte_count, size);
+    }
     BudgetShare mesh_share(budget);
+    if (const TxcStatus status = mesh_share.resize(size.byte_count(), "reading the model"); status != TXC_STATUS_OK)
+        return status;
+    out_mesh.resize(size);
+
     BudgetShare scratch(budget);
     BudgetShare skin_scratch(budget);
-    Reader reader{model, mesh_share, scratch, uv_transforms, out_mesh};
+    Reader reader{model, scratch, uv_transforms, out_mesh, {}};
     for (const std::size_t n : scene_nodes) {
         const tinygltf::Node& node = model.nodes[n];
         if (node.mesh < 0) continue;
-        if (static_cast<std::size_t>(node.mesh) >= model.meshes.size())
-            return fail(TXC_STATUS_BAD_MODEL, "nodes[%zu]: there is no meshes[%d]", n, node.mesh);
         const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
         std::vector<glm::dmat4> joints;
         if (node.skin >= 0) {

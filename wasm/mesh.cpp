@@ -1,6 +1,8 @@
 #include "mesh.h"
 
+#include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace txc {
 namespace {
@@ -21,7 +23,7 @@ glm::vec3 unit_or_zero(const glm::vec3& v) {
 
 }  // namespace
 
-TxcStatus append_primitive(Mesh& mesh, const PrimitiveArrays& arrays, const char* name) {
+TxcStatus place_primitive(Mesh& mesh, MeshSize& filled, const PrimitiveArrays& arrays, const char* name) {
     for (std::uint32_t i = 0; i < arrays.vertex_count; ++i) {
         if (!is_usable(arrays.positions[i])) {
             return fail(TXC_STATUS_BAD_GEOMETRY, "%s: position %u is (%g, %g, %g), which is not a usable number", name,
@@ -35,25 +37,45 @@ TxcStatus append_primitive(Mesh& mesh, const PrimitiveArrays& arrays, const char
                         arrays.indices[i], arrays.vertex_count);
         }
     }
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto first = static_cast<std::uint32_t>(filled.vertices);
     for (std::uint32_t i = 0; i < arrays.vertex_count; ++i) {
-        mesh.positions.push_back(arrays.positions[i]);
-        mesh.normals.push_back(arrays.normals != nullptr ? unit_or_zero(arrays.normals[i]) : glm::vec3(0.0f));
-        mesh.uvs.push_back(arrays.uvs != nullptr ? arrays.uvs[i] : glm::vec2(0.0f));
-        mesh.vertex_has_uv.push_back(arrays.uvs != nullptr ? 1 : 0);
+        const auto at = static_cast<std::size_t>(filled.vertices++);
+        mesh.positions[at] = arrays.positions[i];
+        mesh.normals[at] = arrays.normals != nullptr ? unit_or_zero(arrays.normals[i]) : glm::vec3(0.0f);
+        mesh.uvs[at] = arrays.uvs != nullptr ? arrays.uvs[i] : glm::vec2(0.0f);
+        mesh.vertex_has_uv[at] = arrays.uvs != nullptr ? 1 : 0;
     }
     for (std::uint32_t i = 0; i + 2 < arrays.index_count; i += 3) {
-        mesh.triangles.push_back(
-            {{first + arrays.indices[i], first + arrays.indices[i + 1], first + arrays.indices[i + 2]}});
-        mesh.triangle_materials.push_back(arrays.material);
+        const auto at = static_cast<std::size_t>(filled.triangles++);
+        mesh.triangles[at] = {first + arrays.indices[i], first + arrays.indices[i + 1], first + arrays.indices[i + 2]};
+        mesh.triangle_materials[at] = arrays.material;
     }
     return TXC_STATUS_OK;
 }
 
+void Mesh::resize(const MeshSize& size) {
+    // A vector that grows by itself gets room beyond what is asked for.
+    const auto resize_to = [](auto& elements, std::uint64_t count) {
+        std::remove_reference_t<decltype(elements)> longer(static_cast<std::size_t>(count));
+        std::copy(elements.begin(), elements.end(), longer.begin());
+        elements.swap(longer);
+    };
+    resize_to(positions, size.vertices);
+    resize_to(normals, size.vertices);
+    resize_to(uvs, size.vertices);
+    resize_to(vertex_has_uv, size.vertices);
+    resize_to(triangles, size.triangles);
+    resize_to(triangle_materials, size.triangles);
+}
+
 void Mesh::summarise() {
     bounds = Bounds{};
-    for (Material& material : materials) {
+    std::vector<std::uint32_t> counts(materials.size());
+    for (const std::uint32_t material : triangle_materials) ++counts[material];
+    for (std::size_t m = 0; m < materials.size(); ++m) {
+        Material& material = materials[m];
         material.triangles.clear();
+        material.triangles.reserve(counts[m]);
         material.degenerate_uv_triangles = 0;
         material.out_of_range_uv_triangles = 0;
         material.triangles_without_uv = 0;
@@ -96,14 +118,6 @@ void Mesh::summarise() {
         material.uv_min = first_with_uv ? low : glm::min(material.uv_min, low);
         material.uv_max = first_with_uv ? high : glm::max(material.uv_max, high);
     }
-    // The budget counts what the arrays hold, not the room that they grew into.
-    positions.shrink_to_fit();
-    normals.shrink_to_fit();
-    uvs.shrink_to_fit();
-    vertex_has_uv.shrink_to_fit();
-    triangles.shrink_to_fit();
-    triangle_materials.shrink_to_fit();
-    for (Material& material : materials) material.triangles.shrink_to_fit();
 }
 
 TxcStatus Material::paint_status(std::uint32_t index) const {
@@ -133,11 +147,9 @@ glm::vec3 Mesh::flat_normal(const Triangle& triangle) const {
     return length > 0.0 ? glm::vec3(cross / length) : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
-std::uint64_t mesh_byte_count(std::uint64_t vertex_count, std::uint64_t triangle_count) {
+std::uint64_t MeshSize::byte_count() const {
     // Positions, normals, UVs and a flag a vertex; corners, material and a place in the material's list a triangle.
-    return vertex_count * (12 + 12 + 8 + 1) + triangle_count * (12 + 4 + 4);
+    return vertices * (12 + 12 + 8 + 1) + triangles * (12 + 4 + 4);
 }
-
-std::uint64_t Mesh::byte_count() const { return mesh_byte_count(positions.size(), triangles.size()); }
 
 }  // namespace txc

@@ -48,6 +48,15 @@ struct Material {
     TxcStatus paint_status(std::uint32_t index) const;
 };
 
+/// How long a mesh's arrays are.
+struct MeshSize {
+    std::uint64_t vertices = 0;
+    std::uint64_t triangles = 0;
+
+    /// What they hold.
+    std::uint64_t byte_count() const;
+};
+
 struct Mesh {
     std::vector<glm::vec3> positions;  // model space, metres
     std::vector<glm::vec3> normals;    // unit, or zero: the triangle's others hold, or else its flat one
@@ -59,17 +68,17 @@ struct Mesh {
     bool has_default_material = false;
     Bounds bounds;
 
+    MeshSize size() const { return {positions.size(), triangles.size()}; }
+
+    /// Gives the arrays this size, and no room beyond it, which the budget would not count.
+    void resize(const MeshSize& size);
+
     /// Fills the materials' triangle lists, counts and bounds, and the mesh's bounds, from the arrays.
     void summarise();
 
     /// Front-facing unit normal; +Y for a triangle without area.
     glm::vec3 flat_normal(const Triangle& triangle) const;
-
-    std::uint64_t byte_count() const;
 };
-
-/// Bytes that a mesh of this many vertices and triangles will hold.
-std::uint64_t mesh_byte_count(std::uint64_t vertex_count, std::uint64_t triangle_count);
 
 /// Coordinates beyond this would overflow the arithmetic behind them; metres.
 inline constexpr float kMaxCoordinate = 1e12f;
@@ -87,7 +96,8 @@ struct PrimitiveArrays {
     std::uint32_t material = 0;
 };
 
-/// Checks the arrays and appends them. BAD_GEOMETRY names the first bad vertex or index; `name` says whose it is.
-TxcStatus append_primitive(Mesh& mesh, const PrimitiveArrays& arrays, const char* name);
+/// Checks the arrays and writes them behind what is `filled` of the mesh's, where there must be room, and counts them to it.
+/// BAD_GEOMETRY names the first bad vertex or index; `name` says whose it is.
+TxcStatus place_primitive(Mesh& mesh, MeshSize& filled, const PrimitiveArrays& arrays, const char* name);
 
 }  // namespace txc

@@ -101,7 +101,8 @@ TxcStatus Session::load_glb(const std::uint8_t* bytes, std::uint32_t byte_count)
     auto mesh = std::make_unique<Mesh>();
     if (const TxcStatus status = read_gltf(bytes, byte_count, budget_, *mesh); status != TXC_STATUS_OK) return status;
     BudgetShare share(budget_);
-    if (const TxcStatus status = share.resize(mesh->byte_count(), "the model"); status != TXC_STATUS_OK) return status;
+    if (const TxcStatus status = share.resize(mesh->size().byte_count(), "the model"); status != TXC_STATUS_OK)
+        return status;
     forget_model();
     mesh_ = std::move(mesh);
     mesh_share_ = std::move(share);
@@ -119,12 +120,12 @@ TxcStatus Session::add_mesh(const TxcMeshDef& def, const float* positions, const
         return fail(TXC_STATUS_BAD_ARGUMENT, "%u corners do not make whole triangles", corner_count);
     if (def.material >= kMaxRawMaterials)
         return fail(TXC_STATUS_BAD_ARGUMENT, "material is %u; it must be below %u", def.material, kMaxRawMaterials);
-    const std::uint64_t before = mesh_ != nullptr ? mesh_->byte_count() : 0;
+    MeshSize filled = mesh_ != nullptr ? mesh_->size() : MeshSize{};
+    const MeshSize size{filled.vertices + def.vertex_count, filled.triangles + corner_count / 3};
     BudgetShare share(budget_);
-    if (const TxcStatus status = share.resize(before + mesh_byte_count(def.vertex_count, corner_count / 3), "the mesh");
-        status != TXC_STATUS_OK)
-        return status;
+    if (const TxcStatus status = share.resize(size.byte_count(), "the mesh"); status != TXC_STATUS_OK) return status;
     auto mesh = mesh_ != nullptr ? std::make_unique<Mesh>(*mesh_) : std::make_unique<Mesh>();
+    mesh->resize(size);
     std::vector<std::uint32_t> in_order;
     if (def.index_count == 0) {
         in_order.resize(corner_count);
@@ -140,7 +141,8 @@ TxcStatus Session::add_mesh(const TxcMeshDef& def, const float* positions, const
     arrays.index_count = corner_count;
     arrays.material = def.material;
     if (mesh->materials.size() <= def.material) mesh->materials.resize(def.material + 1);
-    if (const TxcStatus status = append_primitive(*mesh, arrays, "the mesh"); status != TXC_STATUS_OK) return status;
+    if (const TxcStatus status = place_primitive(*mesh, filled, arrays, "the mesh"); status != TXC_STATUS_OK)
+        return status;
     mesh->summarise();
     forget_model();
     mesh_ = std::move(mesh);

@@ -241,6 +241,17 @@ TEST_CASE("An accessor without data is all zeros, as many as the budget holds") 
     CHECK(try_read(glb.glb(), 64u << 20).status == TXC_STATUS_OK);
 }
 
+TEST_CASE("A mesh of many empty parts in many places is refused, and not gone through") {
+    std::string parts;
+    for (int i = 0; i < 1100; ++i) parts += i > 0 ? R"(,{"attributes":{}})" : R"({"attributes":{}})";
+    GlbBuilder glb;
+    glb.mesh(parts);
+    for (int i = 0; i < 1000; ++i) glb.add("nodes", R"({"mesh":0})");
+    const ReadModel model = try_read(glb.glb());
+    CHECK(model.status == TXC_STATUS_OUT_OF_BUDGET);
+    CHECK(model.detail == "nodes[953]: up to it, the meshes' parts are in 1049400 places");
+}
+
 TEST_CASE("Buffer views beyond their buffer are refused") {
     for (const std::string view :
          {R"({"buffer":0,"byteLength":37})", R"({"buffer":0,"byteOffset":4,"byteLength":36})",

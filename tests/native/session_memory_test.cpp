@@ -95,6 +95,30 @@ TEST_CASE("A model that does not fit is refused before it takes the budget's wor
     session.add(make_plane());
 }
 
+/// One mesh of 320 KiB that so many nodes use.
+std::vector<std::uint8_t> in_places(int nodes) {
+    GlbBuilder glb;
+    glb.mesh(glb.primitive(make_sphere(1.0, 64, 64)));
+    for (int i = 0; i < nodes; ++i) glb.add("nodes", text(R"({"mesh":0,"translation":[%d,0,0]})", i));
+    return glb.glb();
+}
+
+TEST_CASE("A mesh in more places than fit is refused before the first of them takes memory") {
+    if (!kMetersAllocations) return;
+    const std::vector<std::uint8_t> file = in_places(100);
+    TestSession session(24);
+    const std::uint64_t allocated = allocation_of([&] { CHECK(session.try_load(file) == TXC_STATUS_OUT_OF_BUDGET); });
+    CHECK(allocated < 2 * kMib);
+}
+
+TEST_CASE("A mesh in many places takes the room of all of them once, as it is counted") {
+    if (!kMetersAllocations) return;
+    const std::vector<std::uint8_t> file = in_places(100);
+    TestSession session;
+    const std::uint64_t allocated = allocation_of([&] { session.load(file); });
+    CHECK(allocated <= session.stats().memory_peak_kib * 1024ull + kMib);
+}
+
 TEST_CASE("What a session allocates stays within what it counts") {
     if (!kMetersAllocations) return;
     const std::vector<std::uint8_t> file = make_model(make_sphere(1.0, 200, 100)).glb();

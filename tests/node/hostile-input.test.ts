@@ -87,6 +87,22 @@ describe("a design that cannot be used", () => {
   });
 });
 
+/** A mesh of zeros, which need no bytes, in 200 places: 37 GiB from a few kB. */
+function inTooManyPlaces(gltf: Record<string, unknown>): void {
+  const { accessors, meshes } = gltf as { accessors: object[]; meshes: object[] };
+  const POSITION = accessors.push({
+    componentType: 5126,
+    type: "VEC3",
+    count: 5_000_000,
+    min: [0, 0, 0],
+    max: [0, 0, 0],
+  });
+  meshes[0] = { primitives: [{ attributes: { POSITION: POSITION - 1 }, material: 0 }] };
+  gltf.nodes = Array.from({ length: 200 }, () => ({ mesh: 0 }));
+  gltf.scenes = [{ nodes: Array.from({ length: 200 }, (_, i) => i) }];
+  delete gltf.animations;
+}
+
 describe("a model that cannot be used", () => {
   const glb = planeGlb();
   it.each<[string, string | Uint8Array, string[]]>([
@@ -104,6 +120,11 @@ describe("a model that cannot be used", () => {
       "a position that is no number",
       planeGlb({ edit: (gltf) => Object.assign((gltf.nodes as object[])[0] as object, { scale: [1e30, 1e30, 1e30] }) }),
       ["model.glb"],
+    ],
+    [
+      "a mesh in more places than memory holds",
+      planeGlb({ edit: inTooManyPlaces }),
+      ["model.glb", "reading the model needs 37830 MiB", "Simplify the model."],
     ],
   ])("is refused by inspect and bake: %s", async (_what, content, told) => {
     const folder = folderWith({ "model.glb": content });

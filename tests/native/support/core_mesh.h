@@ -21,7 +21,9 @@ inline txc::Mesh make_core_mesh(const Shape& shape) {
     arrays.indices = shape.indices.data();
     arrays.index_count = static_cast<std::uint32_t>(shape.indices.size());
     mesh.materials.resize(1);
-    must(txc::append_primitive(mesh, arrays, "the shape"));
+    mesh.resize({arrays.vertex_count, arrays.index_count / 3});
+    txc::MeshSize filled;
+    must(txc::place_primitive(mesh, filled, arrays, "the shape"));
     mesh.summarise();
     return mesh;
 }
