@@ -191,6 +191,41 @@ test("what no font has is named when it is typed and when it is exported, and wh
   await expect(editor.notices).toContainText("漢, which no font here has.");
 });
 
+test("words that run past the side of the model are told, on a mug too, and made to fit at once; what fits is not", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.removeAllDecals();
+  await page.getByRole("button", { name: "Add text" }).click();
+  const words = page.locator("tc-text-fields textarea");
+  await expect(words).toBeFocused();
+  await words.fill("ACME");
+  await words.blur();
+  await editor.idle();
+  await expect(editor.notices).toHaveCount(0);
+  await words.fill("ACME Coffee");
+  await words.blur();
+  await expect(editor.notices).toContainText("The text runs past the edge of the model");
+  const before = await textLayer(editor);
+  await editor.notices.getByRole("button", { name: "Make it fit" }).click();
+  await editor.idle();
+  await expect(editor.notices).toHaveCount(0);
+  const { projector } = await textLayer(editor);
+  if (projector.kind !== "planar" || before.projector.kind !== "planar") throw new Error("It is thrown from a box.");
+  // The mug is 82 mm across, and what faces away at its side is not painted.
+  expect(projector.size[0]).toBeLessThan(0.078);
+  expect(projector.size[0]).toBeGreaterThan(0.05);
+  expect(projector.position).toEqual(before.projector.position);
+  await page.keyboard.press("Control+z");
+  expect(await textLayer(editor)).toEqual(before);
+  // One that already did so is not told again.
+  await words.fill("ACME Coffee!");
+  await words.blur();
+  await editor.idle();
+  await expect(editor.notices).toHaveCount(0);
+});
+
 test("a text is called by its words, each by other ones, until somebody calls it otherwise; undo takes that back", async ({
   editor,
   page,

@@ -11,7 +11,7 @@ import { NoticeBoard } from "../../web/editor/state/notice-board.ts";
 import { Store } from "../../web/editor/state/store.ts";
 import { Tasks } from "../../web/editor/state/tasks.ts";
 import { shippedFont, TextCommands, type TextCommandsParts } from "../../web/editor/state/text-commands.ts";
-import { shareOfModel } from "../../web/editor/state/text-troubles.ts";
+import { runsPastEdge, shareOfModel } from "../../web/editor/state/text-troubles.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 import type { Engine, EngineText, PlanarProjector, Projector } from "../../web/engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit } from "../../web/viewer/viewer-api.ts";
@@ -49,14 +49,14 @@ function waitingEngine() {
 function twoTexts() {
   const { measureText, arrive } = waitingEngine();
   const engine = { measureText, setLayers: () => {}, removeAsset: async () => {} } as unknown as Engine;
-  const viewer = { setDecals: () => {} } as unknown as ModelViewer;
+  const viewer = { setDecals: () => {}, materialsReached: () => [0] } as unknown as ModelViewer;
   const store = new Store<EditorState>({ ...INITIAL_STATE, model: { info: BOUNDS } as unknown as OpenModel });
   const library = new AssetLibrary(engine);
   const session = new DesignSession({ engine, viewer, library, store, later: () => {} });
   const board = new NoticeBoard(store);
   const hits: unknown[] = [];
   const texts = new TextCommands({
-    ...{ engine, session, store, board, library },
+    ...{ engine, viewer, session, store, board, library },
     admission: null,
     tasks: new Tasks(store),
     decals: {
@@ -240,5 +240,29 @@ describe("words on a label", () => {
     const label = { ...ROUND, height: 99, arc: 90 };
     expect(shareOfModel(model, label)).toBe(0.5);
     expect(shareOfModel(model, { ...label, rotation: [0.5, 0.5, 0.5, 0.5], height: 396 })).toBe(2);
+  });
+});
+
+describe("a text in a box", () => {
+  it("runs past the edge where nothing lies below one of its sides, and only there", () => {
+    const layer = { projector: { ...FRONT, size: [2, 1, 1] }, fontSize: 1, backfaces: false } as const;
+    /** A surface between two places along X. */
+    const onSurface = (low: number, high: number): boolean =>
+      runsPastEdge(
+        {
+          materialsReached: (projector) => {
+            if (projector.kind !== "planar") throw new Error("A box is asked for.");
+            const { position, size } = projector;
+            return position[0] + size[0] / 2 > low && position[0] - size[0] / 2 < high ? [0] : [];
+          },
+        },
+        layer,
+      );
+    const [x] = FRONT.position;
+    expect(onSurface(x - 1, x + 1)).toBe(false);
+    expect(onSurface(x - 0.7, x + 1)).toBe(true);
+    expect(onSurface(x - 1, x + 0.7)).toBe(true);
+    // A letter's edge beyond it is none that anybody misses.
+    expect(onSurface(x - 0.9, x + 0.9)).toBe(false);
   });
 });

@@ -515,6 +515,9 @@ export const german: Strings = {
     largeTitle: "Der Text ist größer als das Modell",
     makeFit: "Passend machen",
     large: "Was darüber hinausreicht, wird nicht gemalt. Mach den Text kleiner, oder brich ihn anders in Zeilen um.",
+    pastEdgeTitle: "Der Text reicht über den Rand des Modells hinaus",
+    pastEdge:
+      "Was darüber hinausreicht, wird nicht gemalt. Mach ihn kleiner, brich ihn in Zeilen um, oder projizier ihn „Rundum“.",
     longTitle: "Der Text ist länger als der Weg herum",
     long: "Die Buchstaben werden kleiner, damit er einmal herum passt. Kürze ihn, oder brich ihn in Zeilen um.",
   },

@@ -508,6 +508,8 @@ const english = {
     largeTitle: "The text is larger than the model",
     makeFit: "Make it fit",
     large: "What reaches beyond it is not painted. Make the text smaller, or break it into lines otherwise.",
+    pastEdgeTitle: "The text runs past the edge of the model",
+    pastEdge: "What lies beyond it is not painted. Make it smaller, break it into lines, or project it “Around”.",
     longTitle: "The text is longer than the way round",
     long: "Its letters become smaller, so that they go round once. Make it shorter, or break it into lines.",
   },

@@ -172,7 +172,17 @@ export class Editor {
       tasks,
       showMaterial,
     });
-    this.texts = new TextCommands({ engine, session, store, board, library, decals, admission, tasks: this.tasks });
+    this.texts = new TextCommands({
+      engine,
+      viewer,
+      session,
+      store,
+      board,
+      library,
+      decals,
+      admission,
+      tasks: this.tasks,
+    });
     tools.register(textTool(this.texts, { viewer, textureView, store, board, tools }));
     this.#connect();
     // The page around an embedded editor has its own way.

@@ -2,7 +2,7 @@
 import { cutText } from "../../core/cut-text.ts";
 import type { Engine, EngineText, Projector, TextMeasure } from "../../engine/engine-api.ts";
 import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
-import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import type { ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import {
   type Design,
   type DesignAsset,
@@ -25,7 +25,7 @@ import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
 import { emOf, fitsClosely, fitted, refitted, withEm } from "./text-box.ts";
-import { isAllRound, newlyMissing, shareOfModel } from "./text-troubles.ts";
+import { isAllRound, newlyMissing, runsPastEdge, shareOfModel } from "./text-troubles.ts";
 import { type WaitingChange, WaitingChanges } from "./waiting-changes.ts";
 
 export type TextFieldsPatch = Partial<
@@ -40,6 +40,7 @@ type TextChange = WaitingChange<TextPatch>;
 
 export interface TextCommandsParts {
   readonly engine: Pick<Engine, "measureText">;
+  readonly viewer: Pick<ModelViewer, "materialsReached">;
   readonly session: DesignSession;
   readonly store: Store<EditorState>;
   readonly board: NoticeBoard;
@@ -218,24 +219,40 @@ export class TextCommands {
       board.info({ title: words.missingTitle, message, hint: words.missingHint });
     }
     const { model } = store.state;
-    if (shareOfModel(model, now.projector) > 1 && !(shareOfModel(model, before.projector) > 1)) {
-      const action = { label: words.makeFit, run: () => this.#makeFit(now.id) };
-      board.info({ title: words.largeTitle, message: words.large, action });
-    }
+    const action = { label: words.makeFit, run: () => this.#makeFit(now.id) };
+    const isLarge = (layer: TextLayer): boolean => shareOfModel(model, layer.projector) > 1;
+    const told = isLarge(now)
+      ? !isLarge(before) && { title: words.largeTitle, message: words.large }
+      : this.#runsPastEdge(now) &&
+        !isLarge(before) &&
+        !this.#runsPastEdge(before) && { title: words.pastEdgeTitle, message: words.pastEdge };
+    if (told) board.info({ ...told, action });
     if (isAllRound(now.projector) && !this.isClose(now) && this.isClose(before)) {
       const action = { label: words.fitBox, run: () => void this.fitBox(now) };
       board.info({ title: words.longTitle, message: words.long, action });
     }
   }
 
-  /** Makes a text that is larger than the model as small as lies well on it. */
+  /** In a frame, which words need not fill, nobody knows where they end. */
+  #runsPastEdge(layer: TextLayer): boolean {
+    return this.isClose(layer) && runsPastEdge(this.#parts.viewer, layer);
+  }
+
+  /** Makes a text that is larger than the model, or runs past its edge, as small as lies well on it. */
   #makeFit(id: string): void {
     const { session, board, store } = this.#parts;
     const layer = layerById(session.recordedDesign, id);
     if (layer?.type !== "text" || isLocked(session.recordedDesign, id)) return;
-    const factor = FITTING_SHARE / shareOfModel(store.state.model, layer.projector);
-    if (!(factor < 1)) return;
-    const projector = withEm(layer, emOf(layer) * factor);
+    const large = shareOfModel(store.state.model, layer.projector);
+    let factor = large > 1 ? FITTING_SHARE / large : 1;
+    let projector = withEm(layer, emOf(layer) * factor);
+    const isPast = (box: Projector): boolean => runsPastEdge(this.#parts.viewer, { ...layer, projector: box });
+    if (isPast(projector)) {
+      // The side that its lines are aligned to may lie beyond the edge whatever its size, its middle hardly does.
+      const about = (share: number): Projector => withEm({ ...layer, align: "center" }, emOf(layer) * share);
+      while (factor > LEAST_FITTING && isPast(about(factor))) factor *= FITTING_STEP;
+      projector = about(factor * FROM_EDGE);
+    } else if (factor === 1) return;
     session.record(
       patchLayer<TextLayer>(session.recordedDesign, id, this.#parts.decals.placed(id, projector)),
       board.strings.steps.change(board.strings.text.size),
@@ -370,6 +387,11 @@ const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 
 
 /** Of the model's width: further out, round forms turn away. */
 const FITTING_SHARE = 0.6;
+/** Made smaller by so much at a time, and no further than that, until no side lies beyond the edge. */
+const FITTING_STEP = 0.95;
+const LEAST_FITTING = 0.1;
+/** Then once more, as round forms turn away before they end. */
+const FROM_EDGE = 0.92;
 /** Characters of a name that is made of words. */
 const MOST_IN_TITLE = 60;
 /** More would be no list any more. */

@@ -1,6 +1,13 @@
-/** What of a text cannot come onto the model as it was meant: characters that no font has, and words larger than the model. */
+/**
+ * What of a text cannot come onto the model as it was meant: characters that no font has, words larger than the model, and
+ * words that run past its edge.
+ */
 import type { Projector, TextMeasure } from "../../engine/engine-api.ts";
+import type { ModelViewer } from "../../viewer/viewer-api.ts";
+import type { TextLayer } from "../document/design.ts";
+import { plus, turned } from "../document/rigid-motion.ts";
 import type { OpenModel } from "./design-state.ts";
+import { emOf } from "./text-box.ts";
 
 /** Of the characters that no font has, those that none had before the change. */
 export function newlyMissing(before: TextMeasure, now: TextMeasure): readonly string[] {
@@ -21,6 +28,36 @@ export function shareOfModel(model: OpenModel | null, projector: Projector): num
     way.reduce((sum, part, axis) => sum + Math.abs(part) * ((high[axis] ?? 0) - (low[axis] ?? 0)), 0);
   if (projector.kind === "cylindrical") return projector.height / extent(up);
   return Math.max(projector.size[0] / extent(across), projector.size[1] / extent(up));
+}
+
+/** What is asked for at each side of a box: of the letters' height, and of the side at most. */
+const RIM = { em: 0.25, side: 0.1 };
+
+/**
+ * Whether a text that is thrown from a box close about its words has a side below which there is no surface: the letters there
+ * are not painted, though the model may be wider elsewhere, as a mug is by its handle.
+ */
+export function runsPastEdge(
+  viewer: Pick<ModelViewer, "materialsReached">,
+  layer: Pick<TextLayer, "projector" | "fontSize" | "backfaces">,
+): boolean {
+  const { projector, backfaces } = layer;
+  if (projector.kind !== "planar") return false;
+  const { position, rotation, size } = projector;
+  const [width, height, depth] = size;
+  const thickness = (side: number): number => Math.min(RIM.em * emOf(layer), RIM.side * side);
+  const [wide, high] = [thickness(width), thickness(height)];
+  const [right, up] = [(width - wide) / 2, (height - high) / 2];
+  const rims = [
+    { at: [right, 0, 0], size: [wide, height, depth] },
+    { at: [-right, 0, 0], size: [wide, height, depth] },
+    { at: [0, up, 0], size: [width, high, depth] },
+    { at: [0, -up, 0], size: [width, high, depth] },
+  ] as const;
+  return rims.some((rim) => {
+    const strip = { ...projector, position: plus(position, turned(rotation, rim.at)), size: rim.size };
+    return viewer.materialsReached(strip, backfaces).length === 0;
+  });
 }
 
 /** Whether a label goes once round, and words of it that grow longer can only become smaller. */
