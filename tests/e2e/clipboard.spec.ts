@@ -77,6 +77,32 @@ test("a picture on the clipboard becomes a decal, and what is none is refused as
   await expect(editor.row("photo")).toHaveCount(1);
 });
 
+test("words on the clipboard become a text, in one step; blank ones, and those for a field, do not", async ({
+  editor,
+  page,
+  context,
+}) => {
+  await context.grantPermissions(["clipboard-read", "clipboard-write"]);
+  await editor.open();
+  const before = await names(editor);
+  const put = (words: string): Promise<void> => page.evaluate((text) => navigator.clipboard.writeText(text), words);
+  await put("  \r\n ");
+  await page.keyboard.press("Control+v");
+  await put("\r\nACME Coffee \r\nsince 1987\r\n\r\n");
+  await page.keyboard.press("Control+v");
+  await expect(editor.row("ACME Coffee")).toHaveCount(1);
+  expect(await names(editor)).toEqual([...before, "ACME Coffee"]);
+  expect((await editor.design()).layers.at(-1)).toMatchObject({ type: "text", text: "ACME Coffee\nsince 1987" });
+  expect(await editor.selectedName()).toBe("ACME Coffee");
+  await expect(page.locator("tc-text-fields textarea")).not.toBeFocused();
+  await expect(page.locator("#undo")).toHaveAttribute("aria-label", "Undo add text");
+  await page.keyboard.press("Control+v");
+  await expect.poll(async () => (await names(editor)).length).toBe(before.length + 2);
+  await page.keyboard.press("Control+z");
+  await page.keyboard.press("Control+z");
+  await expect.poll(() => names(editor)).toEqual(before);
+});
+
 test("a text field keeps its own copy and paste, and marked words theirs", async ({ editor, page }) => {
   await editor.open();
   await editor.row("Texelcast mark").click();

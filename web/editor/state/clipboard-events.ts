@@ -19,13 +19,13 @@ export function handleClipboard(event: ClipboardEvent, editor: Editor): boolean 
   return text !== null;
 }
 
-function paste(transfer: DataTransfer, { clipboard, files, strings }: Editor): boolean {
+function paste(transfer: DataTransfer, { clipboard, files, texts, strings }: Editor): boolean {
   const text = transfer.getData(LAYERS_TYPE);
   if (text) {
     void clipboard.paste(text);
     return true;
   }
-  if (transfer.files.length === 0) return false;
+  if (transfer.files.length === 0) return texts.paste(transfer.getData("text/plain"));
   const collected = collectDrop(transfer).then((all) =>
     all.map(({ path, file }) => {
       if (path !== NAMELESS) return { path, file };

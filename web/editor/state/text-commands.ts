@@ -3,6 +3,7 @@ import { cutText } from "../../core/cut-text.ts";
 import type { Engine, EngineText, Projector, TextMeasure } from "../../engine/engine-api.ts";
 import { type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { ModelViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
+import { DESIGN_LIMITS } from "../document/design-limits.ts";
 import {
   type Design,
   type DesignAsset,
@@ -104,6 +105,18 @@ export class TextCommands {
     }
   }
 
+  /** Puts words that were on the clipboard in the middle of the view. False for blank ones. */
+  paste(pasted: string): boolean {
+    const { session, store, board } = this.#parts;
+    const words = pastedWords(pasted);
+    if (words === "") return false;
+    const { readonly, layers } = board.strings;
+    if (store.state.readonly) board.info({ title: readonly.title, message: readonly.message });
+    else if (!store.state.model) board.info({ title: layers.emptyWithoutModel, message: "" });
+    else session.recordsLater(this.#run(() => this.#add(() => null, shippedFont(FIRST_FONT), words)));
+    return true;
+  }
+
   /** Whether a text is on its way that will have the keyboard once it is there. */
   get coming(): boolean {
     return this.#coming !== null;
@@ -114,7 +127,7 @@ export class TextCommands {
     return this.#parts.tasks.run(this.#parts.board.strings.tasks.writing, work, { cancellable: false });
   }
 
-  async #add(place: () => SurfaceHit | null, font: ReturnType<typeof shippedFont>): Promise<void> {
+  async #add(place: () => SurfaceHit | null, font: ReturnType<typeof shippedFont>, pasted?: string): Promise<void> {
     const { session, store, board, decals } = this.#parts;
     const { model } = store.state;
     if (!model || store.state.switching) return;
@@ -122,8 +135,9 @@ export class TextCommands {
     try {
       this.#parts.admission?.checkRoom(1);
       const { design: measured, key: measuredFont } = dressed();
-      const text = board.strings.text.sample;
+      const text = pasted ?? board.strings.text.sample;
       const plain = makeTextLayer({ id: "", text, font: measuredFont, projector: NOWHERE });
+      const name = pasted === undefined ? plain.name : titleOf(pasted);
       const room = await this.#measure(this.#wordsOf(plain, measured.assets));
       // The place was one on that model.
       if (store.state.model !== model || store.state.switching) return;
@@ -131,10 +145,11 @@ export class TextCommands {
       decals.addLayer(room.width / room.height, place(), board.strings.steps.addText, (id, projector, material) => {
         // The design may be another one since the words were measured.
         const { design, key } = dressed();
-        return { design, layer: { ...plain, id, font: key, projector, material, fontSize: 1 / room.height } };
+        return { design, layer: { ...plain, id, name, font: key, projector, material, fontSize: 1 / room.height } };
       });
-      store.set({ textToType: session.selected?.id ?? null });
-      board.announce(board.strings.announce.added(board.strings.text.name));
+      if (pasted === undefined) store.set({ textToType: session.selected?.id ?? null });
+      board.announce(board.strings.announce.added(pasted === undefined ? board.strings.text.name : name));
+      this.#tellUndrawn(name, room.missing);
     } catch (thrown) {
       board.error(board.strings.errors.couldNotWrite, thrown);
     }
@@ -214,10 +229,7 @@ export class TextCommands {
     const words = board.strings.text;
     const [old, room] = [this.measureOf(before), this.measureOf(now)];
     const missing = old && room ? newlyMissing(old, room) : [];
-    if (missing.length > 0) {
-      const message = words.missingIn(now.name, listed(missing));
-      board.info({ title: words.missingTitle, message, hint: words.missingHint });
-    }
+    this.#tellUndrawn(now.name, missing);
     const { model } = store.state;
     const action = { label: words.makeFit, run: () => this.#makeFit(now.id) };
     const isLarge = (layer: TextLayer): boolean => shareOfModel(model, layer.projector) > 1;
@@ -231,6 +243,12 @@ export class TextCommands {
       const action = { label: words.fitBox, run: () => void this.fitBox(now) };
       board.info({ title: words.longTitle, message: words.long, action });
     }
+  }
+
+  #tellUndrawn(name: string, missing: readonly string[]): void {
+    const { board } = this.#parts;
+    const { missingTitle: title, missingIn, missingHint: hint } = board.strings.text;
+    if (missing.length > 0) board.info({ title, message: missingIn(name, listed(missing)), hint });
   }
 
   /** In a frame, which words need not fill, nobody knows where they end. */
@@ -407,6 +425,12 @@ const isEmpty = (patch: TextPatch): boolean => Object.keys(patch).length === 0;
 
 /** What a text says first, as long as a row of the layer list shows. */
 const titleOf = (text: string): string => cutText(/\S.*/.exec(text)?.[0].trimEnd() ?? "", MOST_IN_TITLE);
+
+/** As a field takes them, without what is blank around them. */
+const pastedWords = (pasted: string): string => {
+  const lines = pasted.split(/\r\n?|\n/).map((line) => line.trimEnd());
+  return cutText(lines.join("\n").trim(), DESIGN_LIMITS.textLength);
+};
 
 const keyOf = (words: EngineText): string => JSON.stringify(words);
 const thickness = (outline: EngineText["outline"]): EngineText["outline"] =>

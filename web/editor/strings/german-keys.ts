@@ -31,7 +31,7 @@ export const germanKeys: readonly KeyGroup[] = [
       ["Strg oder ⌘ D", "Sie duplizieren"],
       [
         "Strg oder ⌘ C, X, V",
-        "Sie kopieren, ausschneiden und einfügen, auch in ein anderes Projekt; ein Bild als Aufkleber einfügen",
+        "Sie kopieren, ausschneiden und einfügen, auch in ein anderes Projekt; ein Bild als Aufkleber einfügen, Worte als Text",
       ],
       ["Strg oder ⌘ G", "Sie gruppieren; mit Umschalt die Gruppe auflösen"],
       ["Strg oder ⌘ E", "Mit der Ebene darunter vereinen"],

@@ -32,7 +32,10 @@ export const keyGroups: readonly KeyGroup[] = [
       ["0 to 9", "Opacity of the selected layers in tenths; 0 is all"],
       ["Delete", "Delete the selected layers"],
       ["Ctrl or ⌘ D", "Duplicate them"],
-      ["Ctrl or ⌘ C, X, V", "Copy, cut and paste them, also into another project; paste a picture as a decal"],
+      [
+        "Ctrl or ⌘ C, X, V",
+        "Copy, cut and paste them, also into another project; paste a picture as a decal, words as a text",
+      ],
       ["Ctrl or ⌘ G", "Group them; with Shift, ungroup"],
       ["Ctrl or ⌘ E", "Merge with the layer below"],
       ["Ctrl or ⌘ [ and ]", "Move them down or up; with Shift to the end"],
