@@ -1,6 +1,7 @@
 /** What hands bring along from other editors: a copy by Alt, a menu by the right button, a double click, all of it chosen. */
+import { paintPng } from "../support/png-file.ts";
 import { type EditorPage, expect, test } from "./support/editor-page.ts";
-import { squareGlb } from "./support/test-files.ts";
+import { file, ringPicture, squareGlb } from "./support/test-files.ts";
 
 const names = async (editor: EditorPage): Promise<string[]> => (await editor.design()).layers.map(({ name }) => name);
 
@@ -208,4 +209,53 @@ test("a view that is worked in by pointer has no frame of the keyboard's, whatev
   await page.keyboard.press("Shift+Tab");
   await expect(editor.view).toBeFocused();
   expect(await framed()).toBe(true);
+});
+
+test("a decal's picture is replaced by another one, in one step: what it is called, where it lies and how it looks stays", async ({
+  editor,
+  page,
+}) => {
+  const id = await openOnBadge(editor);
+  await page.keyboard.press("5");
+  await editor.setField("spin", "20");
+  const before = await editor.decal(id);
+  const start = await editor.settledHash();
+  const replace = page.getByRole("button", { name: "Replace picture…" });
+
+  const wide = file(
+    "wide.png",
+    paintPng(64, 32, () => [10, 90, 200, 255]),
+    "image/png",
+  );
+  await editor.choose(() => replace.click(), [wide]);
+  const now = await editor.decal(id);
+  if (before.projector.kind !== "planar" || now.projector.kind !== "planar") throw new Error("It lies in a box.");
+  const [width, height, depth] = before.projector.size;
+  expect(now).toEqual({
+    ...before,
+    asset: "wide",
+    projector: { ...before.projector, size: [width, expect.closeTo(height / 2, 9), depth] },
+  });
+  expect(Object.keys((await editor.design()).assets), "the other picture went").toEqual(["wide"]);
+  expect(await editor.settledHash()).not.toBe(start);
+  await expect(page.locator("#undo")).toHaveAttribute("aria-label", "Undo replace picture");
+
+  // One that cannot be read leaves it as it is.
+  const broken = file("broken.png", ringPicture().buffer.subarray(0, 60), "image/png");
+  await editor.choose(() => replace.click(), [broken]);
+  await expect(editor.notices).toContainText("Could not open broken.png");
+  expect(await editor.decal(id)).toEqual(now);
+
+  await page.keyboard.press("Control+z");
+  expect(await editor.decal(id)).toEqual(before);
+  expect(await editor.settledHash()).toBe(start);
+
+  // By the menu of the row, too, and not of what has no picture or is locked.
+  await editor.row("Travel badge").click({ button: "right" });
+  await editor.choose(() => page.getByRole("menuitem", { name: "Replace picture…" }).click(), [wide]);
+  expect((await editor.decal(id)).asset).toBe("wide");
+  await page.getByRole("button", { name: "Lock Travel badge", exact: true }).click();
+  await expect(replace).toHaveCount(0);
+  await editor.addLayer(/^Fill /);
+  await expect(replace).toHaveCount(0);
 });

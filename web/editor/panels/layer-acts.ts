@@ -12,6 +12,7 @@ import {
   FolderPlus,
   type IconNode,
   ImagePlus,
+  ImageUp,
   Layers2,
   Link2,
   PaintBucket,
@@ -23,7 +24,8 @@ import {
   Ungroup,
   Unlink2,
 } from "lucide";
-import { findLayer, makeFillLayer, makeGroupLayer, makePaintLayer } from "../document/index.ts";
+import { type DecalLayer, findLayer, makeFillLayer, makeGroupLayer, makePaintLayer } from "../document/index.ts";
+import { isLocked } from "../document/layer-tree.ts";
 import { alignedGradient, fadingGradient } from "../state/aligned-gradient.ts";
 import type { ClipboardCommands } from "../state/clipboard-commands.ts";
 import type { Editor } from "../state/editor.ts";
@@ -65,10 +67,8 @@ export function barActs({ layers, store, strings }: Editor): LayerAct[] {
  *
  * @param rename null where there is no field for a name
  */
-export function moreItems(
-  { layers, clipboard, store, strings }: Editor,
-  rename: ((id: string) => void) | null,
-): MenuItem[] {
+export function moreItems(editor: Editor, rename: ((id: string) => void) | null): MenuItem[] {
+  const { layers, clipboard, store, strings } = editor;
   const words = strings.layers;
   const { selection, selectedId, design } = store.state;
   const layer = findLayer(design, selectedId);
@@ -87,6 +87,7 @@ export function moreItems(
     ...(rename ? [naming(rename)] : []),
     { label: words.duplicate, icon: Copy, disabled: none, run: () => layers.duplicate() },
     { label: words.remove, icon: Trash, disabled: none, run: () => layers.remove() },
+    ...(layer?.type === "decal" && selection.length === 1 ? [replacing(editor, layer)] : []),
     { label: words.copy, icon: ClipboardCopy, disabled: none, separated: true, run: () => copyNow(clipboard) },
     { label: words.paste, icon: ClipboardPaste, disabled: !clipboard.holds, run: () => void clipboard.pasteAgain() },
     { label: words.groupAct, icon: FolderPlus, disabled: none, separated: true, run: () => layers.group() },
@@ -122,6 +123,18 @@ export function moreItems(
     { label: words.removeMask, icon: CircleOff, disabled: !masked, run: () => layers.removeMask() },
   ];
 }
+
+/** Where it lies and how it looks stay; so a logo is exchanged for its newer version. */
+const replacing = ({ files, store, strings }: Editor, { id }: DecalLayer): MenuItem => ({
+  label: strings.layers.replacePicture,
+  icon: ImageUp,
+  disabled: isLocked(store.state.design, id),
+  run: () => replacePicture(files, id),
+});
+
+/** Must be called from a user's gesture. */
+export const replacePicture = (files: Editor["files"], id: string): void =>
+  pickFiles({ accept: ACCEPT.picture, multiple: false }, (chosen) => void files.replacePicture(id, chosen));
 
 /** Onto the browser's clipboard, by the event that this brings about; where it lets no page do that, for this page alone. */
 function copyNow(clipboard: ClipboardCommands): void {

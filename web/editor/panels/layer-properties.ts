@@ -1,6 +1,6 @@
 /** Everything about the selected layer, as fields; of several, what they have in common. */
 import { html, nothing, type TemplateResult } from "lit";
-import { Lock } from "lucide";
+import { ImageUp, Lock } from "lucide";
 import type { DecalLayer, DesignLayer } from "../document/index.ts";
 import { isLocked } from "../document/layer-tree.ts";
 import { layerById } from "../state/design-edits.ts";
@@ -15,6 +15,7 @@ import { thumbnail, thumbnailStyles } from "../ui/thumbnail.ts";
 import { TypingEnd } from "../ui/typing-end.ts";
 import { brushFields } from "./brush-fields.ts";
 import { fillFields, partsFields } from "./fill-fields.ts";
+import { replacePicture } from "./layer-acts.ts";
 import { maskFields } from "./mask-fields.ts";
 import { mirrorFields } from "./mirror-fields.ts";
 import { type PlacementMemory, placementFields } from "./placement-fields.ts";
@@ -132,6 +133,12 @@ export class LayerProperties extends EditorElement {
     </div>`;
   }
 
+  #replacing({ id }: DesignLayer): TemplateResult {
+    const { replacePicture: label } = this.strings.layers;
+    const replace = (): void => replacePicture(this.editor.files, id);
+    return html`<button class="icon" id="replace-picture" aria-label=${label} title=${label} @click=${replace}>${icon(ImageUp)}</button>`;
+  }
+
   #header(layer: DesignLayer): TemplateResult {
     const input = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
     const keys = (event: KeyboardEvent): void => {
@@ -163,6 +170,7 @@ export class LayerProperties extends EditorElement {
           @keydown=${keys}
           @change=${rename}
         />
+        ${layer.type === "decal" && !isLocked(design, layer.id) ? this.#replacing(layer) : nothing}
       </div>
     `;
   }

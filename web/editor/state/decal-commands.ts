@@ -3,6 +3,7 @@ import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.t
 import { sameItems } from "../../engine/same-items.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit, ViewerDecal } from "../../viewer/viewer-api.ts";
 import {
+  type DecalLayer,
   type Design,
   freeIdIn,
   isPlaced,
@@ -21,13 +22,14 @@ import { carriedProjector, changedAlike, type Foot, footOf, type NearSurface } f
 import { ChosenTogether, TOGETHER } from "./chosen-together.ts";
 import { clearPlaces } from "./clear-place.ts";
 import { DecalReach } from "./decal-reach.ts";
-import { addOnTop, layerById, patchEach, patchLayer, withAsset } from "./design-edits.ts";
+import { addOnTop, layerById, patchEach, patchLayer, withAsset, withoutUnusedAssets } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import { diagonalOf } from "./design-state.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { LayerCommands } from "./layer-commands.ts";
 import { LeftMasks } from "./left-masks.ts";
 import type { NoticeBoard } from "./notice-board.ts";
+import { fittedPicture } from "./other-picture.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 import { type MaskSurface, rememberedSurface } from "./remembered-surface.ts";
 import { ownsNoTexel } from "./shared-place.ts";
@@ -193,6 +195,20 @@ export class DecalCommands {
       return { design, layer: makeDecalLayer({ id, name, material, asset: key, projector, filter }) };
     });
     this.#board.announce(this.#board.strings.announce.added(name));
+  }
+
+  /** Gives a decal another picture, in the place of its own. */
+  replacePicture(id: string, name: string, picture: LibraryPicture, before: LibraryPicture | undefined): void {
+    const { steps, announce } = this.#board.strings;
+    const { recordedDesign } = this.#session;
+    const layer = layerById(recordedDesign, id);
+    if (layer?.type !== "decal" || isLocked(recordedDesign, id)) return;
+    const { design, key } = withAsset(recordedDesign, name, picture.asset);
+    const ratio = before ? (picture.width / picture.height) * (before.height / before.width) : 1;
+    const box = ratio === 1 ? {} : this.laid(layer, { projector: fittedPicture(layer.projector, ratio) });
+    const changed = patchLayer<DecalLayer>(design, id, { asset: key, ...box });
+    this.#session.record(withoutUnusedAssets(changed), steps.replacePicture);
+    this.#board.announce(announce.pictureReplaced(layer.name));
   }
 
   /**

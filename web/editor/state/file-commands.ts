@@ -23,10 +23,10 @@ import type { ProjectContent } from "../storage/project.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { PaletteCommands } from "../tools/palette-commands.ts";
 import type { Admission } from "./admission.ts";
-import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
+import type { AssetLibrary, DesignPlace, LibraryPicture } from "./asset-library.ts";
 import { BareModelError } from "./bare-model-error.ts";
 import type { DecalCommands } from "./decal-commands.ts";
-import { paintedMaterials } from "./design-edits.ts";
+import { layerById, paintedMaterials } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { ModelRef } from "./design-state.ts";
 import type { EditorState } from "./editor-state.ts";
@@ -73,6 +73,11 @@ export class FileCommands {
     hit: SurfaceHit | null = null,
   ): Promise<void> {
     return this.#unlessReadonly(() => this.#openFiles(files, hit));
+  }
+
+  /** Gives a decal the chosen picture in place of its own. */
+  replacePicture(id: string, chosen: readonly CollectedFile[]): Promise<void> {
+    return this.#unlessReadonly(() => this.#replacePicture(id, chosen));
   }
 
   openDemo(demo: DemoModel): Promise<void> {
@@ -472,14 +477,36 @@ export class FileCommands {
   async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
     const { library, decals, admission } = this.#parts;
     admission?.checkRoom(1);
-    const bytes = await bytesOf(file);
-    const picture = await library.add(file.name, (await admission?.admit("picture", file.name, bytes)) ?? bytes);
+    const picture = await this.#takePicture(file);
     try {
       // Somebody may have added another one meanwhile.
       admission?.checkRoom(1);
       decals.add(fileStem(file.name), picture, hit);
     } finally {
       library.release([picture.asset]);
+    }
+  }
+
+  /** To be released by who asked for it. */
+  async #takePicture(file: File): Promise<LibraryPicture> {
+    const { library, admission } = this.#parts;
+    const bytes = await bytesOf(file);
+    return await library.add(file.name, (await admission?.admit("picture", file.name, bytes)) ?? bytes);
+  }
+
+  async #replacePicture(id: string, [chosen]: readonly CollectedFile[]): Promise<void> {
+    const { library, decals, board, session } = this.#parts;
+    if (!chosen) return;
+    const { file } = chosen;
+    try {
+      const picture = await this.#takePicture(file);
+      const { assets } = session.recordedDesign;
+      const layer = layerById(session.recordedDesign, id);
+      const before = layer?.type === "decal" ? library.get(assets[layer.asset]) : undefined;
+      decals.replacePicture(id, fileStem(file.name), picture, before);
+      library.release([picture.asset]);
+    } catch (thrown) {
+      board.error(board.strings.errors.couldNotOpen(file.name), thrown);
     }
   }
 

@@ -54,6 +54,7 @@ export const germanLayers: Strings["layers"] = {
   addPaintHint: "Worauf der Pinsel malt",
   addGroup: "Gruppe",
   addPicture: "Bild…",
+  replacePicture: "Bild ersetzen…",
   group: "Gruppe",
   groupAct: "Gruppieren",
   ungroup: "Gruppe auflösen",
@@ -117,6 +118,7 @@ export const germanLayerSteps = {
   lock: "Ebene sperren",
   unlock: "Ebene entsperren",
   rename: "Ebene umbenennen",
+  replacePicture: "Bild ersetzen",
   group: "Ebenen gruppieren",
   ungroup: "Gruppe auflösen",
   merge: "nach unten vereinen",
@@ -144,6 +146,7 @@ export const germanLayerAnnouncements = {
   removed: (name: string): string => `${name} gelöscht`,
   removedMany: (count: number): string => `${layers(count)} gelöscht`,
   changedMany: (count: number): string => `${layers(count)} geändert`,
+  pictureReplaced: (name: string): string => `${name} hat ein anderes Bild`,
   moved: (name: string, place: number, count: number, group: string | undefined): string =>
     group === undefined
       ? `${name} ist jetzt ${place} von ${count}`

@@ -52,6 +52,7 @@ export const layerWords = {
   addPaintHint: "What the brush paints on",
   addGroup: "Group",
   addPicture: "Picture…",
+  replacePicture: "Replace picture…",
   group: "Group",
   groupAct: "Group",
   ungroup: "Ungroup",
@@ -118,6 +119,7 @@ export const layerSteps = {
   lock: "lock layer",
   unlock: "unlock layer",
   rename: "rename layer",
+  replacePicture: "replace picture",
   group: "group layers",
   ungroup: "ungroup layers",
   merge: "merge down",
@@ -145,6 +147,7 @@ export const layerAnnouncements = {
   removed: (name: string): string => `${name} deleted`,
   removedMany: (count: number): string => `${layers(count)} deleted`,
   changedMany: (count: number): string => `${layers(count)} changed`,
+  pictureReplaced: (name: string): string => `${name} has another picture`,
   moved: (name: string, place: number, count: number, group: string | undefined): string =>
     group === undefined ? `${name} is now ${place} of ${count}` : `${name} is now ${place} of ${count} in ${group}`,
   hidden: (name: string): string => `${name} hidden`,
