@@ -219,6 +219,37 @@ test("a picture dropped on the model is placed where it was dropped", async ({ e
   await expect(page.locator("#announcer")).toContainText("ring added");
 });
 
+test("a picture dropped on the flat texture is placed there, and several lie side by side from where they were dropped", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const flat = await page.locator(".tcv-texture").boundingBox();
+  if (!flat) throw new Error("There is no flat view.");
+  const at = { x: flat.x + flat.width / 2 + 60, y: flat.y + flat.height / 2 - 50 };
+  await editor.drop([ringPicture()], at);
+  const middleOf = async (index: number): Promise<readonly number[]> => {
+    const { layers } = await editor.design();
+    const { projector } = await editor.decal(layers[index]?.id ?? "");
+    return projector.kind === "planar" ? projector.position : [];
+  };
+  // The square is 1 across, and its texture lies upright on it.
+  const side = Math.min(flat.width, flat.height);
+  const [x = 0, y = 0] = await middleOf(0);
+  expect(Math.sign(x), "right of the middle").toBe(1);
+  expect(Math.sign(y), "above it").toBe(1);
+  expect(x / y).toBeCloseTo(60 / 50, 1);
+  expect(x).toBeGreaterThan(60 / side);
+
+  await editor.drop([boardPicture(), ringPicture()], { x: at.x - 120, y: at.y + 100 });
+  const [[first = 0, low = 0], [second = 0, lower = 0]] = [await middleOf(1), await middleOf(2)];
+  expect(first).toBeCloseTo(-x, 2);
+  expect(low).toBeCloseTo(-y, 2);
+  expect(second).toBeGreaterThan(first + 0.01);
+  expect(lower).toBeLessThan(low - 0.01);
+});
+
 test("pictures are added by the file dialog, one decal each", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([squareGlb()]);

@@ -62,7 +62,7 @@ function twoTexts() {
     decals: {
       placed: (_id: string, projector: Projector) => ({ projector }),
       laid: (_layer: TextLayer, box: object) => box,
-      addLayer: (...[, hit, label, make]: Parameters<DecalCommands["addLayer"]>) => {
+      addLayer: (...[, { hit }, label, make]: Parameters<DecalCommands["addLayer"]>) => {
         hits.push(hit);
         const { design, layer: added } = make("new", FRONT, 0);
         session.record(addOnTop(design, added), label);

@@ -34,6 +34,7 @@ import "./ui/menu.ts";
 import type { NumberField, Refusal } from "./ui/number-field.ts";
 import "./ui/number-field.ts";
 import "./ui/splitter.ts";
+import type { SurfaceHit } from "../viewer/viewer-api.ts";
 import { windowOf } from "../viewer/window-of.ts";
 import { controls } from "./ui/controls.ts";
 import { NARROW, SIDEWAYS } from "./ui/page-shapes.ts";
@@ -455,12 +456,21 @@ export class Workbench extends EditorElement {
     if (event.relatedTarget === null) this.dropping = false;
   };
 
+  /** In either view; null beside the model and its charts. */
+  #surfaceUnder({ clientX, clientY }: DragEvent): SurfaceHit | null {
+    const { viewer, textureView, store } = this.editor;
+    const { material } = store.state;
+    const uv = textureView.uvAtPointer(clientX, clientY);
+    if (uv === null) return viewer.surfaceAtPointer(clientX, clientY);
+    return material === null ? null : viewer.surface.atUv(material, uv);
+  }
+
   readonly #drop = (event: DragEvent): void => {
     this.dropping = false;
     const { dataTransfer } = event;
     if (!dataTransfer) return;
-    const { files, viewer, store } = this.editor;
-    const hit = viewer.surfaceAtPointer(event.clientX, event.clientY);
+    const { files, store } = this.editor;
+    const hit = this.#surfaceUnder(event);
     const demo = store.state.demos?.decals.find(({ id }) => id === dataTransfer.getData(PALETTE_DRAG));
     if (demo) void files.addDemoDecal(demo, hit);
     else if (carriesFiles(dataTransfer)) void files.openFiles(collectDrop(dataTransfer), hit);

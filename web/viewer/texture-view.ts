@@ -210,6 +210,12 @@ class GlTextureView implements TextureView {
     this.#drawSoon();
   }
 
+  uvAtPointer(clientX: number, clientY: number): readonly [number, number] | null {
+    const { left, top, right, bottom } = this.element.getBoundingClientRect();
+    const isInside = clientX >= left && clientX < right && clientY >= top && clientY < bottom;
+    return isInside && this.#target !== null ? this.#camera.uvOf(clientX - left, clientY - top) : null;
+  }
+
   dispose(): void {
     this.#abort.abort();
     this.#waiting.end();

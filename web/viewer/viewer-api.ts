@@ -318,5 +318,7 @@ export interface TextureView {
   /** Shows a flat stamp's border and handles, to be dragged while no tool has the pointer; null, or another kind, shows none. */
   setStamp(decal: ViewerDecal | null): void;
   resetZoom(): void;
+  /** The texture coordinate at a place of the window, which may lie beside the texture; null beside the view. */
+  uvAtPointer(clientX: number, clientY: number): readonly [number, number] | null;
   dispose(): void;
 }

@@ -186,9 +186,13 @@ export class DecalCommands {
   /**
    * Puts a picture on the model: at `hit`, else in the middle of the view, beside what lies there already, else in front of the
    * model.
+   *
+   * @param apart beside what lies there already, also at `hit`, as for one of several
    */
-  add(name: string, picture: LibraryPicture, hit: SurfaceHit | null): void {
-    this.addLayer(picture.width / picture.height, hit, this.#board.strings.steps.add, (id, projector, material) => {
+  add(name: string, picture: LibraryPicture, hit: SurfaceHit | null, apart = false): void {
+    const { add } = this.#board.strings.steps;
+    const place = { hit, apart };
+    this.addLayer(picture.width / picture.height, place, add, (id, projector, material) => {
       const { design, key } = withAsset(this.#session.recordedDesign, name, picture.asset);
       const { state } = this.#store;
       const filter = isPixelated(state, hit?.material ?? state.material) ? "nearest" : "linear";
@@ -217,7 +221,7 @@ export class DecalCommands {
    */
   addLayer(
     aspect: number,
-    hit: SurfaceHit | null,
+    { hit, apart = false }: { readonly hit: SurfaceHit | null; readonly apart?: boolean },
     label: string,
     make: (id: string, projector: PlanarProjector, material: LayerMaterials) => { design: Design; layer: PlacedLayer },
   ): void {
@@ -225,7 +229,8 @@ export class DecalCommands {
     const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
     const wished = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
     const { recordedDesign } = this.#session;
-    const projector = hit ? wished : clearPlaces(recordedDesign, [wished], this.#diagonal(), this.#viewer)(wished);
+    const isExact = hit !== null && !apart;
+    const projector = isExact ? wished : clearPlaces(recordedDesign, [wished], this.#diagonal(), this.#viewer)(wished);
     const backfaces = spot?.isBack === true;
     const material = this.reach.at(projector, backfaces, spot?.material ?? this.#store.state.material ?? 0);
     const id = freeIdIn(recordedDesign);

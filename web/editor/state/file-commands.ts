@@ -184,7 +184,7 @@ export class FileCommands {
     // A place on the surface is one of the model that was there before.
     const place = model ? null : hit;
     await this.#useEach(fonts, (font) => this.#useFont(font, place));
-    await this.#useEach(pictures, (picture) => this.#addPicture(picture, pictures.length === 1 ? place : null));
+    await this.#useEach(pictures, (picture) => this.#addPicture(picture, place, pictures.length > 1));
   }
 
   /**
@@ -474,14 +474,14 @@ export class FileCommands {
     else for (const { name, thrown } of refused) board.error(couldNotOpen(name), thrown);
   }
 
-  async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null): Promise<void> {
+  async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null, apart: boolean): Promise<void> {
     const { library, decals, admission } = this.#parts;
     admission?.checkRoom(1);
     const picture = await this.#takePicture(file);
     try {
       // Somebody may have added another one meanwhile.
       admission?.checkRoom(1);
-      decals.add(fileStem(file.name), picture, hit);
+      decals.add(fileStem(file.name), picture, hit, apart);
     } finally {
       library.release([picture.asset]);
     }

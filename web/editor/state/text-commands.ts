@@ -142,11 +142,16 @@ export class TextCommands {
       // The place was one on that model.
       if (store.state.model !== model || store.state.switching) return;
       this.#parts.admission?.checkRoom(1);
-      decals.addLayer(room.width / room.height, place(), board.strings.steps.addText, (id, projector, material) => {
-        // The design may be another one since the words were measured.
-        const { design, key } = dressed();
-        return { design, layer: { ...plain, id, name, font: key, projector, material, fontSize: 1 / room.height } };
-      });
+      decals.addLayer(
+        room.width / room.height,
+        { hit: place() },
+        board.strings.steps.addText,
+        (id, projector, material) => {
+          // The design may be another one since the words were measured.
+          const { design, key } = dressed();
+          return { design, layer: { ...plain, id, name, font: key, projector, material, fontSize: 1 / room.height } };
+        },
+      );
       if (pasted === undefined) store.set({ textToType: session.selected?.id ?? null });
       board.announce(board.strings.announce.added(pasted === undefined ? board.strings.text.name : name));
       this.#tellUndrawn(name, room.missing);
