@@ -72,3 +72,43 @@ test("on a phone a template is painted, written on, given a logo, undone by thre
   expect(picture).toMatchObject({ width: 64, height: 64 });
   expect(picture.rgba.equals(texels)).toBe(true);
 });
+
+test("a pinch or a tap of several fingers that begins beside a decal leaves what is chosen, and moves no decal", async ({
+  editor,
+  page,
+}) => {
+  const id = await editor.openOnLowest();
+  const fingers = await fingersOn(editor);
+  const before = await editor.decal(id);
+  const [view] = await editor.places(editor.view);
+  const beside = { x: view.x + 20, y: view.y + 30 };
+  const chosen = page.locator("tc-layer-list [aria-current=true] .name");
+
+  // Two, of which the second comes down on the chosen decal: the camera's.
+  const on = await editor.pointOf(id);
+  await fingers("touchStart", beside);
+  await fingers("touchStart", beside, on);
+  for (let step = 1; step <= 6; step += 1) {
+    await fingers("touchMove", { x: beside.x, y: beside.y - step }, { x: on.x + step * 10, y: on.y + step * 10 });
+  }
+  await fingers("touchEnd");
+  await editor.idle();
+  const after = await editor.pointOf(id);
+  expect(Math.hypot(after.x - on.x, after.y - on.y), "the view came nearer").toBeGreaterThan(10);
+  expect(await editor.decal(id)).toEqual(before);
+  await expect(page.locator("#undo")).toBeDisabled();
+  await expect(chosen).toHaveText("Texelcast mark");
+
+  // Two that are lifted where they came down, and three that undo.
+  await page.getByRole("button", { name: "Show the whole model" }).tap();
+  await editor.idle();
+  const taps = [0, 1, 2].map((finger) => ({ x: beside.x + finger * 40, y: beside.y }));
+  await fingers("touchStart", ...taps.slice(0, 2));
+  await fingers("touchEnd");
+  await expect(chosen).toHaveText("Texelcast mark");
+  await page.keyboard.press("5");
+  expect((await editor.decal(id)).opacity).toBe(0.5);
+  await Promise.all([fingers("touchStart", ...taps), fingers("touchEnd")]);
+  await expect.poll(async () => (await editor.decal(id)).opacity).toBe(1);
+  await expect(chosen).toHaveText("Texelcast mark");
+});

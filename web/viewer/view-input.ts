@@ -58,6 +58,8 @@ export class ViewInput {
   #pointerInside = false;
   /** A tool has the pointer: decals are neither pressed nor hovered. */
   #suspended = false;
+  /** A finger is down beside the decals: the camera's, and so are those that come to it. */
+  #turns = false;
   /** A press that is handed to the camera after all comes by here a second time. */
   #passOn: Event | null = null;
 
@@ -106,6 +108,10 @@ export class ViewInput {
       return;
     }
     this.#press = null;
+    if (this.#turns && !event.isPrimary) {
+      return;
+    }
+    this.#turns = false;
     this.#restingTouch = null;
     // What is lit up under the pointer would tint what the press is about.
     this.#hoverTask.cancel();
@@ -126,6 +132,7 @@ export class ViewInput {
     if (this.#press.grab !== null) {
       this.#take(event);
     } else {
+      this.#turns = true;
       this.#hooks.setPanning(event.shiftKey);
     }
   }
@@ -181,6 +188,7 @@ export class ViewInput {
     this.#gizmo.finish();
     this.#press = null;
     this.#dragPointer = null;
+    this.#turns = true;
     const again = new PointerEvent("pointerdown", first);
     this.#passOn = again;
     this.#root.dispatchEvent(again);
@@ -224,6 +232,7 @@ export class ViewInput {
   }
 
   #onUp(event: PointerEvent): void {
+    this.#turns = false;
     if (this.#dragPointer?.pointerId === event.pointerId) {
       event.stopImmediatePropagation();
       this.#followPointer(event);
@@ -245,6 +254,7 @@ export class ViewInput {
       this.#dragPointer = null;
     }
     this.#press = null;
+    this.#turns = false;
   }
 
   /** A dialog came between, or the view was moved: no release will be told, and the decal would hang on the pointer. */
