@@ -112,3 +112,39 @@ test("a pinch or a tap of several fingers that begins beside a decal leaves what
   await expect.poll(async () => (await editor.decal(id)).opacity).toBe(1);
   await expect(chosen).toHaveText("Texelcast mark");
 });
+
+test("two fingers zoom the flat texture also where they come down on a stamp, which stays where it is", async ({
+  editor,
+  page,
+}) => {
+  const id = await editor.openOnLowest();
+  const fingers = await fingersOn(editor);
+  await page.locator("#sheet-properties").tap();
+  await page.locator("tc-layer-properties input[value=uv]").check({ force: true });
+  await page.locator("#sheet-texture").tap();
+  await editor.idle();
+  const flat = page.locator(".tcv-texture");
+  const mark = (corner: string) => flat.locator(`[data-handle=${corner}] .tcv-mark`);
+  const marks = async () => {
+    const [one, other] = await editor.places(mark("nw"), mark("se"));
+    const [x, y] = [(one.x + other.x + other.width) / 2, (one.y + other.y + other.height) / 2];
+    return { x, y, apart: Math.hypot(one.x - other.x, one.y - other.y) };
+  };
+  const before = (await editor.decal(id)).projector;
+  const step = await page.locator("#undo").getAttribute("aria-label");
+  for (const first of ["on it", "beside it"]) {
+    const { x, y, apart } = await marks();
+    const on = { x, y };
+    const beside = (at: number): Point => ({ x: x - 70 - at * 30, y: y + 10 });
+    const pair = (at: number): Point[] => (first === "on it" ? [on, beside(at)] : [beside(at), on]);
+    await fingers("touchStart", ...pair(0).slice(0, 1));
+    await fingers("touchStart", ...pair(0));
+    for (let at = 1; at <= 6; at += 1) await fingers("touchMove", ...pair(at));
+    await fingers("touchEnd");
+    await editor.idle();
+    expect((await marks()).apart, first).toBeGreaterThan(1.2 * apart);
+    expect((await editor.decal(id)).projector, first).toEqual(before);
+    await page.getByRole("button", { name: "Fit the texture into its panel" }).tap();
+  }
+  expect(await page.locator("#undo").getAttribute("aria-label")).toBe(step);
+});

@@ -39,6 +39,8 @@ const KNOB_SIDES = [
 
 interface StampDrag {
   readonly id: string;
+  /** What it began with. */
+  readonly press: PointerEvent;
   readonly pointerId: number;
   readonly kind: DecalGesture["kind"];
   readonly handle: HandleName | null;
@@ -55,6 +57,10 @@ export class StampGizmo {
   readonly #abort = new AbortController();
   #decal: ViewerDecal | null = null;
   #drag: StampDrag | null = null;
+  /** A finger is down beside the stamp: the view's, and so are those that come to it. */
+  #pans = false;
+  /** A press that is handed to the view after all comes by here a second time. */
+  #passOn: Event | null = null;
   /** In a drag it stays at its side. */
   #knobSide: (typeof KNOB_SIDES)[number] = KNOB_SIDES[0];
 
@@ -100,22 +106,41 @@ export class StampGizmo {
 
   #onDown(event: PointerEvent): void {
     const [decal, start] = [this.#decal, this.#stamp];
-    if (decal === null || start === null || decal.locked === true || event.button !== 0) return;
+    if (event === this.#passOn || decal === null || start === null || decal.locked === true || event.button !== 0)
+      return;
     if (this.#drag !== null) {
-      event.stopImmediatePropagation();
+      this.#onSecond(this.#drag, event);
       return;
     }
+    if (this.#pans && !event.isPrimary) return;
     const handle = this.#handleAt(event);
     const from = this.#uvOf(event);
-    if (handle === null && !stampHolds(start, from)) return;
+    this.#pans = handle === null && !stampHolds(start, from);
+    if (this.#pans) return;
     event.stopImmediatePropagation();
     this.#root.setPointerCapture(event.pointerId);
     const kind = handle === null ? "slide" : handle === "rotate" ? "rotate" : "scale";
     const { pointerId } = event;
-    this.#drag = { id: decal.id, pointerId, kind, handle, start, from, projector: start };
+    this.#drag = { id: decal.id, press: event, pointerId, kind, handle, start, from, projector: start };
     this.#root.dataset.gesture = kind;
     this.#overlay.startGesture(handle);
     this.#tell(this.#drag, "start");
+  }
+
+  /** A second finger turns the drag into the view's pinch. A palm beside a pen is nobody's. */
+  #onSecond(drag: StampDrag, event: PointerEvent): void {
+    const { press } = drag;
+    if (event.pointerType !== "touch" || press.pointerType !== "touch") {
+      event.stopImmediatePropagation();
+      return;
+    }
+    this.#stop();
+    this.#tell(drag, "end");
+    this.#pans = true;
+    const again = new PointerEvent("pointerdown", press);
+    this.#passOn = again;
+    this.#root.dispatchEvent(again);
+    this.#passOn = null;
   }
 
   #onMove(event: PointerEvent): void {
@@ -132,6 +157,7 @@ export class StampGizmo {
   }
 
   #onEnd(event: PointerEvent, phase: "end" | "cancel"): void {
+    this.#pans = false;
     const drag = this.#drag;
     if (drag === null || drag.pointerId !== event.pointerId) return;
     event.stopImmediatePropagation();
