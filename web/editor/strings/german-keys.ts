@@ -94,6 +94,7 @@ export const germanKeys: readonly KeyGroup[] = [
       ["Zwei Finger", "Die Ansicht drehen oder schieben und zoomen"],
       ["Drei Finger", "Tippen: rückgängig; nach links oder rechts wischen: rückgängig, wiederholen"],
       ["Vier Finger", "Tippen: wiederholen"],
+      ["Eine Ebene in der Liste halten", "Eine mehr auswählen, oder eine weniger"],
     ],
   },
 ];

@@ -94,6 +94,7 @@ export const keyGroups: readonly KeyGroup[] = [
       ["Two fingers", "Turn or move the view, and zoom"],
       ["Three fingers", "Tap: undo; swipe left or right: undo, redo"],
       ["Four fingers", "Tap: redo"],
+      ["A layer that is held in the list", "Select one more, or one less"],
     ],
   },
 ];
