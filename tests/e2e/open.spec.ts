@@ -257,6 +257,19 @@ test("pictures are added by the file dialog, one decal each", async ({ editor, p
   expect((await editor.design()).layers.map(({ name }) => name)).toEqual(["ring", "board"]);
 });
 
+test("what was tried in vain stands no longer before what is open then", async ({ editor }) => {
+  await editor.open();
+  const at = await editor.middleOfStage();
+  await editor.drop([file("broken.png", ringPicture().buffer.subarray(0, 60), "image/png")], at);
+  await editor.drop([file("notes.txt", "hello")], at);
+  await expect(editor.notices).toHaveCount(2);
+  // One that brings nothing but another refusal leaves them.
+  await editor.drop([ringPicture(), file("cut.png", ringPicture().buffer.subarray(0, 60), "image/png")], at);
+  await expect(editor.notices).toHaveCount(3);
+  await editor.drop([ringPicture()], at);
+  await expect(editor.notices).toHaveCount(0);
+});
+
 test("says what is missing when a .gltf comes without its buffer, and keeps the work", async ({ editor }) => {
   await editor.open();
   const before = await editor.hash();

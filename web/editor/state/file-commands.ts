@@ -32,6 +32,7 @@ import type { ModelRef } from "./design-state.ts";
 import type { EditorState } from "./editor-state.ts";
 import type { ModelSession } from "./model-session.ts";
 import { MAX_NOTICES, type NoticeBoard } from "./notice-board.ts";
+import type { NoticeAction } from "./notices.ts";
 import type { ProjectCommands } from "./project-commands.ts";
 import { returnedLayers } from "./returned-layers.ts";
 import type { Store } from "./store.ts";
@@ -62,6 +63,8 @@ export interface FileCommandsParts {
 
 export class FileCommands {
   readonly #parts: FileCommandsParts;
+  /** The notices of what could not be opened, since something was. */
+  #refusals: (number | null)[] = [];
 
   constructor(parts: FileCommandsParts) {
     this.#parts = parts;
@@ -107,9 +110,14 @@ export class FileCommands {
   ): Promise<void> {
     const { board } = this.#parts;
     let name = "";
+    const before = this.#refusals;
+    this.#refusals = [];
     try {
       const collected = await files;
-      if (collected.length === 0) return;
+      if (collected.length === 0) {
+        this.#refusals.unshift(...before);
+        return;
+      }
       const [first] = collected;
       name = collected.length === 1 ? (first?.file.name ?? "") : board.strings.files.several(collected.length);
       const sorted = await sortFiles(await this.#unzipped(collected), board.strings);
@@ -121,8 +129,15 @@ export class FileCommands {
         board.info({ title: board.strings.notices.notOpened(path), message: unknownFile(path), hint });
       }
     } catch (thrown) {
-      board.error(board.strings.errors.couldNotOpen(name), thrown);
+      this.#refuse(board.strings.errors.couldNotOpen(name), thrown);
     }
+    // What was tried in vain before is of no interest once another one is open, and would stand before it.
+    if (this.#refusals.length === 0) for (const id of before) board.dismiss(id ?? 0);
+    else this.#refusals.unshift(...before);
+  }
+
+  #refuse(title: string, thrown: unknown, action?: NoticeAction): void {
+    this.#refusals.push(this.#parts.board.error(title, thrown, action));
   }
 
   /** Archives as the files that are in them. */
@@ -195,7 +210,7 @@ export class FileCommands {
     const { board, unwrapping } = this.#parts;
     const { couldNotOpen, bareModel, brokenUvs, bareModelHint: hint, unwrapAndOpen } = board.strings.errors;
     if (unwrapping === null || !(thrown instanceof BareModelError)) {
-      board.error(couldNotOpen(name), thrown);
+      this.#refuse(couldNotOpen(name), thrown);
       return;
     }
     const { code, model, subject = "" } = thrown;
@@ -207,7 +222,7 @@ export class FileCommands {
     // The file is still at hand, and who stopped the work may have second thoughts.
     const offerAgain = (): number =>
       board.info({ title: board.strings.notices.notOpened(name), message, hint, action, stays: true });
-    board.error(couldNotOpen(name), new ToldError(code, message, { subject, hint }), action);
+    this.#refuse(couldNotOpen(name), new ToldError(code, message, { subject, hint }), action);
   }
 
   /** @param unwrapped opened in place of the demo's own model */
@@ -470,8 +485,8 @@ export class FileCommands {
     }
     const { couldNotOpen, couldNotOpenThese } = board.strings.errors;
     const names = refused.map(({ name }) => name);
-    if (names.length > MAX_NOTICES) board.error(couldNotOpenThese(names), refused[0]?.thrown);
-    else for (const { name, thrown } of refused) board.error(couldNotOpen(name), thrown);
+    if (names.length > MAX_NOTICES) this.#refuse(couldNotOpenThese(names), refused[0]?.thrown);
+    else for (const { name, thrown } of refused) this.#refuse(couldNotOpen(name), thrown);
   }
 
   async #addPicture({ file }: CollectedFile, hit: SurfaceHit | null, apart: boolean): Promise<void> {

@@ -20,11 +20,12 @@ export class NoticeBoard {
     return stringsIn(this.#store.state.language);
   }
 
-  /** A cancelled task is what the user asked for and needs no notice. */
-  error(title: string, thrown: unknown, action?: NoticeAction): void {
-    if (isCancelled(thrown)) return;
+  /** A cancelled task is what the user asked for and needs no notice: null then. */
+  error(title: string, thrown: unknown, action?: NoticeAction): number | null {
+    if (isCancelled(thrown)) return null;
     this.#count += 1;
     this.#add({ ...noticeOf(this.#count, title, thrown, this.strings), ...(action && { action }) });
+    return this.#count;
   }
 
   info(notice: Pick<Notice, "title" | "message" | "action" | "stays"> & { readonly hint?: string }): number {
