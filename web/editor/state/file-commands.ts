@@ -515,11 +515,14 @@ export class FileCommands {
     const { file } = chosen;
     try {
       const picture = await this.#takePicture(file);
-      const { assets } = session.recordedDesign;
-      const layer = layerById(session.recordedDesign, id);
-      const before = layer?.type === "decal" ? library.get(assets[layer.asset]) : undefined;
-      decals.replacePicture(id, fileStem(file.name), picture, before);
-      library.release([picture.asset]);
+      try {
+        const { recordedDesign } = session;
+        const layer = layerById(recordedDesign, id);
+        const before = layer?.type === "decal" ? library.get(recordedDesign.assets[layer.asset]) : undefined;
+        decals.replacePicture(id, fileStem(file.name), picture, before);
+      } finally {
+        library.release([picture.asset]);
+      }
     } catch (thrown) {
       board.error(board.strings.errors.couldNotOpen(file.name), thrown);
     }
