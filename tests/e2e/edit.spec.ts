@@ -414,7 +414,7 @@ test("every switch of the panel reaches the texture or the design", async ({ edi
   await changes("flipped top to bottom");
   await page.getByRole("radio", { name: "Pixels" }).check();
   await changes("nearest pixel");
-  await page.getByRole("radio", { name: "Repeat" }).check();
+  await page.getByRole("radio", { name: "Seamless" }).check();
   await editor.setField("tilt", "-60");
   await changes("tilted");
   await editor.setField("fade-from", "20");
