@@ -64,7 +64,7 @@ export interface FileCommandsParts {
 export class FileCommands {
   readonly #parts: FileCommandsParts;
   /** The notices of what could not be opened, since something was. */
-  #refusals: (number | null)[] = [];
+  readonly #refusals: (number | null)[] = [];
 
   constructor(parts: FileCommandsParts) {
     this.#parts = parts;
@@ -110,14 +110,10 @@ export class FileCommands {
   ): Promise<void> {
     const { board } = this.#parts;
     let name = "";
-    const before = this.#refusals;
-    this.#refusals = [];
+    const before = this.#refusals.length;
     try {
       const collected = await files;
-      if (collected.length === 0) {
-        this.#refusals.unshift(...before);
-        return;
-      }
+      if (collected.length === 0) return;
       const [first] = collected;
       name = collected.length === 1 ? (first?.file.name ?? "") : board.strings.files.several(collected.length);
       const sorted = await sortFiles(await this.#unzipped(collected), board.strings);
@@ -132,8 +128,8 @@ export class FileCommands {
       this.#refuse(board.strings.errors.couldNotOpen(name), thrown);
     }
     // What was tried in vain before is of no interest once another one is open, and would stand before it.
-    if (this.#refusals.length === 0) for (const id of before) board.dismiss(id ?? 0);
-    else this.#refusals.unshift(...before);
+    if (this.#refusals.length > before) return;
+    for (const id of this.#refusals.splice(0)) if (id !== null) board.dismiss(id);
   }
 
   #refuse(title: string, thrown: unknown, action?: NoticeAction): void {

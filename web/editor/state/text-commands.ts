@@ -237,13 +237,17 @@ export class TextCommands {
     this.#tellUndrawn(now.name, missing);
     const { model } = store.state;
     const action = { label: words.makeFit, run: () => this.#makeFit(now.id) };
-    const isLarge = (layer: TextLayer): boolean => shareOfModel(model, layer.projector) > 1;
-    const told = isLarge(now)
-      ? !isLarge(before) && { title: words.largeTitle, message: words.large }
-      : this.#runsPastEdge(now) &&
-        !isLarge(before) &&
-        !this.#runsPastEdge(before) && { title: words.pastEdgeTitle, message: words.pastEdge };
-    if (told) board.info({ ...told, action });
+    const troubles = [
+      null,
+      { title: words.pastEdgeTitle, message: words.pastEdge },
+      { title: words.largeTitle, message: words.large },
+    ];
+    const troubleOf = (layer: TextLayer): number =>
+      shareOfModel(model, layer.projector) > 1 ? 2 : this.#runsPastEdge(layer) ? 1 : 0;
+    const trouble = troubleOf(now);
+    const told = troubles[trouble];
+    // What was so before is not told again, nor what has become less.
+    if (told && trouble > troubleOf(before)) board.info({ ...told, action });
     if (isAllRound(now.projector) && !this.isClose(now) && this.isClose(before)) {
       const action = { label: words.fitBox, run: () => void this.fitBox(now) };
       board.info({ title: words.longTitle, message: words.long, action });
