@@ -32,6 +32,14 @@ describe("the charts of an unfolded mesh", () => {
     expect(charts.chartAt([0.5, 0.5])).toBeNull();
   });
 
+  it("have a border each, in the repeat of the texture that is asked about", () => {
+    const charts = new UvCharts(Float32Array.from([...square(0.1, 0.2), ...square(0.7, 0.7)]));
+    const near = (places: readonly number[]): unknown[] => places.map((place) => expect.closeTo(place, 6));
+    expect(charts.boundsAt([0.12, 0.22])).toEqual({ low: near([0.1, 0.2]), high: near([0.2, 0.3]) });
+    expect(charts.boundsAt([-0.88, 1.22])).toEqual({ low: near([-0.9, 1.2]), high: near([-0.8, 1.3]) });
+    expect(charts.boundsAt([0.5, 0.5])).toBeNull();
+  });
+
   it("are found from any repeat of the texture, wherever they lie themselves", () => {
     const charts = new UvCharts(Float32Array.from(square(3.1, -1.9)));
     expect(charts.chartAt([0.12, 0.12])).toBe(0);

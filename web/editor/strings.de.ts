@@ -250,6 +250,9 @@ export const german: Strings = {
     wireframe: "Drahtgitter",
     turntable: "Drehteller",
     guide: "Beschriftung",
+    aligns: "In Flucht einrasten",
+    alignsHint:
+      "Was gezogen wird, rastet in einer Linie mit dem ein, was nahe ist, und mit der Mitte des Modells. Strg oder ⌘ beim Ziehen: frei",
     toggled: (what, on) => `${what} ${on ? "an" : "aus"}`,
     lightTurn: "Licht von",
     lightStrength: "Helligkeit",
@@ -438,6 +441,7 @@ export const german: Strings = {
       surface: "An der Oberfläche (Alt S)",
       upright: "Aufrecht (Alt U)",
       view: "An der Ansicht (Alt V)",
+      middle: "In der Mitte des Modells (Alt M)",
     },
     mirror: "Spiegel",
     mirrorNone: "Aus",
@@ -473,12 +477,15 @@ export const german: Strings = {
       surface: "an der Oberfläche ausrichten",
       upright: "aufrecht stellen",
       view: "an der Ansicht ausrichten",
+      middle: "in die Mitte des Modells rücken",
     },
     aligned: {
       surface: (name) => `${name} ist an der Oberfläche ausgerichtet`,
       upright: (name) => `${name} steht aufrecht`,
       view: (name) => `${name} zeigt zur Ansicht`,
+      middle: (name) => `${name} liegt in der Mitte des Modells`,
     },
+    noMiddle: (name) => `Von dort, wo ${name} liegt, führt die Oberfläche nicht zur Mitte des Modells`,
   },
 
   text: {

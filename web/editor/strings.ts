@@ -243,6 +243,9 @@ const english = {
     wireframe: "Wireframe",
     turntable: "Turntable",
     guide: "Guide",
+    aligns: "Snap into line",
+    alignsHint:
+      "What is dragged comes into line with what is near it, and with the model’s middle. Ctrl or ⌘ in a drag: free",
     toggled: (what: string, on: boolean): string => `${what} ${on ? "on" : "off"}`,
     lightTurn: "Light from",
     lightStrength: "Brightness",
@@ -434,6 +437,7 @@ const english = {
       surface: "To the surface (Alt S)",
       upright: "Upright (Alt U)",
       view: "To the view (Alt V)",
+      middle: "In the model’s middle (Alt M)",
     },
     mirror: "Mirror",
     mirrorNone: "Off",
@@ -465,12 +469,19 @@ const english = {
       cylindrical: (name: string): string => `${name} is wrapped around`,
       uv: (name: string): string => `${name} lies flat in the texture`,
     },
-    alignSteps: { surface: "align to surface", upright: "align upright", view: "align to view" },
+    alignSteps: {
+      surface: "align to surface",
+      upright: "align upright",
+      view: "align to view",
+      middle: "centre on the model",
+    },
     aligned: {
       surface: (name: string): string => `${name} aligned to the surface`,
       upright: (name: string): string => `${name} stands upright`,
       view: (name: string): string => `${name} faces the view`,
+      middle: (name: string): string => `${name} is in the model’s middle`,
     },
+    noMiddle: (name: string): string => `From where ${name} lies, the surface does not lead to the model’s middle`,
   },
 
   text: {

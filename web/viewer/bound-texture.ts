@@ -7,7 +7,7 @@ import type { CssColor } from "./css-color.ts";
 import { FinestLevel, type TexelRegion } from "./finest-level.ts";
 import type { TextureCamera } from "./texture-camera.ts";
 import type { PaintedLines, PaintedTexture, TexturePainter } from "./texture-painter.ts";
-import { UvCharts } from "./uv-charts.ts";
+import { type UvBounds, UvCharts } from "./uv-charts.ts";
 import { meanLength, type UvEdges, uvEdges } from "./uv-edges.ts";
 
 /** Opacity of inner lines against borders, where they are this many pixels long on average, or longer. */
@@ -131,6 +131,12 @@ export class BoundTexture {
     const face = [glow[0], glow[1], glow[2], GLOW] as const;
     this.#painter.drawTriangles(this.#lit.corners, face, this.#texture, camera, pixelRatio);
     this.#painter.drawLines(this.#lit.borders, glow, this.#texture, camera, pixelRatio);
+  }
+
+  /** Round the chart at a place; null beside all charts. */
+  chartAt(uv: readonly [number, number]): UvBounds | null {
+    this.#charts ??= new UvCharts(this.#uvTriangles);
+    return this.#charts.boundsAt(uv);
   }
 
   /** Lights the chart up that covers a place, or none. Returns whether that changes the picture. */

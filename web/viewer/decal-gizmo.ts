@@ -27,6 +27,8 @@ export interface GizmoHost {
   posed(): PosedView | null;
   /** How projectors are drawn and dragged that are no boxes; null while that is not there. */
   thrown(): ThrownKinds | null;
+  /** What becomes of a slide that comes into line with what lies beside it; left out where none does. */
+  readonly aligned: ((slide: ProjectorDrag, decal: ViewerDecal) => ProjectorDrag) | undefined;
 }
 
 /** The model as it is drawn, where that is not how it rests. */
@@ -150,7 +152,7 @@ export class DecalGizmo {
         projector.kind === "planar"
           ? boxDrag(slideDrag(this.#query, poseOf(projector), grab))
           : this.#host.thrown()?.drag(this.#query, projector, grab);
-      if (drag !== undefined) this.#startDrag(decal, drag, null);
+      if (drag !== undefined) this.#startDrag(decal, this.#host.aligned?.(drag, decal) ?? drag, null);
     }
   }
 

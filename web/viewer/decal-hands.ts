@@ -4,7 +4,7 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import type { PlanarProjector, Projector, Vec3 } from "../engine/engine-api.ts";
 import { adoptStyle } from "./adopt-style.ts";
 import type { HeldRig } from "./camera-rig.ts";
-import { DecalGizmo, type PosedView } from "./decal-gizmo.ts";
+import { DecalGizmo, type GizmoHost, type PosedView } from "./decal-gizmo.ts";
 import { GIZMO_STYLE } from "./gizmo-style.ts";
 import type { HeldModel } from "./held-model.ts";
 import { ModelPlacement } from "./model-placement.ts";
@@ -26,6 +26,7 @@ export interface DecalHandsParts {
   thrown(): ThrownKinds | null;
   /** How an animation has posed the model; null at rest. */
   posed(): PosedView | null;
+  readonly aligned?: GizmoHost["aligned"];
 }
 
 export class DecalHands {
@@ -48,6 +49,7 @@ export class DecalHands {
       },
       posed: () => parts.posed(),
       thrown: () => parts.thrown(),
+      aligned: parts.aligned,
     });
   }
 

@@ -3,11 +3,13 @@ import { Vector3 } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { Projector, Vec3 } from "../engine/engine-api.ts";
 import { adoptStyle } from "./adopt-style.ts";
+import { AlignedSlides, type FindSurroundings, type ModelMiddle, middlePlane } from "./aligned-slide.ts";
+import { centredOn } from "./alignment-planes.ts";
 import { arrangementOf } from "./arrangement.ts";
 import { ClipClock } from "./clip-clock.ts";
 import { frameDecal } from "./decal-framing.ts";
 import { DecalHands } from "./decal-hands.ts";
-import { poseOf } from "./decal-pose.ts";
+import { poseOf, projectorOf } from "./decal-pose.ts";
 import { GradientHandles, type GradientLabels, type GradientPlace } from "./gradient-handles.ts";
 import { HeldCamera } from "./held-camera.ts";
 import { ModelDisplay } from "./model-display.ts";
@@ -48,6 +50,7 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
   readonly #tools: ModelTools;
   readonly #gradient: GradientHandles;
   readonly #display: ModelDisplay;
+  readonly #slides: AlignedSlides;
   readonly #clock: ClipClock;
   #model: ShownModel | null = null;
 
@@ -75,6 +78,7 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
           moving: this.#clock.runs,
         };
       },
+      aligned: (slide, decal) => this.#slides.over(slide, decal),
     });
     this.hands = hands;
     const { screen, gizmo } = hands;
@@ -85,6 +89,10 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
       atRest: () => this.#model !== null && !this.#model.animation.posed,
       changed: (place, phase) => events.emit("gradient", { place, phase }),
     });
+    this.#slides = new AlignedSlides(root, screen, () =>
+      this.#model === null || this.#model.animation.posed ? null : this.#model.query,
+    );
+    events.on("gesture", ({ phase }) => phase !== "move" && this.#slides.hideLines());
     // Before the decals' own input, which it keeps from what a tool takes.
     this.#tools = new ModelTools(root, screen, {
       query: () => this.#model?.query ?? null,
@@ -153,6 +161,17 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
 
   arrangement(projectors: readonly Projector[]): Arrangement | null {
     return this.#model && arrangementOf(this.#model.query, projectors);
+  }
+
+  centred(projector: Projector, middles: readonly ModelMiddle[]): Projector {
+    const query = this.#model?.query;
+    if (query === undefined || projector.kind !== "planar") return projector;
+    const centred = centredOn(query, poseOf(projector), middles.map(middlePlane));
+    return centred === null ? projector : projectorOf(centred);
+  }
+
+  setSurroundings(find: FindSurroundings): void {
+    this.#slides.find = find;
   }
 
   setTool(input: ToolInput | null): void {
@@ -255,6 +274,7 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
     this.#clock.dispose();
     this.#tools.dispose();
     this.#gradient.dispose();
+    this.#slides.dispose();
     this.#display.dispose();
     this.hands.dispose();
   }
@@ -270,6 +290,7 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
     this.hands.gizmo.drawNow();
     this.#tools.cameraMoved();
     this.#gradient.drawNow();
+    this.#slides.hideLines();
     this.#display.moved();
   }
 

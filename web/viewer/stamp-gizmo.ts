@@ -1,5 +1,6 @@
 /** The selected flat stamp in the texture view: its border, its handles, and drags of both. */
 import type { UvProjector } from "../engine/engine-api.ts";
+import { ALIGNMENT_REACH, AlignmentLines } from "./alignment-lines.ts";
 import { ClientCorner } from "./client-corner.ts";
 import { sideOf } from "./gizmo-drag.ts";
 import {
@@ -14,9 +15,11 @@ import { degreesOf, pushedOut, scaleHandlePlaces } from "./handle-places.ts";
 import { distance } from "./handle-under.ts";
 import { heldToAxis } from "./held-to-axis.ts";
 import type { ScreenPoint } from "./screen-space.ts";
+import { stampInLine } from "./stamp-alignment.ts";
 import { movedStamp, scaledStamp, stampHolds, turnedStamp, type Uv, uvOfStamp } from "./stamp-drag.ts";
 import { takesBack } from "./take-back-key.ts";
-import type { DecalGesture, ViewerDecal } from "./viewer-api.ts";
+import type { UvBounds } from "./uv-charts.ts";
+import type { DecalGesture, FindStamps, ViewerDecal } from "./viewer-api.ts";
 
 export interface StampGizmoHooks {
   pixelOf(uv: Uv): ScreenPoint;
@@ -24,6 +27,9 @@ export interface StampGizmoHooks {
   /** Whether a point is in the view, and this far from its border. */
   holds(at: ScreenPoint, margin: number): boolean;
   gesture(gesture: DecalGesture): void;
+  readonly others: FindStamps;
+  /** Round the chart at a place of the texture; null beside all charts. */
+  chartAt(uv: Uv): UvBounds | null;
 }
 
 /** CSS pixels. */
@@ -46,6 +52,8 @@ interface StampDrag {
   readonly handle: HandleName | null;
   readonly start: UvProjector;
   readonly from: Uv;
+  /** What it comes into line with. */
+  others: readonly UvProjector[] | null;
   projector: UvProjector;
 }
 
@@ -53,6 +61,7 @@ export class StampGizmo {
   readonly #root: HTMLElement;
   readonly #hooks: StampGizmoHooks;
   readonly #overlay: GizmoOverlay;
+  readonly #lines: AlignmentLines;
   readonly #corner: ClientCorner;
   readonly #abort = new AbortController();
   #decal: ViewerDecal | null = null;
@@ -68,6 +77,7 @@ export class StampGizmo {
     this.#root = root;
     this.#hooks = hooks;
     this.#overlay = new GizmoOverlay(root);
+    this.#lines = new AlignmentLines(root);
     this.#corner = new ClientCorner(root);
     const early = { capture: true, signal: this.#abort.signal };
     root.addEventListener("pointerdown", (event) => this.#onDown(event), early);
@@ -97,6 +107,7 @@ export class StampGizmo {
     this.#abort.abort();
     this.#corner.dispose();
     this.#overlay.dispose();
+    this.#lines.dispose();
   }
 
   get #stamp(): UvProjector | null {
@@ -121,10 +132,15 @@ export class StampGizmo {
     this.#root.setPointerCapture(event.pointerId);
     const kind = handle === null ? "slide" : handle === "rotate" ? "rotate" : "scale";
     const { pointerId } = event;
-    this.#drag = { id: decal.id, press: event, pointerId, kind, handle, start, from, projector: start };
+    const drag: StampDrag = {
+      ...{ id: decal.id, press: event, pointerId, kind, handle, start, from },
+      ...{ others: null, projector: start },
+    };
+    this.#drag = drag;
     this.#root.dataset.gesture = kind;
     this.#overlay.startGesture(handle);
-    this.#tell(this.#drag, "start");
+    this.#tell(drag, "start");
+    if (handle === null) drag.others = this.#hooks.others(decal.id);
   }
 
   /** A second finger turns the drag into the view's pinch. A palm beside a pen is nobody's. */
@@ -151,9 +167,23 @@ export class StampGizmo {
     if (drag === null || drag.pointerId !== event.pointerId) return;
     event.stopImmediatePropagation();
     const from = event.shiftKey && drag.handle === null ? this.#hooks.pixelOf(drag.from) : null;
-    drag.projector = dragged(drag, this.#uvOf(event, from), event);
+    drag.projector = this.#inLine(drag, dragged(drag, this.#uvOf(event, from), event), event);
     this.#tell(drag, "move");
     this.draw();
+  }
+
+  /** Shift, which holds a slide to an axis, and Ctrl or Cmd leave it where the pointer has it. */
+  #inLine({ others }: StampDrag, stamp: UvProjector, event: PointerEvent): UvProjector {
+    if (others === null || event.shiftKey || event.ctrlKey || event.metaKey) {
+      this.#lines.draw([]);
+      return stamp;
+    }
+    const { pixelOf, chartAt } = this.#hooks;
+    const [origin, far] = [pixelOf([0, 0]), pixelOf([1, 1])];
+    const reach: Uv = [ALIGNMENT_REACH / (far.x - origin.x), ALIGNMENT_REACH / (far.y - origin.y)];
+    const aligned = stampInLine(stamp, others, chartAt(stamp.center), reach);
+    this.#lines.draw(aligned.lines.map(([start, end]) => [pixelOf(start), pixelOf(end)]));
+    return aligned.stamp;
   }
 
   #onEnd(event: PointerEvent, phase: "end" | "cancel"): void {
@@ -178,6 +208,7 @@ export class StampGizmo {
   #stop(): void {
     this.#drag = null;
     delete this.#root.dataset.gesture;
+    this.#lines.draw([]);
     this.#overlay.endGesture();
     this.draw();
   }

@@ -22,6 +22,7 @@ import type { ToolInput } from "./tool-input.ts";
 import { TOOL_STYLE } from "./tool-style.ts";
 import { UpdateQueue } from "./update-queue.ts";
 import type {
+  FindStamps,
   GuideEntry,
   MapPicture,
   SurfaceHit,
@@ -60,6 +61,7 @@ class GlTextureView implements TextureView {
   readonly #camera = new TextureCamera();
   readonly #stamp: StampGizmo;
   #stampDecal: ViewerDecal | null = null;
+  #findStamps: FindStamps = () => null;
   readonly #tools: TextureTools;
   readonly #guide: TextureGuide;
   readonly #pointer: TexturePointer;
@@ -117,6 +119,8 @@ class GlTextureView implements TextureView {
       uvOf: (x, y) => this.#camera.uvOf(x, y),
       holds: (at, margin) => this.#camera.holds(at, margin),
       gesture: (gesture) => this.#events.emit("gesture", gesture),
+      others: (id) => this.#findStamps(id),
+      chartAt: (uv) => this.#target?.chartAt(uv) ?? null,
     });
     this.#pointer = new TexturePointer(root, {
       hover: (at) => this.#events.emit("hover", at && this.#hoverOf(at)),
@@ -203,6 +207,10 @@ class GlTextureView implements TextureView {
   setStamp(decal: ViewerDecal | null): void {
     this.#stampDecal = decal;
     this.#showStamp();
+  }
+
+  setSurroundings(find: FindStamps): void {
+    this.#findStamps = find;
   }
 
   resetZoom(): void {

@@ -4,12 +4,19 @@ import { broughtBack, chartsOf } from "../engine/uv-charts.ts";
 /** Cells along each side of the grid by which a place's triangle is found. */
 const CELLS = 64;
 
+/** An upright rectangle of the texture: least and greatest u and v. */
+export interface UvBounds {
+  readonly low: readonly [number, number];
+  readonly high: readonly [number, number];
+}
+
 export class UvCharts {
   /** The chart of each triangle: the lowest index of its triangles. */
   readonly chartOf: Uint32Array;
   readonly #corners: Float32Array;
   /** Triangles that may lie in each cell; made at the first question. */
   #cells: number[][] | null = null;
+  readonly #bounds = new Map<number, UvBounds>();
 
   /** @param uvTriangles six numbers a triangle, as the model has them */
   constructor(uvTriangles: Float32Array) {
@@ -24,6 +31,17 @@ export class UvCharts {
   chartAt(uv: readonly [number, number]): number | null {
     const triangle = this.triangleAt(uv);
     return triangle === null ? null : (this.chartOf[triangle] as number);
+  }
+
+  /** Round the chart at a place of the texture, in that repetition of the texture; null beside all charts. */
+  boundsAt(uv: readonly [number, number]): UvBounds | null {
+    const chart = this.chartAt(uv);
+    if (chart === null) return null;
+    const bounds = this.#bounds.get(chart) ?? boundsOf(this.cornersOfChart(chart));
+    this.#bounds.set(chart, bounds);
+    const [right, down] = [Math.floor(uv[0]), Math.floor(uv[1])];
+    const shifted = ([u, v]: readonly [number, number]): [number, number] => [u + right, v + down];
+    return { low: shifted(bounds.low), high: shifted(bounds.high) };
   }
 
   /** The first triangle at a place of the texture. */
@@ -87,6 +105,17 @@ export class UvCharts {
     }
     return cells;
   }
+}
+
+/** @param corners u and v in turn */
+function boundsOf(corners: Float32Array): UvBounds {
+  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let at = 0; at < corners.length; at += 2) {
+    const [u, v] = [corners[at] as number, corners[at + 1] as number];
+    [left, right] = [Math.min(left, u), Math.max(right, u)];
+    [top, bottom] = [Math.min(top, v), Math.max(bottom, v)];
+  }
+  return { low: [left, top], high: [right, bottom] };
 }
 
 type Six = readonly [number, number, number, number, number, number];

@@ -6,14 +6,17 @@ import type {
   Projector,
   TargetInfo,
   TargetUpdate,
+  UvProjector,
   Vec3,
 } from "../engine/engine-api.ts";
+import type { FindSurroundings, ModelMiddle } from "./aligned-slide.ts";
 import type { Orbit } from "./camera-orbit.ts";
 import type { GradientLabels, GradientPhase, GradientPlace } from "./gradient-handles.ts";
 import type { CameraLimits } from "./model-camera.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 
 export type { Vec3 } from "../engine/engine-api.ts";
+export type { FindSurroundings, ModelMiddle, Surroundings } from "./aligned-slide.ts";
 export type { GradientLabels, GradientPhase, GradientPlace } from "./gradient-handles.ts";
 export type { SurfaceSight } from "./surface-sight.ts";
 export type { TexelPlaces } from "./texel-places.ts";
@@ -234,6 +237,13 @@ export interface ModelViewer extends DecalViewer {
    */
   alignProjector(projector: Projector, how: "surface" | "upright" | "view", material: number): Projector;
   /**
+   * A box slid along the surface into one of these middles, as its picture's middle line. The same one where none of them is to
+   * be come to, and what is no box.
+   */
+  centred(projector: Projector, middles: readonly ModelMiddle[]): Projector;
+  /** Says what a box that slides comes into line with: asked after the gesture's start. */
+  setSurroundings(find: FindSurroundings): void;
+  /**
    * Hands the pointer over the model to a tool; null gives it back to the decals. With a tool, decals have no handles, two
    * fingers orbit and zoom, and the camera keeps the background, the other buttons and the space bar.
    */
@@ -279,6 +289,9 @@ export interface TextureHover {
   readonly texel: readonly [number, number] | null;
 }
 
+/** Beside the stamp with this id, in the texture that is shown; null: it comes into line with nothing. */
+export type FindStamps = (id: string) => readonly UvProjector[] | null;
+
 export interface TextureViewEvents {
   /** The pointer moved over the texture, or left it (null). */
   hover: TextureHover | null;
@@ -317,6 +330,8 @@ export interface TextureView {
   setRing(outlines: readonly (readonly (readonly [number, number])[])[] | null): void;
   /** Shows a flat stamp's border and handles, to be dragged while no tool has the pointer; null, or another kind, shows none. */
   setStamp(decal: ViewerDecal | null): void;
+  /** Says which stamps one that slides comes into line with, as with the texture itself: asked after the gesture's start. */
+  setSurroundings(find: FindStamps): void;
   resetZoom(): void;
   /** The texture coordinate at a place of the window, which may lie beside the texture; null beside the view. */
   uvAtPointer(clientX: number, clientY: number): readonly [number, number] | null;

@@ -1,6 +1,16 @@
 /** How a decal is thrown, above its numbers: the kind of projector, commands that align it. */
 import { html, nothing, type TemplateResult } from "lit";
-import { ArrowUpFromDot, Box, Cylinder, Eye, type IconNode, Layers2, ScanEye, Square } from "lucide";
+import {
+  AlignCenterVertical,
+  ArrowUpFromDot,
+  Box,
+  Cylinder,
+  Eye,
+  type IconNode,
+  Layers2,
+  ScanEye,
+  Square,
+} from "lucide";
 import type { DecalLayer, Projector, TextLayer } from "../document/index.ts";
 import type { Editor } from "../state/editor.ts";
 import { icon } from "../ui/icon.ts";
@@ -19,7 +29,15 @@ const ALIGNMENTS = [
   ["surface", Layers2],
   ["upright", ArrowUpFromDot],
   ["view", Eye],
+  ["middle", AlignCenterVertical],
 ] as const;
+/** What has no meaning for a kind. */
+const WITHOUT: Readonly<Record<Kind, readonly string[]>> = {
+  planar: [],
+  perspective: ["middle"],
+  cylindrical: ["middle"],
+  uv: ["surface", "middle"],
+};
 
 export function projectionTools(editor: Editor, { projector }: Thrown): TemplateResult {
   const words = editor.strings.projection;
@@ -63,7 +81,7 @@ export function projectionTools(editor: Editor, { projector }: Thrown): Template
               id=${`align-${how}`}
               aria-label=${words.alignments[how]}
               title=${words.alignments[how]}
-              ?disabled=${how === "surface" && projector.kind === "uv"}
+              ?disabled=${WITHOUT[projector.kind].includes(how)}
               @click=${() => editor.decals.align(how)}
             >
               ${icon(drawing)}

@@ -42,6 +42,9 @@ export class ViewSettings extends EditorElement {
         display: grid;
         grid-template-columns: 1fr 1fr;
       }
+      .wide {
+        grid-column: 1 / -1;
+      }
     `,
   ];
 
@@ -60,7 +63,7 @@ export class ViewSettings extends EditorElement {
       BACKGROUND_TONES.map((tone) => [tone, this.#words.backgrounds[tone]]),
     ) as Record<(typeof BACKGROUND_TONES)[number], string>;
     const unusual = Object.entries(USUAL_VIEW).some(
-      ([key, value]) => key !== "layout" && key !== "guide" && view[key as keyof typeof view] !== value,
+      ([key, value]) => !["layout", "guide", "aligns"].includes(key) && view[key as keyof typeof view] !== value,
     );
     return html`
       ${choiceField("shading", this.#words.shading, this.#words.shadings, view.shading, (shading) => views.set({ shading }))}
@@ -79,6 +82,9 @@ export class ViewSettings extends EditorElement {
       <div class="checks">
         ${checkField("wireframe", this.#words.wireframe, view.wireframe, () => views.toggle("wireframe"))}
         ${checkField("turntable", this.#words.turntable, view.turntable, () => views.toggle("turntable"))}
+        <span class="wide" title=${this.#words.alignsHint}>
+          ${checkField("aligns", this.#words.aligns, view.aligns, () => views.toggle("aligns"))}
+        </span>
       </div>
       ${this.#slider(
         "light-turn",
@@ -100,7 +106,7 @@ export class ViewSettings extends EditorElement {
       <button
         id="reset-view"
         aria-disabled=${!unusual}
-        @click=${() => unusual && views.set({ ...USUAL_VIEW, layout: view.layout, guide: view.guide })}
+        @click=${() => unusual && views.set({ ...USUAL_VIEW, layout: view.layout, guide: view.guide, aligns: view.aligns })}
       >
         ${icon(RotateCcw)}${this.#words.reset}
       </button>

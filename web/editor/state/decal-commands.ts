@@ -1,4 +1,5 @@
 /** What a user does to decals, each a step of the history. */
+
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit, ViewerDecal } from "../../viewer/viewer-api.ts";
@@ -35,6 +36,7 @@ import { type MaskSurface, rememberedSurface } from "./remembered-surface.ts";
 import { ownsNoTexel } from "./shared-place.ts";
 import { type StepKind, StepReport } from "./step-report.ts";
 import type { Store } from "./store.ts";
+import { type Dragged, middlesOf } from "./surroundings.ts";
 import { type Placement, TriedKinds } from "./tried-kinds.ts";
 import { sharesTexels } from "./unwrap-command.ts";
 import { type WholeGroup, wholeGroups } from "./whole-groups.ts";
@@ -314,11 +316,19 @@ export class DecalCommands {
     return { projector, material: this.reach.movedTo(layer, projector, null, mirror), mirror };
   }
 
-  /** Turns the selected decal where it lies. False without a selection. */
-  align(how: "surface" | "upright" | "view"): boolean {
+  /** Turns the selected decal where it lies, or slides it into the model's middle. False without a selection. */
+  align(how: "surface" | "upright" | "view" | "middle"): boolean {
     const layer = this.selected;
-    if (!layer) return false;
-    const projector = this.#viewer.alignProjector(layer.projector, how, this.#stampMaterial(layer));
+    const { model } = this.#store.state;
+    if (!layer || !model) return false;
+    const projector =
+      how === "middle"
+        ? this.#viewer.centred(layer.projector, middlesOf(model.info))
+        : this.#viewer.alignProjector(layer.projector, how, this.#stampMaterial(layer));
+    if (how === "middle" && projector === layer.projector) {
+      this.#board.announce(this.#board.strings.projection.noMiddle(layer.name));
+      return true;
+    }
     this.#layers.change(layer.id, this.placed(layer.id, projector), this.#board.strings.projection.alignSteps[how]);
     this.#board.announce(this.#board.strings.projection.aligned[how](layer.name));
     return true;
@@ -390,6 +400,15 @@ export class DecalCommands {
   followGesture(gesture: DecalGesture): void {
     if (gesture.id === TOGETHER) this.#followBox(gesture);
     else this.#followDecal(gesture);
+  }
+
+  /** While a view drags what has this id: the design without that, and what goes along. */
+  draggedWith(id: string): Dragged {
+    const along = id === TOGETHER ? this.movable : (this.#carried ?? []).map(({ layer }) => layer);
+    return {
+      design: this.#copied ?? this.#session.recordedDesign,
+      moved: new Set([id, ...along.map((each) => each.id)]),
+    };
   }
 
   #followBox({ kind, phase, projector }: DecalGesture): void {

@@ -31,6 +31,7 @@ import { type EditorState, type Figures, INITIAL_FIGURES, INITIAL_STATE, type Ta
 import { FileCommands } from "./file-commands.ts";
 import { tellOfLostGraphics } from "./graphics-loss.ts";
 import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
+import { readAligning } from "./kept-aligning.ts";
 import { LayerCommands } from "./layer-commands.ts";
 import { LostDecal } from "./lost-decal.ts";
 import { megabytes } from "./megabytes.ts";
@@ -41,6 +42,7 @@ import { keepProjects } from "./project-keeping.ts";
 import { followGradient, shownGradient } from "./shown-gradient.ts";
 import { shownStamp } from "./shown-stamp.ts";
 import { Store } from "./store.ts";
+import { stampsBeside, surroundingsOf } from "./surroundings.ts";
 import { Tasks } from "./tasks.ts";
 import { TextCommands } from "./text-commands.ts";
 import { UnwrapCommand, type Unwrapper } from "./unwrap-command.ts";
@@ -154,6 +156,7 @@ export class Editor {
     this.projects = keeping.commands;
     this.autosave = keeping.autosave;
     session.setHistoryBudget(readHistoryBudget());
+    store.set({ view: { ...store.state.view, aligns: readAligning() } });
     this.tools = new Toolbox({ viewer, textureView, store, board });
     const { tools } = this;
     const reach = new DecalReach(viewer, () => store.state.model?.info.materials ?? []);
@@ -308,6 +311,14 @@ export class Editor {
   }
 
   #connect(): void {
+    this.viewer.setSurroundings((id) => {
+      const { model, view } = this.store.state;
+      return model && view.aligns ? surroundingsOf(this.decals.draggedWith(id), model.info) : null;
+    });
+    this.textureView.setSurroundings((id) => {
+      const { material, view } = this.store.state;
+      return view.aligns ? stampsBeside(this.decals.draggedWith(id), material) : null;
+    });
     this.textureView.on("gesture", (gesture) => this.decals.followGesture(gesture));
     this.viewer.on("gradient", ({ place, phase }) =>
       followGradient(this.store.state, this.layers, place, phase, this.strings.gradient.moved),

@@ -106,6 +106,9 @@ function handleView(event: KeyboardEvent, { views, store }: Editor): boolean {
     case "G":
       views.toggle("guide");
       return true;
+    case "L":
+      views.toggle("aligns");
+      return true;
     case "P":
       if (store.state.animation.clips.length > 0) views.animate({ playing: !store.state.animation.playing });
       return true;
@@ -130,6 +133,8 @@ function handleAlt(event: KeyboardEvent, { decals }: Editor): boolean {
       return decals.align("upright");
     case "KeyV":
       return decals.align("view");
+    case "KeyM":
+      return decals.align("middle");
     case "KeyP":
       return decals.convert("perspective");
     case "KeyW":

@@ -10,6 +10,7 @@ import type {
   TextureView,
 } from "../../viewer/viewer-api.ts";
 import type { EditorState, Figures } from "./editor-state.ts";
+import { keepAligning } from "./kept-aligning.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
@@ -59,9 +60,10 @@ export class ViewCommands {
     this.#parts.board.announce(this.#parts.board.strings.views.layoutChosen[layout]);
   }
 
-  toggle(setting: "wireframe" | "turntable" | "guide"): void {
+  toggle(setting: "wireframe" | "turntable" | "guide" | "aligns"): void {
     const on = !this.#parts.store.state.view[setting];
     this.set({ [setting]: on });
+    if (setting === "aligns") keepAligning(on);
     this.#parts.board.announce(this.#parts.board.strings.views.toggled(this.#parts.board.strings.views[setting], on));
   }
 

@@ -20,6 +20,8 @@ export interface ViewSettings extends ModelLook {
   readonly background: BackgroundTone;
   /** Names of the texture's places, over the flat view. */
   readonly guide: boolean;
+  /** What is dragged comes into line with what is near. */
+  readonly aligns: boolean;
 }
 
 export const USUAL_VIEW: ViewSettings = {
@@ -32,6 +34,7 @@ export const USUAL_VIEW: ViewSettings = {
   modelMap: "texture",
   background: "auto",
   guide: false,
+  aligns: true,
 };
 
 /** What of the open model is shown. */
