@@ -116,6 +116,26 @@ test("a key and a button slide a decal into the model's middle, as one step", as
   await expect(editor.page.locator("#align-middle")).toBeDisabled();
 });
 
+test("several that are chosen are brought under the selected one, or beside it, as one step", async ({ editor }) => {
+  const { badge, number } = await openOnTwo(editor);
+  const before = await positionOf(editor, badge);
+  const stays = await positionOf(editor, number);
+  await editor.row("Travel badge").click();
+  await editor.row("Number 07").click({ modifiers: ["Control"] });
+  await editor.page.locator("#align-column").click();
+  await editor.idle();
+  const [x, y] = await positionOf(editor, badge);
+  expect(x).toBeCloseTo(stays[0], 6);
+  expect(y).toBeCloseTo(before[1], 6);
+  expect(await positionOf(editor, number)).toEqual(stays);
+  await editor.page.keyboard.press("Control+z");
+  await editor.idle();
+  expect(await positionOf(editor, badge)).toEqual(before);
+  await editor.page.locator("#align-row").click();
+  await editor.idle();
+  expect((await positionOf(editor, badge))[1]).toBeCloseTo(stays[1], 6);
+});
+
 test("a flat stamp comes into line in its texture with other stamps and with the texture itself", async ({
   editor,
 }) => {

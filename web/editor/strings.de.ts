@@ -485,6 +485,13 @@ export const german: Strings = {
       view: (name) => `${name} zeigt zur Ansicht`,
       middle: (name) => `${name} liegt in der Mitte des Modells`,
     },
+    lines: { column: "Untereinander", row: "Nebeneinander" },
+    lineSteps: { column: "untereinander ausrichten", row: "nebeneinander ausrichten" },
+    inLine: {
+      column: (name) => `In einer Linie mit der Mitte von ${name}, untereinander`,
+      row: (name) => `In einer Linie mit der Mitte von ${name}, nebeneinander`,
+    },
+    noLine: (name) => `Nichts weiter lässt sich mit ${name} in eine Linie bringen`,
     noMiddle: (name) => `Von dort, wo ${name} liegt, führt die Oberfläche nicht zur Mitte des Modells`,
   },
 

@@ -481,6 +481,13 @@ const english = {
       view: (name: string): string => `${name} faces the view`,
       middle: (name: string): string => `${name} is in the model’s middle`,
     },
+    lines: { column: "Under one another", row: "Beside one another" },
+    lineSteps: { column: "align under one another", row: "align beside one another" },
+    inLine: {
+      column: (name: string): string => `In line with the middle of ${name}, under one another`,
+      row: (name: string): string => `In line with the middle of ${name}, beside one another`,
+    },
+    noLine: (name: string): string => `Nothing more can be brought into line with ${name}`,
     noMiddle: (name: string): string => `From where ${name} lies, the surface does not lead to the model’s middle`,
   },
 

@@ -19,7 +19,7 @@ import { replacePicture } from "./layer-acts.ts";
 import { maskFields } from "./mask-fields.ts";
 import { mirrorFields } from "./mirror-fields.ts";
 import { type PlacementMemory, placementFields } from "./placement-fields.ts";
-import { projectionTools } from "./projector-tools.ts";
+import { projectionTools, togetherTools } from "./projector-tools.ts";
 import { mixingFields, opacityField, type PropertyContext, toggleField } from "./property-controls.ts";
 import { propertyStyles } from "./property-styles.ts";
 import { materialField, reachFields, samplingFields } from "./reach-fields.ts";
@@ -64,7 +64,7 @@ export class LayerProperties extends EditorElement {
       ${several ? html`<h2>${this.strings.layers.several(selection.length)}</h2>` : this.#header(layer)}
       ${locked ? this.#lock(layer) : nothing}
       <div class="fields" ?inert=${locked}>
-        ${several ? this.#look(context, layer) : html`${maskFields(context, layer)}${this.#fields(context, layer)}`}
+        ${several ? html`${togetherTools(this.editor)}${this.#look(context, layer)}` : html`${maskFields(context, layer)}${this.#fields(context, layer)}`}
       </div>
     `;
     return readonlyFields(this.state.readonly, this.strings.readonly.why, fields);

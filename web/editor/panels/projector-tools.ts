@@ -1,6 +1,7 @@
 /** How a decal is thrown, above its numbers: the kind of projector, commands that align it. */
 import { html, nothing, type TemplateResult } from "lit";
 import {
+  AlignCenterHorizontal,
   AlignCenterVertical,
   ArrowUpFromDot,
   Box,
@@ -12,6 +13,7 @@ import {
   Square,
 } from "lucide";
 import type { DecalLayer, Projector, TextLayer } from "../document/index.ts";
+import { ALIGNMENT_LINES, canAlign, type LineOfLayers } from "../state/aligned-together.ts";
 import type { Editor } from "../state/editor.ts";
 import { icon } from "../ui/icon.ts";
 import { segments } from "./property-fields.ts";
@@ -38,6 +40,37 @@ const WITHOUT: Readonly<Record<Kind, readonly string[]>> = {
   cylindrical: ["middle"],
   uv: ["surface", "middle"],
 };
+
+const LINE_ICONS: Readonly<Record<LineOfLayers, IconNode>> = {
+  column: AlignCenterVertical,
+  row: AlignCenterHorizontal,
+};
+
+/** Of several: what brings them into line with one another. */
+export function togetherTools(editor: Editor): TemplateResult | typeof nothing {
+  const { align, lines } = editor.strings.projection;
+  if (!canAlign(editor.decals.movable)) return nothing;
+  return html`
+    <section role="group" aria-label=${align}>
+      <div class="field">
+        <span>${align}</span>
+        <div class="buttons">
+          ${ALIGNMENT_LINES.map(
+            (line) => html`<button
+              class="icon"
+              id=${`align-${line}`}
+              aria-label=${lines[line]}
+              title=${lines[line]}
+              @click=${() => editor.decals.alignTogether(line)}
+            >
+              ${icon(LINE_ICONS[line])}
+            </button>`,
+          )}
+        </div>
+      </div>
+    </section>
+  `;
+}
 
 export function projectionTools(editor: Editor, { projector }: Thrown): TemplateResult {
   const words = editor.strings.projection;

@@ -16,6 +16,7 @@ import {
 } from "../document/index.ts";
 import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
+import { alignedTogether, type LineOfLayers } from "./aligned-together.ts";
 import type { LibraryPicture } from "./asset-library.ts";
 import type { BareParts } from "./bare-parts.ts";
 import { carriedGroupMask, carriedMask } from "./carried-mask.ts";
@@ -332,6 +333,22 @@ export class DecalCommands {
     this.#layers.change(layer.id, this.placed(layer.id, projector), this.#board.strings.projection.alignSteps[how]);
     this.#board.announce(this.#board.strings.projection.aligned[how](layer.name));
     return true;
+  }
+
+  /** Brings what is chosen into line with the selected one of it, else with the topmost. */
+  alignTogether(line: LineOfLayers): void {
+    const { movable } = this;
+    const first = movable.find(({ id }) => id === this.#store.state.selectedId) ?? movable.at(-1);
+    if (!first) return;
+    const projectors = alignedTogether(movable, first, line, this.#viewer);
+    const { strings } = this.#board;
+    if (movable.every(({ projector }, index) => projector === projectors[index])) {
+      this.#board.announce(strings.projection.noLine(first.name));
+      return;
+    }
+    this.#session.record(this.#designWith(movable, projectors), strings.projection.lineSteps[line]);
+    this.#board.announce(strings.projection.inLine[line](first.name));
+    this.#tellLeft(movable);
   }
 
   /** What a layer takes on with another projector: that, the materials that it lies on then, and its mask, which goes along. */

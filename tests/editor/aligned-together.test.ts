@@ -1,0 +1,87 @@
+import { describe, expect, it } from "vitest";
+import { makeDecalLayer, type PlacedLayer } from "../../web/editor/document/index.ts";
+import { alignedTogether, canAlign } from "../../web/editor/state/aligned-together.ts";
+import type { CylindricalProjector, Projector, UvProjector } from "../../web/engine/engine-api.ts";
+import type { ModelMiddle } from "../../web/viewer/viewer-api.ts";
+
+const HALF = Math.SQRT1_2;
+
+const layer = (id: string, projector: Projector, material = 0): PlacedLayer =>
+  makeDecalLayer({ id, name: id, material, asset: "logo", projector, filter: "linear" });
+const box = (x: number, y: number, spin: readonly [number, number] = [0, 1]): Projector => ({
+  ...{ kind: "planar", position: [x, y, 0], rotation: [0, 0, spin[0], spin[1]], size: [0.2, 0.2, 0.1] },
+});
+const stamp = (u: number, v: number): UvProjector => ({ kind: "uv", center: [u, v], size: [0.1, 0.05], angle: 0 });
+const label: CylindricalProjector = {
+  ...{ kind: "cylindrical", position: [0, 0, 0], rotation: [0, 0, 0, 1], radius: 1, height: 1, arc: 90, depth: 0.1 },
+};
+
+/** Of a model that is a sheet across Z: a box goes straight onto the plane. */
+const sheet = {
+  centred(projector: Projector, [middle]: readonly ModelMiddle[]): Projector {
+    if (projector.kind !== "planar" || !middle) return projector;
+    const { point, normal } = middle;
+    const away = normal.reduce(
+      (sum, part, axis) => sum + part * ((projector.position[axis] ?? 0) - (point[axis] ?? 0)),
+      0,
+    );
+    const [x, y, z] = projector.position;
+    return { ...projector, position: [x - away * normal[0], y - away * normal[1], z - away * normal[2]] };
+  },
+};
+
+/** Centres and positions in their plane, to a billionth. */
+function places(layers: readonly PlacedLayer[], first: PlacedLayer, line: "column" | "row"): number[][] {
+  return alignedTogether(layers, first, line, sheet).map((projector) => {
+    const place = projector.kind === "uv" ? projector.center : projector.position.slice(0, 2);
+    return place.map((part) => Math.round(part * 1e9) / 1e9);
+  });
+}
+
+describe("several pictures that are brought into line", () => {
+  const [a, b] = [layer("a", box(0.1, 0.5)), layer("b", box(0.3, -0.2))];
+
+  it("come under one another, or beside one another, by the middle of the one that stays", () => {
+    expect(places([a, b], a, "column")).toEqual([
+      [0.1, 0.5],
+      [0.1, -0.2],
+    ]);
+    expect(places([a, b], b, "row")).toEqual([
+      [0.1, -0.2],
+      [0.3, -0.2],
+    ]);
+  });
+
+  it("go by that one's own right and top where it is turned", () => {
+    const lying = layer("lying", box(0.1, 0.5, [HALF, HALF]));
+    expect(places([lying, b], lying, "column")[1]).toEqual([0.3, 0.5]);
+  });
+
+  it("are stamps among each other in the texture that they share, and boxes among boxes", () => {
+    const [one, two, apart] = [
+      layer("one", stamp(0.2, 0.3)),
+      layer("two", stamp(0.6, 0.7)),
+      layer("x", stamp(0.6, 0.7), 1),
+    ];
+    expect(places([one, two, apart, b], one, "column")).toEqual([
+      [0.2, 0.3],
+      [0.2, 0.7],
+      [0.6, 0.7],
+      [0.3, -0.2],
+    ]);
+    expect(places([one, two], one, "row")).toEqual([
+      [0.2, 0.3],
+      [0.6, 0.3],
+    ]);
+    const around = layer("label", label);
+    expect(alignedTogether([around, a], around, "column", sheet)).toEqual([label, a.projector]);
+  });
+
+  it("are two of a kind at least", () => {
+    expect(canAlign([a, b])).toBe(true);
+    expect(canAlign([a, layer("one", stamp(0.2, 0.3))])).toBe(false);
+    expect(canAlign([layer("one", stamp(0.2, 0.3)), layer("two", stamp(0.6, 0.7))])).toBe(true);
+    expect(canAlign([layer("one", stamp(0.2, 0.3)), layer("two", stamp(0.6, 0.7), 1)])).toBe(false);
+    expect(canAlign([layer("label", label), layer("other", label)])).toBe(false);
+  });
+});
