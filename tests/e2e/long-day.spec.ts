@@ -35,6 +35,22 @@ test("layers that are chosen and left, and texts that come and go, leave no pane
   expect((await heldNodes()) - before).toBeLessThan(300);
 });
 
+test("rows of layers that come and go leave nothing in their list", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  await editor.addLayer("Add text");
+  await editor.idle();
+  await page.keyboard.press("Escape");
+  const nodes = () => page.locator("tc-layer-list .content").evaluate((content) => content.childNodes.length);
+  const before = await nodes();
+  for (let i = 0; i < 3; i++) {
+    await page.keyboard.press("Control+z");
+    await expect(page.locator("tc-layer-list .row")).toHaveCount(2);
+    await page.keyboard.press("Control+Shift+z");
+    await expect(page.locator("tc-layer-list .row")).toHaveCount(3);
+  }
+  expect(await nodes()).toBe(before);
+});
+
 test("models that are opened one after the other leave no textures on the graphics card", async ({ editor, page }) => {
   await page.addInitScript(() => {
     window.heldTextures = 0;
