@@ -6,12 +6,15 @@ import type { EngineLayer, EnginePicture, EngineText, TextMeasure } from "./engi
 import { allPicturesOf } from "./layer-picture.ts";
 import type { RasterTarget } from "./raster-size.ts";
 
+/** Before what could not be loaded is tried again by itself, with the next change: the connection may be back. */
+const RETRY_MS = 5_000;
+
 /** As `DrawnPictures`, which see. */
 export class DrawnOnDemand {
   #pictures: DrawnPictures | null = null;
   #loading: Promise<DrawnPictures> | null = null;
-  /** It could not be loaded: said once, and tried again by `load` alone. */
-  #missing = false;
+  /** It could not be loaded: until then it is tried again by `load` alone, so that it is not said once a frame. */
+  #missingUntil = 0;
 
   async addSvg(key: string, bytes: Uint8Array, name: string): Promise<{ width: number; height: number }> {
     return await (await this.#load()).addSvg(key, bytes, name);
@@ -42,7 +45,7 @@ export class DrawnOnDemand {
   }
 
   isReady(layers: readonly EngineLayer[]): boolean {
-    return this.#pictures?.isReady(layers) ?? (this.#missing || !hasWords(layers));
+    return this.#pictures?.isReady(layers) ?? (performance.now() < this.#missingUntil || !hasWords(layers));
   }
 
   async load(layers: readonly EngineLayer[]): Promise<void> {
@@ -70,11 +73,10 @@ export class DrawnOnDemand {
     this.#loading ??= import("./drawn-pictures.ts").then(({ DrawnPictures }) => new DrawnPictures());
     try {
       this.#pictures = await this.#loading;
-      this.#missing = false;
       return this.#pictures;
     } catch (cause) {
       this.#loading = null;
-      this.#missing = true;
+      this.#missingUntil = performance.now() + RETRY_MS;
       throw new TexelcastError("missing-file", "What draws words and drawings could not be loaded.", {
         reason: "not-loaded",
         cause,

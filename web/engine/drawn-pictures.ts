@@ -21,6 +21,8 @@ import { FontShelf } from "./text-fonts.ts";
 import { fontsFor, missingCharacters } from "./text-runs.ts";
 
 const REMEMBERED_TEXTS = 1000;
+/** Before a font that could not be fetched is tried again by itself, with the next change. */
+const RETRY_MS = 5_000;
 
 interface Drawn {
   readonly key: string;
@@ -38,6 +40,8 @@ export class DrawnPictures {
   readonly #imageByKey = new Map<string, ImageHandle>();
   /** What could not be drawn, so that it is said once and not once a frame. */
   readonly #failed = new Set<string>();
+  /** Words whose fonts could not be loaded, and when they may be tried again by themselves, so that it is not said once a frame. */
+  readonly #unloaded = new Map<string, number>();
   /** Words whose fonts are known to be there: asked in every frame of a drag. */
   readonly #loaded = new Set<string>();
   #count = 0;
@@ -46,6 +50,7 @@ export class DrawnPictures {
   async addSvg(key: string, bytes: Uint8Array, name: string): Promise<{ width: number; height: number }> {
     const file = await readSvgFile(bytes, name, (id) => this.#readSvgFont(id));
     for (const id of file.fonts) await this.#readSvgFont(id);
+    this.#unloaded.clear();
     this.#count += 1;
     this.#svgs.set(key, { ...file, number: this.#count });
     return { width: file.width, height: file.height };
@@ -63,6 +68,7 @@ export class DrawnPictures {
   async addFont(key: string, bytes: Uint8Array, name: string): Promise<{ readonly name: string }> {
     const info = await this.#shelf.add(key, bytes, name);
     this.#failed.clear();
+    this.#unloaded.clear();
     this.#loaded.clear();
     return info;
   }
@@ -75,6 +81,8 @@ export class DrawnPictures {
   async measure(text: EngineText): Promise<TextMeasure> {
     checkText(text, "text");
     await this.#loadFonts(text);
+    // The connection is back, or was never gone: what is shown next is tried whole.
+    this.#unloaded.clear();
     if (this.#shelf.get(text.font) === undefined) {
       throw new TexelcastError("bad-argument", `There is no font “${text.font}” to measure a text in.`, {
         field: "font",
@@ -90,9 +98,11 @@ export class DrawnPictures {
     return missingCharacters(text.text, text.font, this.#shelf);
   }
 
-  /** Whether `load` has nothing to do for these layers. */
+  /** Whether `load` has nothing to do for these layers, or has just failed to. */
   isReady(layers: readonly EngineLayer[]): boolean {
-    return this.#wordsOf(layers).every((text) => this.#canDraw(text) || this.#failed.has(fontsOfText(text)));
+    const now = performance.now();
+    const waits = (text: EngineText): boolean => now < (this.#unloaded.get(fontsOfText(text)) ?? 0);
+    return this.#wordsOf(layers).every((text) => this.#canDraw(text) || waits(text));
   }
 
   /**
@@ -105,9 +115,11 @@ export class DrawnPictures {
       const what = fontsOfText(text);
       try {
         await Promise.all([startSvgRenderer(), this.#loadFonts(text)]);
-        this.#failed.delete(what);
+        this.#unloaded.delete(what);
       } catch (error) {
-        this.#failed.add(what);
+        // A font that is no font stays none; what could not be fetched may be there once the connection is back.
+        const isFault = error instanceof TexelcastError && error.reason !== "not-loaded";
+        this.#unloaded.set(what, isFault ? Number.POSITIVE_INFINITY : performance.now() + RETRY_MS);
         throw error;
       }
     });

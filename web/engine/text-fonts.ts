@@ -1,7 +1,9 @@
 /** Fonts ready to be shaped with, by the key under which layers name them. Loaded when the first text needs them. */
 import type { Font } from "harfbuzzjs";
+import { inNode } from "../core/read-bytes.ts";
 import { isShippedFontAddress } from "./font-address.ts";
 import { badFont, readFontHeader } from "./font-file.ts";
+import { type PackageFile, readPackageFile } from "./package-file.ts";
 import {
   readShippedFont,
   SHIPPED_FONTS,
@@ -82,11 +84,22 @@ export class FontShelf {
   }
 }
 
+/** As the library's own glue finds it, so that a bundler keeps one file for both. */
+const WASM: PackageFile = {
+  specifier: "harfbuzzjs/dist/harfbuzz.wasm",
+  url: () => new URL("harfbuzzjs/dist/harfbuzz.wasm", import.meta.url),
+};
+
 let harfBuzz: HarfBuzz | undefined;
 
-/** The shaping library, whose WebAssembly is loaded by the first text. */
+/** The shaping library, whose WebAssembly is loaded by the first text. Rejects with "missing-file"; a later call tries again. */
 export async function loadHarfBuzz(): Promise<HarfBuzz> {
-  harfBuzz ??= await import("harfbuzzjs");
+  if (harfBuzz === undefined) {
+    // The library fetches it while its module begins, and a module that has failed to begin once is never begun again: it is only
+    // asked for when it can be had, and then comes out of the browser's cache.
+    if (!inNode) await readPackageFile(WASM, "What shapes words");
+    harfBuzz = await import("harfbuzzjs");
+  }
   return harfBuzz;
 }
 

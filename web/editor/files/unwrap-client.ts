@@ -4,6 +4,7 @@ import type { ModelSource } from "../../engine/engine-api.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
 import type { UnwrapAnswer, UnwrapWork } from "./unwrap-worker.ts";
+import { workerFault } from "./worker-fault.ts";
 
 /** The unwrapped model as a GLB. Rejects with a TexelcastError; once aborted, with "cancelled". */
 export async function unwrapInWorker(
@@ -19,15 +20,13 @@ export async function unwrapInWorker(
   });
   try {
     return await new Promise((resolve, reject) => {
-      const fail = (reason: string): void =>
-        reject(new ToldError("internal", unwrapFailed(reason), { subject: source.name }));
       worker.onmessage = ({ data }: MessageEvent<UnwrapAnswer>) => {
         if ("share" in data) task.progress(data.share);
         else if ("glb" in data) resolve(data.glb);
         else reject(TexelcastError.from(data.error));
       };
-      worker.onerror = (event) => fail(event.message);
-      worker.onmessageerror = () => fail("");
+      worker.onerror = (event) => reject(workerFault(event, unwrapFailed, source.name, strings));
+      worker.onmessageerror = () => reject(new ToldError("internal", unwrapFailed(""), { subject: source.name }));
       const cancel = (): void => reject(new ToldError("cancelled", cancelled));
       if (task.signal.aborted) cancel();
       task.signal.addEventListener("abort", cancel);

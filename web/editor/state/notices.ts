@@ -39,7 +39,8 @@ export function noticeOf(id: number, title: string, thrown: unknown, strings: St
   const { code, subject = "", field, value, reason } = error;
   const told = (error instanceof ToldError ? ownWords : strings.told)(error.toJSON());
   const { message, exact = "" } = told;
-  const hint = told.hint || (reason === "not-loaded" ? strings.errors.partMissingHint : "");
+  // Whoever reads it has no say in the address, which the file's reader speaks of to a shop's developer.
+  const hint = reason === "not-loaded" ? strings.errors.partMissingHint : told.hint;
   const where = [subject, field, value === undefined ? undefined : strings.notices.value(shortened(value))];
   return {
     id,

@@ -1,0 +1,82 @@
+/** A page that is open and has lost its connection: what it would only now fetch of itself is told, and asked for again. */
+import { expect, test } from "@playwright/test";
+import { EditorPage } from "./support/editor-page.ts";
+
+/** The page, and a line that can be cut: what is fetched with such an address fails, as it does without a connection. */
+async function openOnLine(page: EditorPage["page"]): Promise<{ editor: EditorPage; cut(what: RegExp | null): void }> {
+  const editor = new EditorPage(page);
+  await editor.open();
+  let missing: RegExp | null = null;
+  await page
+    .context()
+    .route("**/*", (route) =>
+      missing?.test(route.request().url()) ? route.abort("internetdisconnected") : route.continue(),
+    );
+  const cut = (what: RegExp | null): void => {
+    missing = what;
+  };
+  return { editor, cut };
+}
+
+const CONNECTION = "Check the connection and try again";
+
+for (const [what, address] of [
+  ["shapes words", /harfbuzz.*\.wasm/],
+  ["draws them", /index_bg.*\.wasm/],
+  ["their font is", /Inter_700Bold.*\.ttf/],
+] as const) {
+  test(`words for which what ${what} was not to be had come once it is, without loading the page again`, async ({
+    page,
+  }) => {
+    const { editor, cut } = await openOnLine(page);
+    const before = await editor.settledHash();
+    cut(address);
+    await editor.addLayer("Add text");
+    await expect(editor.notices).toContainText(CONNECTION);
+    await expect(editor.notices).not.toContainText(/Aborted|Check its address/);
+    await editor.idle();
+    expect(await editor.hash()).toBe(before);
+
+    cut(null);
+    await page.keyboard.press("Escape");
+    await editor.addLayer("Add text");
+    await expect(page.locator("tc-layer-list .row")).not.toHaveCount(2);
+    await expect.poll(() => editor.settledHash()).not.toBe(before);
+    await expect.poll(async () => (await editor.design()).layers.at(-1)?.type).toBe("text");
+  });
+}
+
+test("words that came without what draws them are drawn with the next change, once it is to be had", async ({
+  page,
+}) => {
+  const { editor, cut } = await openOnLine(page);
+  cut(/index_bg.*\.wasm/);
+  await editor.addLayer("Add text");
+  await expect(editor.notices).toContainText(CONNECTION);
+  await page.keyboard.press("Escape");
+  const undrawn = await editor.settledHash();
+  cut(null);
+  const text = (await editor.design()).layers.at(-1)?.id ?? "";
+  await editor.select(text);
+  // Hidden and shown again it is the same design as before.
+  const toggle = editor.row("Text").locator("[data-action=visible]");
+  await expect
+    .poll(async () => {
+      await toggle.click();
+      await toggle.click();
+      return editor.settledHash();
+    })
+    .not.toBe(undrawn);
+});
+
+test("a project that cannot be packed without a connection says what is missing, and is saved once there is one", async ({
+  page,
+}) => {
+  const { editor, cut } = await openOnLine(page);
+  cut(/project-worker/);
+  await editor.chooseOfProjects("Save as one file");
+  await expect(editor.notices).toContainText(CONNECTION);
+  await expect(editor.notices).not.toContainText("undefined");
+  cut(null);
+  expect((await editor.savedProject()).bytes.length).toBeGreaterThan(10_000);
+});
