@@ -278,6 +278,55 @@ describe("layers", () => {
   });
 });
 
+describe("layers that only change places", () => {
+  it("are not projected again: neither when their group goes, nor when they come into one, or lie in another order", async () => {
+    const { engine } = await paintablePlane();
+    const a = decal("a", "logo", at(-0.3, 0.1, 0.4));
+    const b = stroke("b", [dab(0, 0), dab(0.2, 0)]);
+    const c = decal("c", "logo", at(0.25, -0.2, 0.4));
+    const isolated = { isolated: true } as const;
+    const orders: EngineLayer[][] = [
+      [a, b, c],
+      [group("g", [a, b]), c],
+      [group("h", [a, group("g", [b])]), c],
+      [group("g", [group("h", [b, a], isolated), c])],
+      [group("i", [c, b]), a],
+      [c, group("j", [b], isolated), a],
+      [group("j", [group("k", [b, c, a])])],
+      [group("k", [c]), b, a],
+      [b, a, c],
+    ];
+    engine.setLayers(orders[0] as EngineLayer[], 1);
+    await engine.idle();
+    const { projectionCount } = await engine.stats();
+    const { engine: fresh } = await paintablePlane();
+    for (const [step, layers] of orders.entries()) {
+      engine.setLayers(layers, step + 2);
+      fresh.setLayers([], 2 * step + 1);
+      await fresh.idle();
+      fresh.setLayers(structuredClone(layers), 2 * step + 2);
+      expect(await engine.hash(0)).toBe(await fresh.hash(0));
+      expect((await engine.stats()).projectionCount, `step ${step}`).toBe(projectionCount);
+    }
+  });
+
+  it("may come into another group while what they held goes elsewhere, though with it they would lie too deep", async () => {
+    const { engine } = await paintablePlane();
+    const errors: Error[] = [];
+    engine.onError((error) => errors.push(error));
+    const nested = (names: readonly number[]): EngineLayer[] =>
+      names.reduceRight<EngineLayer[]>((held, name) => [group(`g${name}`, held)], [decal("a", "logo")]);
+    const clear = decal("clear", "logo", { opacity: 0 });
+    const others = Array.from({ length: 14 }, (_, index) => index + 1);
+    engine.setLayers(nested([0, ...others]), 1);
+    const hash = await engine.hash(0);
+    // Sixteen levels may be. The topmost group goes into two new ones, and those in it change places.
+    engine.setLayers([group("new", [group("newer", [group("g0", [clear])])]), ...nested(others.toReversed())], 2);
+    expect(await engine.hash(0)).toBe(hash);
+    expect(errors).toEqual([]);
+  });
+});
+
 describe("a step back and forth in a history", () => {
   const projections = async (engine: Awaited<ReturnType<typeof paintablePlane>>["engine"]) =>
     (await engine.stats()).projectionCount;
