@@ -113,8 +113,18 @@ describe("a picture with a colour profile", () => {
     ["a formula of 1 number", curves.formula(0, 2.5), (x) => x ** 2.5],
     ["a formula of 3", curves.formula(1, 2, 1.25, -0.25), (x) => Math.max(1.25 * x - 0.25, 0) ** 2],
     ["a formula of 4", curves.formula(2, 2, 0.75, 0, 0.25), (x) => (0.75 * x) ** 2 + 0.25],
+    [
+      "a formula of 4, below its start",
+      curves.formula(2, 2, 1.125, -0.25, 0.125),
+      (x) => Math.max(1.125 * x - 0.25, 0) ** 2 + 0.125,
+    ],
     ["a formula of 5", curves.formula(3, 3, 1, 0, 0.25, 0.5), (x) => (x >= 0.5 ? x ** 3 : 0.25 * x)],
     ["a formula of 7", curves.formula(4, 2, 0.5, 0, 0, 0, 0.25, 0), (x) => (0.5 * x) ** 2 + 0.25],
+    [
+      "a formula of 7, its line and its curve apart",
+      curves.formula(4, 2, 0.75, 0.125, 0.25, 0.5, 0.125, 0.0625),
+      (x) => (x >= 0.5 ? (0.75 * x + 0.125) ** 2 + 0.125 : 0.25 * x + 0.0625),
+    ],
   ])("whose curve is %s is followed", async (_, curve, toLight) => {
     const shown = await seen(rowPng(GREYS, [iccChunk(rgbProfile(PRIMARIES.srgb, curve))]));
     const expected = GREYS.map(([step = 0]) => Math.round(encoded(toLight(step / 255)) * 255));
