@@ -22,8 +22,10 @@ const primitive = (mode: JsonValue) => ({
 });
 const LIGHTS = "KHR_lights_punctual";
 
+type Listed = string | number;
+
 /** What the standard lists for a member, and the file that has it there. */
-const LISTED: readonly (readonly [string, readonly JsonValue[], (value: JsonValue) => object])[] = [
+const LISTED: readonly (readonly [string, readonly Listed[], (value: Listed) => object])[] = [
   [
     "accessors[0].componentType",
     [5120, 5121, 5122, 5123, 5125, 5126],
@@ -45,12 +47,10 @@ const LISTED: readonly (readonly [string, readonly JsonValue[], (value: JsonValu
   ],
 ];
 
-const isListed = (listed: readonly JsonValue[], value: JsonValue): boolean => listed.includes(value);
+const isListed = (listed: readonly Listed[], value: Listed): boolean => listed.includes(value);
 /** Every listed value of any member, and the numbers beside them. */
-const CANDIDATES: JsonValue[] = LISTED.flatMap(([, listed]) =>
-  listed.flatMap((value) =>
-    typeof value === "number" ? [value - 1, value, value + 1] : [value, value.toString().toLowerCase()],
-  ),
+const CANDIDATES: Listed[] = LISTED.flatMap<Listed>(([, listed]) =>
+  listed.flatMap<Listed>((value) => (typeof value === "number" ? [value - 1, value, value + 1] : [value, value.toLowerCase()])),
 );
 
 describe("what glTF lists for a member", () => {
