@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, it } from "vitest";
 import type { EngineLayer } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
-import { NO_ZONES } from "../../web/engine/print-zones.ts";
+import { NO_ZONES, type PrintZone } from "../../web/engine/print-zones.ts";
 import { decal, FRONT, fill, group } from "../support/layers.ts";
 import { buildGlb, plane } from "../support/model-builder.ts";
 import { endHosts, startHost } from "../support/painted-plane.ts";
@@ -85,6 +85,52 @@ describe("the print report", () => {
     const warned = await engine.printReport();
     expect(warned.layers[0]?.areaCm2).toBeCloseTo(2500, -2);
     expect(warned.violations).toEqual([expect.objectContaining({ code: "outside-zones", value: 50, limit: 1 })]);
+  });
+
+  it("counts of a layer on two materials what neither cuts off: one has no zones, or zones that only warn", async () => {
+    const engine = startHost();
+    const meshes = [plane(1, 0), plane(1, 1)];
+    await engine.loadModel({ name: "two.glb", bytes: buildGlb({ meshes, materials: [{ name: "a" }, { name: "b" }] }) });
+    await engine.setAsset("ink", { name: "ink.png", bytes: INK });
+    for (const material of [0, 1]) await engine.openTarget({ material, width: SIZE, height: SIZE });
+    engine.setLayers([{ ...CENTRE, material: [0, 1] }], 1);
+    const [left] = zones().zones;
+    for (const [policies, squareCentimetres] of [
+      [[], 5000],
+      [["clip"], 3750],
+      [["warn"], 5000],
+      [["clip", "clip"], 2500],
+      [["warn", "clip"], 3750],
+      [["warn", "warn"], 5000],
+    ] as const) {
+      const list = policies.map((policy, material) => ({
+        ...(left as PrintZone),
+        id: `${material}`,
+        material,
+        policy,
+      }));
+      await engine.setZones({ ...NO_ZONES, zones: list });
+      const { layers, whole } = await engine.printReport();
+      expect(layers[0]?.areaCm2, policies.join()).toBeCloseTo(squareCentimetres, -2);
+      expect(whole.areaCm2).toBe(layers[0]?.areaCm2);
+    }
+  });
+
+  it("has for the whole the worst of all layers, and no density where no layer has one", async () => {
+    const wide = decal("wide", "ink", { projector: { ...FRONT, size: [0.8, 0.4, 0.5] }, occlusion: "none" });
+    const engine = await whitePlane([CENTRE, wide, fill("ground", [1, 0, 0, 1])]);
+    const { layers, whole } = await engine.printReport();
+    const [one, other] = layers;
+    expect(whole.dpi?.mean).toBe(Math.min(one?.dpi?.mean ?? 0, other?.dpi?.mean ?? 0));
+    expect(whole.dpi?.mean).toBe(other?.dpi?.mean);
+    expect(whole.stretch).toEqual(other?.stretch);
+    expect(whole.stretch?.mean).toBeGreaterThan(one?.stretch?.mean ?? 1e9);
+    expect(whole.areaCm2).toBeCloseTo(
+      layers.reduce((sum, { areaCm2 }) => sum + areaCm2, 0),
+      6,
+    );
+    engine.setLayers([fill("ground", [1, 0, 0, 1])], 2);
+    expect((await engine.printReport()).whole).toMatchObject({ dpi: null, stretch: null });
   });
 
   it("takes margins as millimetres of the print", async () => {
