@@ -97,6 +97,17 @@ TEST_CASE("Weights that do not add up to 1 are made to") {
     CHECK(near(read(glb.glb()).position(1), 1, 5, 1));
 }
 
+TEST_CASE("A vertex without any weight goes with the skin's first joint") {
+    std::vector<float> weights = kWeights;
+    for (std::size_t i = 8; i < 12; ++i) weights[i] = 0.0f;
+    GlbBuilder glb;
+    glb.mesh(skinned_primitive(glb, kJoints, kUnsignedByte, text(R"("WEIGHTS_0":%d)", glb.floats(weights, 4))));
+    add_bones(glb);
+    const ReadModel model = read(glb.glb());
+    CHECK(near(model.position(1), 1, 5, 1));
+    CHECK(near(model.position(2), 2, 6, 0));
+}
+
 TEST_CASE("Weights as bytes and joints as shorts say the same") {
     const std::vector<std::uint16_t> joints(kJoints.begin(), kJoints.end());
     std::vector<std::uint8_t> weights;
