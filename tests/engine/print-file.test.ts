@@ -198,6 +198,16 @@ describe("flat art", () => {
     expect([print.width, print.height]).toEqual([197, 197]);
     expect(await cornersOf(print.bytes)).toEqual([YELLOW, GREEN, RED, BLACK]);
   });
+
+  it("is refused before a texel is held where the zone takes more of them than can be laid out at once", async () => {
+    const engine = await printable([QUARTERS_LAYER]);
+    await engine.setZones(zones);
+    await expect(engine.exportPrint({ ...art, size: 16_384 })).rejects.toMatchObject({
+      code: "out-of-budget",
+      field: "size",
+      value: "16384 × 16384",
+    });
+  });
 });
 
 it("keeps the model's own picture under the print", async () => {

@@ -90,6 +90,19 @@ TEST_CASE("A file cut short at any length is refused") {
     }
 }
 
+TEST_CASE("A file cut short behind its header is told how much of it there is") {
+    const Bytes file = make_model(make_plane()).glb();
+    for (std::size_t length = 20; length < file.size(); ++length) {
+        const Bytes part(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(length));
+        const std::string detail = try_read(part).detail;
+        CAPTURE(length);
+        CAPTURE(detail);
+        CHECK_UNARY(detail.find("cut short") != std::string::npos);
+        CHECK_UNARY(detail.find(std::to_string(file.size()) + " bytes, there are " + std::to_string(length)) !=
+                    std::string::npos);
+    }
+}
+
 TEST_CASE("A file cut short at any length, whose header owns up to it, is survived") {
     const Bytes file = make_model(make_plane()).glb();
     for (std::size_t length = 20; length < file.size(); ++length) {
