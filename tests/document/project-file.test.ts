@@ -90,14 +90,6 @@ describe("a project in one file", () => {
     }
   });
 
-  it("keeps the largest texture and gutter that there are, and the last material", () => {
-    const targets = [
-      { material: 65_535, size: 8192, gutter: 64 },
-      { material: 0, size: 1, gutter: 0 },
-    ];
-    expect(readProjectFile(writeProjectFile(project({ targets })), "cup.texelcast").targets).toEqual(targets);
-  });
-
   it("is the same bytes each time", () => {
     expect(writeProjectFile(project())).toEqual(writeProjectFile(project()));
   });
@@ -232,10 +224,6 @@ describe("a hostile project file", () => {
     expect(refusal(changed({ version: 2 })).message).toContain("newer Texelcast");
     expect(refusal(changed({ version: "1" })).message).toContain("unknown version");
     expect(refusal(changed({ targets: [{ material: -1 }] })).message).toContain("targets[0]");
-    for (const target of [{ size: 8193 }, { size: 0 }, { gutter: 65 }, { material: 65_536 }]) {
-      const whole = { material: 0, size: 8192, gutter: 64, ...target };
-      expect(refusal(changed({ targets: [whole] })).message).toContain("targets[0]");
-    }
     expect(refusal(withFiles({ "project.json": strToU8("nope") })).message).toContain("not valid JSON");
   });
 
