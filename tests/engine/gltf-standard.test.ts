@@ -50,7 +50,9 @@ const LISTED: readonly (readonly [string, readonly Listed[], (value: Listed) => 
 const isListed = (listed: readonly Listed[], value: Listed): boolean => listed.includes(value);
 /** Every listed value of any member, and the numbers beside them. */
 const CANDIDATES: Listed[] = LISTED.flatMap<Listed>(([, listed]) =>
-  listed.flatMap<Listed>((value) => (typeof value === "number" ? [value - 1, value, value + 1] : [value, value.toLowerCase()])),
+  listed.flatMap<Listed>((value) =>
+    typeof value === "number" ? [value - 1, value, value + 1] : [value, value.toLowerCase()],
+  ),
 );
 
 describe("what glTF lists for a member", () => {
