@@ -116,7 +116,7 @@ async function takeLineUp(page) {
   await page.mouse.move(number.x, number.y + 20, { steps: 4 });
   const line = page.locator(".tcv-root:not(.tcv-texture) .tcv-alignment-line");
   // Seen from above, what is level is no level line on the screen.
-  for (let down = -14; (await line.getAttribute("d")) === "" || (await line.getAttribute("d")) === null; down += 2) {
+  for (let down = -14; !(await line.getAttribute("d")); down += 2) {
     if (down > 14) throw new Error("The decals do not come into line.");
     await page.mouse.move(mark.x + 106, mark.y + down, { steps: 2 });
     await settle(page);

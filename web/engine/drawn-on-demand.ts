@@ -5,9 +5,7 @@ import type { DrawnPictures } from "./drawn-pictures.ts";
 import type { EngineLayer, EnginePicture, EngineText, TextMeasure } from "./engine-api.ts";
 import { allPicturesOf } from "./layer-picture.ts";
 import type { RasterTarget } from "./raster-size.ts";
-
-/** Before what could not be loaded is tried again by itself, with the next change: the connection may be back. */
-const RETRY_MS = 5_000;
+import { RETRY_MS } from "./retry-pause.ts";
 
 /** As `DrawnPictures`, which see. */
 export class DrawnOnDemand {

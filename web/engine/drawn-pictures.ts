@@ -12,6 +12,7 @@ import { isShippedFontAddress } from "./font-address.ts";
 import { allPicturesOf, withPictures } from "./layer-picture.ts";
 import { badPicture } from "./picture-header.ts";
 import { footprintTexels, LEAST_RASTER_PIXELS, type RasterTarget, rasterSize } from "./raster-size.ts";
+import { RETRY_MS } from "./retry-pause.ts";
 import { readShippedFont, type ShippedFontId } from "./shipped-fonts.ts";
 import { canDraw } from "./svg-cost.ts";
 import { describeFault, readSvgFile, type SvgFile, svgFonts } from "./svg-file.ts";
@@ -21,8 +22,6 @@ import { FontShelf } from "./text-fonts.ts";
 import { fontsFor, missingCharacters } from "./text-runs.ts";
 
 const REMEMBERED_TEXTS = 1000;
-/** Before a font that could not be fetched is tried again by itself, with the next change. */
-const RETRY_MS = 5_000;
 
 interface Drawn {
   readonly key: string;

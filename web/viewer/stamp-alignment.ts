@@ -3,7 +3,7 @@
  * of other stamps. An edge comes to an edge, a middle to a middle. Pure.
  */
 import type { UvProjector } from "../engine/engine-api.ts";
-import { type Uv, uvOfStamp } from "./stamp-drag.ts";
+import { stampBounds, type Uv } from "./stamp-drag.ts";
 import type { UvBounds } from "./uv-charts.ts";
 
 /** A line in the texture, from one place to another. */
@@ -24,13 +24,13 @@ export function stampInLine(
   chart: UvBounds | null,
   reach: Uv,
 ): { readonly stamp: UvProjector; readonly lines: readonly UvLine[] } {
-  const beside = [WHOLE, ...(chart ? [chart] : []), ...others.map(boundsOf)];
-  const own = boundsOf(stamp);
+  const beside = [WHOLE, ...(chart ? [chart] : []), ...others.map((other) => stampBounds([other]))];
+  const own = stampBounds([stamp]);
   const ways = ([0, 1] as const).map((axis) => wayInto(own, beside, axis, reach[axis]));
   const [right, down] = [ways[0] ?? 0, ways[1] ?? 0];
   const center: Uv = [stamp.center[0] + right, stamp.center[1] + down];
   const moved = { ...stamp, center };
-  const now = boundsOf(moved);
+  const now = stampBounds([moved]);
   const lines = ([0, 1] as const).flatMap((axis) => (ways[axis] === null ? [] : linesThrough(now, beside, axis)));
   return { stamp: ways.every((way) => way === null) ? stamp : moved, lines };
 }
@@ -68,13 +68,4 @@ function pairsOf(own: UvBounds, other: UvBounds, axis: 0 | 1): (readonly [number
   const edges = (of: UvBounds): readonly number[] => [of.low[axis], of.high[axis]];
   const middle = (of: UvBounds): number => (of.low[axis] + of.high[axis]) / 2;
   return [[middle(own), middle(other)], ...edges(own).flatMap((from) => edges(other).map((to) => [from, to] as const))];
-}
-
-function boundsOf(stamp: UvProjector): UvBounds {
-  const corners = [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].map((y) => uvOfStamp(stamp, x, y)));
-  const of = (most: (...all: number[]) => number): Uv => [
-    most(...corners.map(([u]) => u)),
-    most(...corners.map(([, v]) => v)),
-  ];
-  return { low: of(Math.min), high: of(Math.max) };
 }

@@ -2,6 +2,7 @@
 import { Quaternion, Vector3 } from "three";
 import type { UvProjector } from "../engine/engine-api.ts";
 import { type HandleSide, scaleByHandle } from "./decal-handles.ts";
+import type { UvBounds } from "./uv-charts.ts";
 
 export type Uv = readonly [number, number];
 
@@ -15,6 +16,16 @@ export function uvOfStamp({ center, size, angle }: UvProjector, x: number, y: nu
   const [sine, cosine] = [Math.sin(angle / DEGREES), Math.cos(angle / DEGREES)];
   const [along, up] = [x * size[0], y * size[1]];
   return [center[0] + along * cosine + up * sine, center[1] + along * sine - up * cosine];
+}
+
+/** Upright, round all of some stamps. */
+export function stampBounds(stamps: readonly UvProjector[]): UvBounds {
+  const corners = stamps.flatMap((stamp) => [-0.5, 0.5].flatMap((x) => [-0.5, 0.5].map((y) => uvOfStamp(stamp, x, y))));
+  const most = (of: (...all: number[]) => number): Uv => [
+    of(...corners.map(([u]) => u)),
+    of(...corners.map(([, v]) => v)),
+  ];
+  return { low: most(Math.min), high: most(Math.max) };
 }
 
 /** A way in the texture along the stamp's own axes: to the right, and up. */

@@ -4,6 +4,7 @@
  */
 import { css, html, nothing, type PropertyValues, type TemplateResult } from "lit";
 import { X } from "lucide";
+import { keepChoice, keptChoice } from "../storage/kept-choice.ts";
 import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import { RemElement } from "../ui/rem-element.ts";
@@ -125,7 +126,7 @@ export class FirstHint extends RemElement {
     this.done = 0;
     this.bare = false;
     this.step = 0;
-    this.seen = wasSeen();
+    this.seen = keptChoice(SEEN) !== null;
   }
 
   override willUpdate(changed: PropertyValues<this>): void {
@@ -167,19 +168,7 @@ export class FirstHint extends RemElement {
 
   readonly #close = (): void => {
     this.seen = true;
-    try {
-      localStorage.setItem(SEEN, "yes");
-    } catch {
-      // A browser that keeps nothing shows it again.
-    }
+    keepChoice(SEEN, "yes");
   };
 }
 customElements.define("tc-first-hint", FirstHint);
-
-function wasSeen(): boolean {
-  try {
-    return localStorage.getItem(SEEN) !== null;
-  } catch {
-    return false;
-  }
-}

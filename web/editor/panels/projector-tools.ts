@@ -52,22 +52,13 @@ export function togetherTools(editor: Editor): TemplateResult | typeof nothing {
   if (!canAlign(editor.decals.movable)) return nothing;
   return html`
     <section role="group" aria-label=${align}>
-      <div class="field">
-        <span>${align}</span>
-        <div class="buttons">
-          ${ALIGNMENT_LINES.map(
-            (line) => html`<button
-              class="icon"
-              id=${`align-${line}`}
-              aria-label=${lines[line]}
-              title=${lines[line]}
-              @click=${() => editor.decals.alignTogether(line)}
-            >
-              ${icon(LINE_ICONS[line])}
-            </button>`,
-          )}
-        </div>
-      </div>
+      ${alignField(
+        align,
+        ALIGNMENT_LINES.map((line) => ({
+          ...{ id: line, label: lines[line], drawing: LINE_ICONS[line] },
+          run: () => editor.decals.alignTogether(line),
+        })),
+      )}
     </section>
   `;
 }
@@ -105,23 +96,41 @@ export function projectionTools(editor: Editor, { projector }: Thrown): Template
             </button>`
           : nothing
       }
-      <div class="field">
-        <span>${words.align}</span>
-        <div class="buttons">
-          ${ALIGNMENTS.map(
-            ([how, drawing]) => html`<button
-              class="icon"
-              id=${`align-${how}`}
-              aria-label=${words.alignments[how]}
-              title=${words.alignments[how]}
-              ?disabled=${WITHOUT[projector.kind].includes(how)}
-              @click=${() => editor.decals.align(how)}
-            >
-              ${icon(drawing)}
-            </button>`,
-          )}
-        </div>
-      </div>
+      ${alignField(
+        words.align,
+        ALIGNMENTS.map(([how, drawing]) => ({
+          ...{ id: how, label: words.alignments[how], drawing, disabled: WITHOUT[projector.kind].includes(how) },
+          run: () => editor.decals.align(how),
+        })),
+      )}
     </section>
   `;
+}
+
+interface AlignAct {
+  readonly id: string;
+  readonly label: string;
+  readonly drawing: IconNode;
+  readonly disabled?: boolean;
+  readonly run: () => void;
+}
+
+function alignField(label: string, acts: readonly AlignAct[]): TemplateResult {
+  return html`<div class="field">
+    <span>${label}</span>
+    <div class="buttons">
+      ${acts.map(
+        (act) => html`<button
+          class="icon"
+          id=${`align-${act.id}`}
+          aria-label=${act.label}
+          title=${act.label}
+          ?disabled=${act.disabled ?? false}
+          @click=${act.run}
+        >
+          ${icon(act.drawing)}
+        </button>`,
+      )}
+    </div>
+  </div>`;
 }

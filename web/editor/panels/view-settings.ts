@@ -62,9 +62,9 @@ export class ViewSettings extends EditorElement {
     const backgrounds = Object.fromEntries(
       BACKGROUND_TONES.map((tone) => [tone, this.#words.backgrounds[tone]]),
     ) as Record<(typeof BACKGROUND_TONES)[number], string>;
-    const unusual = Object.entries(USUAL_VIEW).some(
-      ([key, value]) => !["layout", "guide", "aligns"].includes(key) && view[key as keyof typeof view] !== value,
-    );
+    const { layout, guide, aligns } = view;
+    const usual = { ...USUAL_VIEW, layout, guide, aligns };
+    const unusual = Object.entries(usual).some(([key, value]) => view[key as keyof typeof view] !== value);
     return html`
       ${choiceField("shading", this.#words.shading, this.#words.shadings, view.shading, (shading) => views.set({ shading }))}
       <div class="field">
@@ -106,7 +106,7 @@ export class ViewSettings extends EditorElement {
       <button
         id="reset-view"
         aria-disabled=${!unusual}
-        @click=${() => unusual && views.set({ ...USUAL_VIEW, layout: view.layout, guide: view.guide, aligns: view.aligns })}
+        @click=${() => unusual && views.set(usual)}
       >
         ${icon(RotateCcw)}${this.#words.reset}
       </button>

@@ -1,5 +1,4 @@
 /** What a user does to decals, each a step of the history. */
-
 import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import { sameItems } from "../../engine/same-items.ts";
 import type { DecalGesture, ModelViewer, SurfaceHit, ViewerDecal } from "../../viewer/viewer-api.ts";

@@ -1,4 +1,5 @@
 /** How much memory the history may hold: the user's choice, kept by the browser from visit to visit. */
+import { keepChoice, keptChoice } from "../storage/kept-choice.ts";
 import { DEFAULT_BUDGET } from "./history.ts";
 import { MEBIBYTE } from "./megabytes.ts";
 
@@ -7,21 +8,11 @@ const KEY = "texelcast.history-budget";
 /** Bytes. */
 export const HISTORY_BUDGETS: readonly number[] = [32, 64, 128, 256, 512, 1024].map((count) => count * MEBIBYTE);
 
-/** The default where nothing was chosen, or the browser lets the page keep nothing. */
+/** The default where nothing was chosen. */
 export function readHistoryBudget(): number {
-  try {
-    const chosen = Number(localStorage.getItem(KEY));
-    return HISTORY_BUDGETS.includes(chosen) ? chosen : DEFAULT_BUDGET;
-  } catch {
-    return DEFAULT_BUDGET;
-  }
+  const chosen = Number(keptChoice(KEY));
+  return HISTORY_BUDGETS.includes(chosen) ? chosen : DEFAULT_BUDGET;
 }
 
-/** A browser that lets the page keep nothing forgets the choice with the page. */
-export function keepHistoryBudget(bytes: number): void {
-  try {
-    localStorage.setItem(KEY, String(bytes));
-  } catch {
-    // The choice holds until the page is closed, which is all that can be done.
-  }
-}
+/** Bytes. */
+export const keepHistoryBudget = (bytes: number): void => keepChoice(KEY, String(bytes));

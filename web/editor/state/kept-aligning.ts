@@ -1,21 +1,9 @@
 /** Whether what is dragged comes into line: the user's choice, kept by the browser from visit to visit. */
+import { keepChoice, keptChoice } from "../storage/kept-choice.ts";
 
 const KEY = "texelcast.aligns";
 
-/** True where nothing else was chosen, or the browser lets the page keep nothing. */
-export function readAligning(): boolean {
-  try {
-    return localStorage.getItem(KEY) !== "no";
-  } catch {
-    return true;
-  }
-}
+/** True where nothing else was chosen. */
+export const readAligning = (): boolean => keptChoice(KEY) !== "no";
 
-/** A browser that lets the page keep nothing forgets the choice with the page. */
-export function keepAligning(aligns: boolean): void {
-  try {
-    localStorage.setItem(KEY, aligns ? "yes" : "no");
-  } catch {
-    // The choice holds until the page is closed, which is all that can be done.
-  }
-}
+export const keepAligning = (aligns: boolean): void => keepChoice(KEY, aligns ? "yes" : "no");

@@ -1,16 +1,10 @@
 /** Flat stamps as one: turned and sized about their common middle, which lies in the texture. */
 import type { Projector, UvProjector } from "../../engine/engine-api.ts";
-import { uvOfStamp } from "../../viewer/stamp-drag.ts";
+import { stampBounds, uvOfStamp } from "../../viewer/stamp-drag.ts";
 import { materialsOf, type PlacedLayer } from "../document/index.ts";
 import type { ProjectorChange } from "./chosen-together.ts";
 import { wrapDegrees } from "./rotation.ts";
 
-const CORNERS = [
-  [0.5, 0.5],
-  [0.5, -0.5],
-  [-0.5, 0.5],
-  [-0.5, -0.5],
-] as const;
 const RADIANS = Math.PI / 180;
 
 /** A layer that lies in a texture as a stamp. */
@@ -31,10 +25,7 @@ export function stampsIn(layers: readonly PlacedLayer[], material: number | null
 
 /** Upright, round all of them. */
 export function stampsBox(stamps: readonly Stamp[]): UvProjector {
-  const corners = stamps.flatMap(({ projector }) => CORNERS.map(([x, y]) => uvOfStamp(projector, x, y)));
-  const [low, high] = [Math.min, Math.max].map((most) =>
-    [0, 1].map((axis) => most(...corners.map((corner) => corner[axis] as number))),
-  ) as [[number, number], [number, number]];
+  const { low, high } = stampBounds(stamps.map(({ projector }) => projector));
   return {
     kind: "uv",
     center: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2],
