@@ -1,4 +1,5 @@
 /** Which language an editor speaks; of a page, what its address asks for, else what was chosen before, else the first that the browser prefers. */
+import { keepChoice, keptChoice } from "../storage/kept-choice.ts";
 
 export const LANGUAGES = { en: "English", de: "Deutsch" } as const;
 export type Language = keyof typeof LANGUAGES;
@@ -23,15 +24,12 @@ export function languageFor({ search, kept, preferred }: LanguageWishes): Langua
 export const pageLanguage: Language =
   typeof document === "undefined"
     ? "en"
-    : languageFor({ search: location.search, kept: keptLanguage(), preferred: navigator.languages });
+    : languageFor({ search: location.search, kept: keptChoice(KEPT), preferred: navigator.languages });
 
 /** Speaks another language from now on: the page is loaded again. */
 export function speak(chosen: Language): void {
-  try {
-    localStorage.setItem(KEPT, chosen);
-  } catch {
-    // A browser that keeps nothing is told by the address.
-  }
+  // A browser that keeps nothing is told by the address.
+  keepChoice(KEPT, chosen);
   const address = new URL(location.href);
   address.searchParams.set("lang", chosen);
   location.assign(address);
@@ -41,14 +39,6 @@ export function speak(chosen: Language): void {
 export function applyLanguage(root: HTMLElement): void {
   root.lang = pageLanguage;
   root.dir = new URLSearchParams(location.search).get("dir") === "rtl" ? "rtl" : "ltr";
-}
-
-function keptLanguage(): string | null {
-  try {
-    return localStorage.getItem(KEPT);
-  } catch {
-    return null;
-  }
 }
 
 function isLanguage(code: string | null | undefined): code is Language {
