@@ -1,9 +1,9 @@
-/** A model from disk, with the side files that a `.gltf` names, also in a zip. */
+/** A model from disk, with the side files that a `.gltf` names, also in a zip, and in the look of one of its variants. */
 import { stat } from "node:fs/promises";
+import { chosenModel, splitVariant } from "../web/engine/chosen-model.ts";
 import type { ModelSource } from "../web/engine/engine-api.ts";
 import { listSideFiles } from "../web/engine/gltf-container.ts";
-import { isZip } from "../web/engine/model-loader.ts";
-import { unzipModel } from "../web/engine/zipped-model.ts";
+import { isZip } from "../web/engine/zip-signature.ts";
 import { MAX_FILE_BYTES, readFileBytes, resolveInFolder } from "./read-file.ts";
 
 export interface ReadModel extends ModelSource {
@@ -12,14 +12,15 @@ export interface ReadModel extends ModelSource {
 }
 
 /**
- * @param name a file's, or of an archive's with the path of a model in it: "pack.zip#robot/scene.gltf"
+ * @param name a file's, or of an archive's with the path of a model in it: "pack.zip#robot/scene.gltf"; of either with a variant of
+ * the model's materials behind it: "shoe.glb#variant=street"
  * @throws TexelcastError "missing-file", "outside-folder", "bad-container", "bad-archive", and "bad-model" for files that cannot be
- * read or are above 2 GiB, together too.
+ * read or are above 2 GiB, together too, and for a variant that is not there.
  */
 export async function readModel(name: string): Promise<ReadModel> {
   const file = await fileOf(name);
   const bytes = await readFileBytes(file, { code: "bad-model" });
-  if (isZip(bytes)) return { ...unzipModel({ name, bytes }), files: [file] };
+  if (isZip(bytes)) return { ...(await chosenModel({ name, bytes })), files: [file] };
   const resources = new Map<string, Uint8Array>();
   const files = [file];
   let room = MAX_FILE_BYTES - bytes.length;
@@ -30,16 +31,17 @@ export async function readModel(name: string): Promise<ReadModel> {
     resources.set(uri, side);
     files.push(target);
   }
-  return { name: file, bytes, resources, files };
+  return { ...(await chosenModel({ name, bytes, resources })), files };
 }
 
-/** A "#" may stand in a file's own name. */
+/** A "#" may stand in a file's own name, or in front of what is in an archive. */
 async function fileOf(name: string): Promise<string> {
-  const [, archive] = /^(.*?\.zip)#/i.exec(name) ?? [];
-  if (archive === undefined) return name;
-  const isThere = await stat(name).then(
+  const { address } = splitVariant(name);
+  const [, archive] = /^(.*?\.zip)#/i.exec(address) ?? [];
+  if (archive === undefined) return address;
+  const isThere = await stat(address).then(
     () => true,
     () => false,
   );
-  return isThere ? name : archive;
+  return isThere ? address : archive;
 }

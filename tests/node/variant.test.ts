@@ -41,4 +41,14 @@ describe("texelcast variant", () => {
     const run = await texelcast(["variant", "square.glb", "--out", "dusk.glb"], { cwd: folderWithVariants() });
     expect(run).toMatchObject({ code: 2, stdout: "" });
   });
+
+  it("is not needed to render or print one: a variant behind the model's name is its look, under the numbers that designs name", async () => {
+    const cwd = folderWithVariants();
+    const night = JSON.parse((await texelcast(["inspect", "square.glb#variant=night", "--json"], { cwd })).stdout);
+    expect(night.variants).toBeUndefined();
+    expect(night.materials[0]).toMatchObject({ index: 0, name: "Blue", triangles: 2 });
+    const run = await texelcast(["inspect", "square.glb#variant=dusk"], { cwd });
+    expect(run).toMatchObject({ code: 3, stdout: "" });
+    expect(run.stderr).toContain("“square.glb” has no variant “dusk”, but “day”, “night”.");
+  });
 });

@@ -14,7 +14,10 @@ export type { EnginePicture, EngineText, TextMeasure } from "./engine-text.ts";
 
 /** A model's bytes with the side files that its `.gltf` names (relative address to bytes), or a zip that has all of it. */
 export interface ModelSource {
-  /** File name as the user knows it; errors name it. Of a zip with several models it chooses one: "pack.zip#robot/scene.gltf". */
+  /**
+   * File name as the user knows it; errors name it. Of a zip with several models it chooses one: "pack.zip#robot/scene.gltf". Of a
+   * model with variants of its materials it chooses one, too: "shoe.glb#variant=street".
+   */
   readonly name: string;
   readonly bytes: Uint8Array;
   readonly resources?: ReadonlyMap<string, Uint8Array>;

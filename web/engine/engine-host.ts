@@ -122,7 +122,7 @@ export class EngineHost implements Engine {
       try {
         session.loadGlb(glb);
       } catch (error) {
-        throw (await import("./model-fault.ts")).modelFault(error, model.original.json, source.name);
+        throw (await import("./model-fault.ts")).modelFault(error, model.original.json, model.name);
       }
       this.#model = model;
       for (const target of this.#targets.values()) target.forgetImages();

@@ -4,7 +4,7 @@ import { readContainer, writeGlb } from "./gltf-container.ts";
 import { indexAt, isObject, type JsonObject, listOf, objectAt, textAt } from "./gltf-json.ts";
 import { packGltf } from "./gltf-packer.ts";
 
-const VARIANTS = "KHR_materials_variants";
+export const VARIANTS = "KHR_materials_variants";
 /** In a primitive's extension, `extras`: its material in the file as it came, which says nothing where it is the one that it has. */
 const OWN = "texelcastMaterial";
 
@@ -70,14 +70,15 @@ export function withVariant(source: ModelSource, variant: number | null): Varian
   };
 }
 
-function primitivesOf(json: JsonObject, name: string): JsonObject[] {
+/** Of all meshes, in their order; the JSON's own. */
+export function primitivesOf(json: JsonObject, name: string): JsonObject[] {
   return listOf(json, "meshes", name).flatMap(({ primitives }) =>
     Array.isArray(primitives) ? primitives.filter((primitive) => isObject(primitive)) : [],
   );
 }
 
 /** What a variant does not name has the file's own material; undefined: the one that glTF implies. */
-function materialFor(primitive: JsonObject, variant: number | null): number | undefined {
+export function materialFor(primitive: JsonObject, variant: number | null): number | undefined {
   const extension = objectAt(objectAt(primitive, "extensions"), VARIANTS);
   const { mappings } = extension ?? {};
   const mapping = Array.isArray(mappings)

@@ -10,6 +10,9 @@ import { readPictureHeader } from "./picture-header.ts";
 /** What `readableModel` undoes. */
 const UNUSUAL: readonly string[] = [BASISU_TEXTURE, ...COMPRESSION, INSTANCES, NODE_VISIBILITY, SPECULAR_GLOSSINESS];
 
+/** No glTF does. */
+const ZIP_BEGINS = 0x50;
+
 export interface LoadedModel {
   readonly name: string;
   /** The user's own file, for writing back. */
@@ -32,12 +35,13 @@ export interface ReadModel extends LoadedModel {
 }
 
 /**
- * Reads a model, also from a zip (`unzipModel`). The source's bytes are copied, so the caller may do with them what it likes, or
- * taken over. Throws "bad-container", "missing-file" (naming the side file), "bad-model", "out-of-budget", and "bad-picture" (naming a
- * KTX2 image).
+ * Reads a model, also from a zip, and in the look of a variant (`chosenModel`). The source's bytes are copied, so the caller may do
+ * with them what it likes, or taken over. Throws "bad-container", "missing-file" (naming the side file), "bad-model",
+ * "out-of-budget", and "bad-picture" (naming a KTX2 image).
  */
 export async function loadModelFile(given: ModelSource, takesOver = false): Promise<ReadModel> {
-  const source = isZip(given.bytes) ? (await import("./zipped-model.ts")).unzipModel(given) : given;
+  const mayBeChosen = given.bytes[0] === ZIP_BEGINS || given.name.includes("#");
+  const source = mayBeChosen ? await (await import("./chosen-model.ts")).chosenModel(given) : given;
   // Not by `slice`, which of Node's Buffers gives the same memory again.
   const own = (bytes: Uint8Array): Uint8Array => (takesOver ? bytes : new Uint8Array(bytes));
   const resources = new Map<string, Uint8Array>();
@@ -50,9 +54,6 @@ export async function loadModelFile(given: ModelSource, takesOver = false): Prom
     : { packed, glb: writeGlb(packed.json, packed.binary) };
   return { name: source.name, original, sizes: new Map(), ...readable };
 }
-
-/** Whether a file is an archive, by how it begins. */
-export const isZip = (bytes: Uint8Array): boolean => bytes[0] === 0x50 && bytes[1] === 0x4b && bytes[2] === 3;
 
 /** Pixels of a material's base colour picture as its header says; null without a picture, or when it cannot be read. */
 export async function baseTextureSize(model: LoadedModel, material: number): Promise<PixelSize | null> {

@@ -46,7 +46,13 @@ const FAULT: Told = [
 
 /** As the engine's client, the core and the readers of files report them. */
 const WORDINGS: Readonly<Record<string, Wording>> = {
-  "bad-model": (error) => notReadable(error),
+  "bad-model": (error) =>
+    error.reason === "which-variant"
+      ? [
+          `${named(error, "Das Modell")} hat keine Variante „${error.value}“.`,
+          "Nenne eine, die es hat, oder lass „#variant=…“ weg.",
+        ]
+      : notReadable(error),
   "bad-container": (error) => notReadable(error),
   "unsupported-model": (error) => [
     `${named(error, "Das Modell")} braucht eine glTF-Erweiterung, die hier nicht gelesen wird.`,

@@ -5,6 +5,7 @@ import type { Admission } from "../../editor/state/admission.ts";
 import { Editor } from "../../editor/state/editor.ts";
 import { stringsIn } from "../../editor/strings.ts";
 import "../../editor/workbench.ts";
+import { chosenModel } from "../../engine/chosen-model.ts";
 import type { MaterialInfo, ModelSource } from "../../engine/engine-api.ts";
 import { createEngineClient } from "../../engine/engine-client.ts";
 import { createModelViewer } from "../../viewer/model-viewer.ts";
@@ -104,7 +105,9 @@ class FullMode implements Mode {
     return this.desk;
   }
 
-  async open(source: ModelSource, readDesign: ReadDesign | null): Promise<void> {
+  async open(given: ModelSource, readDesign: ReadDesign | null): Promise<void> {
+    // The editor shows the file's variants: of a model that was given in one there are none.
+    const source = await chosenModel(given);
     const ref = { source, title: source.name, demoId: null };
     this.#editor.resizeTargets(this.desk.settings.size);
     await this.#editor.open(ref, (await readDesign?.(this.desk.library)) ?? emptyDesign());
