@@ -136,6 +136,31 @@ test("several that are chosen are brought under the selected one, or beside it, 
   expect((await positionOf(editor, badge))[1]).toBeCloseTo(stays[1], 6);
 });
 
+test("three that are chosen are spread evenly between the outermost as one step, and a second time as none", async ({
+  editor,
+}) => {
+  const { badge, number } = await openOnTwo(editor);
+  const flower = await editor.addDemoDecal("flower");
+  await editor.select(flower);
+  for (let press = 0; press < 4; press += 1) await editor.page.keyboard.press("Shift+ArrowRight");
+  await editor.idle();
+  const rights = async (): Promise<number[]> =>
+    (await Promise.all([badge, number, flower].map((id) => positionOf(editor, id)))).map(([x]) => x);
+  const before = await rights();
+  await editor.page.keyboard.press("Control+a");
+  await editor.page.locator("#spread-across").click();
+  await editor.idle();
+  const [left, between, right] = await rights();
+  expect([left, right]).toEqual([before[0], before[2]]);
+  expect(between).not.toBeCloseTo(before[1] as number, 3);
+  await editor.page.locator("#spread-across").click();
+  await editor.idle();
+  expect(await rights()).toEqual([left, between, right]);
+  await editor.page.keyboard.press("Control+z");
+  await editor.idle();
+  expect(await rights()).toEqual(before);
+});
+
 test("a flat stamp comes into line in its texture with other stamps and with the texture itself", async ({
   editor,
 }) => {

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { makeDecalLayer, type PlacedLayer } from "../../web/editor/document/index.ts";
 import { alignedTogether, canAlign } from "../../web/editor/state/aligned-together.ts";
 import type { CylindricalProjector, Projector, UvProjector } from "../../web/engine/engine-api.ts";
-import type { ModelMiddle } from "../../web/viewer/viewer-api.ts";
+import { sheet } from "../support/sheet-model.ts";
 
 const HALF = Math.SQRT1_2;
 
@@ -14,20 +14,6 @@ const box = (x: number, y: number, spin: readonly [number, number] = [0, 1]): Pr
 const stamp = (u: number, v: number): UvProjector => ({ kind: "uv", center: [u, v], size: [0.1, 0.05], angle: 0 });
 const label: CylindricalProjector = {
   ...{ kind: "cylindrical", position: [0, 0, 0], rotation: [0, 0, 0, 1], radius: 1, height: 1, arc: 90, depth: 0.1 },
-};
-
-/** Of a model that is a sheet across Z: a box goes straight onto the plane. */
-const sheet = {
-  centred(projector: Projector, [middle]: readonly ModelMiddle[]): Projector {
-    if (projector.kind !== "planar" || !middle) return projector;
-    const { point, normal } = middle;
-    const away = normal.reduce(
-      (sum, part, axis) => sum + part * ((projector.position[axis] ?? 0) - (point[axis] ?? 0)),
-      0,
-    );
-    const [x, y, z] = projector.position;
-    return { ...projector, position: [x - away * normal[0], y - away * normal[1], z - away * normal[2]] };
-  },
 };
 
 /** Centres and positions in their plane, to a billionth. */
@@ -75,6 +61,14 @@ describe("several pictures that are brought into line", () => {
     ]);
     const around = layer("label", label);
     expect(alignedTogether([around, a], around, "column", sheet)).toEqual([label, a.projector]);
+  });
+
+  it("stay what they are where they are in line already", () => {
+    const under = layer("under", box(0.1, -0.4));
+    expect(alignedTogether([a, under], a, "column", sheet)[1]).toBe(under.projector);
+    const [one, level] = [layer("one", stamp(0.2, 0.3)), layer("level", stamp(0.7, 0.3))];
+    expect(alignedTogether([one, level], one, "row", sheet)[1]).toBe(level.projector);
+    expect(alignedTogether([one, level], one, "column", sheet)[1]).not.toBe(level.projector);
   });
 
   it("are two of a kind at least", () => {

@@ -3,6 +3,8 @@ import { html, nothing, type TemplateResult } from "lit";
 import {
   AlignCenterHorizontal,
   AlignCenterVertical,
+  AlignHorizontalDistributeCenter,
+  AlignVerticalDistributeCenter,
   ArrowUpFromDot,
   Box,
   Cylinder,
@@ -15,6 +17,7 @@ import {
 import type { DecalLayer, Projector, TextLayer } from "../document/index.ts";
 import { ALIGNMENT_LINES, canAlign, type LineOfLayers } from "../state/aligned-together.ts";
 import type { Editor } from "../state/editor.ts";
+import { canSpread, SPREADS, type SpreadOfLayers } from "../state/spread-together.ts";
 import { icon } from "../ui/icon.ts";
 import { segments } from "./property-fields.ts";
 
@@ -46,19 +49,36 @@ const LINE_ICONS: Readonly<Record<LineOfLayers, IconNode>> = {
   row: AlignCenterHorizontal,
 };
 
-/** Of several: what brings them into line with one another. */
+const SPREAD_ICONS: Readonly<Record<SpreadOfLayers, IconNode>> = {
+  across: AlignHorizontalDistributeCenter,
+  down: AlignVerticalDistributeCenter,
+};
+
+/** Of several: what brings them into line with one another, and of three and more what spreads them. */
 export function togetherTools(editor: Editor): TemplateResult | typeof nothing {
-  const { align, lines } = editor.strings.projection;
-  if (!canAlign(editor.decals.movable)) return nothing;
+  const { align, lines, spread, spreads } = editor.strings.projection;
+  const { movable } = editor.decals;
+  if (!canAlign(movable)) return nothing;
   return html`
     <section role="group" aria-label=${align}>
       ${alignField(
         align,
         ALIGNMENT_LINES.map((line) => ({
-          ...{ id: line, label: lines[line], drawing: LINE_ICONS[line] },
+          ...{ id: `align-${line}`, label: lines[line], drawing: LINE_ICONS[line] },
           run: () => editor.decals.alignTogether(line),
         })),
       )}
+      ${
+        canSpread(movable)
+          ? alignField(
+              spread,
+              SPREADS.map((way) => ({
+                ...{ id: `spread-${way}`, label: spreads[way], drawing: SPREAD_ICONS[way] },
+                run: () => editor.decals.spreadTogether(way),
+              })),
+            )
+          : nothing
+      }
     </section>
   `;
 }
@@ -99,7 +119,12 @@ export function projectionTools(editor: Editor, { projector }: Thrown): Template
       ${alignField(
         words.align,
         ALIGNMENTS.map(([how, drawing]) => ({
-          ...{ id: how, label: words.alignments[how], drawing, disabled: WITHOUT[projector.kind].includes(how) },
+          ...{
+            id: `align-${how}`,
+            label: words.alignments[how],
+            drawing,
+            disabled: WITHOUT[projector.kind].includes(how),
+          },
           run: () => editor.decals.align(how),
         })),
       )}
@@ -122,7 +147,7 @@ function alignField(label: string, acts: readonly AlignAct[]): TemplateResult {
       ${acts.map(
         (act) => html`<button
           class="icon"
-          id=${`align-${act.id}`}
+          id=${act.id}
           aria-label=${act.label}
           title=${act.label}
           ?disabled=${act.disabled ?? false}

@@ -1,11 +1,15 @@
 /** Several pictures brought into line with one of them: into a column under it, or into a row beside it. */
-import type { Projector, Vec3 } from "../../engine/engine-api.ts";
+import type { PlanarProjector, Projector, Vec3 } from "../../engine/engine-api.ts";
 import type { ModelViewer } from "../../viewer/viewer-api.ts";
+import { dot } from "../document/axes.ts";
 import { materialsOf, type PlacedLayer } from "../document/index.ts";
-import { turned } from "../document/rigid-motion.ts";
+import { minus, turned } from "../document/rigid-motion.ts";
 
 export const ALIGNMENT_LINES = ["column", "row"] as const;
 export type LineOfLayers = (typeof ALIGNMENT_LINES)[number];
+
+/** Of a picture's longer side. */
+const IN_PLACE = 2e-6;
 
 /**
  * Projectors of layers, those that can be brought into line with `first`: boxes slide along the surface onto the plane through
@@ -22,13 +26,20 @@ export function alignedTogether(
     const { projector } = layer;
     if (layer.id === first.id) return projector;
     if (lead.kind === "planar") {
-      const across: Vec3 = line === "column" ? [1, 0, 0] : [0, 1, 0];
-      return viewer.centred(projector, [{ point: lead.position, normal: turned(lead.rotation, across) }]);
+      const normal = turned(lead.rotation, line === "column" ? [1, 0, 0] : [0, 1, 0]);
+      if (projector.kind !== "planar" || isThere(projector, lead.position, normal)) return projector;
+      return viewer.centred(projector, [{ point: lead.position, normal }]);
     }
     if (lead.kind !== "uv" || projector.kind !== "uv" || !sharesTexture(layer, first)) return projector;
     const [u, v] = projector.center;
+    if ((line === "column" ? u - lead.center[0] : v - lead.center[1]) === 0) return projector;
     return { ...projector, center: line === "column" ? [lead.center[0], v] : [u, lead.center[1]] };
   });
+}
+
+/** Nearer to the plane than a slide onto it comes. */
+function isThere({ position, size }: PlanarProjector, point: Vec3, normal: Vec3): boolean {
+  return Math.abs(dot(normal, minus(position, point))) <= IN_PLACE * Math.max(size[0], size[1]);
 }
 
 /** Whether some of these layers can be brought into line with another one. */
@@ -40,7 +51,8 @@ export function canAlign(layers: readonly PlacedLayer[]): boolean {
   );
 }
 
-function sharesTexture(layer: PlacedLayer, other: PlacedLayer): boolean {
+/** Whether one lies on a material that the other lies on, too. */
+export function sharesTexture(layer: PlacedLayer, other: PlacedLayer): boolean {
   const materials = materialsOf(other);
   return materialsOf(layer).some((material) => materials.includes(material));
 }

@@ -34,6 +34,7 @@ import { fittedPicture } from "./other-picture.ts";
 import { scaledProjector, spunProjector } from "./projector-steps.ts";
 import { type MaskSurface, rememberedSurface } from "./remembered-surface.ts";
 import { ownsNoTexel } from "./shared-place.ts";
+import { type SpreadOfLayers, spreadTogether } from "./spread-together.ts";
 import { type StepKind, StepReport } from "./step-report.ts";
 import type { Store } from "./store.ts";
 import { type Dragged, middlesOf } from "./surroundings.ts";
@@ -55,6 +56,16 @@ type LayerMove = Pick<PlacedLayer, "projector" | "material" | "mask">;
 interface Carried {
   readonly layer: PlacedLayer;
   readonly foot: Foot | null;
+}
+
+/** A step that moves several in view of the one that leads them. */
+interface MoveTogether {
+  /** Of those layers, the same objects of those that stay. */
+  readonly projectors: (layers: readonly PlacedLayer[], first: PlacedLayer) => readonly Projector[];
+  readonly step: string;
+  readonly told: (name: string) => string;
+  /** Told where none moves. */
+  readonly nothing: (name: string) => string;
 }
 
 /** What is chosen in a design. */
@@ -336,17 +347,37 @@ export class DecalCommands {
 
   /** Brings what is chosen into line with the selected one of it, else with the topmost. */
   alignTogether(line: LineOfLayers): void {
+    const { projection } = this.#board.strings;
+    this.#moveTogether({
+      projectors: (layers, first) => alignedTogether(layers, first, line, this.#viewer),
+      step: projection.lineSteps[line],
+      told: projection.inLine[line],
+      nothing: projection.noLine,
+    });
+  }
+
+  /** Spreads what is chosen evenly between its ends, along the selected one of it, else along the topmost. */
+  spreadTogether(spread: SpreadOfLayers): void {
+    const { projection } = this.#board.strings;
+    this.#moveTogether({
+      projectors: (layers, first) => spreadTogether(layers, first, spread, this.#viewer),
+      step: projection.spreadSteps[spread],
+      told: () => projection.spreadOut[spread],
+      nothing: () => projection.noSpread,
+    });
+  }
+
+  #moveTogether({ projectors: find, step, told, nothing }: MoveTogether): void {
     const { movable } = this;
     const first = movable.find(({ id }) => id === this.#store.state.selectedId) ?? movable.at(-1);
     if (!first) return;
-    const projectors = alignedTogether(movable, first, line, this.#viewer);
-    const { strings } = this.#board;
+    const projectors = find(movable, first);
     if (movable.every(({ projector }, index) => projector === projectors[index])) {
-      this.#board.announce(strings.projection.noLine(first.name));
+      this.#board.announce(nothing(first.name));
       return;
     }
-    this.#session.record(this.#designWith(movable, projectors), strings.projection.lineSteps[line]);
-    this.#board.announce(strings.projection.inLine[line](first.name));
+    this.#session.record(this.#designWith(movable, projectors), step);
+    this.#board.announce(told(first.name));
     this.#tellLeft(movable);
   }
 

@@ -1,0 +1,118 @@
+import fc from "fast-check";
+import { describe, expect, it } from "vitest";
+import { makeDecalLayer, type PlacedLayer } from "../../web/editor/document/index.ts";
+import { canSpread, spreadTogether } from "../../web/editor/state/spread-together.ts";
+import type { CylindricalProjector, Projector, UvProjector } from "../../web/engine/engine-api.ts";
+import { sheet } from "../support/sheet-model.ts";
+
+const HALF = Math.SQRT1_2;
+
+const layer = (id: string, projector: Projector, material = 0): PlacedLayer =>
+  makeDecalLayer({ id, name: id, material, asset: "logo", projector, filter: "linear" });
+const box = (
+  x: number,
+  y: number,
+  [width, height] = [0.2, 0.2],
+  spin: readonly [number, number] = [0, 1],
+): Projector => ({
+  ...{ kind: "planar", position: [x, y, 0], rotation: [0, 0, spin[0], spin[1]], size: [width, height, 0.1] },
+});
+const stamp = (u: number, v: number, [width, height] = [0.1, 0.05], angle = 0): UvProjector => ({
+  ...{ kind: "uv", center: [u, v], size: [width, height], angle },
+});
+const label: CylindricalProjector = {
+  ...{ kind: "cylindrical", position: [0, 0, 0], rotation: [0, 0, 0, 1], radius: 1, height: 1, arc: 90, depth: 0.1 },
+};
+
+/** Centres and positions in their plane, to a billionth. */
+function places(layers: readonly PlacedLayer[], first: PlacedLayer, spread: "across" | "down"): number[][] {
+  return spreadTogether(layers, first, spread, sheet).map((projector) => {
+    const place = projector.kind === "uv" ? projector.center : projector.position.slice(0, 2);
+    return place.map((part) => Math.round(part * 1e9) / 1e9);
+  });
+}
+
+describe("several pictures that are spread evenly", () => {
+  const [left, near, right] = [layer("l", box(0, 0.3)), layer("n", box(0.25, 0.1)), layer("r", box(1, 0.2))];
+
+  it("stay where they are at the ends, and have the same way from each to the next, in whatever order they lie", () => {
+    expect(places([left, near, right], left, "across")).toEqual([
+      [0, 0.3],
+      [0.5, 0.1],
+      [1, 0.2],
+    ]);
+    expect(places([right, near, left], near, "across")).toEqual([
+      [1, 0.2],
+      [0.5, 0.1],
+      [0, 0.3],
+    ]);
+    expect(places([left, near, right], left, "down")[2]).toEqual([1, 0.2]);
+  });
+
+  it("have gaps alike, and not middles, where their sizes differ", () => {
+    const wide = layer("w", box(0.9, 0, [0.6, 0.2]));
+    const end = layer("e", box(2, 0, [0.2, 0.2]));
+    const all = [left, near, wide, end];
+    const [, second = [], third = []] = places(all, left, "across");
+    const gaps = [second[0] - 0.1 - 0.1, third[0] - 0.3 - (second[0] + 0.1), 2 - 0.1 - (third[0] + 0.3)];
+    for (const gap of gaps) expect(gap).toBeCloseTo((2 - 0.1 - 0.2 - 0.6 - 0.1) / 3, 8);
+  });
+
+  it("have their middles alike far apart where there is less room than they fill", () => {
+    const crowd = [0, 0.05, 0.06, 0.3].map((x, at) => layer(String(at), box(x, 0)));
+    expect(places(crowd, crowd[0] as PlacedLayer, "across").map(([x]) => x)).toEqual([0, 0.1, 0.2, 0.3]);
+  });
+
+  it("go by the right and the top of the one that leads", () => {
+    const lying = layer("lying", box(0, 0, [0.2, 0.2], [HALF, HALF]));
+    const [one, two] = [layer("one", box(0.4, 0.1)), layer("two", box(0.1, 1))];
+    expect(places([lying, one, two], lying, "across")[1]).toEqual([0.4, 0.5]);
+  });
+
+  it("are stamps among each other in the texture that they share, by the borders of turned ones", () => {
+    const [a, b, c] = [
+      layer("a", stamp(0.1, 0.1)),
+      layer("b", stamp(0.2, 0.2, [0.1, 0.3], 90)),
+      layer("c", stamp(0.9, 0.5)),
+    ];
+    const apart = layer("x", stamp(0.3, 0.3), 1);
+    expect(places([a, b, c, apart, near], a, "across")).toEqual([
+      [0.1, 0.1],
+      [0.5, 0.2],
+      [0.9, 0.5],
+      [0.3, 0.3],
+      [0.25, 0.1],
+    ]);
+    expect(places([a, b, c], a, "down")[1]).toEqual([0.2, 0.3]);
+  });
+
+  it("are three of a kind at least", () => {
+    expect(canSpread([left, near, right])).toBe(true);
+    expect(canSpread([left, near, layer("s", stamp(0, 0))])).toBe(false);
+    const stamps = [layer("a", stamp(0, 0)), layer("b", stamp(0.2, 0)), layer("c", stamp(0.5, 0), 1)];
+    expect(canSpread(stamps)).toBe(false);
+    expect(canSpread([...stamps, layer("d", stamp(0.6, 0))])).toBe(true);
+    expect(canSpread([layer("l1", label), layer("l2", label), layer("l3", label)])).toBe(false);
+    expect(spreadTogether([left, right], left, "across", sheet)).toEqual([left.projector, right.projector]);
+    const around = layer("label", label);
+    expect(spreadTogether([around, left, near, right], around, "across", sheet)[2]).toBe(near.projector);
+  });
+
+  it("are the same objects once they are spread: a second time changes nothing", () => {
+    const place = fc.double({ min: -10, max: 10, noNaN: true });
+    const side = fc.double({ min: 0.01, max: 2, noNaN: true });
+    fc.assert(
+      fc.property(fc.array(fc.tuple(place, side), { minLength: 3, maxLength: 8 }), (boxes) => {
+        const layers = boxes.map(([x, size], at) => layer(String(at), box(x, 0, [size, size])));
+        const [first] = layers as [PlacedLayer];
+        const once = spreadTogether(layers, first, "across", sheet);
+        const spread = layers.map((each, at) => ({ ...each, projector: once[at] as Projector }));
+        const middles = once.map((projector) => (projector.kind === "planar" ? projector.position[0] : 0));
+        const before = boxes.map(([x]) => x);
+        expect([Math.min(...middles), Math.max(...middles)]).toEqual([Math.min(...before), Math.max(...before)]);
+        const again = spreadTogether(spread, spread[0] as PlacedLayer, "across", sheet);
+        expect(again.every((projector, at) => projector === once[at])).toBe(true);
+      }),
+    );
+  });
+});
