@@ -60,16 +60,18 @@ export class GpuPace {
   #poll(begin: number, wait: number): void {
     this.#timer = setTimeout(() => {
       const gl = this.#gl;
-      if (this.#fence === null || gl.isContextLost()) {
-        this.#done();
-      } else if (gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.SIGNALED) {
+      // Null where the context is lost, or was since the fence was set: such a fence is never passed.
+      const status = this.#fence && gl.getSyncParameter(this.#fence, gl.SYNC_STATUS);
+      if (status === gl.UNSIGNALED) {
+        this.#poll(begin, Math.max(POLL, LOOK_SHARE * (performance.now() - begin)));
+        return;
+      }
+      if (status) {
         gl.deleteSync(this.#fence);
         this.#expected = performance.now() - begin;
         this.#note?.(this.#expected);
-        this.#done();
-      } else {
-        this.#poll(begin, Math.max(POLL, LOOK_SHARE * (performance.now() - begin)));
       }
+      this.#done();
     }, wait);
   }
 
