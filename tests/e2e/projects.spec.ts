@@ -3,7 +3,7 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { EditorPage, expect, test } from "./support/editor-page.ts";
-import { squareGltf } from "./support/test-files.ts";
+import { heavyGlb, squareGlb, squareGltf } from "./support/test-files.ts";
 
 /** Built by every stage of `npm test` before its tests. */
 const COMMAND_LINE = fileURLToPath(new URL("../../build/node/texelcast.mjs", import.meta.url));
@@ -188,7 +188,7 @@ test("a tab whose project another has deleted says so when it is seen again, and
 
   // Headless, each tab counts as seen all the time.
   await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
-  const told = editor.notices.filter({ hasText: "This project was deleted in another tab" });
+  const told = editor.notices.filter({ hasText: "It was deleted in another tab, or with the browser's data" });
   await expect(told).toBeVisible();
   await told.getByRole("button", { name: "Keep it" }).click();
   await expect(told).toHaveCount(0);
@@ -218,6 +218,89 @@ test("where the browser keeps nothing the page says so once, works on, and offer
   const download = page.waitForEvent("download");
   await editor.notices.getByRole("button", { name: "Save as one file" }).click();
   expect((await download).suggestedFilename()).toBe("Mug.texelcast");
+});
+
+test.describe("in a browser with little room", () => {
+  /** Opens a model that is too large for it; returns what gives it room. */
+  async function openLarge(editor: EditorPage): Promise<() => Promise<unknown>> {
+    const { page } = editor;
+    await editor.open();
+    const session = await page.context().newCDPSession(page);
+    const { origin } = new URL(page.url());
+    const usage = await page.evaluate(async () => (await navigator.storage.estimate()).usage ?? 0);
+    await session.send("Storage.overrideQuotaForOrigin", { origin, quotaSize: usage + 4 * 2 ** 20 });
+    await editor.openModel([heavyGlb("large.glb", 8 * 2 ** 20)]);
+    await page.evaluate(() => window.texelcast.kept());
+    await expect(editor.notices).toContainText("Your work is not being kept in this browser");
+    await expect(editor.notices).toContainText("space for this page is used up");
+    await expect(page.locator("#keeping")).toHaveText("Not kept");
+    return () => session.send("Storage.overrideQuotaForOrigin", { origin });
+  }
+
+  async function openSmall(editor: EditorPage): Promise<void> {
+    await editor.openModel([squareGlb()]);
+    await editor.page.evaluate(() => window.texelcast.kept());
+    await expect(editor.page.locator("#keeping")).toHaveText("Kept in this browser");
+    await expect(editor.notices.filter({ hasText: "Your work is not being kept" })).toHaveCount(0);
+    await expect(editor.notices.filter({ hasText: "large, which you worked on before, is not kept" })).toBeVisible();
+  }
+
+  test("a project that found no room and was left is told by its name, and leaving asks first though the open one is kept", async ({
+    editor,
+    page,
+  }) => {
+    await openLarge(editor);
+    await openSmall(editor);
+    const asked: string[] = [];
+    page.on("dialog", (dialog) => {
+      asked.push(dialog.type());
+      void dialog.accept();
+    });
+    await page.reload();
+    expect(asked).toEqual(["beforeunload"]);
+  });
+
+  test("a project that found no room and was left is saved as a file, and is kept once it is open again and there is room", async ({
+    editor,
+    page,
+  }) => {
+    // The browser is asked again after a while.
+    test.slow();
+    const giveRoom = await openLarge(editor);
+    await openSmall(editor);
+    const told = editor.notices.filter({ hasText: "large, which you worked on before" });
+    const { name } = await editor.saved(() => told.getByRole("button", { name: "Save as one file" }).click());
+    expect(name).toBe("large.texelcast");
+    await expect(told).toHaveCount(0);
+
+    await page.locator("#undo").click();
+    await editor.idle();
+    await page.evaluate(() => window.texelcast.kept());
+    await expect(editor.notices.filter({ hasText: "Your work is not being kept" })).toBeVisible();
+    await giveRoom();
+    await expect(page.locator("#keeping")).toHaveText("Kept in this browser", { timeout: 40_000 });
+    await expect(editor.notices.filter({ hasText: "Your work is not being kept" })).toHaveCount(0);
+  });
+});
+
+test("a page whose data the browser has cleared says so when it is seen again, and keeps its project anew", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.addDemoDecal("badge");
+  await page.evaluate(() => window.texelcast.kept());
+  const session = await page.context().newCDPSession(page);
+  await session.send("Storage.clearDataForOrigin", { origin: new URL(page.url()).origin, storageTypes: "all" });
+  await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
+  await expect(editor.notices).toContainText("This project is no longer kept in this browser");
+  await expect(editor.notices).toContainText("with the browser's data for this page");
+  const painted = await editor.settledHash();
+  await editor.notices.getByRole("button", { name: "Keep it" }).click();
+  await page.evaluate(() => window.texelcast.kept());
+  await expect(page.locator("#keeping")).toHaveText("Kept in this browser");
+  await editor.reload();
+  expect(await editor.settledHash()).toBe(painted);
 });
 
 test("a project that the browser is too slow to give out as the page opens is offered when it has come", async ({

@@ -41,6 +41,8 @@ function page() {
   /** By project: what was noted of it in leaving the page. */
   const noted = new Map<string, LastWords>();
   let refusal: TexelcastError | null = null;
+  /** Name of the only project that the refusal is of; null for every one. */
+  let refusedName: string | null = null;
   const waiting: { current: Unmeasured | null } = { current: null };
   const autosave = new Autosave({
     store,
@@ -48,7 +50,7 @@ function page() {
     recorded: () => recorded,
     projects: {
       save: async (id, packed, seen) => {
-        const refused = refusal;
+        const refused = refusedName === null || packed.name === refusedName ? refusal : null;
         if (refused?.code === "storage-conflict") refusal = null;
         if (refused) throw refused;
         saves.push({ id, packed, seen });
@@ -77,8 +79,12 @@ function page() {
     unmeasured: () => waiting.current,
     thumbnail: async () => "data:image/webp;base64,AA==",
     notices: {
-      refused: ({ code }) => told.push(code),
-      restored: () => told.push("restored"),
+      refused: ({ code }, left) => {
+        const words = left === null ? code : `${code}: ${left.name}`;
+        told.push(words);
+        return () => told.push(`no longer ${words}`);
+      },
+      restored: (left) => told.push(left === null ? "restored" : `restored: ${left.name}`),
       copied: (name) => told.push(`copied: ${name}`),
       deleted: (keep) => {
         told.push("deleted");
@@ -100,8 +106,9 @@ function page() {
   const settle = async (milliseconds: number): Promise<void> => {
     await vi.advanceTimersByTimeAsync(milliseconds);
   };
-  const refuse = (error: TexelcastError | null): void => {
+  const refuse = (error: TexelcastError | null, name: string | null = null): void => {
     refusal = error;
+    refusedName = name;
   };
   return {
     store,
@@ -399,7 +406,61 @@ describe("autosave", () => {
     refuse(null);
     await settle(20_000);
     expect(saves).toHaveLength(1);
-    expect(told.slice(0, 2)).toEqual(["storage-full", "restored"]);
+    expect(told.slice(0, 3)).toEqual(["storage-full", "no longer storage-full", "restored"]);
+    expect(store.state.keeping).toBe("kept");
+  });
+
+  it("says by its name that a project which was left is not kept, while the open one is, until it is kept, too", async () => {
+    const { open, step, settle, saves, told, refuse, store, autosave } = page();
+    const pictures = () => told.filter((words) => !words.startsWith("picture"));
+    refuse(new TexelcastError("storage-full", "full"), "Shoe");
+    open(modelRef("Shoe", null));
+    await settle(1000);
+    open(modelRef("Cup", null));
+    await settle(1000);
+    expect(pictures()).toEqual(["storage-full", "no longer storage-full", "storage-full: Shoe"]);
+    expect(store.state.keeping).toBe("kept");
+    // Each step of what is kept says nothing anew, and is not held up by what is not.
+    for (let steps = 0; steps < 5; steps++) {
+      step();
+      await settle(1000);
+      expect(autosave.pending).toBe(false);
+    }
+    await settle(60_000);
+    expect(pictures()).toHaveLength(3);
+    expect(saves.map(({ packed }) => packed.name)).toEqual(Array(6).fill("Cup"));
+    expect(autosave.leaves).toBe(true);
+
+    refuse(null);
+    await settle(20_000);
+    expect(saves.at(-1)?.packed.name).toBe("Shoe");
+    expect(pictures().slice(3)).toEqual(["no longer storage-full: Shoe", "restored: Shoe"]);
+    expect(autosave.leaves).toBe(false);
+  });
+
+  it("a project that is not kept and was left is taken as kept once it is in a file, and as open once an undo brings it back", async () => {
+    const { open, settle, told, refuse, autosave, store, saves } = page();
+    const pictures = () => told.filter((words) => !words.startsWith("picture"));
+    const [shoe, cup] = [modelRef("Shoe", null), modelRef("Cup", null)];
+    const shoes = emptyDesign();
+    refuse(new TexelcastError("storage-full", "full"), "Shoe");
+    open(shoe, shoes);
+    await settle(1000);
+    open(cup);
+    await settle(1000);
+    autosave.inFile(shoe);
+    expect(autosave.leaves).toBe(false);
+    expect(pictures().slice(3)).toEqual(["no longer storage-full: Shoe"]);
+    await settle(60_000);
+    expect(pictures()).toHaveLength(4);
+
+    open(shoe, shoes);
+    await settle(1000);
+    expect(pictures().slice(4)).toEqual(["storage-full"]);
+    expect(store.state.keeping).toBe("refused");
+    refuse(null);
+    await settle(20_000);
+    expect(saves.at(-1)?.packed.name).toBe("Shoe");
     expect(store.state.keeping).toBe("kept");
   });
 

@@ -675,9 +675,9 @@ export const german: Strings = {
       `Dies ist eine Kopie, die als ${copy} gespeichert wird, sobald du sie änderst. Beide bleiben, wie sie sind.`,
     copiedTitle: "Dieses Projekt wurde in einem anderen Tab geändert",
     copied: (name) => `Was du hier hast, geht als ${name} weiter. Nichts wurde überschrieben.`,
-    deletedTitle: "Dieses Projekt wurde in einem anderen Tab gelöscht",
+    deletedTitle: "Dieses Projekt ist in diesem Browser nicht mehr gespeichert",
     deletedElsewhere:
-      "Was du hier hast, bleibt auf der Seite. Sobald du es änderst, wird es als neues Projekt behalten.",
+      "Es wurde in einem anderen Tab gelöscht oder mit den Daten des Browsers zu dieser Seite. Was du hier hast, bleibt auf der Seite; sobald du es änderst, wird es als neues Projekt behalten.",
     keep: "Behalten",
     noModel: "Das Projekt enthält kein Modell, und keines ist offen.",
     noModelHint: "Öffne es zusammen mit seinem Modell: Wähle oder zieh beide auf einmal.",
@@ -698,6 +698,8 @@ export const german: Strings = {
   storage: {
     refusedTitle: "Deine Arbeit wird in diesem Browser nicht gespeichert",
     restoredTitle: "Deine Arbeit wird wieder gespeichert",
+    leftTitle: (name) => `${name}, woran du vorher gearbeitet hast, ist in diesem Browser nicht gespeichert`,
+    leftKept: (name) => `${name} ist jetzt gespeichert`,
     none: "Dieser Browser hat keinen Platz für Projekte.",
     silent: "Der Browser antwortet nicht auf die Bitte, für diese Seite etwas zu speichern.",
     late: "Der Browser hat zu lange gebraucht, um es herauszugeben. Es ist noch alles da.",

@@ -669,8 +669,9 @@ const english = {
     elsewhere: (copy: string): string => `This is a copy, kept as ${copy} once you change it. Both stay as they are.`,
     copiedTitle: "This project was changed in another tab",
     copied: (name: string): string => `What you have here goes on as ${name}. Nothing was overwritten.`,
-    deletedTitle: "This project was deleted in another tab",
-    deletedElsewhere: "What you have here stays on the page. It is kept as a new project once you change it.",
+    deletedTitle: "This project is no longer kept in this browser",
+    deletedElsewhere:
+      "It was deleted in another tab, or with the browser's data for this page. What you have here stays on the page, and is kept as a new project once you change it.",
     keep: "Keep it",
     noModel: "The project has no model inside, and none is open.",
     noModelHint: "Open it together with its model: choose or drop both at once.",
@@ -691,6 +692,8 @@ const english = {
   storage: {
     refusedTitle: "Your work is not being kept in this browser",
     restoredTitle: "Your work is being kept again",
+    leftTitle: (name: string): string => `${name}, which you worked on before, is not kept in this browser`,
+    leftKept: (name: string): string => `${name} is kept now`,
     none: "This browser has no place to keep projects.",
     silent: "The browser does not answer when asked to keep data for this page.",
     late: "The browser took too long to give it out. It is all there.",

@@ -483,7 +483,8 @@ export class Workbench extends EditorElement {
     const { recording } = session;
     endOpenField();
     // In the browser or in a file: either is enough. What is still being written is in neither, but for words, which are noted.
-    if ((autosave.leave() || !store.state.unsaved) && (!recording || texts.unmeasured)) return;
+    const isSafe = (autosave.leave() || !store.state.unsaved) && (!recording || texts.unmeasured);
+    if (isSafe && !autosave.leaves) return;
     void autosave.flush();
     event.preventDefault();
   };

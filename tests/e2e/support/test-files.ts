@@ -1,4 +1,5 @@
 /** Files that the tests hand to the page: made here, or the project's own demos. */
+import { randomBytes } from "node:crypto";
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { writeGlb } from "../../../web/engine/gltf-container.ts";
@@ -29,6 +30,12 @@ const SQUARE: MeshParts = {
 export function squareGlb(): TestFile {
   const { json, binary } = buildModel({ meshes: [SQUARE], materials: [{ name: "Board" }] });
   return file("square.glb", writeGlb(json, binary));
+}
+
+/** The square in a file with so many bytes more, which nothing in it uses and no browser packs smaller. */
+export function heavyGlb(name: string, bytes: number): TestFile {
+  const { json, binary } = buildModel({ meshes: [SQUARE], materials: [{ name: "Board" }] });
+  return file(name, writeGlb(json, Buffer.concat([binary, randomBytes(bytes)])));
 }
 
 /** Two of the squares side by side, each of a material of its own, 0 at the left. */

@@ -123,29 +123,42 @@ export class ProjectCommands {
 
   /** Hands the project to the browser's downloads, as one file. */
   async saveFile(withModel: boolean): Promise<void> {
-    const { store, session, board, tasks } = this.#parts;
+    const { store, session } = this.#parts;
     await session.settled();
     const { model, designName, targetSettings } = store.state;
     if (!model) return;
-    const stem = fileNameOf(designName);
-    const name = `${withModel ? stem : this.#words.nameWithoutModel(stem)}${PROJECT_EXTENSION}`;
     const design = session.recordedDesign;
-    const { source, title, demoId } = model.ref;
+    const content = { name: designName, design, model: model.ref, targets: targetSettings };
+    if (await this.#download(content, withModel)) session.markSaved(design);
+  }
+
+  /** As `saveFile`, a project that was left before the browser kept it. */
+  async saveLeft(content: ProjectContent): Promise<void> {
+    if (await this.#download(content, true)) this.#parts.autosave.inFile(content.model);
+  }
+
+  /** False where it could not be packed, which is told. */
+  async #download(content: ProjectContent, withModel: boolean): Promise<boolean> {
+    const { board, tasks } = this.#parts;
+    const stem = fileNameOf(content.name);
+    const name = `${withModel ? stem : this.#words.nameWithoutModel(stem)}${PROJECT_EXTENSION}`;
+    const { source, title, demoId } = content.model;
     const project: ProjectToPack = {
-      name: designName,
-      design,
-      targets: [...targetSettings].map(([material, settings]) => ({ material, ...settings })),
+      name: content.name,
+      design: content.design,
+      targets: [...content.targets].map(([material, settings]) => ({ material, ...settings })),
       model: { title, demo: demoId, source: withModel ? source : null },
     };
     try {
-      const bytes = await tasks.run(this.#parts.board.strings.tasks.packing(name), ({ signal }) =>
+      const bytes = await tasks.run(board.strings.tasks.packing(name), ({ signal }) =>
         packInWorker(project, signal, board.strings),
       );
       download(name, "application/zip", bytes);
-      session.markSaved(design);
-      board.announce(this.#parts.board.strings.announce.saved(name));
+      board.announce(board.strings.announce.saved(name));
+      return true;
     } catch (thrown) {
       board.error(this.#words.couldNotSave(name), thrown);
+      return false;
     }
   }
 

@@ -43,7 +43,6 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
   const lock = new ProjectLock();
   const tab = new TabMemory();
   const lastWords = new LastWordsMemory();
-  let refusal: number | null = null;
   const autosave = new Autosave({
     // One in which nothing ever happens.
     strings,
@@ -56,15 +55,18 @@ export function keepProjects({ thumbnail, keeps, ...parts }: ProjectKeepingParts
     unmeasured: () => parts.texts().unmeasured,
     thumbnail,
     notices: {
-      refused: (error: TexelcastError) => {
+      refused: (error: TexelcastError, left) => {
         const { message, hint } = noticeOf(0, "", error, strings);
-        const action = { label: strings.projects.saveFile, run: () => void commands.saveFile(true) };
-        refusal = board.info({ title: strings.storage.refusedTitle, message, hint, action, stays: true });
+        const { refusedTitle, leftTitle } = strings.storage;
+        const title = left ? leftTitle(left.name) : refusedTitle;
+        const run = () => void (left ? commands.saveLeft(left) : commands.saveFile(true));
+        const action = { label: strings.projects.saveFile, run };
+        const notice = board.info({ title, message, hint, action, stays: true });
+        return () => board.dismiss(notice);
       },
-      restored: () => {
-        if (refusal !== null) board.dismiss(refusal);
-        refusal = null;
-        board.announce(strings.storage.restoredTitle);
+      restored: (left) => {
+        const { restoredTitle, leftKept } = strings.storage;
+        board.announce(left ? leftKept(left.name) : restoredTitle);
       },
       copied: (name) => {
         board.info({ title: strings.projects.copiedTitle, message: strings.projects.copied(name), stays: true });

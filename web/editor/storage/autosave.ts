@@ -13,6 +13,7 @@ import type { Store } from "../state/store.ts";
 import type { Strings } from "../strings.ts";
 import { randomId } from "./content-hash.ts";
 import type { LastWordsMemory, Unmeasured } from "./last-words.ts";
+import { LeftProjects, type Withdraw } from "./left-projects.ts";
 import { ProjectPacker } from "./packed-project.ts";
 import type { ProjectContent } from "./project.ts";
 import type { ProjectLock } from "./project-lock.ts";
@@ -36,8 +37,10 @@ export interface AutosaveParts {
 }
 
 export interface AutosaveNotices {
-  refused(error: TexelcastError): void;
-  restored(): void;
+  /** `left` is another project than the open one (null). What is returned takes the notice back. */
+  refused(error: TexelcastError, left: ProjectContent | null): Withdraw;
+  /** It is kept again. */
+  restored(left: ProjectContent | null): void;
   /** Another tab has saved the project: from here on this tab has a copy. */
   copied(name: string): void;
   /** Another tab has deleted the project: what is on the page is kept nowhere, until it is changed or `keep` is called. */
@@ -69,13 +72,15 @@ export class Autosave {
   #current: OpenProject | null = null;
   /** The newest of the current project that was seen, which a switch to another model must not lose. */
   #newest: ProjectContent | null = null;
-  /** Projects that were left before their newest step was saved. */
-  readonly #left = new Map<OpenProject, ProjectContent>();
+  readonly #left = new LeftProjects<OpenProject>(RETRY);
   #timer: ReturnType<typeof setTimeout> | undefined;
   #thumbnailTimer: ReturnType<typeof setTimeout> | undefined;
+  /** When the timer rings, as `performance.now()`. */
+  #rings = Number.POSITIVE_INFINITY;
   #lastStart = Number.NEGATIVE_INFINITY;
   #running: Promise<void> | null = null;
-  #refused = false;
+  /** The browser would not keep the open project: takes the notice of it back. */
+  #refused: Withdraw | null = null;
   #persistAsked = false;
 
   constructor(parts: AutosaveParts) {
@@ -156,13 +161,28 @@ export class Autosave {
     return content !== null && this.#current !== null && !same(this.#current.kept, content);
   }
 
+  /** Whether a project that was left before is kept nowhere but on this page. */
+  get leaves(): boolean {
+    return !this.#left.isEmpty;
+  }
+
+  /** What was left of a model is in a file, and need not be kept. */
+  inFile(model: ModelRef): void {
+    this.#left.dropModel(model);
+  }
+
   /** Saves at once what is not kept yet; resolves when that was done or refused. */
-  async flush(): Promise<void> {
+  flush(): Promise<void> {
+    return this.#flush(true);
+  }
+
+  /** @param all also what was refused and left, whose turn has not come */
+  async #flush(all: boolean): Promise<void> {
     clearTimeout(this.#timer);
-    this.#timer = undefined;
+    this.#rings = Number.POSITIVE_INFINITY;
     // Of several that waited, one has begun the next save: a second from the same revision would look like another tab's.
     while (this.#running) await this.#running;
-    if (this.pending || this.#left.size > 0) await this.#start();
+    if (this.pending || this.leaves) await this.#start(all);
   }
 
   /**
@@ -217,11 +237,18 @@ export class Autosave {
     if (!content) return;
     this.#enter(content);
     this.#newest = content;
-    if ((this.pending || this.#left.size > 0) && this.#timer === undefined && !this.#running) {
-      const wait = Math.max(0, this.#lastStart + (this.#refused ? RETRY : PACE) - performance.now());
-      this.#timer = setTimeout(() => void this.flush(), wait);
-    }
+    if (!this.#running) this.#wake();
     this.#tell();
+  }
+
+  #wake(): void {
+    const soon = this.#lastStart + PACE;
+    const open = this.#refused ? this.#lastStart + RETRY : soon;
+    const at = Math.min(this.pending ? open : Number.POSITIVE_INFINITY, this.#left.nextAt(soon));
+    if (at >= this.#rings) return;
+    clearTimeout(this.#timer);
+    this.#rings = at;
+    this.#timer = setTimeout(() => void this.#flush(false), Math.max(0, at - performance.now()));
   }
 
   /** What is to be kept now; null while one model takes the place of another. */
@@ -242,9 +269,12 @@ export class Autosave {
     this.#projects.set(model, project);
     this.#byId.set(project.id, new WeakRef(project));
     if (this.#current && this.#newest && !same(this.#current.kept, this.#newest)) {
-      this.#left.set(this.#current, this.#newest);
+      this.#left.put(this.#current, this.#newest);
     }
-    this.#left.delete(project);
+    this.#left.drop(project);
+    // What it told was of the one before, which is told by its name if it is refused again.
+    this.#refused?.();
+    this.#refused = null;
     this.#current = project;
     void this.#parts.lock.take(project.id);
     void this.#touch(project);
@@ -275,8 +305,8 @@ export class Autosave {
     if (store.state.designName === kept.name) store.set({ designName: name });
   }
 
-  #start(): Promise<void> {
-    const run = this.#save().finally(() => {
+  #start(all: boolean): Promise<void> {
+    const run = this.#save(all).finally(() => {
       this.#running = null;
       this.#observe();
     });
@@ -285,17 +315,20 @@ export class Autosave {
   }
 
   /** What was left behind first: it is older. */
-  async #save(): Promise<void> {
+  async #save(all: boolean): Promise<void> {
     this.#lastStart = performance.now();
-    const left = [...this.#left];
-    for (const [project, content] of left) {
-      if (await this.#saveOne(project, content)) this.#left.delete(project);
+    let brought = false;
+    for (const [project, content] of all ? this.#left.all() : this.#left.due(this.#lastStart)) {
+      if (await this.#saveOne(project, content)) {
+        brought = true;
+        if (this.#left.drop(project)) this.#parts.notices.restored(content);
+      }
     }
     const content = this.#content();
     const project = this.#current;
     if (content && project && this.pending) await this.#saveOne(project, content);
     // The one that was saved last is not the one that is open.
-    else if (project && left.length > 0) void this.#touch(project);
+    else if (project && brought) void this.#touch(project);
   }
 
   /** False where the browser refused it. */
@@ -339,8 +372,11 @@ export class Autosave {
   }
 
   #saved(project: OpenProject): void {
-    if (this.#refused) this.#parts.notices.restored();
-    this.#refused = false;
+    if (project === this.#current && this.#refused) {
+      this.#refused();
+      this.#refused = null;
+      this.#parts.notices.restored(null);
+    }
     // The picture shows what is open.
     if (project === this.#current) this.#refreshThumbnailLater();
     if (project.revision >= SAVES_BEFORE_PERSIST) void this.#persist();
@@ -355,15 +391,16 @@ export class Autosave {
         store.set({ designName: name });
         void lock.take(project.id);
       } else {
-        this.#left.set(project, { ...content, name });
+        this.#left.put(project, { ...content, name });
       }
       notices.copied(name);
       // At once, not after the pause that a refusal asks for.
       this.#lastStart = Number.NEGATIVE_INFINITY;
       return;
     }
-    if (!this.#refused) this.#parts.notices.refused(error);
-    this.#refused = true;
+    const { notices } = this.#parts;
+    if (project === this.#current) this.#refused ??= notices.refused(error, null);
+    else this.#left.refused(project, performance.now(), () => notices.refused(error, content));
   }
 
   /** Browsers without a question of their own decide by use; Firefox asks its user, once. */
