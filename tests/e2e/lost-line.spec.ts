@@ -80,3 +80,40 @@ test("a project that cannot be packed without a connection says what is missing,
   cut(null);
   expect((await editor.savedProject()).bytes.length).toBeGreaterThan(10_000);
 });
+
+for (const [what, address] of [
+  ["whose script", /engine-worker/],
+  ["whose WebAssembly", /texelcast.*\.wasm/],
+] as const) {
+  test(`an engine that ended and ${what} is not to be had is waited for, and paints what was changed meanwhile by itself`, async ({
+    page,
+  }) => {
+    const { editor, cut } = await openOnLine(page);
+    const row = editor.row("Smiley").locator("[data-action=visible]");
+    await row.click();
+    const hidden = await editor.settledHash();
+    await row.click();
+    await editor.idle();
+    cut(address);
+    // The thread is gone, and nobody is told.
+    void page
+      .workers()
+      .at(-1)
+      ?.evaluate(() => close())
+      .catch(() => undefined);
+    await expect(editor.notices).toContainText("Painting waits for the connection");
+    await expect(editor.notices).toHaveCount(1);
+    await row.click();
+    await page.getByRole("button", { name: "Export", exact: true }).click();
+    await page.getByRole("menuitem", { name: "Texture as PNG" }).click();
+    const refused = editor.notices.filter({ hasText: "Could not export" });
+    await expect(refused).toContainText(CONNECTION);
+    await expect(editor.notices.filter({ hasText: /Undo the last step|worker-src|keeps stopping/ })).toHaveCount(0);
+    await expect(editor.notices).toHaveCount(2);
+
+    cut(null);
+    await expect(editor.notices.filter({ hasText: "Painting waits" })).toHaveCount(0);
+    expect(await editor.settledHash()).toBe(hidden);
+    expect((await editor.exported("Texture as PNG")).bytes.length).toBeGreaterThan(10_000);
+  });
+}

@@ -344,6 +344,33 @@ describe("a worker that crashes", () => {
     expect(errors).toMatchObject([{ code: "engine-halted" }]);
   });
 
+  it("in whose place none gets what it needs is told once, and replaced as soon as there is something else to draw", async () => {
+    const { engine, workers } = start();
+    await openPlane(engine);
+    const layers = [decal("d", "logo")];
+    engine.setLayers(layers, 1);
+    const before = await engine.hash(0);
+    const errors: Error[] = [];
+    engine.onError((error) => errors.push(error));
+    workers[0]?.fail("gone");
+    const worker = workers[1];
+    const answer = worker?.onmessage;
+    const error = {
+      code: "missing-file",
+      message: "The engine's WebAssembly could not be read.",
+      reason: "not-loaded",
+    };
+    for (const { type, id } of (worker?.received ?? []) as { type: string; id: number }[]) {
+      if (type === "call") answer?.({ data: { type: "failure", id, error } } as MessageEvent);
+    }
+    await expect(engine.stats()).rejects.toMatchObject({ code: "missing-file" });
+    expect(errors.map((each) => (each as TexelcastError).code)).toEqual(["engine-crashed", "missing-file"]);
+    engine.setLayers([...layers], 2);
+    expect(workers).toHaveLength(3);
+    expect(await engine.hash(0)).toBe(before);
+    expect(errors).toHaveLength(2);
+  });
+
   it("brings over a model that was being opened when it crashed, and a wish that was cancelled is over", async () => {
     const { engine, workers } = start();
     const opening = openPlane(engine);

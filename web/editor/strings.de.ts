@@ -609,6 +609,13 @@ export const german: Strings = {
       `${plural(count, "Ebene, die", "Ebenen, die")} auf der Textur selbst ${count === 1 ? "liegt, läge" : "liegen, lägen"} jetzt anderswo: ausgeblendet, nicht gelöscht. Rückgängig bringt das alte Modell zurück.`,
     engineRestarted: "Die Mal-Engine wurde neu gestartet",
     engineRestartedBody: "Sie war stehen geblieben. Alles ist da; du kannst weitermachen.",
+    engineAway: "Das Malen wartet auf die Verbindung",
+    engineAwayBody:
+      "Die Mal-Engine war stehen geblieben, und ein Teil von ihr ließ sich nicht wieder holen. Deine Arbeit ist noch da.",
+    engineAwayHint:
+      "Die Seite versucht es alle paar Sekunden wieder und malt, was du inzwischen änderst, sobald sie kann.",
+    engineBack: "Die Mal-Engine ist wieder da",
+    tryAgain: "Jetzt versuchen",
     undoLast: "Letzten Schritt rückgängig machen",
     graphicsLost: "Die 3D-Ansicht ist stehen geblieben",
     flatGraphicsLost: "Die Ansicht der Textur ist stehen geblieben",

@@ -604,6 +604,12 @@ const english = {
       `${plural(count, "layer that lies", "layers that lie")} on the texture itself would lie elsewhere now: hidden, not deleted. Undo brings the old model back.`,
     engineRestarted: "The painting engine was restarted",
     engineRestartedBody: "It had stopped. Everything is there; you can go on.",
+    engineAway: "Painting waits for the connection",
+    engineAwayBody:
+      "The painting engine had stopped, and a part of it could not be fetched again. Your work is all there.",
+    engineAwayHint: "The page tries again every few seconds, and paints what you change meanwhile once it can.",
+    engineBack: "The painting engine is back",
+    tryAgain: "Try again now",
     undoLast: "Undo the last step",
     graphicsLost: "The 3D view has stopped",
     flatGraphicsLost: "The texture’s view has stopped",

@@ -54,8 +54,6 @@ const CRASH_WINDOW_MS = 60_000;
 /** A call that was under way in two crashes is taken for their reason. */
 const MAX_ATTEMPTS = 2;
 
-const ENDS: ReadonlySet<string> = new Set(["engine-crashed", "engine-halted", "disposed"]);
-
 class EngineClient implements Engine {
   readonly #options: EngineClientOptions;
   #worker: Worker | null = null;
@@ -446,6 +444,7 @@ class EngineClient implements Engine {
   /** Tells a new worker everything. Calls made meanwhile come after it, because messages keep their order. */
   #replay(): void {
     this.#layersUnderWay = false;
+    const worker = this.#worker;
     const replay = { replay: true };
     const steps: Promise<unknown>[] = [];
     if (this.#model !== null) steps.push(this.#call("loadModel", [this.#model], replay));
@@ -467,7 +466,13 @@ class EngineClient implements Engine {
     for (const step of steps) {
       step.catch((error: TexelcastError) => {
         // A crash or an end reports itself, once for all that waited.
-        if (!ENDS.has(error.code)) this.#report(error);
+        if (worker !== this.#worker) return;
+        // What cannot be fetched now the next worker may get; this one lacks what it was to be told.
+        if (error.code === "missing-file") {
+          this.#halted = error;
+          this.#rejectAll(error);
+        }
+        this.#report(error);
       });
     }
   }

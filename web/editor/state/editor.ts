@@ -2,7 +2,6 @@
  * The editor without its looks: one state, the commands that change it, and the wiring between design, engine and
  * views. Panels read `store` and call commands; nothing else changes the state.
  */
-import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine, MapView, TargetInfo } from "../../engine/engine-api.ts";
 import type { ModelViewer, TextureView } from "../../viewer/viewer-api.ts";
 import { type Design, type DesignLayer, materialsIn } from "../document/index.ts";
@@ -28,6 +27,7 @@ import { DesignSession } from "./design-session.ts";
 import type { ModelRef } from "./design-state.ts";
 import { DrawingTask } from "./drawing-task.ts";
 import { type EditorState, type Figures, INITIAL_FIGURES, INITIAL_STATE, type TargetSettings } from "./editor-state.ts";
+import { EngineTrouble } from "./engine-trouble.ts";
 import { FileCommands } from "./file-commands.ts";
 import { tellOfLostGraphics } from "./graphics-loss.ts";
 import { keepHistoryBudget, readHistoryBudget } from "./history-budget.ts";
@@ -98,6 +98,7 @@ export class Editor {
   readonly #router: UpdateRouter;
   readonly #drawing: DrawingTask;
   readonly #lost: LostDecal;
+  readonly #trouble: EngineTrouble;
   #modeRequest = 0;
 
   constructor(parts: EditorParts) {
@@ -119,6 +120,11 @@ export class Editor {
       later: (work) => this.#attempt(this.strings.errors.engineFault, work),
     });
     const send = this.session.send.bind(this.session);
+    this.#trouble = new EngineTrouble({
+      ...{ engine, board },
+      send: () => send(this.session.design),
+      undo: () => void this.files.travel("undo"),
+    });
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
     const { session, library } = this;
     this.layers = new LayerCommands({ session, viewer, store, board, admission });
@@ -324,29 +330,13 @@ export class Editor {
       followGradient(this.store.state, this.layers, place, phase, this.strings.gradient.moved),
     );
     this.viewer.on("needsFullUpdate", ({ material }) => this.refresh(material));
-    this.engine.onError((error) => this.#tellOfFault(error));
+    this.engine.onError((error) => this.#trouble.tell(error));
     let seen = this.store.state;
     this.store.subscribe(() => {
       const before = seen;
       seen = this.store.state;
       this.#react(before, seen);
     });
-  }
-
-  /** A crash is over when it is told: the engine's client has brought everything back, or says that it cannot. */
-  #tellOfFault(error: Error): void {
-    const code = error instanceof TexelcastError ? error.code : "";
-    if (code === "engine-crashed") {
-      this.board.info({
-        title: this.strings.notices.engineRestarted,
-        message: this.strings.notices.engineRestartedBody,
-      });
-    } else if (code === "engine-halted") {
-      const undo = { label: this.strings.notices.undoLast, run: () => void this.files.travel("undo") };
-      this.board.error(this.strings.errors.engineHalted, error, undo);
-    } else {
-      this.board.error(this.strings.errors.engineFault, error);
-    }
   }
 
   /** What follows from a change of the state. While models are being switched, nothing does: the switch sees to it. */

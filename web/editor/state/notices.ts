@@ -59,11 +59,19 @@ export function noticeOf(id: number, title: string, thrown: unknown, strings: St
 function plainly(thrown: unknown, { errors }: Strings): TexelcastError {
   const words = thrown instanceof Error ? thrown.message : String(thrown);
   const code = thrown instanceof TexelcastError ? thrown.code : "unexpected";
-  if (["internal", "unexpected"].includes(code) && SCRIPT_MISSING.test(words)) {
+  if ((["internal", "unexpected"].includes(code) && SCRIPT_MISSING.test(words)) || lacksScript(thrown)) {
     const hint = errors.partMissingHint;
     return new ToldError("missing-file", errors.partMissing, { hint, reason: "not-loaded", cause: thrown });
   }
   return TexelcastError.wrap(thrown, "unexpected", words);
+}
+
+/** Whether the engine ended because its worker's script could not be fetched: that no step of the user's is the reason. */
+export function lacksScript(thrown: unknown): boolean {
+  if (!(thrown instanceof TexelcastError)) return false;
+  const { code, message, cause } = thrown;
+  if (code === "engine-halted") return lacksScript(cause);
+  return code === "engine-crashed" && message.includes("worker-src");
 }
 
 export function isCancelled(thrown: unknown): boolean {
