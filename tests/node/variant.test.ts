@@ -47,6 +47,14 @@ describe("texelcast variant", () => {
     const night = JSON.parse((await texelcast(["inspect", "square.glb#variant=night", "--json"], { cwd })).stdout);
     expect(night.variants).toBeUndefined();
     expect(night.materials[0]).toMatchObject({ index: 0, name: "Blue", triangles: 2 });
+    const layers = [{ id: "f", type: "fill", material: 0, color: "#ff0000" }];
+    const design = JSON.stringify({ format: "texelcast-design", version: 1, assets: {}, layers });
+    writeFileSync(path.join(cwd, "red.json"), design);
+    const render = ["render", "square.glb#variant=night", "red.json", "--out", "painted.glb", "--size", "16"];
+    expect(await texelcast(render, { cwd })).toMatchObject({ code: 0, stderr: "" });
+    const painted = JSON.parse((await texelcast(["inspect", "painted.glb", "--json"], { cwd })).stdout);
+    expect(painted.variants).toBeUndefined();
+    expect(painted.materials[0]).toMatchObject({ name: "Blue", triangles: 2, textureSize: [16, 16] });
     const run = await texelcast(["inspect", "square.glb#variant=dusk"], { cwd });
     expect(run).toMatchObject({ code: 3, stdout: "" });
     expect(run.stderr).toContain("“square.glb” has no variant “dusk”, but “day”, “night”.");

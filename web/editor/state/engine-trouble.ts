@@ -84,13 +84,19 @@ export class EngineTrouble {
       // What cannot be drawn is no matter of this.
       await engine.idle().catch(() => undefined);
       await engine.stats();
-    } catch {
+    } catch (reason) {
+      if (reason instanceof TexelcastError && reason.code === "disposed") this.#stop();
       return;
     }
     if (this.#away === null) return;
     board.dismiss(this.#away);
-    this.#away = null;
-    removeEventListener("online", this.#again);
+    this.#stop();
     board.announce(board.strings.notices.engineBack);
+  }
+
+  #stop(): void {
+    this.#away = null;
+    clearTimeout(this.#timer);
+    removeEventListener("online", this.#again);
   }
 }
