@@ -101,12 +101,19 @@ export class Workbench extends EditorElement {
         font: var(--text-normal) / 1.3 var(--font);
         -webkit-font-smoothing: antialiased;
       }
+      /* At 400 % a window may be lower than the tools, their settings and a panel: it is scrolled then. Not so above a phone's keyboard. */
+      @media (pointer: fine) {
+        :host {
+          min-height: 256px;
+        }
+      }
       @media (pointer: coarse) {
         :host {
           grid-template-columns: minmax(0, 1fr) 23rem;
         }
       }
       :host([embedded]) {
+        min-height: 0;
         position: absolute;
         inset: 0;
         height: auto;

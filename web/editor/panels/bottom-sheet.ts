@@ -32,7 +32,7 @@ export class BottomSheet extends EditorElement {
     css`
       :host {
         display: grid;
-        grid-template-rows: minmax(0, 1fr) auto;
+        grid-template: minmax(0, 1fr) auto / minmax(0, 1fr);
         min-height: 0;
         background: var(--surface);
         border-top: 1px solid var(--line);
@@ -81,6 +81,12 @@ export class BottomSheet extends EditorElement {
         grid-row: 2;
         min-height: 0;
       }
+      /* Of a texture without height nothing is seen: a panel as low is scrolled. */
+      tc-texture-panel {
+        grid-template-rows: auto minmax(7rem, 1fr) auto;
+        overflow: hidden auto;
+        overscroll-behavior: contain;
+      }
       .tool {
         display: grid;
         grid-template-rows: auto minmax(0, 1fr);
@@ -126,6 +132,12 @@ export class BottomSheet extends EditorElement {
         nav button {
           flex: auto;
           padding-inline: 3px;
+        }
+      }
+      /* Letters twice as large as usual have no room beside each other on a phone. */
+      @media (max-width: 15rem) {
+        nav {
+          flex-wrap: wrap;
         }
       }
     `,

@@ -21,6 +21,15 @@ export const layerListStyles = css`
     gap: var(--space-1);
     padding: var(--space-1) var(--space-3) var(--space-2);
   }
+  /* Letters twice as large as usual, on a phone. */
+  @media (max-width: 15rem) {
+    .looks {
+      grid-template-columns: minmax(0, 1fr) auto;
+    }
+    .looks select {
+      grid-column: 1 / -1;
+    }
+  }
   /* Each in its own row, whether the ones before it are there or not. */
   .rows,
   .empty {

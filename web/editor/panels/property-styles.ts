@@ -82,6 +82,14 @@ export const propertyStyles = css`
   .mask [role="radiogroup"] {
     grid-template-columns: auto minmax(0, 1fr);
   }
+  /* Letters twice as large as usual: on a phone a word takes the width of what it names. */
+  @media (max-width: 15rem) {
+    .field {
+      grid-template-columns: minmax(0, 1fr);
+      /* As high as what it holds, also where not all of them have room. */
+      min-height: auto;
+    }
+  }
   .field > label,
   .field > span {
     color: var(--text-quiet);

@@ -23,7 +23,7 @@ export class ViewSettings extends EditorElement {
         grid-template-columns: 5.5rem minmax(0, 1fr) 2.75rem;
       }
       /* A finger's letters are larger. */
-      @media (pointer: coarse) {
+      @media (pointer: coarse) and (min-width: 15.01rem) {
         .field {
           grid-template-columns: 5.75rem minmax(0, 1fr);
         }
@@ -44,6 +44,16 @@ export class ViewSettings extends EditorElement {
       }
       .wide {
         grid-column: 1 / -1;
+      }
+      /* Letters twice as large as usual, on a phone. */
+      @media (max-width: 15rem) {
+        .slider,
+        .checks {
+          grid-template-columns: minmax(0, 1fr);
+        }
+        button {
+          min-height: auto;
+        }
       }
     `,
   ];

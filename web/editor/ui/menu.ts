@@ -111,7 +111,7 @@ export class Menu extends RemElement {
         position: fixed;
         inset: auto;
         margin: 0;
-        min-width: 14rem;
+        min-width: min(14rem, 92vw);
         max-width: min(22rem, 92vw);
         max-height: max(75dvh, min(22rem, 100dvh - 1rem));
         overflow: auto;
