@@ -1,8 +1,9 @@
 /** What breaks below the page while it is used: the engine's worker, and the graphics context. */
+import type { UvProjector } from "../../web/editor/document/index.ts";
 import { type EditorPage, expect, type Point, test } from "./support/editor-page.ts";
 import { lookAlike } from "./support/look-alike.ts";
 import { rendered } from "./support/rendered.ts";
-import { file } from "./support/test-files.ts";
+import { file, squareGlb } from "./support/test-files.ts";
 
 /** The selected decal's middle, and a place beside it on the model. */
 async function dragOf(editor: EditorPage): Promise<{ id: string; from: Point; to: Point }> {
@@ -182,4 +183,51 @@ test("a page whose graphics stay away is loaded again by a button, with all of i
   await page.evaluate(() => window.texelcast.ready);
   expect((await editor.decal(id)).projector).toEqual(moved.projector);
   expect(await editor.settledHash()).toBe(texels);
+});
+
+test("both views lose their graphics in the midst of a stamp's drag on the flat texture and have them back in that of an export: screen and file are whole", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openModel([squareGlb()]);
+  const id = await editor.addDemoDecal("badge");
+  await page.getByRole("radio", { name: "Flat" }).check({ force: true });
+  await editor.idle();
+  const [flat] = await editor.places(page.locator(".tcv-texture"));
+  const stampOf = async (): Promise<UvProjector> => (await editor.decal(id)).projector as UvProjector;
+  const before = await stampOf();
+  const side = Math.min(flat.width, flat.height) - 2 * 16;
+  const from = {
+    x: flat.x + flat.width / 2 + (before.center[0] - 0.5) * side,
+    y: flat.y + flat.height / 2 + (before.center[1] - 0.5) * side,
+  };
+  const graphics = [await graphicsOf(editor), await graphicsOf(editor, ".tcv-texture")];
+  let step = 0;
+  await editor.drag(from, { x: from.x + 50, y: from.y + 35 }, 8, async () => {
+    step += 1;
+    if (step === 3) for (const each of graphics) await each.evaluate((extension) => extension?.loseContext());
+  });
+  expect((await stampOf()).center[0]).toBeGreaterThan(before.center[0]);
+  const [file] = await Promise.all([
+    editor.exported("Texture as PNG"),
+    ...graphics.map((each) => each.evaluate((extension) => extension?.restoreContext())),
+  ]);
+  await editor.idle();
+  await expect(editor.notices).toHaveCount(0);
+
+  const views = page.locator("tc-workbench .views");
+  const look = async (): Promise<Buffer> => {
+    await editor.page.evaluate(() => window.texelcast.select(null));
+    await page.mouse.move(5, 400);
+    await editor.idle();
+    return views.screenshot();
+  };
+  const seen = await look();
+  await page.evaluate(() => window.texelcast.kept());
+  await editor.reload();
+  // What says that it is back.
+  await editor.notices.getByRole("button", { name: "Dismiss" }).click();
+  await expect.poll(async () => lookAlike(await look(), seen)).toBe(true);
+  expect((await editor.exported("Texture as PNG")).bytes.equals(file.bytes)).toBe(true);
 });
