@@ -281,3 +281,24 @@ TEST_CASE("Tiles that the target's edge cuts are painted like whole ones") {
         CHECK(differences == 0);
     });
 }
+
+TEST_CASE("The one transparent texel of a white tile is painted as such, wherever in the tile it lies") {
+    Easel easel;
+    easel.add(fill_def(1, 1, 1, 0.4f));
+    std::uint32_t wrong = 0;
+    for (std::uint32_t step = 0; step < 256; ++step) {
+        // In each tile at another place.
+        Picture base(kSize, kSize, kWhite);
+        Picture expected = base;
+        for (std::uint32_t tile = 0; tile < 16; ++tile) {
+            const std::uint32_t place = (step + tile * 37) % 256;
+            const std::uint32_t x = tile % 4 * 16 + place % 16;
+            const std::uint32_t y = tile / 4 * 16 + place / 16;
+            base.set(x, y, {255, 255, 255, 0});
+            expected.set(x, y, {255, 255, 255, 102});
+        }
+        easel.session.set_base(easel.target, base);
+        wrong += count_differences(easel.paint(), expected);
+    }
+    CHECK(wrong == 0);
+}

@@ -289,3 +289,22 @@ TEST_CASE("A group ends with all that is in it") {
     CHECK(txc_layer_def(session.id(), masking, &def) == TXC_STATUS_STALE_HANDLE);
     CHECK(session.paint(target).at(3, 3) == Color{255, 255, 255, 255});
 }
+
+TEST_CASE("A group that is passed through and locks alpha leaves what is below as it was where its layers erase all") {
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(kSize, kSize);
+    const Picture base = make_noise(kSize, kSize, 29);
+    session.set_base(target, base);
+    for (const std::uint32_t space : {TXC_BLEND_SPACE_SRGB, TXC_BLEND_SPACE_LINEAR}) {
+        TxcLayerDef def = group_def(false);
+        def.lock_alpha = 1;
+        def.blend_space = space;
+        const TxcLayer group = session.layer(target, def);
+        TxcLayerDef eraser = fill_def(0, 0, 0);
+        eraser.blend = TXC_BLEND_ERASE;
+        session.layer(target, in_group(eraser, group));
+        CAPTURE(space);
+        CHECK(count_differences(session.paint(target), base) == 0);
+        must(txc_layer_destroy(session.id(), group));
+    }
+}
