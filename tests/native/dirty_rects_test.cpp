@@ -225,3 +225,23 @@ TEST_CASE("A cut is made only where it saves more than a rectangle costs") {
     txc::cover_tiles(marked, 11, 9, rects);
     CHECK(rects.size() == 1);
 }
+
+TEST_CASE("Of the cuts that pay, the one that saves most is made, be it along rows or columns") {
+    // Two bars side by side, the one moved along by two tiles: cut between them they are two whole rectangles.
+    for (const bool is_upright : {false, true}) {
+        CAPTURE(is_upright);
+        const std::uint32_t columns = is_upright ? 6 : 8;
+        std::vector<std::uint8_t> marked(6 * 8, 0);
+        for (std::uint32_t along = 0; along < 6; ++along) {
+            for (std::uint32_t across = 0; across < 2; ++across) {
+                const std::uint32_t first[2] = {along, across};
+                const std::uint32_t second[2] = {along + 2, across + 4};
+                for (const auto& at : {first, second})
+                    marked[at[is_upright ? 0 : 1] * columns + at[is_upright ? 1 : 0]] = 1;
+            }
+        }
+        std::vector<txc::TileRect> rects;
+        txc::cover_tiles(marked, columns, 2, rects);
+        CHECK(rects.size() == 2);
+    }
+}
