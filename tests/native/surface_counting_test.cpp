@@ -178,3 +178,29 @@ TEST_CASE("A surface of one texel tells that texel's rectangle") {
     CHECK(surface.end_y == 22);
     CHECK(surface.area == doctest::Approx(1.0));
 }
+
+TEST_CASE(
+    "However a picture of many pixels a texel is turned, what of it lies on the surface lands, and the rest is "
+    "clipped") {
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(16, 16, 0);
+    TxcLayerDef def = decal_def(session.image(Picture(256, 192, kRed)));
+    resize(def, 0.5, 0.375, 1.0);
+    for (int flips = 0; flips < 4; ++flips) {
+        def.flip_x = flips % 2 == 0 ? 0 : 1;
+        def.flip_y = flips / 2 == 0 ? 0 : 1;
+        for (const double degrees : {0.0, 30.0, -30.0, 75.0, 160.0}) {
+            CAPTURE(flips);
+            CAPTURE(degrees);
+            turn(def, 0.0, 0.0, 1.0, degrees);
+            place(def, 0.01, 0.02, 0.0);
+            CHECK(measure(session, target, def).clipped == 0.0f);
+            // The plane's edge runs through the middle, and through a quarter where the picture is upright.
+            place(def, 0.5, 0.02, 0.0);
+            CHECK(measure(session, target, def).clipped == doctest::Approx(0.5).epsilon(0.01));
+            if (degrees != 0.0) continue;
+            place(def, 0.375, 0.02, 0.0);
+            CHECK(measure(session, target, def).clipped == doctest::Approx(0.25).epsilon(0.02));
+        }
+    }
+}
