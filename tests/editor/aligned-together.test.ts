@@ -1,28 +1,10 @@
 import { describe, expect, it } from "vitest";
-import { makeDecalLayer, type PlacedLayer } from "../../web/editor/document/index.ts";
-import { alignedTogether, canAlign } from "../../web/editor/state/aligned-together.ts";
-import type { CylindricalProjector, Projector, UvProjector } from "../../web/engine/engine-api.ts";
-import { sheet } from "../support/sheet-model.ts";
+import type { PlacedLayer } from "../../web/editor/document/index.ts";
+import { alignedTogether, canAlign, type LineOfLayers } from "../../web/editor/state/aligned-together.ts";
+import { box, HALF, label, layer, placesOf, sheet, stamp } from "../support/pictures-on-a-sheet.ts";
 
-const HALF = Math.SQRT1_2;
-
-const layer = (id: string, projector: Projector, material = 0): PlacedLayer =>
-  makeDecalLayer({ id, name: id, material, asset: "logo", projector, filter: "linear" });
-const box = (x: number, y: number, spin: readonly [number, number] = [0, 1]): Projector => ({
-  ...{ kind: "planar", position: [x, y, 0], rotation: [0, 0, spin[0], spin[1]], size: [0.2, 0.2, 0.1] },
-});
-const stamp = (u: number, v: number): UvProjector => ({ kind: "uv", center: [u, v], size: [0.1, 0.05], angle: 0 });
-const label: CylindricalProjector = {
-  ...{ kind: "cylindrical", position: [0, 0, 0], rotation: [0, 0, 0, 1], radius: 1, height: 1, arc: 90, depth: 0.1 },
-};
-
-/** Centres and positions in their plane, to a billionth. */
-function places(layers: readonly PlacedLayer[], first: PlacedLayer, line: "column" | "row"): number[][] {
-  return alignedTogether(layers, first, line, sheet).map((projector) => {
-    const place = projector.kind === "uv" ? projector.center : projector.position.slice(0, 2);
-    return place.map((part) => Math.round(part * 1e9) / 1e9);
-  });
-}
+const places = (layers: readonly PlacedLayer[], first: PlacedLayer, line: LineOfLayers): number[][] =>
+  placesOf(alignedTogether(layers, first, line, sheet));
 
 describe("several pictures that are brought into line", () => {
   const [a, b] = [layer("a", box(0.1, 0.5)), layer("b", box(0.3, -0.2))];
@@ -39,7 +21,7 @@ describe("several pictures that are brought into line", () => {
   });
 
   it("go by that one's own right and top where it is turned", () => {
-    const lying = layer("lying", box(0.1, 0.5, [HALF, HALF]));
+    const lying = layer("lying", box(0.1, 0.5, [0.2, 0.2], [HALF, HALF]));
     expect(places([lying, b], lying, "column")[1]).toEqual([0.3, 0.5]);
   });
 

@@ -1,36 +1,12 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { makeDecalLayer, type PlacedLayer } from "../../web/editor/document/index.ts";
-import { canSpread, spreadTogether } from "../../web/editor/state/spread-together.ts";
-import type { CylindricalProjector, Projector, UvProjector } from "../../web/engine/engine-api.ts";
-import { sheet } from "../support/sheet-model.ts";
+import type { PlacedLayer } from "../../web/editor/document/index.ts";
+import { canSpread, type SpreadOfLayers, spreadTogether } from "../../web/editor/state/spread-together.ts";
+import type { Projector } from "../../web/engine/engine-api.ts";
+import { box, HALF, label, layer, placesOf, sheet, stamp } from "../support/pictures-on-a-sheet.ts";
 
-const HALF = Math.SQRT1_2;
-
-const layer = (id: string, projector: Projector, material = 0): PlacedLayer =>
-  makeDecalLayer({ id, name: id, material, asset: "logo", projector, filter: "linear" });
-const box = (
-  x: number,
-  y: number,
-  [width, height] = [0.2, 0.2],
-  spin: readonly [number, number] = [0, 1],
-): Projector => ({
-  ...{ kind: "planar", position: [x, y, 0], rotation: [0, 0, spin[0], spin[1]], size: [width, height, 0.1] },
-});
-const stamp = (u: number, v: number, [width, height] = [0.1, 0.05], angle = 0): UvProjector => ({
-  ...{ kind: "uv", center: [u, v], size: [width, height], angle },
-});
-const label: CylindricalProjector = {
-  ...{ kind: "cylindrical", position: [0, 0, 0], rotation: [0, 0, 0, 1], radius: 1, height: 1, arc: 90, depth: 0.1 },
-};
-
-/** Centres and positions in their plane, to a billionth. */
-function places(layers: readonly PlacedLayer[], first: PlacedLayer, spread: "across" | "down"): number[][] {
-  return spreadTogether(layers, first, spread, sheet).map((projector) => {
-    const place = projector.kind === "uv" ? projector.center : projector.position.slice(0, 2);
-    return place.map((part) => Math.round(part * 1e9) / 1e9);
-  });
-}
+const places = (layers: readonly PlacedLayer[], first: PlacedLayer, spread: SpreadOfLayers): number[][] =>
+  placesOf(spreadTogether(layers, first, spread, sheet));
 
 describe("several pictures that are spread evenly", () => {
   const [left, near, right] = [layer("l", box(0, 0.3)), layer("n", box(0.25, 0.1)), layer("r", box(1, 0.2))];
