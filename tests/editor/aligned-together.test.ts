@@ -53,6 +53,21 @@ describe("several pictures that are brought into line", () => {
     expect(alignedTogether([one, level], one, "column", sheet)[1]).not.toBe(level.projector);
   });
 
+  it("leave a sheet of pixels, which covers the whole texture, where it is", () => {
+    const [sheetOfPixels, one, two] = [
+      layer("pixels", stamp(0.5, 0.5, [1, 1])),
+      layer("one", stamp(0.2, 0.3)),
+      layer("two", stamp(0.7, 0.6)),
+    ];
+    expect(places([sheetOfPixels, one, two], one, "column")).toEqual([
+      [0.5, 0.5],
+      [0.2, 0.3],
+      [0.2, 0.6],
+    ]);
+    expect(places([sheetOfPixels, one], sheetOfPixels, "row")[1]).toEqual([0.2, 0.3]);
+    expect(canAlign([sheetOfPixels, one])).toBe(false);
+  });
+
   it("are two of a kind at least", () => {
     expect(canAlign([a, b])).toBe(true);
     expect(canAlign([a, layer("one", stamp(0.2, 0.3))])).toBe(false);

@@ -62,6 +62,14 @@ describe("several pictures that are spread evenly", () => {
     expect(places([a, b, c], a, "down")[1]).toEqual([0.2, 0.3]);
   });
 
+  it("leave a sheet of pixels, which covers the whole texture, where it is", () => {
+    const sheetOfPixels = layer("pixels", stamp(0.5, 0.5, [1, 1]));
+    const stamps = [0.1, 0.3, 0.9].map((u, at) => layer(String(at), stamp(u, 0.2)));
+    const [first, second] = stamps as [PlacedLayer, PlacedLayer];
+    expect(places([sheetOfPixels, ...stamps], first, "across").map(([u]) => u)).toEqual([0.5, 0.1, 0.5, 0.9]);
+    expect(canSpread([sheetOfPixels, first, second])).toBe(false);
+  });
+
   it("are three of a kind at least", () => {
     expect(canSpread([left, near, right])).toBe(true);
     expect(canSpread([left, near, layer("s", stamp(0, 0))])).toBe(false);

@@ -4,6 +4,7 @@ import type { ModelViewer } from "../../viewer/viewer-api.ts";
 import { dot } from "../document/axes.ts";
 import { materialsOf, type PlacedLayer } from "../document/index.ts";
 import { minus, turned } from "../document/rigid-motion.ts";
+import { isStamp } from "./stamps-together.ts";
 
 export const ALIGNMENT_LINES = ["column", "row"] as const;
 export type LineOfLayers = (typeof ALIGNMENT_LINES)[number];
@@ -30,7 +31,7 @@ export function alignedTogether(
       if (projector.kind !== "planar" || isThere(projector, lead.position, normal)) return projector;
       return viewer.centred(projector, [{ point: lead.position, normal }]);
     }
-    if (lead.kind !== "uv" || projector.kind !== "uv" || !sharesTexture(layer, first)) return projector;
+    if (!isStamp(lead) || !isStamp(projector) || !sharesTexture(layer, first)) return projector;
     const [u, v] = projector.center;
     if ((line === "column" ? u - lead.center[0] : v - lead.center[1]) === 0) return projector;
     return { ...projector, center: line === "column" ? [lead.center[0], v] : [u, lead.center[1]] };
@@ -45,7 +46,7 @@ function isThere({ position, size }: PlanarProjector, point: Vec3, normal: Vec3)
 /** Whether some of these layers can be brought into line with another one. */
 export function canAlign(layers: readonly PlacedLayer[]): boolean {
   const boxes = layers.filter(({ projector }) => projector.kind === "planar");
-  const stamps = layers.filter(({ projector }) => projector.kind === "uv");
+  const stamps = layers.filter(({ projector }) => isStamp(projector));
   return (
     boxes.length > 1 || stamps.some((stamp, at) => stamps.slice(at + 1).some((other) => sharesTexture(stamp, other)))
   );

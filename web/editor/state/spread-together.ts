@@ -9,6 +9,7 @@ import { dot } from "../document/axes.ts";
 import type { PlacedLayer } from "../document/index.ts";
 import { plus, turned } from "../document/rigid-motion.ts";
 import { sharesTexture } from "./aligned-together.ts";
+import { isStamp } from "./stamps-together.ts";
 
 export const SPREADS = ["across", "down"] as const;
 export type SpreadOfLayers = (typeof SPREADS)[number];
@@ -71,10 +72,10 @@ function boxesAlong(layers: readonly PlacedLayer[], normal: Vec3, viewer: Pick<M
 
 /** Of those in the texture of `first`, where that is a stamp. @param axis of the texture: 0 its u, 1 its v */
 function stampsAlong(layers: readonly PlacedLayer[], first: PlacedLayer, axis: 0 | 1): Member[] {
-  if (first.projector.kind !== "uv") return [];
+  if (!isStamp(first.projector)) return [];
   return layers.flatMap((layer) => {
     const { id, projector } = layer;
-    if (projector.kind !== "uv" || !sharesTexture(layer, first)) return [];
+    if (!isStamp(projector) || !sharesTexture(layer, first)) return [];
     const { low, high } = stampBounds([projector]);
     const [u, v] = projector.center;
     const move = (wanted: number): Projector => ({ ...projector, center: axis === 0 ? [wanted, v] : [u, wanted] });

@@ -10,17 +10,18 @@ const RADIANS = Math.PI / 180;
 /** A layer that lies in a texture as a stamp. */
 export type Stamp = PlacedLayer & { readonly projector: UvProjector };
 
-/**
- * Of layers those that lie as stamps in the texture of a material. One that covers the whole texture is no stamp to be moved but a
- * sheet of pixels.
- */
+/** One that covers the whole texture is no stamp to be moved but a sheet of pixels. */
+export function isStamp(projector: Projector): projector is UvProjector {
+  if (projector.kind !== "uv") return false;
+  const { center, size, angle } = projector;
+  return angle !== 0 || [...center, ...size].some((part, index) => part !== (index < 2 ? 0.5 : 1));
+}
+
+/** Of layers those that lie as stamps in the texture of a material. */
 export function stampsIn(layers: readonly PlacedLayer[], material: number | null): Stamp[] {
-  return layers.filter((layer): layer is Stamp => {
-    const { projector } = layer;
-    if (projector.kind !== "uv" || material === null || !materialsOf(layer).includes(material)) return false;
-    const { center, size, angle } = projector;
-    return angle !== 0 || [...center, ...size].some((part, index) => part !== (index < 2 ? 0.5 : 1));
-  });
+  return layers.filter(
+    (layer): layer is Stamp => isStamp(layer.projector) && material !== null && materialsOf(layer).includes(material),
+  );
 }
 
 /** Upright, round all of them. */
