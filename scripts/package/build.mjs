@@ -15,6 +15,7 @@ import { ENTRIES, manifestOf } from "./manifest.mjs";
 import { mergeChunks } from "./merge-chunks.mjs";
 import { noNode } from "./no-node.mjs";
 import { pageEntries } from "./page-entries.mjs";
+import { shortenNames } from "./short-names.mjs";
 import { shrinkScripts } from "./shrink.mjs";
 import { tightStyles } from "./tight-styles.mjs";
 import { NamedFiles, urlFiles } from "./url-files.mjs";
@@ -103,6 +104,7 @@ export async function buildPackage() {
   }
   // Before a server's scripts come to them, which nobody downloads by the visit.
   await shrinkScripts(DIST);
+  shortenNames(DIST);
   const servers = entries.flatMap(({ name, server }) => (server ? [{ source: server, name: `${name}-server` }] : []));
   await bundle({
     entryPoints: [
