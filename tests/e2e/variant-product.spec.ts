@@ -62,4 +62,60 @@ for (const mode of ["shop", "full"] as const) {
     });
     expect(again).toEqual(blue);
   });
+
+  test(`in ${mode} mode the customer's view of it and what is chosen stay in another look, and not for another product`, async ({
+    page,
+  }) => {
+    await page.route("**/looks.glb", (route) => route.fulfill({ body: square() }));
+    await page.goto(`element.html?mode=${mode}&loading=lazy&size=64`);
+    const editor = page.locator("texelcast-editor");
+    const show = (src: string) =>
+      editor.evaluate(async (element: Editor, to) => {
+        element.src = to;
+        await element.updateComplete;
+        await element.start();
+      }, src);
+    /** What the product covers of the view, as the customer sees it. */
+    const outline = async () => {
+      const bytes = await editor.evaluate(async (element: Editor) => [
+        ...new Uint8Array(await (await element.snapshot("current", { width: 100, height: 100 })).arrayBuffer()),
+      ]);
+      const { rgba } = readPng(Buffer.from(bytes));
+      return Array.from({ length: 100 * 100 }, (_, pixel) => (rgba[pixel * 4 + 3] ?? 0) > 127);
+    };
+    const differing = (a: readonly boolean[], b: readonly boolean[]) =>
+      a.filter((inside, pixel) => inside !== b[pixel]).length;
+    /** The camera goes on for a moment after its key. */
+    const atRest = async () => {
+      let before: readonly boolean[] = [];
+      await expect
+        .poll(async () => {
+          const last = before;
+          before = await outline();
+          return differing(before, last);
+        })
+        .toBe(0);
+      return before;
+    };
+
+    await show("demo/looks.glb#variant=red");
+    const first = await outline();
+    const id = await editor.evaluate((element: Editor) => element.addDecal("demo/decals/smiley.png", { width: 0.4 }));
+    const view = editor.getByRole("application").first();
+    await view.focus();
+    await view.press("Escape");
+    for (let i = 0; i < 4; i++) await view.press("ArrowRight");
+    await editor.evaluate((element: Editor, layer) => element.select(layer), id);
+    await expect.poll(async () => differing(await outline(), first)).toBeGreaterThan(400);
+    const turned = await atRest();
+
+    await show("demo/looks.glb#variant=blue wave");
+    expect(differing(await outline(), turned)).toBeLessThan(30);
+    expect(await editor.evaluate((element: Editor) => element.selected)).toBe(id);
+    await editor.evaluate((element: Editor) => element.restart());
+    expect(differing(await outline(), turned)).toBeLessThan(30);
+    await show("demo/mug.glb");
+    await show("demo/looks.glb");
+    expect(differing(await outline(), first)).toBeLessThan(30);
+  });
 }

@@ -3,6 +3,7 @@ import type { LitElement } from "lit";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { ToldError } from "../editor/strings/told-error.ts";
 import { adoptStyle } from "../viewer/adopt-style.ts";
+import type { CameraStand } from "../viewer/camera-rig.ts";
 import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
 import type { DesignExport } from "./desk/export-design.ts";
 import type { SubmitDetail, TexelcastEditorProperties } from "./element-api.ts";
@@ -37,11 +38,13 @@ export class Work {
   /** How often it was closed: a start that finds another count than it began with is given up. */
   #closings = 0;
   /** What was worked on when the mode was closed last; `behind` a newer one that the page has set and nobody has seen yet. */
-  #kept: { readonly steps: Steps; readonly behind: boolean } | null = null;
+  #kept: { readonly steps: Steps; readonly selected: string | null; readonly behind: boolean } | null = null;
   /** The newest design that the page has set meanwhile and that is being read. */
   #coming: object | null = null;
   /** The newest design and zones that the page has set: done when they are in use, or could not be. */
   readonly #taken = new Map<"design" | "zones", Promise<void>>();
+  /** What was begun last, by what the page says of it, and where its camera stood when it was closed. */
+  #begun: { readonly product: unknown; readonly orbit: unknown; stand?: CameraStand } | null = null;
   #view: HTMLElement | null = null;
   #changeTimer: ReturnType<typeof setTimeout> | undefined;
   #untold = false;
@@ -107,7 +110,11 @@ export class Work {
     clearTimeout(this.#changeTimer);
     this.#closings++;
     const { mode } = this;
-    if (mode?.desk) this.#kept = { steps: mode.desk.session.steps, behind: this.#coming !== null };
+    if (mode && this.#begun) this.#begun.stand = mode.viewer.stand;
+    if (mode?.desk) {
+      const { session, store } = mode.desk;
+      this.#kept = { steps: session.steps, selected: store.state.selectedId, behind: this.#coming !== null };
+    }
     this.#coming = null;
     this.#run?.close();
     this.#run = null;
@@ -171,7 +178,11 @@ export class Work {
       await element.updateComplete;
       // Closed before there was a run that could have been closed.
       if (closings !== this.#closings) throw new TexelcastError("cancelled", voice.words.errors.notReady);
-      const { mode: kind, src, zones, design } = element;
+      const { mode: kind, src, zones, design, cameraOrbit } = element;
+      const product = productOf(src);
+      const begun = this.#begun;
+      const isAgain = begun?.product === product && begun?.orbit === cameraOrbit;
+      this.#begun = { product, orbit: cameraOrbit, stand: isAgain ? begun.stand : undefined };
       this.#run = new Run({
         ...{ kind, src, zones, words: voice.words, limits: this.settings.limits },
         design: { given: design, kept: this.#kept?.steps ?? null, keptFirst: this.#kept?.behind === false },
@@ -181,12 +192,14 @@ export class Work {
       });
       const mode = await this.#run.open();
       const { orbit, settings } = readSettings(element, voice.words);
-      if (orbit !== null) mode.viewer.setCamera(orbit, settings.camera);
+      const place = this.#begun.stand ?? orbit;
+      if (place !== null) mode.viewer.setCamera(place, settings.camera);
       this.#phase = "ready";
       this.#progress(1);
       // What the page set while it was opening.
       if (element.zones !== zones) this.#take("zones", this.#useZones(mode));
       const { desk } = mode;
+      if (this.#kept?.selected) desk?.select(this.#kept.selected);
       if (desk && desk.design.layers.length > 0 && desk.zones !== null) void voice.told(this.#sendChange(false));
       const materials = mode.materials.map(({ index, name, refusal }) => ({
         index,
@@ -318,6 +331,12 @@ export class Work {
     this.#element.requestUpdate();
   }
 }
+
+/** An address without the look that it asks for: of the same product in another look, the same. */
+const productOf = (src: TexelcastEditorProperties["src"]): unknown => {
+  const { href = src } = (src ?? {}) as Partial<URL>;
+  return typeof href === "string" ? href.replace(/#variant=.*/s, "") : href;
+};
 
 function makeView(): HTMLElement {
   const view = document.createElement("div");

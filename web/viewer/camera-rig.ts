@@ -11,7 +11,16 @@ export interface CameraReach {
   readonly maxDistance: number;
 }
 
+/** A camera's place, metres. */
+export interface CameraStand {
+  readonly eye: Vector3;
+  /** What it looks at and turns about. */
+  readonly target: Vector3;
+}
+
 export interface CameraRig {
+  /** Where it is or goes to. */
+  readonly stand: CameraStand;
   /** Limits what hands do from now on; what is not given stays. */
   limit(reach: Partial<CameraReach>): void;
   /** Keeps what is looked at inside a box. */
@@ -53,8 +62,7 @@ export class StillRig implements CameraRig {
   #moved = false;
   reach: Partial<CameraReach> = {};
   box: Box3 | null = null;
-  readonly eye = new Vector3(0, 0, 1);
-  readonly target = new Vector3();
+  readonly stand = { eye: new Vector3(0, 0, 1), target: new Vector3() };
 
   constructor(camera: PerspectiveCamera) {
     this.#camera = camera;
@@ -69,8 +77,8 @@ export class StillRig implements CameraRig {
   }
 
   lookAt(eye: Vector3, target: Vector3): void {
-    this.eye.copy(eye);
-    this.target.copy(target);
+    this.stand.eye.copy(eye);
+    this.stand.target.copy(target);
     this.#moved = true;
   }
 
@@ -82,8 +90,8 @@ export class StillRig implements CameraRig {
     const moved = this.#moved;
     this.#moved = false;
     if (moved) {
-      this.#camera.position.copy(this.eye);
-      this.#camera.lookAt(this.target);
+      this.#camera.position.copy(this.stand.eye);
+      this.#camera.lookAt(this.stand.target);
     }
     return moved;
   }

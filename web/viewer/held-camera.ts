@@ -12,7 +12,7 @@ import {
   Vector3,
   Vector4,
 } from "three";
-import type { CameraReach, HeldRig, StillRig, ZoomStep } from "./camera-rig.ts";
+import type { CameraReach, CameraStand, HeldRig, StillRig, ZoomStep } from "./camera-rig.ts";
 import { DepthControls } from "./depth-controls.ts";
 
 CameraControls.install({
@@ -59,11 +59,15 @@ export class HeldCamera implements HeldRig {
     controls.touches.three = ACTION.NONE;
     controls.dollyToCursor = true;
     this.limit({ minPolarAngle: 0.01, maxPolarAngle: Math.PI - 0.01, ...before.reach });
-    this.lookAt(before.eye, before.target, false);
+    this.lookAt(before.stand.eye, before.stand.target, false);
     if (before.box !== null) this.enclose(before.box);
     for (const type of ["controlstart", "control", "transitionstart"] as const) {
       controls.addEventListener(type, requestFrame);
     }
+  }
+
+  get stand(): CameraStand {
+    return { eye: this.controls.getPosition(new Vector3()), target: this.controls.getTarget(new Vector3()) };
   }
 
   limit(reach: Partial<CameraReach>): void {
@@ -82,7 +86,7 @@ export class HeldCamera implements HeldRig {
 
   /** What brings it back to where it goes now. */
   keep(): () => void {
-    const [eye, target] = [this.controls.getPosition(new Vector3()), this.controls.getTarget(new Vector3())];
+    const { eye, target } = this.stand;
     return () => this.lookAt(eye, target, false);
   }
 

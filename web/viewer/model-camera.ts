@@ -2,6 +2,7 @@
 import { MathUtils, PerspectiveCamera } from "three";
 import { framedEye, MODEL_AZIMUTH, MODEL_POLAR } from "./camera-framing.ts";
 import { ANY_ORBIT, type Orbit } from "./camera-orbit.ts";
+import type { CameraStand } from "./camera-rig.ts";
 import { lensFor } from "./capture.ts";
 import type { Stage } from "./stage.ts";
 
@@ -42,10 +43,10 @@ export class ModelCamera {
     this.#stage.requestFrame();
   }
 
-  /** Goes there at once; what is not said is as in the usual first look. */
-  moveTo(orbit: Orbit): void {
+  /** Goes there at once; what an orbit does not say is as in the usual first look. */
+  moveTo(place: Orbit | CameraStand): void {
     if (this.#positions === null) return;
-    const { eye, target } = this.#eyeAt(this.#stage.camera, orbit, this.#positions);
+    const { eye, target } = "eye" in place ? place : this.#eyeAt(this.#stage.camera, place, this.#positions);
     this.#stage.rig.lookAt(eye, target, false);
     this.#stage.requestFrame();
   }

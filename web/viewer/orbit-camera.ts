@@ -5,7 +5,7 @@
  */
 import { type Box3, MathUtils, MOUSE, type PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import type { CameraReach, HeldRig, StillRig, ZoomStep } from "./camera-rig.ts";
+import type { CameraReach, CameraStand, HeldRig, StillRig, ZoomStep } from "./camera-rig.ts";
 
 /** How fast the view follows, of the way in a second: after a hand, and where it goes by itself. */
 const HAND_PACE = 30;
@@ -86,10 +86,14 @@ export class OrbitCamera implements HeldRig {
     });
     this.limit({ minPolarAngle: LEAST_POLAR, maxPolarAngle: Math.PI - LEAST_POLAR, ...before.reach });
     this.#box = before.box;
-    this.lookAt(before.eye, before.target, false);
+    this.lookAt(before.stand.eye, before.stand.target, false);
     before.update();
     this.#isUntouched = true;
     controls.told = () => this.#follow();
+  }
+
+  get stand(): CameraStand {
+    return { eye: this.#goalCamera.position, target: this.#goal.target };
   }
 
   limit(reach: Partial<CameraReach>): void {

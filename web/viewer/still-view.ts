@@ -7,6 +7,7 @@ import type { ModelInfo, TargetInfo, TargetUpdate } from "../engine/engine-api.t
 import { adoptStyle } from "./adopt-style.ts";
 import { frameModel } from "./camera-framing.ts";
 import type { Orbit } from "./camera-orbit.ts";
+import type { CameraStand } from "./camera-rig.ts";
 import { EventHub } from "./event-hub.ts";
 import { type CameraLimits, ModelCamera } from "./model-camera.ts";
 import { loadModelScene } from "./model-scene.ts";
@@ -142,9 +143,13 @@ export class StillView implements ModelView {
     return this.#model && this.stage.picture(width, height);
   }
 
-  setCamera(orbit: Orbit | null, limits: CameraLimits): void {
+  get stand(): CameraStand {
+    return this.stage.rig.stand;
+  }
+
+  setCamera(place: Orbit | CameraStand | null, limits: CameraLimits): void {
     this.#camera.setLimits(limits);
-    if (orbit !== null) this.#camera.moveTo(orbit);
+    if (place !== null) this.#camera.moveTo(place);
   }
 
   capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null> {

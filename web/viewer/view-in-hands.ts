@@ -1,6 +1,7 @@
 /** A view whose decals can be taken hold of, whoever does more with it: what hands answer, and what the view itself does. */
 import type { ModelInfo, PlanarProjector, Projector, TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
 import type { Orbit } from "./camera-orbit.ts";
+import type { CameraStand } from "./camera-rig.ts";
 import type { DecalHands } from "./decal-hands.ts";
 import type { CameraLimits } from "./model-camera.ts";
 import type { StillView } from "./still-view.ts";
@@ -41,8 +42,12 @@ export abstract class ViewInHands implements DecalViewer {
     return this.view.picture(width, height);
   }
 
-  setCamera(orbit: Orbit | null, limits: CameraLimits): void {
-    this.view.setCamera(orbit, limits);
+  get stand(): CameraStand {
+    return this.view.stand;
+  }
+
+  setCamera(place: Orbit | CameraStand | null, limits: CameraLimits): void {
+    this.view.setCamera(place, limits);
   }
 
   capture(orbit: Orbit | null, width: number, height: number): Promise<Blob | null> {

@@ -11,6 +11,7 @@ import type {
 } from "../engine/engine-api.ts";
 import type { FindSurroundings, ModelMiddle } from "./aligned-slide.ts";
 import type { Orbit } from "./camera-orbit.ts";
+import type { CameraStand } from "./camera-rig.ts";
 import type { GradientLabels, GradientPhase, GradientPlace } from "./gradient-handles.ts";
 import type { CameraLimits } from "./model-camera.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
@@ -162,8 +163,10 @@ export interface ModelView {
   frameModel(): void;
   /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
   picture(width: number, height: number): Promise<string | null>;
+  /** Where the camera is, or goes to. */
+  readonly stand: CameraStand;
   /** How far the camera may go about the open model, and (not null) where it goes now. Another model is free of both. */
-  setCamera(orbit: Orbit | null, limits: CameraLimits): void;
+  setCamera(place: Orbit | CameraStand | null, limits: CameraLimits): void;
   /**
    * The model from an orbit, or (null) from where the camera is: a PNG of this size in pixels on a clear ground, without
    * gizmo; null without a model or while WebGL is lost.
