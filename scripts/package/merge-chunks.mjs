@@ -23,18 +23,19 @@ const AT_ONCE = /(?:\bfrom|\bimport)\s*"\.\/([\w-]+\.js)"/g;
  * @param {object} parts
  * @param {string} parts.dist where the build was written
  * @param {import("esbuild").Metafile} parts.metafile
- * @param {readonly string[]} parts.roots sources of the scripts that are loaded with all they import: what the same roots
- *   need is merged. A root that a page or a worker begins with is merged into a file of its own, `…-shared.js`, which its own
+ * @param {readonly (readonly string[])[]} parts.moments sources of the scripts that are loaded with all they import, by the moment at
+ *   which they are: what the same roots need, and no moment before, is merged. A root that a page or a worker begins with is merged into a file of its own, `…-shared.js`, which its own
  *   file only imports. Nothing else imports that file: the same script under a second address (Vite's development server
  *   begins a worker as `engine-worker.js?worker_file&type=module`) would run a second time.
  * @param {import("esbuild").BuildOptions} parts.options of the build
  */
-export async function mergeChunks({ dist, metafile, roots, options }) {
+export async function mergeChunks({ dist, metafile, moments, options }) {
   const graph = new Graph(metafile);
-  const rootNames = roots.map((source) => graph.named(source));
+  const namesAt = moments.map((roots) => roots.map((source) => graph.named(source)));
+  const rootNames = namesAt.flat();
   /** Roots that keep a file of their own name. @type {readonly string[]} */
   const begun = rootNames.filter((name) => graph.entries.includes(name));
-  const groups = groupsOf(graph, rootNames).filter((members) => members.length > 1 || begun.includes(members[0] ?? ""));
+  const groups = groupsOf(graph, namesAt).filter((members) => members.length > 1 || begun.includes(members[0] ?? ""));
   /** Merged script to the one it is now part of. @type {Map<string, string>} */
   const partOf = new Map();
   /** Of each merged file the script that it is made from first. @type {Map<string, string>} */
@@ -235,21 +236,27 @@ class Graph {
 }
 
 /**
- * Scripts that the same roots need at once, and the same entries at some time: an entry must not come to load another one's
- * file for a part of it. What needs a script is needed by no more than what the script is needed by, so no two files need
- * each other.
+ * Scripts that the same roots of a moment need at once, and the same entries at some time: an entry must not come to load another
+ * one's file for a part of it. What needs a script is needed by no more than what the script is needed by, and at no earlier
+ * moment, so no two files need each other.
  *
- * @param {Graph} graph @param {readonly string[]} roots @returns {string[][]}
+ * @param {Graph} graph @param {readonly (readonly string[])[]} moments roots @returns {string[][]}
  */
-function groupsOf(graph, roots) {
-  const atOnce = roots.map((root) => graph.reach(root));
-  const others = graph.entries.filter((entry) => !roots.includes(entry));
+function groupsOf(graph, moments) {
+  const others = graph.entries.filter((entry) => !moments.flat().includes(entry));
   const sometime = others.map((entry) => graph.reach(entry, ["import-statement", "dynamic-import"]));
-  /** @type {Map<string, string[]>} */
-  const groups = new Map();
-  for (const name of new Set(atOnce.flatMap((names) => [...names]))) {
-    const key = [...atOnce, ...sometime].map((names) => Number(names.has(name))).join("");
-    groups.set(key, [...(groups.get(key) ?? []), name]);
-  }
-  return [...groups.values()];
+  /** Scripts by the first moment that loads them. @type {Set<string>} */
+  const loaded = new Set();
+  return moments.flatMap((roots) => {
+    const atOnce = roots.map((root) => graph.reach(root));
+    /** @type {Map<string, string[]>} */
+    const groups = new Map();
+    for (const name of new Set(atOnce.flatMap((names) => [...names]))) {
+      if (loaded.has(name)) continue;
+      loaded.add(name);
+      const key = [...atOnce, ...sometime].map((names) => Number(names.has(name))).join("");
+      groups.set(key, [...(groups.get(key) ?? []), name]);
+    }
+    return [...groups.values()];
+  });
 }

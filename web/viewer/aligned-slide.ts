@@ -104,12 +104,13 @@ export class AlignedSlides {
     return planesThrough(planes, pose).flatMap((plane) => this.#lineOf(plane, pose));
   }
 
-  /** From middle to middle; along a plane of the model's own a little beyond the decal. */
+  /** From middle to middle; along a plane of the model's own, or where both middles lie in the decal, a little beyond it. */
   #lineOf({ normal, of }: AlignmentPlane, pose: DecalPose): AlignmentLine[] {
     const along = new Vector3().crossVectors(normal, axisOf(pose, 2)).normalize();
     const half = along.multiplyScalar(0.75 * Math.max(pose.size.x, pose.size.y));
-    const from = of === null ? pose.position.clone().sub(half) : pose.position;
-    const to = of === null ? pose.position.clone().add(half) : of.position;
+    const other = of !== null && of.position.distanceTo(pose.position) > half.length() ? of.position : null;
+    const from = other === null ? pose.position.clone().sub(half) : pose.position;
+    const to = other ?? pose.position.clone().add(half);
     const [start, end] = [this.#screen.project(from), this.#screen.project(to)];
     return start && end ? [[start, end]] : [];
   }

@@ -1,4 +1,5 @@
 /** Lines over a view that show what a decal has come into line with. */
+import { adoptStyle } from "./adopt-style.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import { makeOverlay, makeSvg } from "./svg-overlay.ts";
 
@@ -6,6 +7,11 @@ export type AlignmentLine = readonly [ScreenPoint, ScreenPoint];
 
 /** CSS pixels: so near to a line what is dragged goes onto it. */
 export const ALIGNMENT_REACH = 7;
+
+const STYLE = /* css */ `
+.tcv-alignment-casing { stroke: rgb(255 255 255 / 0.6); stroke-width: 2.5; }
+.tcv-alignment-line { stroke: #d6187c; stroke-width: 1; }
+`;
 
 export class AlignmentLines {
   readonly #element = makeOverlay("tcv-alignment");
@@ -19,6 +25,7 @@ export class AlignmentLines {
       return element;
     });
     root.append(this.#element);
+    adoptStyle(root, STYLE);
   }
 
   /** CSS pixels of the view; none draws nothing. */

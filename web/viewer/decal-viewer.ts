@@ -1,10 +1,13 @@
+import type { AlignedSlides } from "./aligned-slide.ts";
 import { DecalHands } from "./decal-hands.ts";
 import { tupleOf } from "./decal-pose.ts";
 import { HeldModel } from "./held-model.ts";
 import type { ModelLook } from "./model-look.ts";
 import { OrbitCamera } from "./orbit-camera.ts";
+import type { ScreenSpace } from "./screen-space.ts";
 import type { StillModel } from "./still-model.ts";
 import type { StillView } from "./still-view.ts";
+import type { SurfaceQuery } from "./surface-query.ts";
 import type { ThrownKinds } from "./thrown-kinds.ts";
 import { ViewInHands } from "./view-in-hands.ts";
 import type { MapPicture, SurfacePlaces, ViewerDecal } from "./viewer-api.ts";
@@ -22,6 +25,8 @@ export class HeldView extends ViewInHands {
   #thrown: ThrownKinds | null;
   #model: { readonly still: StillModel; readonly held: HeldModel } | null = null;
   #look: ModelLook | null = null;
+  #slides: AlignedSlides | null = null;
+  #gone = false;
   #lookOnly = false;
 
   /**
@@ -42,6 +47,7 @@ export class HeldView extends ViewInHands {
       model: () => this.#model?.held ?? null,
       thrown: () => this.#thrown,
       posed: () => null,
+      aligned: (slide, decal) => this.#slides?.over(slide, decal) ?? slide,
     });
     this.hands = hands;
     hands.listen();
@@ -58,8 +64,15 @@ export class HeldView extends ViewInHands {
       setDecals: (decals, selectedId) => this.#setDecals(decals, selectedId),
       beforeFrame: () => false,
       drawOver: () => undefined,
-      cameraMoved: () => hands.gizmo.drawNow(),
-      letGo: () => hands.dispose(),
+      cameraMoved: () => {
+        hands.gizmo.drawNow();
+        this.#slides?.hideLines();
+      },
+      letGo: () => {
+        this.#gone = true;
+        hands.dispose();
+        this.#slides?.dispose();
+      },
     });
   }
 
@@ -68,6 +81,14 @@ export class HeldView extends ViewInHands {
     this.#lookOnly = value;
     this.hands.suspended = value;
     this.element.style.cursor = value ? "grab" : "";
+  }
+
+  /** Has what `make` makes bring decals into line as they slide, once; it goes with the view, and is not made where that is gone. */
+  align(make: (screen: ScreenSpace, query: () => SurfaceQuery | null) => AlignedSlides): void {
+    if (this.#gone) return;
+    const slides = make(this.hands.screen, () => this.#model?.held.query ?? null);
+    this.#slides = slides;
+    this.on("gesture", ({ phase }) => phase !== "move" && slides.hideLines());
   }
 
   /** Shows pictures in place of the textures, by material (others grey), as flat colours; null shows the textures again. */

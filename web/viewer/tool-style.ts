@@ -4,9 +4,6 @@ export const TOOL_STYLE = /* css */ `
 .tcv-ring-line { stroke: #ffffff; stroke-width: 1.25; }
 .tcv-ring-inner { stroke: rgb(255 255 255 / 0.8); stroke-width: 1; stroke-dasharray: 3 3; }
 
-.tcv-alignment-casing { stroke: rgb(255 255 255 / 0.6); stroke-width: 2.5; }
-.tcv-alignment-line { stroke: #d6187c; stroke-width: 1; }
-
 .tcv-gradient { position: absolute; inset: 0; overflow: hidden; pointer-events: none; }
 .tcv-gradient[hidden], .tcv-gradient-handle[hidden] { display: none; }
 .tcv-gradient-handle {

@@ -14,6 +14,7 @@ import {
   visitOf,
 } from "../document/index.ts";
 import { isLocked, type LayerVisit, walkLayers } from "../document/layer-tree.ts";
+import { middlesOf } from "../tools/model-middles.ts";
 import { isPixelated } from "../tools/pixel-mode.ts";
 import { alignedTogether, type LineOfLayers } from "./aligned-together.ts";
 import type { LibraryPicture } from "./asset-library.ts";
@@ -37,7 +38,7 @@ import { ownsNoTexel } from "./shared-place.ts";
 import { type SpreadOfLayers, spreadTogether } from "./spread-together.ts";
 import { type StepKind, StepReport } from "./step-report.ts";
 import type { Store } from "./store.ts";
-import { type Dragged, middlesOf } from "./surroundings.ts";
+import type { Dragged } from "./surroundings.ts";
 import { type Placement, TriedKinds } from "./tried-kinds.ts";
 import { sharesTexels } from "./unwrap-command.ts";
 import { type WholeGroup, wholeGroups } from "./whole-groups.ts";

@@ -1,9 +1,9 @@
 /** What a picture that is dragged comes into line with: the middles of the model, and the pictures that stay where they are. */
-import type { ModelInfo, UvProjector, Vec3 } from "../../engine/engine-api.ts";
-import type { ModelMiddle, Surroundings } from "../../viewer/viewer-api.ts";
+import type { ModelInfo, UvProjector } from "../../engine/engine-api.ts";
+import type { Surroundings } from "../../viewer/viewer-api.ts";
 import { type Design, isPlaced, type PlacedLayer } from "../document/index.ts";
 import { walkLayers } from "../document/layer-tree.ts";
-import { mirrorOf } from "../tools/mirror-setting.ts";
+import { middlesOf } from "../tools/model-middles.ts";
 import { stampsIn } from "./stamps-together.ts";
 
 /** A design in the midst of a drag, and the layers that go with it. */
@@ -20,19 +20,6 @@ export function surroundingsOf(dragged: Dragged, info: Pick<ModelInfo, "boundsMi
 /** @param material in whose texture they lie */
 export function stampsBeside(dragged: Dragged, material: number | null): readonly UvProjector[] {
   return stampsIn(stayingOf(dragged), material).map(({ projector }) => projector);
-}
-
-/** The model's own planes of symmetry: where a mirror would stand. */
-export function middlesOf(info: Pick<ModelInfo, "boundsMin" | "boundsMax">): ModelMiddle[] {
-  return (["x", "y", "z"] as const).flatMap((axis) => {
-    const mirror = mirrorOf(axis, info);
-    const along = (length: number): Vec3 => [
-      axis === "x" ? length : 0,
-      axis === "y" ? length : 0,
-      axis === "z" ? length : 0,
-    ];
-    return mirror ? [{ point: along(mirror.offset), normal: along(1) }] : [];
-  });
 }
 
 /** What is seen of the others, locked or not. */

@@ -28,8 +28,11 @@ export class ShopDesk extends Desk {
       const { HeldView, kindsFor } = await import("../../viewer/decal-viewer.ts");
       const kinds = await kindsFor(viewer.decals);
       product.checkOpen();
-      held.view = new HeldView(viewer, kinds, (thrown) => product.fail(thrown));
-      return held.view;
+      const view = new HeldView(viewer, kinds, (thrown) => product.fail(thrown));
+      held.view = view;
+      // Without it decals slide as they are led.
+      import("./shop-lines.ts").then(({ alignDecals }) => alignDecals(view, product, this)).catch(() => undefined);
+      return view;
     };
     super({ engine, viewer, loadHands, library, store, session, hooks });
     this.#held = held;
