@@ -75,6 +75,17 @@ Examples:
   texelcast schema > design.schema.json
   texelcast schema --zones > zones.schema.json`;
 
+/** Of commands after the first, in their order: the program's own help has one of each. */
+const OTHER_EXAMPLES = [
+  BAKE_EXAMPLES,
+  RENDER_EXAMPLES,
+  CHECK_EXAMPLES,
+  PRINT_EXAMPLES,
+  UNWRAP_EXAMPLES,
+  VARIANT_EXAMPLES,
+  SCHEMA_EXAMPLES,
+];
+
 const oneLine = (text: string): string =>
   text
     .replace(/^error: /, "")
@@ -88,10 +99,7 @@ export function createProgram(): Command {
     .version(packageJson.version, "-V, --version", "print the version")
     .helpOption("-h, --help", "print this help")
     .helpCommand(false)
-    .addHelpText(
-      "after",
-      `${INSPECT_EXAMPLES}${withoutHeading(BAKE_EXAMPLES, 1)}${withoutHeading(RENDER_EXAMPLES, 1)}${withoutHeading(CHECK_EXAMPLES, 1)}${withoutHeading(PRINT_EXAMPLES, 1)}${withoutHeading(UNWRAP_EXAMPLES, 1)}${withoutHeading(VARIANT_EXAMPLES, 1)}${withoutHeading(SCHEMA_EXAMPLES, 1)}\n${EXIT_CODES}`,
-    )
+    .addHelpText("after", `${INSPECT_EXAMPLES}${OTHER_EXAMPLES.map(firstExample).join("")}\n${EXIT_CODES}`)
     .exitOverride()
     .configureOutput({
       // Commander says in a line of its own what may have been meant; of what is wrong there is one line.
@@ -99,6 +107,12 @@ export function createProgram(): Command {
     })
     .showHelpAfterError("  `texelcast --help` and `texelcast COMMAND --help` tell the usage.");
 
+  for (const add of [addInspect, addBake, addRender, addCheck, addPrint, addUnwrap, addVariant, addSchema, addHelp])
+    add(program);
+  return program;
+}
+
+function addInspect(program: Command): void {
   program
     .command("inspect")
     .summary("tell whether a model can take decals, and how well it is unwrapped")
@@ -109,7 +123,9 @@ export function createProgram(): Command {
     .action(async (model: string, options: InspectOptions) => {
       await (await import("./commands/inspect.ts")).inspect(model, options);
     });
+}
 
+function addBake(program: Command): void {
   program
     .command("bake")
     .summary("write the local space texture: positions, normals, coverage, overlap")
@@ -130,7 +146,9 @@ export function createProgram(): Command {
     .action(async (model: string, options: BakeOptions) => {
       await (await import("./commands/bake.ts")).bake(model, options);
     });
+}
 
+function addRender(program: Command): void {
   program
     .command("render")
     .summary("replay a design on a model: the finished texture, or the model with it inside")
@@ -166,7 +184,9 @@ export function createProgram(): Command {
       if (alone && !/\.texelcast$/i.test(first)) command.error("error: missing required argument 'design'");
       await (await import("./commands/render.ts")).render(alone ? null : first, second ?? first, options);
     });
+}
 
+function addCheck(program: Command): void {
   program
     .command("check")
     .summary("tell what the print makes of a design, and whether it may be printed")
@@ -187,7 +207,9 @@ export function createProgram(): Command {
       const mayBePrinted = await (await import("./commands/check.ts")).check(model, design, options);
       if (!mayBePrinted) process.exitCode = EXIT_BAD_INPUT;
     });
+}
 
+function addPrint(program: Command): void {
   program
     .command("print")
     .summary("write a design as a file for the printer, with its DPI")
@@ -218,7 +240,9 @@ export function createProgram(): Command {
     .action(async (model: string, design: string, options: PrintOptions) => {
       await (await import("./commands/print.ts")).print(model, design, options);
     });
+}
 
+function addUnwrap(program: Command): void {
   program
     .command("unwrap")
     .summary("give each triangle texels of its own, where a model's parts share them or have none")
@@ -239,7 +263,9 @@ export function createProgram(): Command {
     .action(async (model: string, options: UnwrapCommandOptions) => {
       await (await import("./commands/unwrap.ts")).unwrap(model, options);
     });
+}
 
+function addVariant(program: Command): void {
   program
     .command("variant")
     .summary("show another variant of a model's materials")
@@ -253,7 +279,9 @@ export function createProgram(): Command {
     .action(async (model: string, options: VariantCommandOptions) => {
       await (await import("./commands/variant.ts")).variant(model, options);
     });
+}
 
+function addSchema(program: Command): void {
   program
     .command("schema")
     .summary("print the JSON Schema of design documents, or of zones files")
@@ -265,7 +293,9 @@ export function createProgram(): Command {
     .action(async (options: SchemaOptions) => {
       await (await import("./commands/schema.ts")).schema(options);
     });
+}
 
+function addHelp(program: Command): void {
   program
     .command("help")
     .summary("print the help of a command")
@@ -277,15 +307,10 @@ export function createProgram(): Command {
       // Commander's own help command prints all of the usage and does not say why; called, a command that is none is named.
       else await program.parseAsync([name as string], { from: "user" });
     });
-
-  return program;
 }
 
 const sizeOption = (what: string): Option =>
   new Option("--size <texels>", `N or WIDTHxHEIGHT, 1 to 8192 (${what})`).argParser(parseSize);
 
-/** The first `count` examples, to stand in a list with others. */
-function withoutHeading(examples: string, count: number): string {
-  const lines = examples.split("\n").slice(2, 2 + count);
-  return `\n${lines.join("\n")}`;
-}
+/** To stand in a list with others'. */
+const firstExample = (examples: string): string => `\n${examples.split("\n")[2]}`;
