@@ -10,7 +10,6 @@ import type { LayerPatch } from "../state/layer-commands.ts";
 import { type LengthUnit, unitFor } from "../tools/length-unit.ts";
 import type { NumberFieldEvent } from "../ui/number-field.ts";
 import { recentColors } from "../ui/recent-colors.ts";
-import { opacitySlider } from "./opacity-slider.ts";
 import type { ProjectorField } from "./projector-fields.ts";
 import { checkField, choiceField } from "./property-fields.ts";
 
@@ -159,29 +158,6 @@ function alphaOf(color: string): number {
 function withAlpha(color: string, alpha: number): string {
   const byte = Math.round(Math.max(0, Math.min(1, alpha)) * 255);
   return color.slice(0, 7) + (byte === 255 ? "" : byte.toString(16).padStart(2, "0"));
-}
-
-export function opacityField(context: PropertyContext, { opacity }: DesignLayer): TemplateResult {
-  const words = context.editor.strings.properties;
-  const percent = Math.round(opacity * 1000) / 10;
-  return html`
-    <div class="field">
-      <label for="opacity">${words.opacity}</label>
-      <div class="slider">
-        ${opacitySlider(context, percent)}
-        ${numberField(context, words.opacity, {
-          label: "",
-          name: words.opacity,
-          unit: words.percent,
-          value: percent,
-          step: 1,
-          min: 0,
-          max: 100,
-          patch: (value) => ({ opacity: value / 100 }),
-        })}
-      </div>
-    </div>
-  `;
 }
 
 /** In which colours a layer is mixed with what is below, and whether it keeps to what is there. */

@@ -1,13 +1,41 @@
-/** The slider of the opacity of layers. A key takes its drag back; the browser knows no way to end the drag itself. */
+/** The opacity of layers: a slider and a field. */
 import { html, type TemplateResult } from "lit";
 import { takesBack } from "../../viewer/take-back-key.ts";
-import { type PropertyContext, record } from "./property-controls.ts";
+import type { DesignLayer } from "../document/index.ts";
+import { numberField, type PropertyContext, record } from "./property-controls.ts";
 
 /** Those whose drag was taken back: where the pointer goes with them until it lets go is nothing. */
 const takenBack = new WeakSet<EventTarget>();
 
-/** @param percent What is shown. */
-export function opacitySlider(context: PropertyContext, percent: number): TemplateResult {
+export function opacityField(context: PropertyContext, { opacity }: DesignLayer): TemplateResult {
+  const words = context.editor.strings.properties;
+  const percent = Math.round(opacity * 1000) / 10;
+  return html`
+    <div class="field">
+      <label for="opacity">${words.opacity}</label>
+      <div class="slider">
+        ${opacitySlider(context, percent)}
+        ${numberField(context, words.opacity, {
+          label: "",
+          name: words.opacity,
+          unit: words.percent,
+          value: percent,
+          step: 1,
+          min: 0,
+          max: 100,
+          patch: (value) => ({ opacity: value / 100 }),
+        })}
+      </div>
+    </div>
+  `;
+}
+
+/**
+ * A key takes its drag back; the browser knows no way to end the drag itself.
+ *
+ * @param percent What is shown.
+ */
+function opacitySlider(context: PropertyContext, percent: number): TemplateResult {
   const { layers, strings } = context.editor;
   const moved = ({ target }: Event, show: (opacity: number) => void): void => {
     const slider = target as HTMLInputElement;
