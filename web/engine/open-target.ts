@@ -257,7 +257,7 @@ export class OpenTarget {
   exportedPicture(): Picture {
     this.checkDrawn();
     const { width, height } = this.info;
-    return { width, height, rgba: this.#copyRows(4, (row, count) => this.#target.readBled(row, count, width)) };
+    return { width, height, rgba: this.#copyRows((row, count) => this.#target.readBled(row, count, width)) };
   }
 
   hash(x: number, y: number, width: number, height: number): string {
@@ -268,7 +268,7 @@ export class OpenTarget {
 
   view(view: MapView): Picture {
     const { width, height } = this.info;
-    return { width, height, rgba: this.#copyRows(4, (row, count) => this.#target.view(MapViews[view], row, count)) };
+    return { width, height, rgba: this.#copyRows((row, count) => this.#target.view(MapViews[view], row, count)) };
   }
 
   readMapRows(channel: MapChannel, row: number, rowCount: number): Float32Array | Uint8Array {
@@ -284,12 +284,12 @@ export class OpenTarget {
     }
   }
 
-  #copyRows(bytesPerTexel: number, read: (row: number, count: number) => Uint8Array): Uint8Array<ArrayBuffer> {
+  #copyRows(read: (row: number, count: number) => Uint8Array): Uint8Array<ArrayBuffer> {
     const { width, height } = this.info;
-    const all = new Uint8Array(width * height * bytesPerTexel);
+    const all = new Uint8Array(width * height * 4);
     const rowsAtOnce = Math.max(1, Math.floor(COPY_TEXELS / width));
     for (let row = 0; row < height; row += rowsAtOnce) {
-      all.set(read(row, Math.min(rowsAtOnce, height - row)), row * width * bytesPerTexel);
+      all.set(read(row, Math.min(rowsAtOnce, height - row)), row * width * 4);
     }
     return all;
   }

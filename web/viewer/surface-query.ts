@@ -150,8 +150,8 @@ export class SurfaceQuery {
     return [...found].sort((a, b) => a - b);
   }
 
-  closest(point: Vector3, within = Number.POSITIVE_INFINITY): SurfaceSample | null {
-    const info = this.#bvh?.closestPointToPoint(point, {} as HitPointInfo, 0, within);
+  closest(point: Vector3): SurfaceSample | null {
+    const info = this.#bvh?.closestPointToPoint(point, {} as HitPointInfo);
     return info ? this.#sample(info.faceIndex, info.point.clone(), info.distance) : null;
   }
 

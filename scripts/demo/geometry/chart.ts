@@ -92,13 +92,16 @@ export function joinCharts(name: string, pieces: readonly Chart[]): Chart {
   return { name, positions, normals, flat, triangles };
 }
 
+/** Of the numeric Jacobian, metres. */
+const DIFFERENCE = 1e-5;
+
 /** Moves every vertex by a smooth map that keeps orientation; normals follow by the map's numeric Jacobian. */
-export function deformChart(chart: Chart, map: (position: Vec3) => Vec3, step = 1e-5): Chart {
+export function deformChart(chart: Chart, map: (position: Vec3) => Vec3): Chart {
   const normals = chart.positions.map((position, index) => {
     const along = (axis: Vec3): Vec3 =>
       scale(
-        subtract(map(add(position, scale(axis, step))), map(subtract(position, scale(axis, step)))),
-        1 / (2 * step),
+        subtract(map(add(position, scale(axis, DIFFERENCE))), map(subtract(position, scale(axis, DIFFERENCE)))),
+        1 / (2 * DIFFERENCE),
       );
     const jx = along([1, 0, 0]);
     const jy = along([0, 1, 0]);

@@ -8,17 +8,19 @@ export interface CurvePoint {
   readonly tangent: Vec2;
 }
 
+const STEPS_PER_PIECE = 256;
+
 /** A curve in the XY plane by arc length, from pieces of cubic Bézier curves (four control points each). */
 export class PlaneCurve {
   readonly length: number;
   readonly #points: Vec2[] = [];
   readonly #lengths: number[] = [];
 
-  constructor(pieces: readonly (readonly [Vec2, Vec2, Vec2, Vec2])[], stepsPerPiece = 256) {
+  constructor(pieces: readonly (readonly [Vec2, Vec2, Vec2, Vec2])[]) {
     let travelled = 0;
     for (const [a, b, c, d] of pieces) {
-      for (let step = this.#points.length === 0 ? 0 : 1; step <= stepsPerPiece; step++) {
-        const t = step / stepsPerPiece;
+      for (let step = this.#points.length === 0 ? 0 : 1; step <= STEPS_PER_PIECE; step++) {
+        const t = step / STEPS_PER_PIECE;
         const s = 1 - t;
         const at = (axis: 0 | 1): number =>
           s * s * s * a[axis] + 3 * s * s * t * b[axis] + 3 * s * t * t * c[axis] + t * t * t * d[axis];

@@ -291,8 +291,8 @@ export class DecalCommands {
   }
 
   /** Scales the chosen decals by `steps` percent, about their common middle. */
-  scale(steps: number, coarse: boolean): boolean {
-    const factor = 1 + (steps * (coarse ? COARSE : 1)) / 100;
+  scale(steps: number): boolean {
+    const factor = 1 + steps / 100;
     return this.#step("scale", this.#board.strings.steps.scale, (layers) =>
       this.#together.changed(layers, (projector) => scaledProjector(projector, factor)),
     );

@@ -169,7 +169,8 @@ export class LayerCommands {
     return free;
   }
 
-  duplicate(ids = this.#store.state.selection): void {
+  duplicate(): void {
+    const ids = this.#store.state.selection;
     const before = this.#session.recordedDesign;
     const made = this.#attempt(() => {
       const originals = outermost(before, ids).map(({ layer }) => layer);
@@ -243,7 +244,8 @@ export class LayerCommands {
   }
 
   /** On top (1) or at the bottom (-1) of the layers that it lies with. */
-  toEnd(direction: 1 | -1, ids = this.#store.state.selection): void {
+  toEnd(direction: 1 | -1): void {
+    const ids = this.#store.state.selection;
     const design = this.#session.recordedDesign;
     const top = outermost(design, ids).at(-1);
     if (!top) return;
@@ -264,9 +266,10 @@ export class LayerCommands {
   }
 
   /** Puts the chosen layers into a new group. */
-  group(ids = this.#store.state.selection): void {
+  group(): void {
+    const { selection } = this.#store.state;
     const made = this.#attempt(() =>
-      groupLayers(this.#session.recordedDesign, ids, { name: this.#board.strings.layers.group }),
+      groupLayers(this.#session.recordedDesign, selection, { name: this.#board.strings.layers.group }),
     );
     if (!made) return;
     this.#session.record(made.design, this.#board.strings.steps.group);
@@ -292,11 +295,12 @@ export class LayerCommands {
   }
 
   /** Joins a layer with the one below it; several chosen layers become a group. */
-  merge(ids = this.#store.state.selection): void {
+  merge(): void {
+    const ids = this.#store.state.selection;
     const [id] = ids;
     if (id === undefined) return;
     if (ids.length > 1) {
-      this.group(ids);
+      this.group();
       return;
     }
     if (this.unlocked([id]).length === 0) return;

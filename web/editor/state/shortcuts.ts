@@ -167,9 +167,9 @@ function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Ed
       return decals.nudge(0, -1, coarse);
     case "+":
     case "=":
-      return decals.scale(1, false);
+      return decals.scale(1);
     case "-":
-      return decals.scale(-1, false);
+      return decals.scale(-1);
     case "Delete":
     case "Backspace":
       layers.remove();

@@ -164,9 +164,9 @@ export class Desk {
   }
 
   /** Records a design as a step. Throws "readonly" where nobody may. */
-  record(design: Design, label: string, mergeKey?: string): void {
+  record(design: Design, label: string): void {
     this.checkWritable();
-    this.session.record(design, label, mergeKey);
+    this.session.record(design, label);
   }
 
   /** Shows a change of a layer, or (`final`) records it. */
