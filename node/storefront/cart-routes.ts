@@ -3,9 +3,9 @@ import type { FastifyInstance } from "fastify";
 import { unitPriceOf } from "../../web/storefront/api/price.ts";
 import { type Cart, type Product, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { readLine, readQuantityRequest } from "./line-intake.ts";
+import type { Shop } from "./shop.ts";
 import type { Item, StoredLine } from "./shop-database.ts";
 import { notFound, shopError } from "./shop-error.ts";
-import type { Shop } from "./shop-server.ts";
 
 type OfCart = { Params: { cart: string } };
 type OfLine = { Params: { cart: string; line: string } };

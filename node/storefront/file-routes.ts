@@ -3,8 +3,8 @@ import type { FastifyInstance } from "fastify";
 import { SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { checkAsset } from "./asset-check.ts";
 import { isSha256, sha256Of } from "./asset-store.ts";
+import type { Shop } from "./shop.ts";
 import { shopError } from "./shop-error.ts";
-import type { Shop } from "./shop-server.ts";
 
 /** What a file is sent as: its content is what counts, so that no sender's word about it is asked for. */
 const BYTES = "application/octet-stream";

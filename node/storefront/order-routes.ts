@@ -3,8 +3,8 @@ import type { FastifyInstance } from "fastify";
 import type { Order } from "../../web/storefront/api/shop-api.ts";
 import { totalOf } from "./cart-routes.ts";
 import { readOrderRequest } from "./line-intake.ts";
+import type { Shop } from "./shop.ts";
 import { notFound, shopError } from "./shop-error.ts";
-import type { Shop } from "./shop-server.ts";
 
 /** `/api/carts/CART/order` and `/api/orders`: makes an order of a cart, tells its state, and gives out its print files. */
 export function addOrderRoutes(app: FastifyInstance, { catalogue, store, database, queue }: Shop): void {

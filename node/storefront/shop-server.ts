@@ -7,13 +7,14 @@ import type { Design } from "../../web/editor/document/index.ts";
 import { type EditorReply, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
 import { AssetStore } from "./asset-store.ts";
 import { addCartRoutes } from "./cart-routes.ts";
-import { type Catalogue, readCatalogue } from "./catalogue.ts";
+import { readCatalogue } from "./catalogue.ts";
 import { EDITOR_POLICY, orNone } from "./content-policy.ts";
 import { editorPageOf, type ShopOrigins } from "./editor-server.ts";
 import { addFileRoutes } from "./file-routes.ts";
 import { addOrderRoutes } from "./order-routes.ts";
 import { Press, type PressOptions } from "./press.ts";
 import { PrintQueue, type RenderLine } from "./print-queue.ts";
+import type { Shop } from "./shop.ts";
 import { ShopDatabase } from "./shop-database.ts";
 import { answerNoAddress, notFound, REFUSALS, replyTo, tooManyRequests } from "./shop-error.ts";
 
@@ -42,17 +43,6 @@ export interface ShopServerOptions {
   readonly report?: (error: unknown) => void;
 }
 
-/** What the routes share. */
-export interface Shop {
-  readonly catalogue: Catalogue;
-  readonly store: AssetStore;
-  readonly database: ShopDatabase;
-  readonly press: Press;
-  readonly queue: PrintQueue;
-  /** Of one address. */
-  readonly linesPerMinute: number;
-}
-
 export interface ShopServer {
   readonly app: FastifyInstance;
   /** Resolves when no ordered line waits for its print file. */
@@ -63,21 +53,8 @@ const DAY = 24 * 60 * 60 * 1000;
 
 /** Opens the store and the database, and makes the server; it does not listen yet. `app.close()` ends all of it. */
 export async function createShopServer(options: ShopServerOptions): Promise<ShopServer> {
-  const catalogue = await readCatalogue(options.site);
-  const store = await AssetStore.open(options.store, options.storedBytes ?? SHOP_LIMITS.storedBytes);
-  const database = new ShopDatabase(options.database);
-  const press = new Press(catalogue, store, options.press);
   const report = options.report ?? ((error) => console.error(error));
-  const print: RenderLine = async (line) => {
-    const product = catalogue.products.get(line.product);
-    if (product === undefined) throw notFound("product", line.product);
-    return press.print(product, line.design as Design);
-  };
-  const queue = new PrintQueue(database, store, print, report);
-  const { linesPerMinute = SHOP_LIMITS.linesPerMinute } = options;
-  const shop: Shop = { catalogue, store, database, press, queue, linesPerMinute };
-  const { origins } = options;
-
+  const shop = await openShop(options, report);
   const app = Fastify({
     bodyLimit: SHOP_LIMITS.jsonBytes,
     forceCloseConnections: true,
@@ -92,6 +69,42 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     return reply.code(status).send(body);
   });
   app.setNotFoundHandler(answerNoAddress);
+  await addRoutes(app, shop, options);
+  const tidyUp = (): Promise<unknown> =>
+    shop.store
+      .removeUnused(shop.database.filesInUse(), Date.now() - (options.unusedDays ?? SHOP_LIMITS.unusedDays) * DAY)
+      .catch(report);
+  await tidyUp();
+  const tidying = setInterval(tidyUp, DAY / 4).unref();
+  app.addHook("onClose", async () => {
+    isEnding = true;
+    clearInterval(tidying);
+    await shop.queue.end();
+    await shop.press.end();
+    shop.database.close();
+  });
+  shop.queue.wake();
+  return { app, printed: () => shop.queue.idle() };
+}
+
+async function openShop(options: ShopServerOptions, report: (error: unknown) => void): Promise<Shop> {
+  const catalogue = await readCatalogue(options.site);
+  const store = await AssetStore.open(options.store, options.storedBytes ?? SHOP_LIMITS.storedBytes);
+  const database = new ShopDatabase(options.database);
+  const press = new Press(catalogue, store, options.press);
+  const print: RenderLine = async (line) => {
+    const product = catalogue.products.get(line.product);
+    if (product === undefined) throw notFound("product", line.product);
+    return press.print(product, line.design as Design);
+  };
+  const queue = new PrintQueue(database, store, print, report);
+  const { linesPerMinute = SHOP_LIMITS.linesPerMinute } = options;
+  return { catalogue, store, database, press, queue, linesPerMinute };
+}
+
+/** The pages under their policy, and what they ask for below `/api`. */
+async function addRoutes(app: FastifyInstance, shop: Shop, options: ShopServerOptions): Promise<void> {
+  const { origins } = options;
   await app.register(helmet, {
     contentSecurityPolicy: {
       useDefaults: false,
@@ -117,24 +130,9 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
       if (!page) throw notFound("editor", "on an origin of its own");
       return { page };
     });
-    api.get("/api/products", () => ({ products: [...catalogue.products.values()] }));
+    api.get("/api/products", () => ({ products: [...shop.catalogue.products.values()] }));
     addFileRoutes(api, shop);
     addCartRoutes(api, shop);
     addOrderRoutes(api, shop);
   });
-  const tidyUp = (): Promise<unknown> =>
-    store
-      .removeUnused(database.filesInUse(), Date.now() - (options.unusedDays ?? SHOP_LIMITS.unusedDays) * DAY)
-      .catch(report);
-  await tidyUp();
-  const tidying = setInterval(tidyUp, DAY / 4).unref();
-  app.addHook("onClose", async () => {
-    isEnding = true;
-    clearInterval(tidying);
-    await shop.queue.end();
-    await press.end();
-    database.close();
-  });
-  shop.queue.wake();
-  return { app, printed: () => shop.queue.idle() };
 }
