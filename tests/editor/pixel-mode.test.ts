@@ -72,6 +72,12 @@ describe("texels side by side on a model", () => {
     expect(floodFill(rgba, 0, { tolerance: 0, contiguous: false, neighbours })).toHaveLength(WIDTH * HEIGHT - 1);
   });
 
+  it("what is clear is one colour, whatever it was before it was wiped", () => {
+    const rgba = Uint8Array.from([255, 0, 0, 0, 0, 0, 255, 0, 255, 0, 0, 1]);
+    const options = { tolerance: 0, contiguous: false, neighbours: () => [] };
+    expect(floodFill(rgba, 0, options)).toEqual([0, 1]);
+  });
+
   it("a shell that lies close over another is no neighbour of it", () => {
     /** The left half of the texture, or the right one. */
     const inHalf = (box: BufferGeometry, half: 0 | 1): BufferGeometry => {
