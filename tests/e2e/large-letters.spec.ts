@@ -88,6 +88,10 @@ test.describe("with letters twice as large as usual", () => {
       await page.locator(`#sheet-${tab}`).click();
       await expect.poll(() => beyond(SHEET), tab).toEqual([]);
     }
+    await page.locator("#sheet-target").click();
+    const material = await page.locator("tc-target-settings #material").boundingBox();
+    expect(material?.width, "the material's name is read").toBeGreaterThan(250);
+    await page.locator("#sheet-layers").click();
     const blend = await page.locator("tc-layer-list [data-action=blend]").boundingBox();
     expect(blend?.width, "the mode of blending is read").toBeGreaterThan(120);
     await page.locator("#view-menu").click();

@@ -1,5 +1,6 @@
 /** Looks of the property panel. */
 import { css } from "lit";
+import { namedFields } from "./named-fields.ts";
 
 export const propertyStyles = css`
   :host {
@@ -72,27 +73,9 @@ export const propertyStyles = css`
     grid-template-columns: repeat(2, minmax(0, 1fr));
     gap: var(--space-1);
   }
-  .field {
-    display: grid;
-    grid-template-columns: 5.5rem minmax(0, 1fr);
-    align-items: center;
-    gap: var(--space-2);
-    min-height: var(--target);
-  }
+  ${namedFields}
   .mask [role="radiogroup"] {
     grid-template-columns: auto minmax(0, 1fr);
-  }
-  /* Letters twice as large as usual: on a phone a word takes the width of what it names. */
-  @media (max-width: 15rem) {
-    .field {
-      grid-template-columns: minmax(0, 1fr);
-      /* As high as what it holds, also where not all of them have room. */
-      min-height: auto;
-    }
-  }
-  .field > label,
-  .field > span {
-    color: var(--text-quiet);
   }
   .slider {
     display: grid;

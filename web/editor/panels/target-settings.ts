@@ -8,6 +8,7 @@ import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { readonlyFields } from "../ui/readonly-fields.ts";
+import { namedFields } from "./named-fields.ts";
 import { checkField } from "./property-fields.ts";
 
 const SIZES = [256, 512, 1024, 2048, 4096, 8192];
@@ -18,19 +19,11 @@ const SIZE_WITHOUT_PICTURE = 1024;
 export class TargetSettings extends EditorElement {
   static override styles = [
     controls,
+    namedFields,
     css`
       :host {
         display: grid;
         gap: var(--space-2);
-      }
-      .field {
-        display: grid;
-        grid-template-columns: 5.5rem minmax(0, 1fr);
-        align-items: center;
-        gap: var(--space-2);
-      }
-      .field > label {
-        color: var(--text-quiet);
       }
       dl {
         display: grid;
@@ -38,6 +31,12 @@ export class TargetSettings extends EditorElement {
         gap: var(--space-1) var(--space-2);
         margin: var(--space-1) 0 0;
         font-variant-numeric: tabular-nums;
+      }
+      /* As the fields above. */
+      @media (max-width: 15rem) {
+        dl {
+          grid-template-columns: minmax(0, 1fr);
+        }
       }
       dt {
         color: var(--text-quiet);
