@@ -51,14 +51,20 @@ const FOR_PAGES = {
   define: { process: "undefined" },
 };
 
+/**
+ * Bundles with all that goes for every script of the package; `moments` are of sources that are loaded as a whole.
+ * @typedef {(own: import("esbuild").BuildOptions, moments?: readonly (readonly string[])[]) => Promise<void>} Bundle
+ */
+
+const ALL_ENTRIES = Object.values(ENTRIES);
+
 export async function buildPackage() {
   rmSync(PACKAGE, { recursive: true, force: true });
   mkdirSync(join(DIST, "assets"), { recursive: true });
   const files = new NamedFiles();
-  const entries = Object.values(ENTRIES);
   /** @type {Set<string>} */
   const inputs = new Set();
-  /** @param {import("esbuild").BuildOptions} own @param {readonly (readonly string[])[]} moments of sources that are loaded as a whole */
+  /** @type {Bundle} */
   const bundle = async (own, moments = []) => {
     const options = { ...SHARED, ...own };
     const plugins = [
@@ -72,9 +78,20 @@ export async function buildPackage() {
     if (moments.length > 0) await mergeChunks({ dist: DIST, metafile, moments, options });
   };
 
+  await bundleForPages(bundle, files);
+  // Before a server's scripts come to them, which nobody downloads by the visit.
+  await shrinkScripts(DIST);
+  shortenNames(DIST);
+  await bundleForServers(bundle);
+  for (const [name, file] of files.assets) cpSync(file, join(DIST, "assets", name));
+  await addRest([...inputs, ...files.assets.values()]);
+}
+
+/** @param {Bundle} bundle @param {NamedFiles} files */
+async function bundleForPages(bundle, files) {
   await bundle(
     {
-      entryPoints: entriesOf(entries.filter(({ runs }) => runs === "page")),
+      entryPoints: entriesOf(ALL_ENTRIES.filter(({ runs }) => runs === "page")),
       ...FOR_PAGES,
       chunkNames: "page-[hash]",
       external: ["three", "three/*"],
@@ -89,7 +106,7 @@ export async function buildPackage() {
   });
   // Of files that ask for nothing: what runs it may have no modules of Node's.
   await bundle({
-    entryPoints: entries.flatMap(({ name, edge }) => (edge ? [{ in: edge, out: `${name}-edge` }] : [])),
+    entryPoints: ALL_ENTRIES.flatMap(({ name, edge }) => (edge ? [{ in: edge, out: `${name}-edge` }] : [])),
     platform: "neutral",
     minify: true,
     plugins: [pageEntries()],
@@ -105,13 +122,16 @@ export async function buildPackage() {
       [[relative(inRoot(), source)]],
     );
   }
-  // Before a server's scripts come to them, which nobody downloads by the visit.
-  await shrinkScripts(DIST);
-  shortenNames(DIST);
-  const servers = entries.flatMap(({ name, server }) => (server ? [{ source: server, name: `${name}-server` }] : []));
+}
+
+/** With the command line. @param {Bundle} bundle */
+async function bundleForServers(bundle) {
+  const servers = ALL_ENTRIES.flatMap(({ name, server }) =>
+    server ? [{ source: server, name: `${name}-server` }] : [],
+  );
   await bundle({
     entryPoints: [
-      ...entriesOf([...entries.filter(({ runs }) => runs === "node"), ...servers]),
+      ...entriesOf([...ALL_ENTRIES.filter(({ runs }) => runs === "node"), ...servers]),
       { in: "node/cli.ts", out: "cli" },
     ],
     platform: "node",
@@ -129,8 +149,10 @@ export async function buildPackage() {
   const cli = join(DIST, "cli.js");
   writeFileSync(cli, `#!/usr/bin/env node\n${readFileSync(cli, "utf8")}`);
   chmodSync(cli, 0o755);
+}
 
-  for (const [name, file] of files.assets) cpSync(file, join(DIST, "assets", name));
+/** What lies beside the scripts. @param {readonly string[]} inputs files that they were made of */
+async function addRest(inputs) {
   cpSync(inRoot("LICENSE"), join(PACKAGE, "LICENSE"));
   for (const schema of ["design", "zones"]) {
     cpSync(inRoot(`build/${schema}.schema.json`), join(PACKAGE, `${schema}.schema.json`));
@@ -140,11 +162,11 @@ export async function buildPackage() {
     join(PACKAGE, "custom-elements.json"),
     `${JSON.stringify(elementManifest("dist/define.js"), null, 2)}\n`,
   );
-  writeFileSync(join(PACKAGE, "THIRD-PARTY-LICENCES.txt"), licenceText([...inputs, ...files.assets.values()]));
+  writeFileSync(join(PACKAGE, "THIRD-PARTY-LICENCES.txt"), licenceText(inputs));
   const checkout = JSON.parse(readFileSync(inRoot("package.json"), "utf8"));
   writeFileSync(join(PACKAGE, "package.json"), `${JSON.stringify(manifestOf(checkout), null, 2)}\n`);
   await declarations(
-    entries.map(({ source }) => source),
+    ALL_ENTRIES.map(({ source }) => source),
     join(PACKAGE, "types"),
   );
   writeDocuments(PACKAGE);
