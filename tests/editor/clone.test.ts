@@ -176,6 +176,26 @@ describe("what a clone stroke becomes", () => {
     expect(twin.mask?.layers[0]).toMatchObject({ dabs: [{ position: [-1, 0, 0] }] });
   });
 
+  it("a twin that grows keeps the very dabs that it had: the engine knows by them what it has painted", () => {
+    const mirror = { axis: "x", offset: 0, readable: false } as const;
+    const twinDabs = (dabs: readonly Dab[]): readonly Dab[] => {
+      const { design } = withClone(
+        emptyDesign(),
+        top,
+        { ...stroke, dabs },
+        { ...patch, mirror },
+        stringsIn("en").clone,
+      );
+      const [, twin] = (design.layers as [GroupLayer])[0].layers as [DecalLayer, DecalLayer];
+      const [layer] = twin.mask?.layers ?? [];
+      return layer?.type === "stroke" ? layer.dabs : [];
+    };
+    const [before] = twinDabs(stroke.dabs);
+    const [kept, added] = twinDabs([...stroke.dabs, { ...dab, flow: 0.5 }]);
+    expect(kept).toBe(before);
+    expect(added).toMatchObject({ flow: 0.5, position: [-1, 0, 0] });
+  });
+
   it("a locked or hidden group is not painted on", () => {
     const [group] = once.design.layers as [GroupLayer];
     const held = (change: Partial<GroupLayer>) => ({
