@@ -196,6 +196,13 @@ describe("refusing a design", () => {
     expect(message).toMatch(/; and 980 more$/);
   });
 
+  it("takes fifty layers without their picture for enough of them", () => {
+    const lost = { type: "decal", asset: "nowhere", projector: planar };
+    const { message } = refusal(design(new Array(900).fill(lost)));
+    expect(message.split("; ")).toHaveLength(21);
+    expect(message).toMatch(/; and 30 more$/);
+  });
+
   it("refuses a stroke of a million dabs without reading them", () => {
     const error = refusal(stroke({ dabs: new Array(1_000_000).fill({}) }));
     expect(error.message).toBe("layers[0].dabs: must not hold more than 100000 dabs, is a list of 1000000");

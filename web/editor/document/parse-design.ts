@@ -14,7 +14,7 @@ export type Migration = (document: Readonly<Record<string, unknown>>) => Record<
 const MIGRATIONS: ReadonlyMap<number, Migration> = new Map();
 
 /** Reading goes on past a fault so that an author sees all of them at once, but a file of faults only is not worth it. */
-const MAX_LAYERS_WITH_PROBLEMS = 50;
+const ENOUGH_REFERENCE_PROBLEMS = 50;
 
 /**
  * Reads a design (spec.md, 8).
@@ -126,7 +126,7 @@ function referenceProblems(design: ParsedDesign): DesignProblem[] {
   const firstUse = new Map<string, DesignPath>();
   const check = (layers: readonly ParsedLayer[], listPath: DesignPath): void => {
     layers.forEach((layer, index) => {
-      if (problems.length >= MAX_LAYERS_WITH_PROBLEMS) return;
+      if (problems.length >= ENOUGH_REFERENCE_PROBLEMS) return;
       const path = [...listPath, index];
       if (layer.id !== undefined) {
         const first = firstUse.get(layer.id);
