@@ -52,28 +52,7 @@ export async function mountTexelcast(container: Element, options: MountOptions):
   checkNames(options, [...FRAME_PROPERTIES, ...FOR_THE_FRAME]);
   const beforeAccept = options.beforeAccept || null;
   const address = pageAddress(page);
-  if (timeoutMs !== undefined && !(timeoutMs > 0)) {
-    throw new TexelcastError("bad-argument", "“timeoutMs” must be more than 0.", {
-      field: "timeoutMs",
-      value: String(timeoutMs),
-      hint: "Give milliseconds, or leave it out.",
-    });
-  }
-  // The shop's say must not be missed: its page would learn of it file by file.
-  if (beforeAccept && typeof beforeAccept !== "function") {
-    throw new TexelcastError("bad-argument", "“beforeAccept” must be a function.", {
-      field: "beforeAccept",
-      value: String(beforeAccept),
-      hint: "Give a function that answers whether a file may be used, or leave it out.",
-    });
-  }
-  if (!container?.ownerDocument) {
-    throw new TexelcastError("bad-argument", "The editor needs an element of the page to be put into.", {
-      field: "container",
-      value: String(container),
-      hint: "Call it when the page has that element.",
-    });
-  }
+  checkForTheFrame(container, beforeAccept, timeoutMs);
   const iframe = container.ownerDocument.createElement("iframe");
   iframe.title = title;
   iframe.setAttribute("sandbox", SANDBOX);
@@ -165,6 +144,35 @@ function pageAddress(page: string | URL): URL {
     value: String(page),
     hint: 'Write it as "https://editor.example/embed.html".',
   });
+}
+
+function checkForTheFrame(
+  container: Element,
+  beforeAccept: MountOptions["beforeAccept"] | null,
+  timeoutMs: number | undefined,
+): void {
+  if (timeoutMs !== undefined && !(timeoutMs > 0)) {
+    throw new TexelcastError("bad-argument", "“timeoutMs” must be more than 0.", {
+      field: "timeoutMs",
+      value: String(timeoutMs),
+      hint: "Give milliseconds, or leave it out.",
+    });
+  }
+  // The shop's say must not be missed: its page would learn of it file by file.
+  if (beforeAccept && typeof beforeAccept !== "function") {
+    throw new TexelcastError("bad-argument", "“beforeAccept” must be a function.", {
+      field: "beforeAccept",
+      value: String(beforeAccept),
+      hint: "Give a function that answers whether a file may be used, or leave it out.",
+    });
+  }
+  if (!container?.ownerDocument) {
+    throw new TexelcastError("bad-argument", "The editor needs an element of the page to be put into.", {
+      field: "container",
+      value: String(container),
+      hint: "Call it when the page has that element.",
+    });
+  }
 }
 
 /** A slip of the pen is told: what was meant by it would be left out unheard. */
