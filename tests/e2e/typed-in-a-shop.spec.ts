@@ -59,6 +59,24 @@ const textsOf = (editor: Locator): Promise<unknown[]> =>
   });
 
 for (const mode of ["shop", "full"]) {
+  test(`what is typed in the ${mode} mode is told as a change once it rests, though its field is not left`, async ({
+    page,
+  }) => {
+    const editor = await openTyping(page, mode);
+    const told = editor.evaluate(
+      (element: Editor) =>
+        new Promise((resolve) => {
+          element.addEventListener("change", ({ detail: { design } }) => {
+            const [layer] = design.layers;
+            if (layer?.type === "text" && layer.text === "Ada") resolve(layer.text);
+          });
+        }),
+    );
+    await page.keyboard.type("da");
+    expect(await told).toBe("Ada");
+    await expect(editor.getByRole("textbox", { name: "Words" })).toBeFocused();
+  });
+
   test(`a press on Undo takes back what is typed in the ${mode} mode and no more, and Redo brings it again`, async ({
     page,
   }) => {
@@ -93,3 +111,15 @@ for (const mode of ["shop", "full"]) {
     expect(await textsOf(editor)).toEqual(["Ada"]);
   });
 }
+
+test("a field that is left without words says again what is on the product", async ({ page }) => {
+  const editor = await openTyping(page, "shop");
+  const words = editor.getByRole("textbox", { name: "Words" });
+  await page.keyboard.type("da");
+  await expect.poll(() => textsOf(editor)).toEqual(["Ada"]);
+  await page.keyboard.press("ControlOrMeta+a");
+  await page.keyboard.press("Delete");
+  await page.keyboard.press("Tab");
+  await expect(words).toHaveValue("Ada");
+  expect(await textsOf(editor)).toEqual(["Ada"]);
+});

@@ -23,6 +23,8 @@ export interface NamedFont {
 const FIRST_FONT = "inter-700";
 const FIRST_COLOR = "#1a1a1a";
 const MOST_CHARACTERS = 10_000;
+/** Milliseconds of rest after which what was typed is a step: a page that took the design for approved hears of it. */
+const REST = 1000;
 /** A place to measure at. */
 const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] };
 
@@ -32,6 +34,7 @@ export class Texts {
   #newest: TextPatch | null = null;
   /** By their layers' ids, those chosen last: one that comes later, as it is slow, does not take their place. */
   readonly #fonts: Record<string, NamedFont> = {};
+  #rest: ReturnType<typeof setTimeout> | undefined;
 
   constructor(desk: Desk) {
     this.#desk = desk;
@@ -81,10 +84,13 @@ export class Texts {
     return id;
   }
 
-  /** Shows a change, or (`final`) records it; the box goes on lying close about the words. */
+  /** Shows a change and records it when it rests, or at once (`final`); the box goes on lying close about the words. */
   change(id: string, patch: TextPatch, final: boolean): Promise<void> {
+    const desk = this.#desk;
     if (patch.font) this.#fonts[id] = patch.font;
-    return this.#desk.during(this.#change(id, patch, final));
+    clearTimeout(this.#rest);
+    if (!final) this.#rest = setTimeout(() => desk.settled().then(() => desk.keepShown()), REST);
+    return desk.during(this.#change(id, patch, final));
   }
 
   async #change(id: string, patch: TextPatch, final: boolean): Promise<void> {
@@ -171,7 +177,7 @@ export function shippedFont(id: ShippedFontId): NamedFont {
 }
 
 function hexColor(color: string, message: string): string {
-  if (/^#(?:[0-9a-f]{6}|[0-9a-f]{8})$/i.test(color)) return color;
+  if (/^#([0-9a-f]{2}){3,4}$/i.test(color)) return color;
   throw new ToldError("bad-argument", message, { field: "color", value: color, hint: '"#rrggbb" or "#rrggbbaa"' });
 }
 

@@ -36,10 +36,16 @@ export function layerFields(view: FieldsHost, layer: DesignLayer): TemplateResul
 function textFields({ host: { words, tell }, texts, desk }: FieldsHost, layer: TextLayer): TemplateResult {
   const uri = desk.design.assets[layer.font]?.uri ?? "";
   const font = shippedFontOf(uri);
-  const change = (patch: Parameters<typeof texts.change>[1], final: boolean): void => {
-    void texts.change(layer.id, patch, final).catch(tell);
+  const change = (patch: Parameters<typeof texts.change>[1], { type }: Event): void => {
+    void texts.change(layer.id, patch, type === "change").catch(tell);
   };
-  const typed = (event: Event): string => (event.target as HTMLTextAreaElement).value;
+  const type = (event: Event): void => {
+    const area = event.target as HTMLTextAreaElement;
+    // Left without words, the field says again what is on the product.
+    if (event.type === "change" && !area.value.trim()) area.value = layer.text;
+    if (area.value.trim()) change({ text: area.value }, event);
+  };
+  const dye = (event: Event): void => change({ color: (event.target as HTMLInputElement).value }, event);
   return html`
     <label class="field wide">
       ${words.words}
@@ -48,15 +54,15 @@ function textFields({ host: { words, tell }, texts, desk }: FieldsHost, layer: T
         maxlength="1000"
         dir="auto"
         .value=${layer.text}
-        @input=${(event: Event) => typed(event).trim() !== "" && change({ text: typed(event) }, false)}
-        @change=${(event: Event) => typed(event).trim() !== "" && change({ text: typed(event) }, true)}
+        @input=${type}
+        @change=${type}
       ></textarea>
     </label>
     <label class="field">
       ${words.font}
       <select
         @change=${(event: Event) => {
-          change({ font: shippedFont((event.target as HTMLSelectElement).value as ShippedFontId) }, true);
+          change({ font: shippedFont((event.target as HTMLSelectElement).value as ShippedFontId) }, event);
         }}
       >
         ${font === undefined ? html`<option selected disabled>${layer.font}</option>` : nothing}
@@ -70,8 +76,8 @@ function textFields({ host: { words, tell }, texts, desk }: FieldsHost, layer: T
       <input
         type="color"
         .value=${layer.color.slice(0, 7)}
-        @input=${(event: Event) => change({ color: typed(event) }, false)}
-        @change=${(event: Event) => change({ color: typed(event) }, true)}
+        @input=${dye}
+        @change=${dye}
       />
     </label>
   `;
@@ -129,7 +135,7 @@ interface NumberSettings {
   readonly value: number;
   readonly step: number;
   readonly min: number;
-  readonly max?: number;
+  readonly max: number;
   readonly set: (value: number) => Projector;
 }
 
@@ -138,8 +144,8 @@ function number(
   id: string,
   { name, unit, set, value, step, min, max }: NumberSettings,
 ): TemplateResult {
-  const place = (event: CustomEvent<NumberFieldEvent>, final: boolean): void => {
-    view.desk.place(id, set(event.detail.value), final, event.detail.repeated ? `field-${name}` : undefined);
+  const place = ({ type, detail }: CustomEvent<NumberFieldEvent>): void => {
+    view.desk.place(id, set(detail.value), type === "field-change", detail.repeated ? `field-${name}` : undefined);
   };
   return html`<tc-number
     .label=${name}
@@ -148,9 +154,9 @@ function number(
     .value=${value}
     .step=${step}
     .min=${min}
-    .max=${max ?? Number.POSITIVE_INFINITY}
-    @field-preview=${(event: CustomEvent<NumberFieldEvent>) => place(event, false)}
-    @field-change=${(event: CustomEvent<NumberFieldEvent>) => place(event, true)}
+    .max=${max}
+    @field-preview=${place}
+    @field-change=${place}
     @field-cancel=${() => view.desk.session.cancelPreview()}
     @field-refused=${(event: CustomEvent<Refusal>) => {
       // The shop's page is none of its listeners.
