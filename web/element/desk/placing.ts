@@ -12,6 +12,7 @@ import type { Projector } from "../../engine/engine-api.ts";
 import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
 import type { Acceptance, CandidateAsset, DecalSource, PlaceOptions, TextOptions } from "../element-api.ts";
 import { PLACING_WORDS } from "../words/placing-words.ts";
+import type { Words } from "../words/words.ts";
 import type { Desk } from "./desk.ts";
 import { addressOf, fetchBytes, nameOf } from "./read-model.ts";
 import { startingPlace } from "./zone-place.ts";
@@ -42,7 +43,7 @@ export function placeFor(
   const usual = NEW_SHARE * diagonalOf(store.state.model) * Math.min(1, aspect);
   const { width = Math.min(usual, start?.mostWidth(aspect) ?? usual) } = options;
   if (!(width > 0 && Number.isFinite(width))) {
-    throw new ToldError("bad-argument", words.errors.badOption("width"), { field: "width", value: String(width) });
+    throw badOption(words, "width", width);
   }
   const hit = at ?? start?.hit ?? (position === undefined ? null : viewer.surface.near(position));
   if (options.projector === undefined && hit === null) {
@@ -65,6 +66,11 @@ export async function checkedOptions(
   const { checkOptions } = await import("./check-options.ts");
   await checkOptions(desk, kind, options);
   return options;
+}
+
+/** What stands in an option, and what may. */
+export function badOption({ errors }: Words, field: string, value: unknown, hint = ""): ToldError {
+  return new ToldError("bad-argument", errors.badOption(field), { field, value: String(value), hint });
 }
 
 /** Puts a picture on the product: checked, cleaned, accepted by the shop. Gives the layer's id. */
@@ -119,8 +125,7 @@ async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; 
     return { name, bytes: new Uint8Array(await source.slice(0, most).arrayBuffer()) };
   }
   if (!source || !(typeof source === "string" || source instanceof URL)) {
-    const details = { field: "source", value: typeof source, hint: "Blob, URL, Uint8Array, …" };
-    throw new ToldError("bad-argument", words.errors.badOption("source"), details);
+    throw badOption(words, "source", typeof source, "Blob, URL, Uint8Array, …");
   }
   const url = addressOf(String(source), document.baseURI, words);
   return { name: pictureName(url), bytes: await fetchBytes(url, { words, signal: desk.signal }) };

@@ -10,8 +10,9 @@ import { ToldError } from "../../editor/strings/told-error.ts";
 import type { EngineText, TextMeasure } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { TextOptions } from "../element-api.ts";
+import type { Words } from "../words/words.ts";
 import type { Desk } from "./desk.ts";
-import { askShop, checkedOptions, placeFor } from "./placing.ts";
+import { askShop, badOption, checkedOptions, placeFor } from "./placing.ts";
 
 export type TextPatch = Partial<Pick<TextLayer, "text" | "color" | "curve">> & { readonly font?: NamedFont };
 
@@ -45,13 +46,13 @@ export class Texts {
     const desk = this.#desk;
     const { words } = desk.settings;
     desk.checkRoom();
-    const hint = `1 – ${MOST_CHARACTERS}`;
-    if (typeof text !== "string" || text.trim() === "") {
-      throw new ToldError("bad-argument", words.errors.emptyText, { field: "text", value: String(text), hint });
-    }
-    if (text.length > MOST_CHARACTERS) {
-      const details = { field: "text", value: shortened(text), hint };
-      throw new ToldError("bad-argument", words.errors.badOption("text"), details);
+    const blank = typeof text !== "string" || text.trim() === "";
+    if (blank || text.length > MOST_CHARACTERS) {
+      throw new ToldError("bad-argument", blank ? words.errors.emptyText : words.errors.badOption("text"), {
+        field: "text",
+        value: blank ? String(text) : shortened(text),
+        hint: `1 – ${MOST_CHARACTERS}`,
+      });
     }
     const options = await checkedOptions(desk, "text", given);
     const font = await this.#font(options.font ?? FIRST_FONT);
@@ -69,7 +70,7 @@ export class Texts {
     const { design, key } = withAsset(desk.design, font.name, font.asset);
     const name = options.name ?? shortened(text);
     const { color = FIRST_COLOR, curve = 0 } = options;
-    const look = { text, font: key, color: hexColor(color, words.errors.badOption("color")), curve };
+    const look = { text, font: key, color: hexColor(color, words), curve };
     const plain = makeTextLayer({ id: "", name, projector: NOWHERE, ...look });
     const [viewer, room] = await Promise.all([desk.takeHands(), this.#measure(plain, design.assets)]);
     desk.checkRoom();
@@ -142,11 +143,7 @@ export class Texts {
   async #font(font: string | Blob | Uint8Array): Promise<NamedFont> {
     if (typeof font === "string") {
       if (!Object.hasOwn(SHIPPED_FONTS, font)) {
-        throw new ToldError("bad-argument", this.#desk.settings.words.errors.badOption("font"), {
-          field: "font",
-          value: font,
-          hint: Object.keys(SHIPPED_FONTS).join(", "),
-        });
+        throw badOption(this.#desk.settings.words, "font", font, Object.keys(SHIPPED_FONTS).join(", "));
       }
       return shippedFont(font as ShippedFontId);
     }
@@ -176,9 +173,9 @@ export function shippedFont(id: ShippedFontId): NamedFont {
   return { name: id, asset: { type: "font/ttf", uri: shippedFontAddress(id) } };
 }
 
-function hexColor(color: string, message: string): string {
+function hexColor(color: string, words: Words): string {
   if (/^#([0-9a-f]{2}){3,4}$/i.test(color)) return color;
-  throw new ToldError("bad-argument", message, { field: "color", value: color, hint: '"#rrggbb" or "#rrggbbaa"' });
+  throw badOption(words, "color", color, '"#rrggbb" or "#rrggbbaa"');
 }
 
 /** The end of typing may have been recorded before: what is handed in holds it. */

@@ -31,10 +31,13 @@ export class ShopTools {
     pickFiles({ accept: PICTURES }, (files) => picked(files.map(({ file }) => file)));
   }
 
-  /** Puts files on, a single one where it was dropped (client pixels). */
+  /** Puts files on, a single one where it was dropped (client pixels). One that cannot be used is told, and the others go on. */
   async addFiles(files: readonly File[], at: { readonly x: number; readonly y: number } | null = null): Promise<void> {
-    const hit = at && (await this.#desk.takeHands()).surfaceAtPointer(at.x, at.y);
-    for (const file of files) await addPicture(this.#desk, file, undefined, files.length === 1 ? hit : null);
+    const desk = this.#desk;
+    const hit = at && (await desk.takeHands()).surfaceAtPointer(at.x, at.y);
+    for (const file of files) {
+      await addPicture(desk, file, undefined, files.length === 1 ? hit : null).catch(desk.hooks.failed);
+    }
   }
 
   /** True when the key was ours, and its default must not happen. */
