@@ -184,3 +184,30 @@ test("what a page puts into the element keeps the page's type", async ({ page })
   });
   expect(style).toEqual({ fontSize: "13px", fontFamily: "serif", fontStyle: "italic", letterSpacing: "2px" });
 });
+
+test.describe("on a tablet", () => {
+  test.use({ viewport: { width: 820, height: 1180 }, hasTouch: true, isMobile: true });
+
+  for (const [locale, names] of [
+    ["en", ["Add picture", "Add text"]],
+    ["de", ["Bild einfügen", "Text einfügen"]],
+  ] as const) {
+    test(`the buttons that add something say so in one line (${locale})`, async ({ page }) => {
+      await page.goto(`element.html?loading=eager&locale=${locale}`);
+      const editor = page.locator("texelcast-editor");
+      await editor.evaluate((element: HTMLElementTagNameMap["texelcast-editor"]) => element.start());
+      await editor.evaluate((element) => {
+        element.style.width = "788px";
+      });
+      for (const name of names) {
+        const lines = await editor.getByRole("button", { name }).evaluate((button) => {
+          const words = [...button.childNodes].find((node) => node instanceof Text && node.data.trim() !== "");
+          const range = document.createRange();
+          range.selectNodeContents(words as Text);
+          return new Set([...range.getClientRects()].map(({ top }) => Math.round(top))).size;
+        });
+        expect(lines, name).toBe(1);
+      }
+    });
+  }
+});

@@ -4,7 +4,7 @@ import { css } from "lit";
 export const shopStyles = css`
   .shop {
     display: grid;
-    grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(17rem, 21rem);
+    grid-template: minmax(0, 1fr) / minmax(0, 1fr) minmax(17rem, 22rem);
     position: absolute;
     inset: 0;
   }
@@ -14,8 +14,6 @@ export const shopStyles = css`
   }
   .stage {
     position: relative;
-    min-width: 0;
-    min-height: 0;
     background: radial-gradient(
       120% 90% at 50% 30%,
       color-mix(in oklab, var(--_stage), light-dark(white 45%, white 5%)),
@@ -58,11 +56,12 @@ export const shopStyles = css`
     display: grid;
     grid-template-columns: 1fr 1fr;
     gap: var(--space-2);
-    padding: var(--space-4);
-    padding-block-end: var(--space-2);
+    padding: var(--space-4) var(--space-4) var(--space-2);
   }
   .add button {
     min-height: max(2.75rem, var(--target));
+    padding: 0 var(--space-2);
+    gap: var(--space-1);
     font-weight: 550;
   }
   .scroll {
