@@ -215,6 +215,13 @@ async function expectOnlyNewest(opened: Page, place: Page | Frame): Promise<void
   expect(((await reply.json()) as { layers: unknown[] }).layers).toHaveLength(3);
 }
 
+/** Goes on typing in the words that were put on last and are approved: from the first letter on they may not be ordered. */
+async function expectNotTheOldWords(opened: Page): Promise<void> {
+  await opened.locator("texelcast-editor textarea").press("End");
+  await opened.keyboard.type("s");
+  await expectNothingToBuy(opened);
+}
+
 const expectNothingToBuy = async (opened: Page): Promise<void> =>
   expect(await opened.locator("[name=buy]").isDisabled()).toBe(true);
 
@@ -223,6 +230,7 @@ test("plain HTML: what the customer approved is what the guide's server prints, 
   const { page: opened, complaints } = await openPage(browser, `${server.origin}/`);
   await expectApproved(opened, opened);
   await expectOnlyNewest(opened, opened);
+  await expectNotTheOldWords(opened);
   expect(complaints).toEqual([]);
   await opened.close();
   await server.stop();
@@ -289,6 +297,7 @@ test.each(["react", "vue"])(
     await opened.locator("texelcast-editor").waitFor({ state: "attached" });
     await expectApproved(opened, opened);
     await expectOnlyNewest(opened, opened);
+    await expectNotTheOldWords(opened);
     expect(complaints).toEqual([]);
     await opened.close();
     await server.stop();
