@@ -1,8 +1,8 @@
 // The round tip of a brush as pictures: a white disc that is as wide as the picture, its alpha falling off from the solid
-// part to the rim. In several sizes, as a texel that sees many pixels needs many samples: a dab takes the tip whose pixels
-// are a little finer than the texels under it. (A thousand dabs of 35 texels by one tip of 256 pixels took 1.9 s natively,
-// nearly all of it in samples.) The largest is as fine as the texels under a dab of 1024: with 512 pixels the rim of such a
-// dab was a band of five texels.
+// part to the rim. In several sizes, as a texel that sees many pixels needs many samples: a dab takes a tip of at least two
+// pixels a texel, and of more where it is small. (A thousand dabs of 35 texels by one tip of 256 pixels took 1.9 s
+// natively, nearly all of it in samples.) The largest is as fine as the texels under a dab of 1024: with 512 pixels the rim
+// of such a dab was a band of five texels.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ public:
 
 private:
     static constexpr std::size_t kSizeCount = 13;
-    static constexpr std::uint32_t kSizes[kSizeCount] = {16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024};
+    static constexpr std::uint32_t kSizes[kSizeCount] = {48, 64, 80, 96, 128, 160, 192, 256, 320, 384, 512, 768, 1024};
 
     float hardness_;
     MemoryBudget& budget_;

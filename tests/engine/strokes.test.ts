@@ -45,6 +45,52 @@ describe("a stroke", () => {
     }
   });
 
+  it.each([
+    [0, 6],
+    [0, 40],
+    [0.5, 6],
+    [0.5, 12],
+    [0.9, 9],
+    [0.9, 20],
+    [1, 12],
+    [1, 20],
+    [1, 40],
+    [1, 100],
+  ])(
+    "of a round dab of hardness %d, %d texels wide, is the disc that the design's page tells, to 40 dB",
+    async (hardness, across) => {
+      const { engine } = await paintablePlane();
+      const size = 128;
+      await engine.openTarget({ material: 0, width: size, height: size, base: [1, 1, 1, 1] });
+      const brush = { tip: "round", color: [0, 0, 0, 1], hardness, flow: 1 } as const;
+      const [x, y] = [0.013, -0.021];
+      engine.setLayers([stroke("s", [dab(x, y, across / size)], { brush })], 1);
+      const texels = await engine.readTexels(0, 0, 0, size, size);
+      const alphaAt = (radius: number): number => {
+        if (radius >= 1 || radius <= hardness) return radius <= hardness ? 1 : 0;
+        const t = (radius - hardness) / (1 - hardness);
+        return 1 - t * t * (3 - 2 * t);
+      };
+      const samples = 16;
+      let squares = 0;
+      let painted = 0;
+      for (let texel = 0; texel < size * size; texel++) {
+        let sum = 0;
+        for (let sample = 0; sample < samples * samples; sample++) {
+          const u = ((texel % size) + ((sample % samples) + 0.5) / samples) / size;
+          const v = (Math.floor(texel / size) + (Math.floor(sample / samples) + 0.5) / samples) / size;
+          sum += alphaAt((Math.hypot(u - 0.5 - x, 0.5 - v - y) * 2 * size) / across);
+        }
+        const expected = 255 * (1 - sum / (samples * samples));
+        const actual = texels[texel * 4] ?? 0;
+        if (expected > 254.5 && actual === 255) continue;
+        painted++;
+        squares += (actual - expected) ** 2;
+      }
+      expect(10 * Math.log10((255 * 255 * painted) / squares)).toBeGreaterThan(40);
+    },
+  );
+
   it("of one picture dab is the decal of that picture", async () => {
     const { engine } = await paintablePlane();
     engine.setLayers([decal("a", "logo", at(0.1, 0.2, 0.5))], 1);
