@@ -334,20 +334,6 @@ test("who sets another design while the product is loading, and waits for it, ge
   expect(await codes(page)).toEqual([]);
 });
 
-test("of several pictures that are chosen together, those that cannot be used keep none of the others away", async ({
-  page,
-}) => {
-  await openShop(page);
-  const editor = page.locator("texelcast-editor");
-  await editor.evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => await element.start());
-  const chooser = page.waitForEvent("filechooser");
-  await editor.getByRole("button", { name: "Add picture" }).click();
-  const [first, last] = [file("first.gif", "GIF89a"), file("last.pdf", "%PDF-1.7")];
-  await (await chooser).setFiles([first, demoFile("decals/badge.png"), last, demoFile("decals/flower.png")]);
-  await expect(editor.locator("[part=row]")).toHaveText([/flower/, /badge/]);
-  expect(await codes(page)).toEqual(["bad-picture", "bad-picture"]);
-});
-
 test("pressed again while its font is slow, a text comes once, and is ready to be typed over", async ({ page }) => {
   let deliver = (): void => {};
   const delivered = new Promise<void>((resolve) => {

@@ -16,6 +16,8 @@ export class ShopView {
   readonly #product: ShopProduct;
   #busy = false;
   #adding = false;
+  /** Choices of pictures that are not on the product yet: a large one takes seconds, and a shop's say minutes. */
+  #coming = 0;
   #dropping = false;
   #open = false;
   /** Somebody touched it before it was open. */
@@ -172,6 +174,7 @@ export class ShopView {
     const { maxDecals } = hooks.settings();
     const full = (bench?.desk.room ?? maxDecals ?? 1) <= 0;
     const selected = bench?.desk.selected;
+    const note = full ? words.full(maxDecals ?? 0) : this.#coming > 0 ? words.submitting : "";
     return html`
       <section class="panel" part="panel" aria-label=${words.panel}>
         <div class="own add" part="add">
@@ -195,7 +198,7 @@ export class ShopView {
           </button>
         </div>
         <div class="own scroll" part="list">
-          ${full ? html`<p class="quiet" role="status">${words.full(maxDecals ?? 0)}</p>` : nothing}
+          ${note && html`<p class="quiet" role="status">${note}</p>`}
           ${
             bench?.hasLayers
               ? bench.rows({ select: this.#select, remove: this.#remove })
@@ -254,10 +257,22 @@ export class ShopView {
   }
 
   #upload(): void {
-    const pick = (tools: ShopTools): void => tools.pickPictures((files) => this.#attempt(tools.addFiles(files)));
+    const pick = (tools: ShopTools): void => tools.pickPictures((files) => this.#attempt(this.#bring(tools, files)));
     // Browsers open a file dialog only right after a press.
     if (this.#tools) pick(this.#tools);
     else this.#attempt(this.takeTools().then(pick));
+  }
+
+  async #bring(tools: ShopTools, ...files: Parameters<ShopTools["addFiles"]>): Promise<void> {
+    const host = this.#host;
+    this.#coming++;
+    host.requestUpdate();
+    try {
+      await tools.addFiles(...files);
+    } finally {
+      this.#coming--;
+      host.requestUpdate();
+    }
   }
 
   /** Tools and fonts may take long to come: pressed again meanwhile, it is still one text. */
@@ -325,7 +340,7 @@ export class ShopView {
     if (files.length === 0) return;
     event.preventDefault();
     const at = { x: event.clientX, y: event.clientY };
-    this.#attempt(this.takeTools().then((tools) => tools.addFiles(files, at)));
+    this.#attempt(this.takeTools().then((tools) => this.#bring(tools, files, at)));
   };
 
   #endDrop(): void {
