@@ -52,6 +52,18 @@ test("what is typed when the element begins anew is there afterwards", async ({ 
   expect(texts).toEqual(["Ada"]);
 });
 
+test("letters that no font has are named beneath the words once they rest, where a product has no zones, too", async ({
+  page,
+}) => {
+  const editor = await openTyping(page, "shop");
+  await page.keyboard.type("日本");
+  const told = editor.locator("[part=findings]");
+  await expect(told).toContainText("No font has 日 本");
+  await page.keyboard.press("Backspace");
+  await page.keyboard.press("Backspace");
+  await expect(told).toHaveCount(0);
+});
+
 const textsOf = (editor: Locator): Promise<unknown[]> =>
   editor.evaluate(async (element: Editor) => {
     const { design } = await element.exportDesign();

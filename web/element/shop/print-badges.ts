@@ -24,14 +24,16 @@ export function layerBadge(desk: Desk, id: string, words: Words): Shown {
   return html`<span class="badge ${tone}" part="badge">${text}</span>`;
 }
 
-/** What there is to say of a layer, whole sentences, the worse first. */
-export function layerFindings(desk: Desk, id: string, words: Words): Shown {
-  const report = reportOf(desk);
-  if (!report) return nothing;
+/**
+ * What there is to say of a layer, whole sentences, the worse first. Where a product has no zones, that is only of its letters: what
+ * stands in place of those that no font has is wrong wherever it is shown.
+ */
+export function layerFindings({ report, zones }: Desk, id: string, words: Words): Shown {
+  const { violations = [], warnings = [] } = report ?? {};
   const found = [
-    ...report.violations.map((finding) => ({ finding, tone: "bad" })),
-    ...report.warnings.map((finding) => ({ finding, tone: "caution" })),
-  ].filter(({ finding }) => finding.layer === id);
+    ...violations.map((finding) => ({ finding, tone: "bad" })),
+    ...warnings.map((finding) => ({ finding, tone: "caution" })),
+  ].filter(({ finding: { layer, code } }) => layer === id && (zones !== null || code === "missing-characters"));
   if (found.length === 0) return nothing;
   return html`<ul class="findings" part="findings" role="list">
     ${found.map(({ finding, tone }) => {
