@@ -13,6 +13,9 @@ export const designStyles = css`
       --text-quiet: var(--text);
     }
   }
+  .scroll > .quiet {
+    margin-block-end: var(--space-2);
+  }
   .legend {
     position: absolute;
     inset-block-end: 0.75rem;
