@@ -23,6 +23,7 @@ vi.mock("../../web/element/shop/shop-mode.ts", () => ({
       design: null as unknown,
       library: { release: () => undefined },
       zones: null,
+      store: { state: { selectedId: null } },
       session: {
         get steps() {
           return { recorded: { design: desk.design } };
