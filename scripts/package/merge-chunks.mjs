@@ -24,8 +24,8 @@ const AT_ONCE = /(?:\bfrom|\bimport)\s*"\.\/([\w-]+\.js)"/g;
  * @param {string} parts.dist where the build was written
  * @param {import("esbuild").Metafile} parts.metafile
  * @param {readonly (readonly string[])[]} parts.moments sources of the scripts that are loaded with all they import, by the moment at
- *   which they are: what the same roots need, and no moment before, is merged. A root that a page or a worker begins with is merged into a file of its own, `…-shared.js`, which its own
- *   file only imports. Nothing else imports that file: the same script under a second address (Vite's development server
+ *   which they are: what the same roots need, and no moment before, is merged. A root that a page or a worker begins with is
+ *   merged into a file of its own, `…-shared.js`, which its own file only imports. Nothing else imports that file: the same script under a second address (Vite's development server
  *   begins a worker as `engine-worker.js?worker_file&type=module`) would run a second time.
  * @param {import("esbuild").BuildOptions} parts.options of the build
  */

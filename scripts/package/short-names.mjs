@@ -3,7 +3,7 @@
  * of, wherever one script asks for another: with four, what shops load at first is 269 bytes less after gzip, and so is every stage
  * after it. Four still tell one version's script from another's in a cache, a million to one.
  */
-import { readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { decode, encode } from "@jridgewell/sourcemap-codec";
 
@@ -28,15 +28,16 @@ export function shortenNames(dist) {
     const after = renamed(before);
     const own = renamed(name);
     if (after === before && own === name) continue;
-    const map = readMap(join(dist, `${name}.map`));
-    if (map !== null) {
+    const mapFile = join(dist, `${name}.map`);
+    if (existsSync(mapFile)) {
+      const map = JSON.parse(readFileSync(mapFile, "utf8"));
       const mappings = moved(decode(map.mappings), cutsOf(before, shortOf));
       writeFileSync(join(dist, `${own}.map`), JSON.stringify({ ...map, mappings: encode(mappings) }));
     }
     writeFileSync(join(dist, own), after);
     if (own === name) continue;
     rmSync(join(dist, name));
-    rmSync(join(dist, `${name}.map`), { force: true });
+    rmSync(mapFile, { force: true });
   }
 }
 
@@ -56,16 +57,6 @@ export function shortNames(names) {
     shortOf.set(name, name.slice(0, end).toLowerCase());
   }
   return shortOf;
-}
-
-/** @param {string} file @returns {{ mappings: string } | null} */
-function readMap(file) {
-  try {
-    return JSON.parse(readFileSync(file, "utf8"));
-  } catch (thrown) {
-    if (thrown instanceof Error && "code" in thrown && thrown.code === "ENOENT") return null;
-    throw thrown;
-  }
 }
 
 /** Line by line. @param {string} text @param {Map<string, string>} shortOf @returns {Cut[][]} */
