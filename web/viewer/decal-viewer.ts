@@ -26,7 +26,6 @@ export class HeldView extends ViewInHands {
   #model: { readonly still: StillModel; readonly held: HeldModel } | null = null;
   #look: ModelLook | null = null;
   #slides: AlignedSlides | null = null;
-  #gone = false;
   #lookOnly = false;
 
   /**
@@ -69,7 +68,6 @@ export class HeldView extends ViewInHands {
         this.#slides?.hideLines();
       },
       letGo: () => {
-        this.#gone = true;
         hands.dispose();
         this.#slides?.dispose();
       },
@@ -83,9 +81,8 @@ export class HeldView extends ViewInHands {
     this.element.style.cursor = value ? "grab" : "";
   }
 
-  /** Has what `make` makes bring decals into line as they slide, once; it goes with the view, and is not made where that is gone. */
+  /** Has what `make` makes bring decals into line as they slide, once; it goes with the view. */
   align(make: (screen: ScreenSpace, query: () => SurfaceQuery | null) => AlignedSlides): void {
-    if (this.#gone) return;
     const slides = make(this.hands.screen, () => this.#model?.held.query ?? null);
     this.#slides = slides;
     this.on("gesture", ({ phase }) => phase !== "move" && slides.hideLines());

@@ -7,8 +7,9 @@ import type { HeldView } from "../../viewer/decal-viewer.ts";
 import type { Desk } from "../desk/desk.ts";
 import type { ShopProduct } from "./shop-product.ts";
 
-/** Brings decals into line from now on. */
+/** Brings decals into line from now on, where the product is still there. */
 export function alignDecals(view: HeldView, product: ShopProduct, desk: Pick<Desk, "zones">): void {
+  if (product.closed) return;
   view.align((screen, query) => {
     const slides = new AlignedSlides(view.element, screen, query);
     slides.find = (id): Surroundings => {
