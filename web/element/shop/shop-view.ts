@@ -14,10 +14,8 @@ export class ShopView {
   static readonly styles = [shopStyles];
   readonly #host: ModeHost;
   readonly #product: ShopProduct;
-  #busy = false;
-  #adding = false;
-  /** Choices of pictures that are not on the product yet: a large one takes seconds, and a shop's say minutes. */
-  #coming = 0;
+  /** How often each is under way: a picture takes seconds until it is on the product, and a shop's say on it minutes. */
+  readonly #underWay = { pictures: 0, text: 0, submit: 0 };
   #dropping = false;
   #open = false;
   /** Somebody touched it before it was open. */
@@ -174,7 +172,8 @@ export class ShopView {
     const { maxDecals } = hooks.settings();
     const full = (bench?.desk.room ?? maxDecals ?? 1) <= 0;
     const selected = bench?.desk.selected;
-    const note = full ? words.full(maxDecals ?? 0) : this.#coming > 0 ? words.submitting : "";
+    const underWay = this.#underWay;
+    const note = full ? words.full(maxDecals ?? 0) : underWay.pictures > 0 ? words.submitting : "";
     return html`
       <section class="panel" part="panel" aria-label=${words.panel}>
         <div class="own add" part="add">
@@ -191,8 +190,8 @@ export class ShopView {
             class="outlined"
             part="button text-button"
             data-act="text"
-            aria-disabled=${full || this.#adding}
-            @click=${() => !full && !this.#adding && this.#attempt(this.#addText())}
+            aria-disabled=${full || underWay.text > 0}
+            @click=${() => !full && underWay.text === 0 && this.#attempt(this.#addText())}
           >
             ${icon(Type)} ${words.addText}
           </button>
@@ -217,10 +216,10 @@ export class ShopView {
             class="filled"
             part="button submit-button"
             data-act="submit"
-            aria-disabled=${this.#busy}
-            @click=${() => !this.#busy && this.#attempt(this.#submit())}
+            aria-disabled=${underWay.submit > 0}
+            @click=${() => underWay.submit === 0 && this.#attempt(this.#submit())}
           >
-            <slot name="submit">${this.#busy ? words.submitting : words.submit}</slot>
+            <slot name="submit">${underWay.submit > 0 ? words.submitting : words.submit}</slot>
           </button>
         </div>
       </section>
@@ -263,29 +262,14 @@ export class ShopView {
     else this.#attempt(this.takeTools().then(pick));
   }
 
-  async #bring(tools: ShopTools, ...files: Parameters<ShopTools["addFiles"]>): Promise<void> {
-    const host = this.#host;
-    this.#coming++;
-    host.requestUpdate();
-    try {
-      await tools.addFiles(...files);
-    } finally {
-      this.#coming--;
-      host.requestUpdate();
-    }
+  #bring(tools: ShopTools, ...files: Parameters<ShopTools["addFiles"]>): Promise<void> {
+    return this.#during("pictures", () => tools.addFiles(...files));
   }
 
   /** Tools and fonts may take long to come: pressed again meanwhile, it is still one text. */
   async #addText(): Promise<void> {
     const host = this.#host;
-    this.#adding = true;
-    host.requestUpdate();
-    try {
-      await (await this.takeTools()).texts.add(host.words.sampleText);
-    } finally {
-      this.#adding = false;
-      host.requestUpdate();
-    }
+    await this.#during("text", async () => (await this.takeTools()).texts.add(host.words.sampleText));
     // The field is there with the next render.
     requestAnimationFrame(() => {
       const field = (host.view.getRootNode() as ShadowRoot).querySelector("textarea");
@@ -295,12 +279,17 @@ export class ShopView {
   }
 
   async #submit(): Promise<void> {
-    this.#busy = true;
+    await this.#during("submit", () => this.#host.submit());
+  }
+
+  /** Shows that it is under way for as long as it is. */
+  async #during<T>(what: "pictures" | "text" | "submit", act: () => Promise<T>): Promise<T> {
+    this.#underWay[what]++;
     this.#host.requestUpdate();
     try {
-      await this.#host.submit();
+      return await act();
     } finally {
-      this.#busy = false;
+      this.#underWay[what]--;
       this.#host.requestUpdate();
     }
   }
