@@ -68,11 +68,10 @@ export class Run {
       // At once: what shows the model is fetched while the model is.
       const loading = loadMode(kind);
       loading.catch(() => undefined);
-      // An address that is a URL, of whatever window.
-      const { href = src } = src as Partial<URL>;
+      const address = addressIn(src);
       const source =
-        typeof href === "string"
-          ? await fetchModel(href, base, fetching)
+        typeof address === "string"
+          ? await fetchModel(address, base, fetching)
           : await (await import("./desk/given-model.ts")).givenModel(src, words);
       const openMode = await loading;
       this.#check();
@@ -154,6 +153,12 @@ export class Run {
     if (!this.#abort.signal.aborted) return;
     throw new TexelcastError("cancelled", this.#parts.words.errors.notReady);
   }
+}
+
+/** An address as text, also of a URL of whatever window; a model's bytes, or nothing, as they are. */
+export function addressIn<Source>(src: Source): Source | string {
+  const { href = src } = (src ?? {}) as Partial<URL>;
+  return href;
 }
 
 async function loadMode(kind: RunParts["kind"]): Promise<(host: ModeHost) => Mode> {

@@ -8,7 +8,7 @@ import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
 import type { DesignExport } from "./desk/export-design.ts";
 import type { SubmitDetail, TexelcastEditorProperties } from "./element-api.ts";
 import { sendEvent } from "./element-events.ts";
-import { FETCHED, Run, type Steps } from "./element-run.ts";
+import { addressIn, FETCHED, Run, type Steps } from "./element-run.ts";
 import { readSettings } from "./element-settings.ts";
 import type { Voice } from "./element-voice.ts";
 import type { AtDesk, Mode, ModeHost } from "./mode.ts";
@@ -334,8 +334,8 @@ export class Work {
 
 /** An address without the look that it asks for: of the same product in another look, the same. */
 const productOf = (src: TexelcastEditorProperties["src"]): unknown => {
-  const { href = src } = (src ?? {}) as Partial<URL>;
-  return typeof href === "string" ? href.replace(/#variant=.*/s, "") : href;
+  const address = addressIn(src);
+  return typeof address === "string" ? address.replace(/#variant=.*/s, "") : address;
 };
 
 function makeView(): HTMLElement {
