@@ -1,5 +1,5 @@
 import "fake-indexeddb/auto";
-import { IDBFactory } from "fake-indexeddb";
+import { forceCloseDatabase, IDBFactory } from "fake-indexeddb";
 import { openDB } from "idb";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
 import {
@@ -302,6 +302,20 @@ describe("a project kept in the browser", () => {
     expect(loaded.design.layers).toHaveLength(1);
   });
 
+  it("opens the save before when the browser gives the newest out no more", async () => {
+    await save("a", content(design(1)), 0);
+    await save("a", content(design(2)), 1);
+    const { get } = IDBObjectStore.prototype;
+    vi.spyOn(IDBObjectStore.prototype, "get").mockImplementation(function (this: IDBObjectStore, key) {
+      const request = get.call(this, key);
+      if (Array.isArray(key) && key[1] === 2) this.transaction.abort();
+      return request;
+    });
+    const { design: loaded, fromBackup } = await store.load("a");
+    expect(fromBackup).toBe(true);
+    expect(loaded.layers).toHaveLength(1);
+  });
+
   it("names what is missing when neither can be read", async () => {
     await save("a", content(design(1)), 0);
     const database = await openDB("texelcast");
@@ -389,6 +403,57 @@ describe("the list of projects", () => {
     await store.restore("b");
     expect((await store.list()).map(({ id }) => id).sort()).toEqual(["b", "c"]);
     await expect(store.restore("a")).rejects.toMatchObject({ code: "missing-file" });
+  });
+});
+
+describe("a database that the browser closes", () => {
+  /** The first request ends as those do that a browser's forced close meets: with what they belong to. */
+  function closeUnderWay(): void {
+    const { get } = IDBObjectStore.prototype;
+    let closed = false;
+    vi.spyOn(IDBObjectStore.prototype, "get").mockImplementation(function (this: IDBObjectStore, key) {
+      const request = get.call(this, key);
+      if (!closed) this.transaction.abort();
+      closed = true;
+      return request;
+    });
+  }
+
+  it("in the midst of an answer is asked once more", async () => {
+    await save("a", content(design(1), "Mug"), 0);
+    closeUnderWay();
+    expect(await store.nameOf("a")).toBe("Mug");
+    expect(await store.nameOf("b")).toBeNull();
+  });
+
+  it("in the midst of a save is written once more, and once", async () => {
+    const revision = await save("a", content(design(1), "Mug"), 0);
+    closeUnderWay();
+    expect(await save("a", content(design(2), "Mug"), revision)).toBe(revision + 1);
+    expect((await tables()).revisions).toEqual([
+      ["a", revision],
+      ["a", revision + 1],
+    ]);
+  });
+
+  it("and says so late leaves the one that was opened since", async () => {
+    await save("a", content(design(1), "Mug"), 0);
+    const opened: IDBDatabase[] = [];
+    const { open } = indexedDB;
+    const opening = vi.spyOn(indexedDB, "open").mockImplementation((...how) => {
+      const request = open.apply(indexedDB, how);
+      request.addEventListener("success", () => opened.push(request.result));
+      return request;
+    });
+    store.close();
+    await store.list();
+    closeUnderWay();
+    await store.nameOf("a");
+    expect(opened).toHaveLength(2);
+    // Its types ask for the class, it for one of it.
+    forceCloseDatabase(opened[0] as never);
+    await store.list();
+    expect(opening).toHaveBeenCalledTimes(2);
   });
 });
 

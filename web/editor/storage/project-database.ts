@@ -60,7 +60,8 @@ export class ProjectConnection {
 
   open(): Promise<ProjectDatabase> {
     if (this.#opening) return this.#opening;
-    const opening = this.#open();
+    // One that says late that it was closed is not the one that was opened since.
+    const opening: Promise<ProjectDatabase> = this.#open(() => this.#forget(opening));
     this.#opening = opening;
     // The next wish tries anew.
     opening.catch(() => this.#forget(opening));
@@ -72,7 +73,7 @@ export class ProjectConnection {
     this.#opening = null;
   }
 
-  async #open(): Promise<ProjectDatabase> {
+  async #open(terminated: () => void): Promise<ProjectDatabase> {
     if (typeof indexedDB === "undefined") throw new ToldError("storage-refused", this.#strings.storage.none);
     const opened = openDB<ProjectSchema>(NAME, VERSION, {
       upgrade(database) {
@@ -83,7 +84,7 @@ export class ProjectConnection {
       },
       // A newer page in another tab wants to change the tables: it goes first, this one opens again later.
       blocking: () => this.close(),
-      terminated: () => this.#forget(this.#opening),
+      terminated,
     });
     let timer: ReturnType<typeof setTimeout> | undefined;
     const patience = new Promise<never>((_, reject) => {
@@ -100,7 +101,7 @@ export class ProjectConnection {
     }
   }
 
-  #forget(opening: Promise<ProjectDatabase> | null): void {
+  #forget(opening: Promise<ProjectDatabase>): void {
     if (this.#opening === opening) this.#opening = null;
   }
 }

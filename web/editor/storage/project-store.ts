@@ -4,6 +4,7 @@
  * TexelcastError: "storage-full" or "storage-refused" when the browser will not, else what is said there.
  */
 
+import type { IDBPTransaction } from "idb";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { countedName } from "../files/counted-name.ts";
 import { ToldError } from "../strings/told-error.ts";
@@ -12,20 +13,32 @@ import { randomId } from "./content-hash.ts";
 import type { LastWords } from "./last-words.ts";
 import { type PackedProject, unpackDesign, unpackModel } from "./packed-project.ts";
 import type { LoadedProject, ProjectSummary } from "./project.ts";
-import { ProjectConnection, type ProjectDatabase, type ProjectRow, type RevisionRow } from "./project-database.ts";
+import {
+  ProjectConnection,
+  type ProjectDatabase,
+  type ProjectRow,
+  type ProjectSchema,
+  type RevisionRow,
+} from "./project-database.ts";
 import { storageError } from "./storage-error.ts";
 
 /** A deleted project can be brought back for this long, milliseconds. */
 const SWEEP_AFTER = 10 * 60_000;
+
+/**
+ * What a database that the browser has closed ends with: what is asked after that, what was asked before, and
+ * transactions. Chromium closes that of a page whose data is cleared some milliseconds before it says so.
+ */
+const OF_CLOSED: ReadonlySet<string> = new Set(["InvalidStateError", "AbortError", "UnknownError"]);
 
 /** What is kept of a project that a tab comes back to. */
 export type ProjectTouch = Pick<ProjectSummary, "name" | "revision">;
 
 type Tables = ["projects", "revisions", "blobs"];
 const TABLES: Tables = ["projects", "revisions", "blobs"];
-type Writing = ReturnType<typeof openTables>;
-
-const openTables = (database: ProjectDatabase) => database.transaction(TABLES, "readwrite");
+type Transaction<Mode extends IDBTransactionMode> = IDBPTransaction<ProjectSchema, Tables, Mode>;
+type Reading = Transaction<"readonly">;
+type Writing = Transaction<"readwrite">;
 
 export class ProjectStore {
   readonly #connection: ProjectConnection;
@@ -40,8 +53,8 @@ export class ProjectStore {
 
   /** Newest first. */
   list(): Promise<ProjectSummary[]> {
-    return this.#read(async (database) => {
-      const rows = await database.getAll("projects");
+    return this.#read(async (tables) => {
+      const rows = await tables.objectStore("projects").getAll();
       return rows
         .filter(({ deleted }) => deleted === null)
         .sort((a, b) => b.modified - a.modified)
@@ -51,8 +64,8 @@ export class ProjectStore {
 
   /** The project that was open or saved last, of which a new visit goes on. */
   newest(): Promise<ProjectSummary | null> {
-    return this.#read(async (database) => {
-      const rows = (await database.getAll("projects")).filter(({ deleted }) => deleted === null);
+    return this.#read(async (tables) => {
+      const rows = (await tables.objectStore("projects").getAll()).filter(({ deleted }) => deleted === null);
       const [newest] = rows.sort((a, b) => lastSeen(b) - lastSeen(a));
       return newest ? summaryOf(newest) : null;
     });
@@ -132,36 +145,38 @@ export class ProjectStore {
    *
    * @throws TexelcastError "missing-file" for a project that is not there, or the fault of its newest revision.
    */
-  load(id: string): Promise<LoadedProject> {
-    return this.#read(async (database) => {
-      const row = await database.get("projects", id);
-      if (!row || row.deleted !== null) {
-        throw new ToldError("missing-file", this.#strings.storage.gone, { subject: row?.name ?? id });
-      }
-      try {
-        return { ...(await loadRevision(database, row, row.revision, this.#strings)), fromBackup: false };
-      } catch (fault) {
-        if (row.previous === null) throw fault;
-        const backup = await loadRevision(database, row, row.previous, this.#strings).catch(() => {
-          throw fault;
-        });
-        return { ...backup, fromBackup: true };
-      }
-    });
+  async load(id: string): Promise<LoadedProject> {
+    const row = await this.#read((tables) => tables.objectStore("projects").get(id));
+    if (!row || row.deleted !== null) {
+      throw new ToldError("missing-file", this.#strings.storage.gone, { subject: row?.name ?? id });
+    }
+    // A row that cannot be read ends the transaction that asks for it.
+    const saved = (revision: number) => this.#read((tables) => loadRevision(tables, row, revision, this.#strings));
+    try {
+      return { ...(await saved(row.revision)), fromBackup: false };
+    } catch (fault) {
+      if (row.previous === null) throw fault;
+      const backup = await saved(row.previous).catch(() => {
+        throw fault;
+      });
+      return { ...backup, fromBackup: true };
+    }
   }
 
   /** The name, or with a number behind it where another project than `id` has it already. */
   freeName(name: string, id: string | null): Promise<string> {
-    return this.#read(async (database) => {
-      const others = (await database.getAll("projects")).filter((row) => row.deleted === null && row.id !== id);
+    return this.#read(async (tables) => {
+      const others = (await tables.objectStore("projects").getAll()).filter(
+        (row) => row.deleted === null && row.id !== id,
+      );
       return countedName(name, new Set(others.map((row) => row.name)));
     });
   }
 
   /** The name that a project has now; null for one that is not there, or deleted. */
   nameOf(id: string): Promise<string | null> {
-    return this.#read(async (database) => {
-      const row = await database.get("projects", id);
+    return this.#read(async (tables) => {
+      const row = await tables.objectStore("projects").get(id);
       return row && row.deleted === null ? row.name : null;
     });
   }
@@ -244,46 +259,58 @@ export class ProjectStore {
     });
   }
 
-  async #read<Result>(work: (database: ProjectDatabase) => Promise<Result>): Promise<Result> {
+  #read<Result>(work: (tables: Reading) => Promise<Result>): Promise<Result> {
+    return this.#within("readonly", work);
+  }
+
+  #write<Result>(work: (tables: Writing) => Promise<Result>): Promise<Result> {
+    return this.#within("readwrite", work);
+  }
+
+  async #within<Mode extends "readonly" | "readwrite", Result>(
+    mode: Mode,
+    work: (tables: Transaction<Mode>) => Promise<Result>,
+  ): Promise<Result> {
     try {
-      return await this.#withDatabase(work);
+      return await this.#withDatabase((database) => transact(database.transaction(TABLES, mode), work));
     } catch (thrown) {
       throw storageError(thrown, this.#strings);
     }
   }
 
-  #write<Result>(work: (tables: Writing) => Promise<Result>): Promise<Result> {
-    return this.#read(async (database) => {
-      const tables = openTables(database);
-      // Whoever aborts it knows the reason better than the transaction's own promise.
-      const done = tables.done.catch((thrown: unknown) => ({ thrown }));
-      let result: Result;
-      try {
-        result = await work(tables);
-      } catch (thrown) {
-        try {
-          tables.abort();
-        } catch {
-          // It has ended by itself.
-        }
-        throw thrown;
-      }
-      const end = await done;
-      if (end) throw end.thrown ?? new DOMException("The transaction was aborted.", "AbortError");
-      return result;
-    });
-  }
-
-  /** A database that the browser has closed meanwhile is opened once more. */
+  /** A database that the browser closes, before or meanwhile, is opened once more. What was not ended is not written. */
   async #withDatabase<Result>(work: (database: ProjectDatabase) => Promise<Result>): Promise<Result> {
     try {
       return await work(await this.#connection.open());
     } catch (thrown) {
-      if (!(thrown instanceof Error && thrown.name === "InvalidStateError")) throw thrown;
+      if (!(thrown instanceof Error && OF_CLOSED.has(thrown.name))) throw thrown;
       this.#connection.close();
       return work(await this.#connection.open());
     }
   }
+}
+
+/** Resolves when all of the work is written, or rejects and nothing is. */
+async function transact<Mode extends IDBTransactionMode, Result>(
+  tables: Transaction<Mode>,
+  work: (tables: Transaction<Mode>) => Promise<Result>,
+): Promise<Result> {
+  // Whoever aborts it knows the reason better than the transaction's own promise.
+  const done = tables.done.catch((thrown: unknown) => ({ thrown }));
+  let result: Result;
+  try {
+    result = await work(tables);
+  } catch (thrown) {
+    try {
+      tables.abort();
+    } catch {
+      // It has ended by itself.
+    }
+    throw thrown;
+  }
+  const end = await done;
+  if (end) throw end.thrown ?? new DOMException("The transaction was aborted.", "AbortError");
+  return result;
 }
 
 function summaryOf({
@@ -334,18 +361,18 @@ async function dropRevision(
 }
 
 async function loadRevision(
-  database: ProjectDatabase,
+  tables: Reading,
   row: ProjectRow,
   number: number,
   strings: Strings,
 ): Promise<Omit<LoadedProject, "fromBackup">> {
-  const revision = await database.get("revisions", [row.id, number]);
+  const revision = await tables.objectStore("revisions").get([row.id, number]);
   if (!revision) {
     throw new ToldError("missing-file", strings.storage.unreadable(row.name), { subject: row.name });
   }
   const blobs = new Map<string, Uint8Array>();
   for (const hash of revision.blobs) {
-    const blob = await database.get("blobs", hash);
+    const blob = await tables.objectStore("blobs").get(hash);
     if (blob) blobs.set(hash, blob.bytes);
   }
   const bytesOf = (hash: string): Uint8Array | undefined => blobs.get(hash);
