@@ -640,7 +640,11 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
         return fail(TXC_STATUS_BAD_MODEL, "%s: there is no materials[%d]", whose, primitive.material);
     const std::size_t material =
         primitive.material >= 0 ? static_cast<std::size_t>(primitive.material) : model.materials.size();
-    if (primitive.material < 0) reader.mesh.has_default_material = true;
+    if (primitive.material < 0)
+        reader.mesh.has_default_material = true;
+    else if (const int texture = model.materials[material].pbrMetallicRoughness.baseColorTexture.index;
+             texture >= static_cast<int>(model.textures.size()))
+        return fail(TXC_STATUS_BAD_MODEL, "%s: there is no textures[%d]", whose, texture);
 
     std::vector<float> uvs;
     if (const int accessor =

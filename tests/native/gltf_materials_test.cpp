@@ -124,12 +124,15 @@ TEST_CASE("A picture in a WebP extension is found") {
     CHECK(read(glb.glb()).mesh.materials.at(1).image == 1);
 }
 
-TEST_CASE("A texture that the file does not have leaves the material without one") {
-    GlbBuilder glb = make_model(make_plane());
-    glb.add("materials", R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":7,"texCoord":3}}})");
-    const ReadModel model = read(glb.glb());
-    CHECK(model.mesh.materials.at(1).image == TXC_NONE);
-    CHECK(model.mesh.materials.at(1).tex_coord == 0);
+TEST_CASE("A base colour texture that the file does not have is an error where something wears the material") {
+    for (const bool worn : {true, false}) {
+        CAPTURE(worn);
+        GlbBuilder glb;
+        glb.mesh(glb.primitive(make_plane(), worn ? R"(,"material":0)" : ""));
+        glb.add("nodes", R"({"mesh":0})");
+        glb.add("materials", R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":7}}})");
+        CHECK(try_read(glb.glb()).status == (worn ? TXC_STATUS_BAD_MODEL : TXC_STATUS_OK));
+    }
 }
 
 TEST_CASE("A picture that the file does not have is no picture") {
