@@ -122,7 +122,7 @@ describe("what the engine reports", () => {
     expect([...known].filter((reason) => !reasons.has(reason))).toEqual([]);
   });
 
-  it("reaches an element's page in the element's language, once, with its code and the first error as its cause", () => {
+  it("reaches an element's page in the element's language, once, with its code and the first error as its cause, and in no browser's words", () => {
     const told = typedError(FLAT, german);
     expect(told).toMatchObject({ code: "no-uvs", subject: "fox.glb", cause: FLAT });
     expect(told.message).toMatch(/^„fox\.glb“ hat keine Texturkoordinaten/);
@@ -130,6 +130,13 @@ describe("what the engine reports", () => {
     expect(typedError(FLAT, english)).toBe(FLAT);
     const rare = new TexelcastError("bad-argument", "The gutter is 99.", { field: "gutter", hint: "At most 64." });
     expect(typedError(rare, german)).toMatchObject({ message: "Das geht hier nicht.", hint: "", field: "gutter" });
+    const lost = new TypeError("Failed to fetch dynamically imported module: https://shop.example/assets/bench.js");
+    for (const words of [english, german]) {
+      const { message, hint = "", value } = typedError(lost, words);
+      expect(message + hint).not.toContain("assets");
+      expect(value).toBe(String(lost));
+    }
+    expect(typedError(lost, english).message).toBe("Something went wrong. Try again, or reload the page.");
     const own = new ToldError("bad-argument", german.errors.badOption("width"));
     expect(typedError(own, german)).toBe(own);
     const bare = new TexelcastError("bad-zones", "It has no surface.", { ...BARE, reason: "no-surface" });

@@ -12,7 +12,8 @@ export interface ShownError {
 
 /** The error in the element's language; what was called off stays as it is. */
 export function typedError(thrown: unknown, { errors, told }: Words): TexelcastError {
-  const error = TexelcastError.wrap(thrown, "internal", thrown instanceof Error ? thrown.message : errors.unexpected);
+  // A browser's own words, as of a script that cannot be had, are the page's and not its user's.
+  const error = TexelcastError.wrap(thrown, "internal", errors.unexpected, { value: String(thrown) });
   // Once is enough, and the element's own are in its words from the start.
   if (error instanceof ToldError || isCancelled(error)) return error;
   const { message, hint } = told(error.toJSON());

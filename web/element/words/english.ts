@@ -91,7 +91,7 @@ export const english = {
     graphicsLost: "The browser has taken the graphics away. Nothing of your design is lost.",
     graphicsLostHint: "Try again, or restart the browser.",
     badOption: (name: string): string => `${name} is not what it must be.`,
-    unexpected: "Something went wrong.",
+    unexpected: "Something went wrong. Try again, or reload the page.",
   },
 };
 
