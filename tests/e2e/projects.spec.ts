@@ -138,7 +138,7 @@ test("a second tab has a copy, and neither overwrites the other; the list brings
   await list.getByRole("textbox").press("Enter");
   await expect(rows.nth(0)).toContainText("Empty mug");
   await rows.nth(0).getByRole("button", { name: "Delete" }).click();
-  await list.getByRole("button", { name: "Bring Empty mug back" }).click();
+  await list.getByRole("button", { name: "Undo deleting Empty mug" }).click();
   await expect(rows.nth(0).getByRole("button", { name: "Open Empty mug" })).toBeVisible();
   await other.page.close();
 
@@ -148,7 +148,7 @@ test("a second tab has a copy, and neither overwrites the other; the list brings
   expect(await editor.settledHash()).not.toBe(first);
   expect(new URL(page.url()).search).toBe("");
   await editor.chooseOfProjects("All projects");
-  await page.getByRole("button", { name: "Open Mug", exact: true }).click();
+  await page.getByRole("button", { name: /^Open Mug (?!\(copy\))/ }).click();
   await expect(page.locator("tc-top-bar .projects")).toContainText("Mug");
   expect(await editor.settledHash()).toBe(first);
 });
@@ -163,15 +163,15 @@ test("a list that is closed in one tab takes nothing for good that the list of a
     await tab.chooseOfProjects("All projects");
     await tab.page.getByRole("button", { name: "Duplicate Mug", exact: true }).click();
     await tab.page.getByRole("button", { name: "Delete Mug (copy)", exact: true }).click();
-    await expect(tab.page.getByRole("button", { name: "Bring Mug (copy) back", exact: true })).toBeVisible();
+    await expect(tab.page.getByRole("button", { name: "Undo deleting Mug (copy)", exact: true })).toBeVisible();
   }
   await other.page.keyboard.press("Escape");
   await expect(other.page.locator("tc-projects-dialog dialog")).toBeHidden();
   await other.chooseOfProjects("All projects");
-  await expect(other.page.getByRole("button", { name: "Open Mug", exact: true })).toBeVisible();
+  await expect(other.page.getByRole("button", { name: /^Open Mug (?!\(copy\))/ })).toBeVisible();
 
-  await page.getByRole("button", { name: "Bring Mug (copy) back", exact: true }).click();
-  await expect(page.getByRole("button", { name: "Open Mug (copy)", exact: true })).toBeVisible();
+  await page.getByRole("button", { name: "Undo deleting Mug (copy)", exact: true }).click();
+  await expect(page.getByRole("button", { name: "Open Mug (copy)" })).toBeVisible();
   await expect(editor.notices.filter({ hasText: "could not" })).toHaveCount(0);
 });
 
@@ -183,7 +183,7 @@ test("a tab whose project another has deleted says so when it is seen again, and
   const other = await keptAndOpenInAnother(editor);
   await other.chooseOfProjects("All projects");
   await other.page.getByRole("button", { name: "Delete Mug", exact: true }).click();
-  await expect(other.page.getByRole("button", { name: "Bring Mug back", exact: true })).toBeVisible();
+  await expect(other.page.getByRole("button", { name: "Undo deleting Mug", exact: true })).toBeVisible();
   await other.page.close();
 
   // Headless, each tab counts as seen all the time.

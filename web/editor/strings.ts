@@ -652,13 +652,16 @@ const english = {
     openElsewhere: "Open in another tab",
     deleted: "Deleted",
     open: (name: string): string => `Open ${name}`,
+    /** Heard before a project's name and all that is said of it. */
+    openBefore: "Open",
     renameThis: "Rename…",
     rename: (name: string): string => `Rename ${name}`,
     nameOf: (name: string): string => `Name of ${name}`,
     duplicate: (name: string): string => `Duplicate ${name}`,
     remove: (name: string): string => `Delete ${name}`,
     undoRemove: "Undo",
-    undoRemoveOf: (name: string): string => `Bring ${name} back`,
+    /** Begins as `undoRemove`, by which it is called by voice. */
+    undoRemoveOf: (name: string): string => `Undo deleting ${name}`,
     layers: (count: number): string => plural(count, "layer", "layers"),
     megabytes: (size: string): string => `${size} MB`,
     copyOf: (name: string): string => `${name} (copy)`,

@@ -211,11 +211,12 @@ export class ProjectsDialog extends EditorElement {
           renaming
             ? html`<div class="still">${picture(project)}${this.#nameField(project)}</div>`
             : html`
-                <button class="open" aria-label=${this.#words.open(name)} aria-describedby=${`about-${id}`} @click=${() => this.#open(project)}>
+                <button class="open" @click=${() => this.#open(project)}>
+                  <span class="visually-hidden">${this.#words.openBefore}</span>
                   ${picture(project)}
                   <span class="words">
                     <span class="name" dir="auto">${name}</span>
-                    <span class="about" id=${`about-${id}`}>
+                    <span class="about">
                       ${open ? html`<span class="here">${open === "here" ? this.#words.openHere : this.#words.openElsewhere}</span> · ` : nothing}${aboutOf(project, this.strings)}
                     </span>
                   </span>
