@@ -249,7 +249,7 @@ test.describe("the first steps", () => {
 
 test("the first steps go on by themselves with what is done, and wait for what is not", async ({ editor, page }) => {
   await editor.open({ hint: true });
-  const title = page.locator("tc-first-hint h3");
+  const title = page.locator("tc-first-hint h2");
   await expect(title).toHaveText("Choose a picture");
   const lowest = await editor.lowestLayer();
   const moved = async (id: string): Promise<void> => {

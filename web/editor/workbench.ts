@@ -309,7 +309,7 @@ export class Workbench extends EditorElement {
     this.lang = this.state.language;
     return html`
       <tc-top-bar
-        role="banner"
+        role=${this.embedded ? "group" : "banner"}
         aria-label=${this.strings.topBar.label}
         .editor=${editor}
         .compact=${compact}
@@ -321,13 +321,13 @@ export class Workbench extends EditorElement {
       ${this.#views()}
       ${
         compact
-          ? html`<tc-bottom-sheet .editor=${editor} ?sideways=${this.sideways}>
+          ? html`<tc-bottom-sheet role="complementary" aria-label=${this.strings.sidePanel} .editor=${editor} ?sideways=${this.sideways}>
               <div slot="hint">${this.#hint()}</div>
               ${this.state.view.layout === "texture" ? nothing : html`<slot name="texture" slot="texture"></slot>`}
             </tc-bottom-sheet>`
           : html`
               ${this.#hintBesideViews ? this.#hint() : nothing}
-              <tc-status-line .editor=${editor} role="group" aria-label=${this.strings.status.label}></tc-status-line>
+              <tc-status-line .editor=${editor} role="region" aria-label=${this.strings.status.label}></tc-status-line>
               <tc-side-panel .editor=${editor} role="complementary" aria-label=${this.strings.sidePanel}></tc-side-panel>
             `
       }
@@ -349,6 +349,7 @@ export class Workbench extends EditorElement {
     `;
   }
 
+  /** The main part of the page; of one that it is embedded in, whose landmarks are its own, a group. */
   #views(): TemplateResult {
     const { editor, compact, upright } = this;
     const textureShare = this.textureShare ?? 0.38;
@@ -364,7 +365,7 @@ export class Workbench extends EditorElement {
       this.textureShare = event.detail;
     };
     return html`
-      <main class=${animation.clip === null ? "views" : "views moving"} .style=${`grid-template: ${grid}`}>
+      <div role=${this.embedded ? "group" : "main"} class=${animation.clip === null ? "views" : "views moving"} .style=${`grid-template: ${grid}`}>
         ${
           flat
             ? html`<tc-texture-panel .editor=${editor}><slot name="texture" slot="texture"></slot></tc-texture-panel>`
@@ -380,7 +381,7 @@ export class Workbench extends EditorElement {
               `
             : nothing
         }
-      </main>
+      </div>
     `;
   }
 

@@ -13,25 +13,52 @@ const RUNS = {
   dark: { type: "rule", values: ["color-contrast"] },
 } as const satisfies Record<string, RunOptions["runOnly"]>;
 
+const OUTLINE: RunOptions["runOnly"] = {
+  type: "rule",
+  values: [
+    "heading-order",
+    "page-has-heading-one",
+    "region",
+    "landmark-one-main",
+    "landmark-unique",
+    "landmark-no-duplicate-main",
+    "landmark-no-duplicate-banner",
+    "landmark-main-is-top-level",
+    "landmark-banner-is-top-level",
+    "landmark-complementary-is-top-level",
+  ],
+};
+
 /** Serious and critical faults of all that is shown, shadow trees included; in dark, those of contrast. */
 export async function seriousFaults(page: Page): Promise<string[]> {
-  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(`${AXE}; 0`);
   const faults: string[] = [];
   for (const colorScheme of ["light", "dark"] as const) {
     await page.emulateMedia({ colorScheme });
     await drawn(page);
-    const found = await page.evaluate(async (runOnly) => {
-      const { axe } = window as unknown as {
-        axe: { run: (place: Document, options: RunOptions) => Promise<AxeResults> };
-      };
-      const { violations } = await axe.run(document, { runOnly, resultTypes: ["violations"], preload: false });
-      return violations
-        .filter(({ impact }) => impact === "serious" || impact === "critical")
-        .flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id} ${target}: ${failureSummary}`));
-    }, RUNS[colorScheme]);
-    faults.push(...found.map((fault) => `${colorScheme}: ${fault}`));
+    const found = await violationsOf(page, RUNS[colorScheme]);
+    for (const { impact, told } of found) {
+      if (impact === "serious" || impact === "critical") faults.push(`${colorScheme}: ${told}`);
+    }
   }
   return faults;
+}
+
+/** What a screen reader that goes by landmarks and headings would miss, or find twice. */
+export async function outlineFaults(page: Page): Promise<string[]> {
+  return (await violationsOf(page, OUTLINE)).map(({ told }) => told);
+}
+
+async function violationsOf(page: Page, runOnly: RunOptions["runOnly"]): Promise<{ impact: unknown; told: string }[]> {
+  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(`${AXE}; 0`);
+  return page.evaluate(async (only) => {
+    const { axe } = window as unknown as {
+      axe: { run: (place: Document, options: RunOptions) => Promise<AxeResults> };
+    };
+    const { violations } = await axe.run(document, { runOnly: only, resultTypes: ["violations"], preload: false });
+    return violations.flatMap(({ id, impact, nodes }) =>
+      nodes.map(({ target, failureSummary }) => ({ impact, told: `${id} ${target}: ${failureSummary}` })),
+    );
+  }, runOnly);
 }
 
 /**

@@ -60,6 +60,11 @@ export class FirstHint extends RemElement {
       header button {
         margin: calc(-1 * var(--space-1));
       }
+      h2 {
+        font-size: var(--text-small);
+        font-weight: 550;
+      }
+      h2,
       p,
       footer span {
         color: var(--text-quiet);
@@ -80,7 +85,7 @@ export class FirstHint extends RemElement {
       :host([compact]) footer {
         display: contents;
       }
-      :host([compact]) h3 {
+      :host([compact]) h2 {
         align-self: end;
         padding-block-start: var(--space-1);
         color: var(--text);
@@ -105,7 +110,7 @@ export class FirstHint extends RemElement {
       }
       /* Where the layers would have no room beside it, its heading is all that is seen of it. */
       @media (max-height: 30rem), (max-width: 720px) and (max-height: 44rem) {
-        :host([compact]) h3 {
+        :host([compact]) h2 {
           align-self: center;
           grid-row: 1 / 3;
           padding: 0;
@@ -147,7 +152,7 @@ export class FirstHint extends RemElement {
     return html`
       <section aria-label=${this.words.label}>
         <header>
-          <h3>${title}</h3>
+          <h2>${title}</h2>
           <button class="icon small" id="dismiss" aria-label=${this.words.dismiss} title=${this.words.dismiss} @click=${this.#close}>
             ${icon(X)}
           </button>

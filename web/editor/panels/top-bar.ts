@@ -87,9 +87,16 @@ export class TopBar extends EditorElement {
         background: var(--accent);
         forced-color-adjust: none;
       }
+      /* There is no room to see it; screen readers begin with it. */
       @media (max-width: 900px) {
         h1 {
-          display: none;
+          position: absolute;
+          width: 1px;
+          height: 1px;
+          margin: -1px;
+          overflow: hidden;
+          clip-path: inset(50%);
+          white-space: nowrap;
         }
       }
       @media (max-width: 720px), (max-width: 800px) and (pointer: coarse) {
@@ -124,7 +131,7 @@ export class TopBar extends EditorElement {
     const { files } = this.editor;
     const [cannotUndo, cannotRedo] = [undoLabel, redoLabel].map((label) => label === null || switching || readonly);
     return html`
-      ${this.compact || this.embedded ? nothing : html`<h1>${this.strings.productName}</h1>`}
+      ${this.embedded ? nothing : html`<h1 class=${this.compact ? "visually-hidden" : nothing}>${this.strings.productName}</h1>`}
       ${this.embedded ? nothing : this.#own(model?.ref.title ?? this.#words.noModel, designName)}
       <div class="group">
         <button
