@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { startingPlace } from "../../web/element/desk/zone-place.ts";
+import type { PlanarProjector } from "../../web/engine/engine-api.ts";
 import type { PrintZone } from "../../web/engine/print-zones.ts";
-import type { ModelViewer, SurfaceHit, Vec3 } from "../../web/viewer/viewer-api.ts";
+import type { DecalViewer, SurfaceHit, Vec3 } from "../../web/viewer/viewer-api.ts";
 
 const hitAt = (position: Vec3, normal: Vec3, uv: readonly [number, number] = [0.5, 0.5], material = 0): SurfaceHit => ({
   ...{ position, normal, uv, material },
@@ -11,6 +12,9 @@ const BELT = hitAt([0, 0.5, 0.1], [0, 0, 1], [0.5, 0.9]);
 const CHEST = hitAt([0, 1, 0.1], [0, 0, 1]);
 const BACK = hitAt([0, 1, -0.1], [0, 0, -1]);
 
+type Viewer = Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt">;
+const SQUARE = { aspect: 1, usual: 10 };
+
 /** Seen from the front; `centre` is under the middle of the view. */
 function viewerOf(centre: SurfaceHit | null, atUv: SurfaceHit | null = null) {
   const surface = {
@@ -18,7 +22,10 @@ function viewerOf(centre: SurfaceHit | null, atUv: SurfaceHit | null = null) {
     atUv: () => atUv,
     lookAt: () => ({ eye: [0, 1, 5], up: [0, 1, 0] }),
   };
-  return { surface, surfaceAtCentre: () => centre } as unknown as Pick<ModelViewer, "surface" | "surfaceAtCentre">;
+  const projectorAt = ({ position }: SurfaceHit, width: number, aspect: number): PlanarProjector => ({
+    ...{ kind: "planar", position, rotation: [0, 0, 0, 1], size: [width, width / aspect, 0.1] },
+  });
+  return { surface, surfaceAtCentre: () => centre, projectorAt } as unknown as Viewer;
 }
 
 const usual = { material: 0, safe: 0, bleed: 0, policy: "clip" } as const;
@@ -34,35 +41,32 @@ const wall = (polygon: readonly (readonly [number, number])[]): PrintZone => ({
 });
 
 describe("something new on a product", () => {
-  it("goes under the middle of the view where the product has no zones, and may be as wide as it likes", () => {
-    const place = startingPlace(viewerOf(BELT), []);
-    expect(place?.hit).toBe(BELT);
-    expect(place?.mostWidth(2)).toBe(Number.POSITIVE_INFINITY);
-    expect(startingPlace(viewerOf(null), [])).toBeNull();
+  it("goes under the middle of the view where the product has no zones, and is as wide as usual", async () => {
+    expect(await startingPlace(viewerOf(BELT), [], SQUARE)).toEqual({ hit: BELT, width: 10 });
+    expect(await startingPlace(viewerOf(null), [], SQUARE)).toBeNull();
   });
 
-  it("stays under the middle of the view where that is printed, no larger than the zone", () => {
-    const place = startingPlace(viewerOf(CHEST), [BACK_BOX, FRONT_BOX]);
+  it("stays under the middle of the view where that is printed, no larger than the zone", async () => {
+    const zones = [BACK_BOX, FRONT_BOX];
+    const place = await startingPlace(viewerOf(CHEST), zones, SQUARE);
     expect(place?.hit).toBe(CHEST);
-    expect(place?.mostWidth(1)).toBeCloseTo(0.16);
-    expect(place?.mostWidth(4)).toBeCloseTo(0.32);
+    expect(place?.width).toBeCloseTo(0.16);
+    expect((await startingPlace(viewerOf(CHEST), zones, { ...SQUARE, aspect: 4 }))?.width).toBeCloseTo(0.32);
+    expect((await startingPlace(viewerOf(CHEST), zones, { aspect: 1, usual: 0.1 }))?.width).toBe(0.1);
   });
 
-  it("goes to the zone that the camera sees where the middle of the view is not printed", () => {
-    expect(startingPlace(viewerOf(BELT), [BACK_BOX, FRONT_BOX])?.hit).toBe(CHEST);
-    expect(startingPlace(viewerOf(null), [BACK_BOX, FRONT_BOX])?.hit).toBe(CHEST);
-    expect(startingPlace(viewerOf(BELT), [BACK_BOX])?.hit).toBe(BACK);
+  it("goes to the zone that the camera sees where the middle of the view is not printed", async () => {
+    expect((await startingPlace(viewerOf(BELT), [BACK_BOX, FRONT_BOX], SQUARE))?.hit).toBe(CHEST);
+    expect((await startingPlace(viewerOf(null), [BACK_BOX, FRONT_BOX], SQUARE))?.hit).toBe(CHEST);
+    expect((await startingPlace(viewerOf(BELT), [BACK_BOX], SQUARE))?.hit).toBe(BACK);
   });
 
-  it("takes a zone of the texture by its polygon, and its middle where it lies on the surface", () => {
-    const polygon = [
+  it("goes under the middle of the view where a zone of the texture lies beside all charts", async () => {
+    const beside = wall([
       [0.2, 0.2],
       [0.8, 0.2],
       [0.8, 0.8],
-      [0.2, 0.8],
-    ] as const;
-    expect(startingPlace(viewerOf(CHEST, BACK), [wall(polygon)])?.hit).toBe(CHEST);
-    expect(startingPlace(viewerOf(BELT, CHEST), [wall(polygon)])?.hit).toBe(CHEST);
-    expect(startingPlace(viewerOf(BELT, null), [wall(polygon)])?.hit, "a zone beside all charts").toBe(BELT);
+    ]);
+    expect((await startingPlace(viewerOf(BELT), [beside], SQUARE))?.hit).toBe(BELT);
   });
 });

@@ -28,23 +28,24 @@ export interface Place {
   readonly backfaces: boolean;
 }
 
-/** Where something of that aspect (width by height) goes. Throws "bad-argument" where there is no surface for it. */
-export function placeFor(
+/** Where something of that aspect (width by height) goes. Rejects with "bad-argument" where there is no surface for it. */
+export async function placeFor(
   desk: Desk,
   viewer: DecalViewer,
   aspect: number,
   options: PlaceOptions,
   at: SurfaceHit | null,
-): Place {
+): Promise<Place> {
   const { store } = desk;
   const { words } = desk.settings;
   const { position } = options;
-  const start = at === null && position === undefined ? startingPlace(viewer, desk.zones?.zones ?? []) : null;
-  const usual = NEW_SHARE * diagonalOf(store.state.model) * Math.min(1, aspect);
-  const { width = Math.min(usual, start?.mostWidth(aspect) ?? usual) } = options;
-  if (!(width > 0 && Number.isFinite(width))) {
-    throw badOption(words, "width", width);
+  const { width: usual = NEW_SHARE * diagonalOf(store.state.model) * Math.min(1, aspect) } = options;
+  if (!(usual > 0 && Number.isFinite(usual))) {
+    throw badOption(words, "width", usual);
   }
+  const isFree = at === null && position === undefined;
+  const start = isFree ? await startingPlace(viewer, desk.zones?.zones ?? [], { aspect, usual }) : null;
+  const width = options.width ?? start?.width ?? usual;
   const hit = at ?? start?.hit ?? (position === undefined ? null : viewer.surface.near(position));
   if (options.projector === undefined && hit === null) {
     const { message, hint } = { ...PLACING_WORDS[words.language], ...words.own?.nowhere };
@@ -98,10 +99,10 @@ async function putPicture(
   const picture = await desk.library.add(name, bytes);
   try {
     const viewer = await desk.takeHands();
+    const label = options.name ?? fileStem(name);
+    const place = await placeFor(desk, viewer, picture.width / picture.height, options, at);
     // Somebody may have added another one meanwhile.
     desk.checkRoom();
-    const label = options.name ?? fileStem(name);
-    const place = placeFor(desk, viewer, picture.width / picture.height, options, at);
     const { design, key } = withAsset(desk.design, label, picture.asset);
     const layer = makeDecalLayer({ id: freeIdIn(design), name: label, asset: key, ...place });
     const { words } = desk.settings;

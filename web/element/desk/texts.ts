@@ -73,8 +73,8 @@ export class Texts {
     const look = { text, font: key, color: hexColor(color, words), curve };
     const plain = makeTextLayer({ id: "", name, projector: NOWHERE, ...look });
     const [viewer, room] = await Promise.all([desk.takeHands(), this.#measure(plain, design.assets)]);
+    const place = await placeFor(desk, viewer, room.width / room.height, options, null);
     desk.checkRoom();
-    const place = placeFor(desk, viewer, room.width / room.height, options, null);
     // The design may be another one since the words were measured.
     const now = withAsset(desk.design, font.name, font.asset);
     const id = freeIdIn(now.design);

@@ -1,76 +1,85 @@
 /** Where something new goes on a product that is printed in some places only. */
 import { Vector3 } from "three";
-import type { PrintZone } from "../../engine/print-zones.ts";
-import { reachesPoint } from "../../viewer/projector-sight.ts";
+import type { BoxZoneShape, PrintZone } from "../../engine/print-zones.ts";
 import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
+import { isPolygon, zoneHolds } from "./zone-holds.ts";
 
-/** Of a box's sides: what something new takes at the most, so that it has room to be moved. */
+/** Of a zone, or of the largest that fits in it: what something new takes at the most, so that it has room to be moved. */
 const MOST_OF_ZONE = 0.8;
+/** What a place is worth that the camera does not see: another one is taken where it may be had. */
+const UNSEEN = 0.01;
+/** The cosine of an angle at which a picture is seen as well as from straight before it, nearly. */
+const WELL_SEEN = 0.7;
 
 export interface StartingPlace {
   readonly hit: SurfaceHit;
-  /** Metres; what a new decal of an aspect must not be wider than. */
-  mostWidth(aspect: number): number;
+  /** Metres. */
+  readonly width: number;
+}
+
+/** Something new. */
+export interface Newcomer {
+  /** Width by height. */
+  readonly aspect: number;
+  /** Metres; how wide it is where nothing is against it. */
+  readonly usual: number;
 }
 
 /**
  * The surface under the middle of the view where that may be printed, else the middle of the nearest zone, one that the camera
- * sees before one that it does not. Null without a surface.
+ * sees before one that it does not. In a polygon of the texture it goes from there as far as it must to lie wholly inside. Null
+ * without a surface.
  */
-export function startingPlace(
-  viewer: Pick<DecalViewer, "surface" | "surfaceAtCentre">,
+export async function startingPlace(
+  viewer: Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt">,
   zones: readonly PrintZone[],
-): StartingPlace | null {
-  const seen = viewer.surfaceAtCentre();
-  const under = seen && zones.find((zone) => holds(zone, seen));
-  if (seen && (zones.length === 0 || under)) return { hit: seen, mostWidth: (aspect) => mostWidth(under, aspect) };
+  { aspect, usual }: Newcomer,
+): Promise<StartingPlace | null> {
   const { surface } = viewer;
+  // Where it does not come, something new goes where the customer looks.
+  const polygons = zones.some(isPolygon) ? await import("./polygon-places.ts").catch(() => null) : null;
+  const middleOf = (zone: PrintZone): SurfaceHit | null => {
+    if (isPolygon(zone)) {
+      return polygons?.deepestPlace(zone, surface, (hit) => inSight(facing(hit, surface))) ?? null;
+    }
+    const hit = surface.near((zone.shape as BoxZoneShape).position);
+    return hit?.material === zone.material ? hit : null;
+  };
+  const placeIn = (zone: PrintZone, seen: SurfaceHit | null, middle: SurfaceHit | null): StartingPlace | null => {
+    if (polygons && middle && isPolygon(zone)) {
+      const { hit, width } = polygons.roomIn(viewer, zone, aspect, usual / MOST_OF_ZONE, seen, middle);
+      return { hit, width: Math.min(usual, MOST_OF_ZONE * width) };
+    }
+    const hit = seen ?? middle;
+    return hit && { hit, width: Math.min(usual, widthInBox(zone, aspect)) };
+  };
+  const seen = viewer.surfaceAtCentre();
+  if (seen && zones.length === 0) return { hit: seen, width: usual };
+  const under = seen && zones.find((zone) => zoneHolds(zone, seen));
+  if (under) return placeIn(under, seen, isPolygon(under) ? middleOf(under) : null);
   const middles = zones.flatMap((zone) => {
-    const hit = middleOf(zone, surface);
+    const hit = middleOf(zone);
     if (hit === null) return [];
     const position = new Vector3(...hit.position);
-    const towardsEye = new Vector3(...surface.lookAt(hit).eye).sub(position);
-    const isHidden = towardsEye.dot(new Vector3(...hit.normal)) <= 0;
-    return [{ zone, hit, isHidden, distance: seen ? position.distanceTo(new Vector3(...seen.position)) : 0 }];
+    const distance = seen ? position.distanceTo(new Vector3(...seen.position)) : 0;
+    return [{ zone, hit, isHidden: facing(hit, surface) <= 0, distance }];
   });
   middles.sort((a, b) => Number(a.isHidden) - Number(b.isHidden) || a.distance - b.distance);
   const [best] = middles;
-  if (best) return { hit: best.hit, mostWidth: (aspect) => mostWidth(best.zone, aspect) };
-  return seen && { hit: seen, mostWidth: () => Number.POSITIVE_INFINITY };
+  if (best) return placeIn(best.zone, null, best.hit);
+  return seen && { hit: seen, width: usual };
 }
 
-function mostWidth(zone: PrintZone | null | undefined, aspect: number): number {
-  // How large a polygon of the texture is on the surface, only a measurement would tell.
-  if (zone?.shape.kind !== "box") return Number.POSITIVE_INFINITY;
-  const [width, height] = zone.shape.size;
+function widthInBox({ shape }: PrintZone, aspect: number): number {
+  if (shape.kind !== "box") return Number.POSITIVE_INFINITY;
+  const [width, height] = shape.size;
   return MOST_OF_ZONE * Math.min(width, height * aspect);
 }
 
-function middleOf({ material, shape }: PrintZone, surface: DecalViewer["surface"]): SurfaceHit | null {
-  if (shape.kind === "box") {
-    const hit = surface.near(shape.position);
-    return hit?.material === material ? hit : null;
-  }
-  const middle = (axis: 0 | 1): number => {
-    const values = shape.polygon.map((corner) => corner[axis]);
-    return (Math.min(...values) + Math.max(...values)) / 2;
-  };
-  return surface.atUv(material, [middle(0), middle(1)]);
-}
+const inSight = (facing: number): number => Math.min(1, Math.max(UNSEEN, facing / WELL_SEEN));
 
-function holds({ material, shape }: PrintZone, hit: SurfaceHit): boolean {
-  if (hit.material !== material) return false;
-  if (shape.kind === "uv") return polygonHolds(shape.polygon, hit.uv);
-  // A box takes what a decal of that box would reach: the surface in it that faces its +Z.
-  const [position, normal] = [new Vector3(...hit.position), new Vector3(...hit.normal)];
-  return reachesPoint({ ...shape, kind: "planar" }, { position, normal, uv: hit.uv });
-}
-
-function polygonHolds(polygon: readonly (readonly [number, number])[], [u, v]: readonly [number, number]): boolean {
-  let inside = false;
-  polygon.forEach(([toU, toV], index) => {
-    const [fromU, fromV] = polygon.at(index - 1) ?? [toU, toV];
-    if (fromV > v !== toV > v && u < fromU + ((toU - fromU) * (v - fromV)) / (toV - fromV)) inside = !inside;
-  });
-  return inside;
+/** The cosine of the angle at which the camera sees a place; below zero from behind. */
+function facing(hit: SurfaceHit, surface: DecalViewer["surface"]): number {
+  const towardsEye = new Vector3(...surface.lookAt(hit).eye).sub(new Vector3(...hit.position)).normalize();
+  return towardsEye.dot(new Vector3(...hit.normal));
 }
