@@ -255,6 +255,106 @@ describe("zoom", () => {
   });
 });
 
+describe("zoom to a ball of a metre about the origin", () => {
+  const RADIUS = 1;
+  const LEAST = 0.05;
+
+  beforeEach(() => {
+    rig.limit({ minDistance: LEAST });
+  });
+
+  /** Where the ball's outside is seen there, pixels; null: beside it, or from within. */
+  function seenAt(x: number, y: number): Vector3 | null {
+    camera.updateMatrixWorld();
+    const towards = new Vector3((2 * x) / 400 - 1, 1 - (2 * y) / 200, 0.5).unproject(camera);
+    const direction = towards.sub(camera.position).normalize();
+    const along = -camera.position.dot(direction);
+    const missed = camera.position.lengthSq() - along * along;
+    if (missed > RADIUS * RADIUS || camera.position.length() < RADIUS) return null;
+    return camera.position.clone().addScaledVector(direction, along - Math.sqrt(RADIUS * RADIUS - missed));
+  }
+
+  /** As the view tells it, by what is seen at that moment. */
+  function turn(deltaY: number, x = 200, y = 100): void {
+    const under = seenAt(x, y);
+    rig.beforeZoom({ surface: under ?? seenAt(200, 100), toPointer: under !== null, nearer: deltaY < 0 });
+    wheel(deltaY, { clientX: x, clientY: y });
+  }
+
+  function frames(count: number): void {
+    for (let frame = 0; frame < count; frame++) rig.update(1 / 60);
+  }
+
+  test("a wheel comes to rest before what is seen, however far and fast it is turned", () => {
+    for (const between of [0, 1, 5, 60]) {
+      for (let step = 0; step < 80; step++) {
+        turn(-300);
+        frames(between);
+        expect(camera.position.length(), `${step} turns with ${between} frames between`).toBeGreaterThan(RADIUS);
+      }
+      rest();
+      expect(camera.position.length()).toBeGreaterThan(RADIUS);
+    }
+    expect(camera.position.length(), "and comes as near as the reach lets it").toBeLessThan(RADIUS + 1.1 * LEAST);
+  });
+
+  test("so it does at the side, where what is under the pointer stays under it", () => {
+    const [x, y] = [225, 90];
+    const point = seenAt(x, y) as Vector3;
+    for (let step = 0; step < 10; step++) {
+      turn(-100, x, y);
+      frames(100);
+    }
+    camera.updateMatrixWorld();
+    const { x: right, y: up } = point.clone().project(camera);
+    expect(((right + 1) / 2) * 400).toBeCloseTo(x, 0);
+    expect(((1 - up) / 2) * 200).toBeCloseTo(y, 0);
+    for (let step = 0; step < 60; step++) {
+      turn(-300, x, y);
+      frames(3);
+    }
+    expect(camera.position.length()).toBeGreaterThan(RADIUS);
+  });
+
+  test("what the wheel finds nearer than the middle moves nothing by itself", () => {
+    turn(-100);
+    frames(2);
+    camera.updateMatrixWorld();
+    const before = camera.matrixWorld.toArray();
+    rig.beforeZoom({ surface: seenAt(200, 100), toPointer: true, nearer: true });
+    rig.update(0);
+    camera.updateMatrixWorld();
+    for (const [i, value] of camera.matrixWorld.toArray().entries()) expect(value).toBeCloseTo(before[i] as number, 9);
+  });
+
+  test("near, it turns about what is seen, and far away again about the model's middle", () => {
+    for (let step = 0; step < 20; step++) {
+      turn(-200);
+      frames(100);
+    }
+    expect(rig.stand.target.length()).toBeCloseTo(RADIUS, 2);
+    for (let step = 0; step < 60 && camera.position.length() < 10; step++) {
+      turn(120);
+      frames(100);
+    }
+    expect(rig.stand.target.length()).toBeLessThan(1e-6);
+  });
+
+  test("a least distance that a page gives is one to the middle, as before", () => {
+    rig.limit({ minDistance: 4 });
+    for (let step = 0; step < 20; step++) {
+      turn(-300);
+      frames(5);
+    }
+    rest();
+    expect(camera.position.length()).toBeCloseTo(4, 3);
+    rig.limit({ minDistance: 4 });
+    turn(-300);
+    rest();
+    expect(camera.position.length()).toBeCloseTo(4, 3);
+  });
+});
+
 describe("pan", () => {
   test("the right button pans, and the left one with the shift key, with what is under it", () => {
     const perPixel = (2 * 10 * Math.tan(MathUtils.degToRad(15))) / 200;

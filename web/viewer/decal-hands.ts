@@ -58,14 +58,8 @@ export class DecalHands {
     const { rig, view, posed } = this.#parts;
     const { element: root, events } = view;
     const early = { capture: true, passive: true };
-    const zoom = ({ clientX, clientY }: MouseEvent, nearer: boolean, toPointer?: boolean): void => {
-      const { width, height } = this.screen.size;
-      const under = this.sampleAt(this.screen.pointOf(clientX, clientY));
-      const seen = under ?? this.sampleAt({ x: width / 2, y: height / 2 });
-      const surface = seen && (posed()?.toPosed(seen.position) ?? seen.position);
-      // Beside the model a wheel that kept what is under the pointer would bring nearer what is not there, and lose the model.
-      rig.beforeZoom({ surface, toPointer: toPointer ?? under !== null, nearer });
-    };
+    const zoom = ({ clientX, clientY }: MouseEvent, nearer: boolean, toPointer?: boolean): void =>
+      this.#beforeZoom(this.screen.pointOf(clientX, clientY), nearer, toPointer);
     root.addEventListener("wheel", (event) => zoom(event, event.deltaY < 0), early);
     root.addEventListener("pointerdown", (event) => event.isPrimary || zoom(event, true, true), early);
     this.#input = new ViewInput(root, this.gizmo, this.screen, {
@@ -81,6 +75,20 @@ export class DecalHands {
   set suspended(value: boolean) {
     if (this.#input) this.#input.suspended = value;
     this.gizmo.enabled = !value;
+  }
+
+  #beforeZoom(at: ScreenPoint, nearer: boolean, toPointer?: boolean): void {
+    const { rig, posed } = this.#parts;
+    const under = this.sampleAt(at);
+    const seen = under ?? this.sampleAt(this.#middle);
+    const surface = seen && (posed()?.toPosed(seen.position) ?? seen.position);
+    // Beside the model a wheel that kept what is under the pointer would bring nearer what is not there, and lose the model.
+    rig.beforeZoom({ surface, toPointer: toPointer ?? under !== null, nearer });
+  }
+
+  get #middle(): ScreenPoint {
+    const { width, height } = this.screen.size;
+    return { x: width / 2, y: height / 2 };
   }
 
   sampleAt(point: ScreenPoint): SurfaceSample | null {
@@ -151,6 +159,7 @@ export class DecalHands {
     if (!plain || this.gizmo.selectedDecal !== null) {
       return;
     }
+    if (/^[+=-]$/.test(event.key)) this.#beforeZoom(this.#middle, event.key !== "-");
     if (event.key === "0") {
       view.frameModel();
     } else if (rig.step(event.key, view.stage.animates)) {

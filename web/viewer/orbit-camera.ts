@@ -16,6 +16,11 @@ const KEY_ZOOM = 0.15;
 const PINCH_SPEED = -0.1 / Math.log(0.95);
 /** Straight from above has no upright. */
 const LEAST_POLAR = 0.01;
+/** Of the way to the model's middle: who is that far from what was looked at closely sees the model again, and turns it about its middle. */
+const FAR = 0.7;
+const SAME = 1 - 1e-6;
+/** Of the box's diagonal: how near the camera comes to what is seen. A twentieth of the model's radius, which the box has about it. */
+const CLOSE = 0.01;
 
 /** Tells of each movement, however small: the controls' own "change" leaves out what is below a millimetre. */
 class TellingControls extends OrbitControls {
@@ -43,6 +48,8 @@ export class OrbitCamera implements HeldRig {
   readonly #shown: Place = { about: new Spherical(), target: new Vector3() };
   readonly #goal: Place = { about: new Spherical(), target: new Vector3() };
   #box: Box3 | null = null;
+  /** From the model's middle, metres; what the controls are told is from what is looked at. */
+  #least = 0;
   #eased = true;
   #pace = HAND_PACE;
   #jumped = true;
@@ -77,6 +84,8 @@ export class OrbitCamera implements HeldRig {
       },
       { signal },
     );
+    // And before a second finger, which looks to what is under it.
+    root.addEventListener("pointerdown", () => this.#lookToMiddle(), { signal, capture: true });
     const controls = new TellingControls(this.#goalCamera, root);
     this.#controls = controls;
     Object.assign(controls.mouseButtons, { LEFT: MOUSE.ROTATE, MIDDLE: MOUSE.ROTATE, RIGHT: MOUSE.PAN });
@@ -84,8 +93,8 @@ export class OrbitCamera implements HeldRig {
     controls.addEventListener("end", () => {
       this.#held = false;
     });
-    this.limit({ minPolarAngle: LEAST_POLAR, maxPolarAngle: Math.PI - LEAST_POLAR, ...before.reach });
     this.#box = before.box;
+    this.limit({ minPolarAngle: LEAST_POLAR, maxPolarAngle: Math.PI - LEAST_POLAR, ...before.reach });
     this.lookAt(before.stand.eye, before.stand.target, false);
     before.update();
     this.#isUntouched = true;
@@ -98,6 +107,8 @@ export class OrbitCamera implements HeldRig {
 
   limit(reach: Partial<CameraReach>): void {
     Object.assign(this.#controls, reach);
+    this.#least = reach.minDistance ?? this.#least;
+    this.#limitDepth();
   }
 
   enclose(box: Box3): void {
@@ -110,6 +121,7 @@ export class OrbitCamera implements HeldRig {
     this.#goal.target.copy(target);
     // Round the shorter way.
     this.#shown.about.theta += wholeTurns(about.theta - this.#shown.about.theta);
+    this.#limitDepth();
     this.#placeGoal();
     this.#go(OWN_PACE, eased);
   }
@@ -129,8 +141,14 @@ export class OrbitCamera implements HeldRig {
   /** The controls themselves pan with the shift key, and turn with it where they pan. */
   setPanning(): void {}
 
-  beforeZoom({ toPointer }: ZoomStep): void {
+  beforeZoom({ surface, toPointer, nearer }: ZoomStep): void {
     this.#zoomToPointer = toPointer;
+    if (!nearer) this.#lookToMiddle();
+    else if (surface !== null) {
+      // Steps are shares of the way to the middle of the orbit: to that of a mug they would lead through its wall.
+      const depth = depthOf(surface, this.#shown);
+      if (depth > 0 && depth < this.#shown.about.radius) this.#setDepth(depth);
+    }
   }
 
   step(key: string, eased: boolean): boolean {
@@ -210,6 +228,41 @@ export class OrbitCamera implements HeldRig {
     this.#go(HAND_PACE, true);
   }
 
+  get #middle(): Vector3 | undefined {
+    return this.#box?.getCenter(new Vector3());
+  }
+
+  /** What is as far away again turns about its own middle. */
+  #lookToMiddle(): void {
+    const { radius } = this.#shown.about;
+    const middle = this.#middle ? depthOf(this.#middle, this.#shown) : 0;
+    if (radius < SAME * middle && radius > FAR * middle) this.#setDepth(middle);
+  }
+
+  /**
+   * Lays the middle of the orbit `depth` metres before the camera, without the picture moving. What it is on its way to is then as far
+   * from the old middle as it was, but not beyond the new one.
+   */
+  #setDepth(depth: number): void {
+    const [shown, goal] = [this.#shown, this.#goal];
+    const nearer = shown.about.radius - depth;
+    for (const place of [shown, goal]) {
+      place.target.addScaledVector(backOf(place), nearer);
+      place.about.radius -= nearer;
+    }
+    this.#limitDepth();
+    goal.about.radius = Math.max(goal.about.radius, this.#controls.minDistance);
+    this.#placeGoal();
+  }
+
+  /** Holds it from the model's middle, whatever it turns about, and a little from that. */
+  #limitDepth(): void {
+    const goal = this.#goal;
+    const beyond = this.#middle ? depthOf(this.#middle, goal) - goal.about.radius : 0;
+    const close = CLOSE * (this.#box?.getSize(new Vector3()).length() ?? 0);
+    this.#controls.minDistance = Math.max(this.#least - Math.max(0, beyond), Math.min(this.#least, close));
+  }
+
   /** Puts the controls and their camera where the goal is. */
   #placeGoal(): void {
     const { about, target } = this.#goal;
@@ -244,6 +297,13 @@ export class OrbitCamera implements HeldRig {
     );
   }
 }
+
+/** Unit vector from what is looked at to the camera. */
+const backOf = ({ about: { phi, theta } }: Place): Vector3 => new Vector3().setFromSphericalCoords(1, phi, theta);
+
+/** Metres along the view from the camera. */
+const depthOf = (point: Vector3, place: Place): number =>
+  place.about.radius - point.clone().sub(place.target).dot(backOf(place));
 
 /** The whole turns in an angle, radians. */
 const wholeTurns = (angle: number): number => 2 * Math.PI * Math.round(angle / (2 * Math.PI));
