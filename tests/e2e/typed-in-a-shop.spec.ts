@@ -135,3 +135,35 @@ test("a field that is left without words says again what is on the product", asy
   await expect(words).toHaveValue("Ada");
   expect(await textsOf(editor)).toEqual(["Ada"]);
 });
+
+test("words and a font that cannot be fetched leave the field as the product is, and a message without addresses says what to do", async ({
+  page,
+}) => {
+  const editor = await openTyping(page, "shop");
+  await page.route(/NotoEmoji|Lobster/, (route) => route.fulfill({ status: 404 }));
+  const told = editor.evaluate(
+    (element: Editor) =>
+      new Promise<object>((resolve) => {
+        element.addEventListener("error", ({ detail }) => resolve(detail));
+      }),
+  );
+  const words = editor.getByRole("textbox", { name: "Words" });
+  await page.keyboard.type("da");
+  await page.keyboard.insertText("🦊");
+  await expect(words).toHaveValue("Ada");
+  const notice = editor.getByRole("alert");
+  await expect(notice).toContainText("The font for this could not be loaded");
+  await expect(notice).not.toContainText("http");
+  expect(await told).toMatchObject({
+    code: "missing-file",
+    error: { reason: "not-loaded", subject: expect.stringMatching(/^http.*NotoEmoji/) },
+  });
+  await page.keyboard.type("s");
+  await page.keyboard.press("Tab");
+  await expect.poll(() => textsOf(editor)).toEqual(["Adas"]);
+
+  const font = editor.getByRole("combobox", { name: "Font" });
+  await font.selectOption({ label: "Lobster" });
+  await expect(font).toHaveValue("inter-700");
+  expect(await textsOf(editor)).toEqual(["Adas"]);
+});

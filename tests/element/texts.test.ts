@@ -4,6 +4,7 @@ import { AssetLibrary } from "../../web/editor/state/asset-library.ts";
 import { DesignSession } from "../../web/editor/state/design-session.ts";
 import { type EditorState, INITIAL_STATE } from "../../web/editor/state/editor-state.ts";
 import { Store } from "../../web/editor/state/store.ts";
+import { ToldError } from "../../web/editor/strings/told-error.ts";
 import { Desk } from "../../web/element/desk/desk.ts";
 import type { DeskHooks } from "../../web/element/desk/desk-settings.ts";
 import { shippedFont, Texts } from "../../web/element/desk/texts.ts";
@@ -16,7 +17,7 @@ import { FRONT } from "../support/layers.ts";
 const FONT = await readShippedFont("bebas-neue-400");
 
 /** A desk whose engine keeps fonts, and measures words unless it `refuses`. */
-function deskWithFonts({ refuses }: { refuses: boolean }) {
+function deskWithFonts({ refuses, misses = null }: { refuses: boolean; misses?: TexelcastError | null }) {
   const has = new Set<string>();
   let slow: string | null = null;
   let arrive = (): void => undefined;
@@ -38,6 +39,7 @@ function deskWithFonts({ refuses }: { refuses: boolean }) {
     setLayers: () => undefined,
     measureText: async ({ font }: EngineText) => {
       if (font === slow) await arrival;
+      if (misses) throw misses;
       if (refuses) throw new TexelcastError("bad-font", "The letters cannot be drawn.");
       return { width: 2, height: 1, inkWidth: 2, inkHeight: 1 };
     },
@@ -75,6 +77,22 @@ it("a font brought with words stays as long as they can be brought back, and no 
   expect(has.size).toBe(1);
   desk.record({ ...desk.design, layers: [] }, "another way");
   expect([...has]).toEqual([]);
+});
+
+it("a font that cannot be fetched is told in a customer's words, and to the page with its address", async () => {
+  const address = "https://shop.example/assets/Lobster.ttf";
+  const misses = new TexelcastError("missing-file", `The font could not be read from ${address}: 404.`, {
+    ...{ subject: address, reason: "not-loaded", hint: "Check its address." },
+  });
+  const { desk, texts } = deskWithFonts({ refuses: false, misses });
+  const before = desk.design;
+  const refusal = await texts.add("Hello", { projector: FRONT, material: 0 }).catch((thrown: unknown) => thrown);
+  expect(refusal).toBeInstanceOf(ToldError);
+  expect(refusal).toMatchObject({ code: "missing-file", reason: "not-loaded", subject: address, cause: misses });
+  const { message, hint } = refusal as ToldError;
+  expect(`${message} ${hint}`).not.toMatch(/http|address/);
+  expect(hint).toMatch(/try again/);
+  expect(desk.design).toBe(before);
 });
 
 const planar = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] } as const;

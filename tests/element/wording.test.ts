@@ -135,7 +135,7 @@ describe("a shop's own words", () => {
     await worded(english, { sumbit: "x" }, (error) => hints.push((error as TexelcastError).hint));
     const own = new Set(Object.keys(english));
     for (const fixed of ["language", "finding"]) own.delete(fixed);
-    for (const more of ["lang", "findings", "told", "nowhere", "noGraphics", "ways"]) own.add(more);
+    for (const more of ["lang", "findings", "told", "nowhere", "noFont", "noGraphics", "ways"]) own.add(more);
     expect(hints).toHaveLength(1);
     expect(
       new Set(
@@ -215,7 +215,7 @@ describe.each(SHIPPED)("the words in %s that come along", (language) => {
     ]) {
       expect(words.told(new TexelcastError(code, "English.").toJSON()).message).not.toMatch(/English/);
     }
-    const { nowhere, noGraphics, ways } = words.own ?? {};
-    expect([nowhere?.message, noGraphics?.message, ...(ways ?? [])].filter(Boolean)).toHaveLength(6);
+    const { nowhere, noFont, noGraphics, ways } = words.own ?? {};
+    expect([nowhere?.message, noFont?.message, noGraphics?.message, ...(ways ?? [])].filter(Boolean)).toHaveLength(7);
   });
 });

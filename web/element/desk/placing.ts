@@ -48,7 +48,7 @@ export async function placeFor(
   const width = options.width ?? start?.width ?? usual;
   const hit = at ?? start?.hit ?? (position === undefined ? null : viewer.surface.near(position));
   if (options.projector === undefined && hit === null) {
-    const { message, hint } = { ...PLACING_WORDS[words.language], ...words.own?.nowhere };
+    const { message, hint } = { ...PLACING_WORDS[words.language].nowhere, ...words.own?.nowhere };
     throw new ToldError("bad-argument", message, { hint });
   }
   const projector = options.projector ?? viewer.projectorAt(hit as SurfaceHit, width, aspect);

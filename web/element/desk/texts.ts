@@ -1,4 +1,5 @@
 /** Words on the product: put on, typed, dressed; their box follows them. */
+import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Design, DesignAsset, Projector, TextLayer } from "../../editor/document/design.ts";
 import { freeIdIn } from "../../editor/document/layer-tree.ts";
 import { makeTextLayer } from "../../editor/document/make-layer.ts";
@@ -10,6 +11,7 @@ import { ToldError } from "../../editor/strings/told-error.ts";
 import type { EngineText, TextMeasure } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
 import type { TextOptions } from "../element-api.ts";
+import { PLACING_WORDS } from "../words/placing-words.ts";
 import type { Words } from "../words/words.ts";
 import type { Desk } from "./desk.ts";
 import { askShop, badOption, checkedOptions, placeFor } from "./placing.ts";
@@ -33,6 +35,8 @@ export class Texts {
   readonly #desk: Desk;
   /** The change asked for last: of several that wait for their measure only the newest is shown. */
   #newest: TextPatch | null = null;
+  /** Measured, and not shown as a newer one had come: shown after all where that one fails. */
+  #passed: { readonly id: string; readonly patch: TextPatch } | null = null;
   /** By their layers' ids, those chosen last: one that comes later, as it is slow, does not take their place. */
   readonly #fonts: Record<string, NamedFont> = {};
   #rest: ReturnType<typeof setTimeout> | undefined;
@@ -91,7 +95,12 @@ export class Texts {
     if (patch.font) this.#fonts[id] = patch.font;
     clearTimeout(this.#rest);
     if (!final) this.#rest = setTimeout(() => desk.settled().then(() => desk.keepShown()), REST);
-    return desk.during(this.#change(id, patch, final));
+    const failed = async (thrown: unknown): Promise<never> => {
+      const passed = this.#passed;
+      if (passed?.id === id && patch === this.#newest) await this.#change(id, passed.patch, false);
+      throw thrown;
+    };
+    return desk.during(this.#change(id, patch, final).catch(failed));
   }
 
   async #change(id: string, patch: TextPatch, final: boolean): Promise<void> {
@@ -112,7 +121,11 @@ export class Texts {
     const changed: TextLayer = { ...layer, ...fields, ...named, font: key };
     const [old, now] = await Promise.all([this.#measure(layer, design.assets), this.#measure(changed, design.assets)]);
     // A newer one shows itself; what is to be recorded must not go for it.
-    if (!final && patch !== this.#newest) return;
+    if (!final && patch !== this.#newest) {
+      this.#passed = { id, patch };
+      return;
+    }
+    this.#passed = null;
     const superseded = font && font !== this.#fonts[id];
     if (superseded || this.#layer(id) !== layer) {
       await this.#change(id, superseded ? fields : patch, final);
@@ -156,9 +169,24 @@ export class Texts {
   async #measure(layer: TextLayer, assets: Readonly<Record<string, DesignAsset>>): Promise<TextMeasure> {
     const words: EngineText = resolveWords(layer, assets);
     const key = this.#desk.library.engineKey(assets[layer.font]);
-    return await this.#desk.engine.measureText({ ...words, font: key ?? words.font, fontSize: 1 });
+    try {
+      return await this.#desk.engine.measureText({ ...words, font: key ?? words.font, fontSize: 1 });
+    } catch (thrown) {
+      throw fontMissing(thrown) ? this.#plainly(thrown) : thrown;
+    }
+  }
+
+  /** Whoever types has no say in the address that could not be fetched; the page is told it beside. */
+  #plainly(cause: TexelcastError): ToldError {
+    const { words } = this.#desk.settings;
+    const { message, hint } = { ...PLACING_WORDS[words.language].noFont, ...words.own?.noFont };
+    return new ToldError(cause.code, message, { ...cause.toJSON(), hint, cause });
   }
 }
+
+/** What letters are drawn with lies beside the element's own scripts, and comes when it is needed. */
+const fontMissing = (thrown: unknown): thrown is TexelcastError =>
+  thrown instanceof TexelcastError && thrown.reason === "not-loaded";
 
 /** Rejects with "bad-font", and with "refused" where the shop does not take it. */
 export async function admitFont(desk: Desk, name: string, bytes: Uint8Array): Promise<void> {

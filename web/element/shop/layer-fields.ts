@@ -2,6 +2,7 @@
 
 import { html, nothing, type TemplateResult } from "lit";
 import { type DesignLayer, isPlaced, type TextLayer } from "../../editor/document/design.ts";
+import { layerById } from "../../editor/state/design-edits.ts";
 import { diagonalOf } from "../../editor/state/design-state.ts";
 import { scaledProjector, spunProjector } from "../../editor/state/projector-steps.ts";
 import { orientationOf } from "../../editor/state/rotation.ts";
@@ -10,7 +11,7 @@ import type { NumberField, NumberFieldEvent, Refusal } from "../../editor/ui/num
 import type { Projector } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontOf } from "../../engine/shipped-fonts.ts";
 import type { Desk } from "../desk/desk.ts";
-import { shippedFont, type Texts } from "../desk/texts.ts";
+import { shippedFont, type TextPatch, type Texts } from "../desk/texts.ts";
 import type { ModeHost } from "../mode.ts";
 
 /** Of the model's diagonal: what is wider by far is a slip of the keys, and shows one colour. */
@@ -36,8 +37,16 @@ export function layerFields(view: FieldsHost, layer: DesignLayer): TemplateResul
 function textFields({ host: { words, tell }, texts, desk }: FieldsHost, layer: TextLayer): TemplateResult {
   const uri = desk.design.assets[layer.font]?.uri ?? "";
   const font = shippedFontOf(uri);
-  const change = (patch: Parameters<typeof texts.change>[1], { type }: Event): void => {
-    void texts.change(layer.id, patch, type === "change").catch(tell);
+  const change = (patch: TextPatch, { type, target }: Event): void => {
+    const field = target as HTMLInputElement | HTMLTextAreaElement | HTMLSelectElement;
+    const { value } = field;
+    texts.change(layer.id, patch, type === "change").catch((thrown: unknown) => {
+      // What could not be done is not to be read in the field, unless it says something newer by now.
+      const shown = layerById(desk.shown, layer.id);
+      if (field.value === value && shown?.type === "text") field.value = saidOf(shown, patch, desk);
+      desk.keepShown();
+      tell(thrown);
+    });
   };
   const type = (event: Event): void => {
     const area = event.target as HTMLTextAreaElement;
@@ -81,6 +90,12 @@ function textFields({ host: { words, tell }, texts, desk }: FieldsHost, layer: T
       />
     </label>
   `;
+}
+
+/** What a text's field says of what is on the product. */
+function saidOf({ text, color, font }: TextLayer, patch: TextPatch, desk: Desk): string {
+  if (patch.text !== undefined) return text;
+  return patch.color === undefined ? (shippedFontOf(desk.shown.assets[font]?.uri ?? "") ?? font) : color.slice(0, 7);
 }
 
 function sizeFields(view: FieldsHost, id: string, projector: Projector): TemplateResult {

@@ -96,4 +96,6 @@ export const english = {
 };
 
 /** `own`: what a shop's own words have beside (`worded`). */
-export type Words = typeof english & { readonly own?: Pick<EditorWording, "nowhere" | "noGraphics" | "ways"> };
+export type Words = typeof english & {
+  readonly own?: Pick<EditorWording, "nowhere" | "noFont" | "noGraphics" | "ways">;
+};

@@ -75,7 +75,7 @@ class Wording {
       this.#wrong("", given, "an object of words");
       return this.#base;
     }
-    const { lang, nowhere, noGraphics, ways, findings, told, ...words } = given as EditorWording;
+    const { lang, nowhere, noFont, noGraphics, ways, findings, told, ...words } = given as EditorWording;
     this.#lang = this.#languageTag(lang) ?? this.#base.lang;
     this.#decimal =
       new Intl.NumberFormat(this.#lang).formatToParts(0.5).find(({ type }) => type === "decimal")?.value ?? ".";
@@ -86,6 +86,7 @@ class Wording {
       told: this.#errors(told),
       own: {
         ...(nowhere !== undefined && { nowhere: this.#checked(nowhere, "nowhere", []) }),
+        ...(noFont !== undefined && { noFont: this.#checked(noFont, "noFont", []) }),
         ...(noGraphics !== undefined && { noGraphics: this.#checked(noGraphics, "noGraphics", []) }),
         ...(ways !== undefined && this.#areWays(ways) && { ways }),
       },
@@ -241,7 +242,15 @@ class Wording {
 const PLACE = /\{(\w+)\}/g;
 
 /** What a wording has beside the element's own words, or in another form. */
-const APART = ["lang", "findings", "told", "nowhere", "noGraphics", "ways"] as const satisfies (keyof EditorWording)[];
+const APART = [
+  "lang",
+  "findings",
+  "told",
+  "nowhere",
+  "noFont",
+  "noGraphics",
+  "ways",
+] as const satisfies (keyof EditorWording)[];
 
 /** What has words of another form, or none. */
 const FIXED: ReadonlySet<string> = new Set(["language", "lang", "told", "finding", "own"]);

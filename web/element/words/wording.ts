@@ -106,6 +106,8 @@ export interface EditorWording {
   };
   /** Nothing is where something new was to be put. */
   readonly nowhere?: Told;
+  /** What words are drawn with could not be fetched, and nothing was changed. */
+  readonly noFont?: Told;
   /** Of `snapshot()`. */
   readonly noGraphics?: Told;
   /** Behind a length, to screen readers, four: to the left, to the right, down, up. */
