@@ -137,6 +137,24 @@ test("the shop drives the element of another origin, is asked about pictures and
   expect(opened.complaints).toEqual([]);
 });
 
+test("the shop hears of what is typed at once, before it is a change, and of nothing else that it says", async () => {
+  const heard = await inShop(
+    "stub",
+    `const inputs = [];
+     frame.addEventListener("input", ({ detail }) => inputs.push(detail));
+     globalThis.inputs = inputs;
+     return inputs;`,
+  );
+  expect(heard).toEqual([]);
+  const [, frame] = opened.page.frames();
+  await frame?.evaluate(
+    `const field = document.createElement("textarea");
+     editor.append(field);
+     field.dispatchEvent(new InputEvent("input", { bubbles: true, composed: true, data: "secret" }));`,
+  );
+  await expect.poll(() => opened.page.evaluate("globalThis.inputs")).toEqual([null]);
+});
+
 test("what the shop's hook answers reaches the element as it is, and without a hook nothing is asked", async () => {
   const answers =
     "{ yes: true, no: false, nothing: null, plain: { accept: true }, told: { accept: false, reason: 'Not here.' } }";

@@ -85,7 +85,12 @@ export const FRAME_PROPERTIES = [
   "zones",
 ] as const satisfies readonly (keyof FrameProperties)[];
 
-export const FRAME_EVENTS = ["change", "error", "load", "progress", "select", "submit"] as const;
+/** "input" is the browser's own, of what is typed in the element: that it was, and not what. */
+export const FRAME_EVENTS = ["change", "error", "input", "load", "progress", "select", "submit"] as const;
+
+export interface TexelcastFrameEventMap extends TexelcastEditorEventMap {
+  readonly input: CustomEvent<null>;
+}
 
 type Answer<Method> = Method extends (...args: infer Args) => infer Result
   ? (...args: Args) => Promise<Awaited<Result>>
@@ -116,14 +121,14 @@ export interface TexelcastFrame {
   snapshot: TexelcastEditorMethods["snapshot"];
   validate: Answer<TexelcastEditorMethods["validate"]>;
   submit: Answer<TexelcastEditorMethods["submit"]>;
-  addEventListener<Name extends keyof TexelcastEditorEventMap>(
+  addEventListener<Name extends keyof TexelcastFrameEventMap>(
     name: Name,
-    listener: (event: TexelcastEditorEventMap[Name]) => void,
+    listener: (event: TexelcastFrameEventMap[Name]) => void,
     options?: AddEventListenerOptions,
   ): void;
-  removeEventListener<Name extends keyof TexelcastEditorEventMap>(
+  removeEventListener<Name extends keyof TexelcastFrameEventMap>(
     name: Name,
-    listener: (event: TexelcastEditorEventMap[Name]) => void,
+    listener: (event: TexelcastFrameEventMap[Name]) => void,
   ): void;
   /** Takes the iframe away and ends the channel: what waits rejects with "disposed". */
   unmount(): void;

@@ -56,7 +56,8 @@ export function hostEditor(editor: HTMLElement & TexelcastEditorApi, { shops }: 
     { signal: end.signal },
   );
   for (const name of FRAME_EVENTS) {
-    const tell = (event: Event): void => calls?.tell(name, (event as CustomEvent).detail);
+    // What the browser says of its own events is nothing to a shop, and not all of it can be sent.
+    const tell = (event: Event): void => calls?.tell(name, event instanceof CustomEvent ? event.detail : null);
     editor.addEventListener(name, tell, { signal: end.signal });
   }
   parent.postMessage({ texelcast: "hello", version: EMBED_VERSION, nonce }, shop);
