@@ -25,6 +25,17 @@ describe("the charts of an unfolded mesh", () => {
     expect([...charts.chartOf]).toEqual([0, 0, 0, 0, 0]);
   });
 
+  it("hang together where they cross the texture's border, from one repeat of it into the next", () => {
+    const [left, right] = [square(0.85, 0.5), square(0.95, 0.5)];
+    const further = square(1.05, 0.5);
+    expect([...new UvCharts(Float32Array.from([...left, ...right, ...further])).chartOf]).toEqual([0, 0, 0, 0, 0, 0]);
+    const downwards = [...square(-0.1, -2.15), ...square(-0.1, -2.05), ...square(-0.1, -1.95)];
+    expect(new Set(new UvCharts(Float32Array.from(downwards)).chartOf).size).toBe(1);
+    expect([...new UvCharts(Float32Array.from([...square(0.9, 0.5), ...square(0.0, 0.5)])).chartOf]).toEqual([
+      0, 0, 2, 2,
+    ]);
+  });
+
   it("are found at a place of the texture, and none is beside them", () => {
     const charts = new UvCharts(Float32Array.from([...square(0.1, 0.1), ...square(0.7, 0.7)]));
     expect(charts.chartAt([0.12, 0.12])).toBe(0);
@@ -77,6 +88,13 @@ describe("a chart on the model", () => {
     const lines = [...(chart?.borders ?? [])];
     expect(lines).toHaveLength(8);
     expect(lines).not.toContain(0);
+  });
+
+  it("has no line inside it where it crosses the texture's border", () => {
+    const uvs = Float32Array.from([0.7, 0.4, 1.1, 0.4, 1.1, 0, 0.7, 0, 1.1, 0.4, 1.4, 0.4, 1.4, 0, 1.1, 0]);
+    const chart = new SurfaceCharts({ ...surface, uvs }).at({ material: 0, uv: [0.8, 0.3] });
+    expect(chart?.triangles).toHaveLength(12);
+    expect(chart?.borders).toHaveLength(12);
   });
 
   it("is the same one wherever in it the pointer is, and null beside it", () => {

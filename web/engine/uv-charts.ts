@@ -26,14 +26,13 @@ export function chartsOf(uvTriangles: Float32Array): Uint32Array {
   };
   const firstWith = new Map<number, number>();
   for (let triangle = 0; triangle < count; triangle++) {
-    const corners = broughtBack(uvTriangles.subarray(triangle * 6, triangle * 6 + 6));
-    for (let corner = 0; corner < 6; corner += 2) {
+    const own = uvTriangles.subarray(triangle * 6, triangle * 6 + 6);
+    // By their own places too: a chart that crosses the texture's border would come apart there.
+    const corners = [...broughtBack(own), ...own];
+    for (let corner = 0; corner < 12; corner += 2) {
       const key = gridKey(corners[corner] as number, corners[corner + 1] as number);
-      const first = firstWith.get(key);
-      if (first === undefined) {
-        firstWith.set(key, triangle);
-        continue;
-      }
+      const first = firstWith.get(key) ?? triangle;
+      firstWith.set(key, first);
       const [a, b] = [rootOf(first), rootOf(triangle)];
       charts[Math.max(a, b)] = Math.min(a, b);
     }

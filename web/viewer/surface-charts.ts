@@ -64,17 +64,19 @@ export class SurfaceCharts {
   }
 
   #gather({ charts, triangles }: MaterialCharts, chart: number): SurfaceChart {
-    const { index } = this.#surface;
+    const { index, uvs } = this.#surface;
     const members = charts.trianglesOf(chart);
     const vertices = new Uint32Array(members.length * 3);
     const ends = new Map<string, { readonly line: readonly [number, number]; uses: number }>();
     for (const [place, member] of members.entries()) {
       const corners = index.subarray((triangles[member] as number) * 3, (triangles[member] as number) * 3 + 3);
       vertices.set(corners, place * 3);
-      const uv = charts.cornersOf(member);
       for (let corner = 0; corner < 3; corner++) {
         const next = (corner + 1) % 3;
-        const keys = [corner, next].map((at) => gridKey(uv[at * 2] as number, uv[at * 2 + 1] as number));
+        const keys = [corner, next].map((at) => {
+          const vertex = corners[at] as number;
+          return gridKey(uvs[vertex * 2] as number, uvs[vertex * 2 + 1] as number);
+        });
         const key = `${Math.min(...keys)} ${Math.max(...keys)}`;
         const known = ends.get(key);
         if (known === undefined) {
