@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <vector>
 
+#include "support/random.h"
 #include "support/test_session.h"
 
 using namespace support;
@@ -45,7 +47,84 @@ std::int32_t beyond(std::uint32_t x, std::uint32_t y) {
     return std::max(outside(x), outside(y));
 }
 
+/// The texture as it is exported, found ring by ring on whole copies of it.
+Picture bled_by_rings(const Picture& live, const Picture& base, const std::vector<std::uint8_t>& coverage) {
+    Picture out = live;
+    const std::uint32_t width = live.width;
+    std::vector<bool> filled(coverage.size());
+    std::vector<bool> touched(coverage.size());
+    for (std::uint32_t i = 0; i < coverage.size(); ++i) {
+        filled[i] = coverage[i] != 0;
+        touched[i] = filled[i] && !(live.at(i % width, i / width) == base.at(i % width, i / width));
+    }
+    for (std::uint32_t ring = 0; ring < 16; ++ring) {
+        const std::vector<bool> filled_before = filled;
+        const std::vector<bool> touched_before = touched;
+        const Picture before = out;
+        for (std::uint32_t i = 0; i < coverage.size(); ++i) {
+            if (filled_before[i]) continue;
+            std::uint32_t count = 0;
+            std::uint32_t sum[4] = {};
+            std::uint32_t weighted[3] = {};
+            bool is_reached = false;
+            for (std::uint32_t n = 0; n < coverage.size(); ++n) {
+                const auto apart = [](std::uint32_t a, std::uint32_t b) { return a > b ? a - b : b - a; };
+                if (apart(n % width, i % width) > 1 || apart(n / width, i / width) > 1 || !filled_before[n]) continue;
+                const std::uint8_t* texel = before.rgba.data() + std::size_t{n} * 4;
+                for (int c = 0; c < 4; ++c) sum[c] += texel[c];
+                for (int c = 0; c < 3; ++c) weighted[c] += std::uint32_t{texel[c]} * texel[3];
+                is_reached = is_reached || touched_before[n];
+                ++count;
+            }
+            if (count > 0) filled[i] = true;
+            if (!is_reached) continue;
+            touched[i] = true;
+            const auto rounded = [](double value) { return static_cast<std::uint8_t>(value + 0.5); };
+            std::uint8_t* to = out.rgba.data() + std::size_t{i} * 4;
+            for (int c = 0; c < 3; ++c)
+                to[c] = rounded(sum[3] > 0 ? static_cast<double>(weighted[c]) / sum[3]
+                                           : static_cast<double>(sum[c]) / count);
+            to[3] = rounded(static_cast<double>(sum[3]) / count);
+        }
+    }
+    return out;
+}
+
 }  // namespace
+
+TEST_CASE("Each ring is the mean of the texels before it, whatever the texture's width and wherever charts end") {
+    Random random(71);
+    for (const std::uint32_t width : {1u, 17u, 64u, 65u, 127u}) {
+        for (const std::uint32_t edge : {0u, 1u, 62u, 63u, 64u, 65u}) {
+            constexpr std::uint32_t kHeight = 12;
+            if (edge >= width) continue;
+            CAPTURE(width);
+            CAPTURE(edge);
+            // One chart of a column and another of a texel, near each other; alpha of all kinds under both.
+            const auto u = [&](std::uint32_t x) { return static_cast<double>(x) / width; };
+            Shape shape = make_plane(1.0, 0.0, {u(edge), 3.0 / kHeight, u(edge + 1), 9.0 / kHeight});
+            shape.append(make_plane(1.0, 0.1, {u(width - 1), 11.0 / kHeight, u(width), 1.0}));
+            TestSession session(shape);
+            const TxcTarget target = session.target(width, kHeight, 0);
+            Picture base = make_noise(width, kHeight, 72 + edge);
+            for (std::uint32_t i = 0; i < width * kHeight; ++i) {
+                if (random.coin()) base.rgba[std::size_t{i} * 4 + 3] = 0;
+            }
+            session.set_base(target, base, TXC_FILTER_NEAREST);
+            TxcLayerDef stamp = decal_def(session.image(make_noise(4, 4, 73)));
+            stamp.projector = TXC_PROJECTOR_UV;
+            stamp.uv_center[1] = 0.25f;
+            stamp.uv_size[1] = 0.5f;
+            session.layer(target, stamp);
+            session.update(target);
+            std::vector<std::uint8_t> coverage(std::size_t{width} * kHeight);
+            must(txc_map_read_coverage(session.id(), target, 0, kHeight, coverage.data()));
+            Picture bled(width, kHeight);
+            must(txc_target_read_bled(session.id(), target, 0, kHeight, bled.rgba.data()));
+            CHECK_UNARY(bled == bled_by_rings(session.read(target), base, coverage));
+        }
+    }
+}
 
 TEST_CASE("Exported colour reaches 16 texels beyond the gutter, and no texel further") {
     const Painted painted;
@@ -119,4 +198,26 @@ TEST_CASE("Colour bleeds 16 texels at 1024, in proportion above, never less") {
     CHECK(txc::bleed_reach(1024, 512) == 16);
     CHECK(txc::bleed_reach(512, 2048) == 32);
     CHECK(txc::bleed_reach(8192, 8192) == 128);
+}
+
+TEST_CASE("In a window colour bleeds as far as in the whole texture") {
+    constexpr std::uint32_t kWhole = 4096;
+    TestSession session(make_plane(1.0, 0.0, {0.0, 0.0, 100.0 / kWhole, 1.0}));
+    TxcTargetDef def;
+    txc_target_def_default(&def);
+    def.width = 256;
+    def.height = 64;
+    def.gutter = 2;
+    def.texture_width = def.texture_height = kWhole;
+    TxcTarget target = 0;
+    must(txc_target_create(session.id(), &def, &target));
+    session.bake(target);
+    TxcLayerDef decal = decal_def(session.image(Picture(4, 4, {255, 0, 0, 255})));
+    resize(decal, 4.0, 4.0, 1.0);
+    session.layer(target, decal);
+    session.update(target);
+    Picture bled(256, 64);
+    must(txc_target_read_bled(session.id(), target, 0, 64, bled.rgba.data()));
+    CHECK(bled.at(101 + 64, 30) == Color{255, 0, 0, 255});
+    CHECK(bled.at(102 + 64, 30) == Color{255, 255, 255, 255});
 }

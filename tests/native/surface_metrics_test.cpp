@@ -180,6 +180,43 @@ TEST_CASE("On a cylinder a planar decal thins out as the cosine of the angle, an
     CHECK(curved.clipped < 0.001f);
 }
 
+TEST_CASE("Of what the angle fade takes half or more, nothing is the least or the greatest") {
+    // With this fade the weight is the angle's cosine, by which the pixels thin out, too: half of it is left at 60 degrees.
+    TestSession session(make_cylinder(0.5, 1.0, 720));
+    const TxcTarget target = session.target(720, 16);
+    TxcLayerDef def = decal_def(0);
+    resize(def, 1.0, 1.0, 2.0);
+    def.angle_fade_start = 0.0f;
+    def.angle_fade_end = 90.0f;
+    const TxcLayerMetrics metrics = measure_decal(session, target, def, Picture(100, 100, kRed));
+    CHECK(metrics.least_pixels_per_metre == doctest::Approx(50.0).epsilon(0.02));
+    CHECK(metrics.greatest_stretch == doctest::Approx(1.0).epsilon(0.02));
+}
+
+TEST_CASE("Back faces that are painted have their density as front faces have") {
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(64, 64);
+    TxcLayerDef def = decal_def(0);
+    turn(def, 0.0, 1.0, 0.0, 180.0);
+    def.backfaces = 1;
+    const TxcLayerMetrics metrics = measure_decal(session, target, def, Picture(32, 32, kRed));
+    CHECK(metrics.least_pixels_per_metre == doctest::Approx(32.0).epsilon(0.001));
+    CHECK(metrics.mean_pixels_per_metre == doctest::Approx(32.0).epsilon(0.001));
+}
+
+TEST_CASE("What lies before or behind a decal's box is clipped, and not hidden") {
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(64, 64);
+    for (const double away : {-1.0, 1.0}) {
+        TxcLayerDef def = decal_def(0);
+        resize(def, 0.5, 0.5, 1.0);
+        place(def, 0.0, 0.0, away);
+        const TxcLayerMetrics metrics = measure_decal(session, target, def, Picture(8, 8, kRed));
+        CHECK(metrics.clipped == 1.0f);
+        CHECK(metrics.hidden == 0.0f);
+    }
+}
+
 TEST_CASE("A label all round a cylinder is clipped nowhere, not even at its back") {
     TestSession session(make_cylinder(0.05, 0.1, 64));
     const TxcTarget target = session.target(512, 256);
