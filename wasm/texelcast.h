@@ -171,7 +171,8 @@ typedef struct TxcTargetDef {
     uint32_t gutter;     /* texels, 0 to 64; default TXC_NONE: 2 at 1024, in proportion, never less than 2 */
     uint32_t mip_levels; /* levels that updates report: 1 (default) is the texture alone, 0 the whole chain */
     /* A target may be a window of a larger texture, of which it has the very texels: but for those less than gutter and bleed
-     * (txc_target_read_bled) away from a border that it cuts, as what lies beyond is not known there. It has one level. */
+     * (txc_target_read_bled) away from a border that it cuts, as what lies beyond is not known there. (The rim of a stroke's round
+     * dab that it cuts may be a step or two away: its tip goes by the texels that the window has.) It has one level. */
     uint32_t texture_width; /* texels, up to TXC_MAX_TEXTURE_SIZE; 0 (default): as width, and the window is the whole */
     uint32_t texture_height;
     uint32_t window_x; /* where in the texture the target begins; multiples of 16 */
