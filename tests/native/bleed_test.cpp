@@ -111,7 +111,10 @@ TEST_CASE("Each ring is the mean of the texels before it, whatever the texture's
                 if (random.coin()) base.rgba[std::size_t{i} * 4 + 3] = 0;
             }
             session.set_base(target, base, TXC_FILTER_NEAREST);
-            TxcLayerDef stamp = decal_def(session.image(make_noise(4, 4, 73)));
+            // Every other time it is an eraser, which changes alpha alone.
+            const bool erases = edge % 2 == 1;
+            TxcLayerDef stamp = decal_def(session.image(erases ? Picture(4, 4, {0, 0, 0, 255}) : make_noise(4, 4, 73)));
+            stamp.blend = erases ? TXC_BLEND_ERASE : TXC_BLEND_NORMAL;
             stamp.projector = TXC_PROJECTOR_UV;
             stamp.uv_center[1] = 0.25f;
             stamp.uv_size[1] = 0.5f;

@@ -205,16 +205,15 @@ TEST_CASE("Back faces that are painted have their density as front faces have") 
 }
 
 TEST_CASE("What lies before or behind a decal's box is clipped, and not hidden") {
+    // The plane runs through the box at a slant, and leaves it by its front and its back at 0.1 / tan(30 degrees).
     TestSession session(make_plane());
-    const TxcTarget target = session.target(64, 64);
-    for (const double away : {-1.0, 1.0}) {
-        TxcLayerDef def = decal_def(0);
-        resize(def, 0.5, 0.5, 1.0);
-        place(def, 0.0, 0.0, away);
-        const TxcLayerMetrics metrics = measure_decal(session, target, def, Picture(8, 8, kRed));
-        CHECK(metrics.clipped == 1.0f);
-        CHECK(metrics.hidden == 0.0f);
-    }
+    const TxcTarget target = session.target(256, 256);
+    TxcLayerDef def = decal_def(0);
+    resize(def, 0.8, 0.8, 0.2);
+    turn(def, 0.0, 1.0, 0.0, 30.0);
+    const TxcLayerMetrics metrics = measure_decal(session, target, def, Picture(64, 64, kRed));
+    CHECK(metrics.clipped == doctest::Approx(1.0 - 0.2 * std::sqrt(3.0) / 0.8).epsilon(0.02));
+    CHECK(metrics.hidden == 0.0f);
 }
 
 TEST_CASE("A label all round a cylinder is clipped nowhere, not even at its back") {
