@@ -31,7 +31,7 @@ test("the panels of one side are one landmark, with groups of fields in it", asy
   const panel = page.getByRole("complementary");
   await expect(panel.getByRole("group", { name: "Look" })).toBeVisible();
   await expect(panel.getByRole("region")).toHaveCount(0);
-  await expect(page.getByRole("group", { name: "Status" })).toContainText("2048 × 2048");
+  await expect(page.getByRole("region", { name: "Status" })).toContainText("2048 × 2048");
 });
 
 test("the view says what its keys do with the tool in hand", async ({ editor, page }) => {

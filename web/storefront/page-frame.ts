@@ -68,7 +68,7 @@ function frame(content: TemplateResult, pieces: number, fault: ShopFault | null,
       <nav>
         <a href="./index.html">${words.shop}</a>
         <a class="cart-link" href="./cart.html" aria-label=${words.cartWith(pieces)}>
-          ${words.cart}${pieces > 0 ? html`<span class="count" aria-hidden="true">${pieces}</span>` : nothing}
+          ${words.cart} ${pieces > 0 ? html`<span class="count" aria-hidden="true">${pieces}</span>` : nothing}
         </a>
       </nav>
     </header>
