@@ -9,6 +9,7 @@ import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import { RemElement } from "../ui/rem-element.ts";
 import { plainControls } from "../ui/theme.ts";
+import { unseen } from "../ui/unseen.ts";
 
 const CHOOSE = 0;
 const DRAG = 1;
@@ -116,11 +117,7 @@ export class FirstHint extends RemElement {
           padding: 0;
         }
         :host([compact]) p {
-          position: absolute;
-          width: 1px;
-          height: 1px;
-          overflow: hidden;
-          clip-path: inset(50%);
+          ${unseen}
         }
       }
     `,

@@ -26,6 +26,7 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { pickFiles, picksFolders } from "../ui/file-picker.ts";
 import { icon } from "../ui/icon.ts";
 import type { MenuItem } from "../ui/menu.ts";
+import { unseen } from "../ui/unseen.ts";
 import "./layout-switch.ts";
 
 export class TopBar extends EditorElement {
@@ -90,13 +91,7 @@ export class TopBar extends EditorElement {
       /* There is no room to see it; screen readers begin with it. */
       @media (max-width: 900px) {
         h1 {
-          position: absolute;
-          width: 1px;
-          height: 1px;
-          margin: -1px;
-          overflow: hidden;
-          clip-path: inset(50%);
-          white-space: nowrap;
+          ${unseen}
         }
       }
       @media (max-width: 720px), (max-width: 800px) and (pointer: coarse) {
