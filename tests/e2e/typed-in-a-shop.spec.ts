@@ -141,11 +141,8 @@ test("words and a font that cannot be fetched leave the field as the product is,
 }) => {
   const editor = await openTyping(page, "shop");
   await page.route(/NotoEmoji|Lobster/, (route) => route.fulfill({ status: 404 }));
-  const told = editor.evaluate(
-    (element: Editor) =>
-      new Promise<object>((resolve) => {
-        element.addEventListener("error", ({ detail }) => resolve(detail));
-      }),
+  await editor.evaluate((element: Editor) =>
+    element.addEventListener("error", ({ detail }) => Object.assign(window, { told: detail }), { once: true }),
   );
   const words = editor.getByRole("textbox", { name: "Words" });
   await page.keyboard.type("da");
@@ -154,7 +151,7 @@ test("words and a font that cannot be fetched leave the field as the product is,
   const notice = editor.getByRole("alert");
   await expect(notice).toContainText("The font for this could not be loaded");
   await expect(notice).not.toContainText("http");
-  expect(await told).toMatchObject({
+  expect(await page.evaluate(() => (window as { told?: object }).told)).toMatchObject({
     code: "missing-file",
     error: { reason: "not-loaded", subject: expect.stringMatching(/^http.*NotoEmoji/) },
   });
