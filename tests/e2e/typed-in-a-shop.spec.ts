@@ -75,17 +75,16 @@ for (const mode of ["shop", "full"]) {
     page,
   }) => {
     const editor = await openTyping(page, mode);
-    const told = editor.evaluate(
-      (element: Editor) =>
-        new Promise((resolve) => {
-          element.addEventListener("change", ({ detail: { design } }) => {
-            const [layer] = design.layers;
-            if (layer?.type === "text" && layer.text === "Ada") resolve(layer.text);
-          });
-        }),
-    );
+    const listening = await editor.evaluateHandle((element: Editor) => ({
+      told: new Promise((resolve) => {
+        element.addEventListener("change", ({ detail: { design } }) => {
+          const [layer] = design.layers;
+          if (layer?.type === "text" && layer.text === "Ada") resolve(layer.text);
+        });
+      }),
+    }));
     await page.keyboard.type("da");
-    expect(await told).toBe("Ada");
+    expect(await listening.evaluate(({ told }) => told)).toBe("Ada");
     await expect(editor.getByRole("textbox", { name: "Words" })).toBeFocused();
   });
 
