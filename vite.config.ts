@@ -1,5 +1,6 @@
 import { fileURLToPath } from "node:url";
-import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
+import { type BuildEnvironmentOptions, defineConfig, normalizePath, type Plugin } from "vite";
+import { entryInOneFile, filesByStarts } from "./scripts/site-files.ts";
 import { sitePolicy } from "./scripts/site-policy.ts";
 import { watlasWithoutEval } from "./scripts/watlas-without-eval.ts";
 import { parseUrl } from "./web/core/parse-url.ts";
@@ -8,6 +9,18 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /** The editor, the element on a page of its own, and the page for iframes. */
 const PAGES = [here("./web/app/index.html"), here("./web/app/element.html"), here("./web/app/embed.html")];
+
+const module = (path: string) => normalizePath(here(path));
+
+/** What they begin with, and what follows at once: the editor takes in its demo's pictures, the element becomes a shop. */
+const STARTS = [
+  { name: "editor", modules: [module("./web/app/main.ts"), module("./web/editor/state/asset-adoption.ts")] },
+  { name: "element", modules: [module("./web/app/element-page.ts")] },
+  { name: "embed", modules: [module("./web/app/embed-page.ts")] },
+  { name: "shop", modules: [module("./web/element/shop/shop-mode.ts")] },
+];
+/** What shows the engine's first pictures upright and in sRGB comes with its script, but for the part that is asked for by name. */
+const ENGINE = ["engine-worker", "color-mention", "orient-pixels"].map((name) => module(`./web/engine/${name}.ts`));
 
 /**
  * The shops that may frame embed.html: those of TEXELCAST_SHOPS, exact origins with spaces between, and without it none. The
@@ -36,7 +49,7 @@ export default defineConfig({
   root: here("./web/app"),
   // Relative, so that the built site works in any folder of any host.
   base: "./",
-  plugins: [texelcastShops(), sitePolicy()],
+  plugins: [texelcastShops(), sitePolicy(), filesByStarts(STARTS)],
   publicDir: here("./build/public"),
   cacheDir: here("./build/.vite"),
   server: {
@@ -47,7 +60,11 @@ export default defineConfig({
     watch: { ignored: ["**/build/**"] },
   },
   preview: { host: "localhost", port: 4173 },
-  worker: { format: "es", plugins: () => [watlasWithoutEval()], rolldownOptions: { onLog: withoutNodeBranches } },
+  worker: {
+    format: "es",
+    plugins: () => [watlasWithoutEval(), filesByStarts([{ name: "engine", modules: ENGINE }]), entryInOneFile()],
+    rolldownOptions: { onLog: withoutNodeBranches },
+  },
   optimizeDeps: {
     // The worker's packages are found with the page's, not when it first runs, which would load the page again.
     entries: [...PAGES, here("./web/engine/engine-worker.ts")],

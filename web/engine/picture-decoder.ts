@@ -22,6 +22,8 @@ export interface DecodeOptions {
 export async function decodePicture(bytes: Uint8Array, name: string, options: DecodeOptions = {}): Promise<Picture> {
   const header = await readPictureHeader(bytes, name);
   const { width, height } = header;
+  // Fetched while the picture is decoded. Where it cannot be, that is told below.
+  if (options.asSeen) void import("./picture-as-seen.ts").catch(() => {});
   let rgba: Uint8Array<ArrayBuffer>;
   try {
     rgba = pixelsOf(await decode(bytes, name, header.format));

@@ -1,0 +1,61 @@
+/** Which modules of the site stand in one file. */
+import { expect, test } from "vitest";
+import { fileByStarts, joinEntry, type ModuleGraph } from "../../scripts/site-files.ts";
+
+const graphOf = (imports: Readonly<Record<string, readonly string[]>>): ModuleGraph => ({
+  getModuleInfo: (id) => (imports[id] ? { importedIds: imports[id] } : null),
+});
+
+const GRAPH = graphOf({
+  "/editor.ts": ["/canvas.ts", "/panels.ts"],
+  "/shop.ts": ["/canvas.ts"],
+  "/canvas.ts": ["/words.ts"],
+  "/panels.ts": ["/words.ts", "/editor.ts"],
+  "/words.ts": [],
+  "/help.ts": ["/words.ts"],
+});
+
+test("modules that the same starts need stand in one file, and others in others", () => {
+  const file = fileByStarts([
+    { name: "editor", modules: ["/editor.ts"] },
+    { name: "shop", modules: ["/shop.ts"] },
+  ]);
+  expect(["/editor.ts", "/panels.ts"].map((id) => file(id, GRAPH))).toEqual(["editor", "editor"]);
+  expect(["/canvas.ts", "/words.ts"].map((id) => file(id, GRAPH))).toEqual(["editor-shop", "editor-shop"]);
+  expect(file("/shop.ts", GRAPH)).toBe("shop");
+});
+
+test("what no start needs at once is left to the bundler, unless it is named as following at once", () => {
+  expect(fileByStarts([{ name: "editor", modules: ["/editor.ts"] }])("/help.ts", GRAPH)).toBeNull();
+  expect(fileByStarts([{ name: "editor", modules: ["/editor.ts", "/help.ts"] }])("/help.ts", GRAPH)).toBe("editor");
+});
+
+test("a start that a bundle does not have takes nothing into its file", () => {
+  const file = fileByStarts([{ name: "worker", modules: ["/worker.ts"] }]);
+  expect(file("/words.ts", GRAPH)).toBeNull();
+});
+
+test("an entry that only imports its file becomes that file, by its own name for whoever imports it", () => {
+  const bundle = {
+    "assets/worker-1.js": { type: "chunk" as const, isEntry: true, code: 'import"./engine-2.js";\n' },
+    "assets/engine-2.js": { type: "chunk" as const, code: "serve();export{words};" },
+    "assets/later-3.js": { type: "chunk" as const, code: 'import{words}from"./engine-2.js";' },
+    "assets/core.wasm": { type: "asset" as const },
+  };
+  joinEntry(bundle);
+  expect(bundle).toEqual({
+    "assets/worker-1.js": { type: "chunk", isEntry: true, code: "serve();export{words};" },
+    "assets/later-3.js": { type: "chunk", code: 'import{words}from"./worker-1.js";' },
+    "assets/core.wasm": { type: "asset" },
+  });
+});
+
+test("an entry that does something of its own stays as it is", () => {
+  const bundle = {
+    "assets/worker-1.js": { type: "chunk" as const, isEntry: true, code: 'import"./engine-2.js";serve();' },
+    "assets/engine-2.js": { type: "chunk" as const, code: "export{words};" },
+  };
+  const before = structuredClone(bundle);
+  joinEntry(bundle);
+  expect(bundle).toEqual(before);
+});
