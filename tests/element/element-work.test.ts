@@ -9,7 +9,7 @@ const modes: string[] = [];
 /** Called when what shows the model has been loaded, before a mode is made. */
 let loaded = (): void => undefined;
 vi.mock("../../web/element/shop/shop-mode.ts", () => ({
-  get openShop() {
+  get openMode() {
     loaded();
     return () => {
       modes.push("made");

@@ -5,7 +5,7 @@ import type { ModelSource } from "../../web/engine/engine-api.ts";
 
 const opened: ModelSource[] = [];
 vi.mock("../../web/element/shop/shop-mode.ts", () => ({
-  openShop: () => ({ desk: null, open: async (source: ModelSource) => opened.push(source), close: () => undefined }),
+  openMode: () => ({ desk: null, open: async (source: ModelSource) => opened.push(source), close: () => undefined }),
 }));
 
 /** Addresses that were asked for. */

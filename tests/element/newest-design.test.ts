@@ -18,7 +18,7 @@ vi.mock("../../web/element/desk/read-design.ts", () => ({
     }),
 }));
 vi.mock("../../web/element/shop/shop-mode.ts", () => ({
-  openShop: () => {
+  openMode: () => {
     const desk = {
       design: null as unknown,
       library: { release: () => undefined },

@@ -6,6 +6,7 @@ import type { DesignSession } from "../editor/state/design-session.ts";
 import { ToldError } from "../editor/strings/told-error.ts";
 import type { PrintZones } from "../engine/print-zones.ts";
 import type { UploadLimits } from "../engine/upload-check.ts";
+import type { Desk } from "./desk/desk.ts";
 import { fetchModel } from "./desk/read-model.ts";
 import type { DesignInput, TexelcastEditorProperties } from "./element-api.ts";
 import type { Mode, ModeHost } from "./mode.ts";
@@ -65,24 +66,34 @@ export class Run {
       }
       const { signal } = this.#abort;
       const fetching = { words, signal, progress: (share: number) => progress(share * FETCHED) };
-      // At once: what shows the model is fetched while the model is.
-      const loading = loadMode(kind);
-      loading.catch(() => undefined);
+      // At once: while the model comes, what shows it does, and begins the engine.
       const address = addressIn(src);
-      const source =
+      const reading =
         typeof address === "string"
-          ? await fetchModel(address, base, fetching)
-          : await (await import("./desk/given-model.ts")).givenModel(src, words);
-      const openMode = await loading;
+          ? fetchModel(address, base, fetching)
+          : import("./desk/given-model.ts").then(({ givenModel }) => givenModel(src, words));
+      reading.catch(() => undefined);
+      const { openMode } = await (kind === "full" ? import("./full/full-mode.ts") : import("./shop/shop-mode.ts"));
       this.#check();
-      progress(FETCHED);
       const mode = openMode(host);
       this.#made = mode;
       await host.made(mode);
+      let zoned: Promise<[Desk, PrintZones]> | undefined;
+      if (zones) {
+        zoned = Promise.all([mode.takeDesk(), this.readZones(zones)]);
+        zoned.catch(() => undefined);
+      }
+      const source = await reading;
+      progress(FETCHED);
       await mode.open(source, given != null || kept ? (library) => this.#firstDesign(library) : null);
       if (kept) mode.desk?.session.resume(kept);
-      if (zones) {
-        await this.#useZones(mode, zones);
+      try {
+        const [desk, read] = (await zoned) ?? [];
+        await desk?.useZones(read ?? null);
+      } catch (thrown) {
+        // The page can correct them: the product is shown without.
+        this.#check();
+        host.hooks.warn(TexelcastError.wrap(thrown, "bad-zones", "The zones could not be read."));
       }
       this.#check();
       this.#open = true;
@@ -91,17 +102,6 @@ export class Run {
       this.#end();
       this.#check();
       throw thrown instanceof TexelcastError ? thrown : (await import("../engine/refused-worker.ts")).refused(thrown);
-    }
-  }
-
-  /** Zones that cannot be used are told to the page, which can correct them: the product is shown without. */
-  async #useZones(mode: Mode, zones: string | object): Promise<void> {
-    const desk = await mode.takeDesk();
-    try {
-      await desk.useZones(await this.readZones(zones));
-    } catch (thrown) {
-      this.#check();
-      this.#parts.host.hooks.warn(TexelcastError.wrap(thrown, "bad-zones", "The zones could not be used."));
     }
   }
 
@@ -159,9 +159,4 @@ export class Run {
 export function addressIn<Source>(src: Source): Source | string {
   const { href = src } = (src ?? {}) as Partial<URL>;
   return href;
-}
-
-async function loadMode(kind: RunParts["kind"]): Promise<(host: ModeHost) => Mode> {
-  if (kind === "full") return (await import("./full/full-mode.ts")).openFull;
-  return (await import("./shop/shop-mode.ts")).openShop;
 }

@@ -23,7 +23,7 @@ import { FullDesk } from "./full-desk.ts";
 import { fullStyles } from "./full-styles.ts";
 
 /** Throws a TexelcastError without WebGL 2. */
-export function openFull(host: ModeHost): Mode {
+export function openMode(host: ModeHost): Mode {
   return new FullMode(host);
 }
 

@@ -10,7 +10,7 @@ import { ShopProduct } from "./shop-product.ts";
 import { ShopView } from "./shop-view.ts";
 
 /** Throws a TexelcastError without WebGL 2. */
-export function openShop(host: ModeHost): Mode {
+export function openMode(host: ModeHost): Mode {
   return new ShopMode(host);
 }
 
@@ -23,8 +23,7 @@ class ShopMode implements Mode {
   readonly #view: ShopView;
 
   constructor(host: ModeHost) {
-    const { view, wasm, hooks } = host;
-    this.#product = new ShopProduct({ view, wasm, hooks });
+    this.#product = new ShopProduct(host);
     this.#view = new ShopView(host, this.#product);
   }
 
@@ -50,14 +49,13 @@ class ShopMode implements Mode {
     const begun = readDesign && (await this.#layOut(readDesign));
     progress(LOADED);
     const open = await product.show(source, info);
-    const materials = [...new Set([open.material, ...(begun?.materials ?? [])])].filter((each) =>
-      product.canPaint(each),
-    );
+    const materials = [...new Set([open.material, ...(begun?.materials ?? [])])].filter((each) => product.canPaint(each));
     for (const [index, material] of materials.entries()) {
       const share = (part: number): number => LOADED + ((1 - LOADED) * (index + part)) / materials.length;
       await product.openTarget(material, (part) => progress(share(part)));
     }
-    begun?.desk.begin(open, begun.design);
+    // There is a desk where the product comes with zones, too.
+    this.#view.bench?.desk.begin(open, begun?.design);
     this.#view.opened();
     this.configure();
     // What could not be drawn was told, and does not keep the product from being shown; an engine that ended does.
@@ -70,7 +68,7 @@ class ShopMode implements Mode {
     const { desk } = await this.#view.takeBench();
     const design: Design = await readDesign(desk.library);
     desk.session.send(design);
-    return { desk, design, materials: usedMaterials(design) };
+    return { design, materials: usedMaterials(design) };
   }
 
   render(): TemplateResult {
