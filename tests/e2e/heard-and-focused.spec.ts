@@ -82,6 +82,20 @@ test("the keyboard goes on beside what a press has taken away", async ({ editor,
   await expect(page.locator("tc-layer-list .add button")).toBeFocused();
 });
 
+test("a key that takes away what had the keyboard leaves it in the view", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  const flat = page.locator(".tcv-texture");
+  await page.locator("tc-layer-properties #flipX").focus();
+  await page.keyboard.press("Escape");
+  await expect(page.locator("tc-layer-properties #flipX")).toHaveCount(0);
+  await expect(editor.view, "the panel has no layer any more").toBeFocused();
+
+  await page.keyboard.press("Alt+3");
+  await expect(flat, "the model is not shown any more").toBeFocused();
+  await page.keyboard.press("Alt+1");
+  await expect(editor.view).toBeFocused();
+});
+
 test("a menu of a row's gives the keyboard back to the row", async ({ editor, page }) => {
   await editor.openOnLowest();
   const row = page.locator("tc-layer-list .row[aria-current=true]");
@@ -241,6 +255,33 @@ test("beneath the number that is not taken stands what may be typed, until a num
   await expect(opacity).not.toHaveAttribute("refused");
   await expect(input).toHaveAttribute("aria-invalid", "false");
   await expect(input).toHaveValue("25");
+});
+
+test("what may be typed is told within the window, and goes with the field's place and use", async ({
+  editor,
+  page,
+}) => {
+  const { opacity } = await refusedOpacity(editor);
+  const why = page.locator("tc-number .why");
+  await expect(why).toHaveCount(1);
+  await editor.resize(1100, 700);
+  // At once: after some seconds it goes by itself.
+  expect(await why.count(), "the field is elsewhere now").toBe(0);
+
+  const last = page.locator("tc-layer-properties [data-field=position-z]");
+  await last.locator("input[role=spinbutton]").fill("1e99");
+  await last.locator("input[role=spinbutton]").press("Enter");
+  await expect(why).toHaveCount(1);
+  const told = await why.boundingBox();
+  expect(told && told.x + told.width).toBeLessThanOrEqual(1100);
+
+  const rowOpacity = page.locator("tc-layer-list tc-number");
+  await rowOpacity.locator("input[role=spinbutton]").fill("250");
+  await rowOpacity.locator("input[role=spinbutton]").press("Enter");
+  await expect(rowOpacity).toHaveAttribute("refused");
+  await page.evaluate(() => window.texelcast.select(null));
+  await expect(opacity).toHaveCount(0);
+  expect(await rowOpacity.getAttribute("refused"), "no layer is chosen that could have an opacity").toBeNull();
 });
 
 /** The ring of what has the focus: how opaque it is, and whether all of it is in what scrolls or cuts round it. */

@@ -24,6 +24,7 @@ function session({
   opened = [],
   height = 1,
   viewer = {},
+  showWholeTexture = () => undefined,
 }: {
   readonly showFlat?: (target: TargetInfo) => Promise<void>;
   /** Told of the materials whose outlines are asked for. */
@@ -32,6 +33,7 @@ function session({
   readonly opened?: readonly object[];
   readonly height?: number;
   readonly viewer?: Partial<ModelViewer>;
+  readonly showWholeTexture?: () => void;
 } = {}) {
   const store = new Store<EditorState>(INITIAL_STATE);
   const tasks = new Tasks(store);
@@ -55,7 +57,7 @@ function session({
         begun();
       }),
   } as unknown as Engine;
-  const router = { bind: () => undefined, clear: () => undefined, showInTextureView: showFlat };
+  const router = { bind: () => undefined, clear: () => undefined, showInTextureView: showFlat, showWholeTexture };
   const models = new ModelSession({
     engine,
     viewer: viewer as ModelViewer,
@@ -214,7 +216,7 @@ describe("the targets of the open model", () => {
 });
 
 describe("a model in place of another", () => {
-  /** What the viewer is brought back to by a model so high, opened over one of whose two parts one is hidden. */
+  /** What the views are brought back to by a model so high, opened over one of whose two parts one is hidden. */
   async function seen(height: number) {
     const brought: unknown[] = [];
     const viewer: Partial<ModelViewer> = {
@@ -222,7 +224,9 @@ describe("a model in place of another", () => {
       keepCamera: () => () => void brought.push("camera"),
       setHiddenParts: (ids) => void brought.push([...ids]),
     };
-    const { store, models, finish } = session({ opened: [{ index: 0, refusal: null }], height, viewer });
+    const showWholeTexture = () => void brought.push("whole texture");
+    const opened = [{ index: 0, refusal: null }];
+    const { store, models, finish } = session({ opened, height, viewer, showWholeTexture });
     const parts = [{}, {}] as unknown as EditorState["shown"]["parts"];
     store.set({ shown: { ...store.state.shown, parts, hidden: new Set([1]) } });
     // As whoever shows parts does.
@@ -280,8 +284,8 @@ describe("a model in place of another", () => {
     expect(await seen(1)).toEqual({ brought: ["camera", [1]], hidden: [1] });
   });
 
-  it("is seen whole, and from the front where it takes another room", async () => {
-    expect(await seen(2)).toEqual({ brought: [], hidden: [] });
+  it("is seen whole, and from the front where it takes another room, and so is its texture", async () => {
+    expect(await seen(2)).toEqual({ brought: ["whole texture"], hidden: [] });
   });
 });
 

@@ -28,6 +28,7 @@ import { watchEraserEnd } from "./tools/eraser-end.ts";
 import { ACCEPT } from "./ui/accepted-files.ts";
 import { EditorElement } from "./ui/editor-element.ts";
 import { pickFiles } from "./ui/file-picker.ts";
+import { holdKeyboard } from "./ui/held-keyboard.ts";
 import { endOpenField } from "./ui/open-field.ts";
 import { focusPressed } from "./ui/press-focus.ts";
 import "./ui/menu.ts";
@@ -269,6 +270,8 @@ export class Workbench extends EditorElement {
       { signal },
     );
     focusPressed(this, signal);
+    const look = holdKeyboard(whole, () => this.editor.work, signal);
+    signal.addEventListener("abort", this.editor.store.subscribe(look));
     for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
     whole.addEventListener("dragover", (event) => this.#dragOver(event as DragEvent), { signal });
     whole.addEventListener("dragleave", (event) => this.#dragLeave(event as DragEvent), { signal });

@@ -196,7 +196,9 @@ export class ModelSession {
     });
     // Whoever shows a model's parts hears of it in the next microtask, and shows all of them.
     await Promise.resolve();
-    bringView?.();
+    // A part of the texture that was looked at is another one of this model.
+    if (bringView) bringView();
+    else this.#router.showWholeTexture();
     task.relabel(this.#strings.tasks.baking);
     const bind = await baked.catch((thrown: unknown) => {
       throw brokenCoordinates(model, material, thrown);

@@ -36,6 +36,11 @@ export class UpdateRouter {
     this.#textureMaterial = null;
   }
 
+  /** All of the texture is seen, wherever the one before it had been moved to. */
+  showWholeTexture(): void {
+    this.#textureView?.resetZoom();
+  }
+
   /**
    * To be called when the engine has said that the target is open, and the views have its model: what came of it until then is
    * applied. With `uvTriangles` the texture view shows this target from now on.

@@ -31,6 +31,9 @@ export interface Refusal {
 /** Pixels between a field and why it is marked, and between that and the page's edges. */
 const WHY_GAP = 4;
 
+/** What may take the field away from under that. */
+const MOVES = ["scroll", "resize"] as const;
+
 /** Milliseconds that a field is marked at least whose number was not taken. */
 const REFUSAL = 5000;
 
@@ -161,7 +164,10 @@ export class NumberField extends RemElement {
         position: fixed;
         inset: auto;
         margin: 0;
-        max-width: 16rem;
+        /* As wide wherever it stands: it is measured in one place, and put in another. */
+        width: max-content;
+        max-width: min(16rem, 100vw - 8px);
+        overflow-wrap: anywhere;
         padding: var(--space-1) var(--space-2);
         border: 1px solid var(--danger);
         border-radius: var(--radius);
@@ -226,6 +232,13 @@ export class NumberField extends RemElement {
 
   get #off(): boolean {
     return this.disabled || this.fieldsetDisabled;
+  }
+
+  override willUpdate(): void {
+    // There is nothing any longer that it could be refused for.
+    if (!this.#off || !this.hasAttribute("refused")) return;
+    this.#accept();
+    this.#show();
   }
 
   override updated(changed: PropertyValues<this>): void {
@@ -341,7 +354,7 @@ export class NumberField extends RemElement {
       if (!this.#typing) input?.setAttribute("aria-invalid", "false");
     }, REFUSAL);
     // What moves under it would leave it behind.
-    windowOf(this).addEventListener("scroll", this.#hideWhy, { capture: true, passive: true });
+    for (const move of MOVES) windowOf(this).addEventListener(move, this.#hideWhy, { capture: true, passive: true });
   }
 
   readonly #hideWhy = (): void => {
@@ -351,7 +364,7 @@ export class NumberField extends RemElement {
   /** Nothing is refused any longer. */
   #accept(): void {
     clearTimeout(this.#refusal);
-    windowOf(this).removeEventListener("scroll", this.#hideWhy, { capture: true });
+    for (const move of MOVES) windowOf(this).removeEventListener(move, this.#hideWhy, { capture: true });
     this.toggleAttribute("refused", false);
     this.why = "";
   }
