@@ -112,6 +112,32 @@ test("a menu of a row's gives the keyboard back to the row", async ({ editor, pa
   await expect(more).toBeFocused();
 });
 
+test("a menu keeps the keyboard when what had it there can do nothing any more, and Escape closes it", async ({
+  editor,
+  page,
+}) => {
+  await editor.openOnLowest();
+  const more = page.locator("tc-layer-list .more button").first();
+  await pressOn(more);
+  const rename = page.getByRole("menuitem", { name: "Rename" });
+  await expect(rename).toBeFocused();
+  // As a model does that opens meanwhile, whose layers are others.
+  await page.evaluate(() => window.texelcast.select(null));
+  await expect(rename).toBeDisabled();
+  await expect(page.getByRole("menuitem", { name: "Select all" })).toBeFocused();
+  await page.keyboard.press("Escape");
+  await expect(rename).toHaveCount(0);
+  await expect(more).toBeFocused();
+
+  // Nothing at all can be done with no layers.
+  await editor.removeAllDecals();
+  await pressOn(more);
+  await expect(page.locator("tc-layer-list [role=menu]:focus")).toHaveAttribute("aria-label", /./);
+  await page.keyboard.press("Escape");
+  await expect(rename).toHaveCount(0);
+  await expect(more).toBeFocused();
+});
+
 test("the list of projects says what is done in it, and keeps the keyboard, while it covers the page", async ({
   editor,
   page,

@@ -180,6 +180,7 @@ export class Menu extends RemElement {
       <div
         role="menu"
         popover="manual"
+        tabindex="-1"
         aria-label=${this.name}
         @keydown=${this.#menuKey}
         @focusout=${this.#leave}
@@ -236,12 +237,23 @@ export class Menu extends RemElement {
     this.#place();
     const entries = this.#entries();
     const checked = entries.find((entry) => entry.getAttribute("aria-checked") === "true");
-    (last ? entries.at(-1) : (checked ?? entries[0]))?.focus();
+    const first = last ? entries.at(-1) : (checked ?? entries[0]);
+    (first ?? this.#list)?.focus();
+  }
+
+  /** Without the keyboard it would neither hear Escape nor that one goes on elsewhere. */
+  override updated(): void {
+    const focused = this.shadowRoot?.activeElement;
+    if (this.open && focused?.matches("[role^=menuitem]:disabled")) (this.#entries()[0] ?? this.#list)?.focus();
+  }
+
+  get #list(): HTMLElement | null {
+    return this.renderRoot.querySelector<HTMLElement>("[role=menu]");
   }
 
   /** Below the opener, or above it where there is more room, and within the page. */
   #place(): void {
-    const menu = this.renderRoot.querySelector<HTMLElement>("[role=menu]");
+    const menu = this.#list;
     const opener = this.#at ? DOMRect.fromRect(this.#at) : this.#opener?.getBoundingClientRect();
     if (!menu || !opener) return;
     menu.showPopover?.();

@@ -261,6 +261,11 @@ export class NumberField extends RemElement {
     const { left, top, bottom } = this.getBoundingClientRect();
     const [width, height] = [tip.offsetWidth, tip.offsetHeight];
     const page = windowOf(this);
+    // A press elsewhere takes what was typed, and may have scrolled the field away.
+    if (bottom < 0 || top > page.innerHeight) {
+      this.#hideWhy();
+      return;
+    }
     const under = bottom + WHY_GAP + height <= page.innerHeight ? bottom + WHY_GAP : top - WHY_GAP - height;
     tip.style.top = `${under}px`;
     tip.style.left = `${Math.max(WHY_GAP, Math.min(left, page.innerWidth - width - WHY_GAP))}px`;
