@@ -310,6 +310,29 @@ test("what may be typed is told within the window, and goes with the field's pla
   expect(await rowOpacity.getAttribute("refused"), "no layer is chosen that could have an opacity").toBeNull();
 });
 
+test("what may be typed is not told where its field is out of sight", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  const width = page.locator("tc-layer-properties [data-field=size-width]");
+  await width.locator("input[role=spinbutton]").fill("-7");
+  // Taken by a press elsewhere, which leads far down the panel.
+  await page.evaluate(() => {
+    const find = (root: ParentNode): Element | null => {
+      for (const one of root.querySelectorAll("*")) {
+        if (one.localName === "tc-layer-properties")
+          return one.shadowRoot?.querySelector("[data-field=size-width]") ?? null;
+        const found = one.shadowRoot && find(one.shadowRoot);
+        if (found) return found;
+      }
+      return null;
+    };
+    const field = find(document) as HTMLElement | null;
+    if (field) field.style.cssText = "position: fixed; top: -300px";
+    field?.shadowRoot?.querySelector("input")?.blur();
+  });
+  await expect(width).toHaveAttribute("refused");
+  expect(await width.locator(".why").count()).toBe(0);
+});
+
 /** The ring of what has the focus: how opaque it is, and whether all of it is in what scrolls or cuts round it. */
 const focusRing = (page: Page) =>
   page.evaluate(() => {
