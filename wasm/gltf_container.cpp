@@ -1,5 +1,6 @@
 #include "gltf_container.h"
 
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <string>
@@ -75,10 +76,15 @@ constexpr char kList = 'l';
 constexpr char kObject = 'o';
 constexpr char kNull = 'z';
 
+/// How far the square of a quaternion's length may be from 1: a length off by 0.0077, which is what components in bytes come to,
+/// and what glTF's validator lets pass.
+constexpr double kUnitSlack = 0.0154;
+
 /// The members that say which triangles there are, where they lie and what they wear, and what glTF 2.0 asks of them:
 /// tinygltf passes over one of another kind as if it were not there. Each as its kind, or its elements'; how many elements
 /// its list has (blank: it is no list; '.': any number; else counted from '0'); the depth at which it stands, from 1 for the
-/// file's own members ('0': wherever it does below them); and its name.
+/// file's own members ('0': wherever it does below them); and its name. An object that is in no list has an index, which glTF
+/// requires.
 constexpr char kMemberRules[] =
     "1 0bufferView\0"
     "1 0buffer\0"
@@ -118,6 +124,7 @@ constexpr char kMemberRules[] =
     "3@3matrix\0"
     "o.3primitives\0"
     "o.5targets\0"
+    "o 4baseColorTexture\0"
     "344baseColorFactor\0"
     "s.1extensionsRequired\0";
 
@@ -201,7 +208,8 @@ private:
         std::string key;                  // of the member under way, in an object
         std::map<std::string, int> keys;  // of all its members so far
         std::uint32_t index = 0;          // of the element under way, in an array
-        const char* rule = nullptr;       // of an array, from kMemberRules
+        const char* rule = nullptr;       // from kMemberRules
+        double square = 0.0;              // the sum of its numbers' squares
     };
     struct Buffer {
         std::uint64_t byte_length = 0;
@@ -305,7 +313,13 @@ private:
     bool close() {
         const char* rule = levels_.back().rule;
         const std::uint32_t count = levels_.back().index;
+        const bool lacks_index = rule != nullptr && rule[1] == ' ' && levels_.back().keys["index"] == 0;
+        const double square = levels_.back().square;
         levels_.pop_back();
+        if (lacks_index) return refuse("has no index", "one");
+        // The only list of four at this depth is a node's rotation.
+        if (rule != nullptr && rule[1] == '4' && rule[2] == '3' && count == 4 && std::fabs(square - 1.0) > kUnitSlack)
+            return refuse("is no unit quaternion", "one");
         if (rule != nullptr && rule[1] > '0' && count != static_cast<std::uint32_t>(rule[1] - '0')) {
             char seen[32];
             char asked[8];
@@ -321,6 +335,7 @@ private:
     bool take_value(char kind, const char* letters = nullptr, double number = 0.0) {
         if (!check_kind(kind, letters, number)) return false;
         if (in_element()) note_member(letters, number);
+        if (!levels_.empty()) levels_.back().square += number * number;
         step();
         return charge(free_depth_ > 0 ? kFreeValueBytes : kValueBytes);
     }

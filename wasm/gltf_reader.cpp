@@ -172,8 +172,8 @@ TxcStatus find_elements(const Model& model, int view_index, std::uint64_t offset
     }
     const std::vector<unsigned char>& data = model.buffers[static_cast<std::size_t>(view.buffer)].data;
     if (view.byteOffset > data.size() || view.byteLength > data.size() - view.byteOffset) {
-        return fail(TXC_STATUS_BAD_MODEL, "bufferViews[%d]: bytes %zu to %zu lie outside its buffer of %zu bytes",
-                    view_index, view.byteOffset, view.byteOffset + view.byteLength, data.size());
+        return fail(TXC_STATUS_BAD_MODEL, "bufferViews[%d] lies outside its buffer of %zu bytes", view_index,
+                    data.size());
     }
     const std::uint64_t stride = may_interleave && view.byteStride != 0 ? view.byteStride : element_size;
     if (stride < element_size || stride > 252 + element_size) {

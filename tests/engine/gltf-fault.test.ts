@@ -114,6 +114,11 @@ describe("a model whose JSON has a wrong value somewhere", () => {
       0.5,
       "“textures[0].sampler” must be the number of one of the 1 samplers, from 0 on, and is 0.5",
     ],
+    [
+      ["nodes", 0, "rotation"],
+      [0, 0, 0, 2],
+      "“nodes[0].rotation” must be a unit quaternion, whose squares add up to 1, and is [0,0,0,2]",
+    ],
   ])("names the member %j, what it must be and what it is", async (place, value, told) => {
     const { json, binary } = manySidedModel();
     const error = gltfFault(withValue(json, place, value), "m.glb");
@@ -121,6 +126,31 @@ describe("a model whose JSON has a wrong value somewhere", () => {
     expect(error).toMatchObject({ code: "bad-container", subject: "m.glb", value: expect.any(String) });
     expect(error?.field).toMatch(/^\w+/);
     expect(binary.length).toBeGreaterThan(0);
+  });
+
+  it.each<[Step[], JsonValue, string]>([
+    [["nodes", 0, "rotation"], [0, 0, 0, 0], "nodes[0].rotation"],
+    [["materials", 0, "pbrMetallicRoughness", "baseColorTexture"], {}, "baseColorTexture.index"],
+    [["materials", 0, "pbrMetallicRoughness", "baseColorTexture"], 0, "baseColorTexture"],
+  ])("is refused by the engine, for the page and the program alike, where %j is %j", async (place, value, field) => {
+    const { json, binary } = manySidedModel();
+    const bytes = writeGlb(withValue(json, place, value), binary);
+    const refusal = await startHost()
+      .loadModel({ name: "m.glb", bytes })
+      .catch((error: unknown) => error);
+    expect(refusal).toMatchObject({ code: "bad-container", subject: "m.glb", hint: expect.any(String) });
+    expect((refusal as TexelcastError).field).toContain(field);
+  });
+
+  it("takes a rotation that is off by what rounding makes of it", async () => {
+    const { json, binary } = manySidedModel();
+    for (const rotation of [
+      [0, 0, 0, 1.003],
+      [0.708, 0, 0.706, 0],
+    ]) {
+      const bytes = writeGlb(withValue(json, ["nodes", 0, "rotation"], rotation), binary);
+      await startHost().loadModel({ name: "m.glb", bytes });
+    }
   });
 
   it("is no fault while nothing is wrong", async () => {

@@ -135,6 +135,25 @@ TEST_CASE("A base colour texture that the file does not have is an error where s
     }
 }
 
+TEST_CASE("A base colour texture without an index is refused by its path, whatever an extension calls so") {
+    const auto status_of = [](const char* material) {
+        GlbBuilder glb = make_model(make_plane());
+        glb.add("textures", "{}");
+        glb.add("materials", material);
+        return try_read(glb.glb());
+    };
+    for (const std::string texture : {"{}", R"({"texCoord":0})", R"({"extensions":{"A":{"index":0}}})"}) {
+        CAPTURE(texture);
+        const ReadModel model =
+            status_of(text(R"({"pbrMetallicRoughness":{"baseColorTexture":%s}})", texture.c_str()).c_str());
+        CHECK(model.status == TXC_STATUS_BAD_MODEL);
+        CHECK(model.detail.find("materials[0].pbrMetallicRoughness.baseColorTexture has no index") !=
+              std::string::npos);
+    }
+    CHECK(status_of(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})").status == TXC_STATUS_OK);
+    CHECK(status_of(R"({"extensions":{"A":{"baseColorTexture":{}}}})").status == TXC_STATUS_OK);
+}
+
 TEST_CASE("A picture that the file does not have is no picture") {
     for (const std::string texture : {R"({"source":9})", R"({"extensions":{"EXT_texture_webp":{"source":9}}})",
                                       R"({"extensions":{"EXT_texture_webp":{"source":"x"}}})"}) {

@@ -45,6 +45,21 @@ TEST_CASE("A node scales first, then turns, then moves") {
     CHECK(near(model.position(2), 10 - 9, 20 + 2, 30 + 12));
 }
 
+TEST_CASE("A rotation that is no unit quaternion is refused by its node, one that is off by rounding is read") {
+    for (const std::string rotation : {"0,0,0,2", "0,0,0,0", "0,0,0,0.99", "0.5,0.5,0.5,0.52"}) {
+        CAPTURE(rotation);
+        const ReadModel model = try_read(
+            with_nodes({R"({"children":[1]})", text(R"({"mesh":0,"rotation":[%s]})", rotation.c_str()).c_str()}).glb());
+        CHECK(model.status == TXC_STATUS_BAD_MODEL);
+        CHECK(model.detail.find("nodes[1].rotation is no unit quaternion") != std::string::npos);
+    }
+    for (const std::string rotation : {"0,0,0,1.005", "0,0,0,-0.995", "0.707,0,0,0.707", "0.5,0.5,-0.5,0.503"}) {
+        CAPTURE(rotation);
+        CHECK(try_read(with_nodes({text(R"({"mesh":0,"rotation":[%s]})", rotation.c_str()).c_str()}).glb()).status ==
+              TXC_STATUS_OK);
+    }
+}
+
 TEST_CASE("A node's matrix is read column by column") {
     const GlbBuilder glb = with_nodes({R"({"mesh":0,"matrix":[0,1,0,0, -1,0,0,0, 0,0,1,0, 5,6,7,1]})"});
     CHECK(near(read(glb.glb()).position(0), 5 - 2, 6 + 1, 7 + 3));

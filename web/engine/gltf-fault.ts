@@ -211,6 +211,12 @@ const primitive = both(
   },
 );
 
+/** As far off as the core lets it be (gltf_container.cpp), which glTF's validator does, too. */
+const UNIT = rule("a unit quaternion, whose squares add up to 1", (value) => {
+  const square = (value as number[]).reduce((sum, part) => sum + part * part, 0);
+  return Math.abs(square - 1) <= 0.0154;
+});
+
 const node = shape(
   {},
   {
@@ -219,7 +225,7 @@ const node = shape(
     skin: indexOf("skins"),
     matrix: numbers(16),
     mesh: indexOf("meshes"),
-    rotation: numbers(4),
+    rotation: both(numbers(4), UNIT),
     scale: numbers(3),
     translation: numbers(3),
     weights: NUMBERS,
