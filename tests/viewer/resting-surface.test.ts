@@ -85,6 +85,27 @@ describe("the resting surface", () => {
     expectVector(vertexOf(surface, 1), new Vector3(1, 3, 1), 1e-6);
   });
 
+  it("turns round those triangles alone whose own joint mirrors", () => {
+    const geometry = new BufferGeometry();
+    const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array([...corners, ...corners]), 3));
+    const joints = new Uint16Array(24);
+    for (let vertex = 3; vertex < 6; vertex++) joints[vertex * 4] = 1;
+    geometry.setAttribute("skinIndex", new BufferAttribute(joints, 4));
+    const weights = Float32Array.from({ length: 24 }, (_, i) => Number(i % 4 === 0));
+    geometry.setAttribute("skinWeight", new BufferAttribute(weights, 4));
+    const mirror = new Bone();
+    mirror.scale.x = -1;
+    const bones = [new Bone(), mirror];
+    const mesh = new SkinnedMesh(geometry, new MeshStandardMaterial());
+    const scene = sceneOf(mesh);
+    scene.root.add(...bones);
+    scene.root.updateMatrixWorld(true);
+    mesh.bind(new Skeleton(bones, [new Matrix4(), new Matrix4()]), new Matrix4());
+    const surface = gatherRestingSurface(scene);
+    for (const triangle of [0, 1]) expectVector(windingOf(surface, triangle), new Vector3(0, 0, 1), 1e-6);
+  });
+
   it("applies morph targets at their default weights", () => {
     const geometry = triangleGeometry();
     geometry.morphAttributes.position = [new BufferAttribute(new Float32Array([0, 0, 2, 0, 0, 2, 0, 0, 2]), 3)];

@@ -47,13 +47,12 @@ export class LiveTexture {
     this.#nearestByModel = like?.magFilter === NearestFilter;
     texture.magFilter = this.#nearestByModel ? NearestFilter : LinearFilter;
     texture.minFilter = this.#levels > 1 ? LinearMipmapLinearFilter : LinearFilter;
-    texture.anisotropy = this.#levels > 1 ? Math.min(MOST_ANISOTROPY, renderer.capabilities.getMaxAnisotropy()) : 1;
+    if (this.#levels > 1) texture.anisotropy = Math.min(MOST_ANISOTROPY, renderer.capabilities.getMaxAnisotropy());
     if (like !== null) {
+      if (like.matrixAutoUpdate) like.updateMatrix();
       texture.channel = like.channel;
-      texture.offset.copy(like.offset);
-      texture.repeat.copy(like.repeat);
-      texture.center.copy(like.center);
-      texture.rotation = like.rotation;
+      texture.matrixAutoUpdate = false;
+      texture.matrix.copy(like.matrix);
     }
     if (this.#levels > 1) {
       texture.mipmaps = levelSizes(info.width, info.height, this.#levels);

@@ -1,4 +1,8 @@
-/** A model in which something is left out that glTF lets be left out, and three.js does not. Loaded when three.js fails. */
+/**
+ * A model in which something is left out that glTF lets be left out and three.js does not, or that three.js reads in another way than
+ * glTF has it. Loaded when three.js fails, or might have gone wrong.
+ */
+import { type Group, Mesh, Texture } from "three";
 import type { GLTF } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { fillTextures } from "../engine/blank-textures.ts";
 import type { ModelInfo } from "../engine/engine-api.ts";
@@ -6,22 +10,34 @@ import { parseJson, readContainer, writeGlb } from "../engine/gltf-container.ts"
 import { type JsonObject, listOf } from "../engine/gltf-json.ts";
 import { packGltf } from "../engine/gltf-packer.ts";
 import { notShown } from "../engine/model-fault.ts";
+import { plainGeometry } from "./plain-geometry.ts";
 
-/** Rejects with a TexelcastError that says what is wrong with the file, where `parse` cannot read it even so. */
-export async function parseMended(
+/**
+ * `given`, null where `parse` cannot read the file, or another one where that was wrong. Rejects with a TexelcastError that says what
+ * is wrong with the file, where `parse` cannot read it even so.
+ */
+export async function mendedScene(
   { glb, name }: Pick<ModelInfo, "glb" | "name">,
+  given: GLTF | null,
   parse: (glb: Uint8Array) => Promise<GLTF>,
 ): Promise<GLTF> {
   const container = readContainer({ name, bytes: glb });
   try {
     const json = parseJson(container);
-    fillTextures(json, name);
-    giveScene(json, name);
-    const bytes = writeGlb(json, container.binary, container.extraChunks);
-    const packed = packGltf(readContainer({ name, bytes }));
-    return await parse(writeGlb(packed.json, packed.binary));
+    const plain = plainGeometry(json, container.binary, name);
+    const gltf = given?.scene && plain === null ? given : await parse(mended(json, plain));
+    placeTextures(gltf.scene);
+    return gltf;
   } catch (cause) {
     throw notShown(container.json, name, cause);
+  }
+
+  function mended(json: JsonObject, plain: Uint8Array | null): Uint8Array {
+    fillTextures(json, name);
+    giveScene(json, name);
+    const bytes = writeGlb(json, plain ?? container.binary, container.extraChunks);
+    const packed = packGltf(readContainer({ name, bytes }));
+    return writeGlb(packed.json, packed.binary);
   }
 }
 
@@ -32,4 +48,18 @@ function giveScene(json: JsonObject, name: string): void {
   const children = new Set<unknown>(nodes.flatMap((node) => (Array.isArray(node.children) ? node.children : [])));
   json.scenes = [{ nodes: [...nodes.keys()].filter((index) => !children.has(index)) }];
   delete json.scene;
+}
+
+/** KHR_texture_transform scales before it turns, three.js the other way round. */
+function placeTextures(root: Group): void {
+  root.traverse((object) => {
+    const values = object instanceof Mesh ? Object.values(object.material) : [];
+    for (const texture of values) {
+      if (!(texture instanceof Texture) || texture.rotation === 0) continue;
+      const { matrix, offset, repeat, rotation } = texture;
+      const [c, s] = [Math.cos(rotation), Math.sin(rotation)];
+      texture.matrixAutoUpdate = false;
+      matrix.set(c * repeat.x, s * repeat.y, offset.x, -s * repeat.x, c * repeat.y, offset.y, 0, 0, 1);
+    }
+  });
 }

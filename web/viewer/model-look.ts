@@ -149,11 +149,10 @@ export class ModelLook {
     texture.magFilter = NearestFilter;
     texture.minFilter = LinearFilter;
     if (own !== null) {
+      if (own.matrixAutoUpdate) own.updateMatrix();
       texture.channel = own.channel;
-      texture.offset.copy(own.offset);
-      texture.repeat.copy(own.repeat);
-      texture.center.copy(own.center);
-      texture.rotation = own.rotation;
+      texture.matrixAutoUpdate = false;
+      texture.matrix.copy(own.matrix);
     }
     texture.needsUpdate = true;
     return texture;

@@ -32,34 +32,36 @@ export interface MeshLabel {
   readonly extras: unknown;
 }
 
+/** What three.js reads wrongly in some files; `mended-scene.ts` knows in which. */
+const DOUBTFUL = /"sparse"|"targets"|texture_t/;
+
 /** Loads `info.glb`. Rejects with a TexelcastError of code "bad-model" where three.js cannot read it. */
 export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
-  const gltf = await parse(info.glb).catch(async () => (await import("./mended-scene.ts")).parseMended(info, parse));
+  const given = await parse(info.glb).catch(() => null);
+  // For a file without scenes there is none, though it is typed as if there were.
+  const gltf =
+    given?.scene && !DOUBTFUL.test(JSON.stringify(given.parser.json))
+      ? given
+      : await (await import("./mended-scene.ts")).mendedScene(info, given, parse);
   const materials = new Map<number, MeshStandardMaterial[]>();
-  for (const mesh of meshesOf(gltf.scene)) {
+  const meshes = meshesOf(gltf.scene);
+  for (const mesh of meshes) {
     const material = mesh.material as MeshStandardMaterial;
     const index = materialIndexOf(gltf, material);
-    const known = materials.get(index) ?? [];
-    if (!known.includes(material)) {
-      known.push(material);
-    }
-    materials.set(index, known);
+    materials.set(index, [...new Set(materials.get(index)).add(material)]);
   }
   return {
     root: gltf.scene,
     animations: gltf.animations,
     materials,
-    labels: new Map(meshesOf(gltf.scene).map((mesh) => [mesh, labelOf(gltf, mesh)])),
+    labels: new Map(meshes.map((mesh) => [mesh, labelOf(gltf, mesh)])),
     dispose: () => disposeTree(gltf.scene),
   };
 }
 
-async function parse(glb: Uint8Array): Promise<GLTF> {
-  const isWhole = glb.length === glb.buffer.byteLength;
-  const gltf = await new GLTFLoader().parseAsync((isWhole ? glb : glb.slice()).buffer as ArrayBuffer, "");
-  // For a file without scenes there is none, though it is typed as if there were.
-  meshesOf(gltf.scene);
-  return gltf;
+function parse(glb: Uint8Array): Promise<GLTF> {
+  // A copy, as its buffer may be longer.
+  return new GLTFLoader().parseAsync(glb.slice().buffer as ArrayBuffer, "");
 }
 
 /** Every mesh below `root`, in the scene's order. */
@@ -96,14 +98,12 @@ export function positionsOf(scene: ModelScene): Float32Array {
 
 /** Three's own names are made unique and fit for its animation paths; the file's are what the user gave. */
 function labelOf(gltf: GLTF, mesh: Mesh): MeshLabel {
-  const nodeIndexOf = (object: object | null) =>
-    (object === null ? undefined : gltf.parser.associations.get(object as Mesh))?.nodes;
-  const own = nodeIndexOf(mesh);
-  const index = own ?? nodeIndexOf(mesh.parent);
+  const nodeIndexOf = (object: object | null) => gltf.parser.associations.get(object as Mesh)?.nodes;
+  const index = nodeIndexOf(mesh) ?? nodeIndexOf(mesh.parent) ?? -1;
   const nodes = (gltf.parser.json.nodes ?? []) as { name?: string; mesh?: number; extras?: unknown }[];
   const meshes = (gltf.parser.json.meshes ?? []) as { name?: string; primitives?: unknown[] }[];
-  const node = index === undefined ? undefined : nodes[index];
-  const source = node?.mesh === undefined ? undefined : meshes[node.mesh];
+  const node = nodes[index];
+  const source = meshes[node?.mesh ?? -1];
   return {
     node: node?.name || source?.name || "",
     // Three takes whatever the file has.
@@ -126,7 +126,7 @@ function disposeTree(root: Group): void {
     if (mesh instanceof SkinnedMesh) mesh.skeleton.dispose();
     const material = mesh.material as Material;
     for (const value of Object.values(material)) {
-      if (value?.isTexture === true) {
+      if (value?.isTexture) {
         value.dispose();
         // GLTFLoader decodes to ImageBitmaps, which the garbage collector frees late.
         value.source.data?.close?.();

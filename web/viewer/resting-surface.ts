@@ -115,12 +115,12 @@ export function triangleSubset(surface: RestingSurface, isChosen: (mesh: number)
   };
 }
 
-/** Returns whether the mesh's transform mirrors it, which turns its triangles' winding. */
+/** Returns of each vertex whether its transform mirrors, which turns its triangles' winding: one joint may, and another not. */
 function writeVertices(
   mesh: Mesh,
   surface: Pick<RestingSurface, "positions" | "normals">,
   firstVertex: number,
-): boolean {
+): Uint8Array {
   const positions = mesh.geometry.getAttribute("position");
   const normals = mesh.geometry.getAttribute("normal");
   const skin = isSkinned(mesh) ? skinOf(mesh) : null;
@@ -130,10 +130,12 @@ function writeVertices(
   const normal = new Vector3();
   matrix.copy(mesh.matrixWorld);
   normalMatrix.getNormalMatrix(matrix);
+  const mirrored = new Uint8Array(positions.count).fill(Number(matrix.determinant() < 0));
   for (let vertex = 0; vertex < positions.count; vertex++) {
     if (skin !== null) {
       skin.matrixAt(vertex, matrix);
       normalMatrix.getNormalMatrix(matrix);
+      mirrored[vertex] = Number(matrix.determinant() < 0);
     }
     position.fromBufferAttribute(positions, vertex);
     addMorphs(mesh, "position", vertex, position);
@@ -147,7 +149,7 @@ function writeVertices(
         .toArray(surface.normals, (firstVertex + vertex) * 3);
     }
   }
-  return matrix.determinant() < 0;
+  return mirrored;
 }
 
 function isSkinned(mesh: Mesh): mesh is SkinnedMesh {
@@ -201,7 +203,7 @@ function writeUvs(mesh: Mesh, material: MeshStandardMaterial, uvs: Float32Array,
   if (attribute === undefined) {
     return;
   }
-  map?.updateMatrix();
+  if (map?.matrixAutoUpdate) map.updateMatrix();
   const uv = new Vector2();
   for (let vertex = 0; vertex < attribute.count; vertex++) {
     uv.set(attribute.getX(vertex), attribute.getY(vertex));
@@ -212,12 +214,20 @@ function writeUvs(mesh: Mesh, material: MeshStandardMaterial, uvs: Float32Array,
   }
 }
 
-function writeTriangles(mesh: Mesh, index: Uint32Array, firstVertex: number, first: number, mirrored: boolean): void {
+function writeTriangles(
+  mesh: Mesh,
+  index: Uint32Array,
+  firstVertex: number,
+  first: number,
+  mirrored: Uint8Array,
+): void {
   const own = mesh.geometry.index;
+  const vertexOf = (place: number): number => (own === null ? place : own.getX(place));
   for (let triangle = 0; triangle < trianglesOf(mesh); triangle++) {
+    const turns = mirrored[vertexOf(triangle * 3)] === 1;
     for (let corner = 0; corner < 3; corner++) {
-      const source = triangle * 3 + (mirrored && corner > 0 ? 3 - corner : corner);
-      index[(first + triangle) * 3 + corner] = firstVertex + (own === null ? source : own.getX(source));
+      const source = triangle * 3 + (turns && corner > 0 ? 3 - corner : corner);
+      index[(first + triangle) * 3 + corner] = firstVertex + vertexOf(source);
     }
   }
 }
