@@ -147,7 +147,7 @@ TEST_CASE("A base colour texture without an index is refused by its path, whatev
         const ReadModel model =
             status_of(text(R"({"pbrMetallicRoughness":{"baseColorTexture":%s}})", texture.c_str()).c_str());
         CHECK(model.status == TXC_STATUS_BAD_MODEL);
-        CHECK(model.detail.find("materials[0].pbrMetallicRoughness.baseColorTexture has no index") !=
+        CHECK(model.detail.find("materials[1].pbrMetallicRoughness.baseColorTexture has no index") !=
               std::string::npos);
     }
     CHECK(status_of(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})").status == TXC_STATUS_OK);
