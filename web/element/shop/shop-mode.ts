@@ -49,7 +49,9 @@ class ShopMode implements Mode {
     const begun = readDesign && (await this.#layOut(readDesign));
     progress(LOADED);
     const open = await product.show(source, info);
-    const materials = [...new Set([open.material, ...(begun?.materials ?? [])])].filter((each) => product.canPaint(each));
+    const materials = [...new Set([open.material, ...(begun?.materials ?? [])])].filter((each) =>
+      product.canPaint(each),
+    );
     for (const [index, material] of materials.entries()) {
       const share = (part: number): number => LOADED + ((1 - LOADED) * (index + part)) / materials.length;
       await product.openTarget(material, (part) => progress(share(part)));
