@@ -1,22 +1,12 @@
 /**
- * Places inside a print zone that is a polygon of the texture. How large such a zone is on the surface, and how far a place is from
- * its rim, only the surface tells: so the rim is laid onto it, point by point, and distances are those of space.
+ * A print zone that is a polygon of the texture, on the surface. How large such a zone is, and how far a place is from its rim, only
+ * the surface tells: so the rim is laid onto it, point by point, and distances are those of space.
  */
 import { Line3, Vector3 } from "three";
-import type { PlanarProjector } from "../../engine/engine-api.ts";
-import { poseOf, toLocal } from "../../viewer/decal-pose.ts";
-import { reachesPoint } from "../../viewer/projector-sight.ts";
-import type { DecalViewer, SurfaceHit, SurfacePlaces } from "../../viewer/viewer-api.ts";
+import type { SurfaceHit, SurfacePlaces } from "../../viewer/viewer-api.ts";
 import { type PolygonZone, polygonHolds, type Uv, zoneHolds } from "./zone-holds.ts";
 
 type Surface = Pick<SurfacePlaces, "near" | "atUv">;
-
-/** A place, and how wide something may be that lies there. */
-export interface RoomyPlace {
-  readonly hit: SurfaceHit;
-  /** Metres. */
-  readonly width: number;
-}
 
 /** Points along the whole rim, about. */
 const RIM_POINTS = 160;
@@ -28,13 +18,6 @@ const ASIDE = 0.05;
 const INWARDS = 1e-3;
 /** Of the way to the box's middle: where the rim lies between charts, steps in which the surface is looked for. */
 const STEP_INWARDS = 0.05;
-/** Of the way from where the customer looks to the zone's deepest place: the first at which something fits is its place. */
-const WAY = [0.25, 0.5, 0.75];
-/** What is less larger than this is no reason to go farther from where the customer looks. */
-const GAIN = 1.1;
-/** A width that is shrunk until it fits has come there after a few rounds: the picture turns a little as it shrinks. */
-const ROUNDS = 8;
-
 /** The place that is farthest from the zone's rim, by what else it is worth. Null where the zone lies on no surface. */
 export function deepestPlace(
   zone: PolygonZone,
@@ -42,7 +25,7 @@ export function deepestPlace(
   worthOf: (hit: SurfaceHit) => number = () => 1,
 ): SurfaceHit | null {
   const { polygon } = zone.shape;
-  const rim = rimOf(zone, surface).map(({ position }) => new Vector3(...position));
+  const rim = polygonRim(zone, surface).map(({ position }) => new Vector3(...position));
   const sides = rim.map((to, index) => new Line3(rim.at(index - 1), to));
   const closest = new Vector3();
   const [low, high] = boxOf(polygon);
@@ -70,62 +53,8 @@ export function deepestPlace(
   return best;
 }
 
-/**
- * Where something of an aspect (width by height) lies wholly inside the zone, so wide (metres) where it can be, else as wide as it
- * can be: as near as about that can be had to the place of the zone that the customer looks at (`seen`).
- *
- * @param deepest of the zone
- */
-export function roomIn(
-  viewer: Pick<DecalViewer, "projectorAt"> & { readonly surface: Surface },
-  zone: PolygonZone,
-  aspect: number,
-  most: number,
-  seen: SurfaceHit | null,
-  deepest: SurfaceHit,
-): RoomyPlace {
-  const rim = rimOf(zone, viewer.surface);
-  const roomAt = (hit: SurfaceHit): RoomyPlace => {
-    return { hit, width: widthInside((width) => viewer.projectorAt(hit, width, aspect), most, rim) };
-  };
-  const between = (from: Uv): (SurfaceHit | null)[] =>
-    WAY.map((share) => {
-      const uv: Uv = [mixed(from[0], deepest.uv[0], share), mixed(from[1], deepest.uv[1], share)];
-      return polygonHolds(zone.shape.polygon, uv) ? viewer.surface.atUv(zone.material, uv) : null;
-    });
-  let best: RoomyPlace | null = null;
-  for (const hit of seen ? [seen, ...between(seen.uv), deepest] : [deepest]) {
-    const place = hit && roomAt(hit);
-    if (place && place.width > GAIN * (best?.width ?? 0)) best = place;
-    if (best?.width === most) return best;
-  }
-  return best ?? roomAt(deepest);
-}
-
-/** The largest width, up to the most, at which no point of the rim is reached. */
-function widthInside(
-  projectorOf: (width: number) => PlanarProjector,
-  most: number,
-  rim: readonly SurfaceHit[],
-): number {
-  let width = most;
-  for (let round = 0; round < ROUNDS; round++) {
-    const projector = projectorOf(width);
-    const pose = poseOf(projector);
-    const share = rim.reduce((least, { position, normal, uv }) => {
-      const point = { position: new Vector3(...position), normal: new Vector3(...normal), uv };
-      if (!reachesPoint(projector, point)) return least;
-      const { x, y } = toLocal(pose, point.position);
-      return Math.min(least, 2 * Math.max(Math.abs(x) / pose.size.x, Math.abs(y) / pose.size.y));
-    }, 1);
-    if (share === 1) break;
-    width *= share * (1 - INWARDS);
-  }
-  return width;
-}
-
 /** Where the zone ends on the surface. */
-function rimOf(zone: PolygonZone, surface: Surface): SurfaceHit[] {
+export function polygonRim(zone: PolygonZone, surface: Surface): SurfaceHit[] {
   const { polygon } = zone.shape;
   const sides = polygon.map((to, index) => ({ from: polygon.at(index - 1) ?? to, to }));
   const lengthOf = ({ from, to }: { readonly from: Uv; readonly to: Uv }): number =>

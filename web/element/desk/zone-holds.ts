@@ -1,12 +1,13 @@
 /** Whether a print zone holds a place of the surface. */
 import { Vector3 } from "three";
-import type { PrintZone, UvZoneShape } from "../../engine/print-zones.ts";
+import type { BoxZoneShape, PrintZone, UvZoneShape } from "../../engine/print-zones.ts";
 import { reachesPoint } from "../../viewer/projector-sight.ts";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
 
 /** Texture coordinates. */
 export type Uv = readonly [number, number];
 export type PolygonZone = PrintZone & { readonly shape: UvZoneShape };
+export type BoxZone = PrintZone & { readonly shape: BoxZoneShape };
 
 export function isPolygon(zone: PrintZone): zone is PolygonZone {
   return zone.shape.kind === "uv";

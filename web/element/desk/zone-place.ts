@@ -1,8 +1,8 @@
 /** Where something new goes on a product that is printed in some places only. */
 import { Vector3 } from "three";
-import type { BoxZoneShape, PrintZone } from "../../engine/print-zones.ts";
+import type { PrintZone } from "../../engine/print-zones.ts";
 import type { DecalViewer, SurfaceHit } from "../../viewer/viewer-api.ts";
-import { isPolygon, zoneHolds } from "./zone-holds.ts";
+import { type BoxZone, isPolygon, zoneHolds } from "./zone-holds.ts";
 
 /** Of a zone, or of the largest that fits in it: what something new takes at the most, so that it has room to be moved. */
 const MOST_OF_ZONE = 0.8;
@@ -27,8 +27,7 @@ export interface Newcomer {
 
 /**
  * The surface under the middle of the view where that may be printed, else the middle of the nearest zone, one that the camera
- * sees before one that it does not. In a polygon of the texture it goes from there as far as it must to lie wholly inside. Null
- * without a surface.
+ * sees before one that it does not. In a zone it goes from there as far as it must to lie wholly inside. Null without a surface.
  */
 export async function startingPlace(
   viewer: Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt">,
@@ -37,26 +36,24 @@ export async function startingPlace(
 ): Promise<StartingPlace | null> {
   const { surface } = viewer;
   // Where it does not come, something new goes where the customer looks.
-  const polygons = zones.some(isPolygon) ? await import("./polygon-places.ts").catch(() => null) : null;
+  const rooms = zones.length > 0 ? await import("./zone-room.ts").catch(() => null) : null;
   const middleOf = (zone: PrintZone): SurfaceHit | null => {
     if (isPolygon(zone)) {
-      return polygons?.deepestPlace(zone, surface, (hit) => inSight(facing(hit, surface))) ?? null;
+      return rooms?.deepestPlace(zone, surface, (hit) => inSight(facing(hit, surface))) ?? null;
     }
-    const hit = surface.near((zone.shape as BoxZoneShape).position);
+    const box = zone as BoxZone;
+    const hit = rooms?.boxMiddle(box, surface) ?? surface.near(box.shape.position);
     return hit?.material === zone.material ? hit : null;
   };
-  const placeIn = (zone: PrintZone, seen: SurfaceHit | null, middle: SurfaceHit | null): StartingPlace | null => {
-    if (polygons && middle && isPolygon(zone)) {
-      const { hit, width } = polygons.roomIn(viewer, zone, aspect, usual / MOST_OF_ZONE, seen, middle);
-      return { hit, width: Math.min(usual, MOST_OF_ZONE * width) };
-    }
-    const hit = seen ?? middle;
-    return hit && { hit, width: Math.min(usual, widthInBox(zone, aspect)) };
+  const placeIn = (zone: PrintZone, seen: SurfaceHit | null, middle: SurfaceHit): StartingPlace => {
+    const room = rooms?.roomIn(viewer, zone, aspect, usual / MOST_OF_ZONE, seen, middle);
+    const { hit, width } = room ?? { hit: seen ?? middle, width: Number.POSITIVE_INFINITY };
+    return { hit, width: Math.min(usual, MOST_OF_ZONE * width, widthInBox(zone, aspect)) };
   };
   const seen = viewer.surfaceAtCentre();
   if (seen && zones.length === 0) return { hit: seen, width: usual };
   const under = seen && zones.find((zone) => zoneHolds(zone, seen));
-  if (under) return placeIn(under, seen, isPolygon(under) ? middleOf(under) : null);
+  if (under) return placeIn(under, seen, middleOf(under) ?? seen);
   const middles = zones.flatMap((zone) => {
     const hit = middleOf(zone);
     if (hit === null) return [];
