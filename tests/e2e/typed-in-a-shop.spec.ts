@@ -163,3 +163,21 @@ test("words and a font that cannot be fetched leave the field as the product is,
   await expect(font).toHaveValue("inter-700");
   expect(await textsOf(editor)).toEqual(["Adas"]);
 });
+
+test("letters that are typed behind one whose font is slow and does not come stay", async ({ page }) => {
+  const editor = await openTyping(page, "shop");
+  let answer = (): void => undefined;
+  const asked = new Promise<void>((resolve) => {
+    answer = resolve;
+  });
+  await page.route(/NotoEmoji/, async (route) => {
+    await asked;
+    await route.fulfill({ status: 404 });
+  });
+  await page.keyboard.insertText("🦊");
+  await page.keyboard.type("da");
+  answer();
+  await expect(editor.getByRole("alert")).toContainText("The font for this could not be loaded");
+  await expect(editor.getByRole("textbox", { name: "Words" })).toHaveValue("Ada");
+  expect(await textsOf(editor)).toEqual(["Ada"]);
+});

@@ -16,8 +16,15 @@ import { FRONT } from "../support/layers.ts";
 
 const FONT = await readShippedFont("bebas-neue-400");
 
+interface Engineered {
+  readonly refuses: boolean;
+  readonly misses?: TexelcastError | null;
+  /** Letters that it cannot draw. */
+  readonly lacks?: string;
+}
+
 /** A desk whose engine keeps fonts, and measures words unless it `refuses`. */
-function deskWithFonts({ refuses, misses = null }: { refuses: boolean; misses?: TexelcastError | null }) {
+function deskWithFonts({ refuses, misses = null, lacks = "" }: Engineered) {
   const has = new Set<string>();
   let slow: string | null = null;
   let arrive = (): void => undefined;
@@ -37,10 +44,11 @@ function deskWithFonts({ refuses, misses = null }: { refuses: boolean; misses?: 
     },
     removeAsset: async (key: string) => void has.delete(key),
     setLayers: () => undefined,
-    measureText: async ({ font }: EngineText) => {
+    measureText: async ({ font, text }: EngineText) => {
       if (font === slow) await arrival;
       if (misses) throw misses;
-      if (refuses) throw new TexelcastError("bad-font", "The letters cannot be drawn.");
+      if (refuses || [...text].some((letter) => lacks.includes(letter)))
+        throw new TexelcastError("bad-font", "The letters cannot be drawn.");
       return { width: 2, height: 1, inkWidth: 2, inkHeight: 1 };
     },
   } as unknown as Engine;
@@ -141,4 +149,29 @@ it("a text wears what was chosen last, though a font that was chosen before come
   expect(desk.design).not.toBe(before);
   expect(layer).toMatchObject({ curve: 20 });
   expect(layer?.type === "text" && desk.design.assets[layer.font]?.uri).toBe("texelcast:fonts/inter-400");
+});
+
+/** What the product says after texts that were typed one after another, each before the one before was measured. */
+async function typedOn(before: string, typed: readonly string[], last: "typed" | "left" = "typed"): Promise<unknown> {
+  const { desk, texts } = deskWithFonts({ refuses: false, lacks: "🦊🐻" });
+  const id = await texts.add(before, WORDS);
+  const told = await Promise.allSettled(
+    typed.map((text, index) => texts.change(id, { text }, last === "left" && index === typed.length - 1)),
+  );
+  expect(told.at(-1)?.status, "the customer is told of a letter that could not be drawn").toBe("rejected");
+  const [layer] = desk.shown.layers;
+  return layer?.type === "text" && layer.text;
+}
+
+it("letters that are typed after one that cannot be drawn stay, and that one goes", async () => {
+  expect(await typedOn("Ada", ["Ada🦊", "Ada🦊s"])).toBe("Adas");
+  expect(await typedOn("Ada", ["Ada🦊", "Ada🦊s", "Ada🦊s"], "left")).toBe("Adas");
+  expect(await typedOn("Ada", ["Ada🦊", "Ada🦊🐻", "Ada🦊🐻s", "Ada🦊🐻st"])).toBe("Adast");
+  expect(await typedOn("Ada", ["Adax", "Ada🦊x", "Ada🦊yx"])).toBe("Adayx");
+  expect(await typedOn("Ada", ["Ada🦊", "xAda🦊", "xda🦊"])).toBe("xda");
+  expect(await typedOn("Ada", ["Ada🦊", "Ada🐻", "Ada🐻s"])).toBe("Adas");
+});
+
+it("what is put in at once with a letter that cannot be drawn goes with it", async () => {
+  expect(await typedOn("Ada", ["Ada and a 🦊", "Ada and a 🦊!"])).toBe("Ada!");
 });

@@ -15,6 +15,7 @@ import { PLACING_WORDS } from "../words/placing-words.ts";
 import type { Words } from "../words/words.ts";
 import type { Desk } from "./desk.ts";
 import { askShop, badOption, checkedOptions, placeFor } from "./placing.ts";
+import { retyped } from "./retyped.ts";
 
 export type TextPatch = Partial<Pick<TextLayer, "text" | "color" | "curve">> & { readonly font?: NamedFont };
 
@@ -28,6 +29,8 @@ const FIRST_COLOR = "#1a1a1a";
 const MOST_CHARACTERS = 10_000;
 /** Milliseconds of rest after which what was typed is a step: a page that took the design for approved hears of it. */
 const REST = 1000;
+/** More that was typed while nothing could be shown is not gone through letter by letter. */
+const MOST_TYPED = 100;
 /** A place to measure at. */
 const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] };
 
@@ -35,8 +38,8 @@ export class Texts {
   readonly #desk: Desk;
   /** The change asked for last: of several that wait for their measure only the newest is shown. */
   #newest: TextPatch | null = null;
-  /** Measured, and not shown as a newer one had come: shown after all where that one fails. */
-  #passed: { readonly id: string; readonly patch: TextPatch } | null = null;
+  /** What a text's field has said since the product last showed all of it. */
+  #typed: { readonly id: string; readonly texts: string[] } = { id: "", texts: [] };
   /** By their layers' ids, those chosen last: one that comes later, as it is slow, does not take their place. */
   readonly #fonts: Record<string, NamedFont> = {};
   #rest: ReturnType<typeof setTimeout> | undefined;
@@ -93,14 +96,38 @@ export class Texts {
   change(id: string, patch: TextPatch, final: boolean): Promise<void> {
     const desk = this.#desk;
     if (patch.font) this.#fonts[id] = patch.font;
+    if (patch.text !== undefined) {
+      if (this.#typed.id !== id) this.#typed = { id, texts: [] };
+      this.#typed.texts.push(patch.text);
+    }
     clearTimeout(this.#rest);
     if (!final) this.#rest = setTimeout(() => desk.settled().then(() => desk.keepShown()), REST);
     const failed = async (thrown: unknown): Promise<never> => {
-      const passed = this.#passed;
-      if (passed?.id === id && patch === this.#newest) await this.#change(id, passed.patch, false);
+      if (patch === this.#newest && patch.text !== undefined) await this.#typeAgain(id, patch);
       throw thrown;
     };
     return desk.during(this.#change(id, patch, final).catch(failed));
+  }
+
+  /** Shows what was typed without the letters that cannot be drawn: those before and behind them stay. */
+  async #typeAgain(id: string, newest: TextPatch): Promise<void> {
+    const { texts } = this.#typed;
+    const layer = this.#layer(id);
+    const shown = layerById(this.#desk.shown, id);
+    if (layer === null || shown?.type !== "text" || texts.length > MOST_TYPED) return;
+    let before = shown.text;
+    let kept = before;
+    for (const after of texts) {
+      const text = retyped(before, after, kept);
+      before = after;
+      if (text === kept || text.trim() === "") continue;
+      const measure = this.#measure({ ...layer, text }, this.#desk.design.assets);
+      if (await measure.catch(() => null)) kept = text;
+      // What is typed meanwhile sees to itself.
+      if (this.#newest !== newest) return;
+    }
+    this.#typed = { id, texts: [] };
+    if (kept !== shown.text) await this.#change(id, { text: kept }, false);
   }
 
   async #change(id: string, patch: TextPatch, final: boolean): Promise<void> {
@@ -121,11 +148,8 @@ export class Texts {
     const changed: TextLayer = { ...layer, ...fields, ...named, font: key };
     const [old, now] = await Promise.all([this.#measure(layer, design.assets), this.#measure(changed, design.assets)]);
     // A newer one shows itself; what is to be recorded must not go for it.
-    if (!final && patch !== this.#newest) {
-      this.#passed = { id, patch };
-      return;
-    }
-    this.#passed = null;
+    if (!final && patch !== this.#newest) return;
+    if (fields.text !== undefined && patch === this.#newest) this.#typed = { id, texts: [] };
     const superseded = font && font !== this.#fonts[id];
     if (superseded || this.#layer(id) !== layer) {
       await this.#change(id, superseded ? fields : patch, final);
