@@ -16,17 +16,19 @@ export function typedError(thrown: unknown, { errors, told }: Words): TexelcastE
   const error = TexelcastError.wrap(thrown, "internal", errors.unexpected, { value: String(thrown) });
   // Once is enough, and the element's own are in its words from the start.
   if (error instanceof ToldError || isCancelled(error)) return error;
-  const { message, hint } = told(error.toJSON());
+  const json = error.toJSON();
+  const { message, hint } = told(json);
   if (message === error.message) return error;
-  return new ToldError(error.code, message, { ...error.toJSON(), hint, cause: error });
+  return new ToldError(error.code, message, { ...json, hint, cause: error });
 }
 
 export function errorDetail(error: TexelcastError): ErrorDetail {
-  return { error: error.toJSON(), code: error.code, message: error.message, hint: error.hint ?? "" };
+  const { code, message, hint = "" } = error;
+  return { error: error.toJSON(), code, message, hint };
 }
 
 /** Nobody needs to hear of what was called off, or of what an element had under way that was taken out of the page. */
 export function isCancelled(thrown: unknown): boolean {
-  if (thrown instanceof TexelcastError && thrown.code === "disposed") return true;
-  return thrown instanceof Error && thrown.name === "AbortError";
+  const { code, name } = (thrown ?? {}) as Partial<TexelcastError>;
+  return code === "disposed" || name === "AbortError";
 }

@@ -267,9 +267,6 @@ export class Work {
       get words() {
         return voice.words;
       },
-      get shownError() {
-        return voice.shownError;
-      },
       tell: (thrown) => voice.tell(thrown),
       dismiss: () => voice.dismiss(),
       submit: () => this.submit(),

@@ -7,7 +7,6 @@ import type { ModelView } from "../viewer/viewer-api.ts";
 import type { Desk } from "./desk/desk.ts";
 import type { DeskHooks } from "./desk/desk-settings.ts";
 import type { DecalSource, PlaceOptions, TextOptions } from "./element-api.ts";
-import type { ShownError } from "./element-errors.ts";
 import type { Words } from "./words/words.ts";
 
 /** Reads a design with the engine's help: its files are taken in. */
@@ -52,7 +51,6 @@ export interface ModeHost {
   /** "" for the bundler's. */
   readonly wasm: string;
   readonly words: Words;
-  readonly shownError: ShownError | null;
   /** Tells the page and the user. */
   readonly tell: (thrown: unknown) => void;
   dismiss(): void;
