@@ -15,7 +15,6 @@ import { PLACING_WORDS } from "../words/placing-words.ts";
 import type { Words } from "../words/words.ts";
 import type { Desk } from "./desk.ts";
 import { askShop, badOption, checkedOptions, placeFor } from "./placing.ts";
-import { retyped } from "./retyped.ts";
 
 export type TextPatch = Partial<Pick<TextLayer, "text" | "color" | "curve">> & { readonly font?: NamedFont };
 
@@ -29,8 +28,6 @@ const FIRST_COLOR = "#1a1a1a";
 const MOST_CHARACTERS = 10_000;
 /** Milliseconds of rest after which what was typed is a step: a page that took the design for approved hears of it. */
 const REST = 1000;
-/** More that was typed while nothing could be shown is not gone through letter by letter. */
-const MOST_TYPED = 100;
 /** A place to measure at. */
 const NOWHERE: Projector = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] };
 
@@ -103,7 +100,8 @@ export class Texts {
     clearTimeout(this.#rest);
     if (!final) this.#rest = setTimeout(() => desk.settled().then(() => desk.keepShown()), REST);
     const failed = async (thrown: unknown): Promise<never> => {
-      if (patch === this.#newest && patch.text !== undefined) await this.#typeAgain(id, patch);
+      // Where that fails too, the first fault is the one to tell.
+      if (patch === this.#newest && patch.text !== undefined) await this.#typeAgain(id, patch).catch(() => undefined);
       throw thrown;
     };
     return desk.during(this.#change(id, patch, final).catch(failed));
@@ -114,18 +112,12 @@ export class Texts {
     const { texts } = this.#typed;
     const layer = this.#layer(id);
     const shown = layerById(this.#desk.shown, id);
-    if (layer === null || shown?.type !== "text" || texts.length > MOST_TYPED) return;
-    let before = shown.text;
-    let kept = before;
-    for (const after of texts) {
-      const text = retyped(before, after, kept);
-      before = after;
-      if (text === kept || text.trim() === "") continue;
-      const measure = this.#measure({ ...layer, text }, this.#desk.design.assets);
-      if (await measure.catch(() => null)) kept = text;
-      // What is typed meanwhile sees to itself.
-      if (this.#newest !== newest) return;
-    }
+    if (layer === null || shown?.type !== "text") return;
+    const { withoutUndrawable } = await import("./retyped.ts");
+    const draws = (text: string): Promise<unknown> => this.#measure({ ...layer, text }, this.#desk.design.assets);
+    const kept = await withoutUndrawable(shown.text, texts, draws, () => this.#newest === newest);
+    // What is typed meanwhile sees to itself.
+    if (kept === null) return;
     this.#typed = { id, texts: [] };
     if (kept !== shown.text) await this.#change(id, { text: kept }, false);
   }
