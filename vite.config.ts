@@ -12,16 +12,18 @@ const PAGES = [here("./web/app/index.html"), here("./web/app/element.html"), her
 
 const module = (path: string) => normalizePath(here(path));
 
-/** What they begin with, and what follows at once: the editor takes in its demo's pictures, the element becomes a shop. */
+/** What they begin with, and what follows: the editor takes in its demo's pictures, the element becomes a shop or an editor, and is touched. */
 const STARTS = [
   { name: "editor", modules: [module("./web/app/main.ts"), module("./web/editor/state/asset-adoption.ts")] },
   { name: "element", modules: [module("./web/app/element-page.ts")] },
   { name: "embed", modules: [module("./web/app/embed-page.ts")] },
+  { name: "full", modules: [module("./web/element/full/full-mode.ts")] },
   { name: "shop", modules: [module("./web/element/shop/shop-mode.ts")] },
+  {
+    name: "touch",
+    modules: ["shop/shop-bench", "shop/shop-tools", "desk/prints"].map((path) => module(`./web/element/${path}.ts`)),
+  },
 ];
-/** What shows the engine's first pictures upright and in sRGB comes with its script, but for the part that is asked for by name. */
-const ENGINE = ["engine-worker", "color-mention", "orient-pixels"].map((name) => module(`./web/engine/${name}.ts`));
-
 /**
  * The shops that may frame embed.html: those of TEXELCAST_SHOPS, exact origins with spaces between, and without it none. The
  * development server lets any, as it is one's own.
@@ -37,6 +39,12 @@ const texelcastShops = (): Plugin => ({
     return html.replace('name="texelcast-shops" content=""', `name="texelcast-shops" content="${listed.join(" ")}"`);
   },
 });
+
+/** With what shows its first pictures upright and in sRGB, but for the part that is asked for by name. */
+const engineInOneFile = (): Plugin => {
+  const more = ["./web/engine/color-mention.ts", "./web/engine/orient-pixels.ts"];
+  return entryInOneFile(module("./web/engine/engine-worker.ts"), ...more.map(module));
+};
 
 type LogHandler = NonNullable<NonNullable<BuildEnvironmentOptions["rolldownOptions"]>["onLog"]>;
 
@@ -62,7 +70,7 @@ export default defineConfig({
   preview: { host: "localhost", port: 4173 },
   worker: {
     format: "es",
-    plugins: () => [watlasWithoutEval(), filesByStarts([{ name: "engine", modules: ENGINE }]), entryInOneFile()],
+    plugins: () => [watlasWithoutEval(), engineInOneFile()],
     rolldownOptions: { onLog: withoutNodeBranches },
   },
   optimizeDeps: {

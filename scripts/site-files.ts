@@ -4,7 +4,7 @@
  */
 import type { Plugin } from "vite";
 
-/** What a page, a worker, or a part that follows at once begins with: its modules' paths, with slashes. */
+/** What a page, or a part that follows at once, begins with: its modules' paths, with slashes. */
 export interface SiteStart {
   readonly name: string;
   readonly modules: readonly string[];
@@ -12,35 +12,63 @@ export interface SiteStart {
 
 /** What the bundler tells of its modules. */
 export interface ModuleGraph {
-  getModuleInfo(id: string): { readonly importedIds: readonly string[] } | null;
+  getModuleInfo(
+    id: string,
+  ): { readonly importedIds: readonly string[]; readonly dynamicallyImportedIds: readonly string[] } | null;
 }
 
-/** For one bundle: modules that the same starts need stand in one file. */
+/** Whatever is asked for later, as a start of its own. */
+const LATER = "later";
+
+/** For a bundle of pages: modules that the same starts need stand in one file. */
 export const filesByStarts = (starts: readonly SiteStart[]): Plugin => ({
   name: "texelcast-files-by-starts",
   apply: "build",
-  outputOptions: (options) => ({
-    ...options,
-    // What a module imports has its own starts: the same, or more.
-    codeSplitting: { includeDependenciesRecursively: false, groups: [{ name: fileByStarts(starts) }] },
-  }),
+  outputOptions: (options) => ({ ...options, codeSplitting: inGroups(fileByStarts(starts)) }),
+});
+
+const inGroups = (name: (id: string, graph: ModuleGraph) => string | null) => ({
+  // What a module imports has its own starts: the same, or more.
+  ...{ includeDependenciesRecursively: false, groups: [{ name }] },
 });
 
 /**
- * Names a module's file by the starts that need it at once: what the same ones need stands together, and no page loads what
- * only another needs. Files then import each other one way only, as whoever needs a module needs what it imports. Null where no
- * start needs it: what is asked for later stands where the bundler puts it.
+ * Names a module's file by the starts that need it at once: what the same ones need stands together, and no page loads (or
+ * runs: a page's own script does something) what only another needs. What parts that are asked for later need too stands apart from what
+ * they do not, for the same reason. Files then import each other one way only, as whoever needs a module needs what it imports.
+ * Null for what a start begins with, which is a file of its own, and where no start needs it: what is asked for later stands where the
+ * bundler puts it.
  *
- * For one bundle, whose modules are looked at when it first asks. Starts that it has not are passed over: each worker is a bundle
- * of its own.
+ * For one bundle, whose modules are looked at when it first asks.
  */
 export function fileByStarts(starts: readonly SiteStart[]): (id: string, graph: ModuleGraph) => string | null {
-  let needs: readonly ReadonlySet<string>[] | null = null;
+  let needs: readonly (readonly [name: string, needed: ReadonlySet<string>])[] | null = null;
+  // Of a page of which nothing is left but imports each file becomes a script tag, and the browser does other things between them.
+  const begun = new Set(starts.map(({ modules }) => modules[0]));
   return (id, graph) => {
-    needs ??= starts.map(({ modules }) => allImported(modules, graph));
-    const names = starts.filter((_, at) => needs?.[at]?.has(id)).map(({ name }) => name);
-    return names.length > 0 ? names.join("-") : null;
+    if (begun.has(id)) return null;
+    needs ??= [...starts, { name: LATER, modules: askedForLater(starts, graph) }].map(
+      ({ name, modules }) => [name, allImported(modules, graph)] as const,
+    );
+    const names = needs.filter(([, needed]) => needed.has(id)).map(([name]) => name);
+    return names[0] === undefined || names[0] === LATER ? null : names.join("-");
   };
+}
+
+/** What modules import when they need it, but for what a start begins with. */
+function askedForLater(starts: readonly SiteStart[], graph: ModuleGraph): readonly string[] {
+  const found = new Set(starts.flatMap(({ modules }) => modules));
+  const later = new Set<string>();
+  for (const id of found) {
+    const info = graph.getModuleInfo(id);
+    for (const imported of info?.importedIds ?? []) found.add(imported);
+    for (const imported of info?.dynamicallyImportedIds ?? []) {
+      found.add(imported);
+      later.add(imported);
+    }
+  }
+  const begun = new Set(starts.map(({ modules }) => modules[0]));
+  return [...later].filter((id) => !begun.has(id));
 }
 
 /** Modules and all that they import at once. */
@@ -63,15 +91,27 @@ interface BundledFile {
 const ENTRY_ELSEWHERE = /^import\s*"\.\/([^"]+)";\s*$/;
 
 /**
- * For a worker's bundle: the file that its entry only imports becomes the entry, which spares an answer from afar. (No page can ask
- * for it beforehand: what a page preloads is no worker's.)
+ * For a worker's bundle with this entry: it and all that it needs at once stand in one file, and some `more` modules with what they
+ * need. That spares an answer from afar: no page can ask for it beforehand, as what a page preloads is no worker's.
  */
-export const entryInOneFile = (): Plugin => ({
-  name: "texelcast-entry-in-one-file",
-  apply: "build",
-  generateBundle: (_, bundle) => joinEntry(bundle),
-});
+export const entryInOneFile = (entry: string, ...more: readonly string[]): Plugin => {
+  let needed: ReadonlySet<string> | null = null;
+  return {
+    name: "texelcast-entry-in-one-file",
+    apply: "build",
+    outputOptions: (options) => ({
+      ...options,
+      codeSplitting: inGroups((id, graph) => {
+        if (graph.getModuleInfo(entry) === null) return null;
+        needed ??= allImported([entry, ...more], graph);
+        return needed.has(id) ? "entry" : null;
+      }),
+    }),
+    generateBundle: (_, bundle) => joinEntry(bundle),
+  };
+};
 
+/** The file that an entry only imports becomes the entry. */
 export function joinEntry(bundle: Record<string, BundledFile>): void {
   for (const [name, entry] of Object.entries(bundle)) {
     const elsewhere = entry.isEntry ? ENTRY_ELSEWHERE.exec(entry.code ?? "")?.[1] : undefined;
