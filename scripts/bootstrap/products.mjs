@@ -84,6 +84,8 @@ export const storefrontPages = stampedStep({
     "wasm",
     "vite.config.ts",
     "vite.storefront.config.ts",
+    "scripts/site-files.ts",
+    "scripts/watlas-without-eval.ts",
     "package-lock.json",
   ],
   outputs: ["build/storefront/index.html", "build/storefront/shop/products.json"],
