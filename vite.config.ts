@@ -1,6 +1,6 @@
 import { fileURLToPath } from "node:url";
 import { type BuildEnvironmentOptions, defineConfig, normalizePath, type Plugin } from "vite";
-import { entryInOneFile, filesByStarts } from "./scripts/site-files.ts";
+import { filesByStarts, type SiteStart, workerInOneFile } from "./scripts/site-files.ts";
 import { sitePolicy } from "./scripts/site-policy.ts";
 import { watlasWithoutEval } from "./scripts/watlas-without-eval.ts";
 import { parseUrl } from "./web/core/parse-url.ts";
@@ -10,20 +10,25 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 /** The editor, the element on a page of its own, and the page for iframes. */
 const PAGES = [here("./web/app/index.html"), here("./web/app/element.html"), here("./web/app/embed.html")];
 
-const module = (path: string) => normalizePath(here(path));
+const startsIn = (starts: Readonly<Record<string, readonly string[]>>): SiteStart[] =>
+  Object.entries(starts).map(([name, modules]) => ({
+    name,
+    modules: modules.map((path) => normalizePath(here(`./web/${path}.ts`))),
+  }));
 
 /** What they begin with, and what follows: the editor takes in its demo's pictures, the element becomes a shop or an editor, and is touched. */
-const STARTS = [
-  { name: "editor", modules: [module("./web/app/main.ts"), module("./web/editor/state/asset-adoption.ts")] },
-  { name: "element", modules: [module("./web/app/element-page.ts")] },
-  { name: "embed", modules: [module("./web/app/embed-page.ts")] },
-  { name: "full", modules: [module("./web/element/full/full-mode.ts")] },
-  { name: "shop", modules: [module("./web/element/shop/shop-mode.ts")] },
-  {
-    name: "touch",
-    modules: ["shop/shop-bench", "shop/shop-tools", "desk/prints"].map((path) => module(`./web/element/${path}.ts`)),
-  },
-];
+const STARTS = startsIn({
+  editor: ["app/main", "editor/state/asset-adoption"],
+  element: ["app/element-page"],
+  embed: ["app/embed-page"],
+  full: ["element/full/full-mode"],
+  shop: ["element/shop/shop-mode"],
+  touch: ["element/shop/shop-bench", "element/shop/shop-tools", "element/desk/prints"],
+});
+
+/** The engine's worker shows its first pictures upright and in sRGB. */
+const WORKERS = startsIn({ engine: ["engine/engine-worker", "engine/color-mention", "engine/orient-pixels"] });
+
 /**
  * The shops that may frame embed.html: those of TEXELCAST_SHOPS, exact origins with spaces between, and without it none. The
  * development server lets any, as it is one's own.
@@ -39,12 +44,6 @@ const texelcastShops = (): Plugin => ({
     return html.replace('name="texelcast-shops" content=""', `name="texelcast-shops" content="${listed.join(" ")}"`);
   },
 });
-
-/** With what shows its first pictures upright and in sRGB, but for the part that is asked for by name. */
-const engineInOneFile = (): Plugin => {
-  const more = ["./web/engine/color-mention.ts", "./web/engine/orient-pixels.ts"];
-  return entryInOneFile(module("./web/engine/engine-worker.ts"), ...more.map(module));
-};
 
 type LogHandler = NonNullable<NonNullable<BuildEnvironmentOptions["rolldownOptions"]>["onLog"]>;
 
@@ -70,7 +69,7 @@ export default defineConfig({
   preview: { host: "localhost", port: 4173 },
   worker: {
     format: "es",
-    plugins: () => [watlasWithoutEval(), engineInOneFile()],
+    plugins: () => [watlasWithoutEval(), workerInOneFile(WORKERS)],
     rolldownOptions: { onLog: withoutNodeBranches },
   },
   optimizeDeps: {

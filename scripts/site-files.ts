@@ -80,47 +80,24 @@ function allImported(modules: readonly string[], graph: ModuleGraph): ReadonlySe
   return found;
 }
 
-/** Of a bundle's files, what is looked at here. */
-interface BundledFile {
-  readonly type: "chunk" | "asset";
-  readonly isEntry?: boolean;
-  code?: string;
-}
-
-/** An entry of which nothing is left but the import of the file where its modules were put. */
-const ENTRY_ELSEWHERE = /^import\s*"\.\/([^"]+)";\s*$/;
-
 /**
- * For a worker's bundle with this entry: it and all that it needs at once stand in one file, and some `more` modules with what they
- * need. That spares an answer from afar: no page can ask for it beforehand, as what a page preloads is no worker's.
+ * For a worker's bundle, which is that of the start whose first module it has: all of the start's modules, with what they need at once,
+ * stand in one file, which the entry imports. (With the entry as that file an answer from afar is spared, and WebKit runs it twice:
+ * what a worker's later parts import from its own address is another module there, and a second engine answered.)
  */
-export const entryInOneFile = (entry: string, ...more: readonly string[]): Plugin => {
-  let needed: ReadonlySet<string> | null = null;
-  return {
-    name: "texelcast-entry-in-one-file",
-    apply: "build",
-    outputOptions: (options) => ({
-      ...options,
-      codeSplitting: inGroups((id, graph) => {
-        if (graph.getModuleInfo(entry) === null) return null;
-        needed ??= allImported([entry, ...more], graph);
-        return needed.has(id) ? "entry" : null;
-      }),
-    }),
-    generateBundle: (_, bundle) => joinEntry(bundle),
-  };
-};
+export const workerInOneFile = (starts: readonly SiteStart[]): Plugin => ({
+  name: "texelcast-worker-in-one-file",
+  apply: "build",
+  outputOptions: (options) => ({ ...options, codeSplitting: inGroups(fileOfWorker(starts)) }),
+});
 
-/** The file that an entry only imports becomes the entry. */
-export function joinEntry(bundle: Record<string, BundledFile>): void {
-  for (const [name, entry] of Object.entries(bundle)) {
-    const elsewhere = entry.isEntry ? ENTRY_ELSEWHERE.exec(entry.code ?? "")?.[1] : undefined;
-    const code = elsewhere === undefined ? undefined : bundle[`assets/${elsewhere}`]?.code;
-    if (elsewhere === undefined || code === undefined) continue;
-    delete bundle[`assets/${elsewhere}`];
-    entry.code = code;
-    for (const file of Object.values(bundle)) {
-      file.code = file.code?.replaceAll(`"./${elsewhere}"`, `"./${name.slice("assets/".length)}"`);
-    }
-  }
+/** Names a module's file in such a bundle; null for what is asked for later. */
+export function fileOfWorker(starts: readonly SiteStart[]): (id: string, graph: ModuleGraph) => string | null {
+  let needed: ReadonlySet<string> | null = null;
+  return (id, graph) => {
+    const start = starts.find(({ modules: [entry = ""] }) => graph.getModuleInfo(entry) !== null);
+    if (start === undefined) return null;
+    needed ??= allImported(start.modules, graph);
+    return needed.has(id) ? start.name : null;
+  };
 }

@@ -1,6 +1,6 @@
 /** Which modules of the site stand in one file. */
 import { expect, test } from "vitest";
-import { fileByStarts, joinEntry, type ModuleGraph } from "../../scripts/site-files.ts";
+import { fileByStarts, fileOfWorker, type ModuleGraph } from "../../scripts/site-files.ts";
 
 const graphOf = (
   imports: Readonly<Record<string, readonly string[]>>,
@@ -67,28 +67,16 @@ test("a start that a bundle does not have takes nothing into its file", () => {
   const file = fileByStarts([{ name: "worker", modules: ["/worker.ts"] }]);
   expect(file("/words.ts", GRAPH)).toBeNull();
 });
-
-test("an entry that only imports its file becomes that file, by its own name for whoever imports it", () => {
-  const bundle = {
-    "assets/worker-1.js": { type: "chunk" as const, isEntry: true, code: 'import"./engine-2.js";\n' },
-    "assets/engine-2.js": { type: "chunk" as const, code: "serve();export{words};" },
-    "assets/later-3.js": { type: "chunk" as const, code: 'import{words}from"./engine-2.js";' },
-    "assets/core.wasm": { type: "asset" as const },
-  };
-  joinEntry(bundle);
-  expect(bundle).toEqual({
-    "assets/worker-1.js": { type: "chunk", isEntry: true, code: "serve();export{words};" },
-    "assets/later-3.js": { type: "chunk", code: 'import{words}from"./worker-1.js";' },
-    "assets/core.wasm": { type: "asset" },
-  });
-});
-
-test("an entry that does something of its own stays as it is", () => {
-  const bundle = {
-    "assets/worker-1.js": { type: "chunk" as const, isEntry: true, code: 'import"./engine-2.js";serve();' },
-    "assets/engine-2.js": { type: "chunk" as const, code: "export{words};" },
-  };
-  const before = structuredClone(bundle);
-  joinEntry(bundle);
-  expect(bundle).toEqual(before);
+test("a worker's parts stand in one file by its own start, and another worker's in another", () => {
+  const graph = graphOf({ "/worker.ts": ["/words.ts"], "/words.ts": [], "/upright.ts": [], "/help.ts": [] });
+  const starts = [
+    { name: "other", modules: ["/other.ts", "/help.ts"] },
+    { name: "engine", modules: ["/worker.ts", "/upright.ts"] },
+  ];
+  const file = fileOfWorker(starts);
+  expect(["/worker.ts", "/words.ts", "/upright.ts", "/help.ts"].map((id) => file(id, graph))).toEqual([
+    ...["engine", "engine", "engine"],
+    null,
+  ]);
+  expect(fileOfWorker([{ name: "other", modules: ["/other.ts", "/help.ts"] }])("/help.ts", graph)).toBeNull();
 });
