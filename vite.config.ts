@@ -1,6 +1,6 @@
 import { fileURLToPath } from "node:url";
-import { type BuildEnvironmentOptions, defineConfig, normalizePath, type Plugin } from "vite";
-import { filesByStarts, type SiteStart, workerInOneFile } from "./scripts/site-files.ts";
+import { type BuildEnvironmentOptions, defineConfig, type Plugin } from "vite";
+import { filesByStarts, startsIn, workerInOneFile } from "./scripts/site-files.ts";
 import { sitePolicy } from "./scripts/site-policy.ts";
 import { watlasWithoutEval } from "./scripts/watlas-without-eval.ts";
 import { parseUrl } from "./web/core/parse-url.ts";
@@ -9,12 +9,6 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /** The editor, the element on a page of its own, and the page for iframes. */
 const PAGES = [here("./web/app/index.html"), here("./web/app/element.html"), here("./web/app/embed.html")];
-
-const startsIn = (starts: Readonly<Record<string, readonly string[]>>): SiteStart[] =>
-  Object.entries(starts).map(([name, modules]) => ({
-    name,
-    modules: modules.map((path) => normalizePath(here(`./web/${path}.ts`))),
-  }));
 
 /** What they begin with, and what follows: the editor takes in its demo's pictures, the element becomes a shop or an editor, and is touched. */
 const STARTS = startsIn({

@@ -1,19 +1,22 @@
 import { fileURLToPath } from "node:url";
-import { defineConfig, normalizePath } from "vite";
-import { filesByStarts } from "./scripts/site-files.ts";
+import { defineConfig } from "vite";
+import { filesByStarts, startsIn } from "./scripts/site-files.ts";
 import site from "./vite.config.ts";
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 const PAGES = ["index", "product", "cart", "order", "editor"];
 
 /** What the pages begin with, and what follows on a product's: the element, the shop, and its desk with the print zones. */
-const STARTS = [
-  ...["list", "product", "cart", "order"].map((name) => ({ name, modules: [`storefront/pages/${name}-page.ts`] })),
-  { name: "editor", modules: ["embed/page.ts"] },
-  { name: "element", modules: ["element/define.ts"] },
-  { name: "shop", modules: ["element/shop/shop-mode.ts"] },
-  { name: "desk", modules: ["element/shop/shop-bench.ts", "element/desk/prints.ts", "editor/document/zones.ts"] },
-].map(({ name, modules }) => ({ name, modules: modules.map((path) => normalizePath(here(`./web/${path}`))) }));
+const STARTS = startsIn({
+  list: ["storefront/pages/list-page"],
+  product: ["storefront/pages/product-page"],
+  cart: ["storefront/pages/cart-page"],
+  order: ["storefront/pages/order-page"],
+  editor: ["embed/page"],
+  element: ["element/define"],
+  shop: ["element/shop/shop-mode"],
+  desk: ["element/shop/shop-bench", "element/desk/prints", "editor/document/zones"],
+});
 
 /** The example shop's pages, as its order server serves them (docs/storefront.md). */
 export default defineConfig({

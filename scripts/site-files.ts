@@ -2,13 +2,21 @@
  * Which modules of the static site stand in one file. Left to itself the bundler makes a file of whatever a set of dynamic imports
  * shares: 59 of them before the editor's first line, some of 70 bytes, and an engine that its worker asks for in four turns.
  */
-import type { Plugin } from "vite";
+import { fileURLToPath } from "node:url";
+import { normalizePath, type Plugin } from "vite";
 
 /** What a page, or a part that follows at once, begins with: its modules' paths, with slashes. */
 export interface SiteStart {
   readonly name: string;
   readonly modules: readonly string[];
 }
+
+/** Starts by their names, of modules as they stand below web/, without their endings. */
+export const startsIn = (starts: Readonly<Record<string, readonly string[]>>): SiteStart[] =>
+  Object.entries(starts).map(([name, modules]) => ({
+    name,
+    modules: modules.map((path) => normalizePath(fileURLToPath(new URL(`../web/${path}.ts`, import.meta.url)))),
+  }));
 
 /** What the bundler tells of its modules. */
 export interface ModuleGraph {
@@ -27,9 +35,10 @@ export const filesByStarts = (starts: readonly SiteStart[]): Plugin => ({
   outputOptions: (options) => ({ ...options, codeSplitting: inGroups(fileByStarts(starts)) }),
 });
 
+/** Each module by its own name: what it imports may be in another file than it. */
 const inGroups = (name: (id: string, graph: ModuleGraph) => string | null) => ({
-  // What a module imports has its own starts: the same, or more.
-  ...{ includeDependenciesRecursively: false, groups: [{ name }] },
+  includeDependenciesRecursively: false,
+  groups: [{ name }],
 });
 
 /**
@@ -47,15 +56,16 @@ export function fileByStarts(starts: readonly SiteStart[]): (id: string, graph: 
   const begun = new Set(starts.map(({ modules }) => modules[0]));
   return (id, graph) => {
     if (begun.has(id)) return null;
-    needs ??= [...starts, { name: LATER, modules: askedForLater(starts, graph) }].map(
-      ({ name, modules }) => [name, allImported(modules, graph)] as const,
-    );
+    needs ??= [
+      ...starts,
+      { name: LATER, modules: askedForLater(starts, graph).filter((later) => !begun.has(later)) },
+    ].map(({ name, modules }) => [name, allImported(modules, graph)] as const);
     const names = needs.filter(([, needed]) => needed.has(id)).map(([name]) => name);
     return names[0] === undefined || names[0] === LATER ? null : names.join("-");
   };
 }
 
-/** What modules import when they need it, but for what a start begins with. */
+/** What modules import when they need it. */
 function askedForLater(starts: readonly SiteStart[], graph: ModuleGraph): readonly string[] {
   const found = new Set(starts.flatMap(({ modules }) => modules));
   const later = new Set<string>();
@@ -67,8 +77,7 @@ function askedForLater(starts: readonly SiteStart[], graph: ModuleGraph): readon
       later.add(imported);
     }
   }
-  const begun = new Set(starts.map(({ modules }) => modules[0]));
-  return [...later].filter((id) => !begun.has(id));
+  return [...later];
 }
 
 /** Modules and all that they import at once. */
