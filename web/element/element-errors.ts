@@ -7,7 +7,7 @@ import type { Words } from "./words/words.ts";
 /** What the user sees of an error. */
 export interface ShownError {
   readonly message: string;
-  readonly hint: string;
+  readonly hint?: string;
 }
 
 /** The error in the element's language; what was called off stays as it is. */

@@ -23,6 +23,7 @@ export class Voice {
   get announcement(): string {
     return this.#announcement;
   }
+
   /** What the user sees of the newest error, until it is sent away. */
   get shownError(): ShownError | null {
     return this.#shownError;
@@ -75,8 +76,11 @@ export class Voice {
   }
 
   show(thrown: unknown): void {
-    const { message, hint = "" } = typedError(thrown, this.#words);
-    this.#shownError = { message, hint };
+    const error = typedError(thrown, this.#words);
+    const { message, reason, subject } = error;
+    // Its user has no say in the address of a part that did not come, or in the page's policy.
+    const isForThePage = message.includes(reason === "not-loaded" ? `${subject}` : "worker-src");
+    this.#shownError = typedError(isForThePage ? null : error, this.#words);
     this.#element.requestUpdate();
   }
 
@@ -93,12 +97,7 @@ export class Voice {
 }
 
 /** The nearest language that is said around an element, out of the shadow trees that it stands in. */
-function languageAround(element: Element): string | null {
-  for (let node = element; ; ) {
-    const said = node.closest("[lang]");
-    if (said) return said.getAttribute("lang");
-    const root = node.getRootNode();
-    if (!(root instanceof ShadowRoot)) return null;
-    node = root.host;
-  }
+function languageAround(element: Element): string | false | null {
+  const root = element.getRootNode();
+  return element.closest("[lang]")?.getAttribute("lang") ?? (root instanceof ShadowRoot && languageAround(root.host));
 }
