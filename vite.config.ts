@@ -41,6 +41,9 @@ const texelcastShops = (): Plugin => ({
 
 type LogHandler = NonNullable<NonNullable<BuildEnvironmentOptions["rolldownOptions"]>["onLog"]>;
 
+/** How long each plugin took is no news to whoever builds the site. */
+const checks = { bundlerTimings: false };
+
 /** glTF-Transform and Draco carry a branch for Node, which the page never takes: no news. */
 const withoutNodeBranches: LogHandler = (level, log, handle) => {
   if (!log.message.includes("externalized for browser compatibility")) handle(level, log);
@@ -64,7 +67,7 @@ export default defineConfig({
   worker: {
     format: "es",
     plugins: () => [watlasWithoutEval(), workerInOneFile(WORKERS)],
-    rolldownOptions: { onLog: withoutNodeBranches },
+    rolldownOptions: { onLog: withoutNodeBranches, checks },
   },
   optimizeDeps: {
     // The worker's packages are found with the page's, not when it first runs, which would load the page again.
@@ -80,6 +83,6 @@ export default defineConfig({
     assetsInlineLimit: (file) => (file.endsWith(".wasm") ? false : undefined),
     // three.js is the most of it.
     chunkSizeWarningLimit: 1200,
-    rolldownOptions: { input: PAGES, onLog: withoutNodeBranches },
+    rolldownOptions: { input: PAGES, onLog: withoutNodeBranches, checks },
   },
 });

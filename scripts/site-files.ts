@@ -38,7 +38,7 @@ export const filesByStarts = (starts: readonly SiteStart[]): Plugin => ({
 /** Each module by its own name: what it imports may be in another file than it. */
 const inGroups = (name: (id: string, graph: ModuleGraph) => string | null) => ({
   includeDependenciesRecursively: false,
-  groups: [{ name }],
+  groups: [{ name, debugName: "starts" }],
 });
 
 /**
