@@ -179,6 +179,48 @@ describe("a compressed model", () => {
     expect(gltf.accessors[indices]).toMatchObject({ count: 3, componentType: 5123 });
   });
 
+  it("is as plain ones are where it requires an extension: read with one of looks, refused by the name of another", async () => {
+    for (const model of [plain, draco, meshopt]) {
+      const requiring = (extension: string): Uint8Array =>
+        changed(model, (json) => {
+          for (const key of ["extensionsUsed", "extensionsRequired"]) {
+            json[key] = [...((json[key] as string[] | undefined) ?? []), extension];
+          }
+        });
+      const engine = createEngineHost();
+      await expect(engine.loadModel({ name: "m.glb", bytes: requiring("KHR_materials_glow") })).resolves.toMatchObject({
+        materials: { length: 4 },
+      });
+      const attempt = engine.loadModel({ name: "m.glb", bytes: requiring("ACME_curves") });
+      await expect(attempt).rejects.toMatchObject({ code: "unsupported-model", subject: "m.glb" });
+      await expect(attempt).rejects.toThrow(/requires the extension ACME_curves/);
+      engine.dispose();
+    }
+  });
+
+  it("is as plain ones are where it is of a later glTF: read, or refused by the version that it asks for", async () => {
+    for (const model of [plain, draco, meshopt]) {
+      const engine = createEngineHost();
+      const of = (asset: JsonObject): Promise<unknown> =>
+        engine.loadModel({ name: "m.glb", bytes: changed(model, (json) => (json.asset = asset)) });
+      await expect(of({ version: "2.1" })).resolves.toMatchObject({ materials: { length: 4 } });
+      await expect(of({ version: "2.1", minVersion: "2.1" })).rejects.toThrow(/asset\.minVersion is "2\.1"/);
+      engine.dispose();
+    }
+  });
+
+  it("by Draco has the triangles of a strip as they are unpacked: one by one", async () => {
+    const strip = changed(draco, (json) => {
+      for (const primitive of (json.meshes as unknown as [{ primitives: JsonObject[] }])[0].primitives) {
+        primitive.mode = 5;
+      }
+    });
+    const engine = createEngineHost();
+    const { triangles } = await engine.loadModel({ name: "list.glb", bytes: draco });
+    await expect(engine.loadModel({ name: "strip.glb", bytes: strip })).resolves.toMatchObject({ triangles });
+    engine.dispose();
+  });
+
   it("may have a texture without a picture, which says no more than the material's coordinates", async () => {
     const [expected, ...found] = await Promise.all(
       [plain, draco, meshopt].map(async (model) => {
@@ -229,6 +271,9 @@ describe("a compressed model", () => {
     ["a count that does not fit its view", (place) => (place.count = 7), "bad-container"],
     ["a stride of zero", (place) => (place.byteStride = 0), "bad-container"],
     ["a count that is no number", (place) => (place.count = "many"), "bad-container"],
+    ["a filter that nobody knows", (place) => (place.filter = "SMOOTH"), "bad-container"],
+    ["a filter for elements of another length", (place) => (place.filter = "QUATERNION"), "bad-container"],
+    ["a mode that nobody knows", (place) => (place.mode = "QUADS"), "bad-container"],
   ])("is refused for %s before anything is unpacked", async (_, change, code) => {
     const bytes = changed(meshopt, (json) => {
       change(compressedView(json).extensions.EXT_meshopt_compression);

@@ -10,6 +10,8 @@ import { COMPONENT_BYTES, SHAPES } from "./accessor-shapes.ts";
 import { fillTextures } from "./blank-textures.ts";
 import { readCodec } from "./codec-wasm.ts";
 import { stringifyExact } from "./exact-numbers.ts";
+import { forgetExtension } from "./extension-names.ts";
+import { writeGlb } from "./gltf-container.ts";
 import { gltfFault } from "./gltf-fault.ts";
 import { badContainer, extensionsUsed, indexAt, type JsonObject, listOf, objectAt } from "./gltf-json.ts";
 import { MESHOPT_EXTENSIONS, type PackedGltf } from "./gltf-packer.ts";
@@ -26,18 +28,34 @@ const MAX_DECODED_BYTES = 2 ** 30;
  */
 const MAX_UNVIEWED_BYTES = 2 ** 28;
 
+const TRIANGLE_STRIP = 5;
+
+/** Meshopt's filters, and how long elements they work on, bytes. Its decoder leaves out one that it does not know. */
+const FILTERED_BYTES: Readonly<Record<string, (stride: number) => boolean>> = {
+  NONE: () => true,
+  OCTAHEDRAL: (stride) => stride === 4 || stride === 8,
+  QUATERNION: (stride) => stride === 8,
+  EXPONENTIAL: (stride) => stride % 4 === 0,
+  COLOR: (stride) => stride === 4 || stride === 8,
+};
+const MODES: readonly unknown[] = ["ATTRIBUTES", "TRIANGLES", "INDICES"];
+
 /**
  * The model without compression, as a GLB; materials keep their indices. `packed` is left as it was. Throws "bad-model"
  * when the compressed data cannot be decoded.
  */
 export async function decodeModel(packed: PackedGltf, name: string): Promise<Uint8Array<ArrayBuffer>> {
   const json = withExtMeshopt(JSON.parse(stringifyExact(packed.json)) as JsonObject, name);
-  checkMeshoptSizes(json, name);
+  checkMeshopt(json, name);
   checkUnviewedSizes(json, name);
   fillTextures(json, name);
+  listStrips(json, name);
+  // What version and which extensions a model may ask for, the core says, of compressed ones as of all.
+  json.asset = { version: "2.0" };
+  delete json.extensionsRequired;
   const names = extensionsUsed(json);
   const used = COMPRESSION.filter((extension) => names.includes(extension));
-  const [{ GLB_BUFFER, Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([
+  const [{ Format, GLB_BUFFER, Logger, WebIO }, { ALL_EXTENSIONS }] = await Promise.all([
     import("@gltf-transform/core"),
     import("@gltf-transform/extensions"),
   ]);
@@ -65,7 +83,13 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
     // without the view that tinygltf insists on.
     for (const accessor of root.listAccessors()) accessor.setBuffer(first).setSparse(false);
     for (const buffer of others) buffer.dispose();
-    return (await io.writeBinary(document)) as Uint8Array<ArrayBuffer>;
+    const written = await io.writeJSON(document, { format: Format.GLB });
+    const plain = written.json as unknown as JsonObject;
+    for (const key of ["asset", "extensionsUsed", "extensionsRequired"]) {
+      if (packed.json[key] !== undefined) plain[key] = packed.json[key];
+    }
+    for (const extension of COMPRESSION) forgetExtension(plain, extension);
+    return writeGlb(plain, written.resources[GLB_BUFFER] ?? null);
   } catch (cause) {
     const fault = gltfFault(packed.json, name) ?? accessorBeyond(packed.json, name);
     if (fault !== null) throw fault;
@@ -98,6 +122,14 @@ function withExtMeshopt(json: JsonObject, name: string): JsonObject {
   return json;
 }
 
+/** Draco's triangles are unpacked one by one, those of strips as well. */
+function listStrips(json: JsonObject, name: string): void {
+  for (const primitive of listOf(json, "meshes", name).flatMap((mesh) => listOf(mesh, "primitives", name))) {
+    if (primitive.mode === TRIANGLE_STRIP && objectAt(objectAt(primitive, "extensions"), DRACO) !== undefined)
+      delete primitive.mode;
+  }
+}
+
 function checkUnviewedSizes(json: JsonObject, name: string): void {
   let total = 0;
   for (const [i, accessor] of listOf(json, "accessors", name).entries()) {
@@ -115,7 +147,7 @@ function checkUnviewedSizes(json: JsonObject, name: string): void {
   }
 }
 
-function checkMeshoptSizes(json: JsonObject, name: string): void {
+function checkMeshopt(json: JsonObject, name: string): void {
   let total = 0;
   for (const [i, view] of listOf(json, "bufferViews", name).entries()) {
     const compressed = objectAt(objectAt(view, "extensions"), EXT_MESHOPT);
@@ -125,6 +157,14 @@ function checkMeshoptSizes(json: JsonObject, name: string): void {
     const path = `bufferViews[${i}].extensions.${EXT_MESHOPT}`;
     if (count === undefined || stride === undefined || stride === 0 || stride > 256) {
       throw badContainer(name, `“${path}” has no sound count and byteStride`, path, compressed);
+    }
+    const { mode, filter = "NONE" } = compressed;
+    if (!MODES.includes(mode))
+      throw badContainer(name, `“${path}.mode” is none of ${MODES.join(", ")}`, `${path}.mode`, mode ?? "(absent)");
+    const fits = Object.hasOwn(FILTERED_BYTES, String(filter)) ? FILTERED_BYTES[String(filter)] : undefined;
+    if (!fits?.(stride)) {
+      const problem = `“${path}.filter” is none that goes with elements of ${stride} bytes`;
+      throw badContainer(name, problem, `${path}.filter`, filter);
     }
     if (count * stride !== indexAt(view, "byteLength")) {
       throw badContainer(name, `“${path}” does not unpack to its view's length`, `${path}.count`, count);
