@@ -381,6 +381,27 @@ describe("an exported model", () => {
     engine.dispose();
   });
 
+  it("repeats a painted texture where coordinates go beyond it, and leaves the sampler to all others", async () => {
+    const beyond = { ...plane(1, 0), uvs: [0.5, 1, 1.5, 1, 1.5, 0, 0.5, 0] };
+    const sampler = { magFilter: 9728, wrapS: 33071, wrapT: 33648 };
+    const parts = {
+      meshes: [beyond, plane(1, 1), beyond],
+      materials: [base(0), base(1), base(2)],
+      samplers: [sampler],
+    };
+    const textures = [0, 1, 0].map((source) => ({ source, sampler: 0 }));
+    const bytes = buildGlb({ ...parts, textures, images: [png(OLD, "x"), png(LARGE, "y")] });
+    const engine = createEngineHost();
+    await engine.loadModel({ name: "m.glb", bytes });
+    for (const material of [0, 1]) await engine.openTarget({ material, width: 16 });
+    const glb = await engine.exportGlb();
+    engine.dispose();
+    const { json } = readContainer({ name: "written.glb", bytes: glb });
+    expect(json.samplers).toEqual([sampler, { ...sampler, wrapS: 10497 }]);
+    expect((json.textures as JsonObject[]).map((texture) => texture.sampler)).toEqual([1, 0, 0]);
+    expect(await errorsOf(glb)).toEqual([]);
+  });
+
   it("has the textures of those materials alone that are asked for", async () => {
     const engine = createEngineHost();
     const parts = { meshes: [plane(1, 0), plane(1, 1)], materials: [{}, base(0)], textures: [{ source: 0 }] };

@@ -30,7 +30,12 @@ export interface TextureEdit {
   readonly texCoord: number;
   /** The picture already holds the material's base colour factor, which must then not be multiplied in again. */
   readonly factorBaked: boolean;
+  /** Whether the picture repeats to its sides, and above and below, whatever its sampler says; without it, as that says. */
+  readonly repeats?: readonly [s: boolean, t: boolean];
 }
+
+/** A sampler's, which is also what it does where it says nothing. */
+const REPEAT = 10497;
 
 /** A self-contained GLB of the model with the textures inside. Throws "bad-argument" for a material it does not have. */
 export function writeModel(original: GltfContainer, edits: readonly TextureEdit[]): Uint8Array<ArrayBuffer> {
@@ -42,6 +47,7 @@ export function writeModel(original: GltfContainer, edits: readonly TextureEdit[
     // One picture that stands in both places would count as two uses of it.
     delete objectAt(objectAt(material, "extensions"), SPECULAR_GLOSSINESS)?.diffuseTexture;
     putTexture(json, editor, material, edit, original.name);
+    repeatTexture(json, material, edit.repeats, original.name);
     giveDiffuse(material);
   }
   dropUnusedTextureExtensions(json, original.name);
@@ -85,6 +91,23 @@ function putTexture(
   const others = withoutSources(texture.extensions);
   if (others === undefined) delete texture.extensions;
   else texture.extensions = others;
+}
+
+/** Gives the material's texture, which is its own by now, a sampler of its own where the one that it has does otherwise. */
+function repeatTexture(
+  json: JsonObject,
+  material: JsonObject,
+  [s, t]: NonNullable<TextureEdit["repeats"]> = [false, false],
+  name: string,
+): void {
+  const info = objectAt(objectAt(material, "pbrMetallicRoughness"), "baseColorTexture");
+  const texture = listOf(json, "textures", name)[indexAt(info, "index") ?? -1];
+  const samplers = listOf(json, "samplers", name);
+  const sampler = samplers[indexAt(texture, "sampler") ?? -1];
+  if (texture === undefined || sampler === undefined) return;
+  const repeating = { ...sampler, ...(s && { wrapS: REPEAT }), ...(t && { wrapT: REPEAT }) };
+  const isSame = (key: "wrapS" | "wrapT"): boolean => (sampler[key] ?? REPEAT) === (repeating[key] ?? REPEAT);
+  if (!isSame("wrapS") || !isSame("wrapT")) texture.sampler = samplers.push(repeating) - 1;
 }
 
 /** The material to write to; makes the implied default material real and gives it to the primitives without one. */

@@ -1,5 +1,6 @@
 /** A model with the pictures of its open targets inside, as the files that are exported. */
 import type { Session } from "../core/session.ts";
+import { goesBeyond } from "./beyond-texture.ts";
 import type { LoadedModel } from "./model-loader.ts";
 import { type TextureEdit, writeModel } from "./model-writer.ts";
 import type { OpenTarget } from "./open-target.ts";
@@ -19,8 +20,9 @@ export async function paintedGlb(
   for (const [material, target] of targets) {
     if (materials?.includes(material) === false) continue;
     const png = await encodePng(target.exportedPicture());
-    const { texCoord } = session.materialInfo(material);
-    edits.push({ material, png, texCoord, factorBaked: target.factorBaked });
+    const info = session.materialInfo(material);
+    const repeats = [goesBeyond(info, 0), goesBeyond(info, 1)] as const;
+    edits.push({ material, png, texCoord: info.texCoord, factorBaked: target.factorBaked, repeats });
   }
   return writeModel(original, edits);
 }
