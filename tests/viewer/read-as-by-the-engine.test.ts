@@ -1,5 +1,5 @@
 /** The page shows and picks by three.js what the engine paints by the core: both are to read a file as glTF 2.0 has it. */
-import type { Texture } from "three";
+import { RepeatWrapping, type Texture } from "three";
 import { afterEach, describe, expect, it } from "vitest";
 import type { JsonObject } from "../../web/engine/gltf-json.ts";
 import { LiveTexture } from "../../web/viewer/live-texture.ts";
@@ -54,6 +54,12 @@ function square(
   });
 }
 
+function liveTextureLike(own: Texture): Texture {
+  const renderer = { capabilities: { getMaxAnisotropy: () => 1 }, initTexture: () => undefined };
+  const info = { width: 8, height: 8, mipLevels: 1 };
+  return new LiveTexture(renderer as never, info as never, own).texture;
+}
+
 const positionsOf = ({ surface }: Shown): number[] => rounded([...surface.positions]);
 
 describe("a texture that is turned and scaled unevenly", () => {
@@ -84,16 +90,111 @@ describe("a texture that is turned and scaled unevenly", () => {
   it("is shown so, and so is the one that is painted in its place", async () => {
     const { scene, painted } = await open(turned);
     const own = scene.materials.get(0)?.[0]?.map as Texture;
-    const renderer = { capabilities: { getMaxAnisotropy: () => 1 }, initTexture: () => undefined };
-    const info = { width: 8, height: 8, mipLevels: 1 };
-    const live = new LiveTexture(renderer as never, info as never, own).texture;
-    for (const texture of [own, live, own.clone()]) {
+    for (const texture of [own, liveTextureLike(own), own.clone()]) {
       // As the renderer does before it draws.
       if (texture.matrixAutoUpdate) texture.updateMatrix();
       const { elements: m } = texture.matrix;
       const shown = [0, 1].map((row) => (m[3 + row] as number) + (m[6 + row] as number));
       expect(rounded(shown)).toEqual(rounded(painted.slice(0, 2)));
     }
+  });
+});
+
+describe("a texture that its sampler holds at the edge or mirrors", () => {
+  const REPEAT = 10497;
+  const CLAMP = 33071;
+  const MIRROR = 33648;
+  /** Two planes, each of a material of its own, that share one texture. */
+  const shared = (wrapS: number, wrapT: number, us: readonly [number, number]): Uint8Array => {
+    const { images } = texturedPlane;
+    const textures = [{ source: 0, sampler: 0 }];
+    const beside = { ...plane(1, 1), uvs: [0, 1, 1, 1, 1, 0, 0, 0] };
+    const beyond = { ...plane(1, 0), uvs: [us[0], 1, us[1], 1, us[1], 0, us[0], 0] };
+    const material = { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } };
+    const materials = [material, material];
+    return buildGlb({ meshes: [beyond, beside], materials, textures, samplers: [{ wrapS, wrapT }], images });
+  };
+  const wrapsOf = ({ wrapS, wrapT }: Texture): number[] =>
+    [wrapS, wrapT].map((wrap) => [REPEAT, CLAMP, MIRROR][wrap - RepeatWrapping] as number);
+
+  it.each([
+    [CLAMP, MIRROR, [0.5, 1.5], [REPEAT, MIRROR]],
+    [MIRROR, CLAMP, [1, 2], [REPEAT, CLAMP]],
+    [CLAMP, CLAMP, [-0.25, 0.75], [REPEAT, CLAMP]],
+    // What is beyond is no texel.
+    [CLAMP, MIRROR, [-0.0001, 1.0001], [CLAMP, MIRROR]],
+    [MIRROR, CLAMP, [0, 1], [MIRROR, CLAMP]],
+  ] as const)("by %i and %i is painted as it repeats where coordinates go beyond: %j", async (s, t, us, expected) => {
+    const { scene } = await open(shared(s, t, us));
+    const [own, other] = [0, 1].map((index) => scene.materials.get(index)?.[0]?.map as Texture);
+    const painted = [own, other].map((like) => liveTextureLike(like as Texture));
+    expect(painted.map(wrapsOf)).toEqual([expected, [s, t]]);
+    // Until it is painted it is the file's.
+    expect([own, other].map((like) => wrapsOf(like as Texture))).toEqual([
+      [s, t],
+      [s, t],
+    ]);
+  });
+});
+
+describe("a vertex of more than four joints", () => {
+  const QUARTERS = [0.25, 0.25, 0.25, 0.25];
+
+  it("is placed by all of them, as it rests; the file's other sets of coordinates and its morph are kept", async () => {
+    const model = new GltfSketch();
+    const attributes = {
+      POSITION: model.places(CORNERS),
+      NORMAL: model.values(Float32Array.from([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]), 3),
+      TEXCOORD_0: model.values(Float32Array.from([0, 0, 1, 0, 1, 1, 0, 1]), 2),
+      JOINTS_0: model.values(Uint8Array.from([0, 1, 2, 3].flatMap(() => [0, 1, 0, 0])), 4),
+      WEIGHTS_0: model.values(Float32Array.from([0, 1, 2, 3].flatMap(() => [0.25, 0.25, 0, 0])), 4),
+      JOINTS_1: model.values(Uint8Array.from([0, 1, 2, 3].flatMap(() => [2, 0, 0, 0])), 4),
+      WEIGHTS_1: model.values(Float32Array.from([0, 1, 2, 3].flatMap(() => [0.5, 0, 0, 0])), 4),
+    };
+    const targets = [{ POSITION: model.places([1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0]) }];
+    const indices = model.values(Uint16Array.from(PLACES), 1);
+    const bytes = model.glb({
+      scenes: [{ nodes: [0, 1, 2, 3] }],
+      nodes: [
+        { mesh: 0, skin: 0 },
+        { translation: [1, 0, 0] },
+        { rotation: [0, 0, Math.SQRT1_2, Math.SQRT1_2] },
+        { translation: [0, 0, 4], scale: [2, 2, 2] },
+      ],
+      skins: [{ joints: [1, 2, 3] }],
+      materials: [{}],
+      meshes: [{ primitives: [{ attributes, indices, targets, material: 0 }], weights: [2] }],
+    });
+    const shown = await open(bytes);
+    // Half of it twice as large and 4 higher, a quarter moved by 1, a quarter turned by 90 degrees.
+    const expected = [0, 1, 2, 3].flatMap((i) => {
+      const [x, y] = [(CORNERS[i * 3] as number) + 2, CORNERS[i * 3 + 1] as number];
+      return [(x + 1) / 4 - y / 4 + x, y / 4 + x / 4 + y, 2];
+    });
+    expect(positionsOf(shown)).toEqual(rounded(expected));
+    expect(rounded([...shown.surface.normals.subarray(0, 3)])).toEqual([0, 0, 1]);
+  });
+
+  it("is placed so in each node that shows its mesh by joints of its own", async () => {
+    const model = new GltfSketch();
+    const attributes = {
+      POSITION: model.places(CORNERS),
+      TEXCOORD_0: model.values(Float32Array.from([0, 0, 1, 0, 1, 1, 0, 1]), 2),
+      JOINTS_0: model.values(Uint8Array.from([0, 1, 2, 3].flatMap(() => [0, 0, 0, 0])), 4),
+      WEIGHTS_0: model.values(Float32Array.from([0, 1, 2, 3].flatMap(() => QUARTERS.map((quarter) => quarter / 2))), 4),
+      JOINTS_1: model.values(Uint8Array.from([0, 1, 2, 3].flatMap(() => [1, 1, 1, 1])), 4),
+      WEIGHTS_1: model.values(Float32Array.from([0, 1, 2, 3].flatMap(() => QUARTERS.map((quarter) => quarter / 2))), 4),
+    };
+    const indices = model.values(Uint16Array.from(PLACES), 1);
+    const bytes = model.glb({
+      scenes: [{ nodes: [0, 1, 2, 3, 4] }],
+      nodes: [{ mesh: 0, skin: 0 }, { mesh: 0, skin: 1 }, {}, { translation: [0, 0, 2] }, { translation: [0, 0, 6] }],
+      skins: [{ joints: [2, 3] }, { joints: [2, 4] }],
+      materials: [{}],
+      meshes: [{ primitives: [{ attributes, indices, material: 0 }] }],
+    });
+    const heights = positionsOf(await open(bytes)).filter((_, i) => i % 3 === 2);
+    expect(heights).toEqual([1, 1, 1, 1, 3, 3, 3, 3]);
   });
 });
 
@@ -113,6 +214,23 @@ describe("places of vertices", () => {
       const apart = Float32Array.from([0, 1, 2, 3].flatMap((i) => [...CORNERS.slice(i * 3, i * 3 + 3), 99]));
       const bufferView = model.view(new Uint8Array(apart.buffer, 0, 15 * 4), { byteStride: 16 });
       return model.accessor({ bufferView, componentType: 5126, count: 4, type: "VEC3" });
+    });
+    expect(positionsOf(await open(bytes))).toEqual(CORNERS);
+  });
+});
+
+describe("places of vertices that lie apart", () => {
+  it("are shown where one is cut in two by the grid of the gaps", async () => {
+    const bytes = square((model) => {
+      // Two numbers of something else come first, and each place is followed by two of its own.
+      const apart = Float32Array.from([
+        9,
+        9,
+        9,
+        ...[0, 1, 2, 3].flatMap((i) => [...CORNERS.slice(i * 3, i * 3 + 3), 99]),
+      ]);
+      const bufferView = model.view(new Uint8Array(apart.buffer), { byteStride: 16 });
+      return model.accessor({ bufferView, byteOffset: 12, componentType: 5126, count: 4, type: "VEC3" });
     });
     expect(positionsOf(await open(bytes))).toEqual(CORNERS);
   });

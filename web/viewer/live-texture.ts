@@ -12,10 +12,8 @@ import {
   LinearMipmapLinearFilter,
   NearestFilter,
   RepeatWrapping,
-  RGBAFormat,
   SRGBColorSpace,
   type Texture,
-  UnsignedByteType,
   type WebGLRenderer,
 } from "three";
 import type { TargetInfo, TargetUpdate } from "../engine/engine-api.ts";
@@ -37,17 +35,16 @@ export class LiveTexture {
     this.width = info.width;
     this.height = info.height;
     this.#levels = Math.max(1, info.mipLevels);
-    const texture = new DataTexture(null, info.width, info.height, RGBAFormat, UnsignedByteType);
+    const texture = new DataTexture(null, info.width, info.height);
     texture.colorSpace = SRGBColorSpace;
-    texture.flipY = false;
-    texture.generateMipmaps = false;
-    texture.wrapS = like?.wrapS ?? RepeatWrapping;
-    texture.wrapT = like?.wrapT ?? RepeatWrapping;
+    // Where the paint goes on otherwise than the model's own, the mended scene says how.
+    const wrap = like?.userData.painted ?? like;
+    texture.wrapS = wrap?.wrapS ?? RepeatWrapping;
+    texture.wrapT = wrap?.wrapT ?? RepeatWrapping;
     // Pixel-art skins ask for NEAREST in their sampler; it stays their look.
     this.#nearestByModel = like?.magFilter === NearestFilter;
     texture.magFilter = this.#nearestByModel ? NearestFilter : LinearFilter;
-    texture.minFilter = this.#levels > 1 ? LinearMipmapLinearFilter : LinearFilter;
-    if (this.#levels > 1) texture.anisotropy = Math.min(MOST_ANISOTROPY, renderer.capabilities.getMaxAnisotropy());
+    texture.minFilter = LinearFilter;
     if (like !== null) {
       if (like.matrixAutoUpdate) like.updateMatrix();
       texture.channel = like.channel;
@@ -55,7 +52,13 @@ export class LiveTexture {
       texture.matrix.copy(like.matrix);
     }
     if (this.#levels > 1) {
-      texture.mipmaps = levelSizes(info.width, info.height, this.#levels);
+      texture.minFilter = LinearMipmapLinearFilter;
+      texture.anisotropy = Math.min(MOST_ANISOTROPY, renderer.capabilities.getMaxAnisotropy());
+      // Descriptors without data: three allocates as many levels as it finds here.
+      texture.mipmaps = Array.from({ length: this.#levels }, (_, level) => ({
+        ...levelSize(info.width, info.height, level),
+        data: null,
+      })) as never[];
     }
     // Storage for all levels is allocated and left empty: the first update brings every texel.
     texture.source.dataReady = false;
@@ -119,10 +122,5 @@ export class LiveTexture {
 }
 
 function levelSize(width: number, height: number, level: number): { width: number; height: number } {
-  return { width: Math.max(1, width >> level), height: Math.max(1, height >> level) };
-}
-
-/** Descriptors without data: three allocates as many levels as it finds here. */
-function levelSizes(width: number, height: number, levels: number) {
-  return Array.from({ length: levels }, (_, level) => ({ ...levelSize(width, height, level), data: null })) as never[];
+  return { width: width >> level || 1, height: height >> level || 1 };
 }

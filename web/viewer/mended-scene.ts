@@ -2,14 +2,16 @@
  * A model in which something is left out that glTF lets be left out and three.js does not, or that three.js reads in another way than
  * glTF has it. Loaded when three.js fails, or might have gone wrong.
  */
-import { type Group, Mesh, Texture } from "three";
+import { type Group, Mesh, type MeshStandardMaterial, RepeatWrapping, Texture } from "three";
 import type { GLTF } from "three/examples/jsm/loaders/GLTFLoader.js";
+import { goesBeyond } from "../engine/beyond-texture.ts";
 import { fillTextures } from "../engine/blank-textures.ts";
 import type { ModelInfo } from "../engine/engine-api.ts";
 import { parseJson, readContainer, writeGlb } from "../engine/gltf-container.ts";
 import { type JsonObject, listOf } from "../engine/gltf-json.ts";
 import { packGltf } from "../engine/gltf-packer.ts";
 import { notShown } from "../engine/model-fault.ts";
+import { settleSkins } from "./all-joints.ts";
 import { plainGeometry } from "./plain-geometry.ts";
 
 /**
@@ -17,7 +19,7 @@ import { plainGeometry } from "./plain-geometry.ts";
  * is wrong with the file, where `parse` cannot read it even so.
  */
 export async function mendedScene(
-  { glb, name }: Pick<ModelInfo, "glb" | "name">,
+  { glb, name, materials }: Pick<ModelInfo, "glb" | "name" | "materials">,
   given: GLTF | null,
   parse: (glb: Uint8Array) => Promise<GLTF>,
 ): Promise<GLTF> {
@@ -27,6 +29,8 @@ export async function mendedScene(
     const plain = plainGeometry(json, container.binary, name);
     const gltf = given?.scene && plain === null ? given : await parse(mended(json, plain));
     placeTextures(gltf.scene);
+    repeatTextures(gltf, materials);
+    settleSkins(gltf.scene);
     return gltf;
   } catch (cause) {
     throw notShown(container.json, name, cause);
@@ -61,5 +65,23 @@ function placeTextures(root: Group): void {
       texture.matrixAutoUpdate = false;
       matrix.set(c * repeat.x, s * repeat.y, offset.x, -s * repeat.x, c * repeat.y, offset.y, 0, 0, 1);
     }
+  });
+}
+
+/** Tells of base colour textures that their samplers hold at the edge or mirror where, once they are painted, they are to repeat. */
+function repeatTextures({ scene, parser }: GLTF, infos: ModelInfo["materials"]): void {
+  scene.traverse((object) => {
+    const material = object instanceof Mesh ? (object.material as MeshStandardMaterial) : null;
+    const info = infos[parser.associations.get(material as MeshStandardMaterial)?.materials ?? -1];
+    if (!material?.map || info === undefined) return;
+    const { wrapS, wrapT } = material.map;
+    const painted = {
+      wrapS: goesBeyond(info, 0) ? RepeatWrapping : wrapS,
+      wrapT: goesBeyond(info, 1) ? RepeatWrapping : wrapT,
+    };
+    if (painted.wrapS === wrapS && painted.wrapT === wrapT) return;
+    // Other materials, and other uses in this one, may have the same texture.
+    material.map = material.map.clone();
+    material.map.userData.painted = painted;
   });
 }

@@ -144,8 +144,9 @@ export class ModelLook {
     const own: Texture | null = this.#scene.materials.get(index)?.[0]?.map ?? null;
     const texture = new DataTexture(rgba as Uint8Array<ArrayBuffer>, width, height);
     texture.colorSpace = SRGBColorSpace;
-    texture.wrapS = own?.wrapS ?? RepeatWrapping;
-    texture.wrapT = own?.wrapT ?? RepeatWrapping;
+    const wrap = own?.userData.painted ?? own;
+    texture.wrapS = wrap?.wrapS ?? RepeatWrapping;
+    texture.wrapT = wrap?.wrapT ?? RepeatWrapping;
     texture.magFilter = NearestFilter;
     texture.minFilter = LinearFilter;
     if (own !== null) {

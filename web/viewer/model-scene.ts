@@ -2,10 +2,11 @@
 import {
   type AnimationClip,
   type Group,
+  type InterleavedBufferAttribute,
   type Material,
   Mesh,
   type MeshStandardMaterial,
-  SkinnedMesh,
+  type SkinnedMesh,
   Vector3,
 } from "three";
 import { type GLTF, GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
@@ -33,14 +34,14 @@ export interface MeshLabel {
 }
 
 /** What three.js reads wrongly in some files; `mended-scene.ts` knows in which. */
-const DOUBTFUL = /"sparse"|"targets"|texture_t/;
+const DOUBTFUL = /"sparse"|"targets"|texture_t|JOINTS_1|wrap.":3/;
 
 /** Loads `info.glb`. Rejects with a TexelcastError of code "bad-model" where three.js cannot read it. */
 export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
   const given = await parse(info.glb).catch(() => null);
   // For a file without scenes there is none, though it is typed as if there were.
   const gltf =
-    given?.scene && !DOUBTFUL.test(JSON.stringify(given.parser.json))
+    given?.scene && !DOUBTFUL.test(JSON.stringify(given.parser.json)) && !meshesOf(given.scene).some(hasCutElements)
       ? given
       : await (await import("./mended-scene.ts")).mendedScene(info, given, parse);
   const materials = new Map<number, MeshStandardMaterial[]>();
@@ -57,6 +58,13 @@ export async function loadModelScene(info: ModelInfo): Promise<ModelScene> {
     labels: new Map(meshes.map((mesh) => [mesh, labelOf(gltf, mesh)])),
     dispose: () => disposeTree(gltf.scene),
   };
+}
+
+/** Three.js counts what lies apart from where the gaps' grid begins, and some elements may reach over its next line. */
+function hasCutElements({ geometry }: Mesh): boolean {
+  const attributes = Object.values(geometry.attributes) as InterleavedBufferAttribute[];
+  // Plain attributes have neither offset nor data.
+  return attributes.some(({ offset, itemSize, data }) => offset + itemSize > data?.stride);
 }
 
 function parse(glb: Uint8Array): Promise<GLTF> {
@@ -77,7 +85,7 @@ export function meshesOf(root: Group): Mesh[] {
 
 /** The meshes of a scene that have a shape, in its order: what part numbers count. */
 export function shapedMeshes(scene: ModelScene): Mesh[] {
-  return meshesOf(scene.root).filter((mesh) => mesh.geometry.getAttribute("position") !== undefined);
+  return meshesOf(scene.root).filter(({ geometry }) => geometry.hasAttribute("position"));
 }
 
 /** Where the scene's vertices are, metres, three numbers each, as it stands now. */
@@ -100,15 +108,17 @@ export function positionsOf(scene: ModelScene): Float32Array {
 function labelOf(gltf: GLTF, mesh: Mesh): MeshLabel {
   const nodeIndexOf = (object: object | null) => gltf.parser.associations.get(object as Mesh)?.nodes;
   const index = nodeIndexOf(mesh) ?? nodeIndexOf(mesh.parent) ?? -1;
-  const nodes = (gltf.parser.json.nodes ?? []) as { name?: string; mesh?: number; extras?: unknown }[];
-  const meshes = (gltf.parser.json.meshes ?? []) as { name?: string; primitives?: unknown[] }[];
-  const node = nodes[index];
-  const source = meshes[node?.mesh ?? -1];
+  const { nodes, meshes } = gltf.parser.json as {
+    nodes?: { name?: string; mesh?: number; extras?: unknown }[];
+    meshes?: { name?: string; primitives?: unknown[] }[];
+  };
+  const node = nodes?.[index];
+  const source = meshes?.[node?.mesh ?? -1];
   return {
     node: node?.name || source?.name || "",
     // Three takes whatever the file has.
     material: String((mesh.material as Material).name),
-    several: (source?.primitives?.length ?? 1) > 1,
+    several: Number(source?.primitives?.length) > 1,
     extras: node?.extras,
   };
 }
@@ -122,8 +132,8 @@ function materialIndexOf(gltf: GLTF, material: Material): number {
 function disposeTree(root: Group): void {
   for (const mesh of meshesOf(root)) {
     mesh.geometry.dispose();
-    // Its joints lie in a texture.
-    if (mesh instanceof SkinnedMesh) mesh.skeleton.dispose();
+    // A skin's joints lie in a texture.
+    (mesh as Partial<SkinnedMesh>).skeleton?.dispose();
     const material = mesh.material as Material;
     for (const value of Object.values(material)) {
       if (value?.isTexture) {

@@ -2,6 +2,7 @@
 import { COMPONENT_BYTES, SHAPES } from "../engine/accessor-shapes.ts";
 import { Accessors } from "../engine/accessors.ts";
 import { indexAt, isObject, type JsonObject, listForWriting, listOf, objectAt, textAt } from "../engine/gltf-json.ts";
+import { OWN_WEIGHTS } from "./all-joints.ts";
 
 /** What it morphs: where some of a primitive's targets have one, it takes the vertices' own for those that lack it. */
 const MORPHED = ["POSITION", "NORMAL", "COLOR_0"];
@@ -21,7 +22,8 @@ export function plainGeometry(json: JsonObject, binary: Uint8Array | null, name:
     list[index] = list[plain] as JsonObject;
   }
   const isFilled = fillTargets(json, list, name);
-  return misread.length > 0 || isFilled ? accessors.finish() : null;
+  const isKept = keepWeights(json, accessors, name);
+  return misread.length > 0 || isFilled || isKept ? accessors.finish() : null;
 }
 
 /**
@@ -54,4 +56,17 @@ function fillTargets(json: JsonObject, list: JsonObject[], name: string): boolea
     }
   }
   return list.length > before;
+}
+
+/** Vertices of more than four joints get their first four's weights a second time. */
+function keepWeights(json: JsonObject, accessors: Accessors, name: string): boolean {
+  let isKept = false;
+  for (const primitive of listOf(json, "meshes", name).flatMap((mesh) => listOf(mesh, "primitives", name))) {
+    const attributes = objectAt(primitive, "attributes");
+    const weights = indexAt(attributes, "WEIGHTS_0");
+    if (attributes?.JOINTS_1 === undefined || weights === undefined) continue;
+    attributes[OWN_WEIGHTS] = accessors.addLike(weights, accessors.read(weights));
+    isKept = true;
+  }
+  return isKept;
 }
