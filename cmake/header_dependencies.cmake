@@ -4,6 +4,7 @@
 # reads the host's C library headers. Where a library is not installed, its pinned release is fetched.
 include(FetchContent)
 include(mend_rapidjson)
+include(mend_tinygltf)
 set(TEXELCAST_DEPS_INCLUDE ${CMAKE_SOURCE_DIR}/build/deps/include)
 set(TEXELCAST_INCLUDE_HINTS /usr/include /usr/local/include /opt/homebrew/include /opt/local/include)
 
@@ -47,6 +48,7 @@ function(texelcast_header_dependency target)
             texelcast_provide(glm glm/glm.hpp glm . https://github.com/g-truc/glm.git 1.0.1)
         elseif(name STREQUAL "tinygltf")
             texelcast_provide(tinygltf tiny_gltf.h tiny_gltf.h . https://github.com/syoyo/tinygltf.git v2.9.3)
+            texelcast_mend_tinygltf(${TEXELCAST_DEPS_INCLUDE}/tiny_gltf.h)
         elseif(name STREQUAL "rapidjson")
             # Its last release, 1.1.0 of 2016, is not C++20: a commit that package managers build.
             texelcast_provide(rapidjson rapidjson/document.h rapidjson include https://github.com/Tencent/rapidjson.git

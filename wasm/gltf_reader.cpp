@@ -23,7 +23,7 @@
 #pragma GCC diagnostic ignored "-Wall"
 #pragma GCC diagnostic ignored "-Wextra"
 #endif
-#include <tiny_gltf.h>
+#include <tiny_gltf.h>  // as cmake/mend_tinygltf.cmake makes it, without checks that are made below
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
 #endif
@@ -289,6 +289,9 @@ TxcStatus read_indices(const Model& model, int index, BudgetShare& scratch, std:
     const int type = accessor->componentType;
     if (!is_unsigned(type) || accessor->type != TINYGLTF_TYPE_SCALAR)
         return fail(TXC_STATUS_BAD_MODEL, "accessors[%d]: indices must be unsigned integers", index);
+    // All of them would be the first vertex: a file that forgot something, as that it is compressed.
+    if (accessor->bufferView < 0 && !accessor->sparse.isSparse)
+        return fail(TXC_STATUS_BAD_MODEL, "accessors[%d]: indices without a bufferView", index);
     return read_elements(model, index, component_size(type), 1, false, scratch, out,
                          [type](const std::uint8_t* from, std::uint32_t* into) { *into = read_index(from, type); });
 }

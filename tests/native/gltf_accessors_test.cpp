@@ -203,6 +203,22 @@ TEST_CASE("Sparse values replace those of a list of indices") {
     CHECK(triangles_of(model) == std::vector<Corners>{{0, 2, 1}, {5, 4, 3}});
 }
 
+TEST_CASE("A list of indices without a base is zeros but for its sparse ones") {
+    GlbBuilder glb;
+    const int positions = glb.floats(zigzag(), 3);
+    const std::vector<std::uint8_t> places{1, 2, 3, 4, 5};
+    const std::vector<std::uint16_t> values{1, 2, 3, 4, 5};
+    const int place_view = glb.view(places.data(), places.size());
+    const int value_view = glb.view(values.data(), values.size() * 2);
+    const int indices = glb.add(
+        "accessors",
+        text(
+            R"({"componentType":5123,"count":6,"type":"SCALAR","sparse":{"count":5,"indices":{"bufferView":%d,"componentType":5121},"values":{"bufferView":%d}}})",
+            place_view, value_view));
+    const ReadModel model = read_primitive(glb, text(R"("POSITION":%d)", positions), text(R"(,"indices":%d)", indices));
+    CHECK(triangles_of(model) == std::vector<Corners>{{0, 1, 2}, {3, 4, 5}});
+}
+
 TEST_CASE("Normalised integers run from -1 or 0 to 1, plain ones are what they are") {
     const std::string normalized = R"(,"normalized":true)";
     {

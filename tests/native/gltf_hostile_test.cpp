@@ -375,6 +375,15 @@ TEST_CASE("Indices of a signed, broken or vector type are refused") {
     check_refused(with_indices({0, 1, 2, 0, 1, 2, 0, 1, 2}, kUnsignedInt, "VEC3"), TXC_STATUS_BAD_MODEL);
 }
 
+TEST_CASE("Indices that nothing in the file says are refused") {
+    GlbBuilder glb;
+    const int positions = glb.floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, 3);
+    const int indices = glb.add("accessors", R"({"componentType":5123,"count":3,"type":"SCALAR"})");
+    glb.mesh(text(R"({"attributes":{"POSITION":%d},"indices":%d})", positions, indices));
+    glb.add("nodes", R"({"mesh":0})");
+    check_refused(glb.glb(), TXC_STATUS_BAD_MODEL, "accessors[1]: indices without a bufferView");
+}
+
 TEST_CASE("References to objects that are not there are refused") {
     const std::string primitive = R"({"attributes":{"POSITION":0},"indices":1})";
     struct Case {

@@ -43,3 +43,25 @@ describe("an installed RapidJSON", () => {
     expect(lstatSync(LINK).isSymbolicLink()).toBe(true);
   });
 });
+
+describe("an installed tinygltf", () => {
+  const INCLUDE = `${FOLDER}/include`;
+  const FILE = `${FOLDER}/deps/tiny_gltf.h`;
+  const WALK = "for (auto &mesh : model->meshes) {";
+  const cleanUp = (): void => rmSync(FOLDER, { recursive: true, force: true });
+  beforeEach(() => {
+    cleanUp();
+    for (const folder of [INCLUDE, `${FOLDER}/deps`]) mkdirSync(folder, { recursive: true });
+    symlinkSync(`${INCLUDE}/tiny_gltf.h`, FILE);
+  });
+  afterEach(cleanUp);
+
+  it("is replaced by a copy that does not go through the meshes again, once, and stays as it was itself", () => {
+    writeFileSync(`${INCLUDE}/tiny_gltf.h`, header(WALK));
+    for (let time = 0; time < 2; time++) {
+      execFileSync("cmake", [`-DFILE=${FILE}`, "-P", inRoot("cmake/mend_tinygltf.cmake")]);
+    }
+    expect(read(FILE)).toBe(header(`if (false) ${WALK}`));
+    expect(read(`${INCLUDE}/tiny_gltf.h`)).toBe(header(WALK));
+  });
+});

@@ -219,6 +219,26 @@ describe("places of vertices", () => {
   });
 });
 
+describe("a list of indices that is zeros but for a sparse few", () => {
+  it("is of the triangles that the engine paints", async () => {
+    const model = new GltfSketch();
+    const attributes = {
+      POSITION: model.places(CORNERS),
+      TEXCOORD_0: model.values(Float32Array.from([0, 0, 1, 0, 1, 1, 0, 1]), 2),
+    };
+    const sparse = {
+      count: 4,
+      indices: { bufferView: model.view(Uint8Array.from([1, 2, 4, 5])), componentType: 5121 },
+      values: { bufferView: model.view(new Uint8Array(Uint16Array.from([1, 2, 2, 3]).buffer)) },
+    };
+    const indices = model.accessor({ componentType: 5123, count: 6, type: "SCALAR", sparse });
+    const primitives = [{ attributes, indices, material: 0 }];
+    const { surface, painted } = await open(model.glb({ materials: [{}], meshes: [{ primitives }] }));
+    expect([...surface.index]).toEqual(PLACES);
+    expect(rounded(cornersOf(surface, surface.uvs, 2))).toEqual(rounded(painted));
+  });
+});
+
 describe("places of vertices that lie apart", () => {
   it("are shown where one is cut in two by the grid of the gaps", async () => {
     const bytes = square((model) => {

@@ -79,8 +79,7 @@ export async function decodeModel(packed: PackedGltf, name: string): Promise<Uin
     }
     // A GLB has one buffer; the others go, and what was in them moves to the first.
     const [first = document.createBuffer(), ...others] = root.listBuffers();
-    // Sparse ones are filled in, too: their writer takes normalized integers for the fractions that they stand for, and leaves indices
-    // without the view that tinygltf insists on.
+    // Sparse ones are filled in, too: their writer takes normalized integers for the fractions that they stand for.
     for (const accessor of root.listAccessors()) accessor.setBuffer(first).setSparse(false);
     for (const buffer of others) buffer.dispose();
     const written = await io.writeJSON(document, { format: Format.GLB });
