@@ -5,7 +5,6 @@ import { ToldError } from "../editor/strings/told-error.ts";
 import { adoptStyle } from "../viewer/adopt-style.ts";
 import type { CameraStand } from "../viewer/camera-rig.ts";
 import type { DeskHooks, DeskSettings } from "./desk/desk-settings.ts";
-import type { DesignExport } from "./desk/export-design.ts";
 import type { SubmitDetail, TexelcastEditorProperties } from "./element-api.ts";
 import { sendEvent } from "./element-events.ts";
 import { addressIn, FETCHED, Run, type Steps } from "./element-run.ts";
@@ -49,7 +48,6 @@ export class Work {
   #changeTimer: ReturnType<typeof setTimeout> | undefined;
   #untold = false;
   #telling = Promise.resolve();
-  #exports: DesignExport | null = null;
 
   constructor({ element, voice, idle }: WorkParts) {
     this.#element = element;
@@ -200,7 +198,7 @@ export class Work {
       if (element.zones !== zones) this.#take("zones", this.#useZones(mode));
       const { desk } = mode;
       if (this.#kept?.selected) desk?.select(this.#kept.selected);
-      if (desk && desk.design.layers.length > 0 && desk.zones !== null) void voice.told(this.#sendChange(false));
+      if (this.#untold || (desk?.zones && desk.design.layers.length > 0)) void voice.told(this.#sendChange());
       const materials = mode.materials.map(({ index, name, refusal }) => ({
         index,
         name,
@@ -297,29 +295,29 @@ export class Work {
   #tellChange(): Promise<void> {
     if (this.#untold) {
       clearTimeout(this.#changeTimer);
-      this.#untold = false;
-      this.#telling = this.#voice.told(this.#sendChange(true));
+      this.#telling = this.#voice.told(this.#sendChange());
     }
     return this.#telling;
   }
 
-  /** A design that was brought along is measured for its badges, and is no change. */
-  async #sendChange(tell: boolean): Promise<void> {
+  /** A design that was brought along is measured for its badges, and is no change. What is closed meanwhile stays untold. */
+  async #sendChange(): Promise<void> {
     const run = this.#run;
     const mode = run?.mode;
     const desk = mode?.desk;
     if (!mode || !desk) return;
-    const { changeDetail, DesignExport } = await import("./desk/hand-over.ts");
-    this.#exports ??= new DesignExport();
-    const detail = await changeDetail({ desk, idle: () => mode.idle() }, this.#exports);
+    const { changeDetail } = await import("./desk/hand-over.ts");
+    const detail = await changeDetail({ desk, idle: () => mode.idle() });
     if (this.#run !== run) return;
     if (detail === null) {
       // A newer change tells itself; what is only shown so far may yet be given up.
-      if (tell && !desk.closed && !desk.atRest) this.#changed();
+      if (this.#untold && !desk.closed && !desk.atRest) this.#changed();
       return;
     }
     this.#element.requestUpdate();
-    if (tell) sendEvent(this.#element, "change", detail);
+    if (!this.#untold) return;
+    this.#untold = false;
+    sendEvent(this.#element, "change", detail);
   }
 
   #progress(share: number): void {

@@ -1,13 +1,19 @@
 /** What the element's events carry of a design. */
 import type { ChangeDetail, SubmitDetail } from "../element-api.ts";
 import type { AtDesk } from "../mode.ts";
+import type { Desk } from "./desk.ts";
 import { countsOf, DesignExport } from "./export-design.ts";
 import { exportTexture, layerAreas, printOptions, printReport } from "./prints.ts";
 
+/** What was met of each desk's files. */
+const met = new WeakMap<Desk, DesignExport>();
+
 /** Measures the design, for its badges, too; null where it is another one by then, or another is shown. */
-export async function changeDetail(mode: AtDesk, exports: DesignExport): Promise<ChangeDetail | null> {
+export async function changeDetail(mode: AtDesk): Promise<ChangeDetail | null> {
   const { desk } = mode;
   const { design } = desk;
+  const exports = met.get(desk) ?? new DesignExport();
+  met.set(desk, exports);
   const named = await exports.named(design);
   const report = await printReport(mode);
   if (desk.design !== design || !desk.atRest || desk.closed) return null;
@@ -38,5 +44,3 @@ export async function submitDetail(mode: AtDesk, tellChange: () => Promise<void>
     if (desk.design === design && desk.atRest) return { ...exported, print, texture, report };
   }
 }
-
-export { DesignExport } from "./export-design.ts";
