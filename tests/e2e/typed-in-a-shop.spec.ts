@@ -181,3 +181,26 @@ test("letters that are typed behind one whose font is slow and does not come sta
   await expect(editor.getByRole("textbox", { name: "Words" })).toHaveValue("Ada");
   expect(await textsOf(editor)).toEqual(["Ada"]);
 });
+
+test("whoever types while a picture is on its way goes on typing when it comes, and loses no letter", async ({
+  page,
+}) => {
+  const editor = await openTyping(page, "shop");
+  const coming = await editor.evaluateHandle((element: Editor) => {
+    let added: Promise<string> | undefined;
+    const asked = new Promise<() => void>((resolve) => {
+      element.beforeAccept = () => new Promise((accept) => resolve(() => accept(true)));
+      added = element.addDecal("demo/decals/smiley.png");
+    });
+    return { asked, added };
+  });
+  await page.keyboard.type("d");
+  await coming.evaluate(async ({ asked, added }) => {
+    (await asked)();
+    await added;
+  });
+  await page.keyboard.type("a");
+  await expect(editor.getByRole("textbox", { name: "Words" })).toBeFocused();
+  const layers = await editor.evaluate(async (element: Editor) => (await element.exportDesign()).design.layers);
+  expect(layers).toMatchObject([{ type: "text", text: "Ada" }, { type: "decal" }]);
+});

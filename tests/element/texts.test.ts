@@ -87,6 +87,17 @@ it("a font brought with words stays as long as they can be brought back, and no 
   expect([...has]).toEqual([]);
 });
 
+it("words that are being typed when others are put on stay, as a step of their own", async () => {
+  const { desk, texts } = deskWithFonts({ refuses: false });
+  const said = (): unknown[] => desk.shown.layers.map((layer) => layer.type === "text" && layer.text);
+  const id = await texts.add("one", { projector: FRONT, material: 0 });
+  await texts.change(id, { text: "one more" }, false);
+  await texts.add("two", { projector: FRONT, material: 0 });
+  expect(said()).toEqual(["one more", "two"]);
+  desk.travel(-1);
+  expect(said()).toEqual(["one more"]);
+});
+
 it("a font that cannot be fetched is told in a customer's words, and to the page with its address", async () => {
   const address = "https://shop.example/assets/Lobster.ttf";
   const misses = new TexelcastError("missing-file", `The font could not be read from ${address}: 404.`, {

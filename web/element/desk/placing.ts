@@ -103,16 +103,24 @@ async function putPicture(
     const place = await placeFor(desk, viewer, picture.width / picture.height, options, at);
     // Somebody may have added another one meanwhile.
     desk.checkRoom();
+    // What is typed meanwhile stays.
+    desk.keepShown();
     const { design, key } = withAsset(desk.design, label, picture.asset);
     const layer = makeDecalLayer({ id: freeIdIn(design), name: label, asset: key, ...place });
     const { words } = desk.settings;
     desk.record(addOnTop(design, layer), words.steps.add);
-    desk.select(layer.id);
+    if (!isTyping(desk)) desk.select(layer.id);
     desk.hooks.announce(words.announce.added(label));
     return layer.id;
   } finally {
     desk.library.release([picture.asset]);
   }
+}
+
+/** Whether the keyboard is in a field of what is chosen, which would go from under it if something else were. */
+function isTyping({ viewer }: Desk): boolean {
+  const { activeElement } = viewer.element.getRootNode() as ShadowRoot;
+  return !!activeElement?.matches("textarea, tc-number");
 }
 
 async function fileOf(desk: Desk, source: DecalSource): Promise<{ name: string; bytes: Uint8Array }> {

@@ -79,6 +79,7 @@ export class Texts {
     const [viewer, room] = await Promise.all([desk.takeHands(), this.#measure(plain, design.assets)]);
     const place = await placeFor(desk, viewer, room.width / room.height, options, null);
     desk.checkRoom();
+    desk.keepShown();
     // The design may be another one since the words were measured.
     const now = withAsset(desk.design, font.name, font.asset);
     const id = freeIdIn(now.design);
