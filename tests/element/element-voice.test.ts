@@ -1,5 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { ToldError } from "../../web/editor/strings/told-error.ts";
 import { Voice } from "../../web/element/element-voice.ts";
+import { english } from "../../web/element/words/english.ts";
 
 /** A voice whose element notes the fields of the errors that it tells. */
 function voiceOf(wording: unknown) {
@@ -32,5 +34,24 @@ describe("a shop's own words that cannot be taken", () => {
     element.wording = { sumbit: "x" };
     await voice.speak();
     expect(told).toEqual(["wording.sumbit", "wording.sumbit"]);
+  });
+});
+
+describe("what a customer sees of an error", () => {
+  it("is no address of a page's, which is told of it", () => {
+    const { voice, element } = voiceOf(null);
+    const told: string[] = [];
+    element.addEventListener("error", (event) => told.push((event as CustomEvent).detail.message));
+    const message = "http://shop.example/mug.glb could not be fetched.";
+    voice.tell(new ToldError("missing-file", message, { hint: "Check the address. (HTTP 404)" }));
+    expect(voice.shownError).toMatchObject({ message: english.errors.unexpected });
+    expect(voice.shownError?.hint).toBeUndefined();
+    expect(told).toEqual([message]);
+  });
+
+  it("is what can be done about it where that is theirs to do", () => {
+    const { voice } = voiceOf(null);
+    voice.tell(new ToldError("bad-picture", "“cat.png” is damaged.", { hint: "Choose another picture." }));
+    expect(voice.shownError).toMatchObject({ message: "“cat.png” is damaged.", hint: "Choose another picture." });
   });
 });

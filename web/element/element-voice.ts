@@ -77,9 +77,8 @@ export class Voice {
 
   show(thrown: unknown): void {
     const error = typedError(thrown, this.#words);
-    const { message, reason, subject } = error;
-    // Its user has no say in the address of a part that did not come, or in the page's policy.
-    const isForThePage = message.includes(reason === "not-loaded" ? `${subject}` : "worker-src");
+    // Customers have no say in addresses, or in the page's policy: the page is told of them.
+    const isForThePage = /:\/\/|worker-src/.test(error.message);
     this.#shownError = typedError(isForThePage ? null : error, this.#words);
     this.#element.requestUpdate();
   }

@@ -14,7 +14,7 @@ export function languageOf(wishes: readonly unknown[]): WordsLanguage {
 }
 
 /**
- * English where a language's words cannot be loaded.
+ * English where a language's words cannot be loaded, and no words of the shop's own where what reads them cannot.
  *
  * @param wording a shop's own words, or their address; null: none.
  * @param told hears of those of them that cannot be taken.
@@ -31,5 +31,11 @@ export async function wordsIn(
           ({ german }) => german,
           () => english,
         );
-  return wording ? await (await import("./worded.ts")).worded(words, wording, told) : words;
+  if (!wording) return words;
+  try {
+    return await (await import("./worded.ts")).worded(words, wording, told);
+  } catch (thrown) {
+    told(thrown);
+    return words;
+  }
 }
