@@ -336,6 +336,8 @@ const productOf = (src: TexelcastEditorProperties["src"]): unknown => {
 function makeView(): HTMLElement {
   const view = document.createElement("div");
   view.className = "own view";
+  // For who began by a key, until the product is there.
+  view.tabIndex = -1;
   return view;
 }
 

@@ -244,10 +244,8 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
 
   exportDesign(): Promise<ExportedDesign> {
     return this.#atDesk(async (mode) => {
-      const { DesignExport } = await import("./desk/export-design.ts");
-      // A design can be kept also where it cannot be drawn.
-      await mode.idle().catch(() => undefined);
-      return await new DesignExport().whole(mode.desk.shown);
+      const { exportShown } = await import("./desk/export-design.ts");
+      return await exportShown(mode);
     });
   }
 
@@ -257,12 +255,9 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
     views: SnapshotView | readonly SnapshotView[] = "current",
     options: SnapshotOptions = {},
   ): Promise<Blob | Blob[]> {
-    return this.#with(async (mode): Promise<Blob | Blob[]> => {
-      const { takeSnapshots } = await import("./desk/snapshots.ts");
-      const { words } = this.#voice;
-      if (typeof views !== "string") return await takeSnapshots(mode, views, options, words);
-      const [picture] = await takeSnapshots(mode, [views], options, words);
-      return picture as Blob;
+    return this.#with(async (mode) => {
+      const { snapshot } = await import("./desk/snapshots.ts");
+      return await snapshot(mode, views, options, this.#voice.words);
     });
   }
 
@@ -295,6 +290,16 @@ export class TexelcastEditor extends RemElement implements TexelcastEditorApi {
       ${phase === "ready" && shownError ? notice(shownError, words, () => this.#voice.dismiss()) : nothing}
       <div class="visually-hidden" role="status" lang=${words.lang}>${announcement}</div>
     `;
+  }
+
+  /** @internal */
+  protected override update(changed: PropertyValues<this>): void {
+    const root = this.renderRoot as ShadowRoot;
+    const had = root.activeElement;
+    super.update(changed);
+    const { made, view } = this.#work;
+    // What had the keyboard is gone: it goes on in the view, and not at the top of the page.
+    if (had && !root.activeElement) (made?.viewer.element ?? view)?.focus({ preventScroll: true });
   }
 
   /** @internal */

@@ -5,6 +5,7 @@ import { decodeDataUri } from "../../editor/files/data-uri.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type { DesignCounts, ExportedAsset, ExportedDesign } from "../element-api.ts";
+import type { AtDesk } from "../mode.ts";
 
 /** Hashes of files that were met before, by their addresses: they are asked for at each change. */
 export class DesignExport {
@@ -35,6 +36,13 @@ export class DesignExport {
     });
     return { design: named, assets };
   }
+}
+
+/** The design as it is seen. */
+export async function exportShown({ desk, idle }: AtDesk): Promise<ExportedDesign> {
+  // A design can be kept also where it cannot be drawn.
+  await idle().catch(() => undefined);
+  return await new DesignExport().whole(desk.shown);
 }
 
 async function nameFile(key: string, { type, uri }: DesignAsset): Promise<{ name: string; sha256: string }> {

@@ -33,6 +33,18 @@ const NO_GRAPHICS = {
   },
 };
 
+/** A picture of the one view, or one of each of several. Throws as `takeSnapshots`. */
+export async function snapshot(
+  mode: Pick<Mode, "viewer" | "idle">,
+  views: SnapshotView | readonly SnapshotView[],
+  options: SnapshotOptions,
+  words: Words,
+): Promise<Blob | Blob[]> {
+  if (typeof views !== "string") return await takeSnapshots(mode, views, options, words);
+  const [picture] = await takeSnapshots(mode, [views], options, words);
+  return picture as Blob;
+}
+
 /** PNGs, one for each view. Throws "bad-argument" for a view or a size that is none, "unsupported" without graphics. */
 export async function takeSnapshots(
   mode: Pick<Mode, "viewer" | "idle">,

@@ -246,8 +246,6 @@ export class ShopView {
     } catch (thrown) {
       this.#host.tell(thrown);
     }
-    // The row that had the focus is gone.
-    this.#product.viewer.element.focus({ preventScroll: true });
   };
 
   #attempt(work: Promise<unknown>): void {

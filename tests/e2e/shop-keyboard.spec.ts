@@ -1,0 +1,52 @@
+/** Whoever works in the shop's element by keys keeps the keyboard in it, whatever a key takes away. */
+import { expect, type Locator, type Page, test } from "@playwright/test";
+import { file } from "./support/test-files.ts";
+
+type Editor = HTMLElementTagNameMap["texelcast-editor"];
+
+async function openWithText(page: Page): Promise<Locator> {
+  await page.goto("element.html?loading=eager&size=64&locale=en");
+  const editor = page.locator("texelcast-editor");
+  await editor.evaluate((element: Editor) => element.addText("A"));
+  await expect(editor.getByRole("textbox", { name: "Words" })).toBeVisible();
+  return editor;
+}
+
+const ROW = ".choose";
+const COLOR = "input[type=color]";
+for (const [key, where, selector] of [
+  ["Delete", "on the row of what is chosen", ROW],
+  ["Control+z", "on the row of what was just added", ROW],
+  ["Escape", "on a field of what is chosen", COLOR],
+] as const) {
+  test(`${key} ${where} leaves the keyboard in the view`, async ({ page }) => {
+    const editor = await openWithText(page);
+    await editor.locator(selector).focus();
+    await page.keyboard.press(key);
+    await expect(editor.locator(COLOR)).toHaveCount(0);
+    await expect(editor.getByRole("application")).toBeFocused();
+  });
+}
+
+test("a message that is sent away by a key leaves the keyboard in the view", async ({ page }) => {
+  const editor = await openWithText(page);
+  const chooser = page.waitForEvent("filechooser");
+  await editor.getByRole("button", { name: "Add picture" }).click();
+  await (await chooser).setFiles(file("cat.png", "no picture"));
+  await editor.getByRole("button", { name: "Close" }).press("Enter");
+  await expect(editor.getByRole("alert")).toHaveCount(0);
+  await expect(editor.getByRole("application")).toBeFocused();
+});
+
+test("whoever begins by a key, and once more where the product did not come, is in the view when it is shown", async ({
+  page,
+}) => {
+  await page.route("**/mug.glb", (route) => route.fulfill({ status: 404 }), { times: 1 });
+  await page.goto("element.html?loading=lazy&size=64&locale=en");
+  const editor = page.locator("texelcast-editor");
+  await editor.getByRole("button", { name: "Personalise" }).press("Enter");
+  const retry = editor.getByRole("button", { name: "Try again" });
+  await expect(editor.getByRole("alert")).not.toContainText(/:\/\/|HTTP/);
+  await retry.press("Enter");
+  await expect(editor.getByRole("application")).toBeFocused({ timeout: 60_000 });
+});
