@@ -38,7 +38,9 @@ function workThatWaits() {
     requestUpdate: () => undefined,
     renderRoot: null,
   }) as unknown as WorkParts["element"];
-  return { work: new Work({ element, voice, idle: () => undefined }), words };
+  const shares: number[] = [];
+  element.addEventListener("progress", (event) => shares.push((event as unknown as CustomEvent).detail.share));
+  return { work: new Work({ element, voice, idle: () => undefined }), words, element, shares };
 }
 
 beforeEach(() => {
@@ -95,4 +97,39 @@ describe("an element that is closed while it starts", () => {
     await expect(started).rejects.toMatchObject({ code: "cancelled" });
     expect(modes).toEqual([]);
   });
+
+  it("tells no more of how far it has come once it was closed, though its model comes", async () => {
+    const { work, words, element, shares } = workThatWaits();
+    let come = (): void => undefined;
+    const bytes = new Promise((resolve) => {
+      come = () => resolve(new ArrayBuffer(1));
+    });
+    element.src = { [Symbol.toStringTag]: "Blob", arrayBuffer: () => bytes } as unknown as Blob;
+    const started = work.start();
+    words[0]?.();
+    await expect.poll(() => modes).toEqual(["made"]);
+    work.close();
+    const told = [...shares];
+    come();
+    await expect(started).rejects.toMatchObject({ code: "cancelled" });
+    expect(shares).toEqual(told);
+  });
+});
+
+it("an element that cannot start for another reason calls its model off", async () => {
+  const { work, words, element } = workThatWaits();
+  let signal: AbortSignal | null | undefined;
+  vi.stubGlobal("fetch", (_: URL, options: RequestInit) => {
+    signal = options.signal;
+    return new Promise(() => undefined);
+  });
+  element.src = "http://shop/mug.glb";
+  loaded = () => {
+    throw new Error("no graphics");
+  };
+  const started = work.start();
+  words[0]?.();
+  await expect(started).rejects.toThrow();
+  expect(work.phase).toBe("failed");
+  expect(signal?.aborted).toBe(true);
 });

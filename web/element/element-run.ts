@@ -84,6 +84,7 @@ export class Run {
         zoned.catch(() => undefined);
       }
       const source = await reading;
+      this.#check();
       progress(FETCHED);
       await mode.open(source, given != null || kept ? (library) => this.#firstDesign(library) : null);
       if (kept) mode.desk?.session.resume(kept);
@@ -99,8 +100,8 @@ export class Run {
       this.#open = true;
       return mode;
     } catch (thrown) {
-      this.#end();
       this.#check();
+      this.close();
       throw thrown instanceof TexelcastError ? thrown : (await import("../engine/refused-worker.ts")).refused(thrown);
     }
   }
@@ -140,10 +141,6 @@ export class Run {
 
   close(): void {
     this.#abort.abort();
-    this.#end();
-  }
-
-  #end(): void {
     this.#open = false;
     this.#made?.close();
     this.#made = null;
