@@ -134,6 +134,18 @@ test("an edit of a text that still has the focus is in the price that goes into 
   await expect(page.locator(".line-price")).not.toHaveText(String(before));
 });
 
+test("a part of the editor that does not come is told without its address", async ({ shop }) => {
+  const { page } = shop;
+  await page.route(/\.wasm/, (route) => route.fulfill({ status: 404 }));
+  await page.getByRole("link", { name: "Stoneware mug" }).click();
+  await page.getByRole("button", { name: "Add to cart" }).click();
+  const fault = page.locator(".fault");
+  await expect(fault).toContainText("A part of the editor could not be fetched. Check the connection, and try again.");
+  await expect(page.getByRole("alert").filter({ hasText: "://" })).toHaveCount(0);
+  // The browser's own line on what was answered.
+  expect(shop.alarms.splice(0).every((alarm) => alarm.includes("404"))).toBe(true);
+});
+
 test("a figure is personalised, ordered and its print file downloaded by keyboard alone", async ({ shop }) => {
   const { page, editor } = shop;
   const { keyboard } = page;

@@ -57,6 +57,8 @@ export function startPage(frame: PageFrame, start: () => Promise<void>): void {
 function faultOf(thrown: unknown): ShopFault {
   if (thrown instanceof ShopError) return thrown.fault;
   const { code = "page-fault", message = String(thrown), hint } = (thrown ?? {}) as Partial<ShopFault>;
+  // Customers have no say in addresses; the editor's own `error` event has them.
+  if (message.includes("://")) return { code, message: words.partMissing, hint: words.offlineHint };
   return { code, message, ...(hint !== undefined && { hint }) };
 }
 

@@ -73,6 +73,7 @@ export const words = {
   downloadOf: (product: string) => `Download the print file of ${product}`,
   fileFacts: (width: number, height: number, size: string) => `PNG, ${width} × ${height} pixels, ${size}`,
   noOrder: "This address names no order.",
+  partMissing: "A part of the editor could not be fetched.",
   offline: "The shop cannot be reached.",
   offlineHint: "Check the connection, and try again. Your design stays as it is.",
 } as const;
