@@ -36,21 +36,11 @@ export class LiveTexture {
     this.height = info.height;
     this.#levels = Math.max(1, info.mipLevels);
     const texture = new DataTexture(null, info.width, info.height);
-    texture.colorSpace = SRGBColorSpace;
-    // Where the paint goes on otherwise than the model's own, the mended scene says how.
-    const wrap = like?.userData.painted ?? like;
-    texture.wrapS = wrap?.wrapS ?? RepeatWrapping;
-    texture.wrapT = wrap?.wrapT ?? RepeatWrapping;
+    layLike(texture, like);
     // Pixel-art skins ask for NEAREST in their sampler; it stays their look.
     this.#nearestByModel = like?.magFilter === NearestFilter;
     texture.magFilter = this.#nearestByModel ? NearestFilter : LinearFilter;
     texture.minFilter = LinearFilter;
-    if (like !== null) {
-      if (like.matrixAutoUpdate) like.updateMatrix();
-      texture.channel = like.channel;
-      texture.matrixAutoUpdate = false;
-      texture.matrix.copy(like.matrix);
-    }
     if (this.#levels > 1) {
       texture.minFilter = LinearMipmapLinearFilter;
       texture.anisotropy = Math.min(MOST_ANISOTROPY, renderer.capabilities.getMaxAnisotropy());
@@ -123,4 +113,21 @@ export class LiveTexture {
 
 function levelSize(width: number, height: number, level: number): { width: number; height: number } {
   return { width: width >> level || 1, height: height >> level || 1 };
+}
+
+/**
+ * Lays a texture on a model in the place of the model's own.
+ *
+ * @param like the model's own texture, whose transform, UV set and repeating are kept; null where it has none.
+ */
+export function layLike(texture: DataTexture, like: Texture | null): void {
+  texture.colorSpace = SRGBColorSpace;
+  // Where the paint goes on otherwise than the model's own, the mended scene says how.
+  const wrap = like?.userData.painted ?? like;
+  texture.wrapS = wrap?.wrapS ?? RepeatWrapping;
+  texture.wrapT = wrap?.wrapT ?? RepeatWrapping;
+  if (like?.matrixAutoUpdate) like.updateMatrix();
+  texture.channel = like?.channel ?? 0;
+  texture.matrixAutoUpdate = false;
+  if (like) texture.matrix.copy(like.matrix);
 }

@@ -11,12 +11,10 @@ import {
   MeshBasicMaterial,
   type MeshStandardMaterial,
   NearestFilter,
-  RepeatWrapping,
   type Scene,
-  SRGBColorSpace,
-  type Texture,
   type WebGLRenderer,
 } from "three";
+import { layLike } from "./live-texture.ts";
 import { type ModelScene, meshesOf } from "./model-scene.ts";
 import { MODEL_LAYER, OVERLAY_LAYER } from "./view-layers.ts";
 import type { MapPicture } from "./viewer-api.ts";
@@ -141,20 +139,10 @@ export class ModelLook {
   }
 
   #textureOf(index: number, { width, height, rgba }: MapPicture): DataTexture {
-    const own: Texture | null = this.#scene.materials.get(index)?.[0]?.map ?? null;
     const texture = new DataTexture(rgba as Uint8Array<ArrayBuffer>, width, height);
-    texture.colorSpace = SRGBColorSpace;
-    const wrap = own?.userData.painted ?? own;
-    texture.wrapS = wrap?.wrapS ?? RepeatWrapping;
-    texture.wrapT = wrap?.wrapT ?? RepeatWrapping;
+    layLike(texture, this.#scene.materials.get(index)?.[0]?.map ?? null);
     texture.magFilter = NearestFilter;
     texture.minFilter = LinearFilter;
-    if (own !== null) {
-      if (own.matrixAutoUpdate) own.updateMatrix();
-      texture.channel = own.channel;
-      texture.matrixAutoUpdate = false;
-      texture.matrix.copy(own.matrix);
-    }
     texture.needsUpdate = true;
     return texture;
   }
