@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
-import { DEFAULTS } from "../../web/element/element-properties.ts";
 import type { Voice } from "../../web/element/element-voice.ts";
-import { Work, type WorkParts } from "../../web/element/element-work.ts";
+import { Work } from "../../web/element/element-work.ts";
 import { english } from "../../web/element/words/english.ts";
+import { elementStandIn } from "../support/element-stand-in.ts";
 
 /** What the modes did, in order: each holds a worker and a WebGL context from "made" to "ended". */
 const modes: string[] = [];
@@ -32,12 +32,7 @@ function workThatWaits() {
     dismiss: () => undefined,
     show: () => undefined,
   } as unknown as Voice;
-  const element = Object.assign(new EventTarget(), DEFAULTS, {
-    src: { name: "mug.glb", bytes: new Uint8Array(1) },
-    updateComplete: Promise.resolve(true),
-    requestUpdate: () => undefined,
-    renderRoot: null,
-  }) as unknown as WorkParts["element"];
+  const element = elementStandIn();
   const shares: number[] = [];
   element.addEventListener("progress", (event) => shares.push((event as unknown as CustomEvent).detail.share));
   return { work: new Work({ element, voice, idle: () => undefined }), words, element, shares };

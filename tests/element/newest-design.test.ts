@@ -2,9 +2,9 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { AssetLibrary } from "../../web/editor/state/asset-library.ts";
 import type { ErrorDetail } from "../../web/element/element-api.ts";
-import { DEFAULTS } from "../../web/element/element-properties.ts";
 import { Voice } from "../../web/element/element-voice.ts";
-import { Work, type WorkParts } from "../../web/element/element-work.ts";
+import { Work } from "../../web/element/element-work.ts";
+import { elementStandIn } from "../support/element-stand-in.ts";
 
 /** Designs as they were taken, the newest last: what each mode was opened with, and what came later. */
 const taken: unknown[] = [];
@@ -47,15 +47,7 @@ vi.mock("../../web/element/shop/shop-mode.ts", () => ({
 }));
 
 function workOn(properties: object) {
-  const element = Object.assign(new EventTarget(), DEFAULTS, {
-    src: { name: "mug.glb", bytes: new Uint8Array(1) },
-    updateComplete: Promise.resolve(true),
-    requestUpdate: () => undefined,
-    renderRoot: null,
-    closest: () => null,
-    getRootNode: () => null,
-    ...properties,
-  }) as unknown as WorkParts["element"];
+  const element = elementStandIn(properties);
   const work = new Work({ element, voice: new Voice(element), idle: () => undefined });
   /** As when the page sets it. */
   const set = (design: string | null): void => {

@@ -1,8 +1,8 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
-import { DEFAULTS } from "../../web/element/element-properties.ts";
 import { Voice } from "../../web/element/element-voice.ts";
-import { Work, type WorkParts } from "../../web/element/element-work.ts";
+import { Work } from "../../web/element/element-work.ts";
 import type { ModeHost } from "../../web/element/mode.ts";
+import { elementStandIn } from "../support/element-stand-in.ts";
 
 /** Of each mode that was opened: makes a step. */
 const steps: (() => void)[] = [];
@@ -32,14 +32,7 @@ vi.mock("../../web/element/shop/shop-mode.ts", () => ({
 
 /** An element's work that is open, and the changes that the page was told. */
 async function opened() {
-  const element = Object.assign(new EventTarget(), DEFAULTS, {
-    src: { name: "mug.glb", bytes: new Uint8Array(1) },
-    updateComplete: Promise.resolve(true),
-    requestUpdate: () => undefined,
-    renderRoot: null,
-    closest: () => null,
-    getRootNode: () => null,
-  }) as unknown as WorkParts["element"];
+  const element = elementStandIn();
   const told: unknown[] = [];
   element.addEventListener("change", (event) => told.push((event as unknown as CustomEvent).detail));
   const work = new Work({ element, voice: new Voice(element), idle: () => undefined });
