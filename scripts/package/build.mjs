@@ -48,7 +48,8 @@ const FOR_PAGES = {
   splitting: true,
   minify: true,
   // Packages for both ask for Node's `process` before they take its branch: a page's scripts have none, whatever a bundler lays there.
-  define: { process: "undefined" },
+  // @jsquash's codecs ask whether they run in a service worker, where they give it what it lacks: neither pages nor their workers are one.
+  define: { process: "undefined", "globalThis.ServiceWorkerGlobalScope": "undefined" },
 };
 
 /**

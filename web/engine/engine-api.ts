@@ -224,7 +224,10 @@ export interface ModelInfo {
   readonly boundsMin: Vec3;
   readonly boundsMax: Vec3;
   readonly materials: readonly MaterialInfo[];
-  /** The model as an uncompressed, self-contained GLB (side files packed in, Draco and meshopt undone): what a viewer can load. */
+  /**
+   * The model as an uncompressed, self-contained GLB (side files packed in, Draco and meshopt undone, a base colour texture's EXIF
+   * hidden from browsers, which would turn it): what a viewer can load.
+   */
   readonly glb: Uint8Array<ArrayBuffer>;
 }
 

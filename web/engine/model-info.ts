@@ -5,18 +5,20 @@ import { listOf, textAt } from "./gltf-json.ts";
 import { baseTextureSize, type LoadedModel } from "./model-loader.ts";
 import { vec3 } from "./open-target.ts";
 
-/** Of the model that the session holds; lengths are metres in model space. */
+/** Of the model that the session holds; lengths are metres in model space. `glb` may change (`layAsStored`). */
 export async function modelInfo(session: Session, model: LoadedModel, glb: ModelInfo["glb"]): Promise<ModelInfo> {
   const info = session.modelInfo();
+  const materials = await Promise.all(
+    Array.from({ length: info.materialCount }, (_, index) => materialInfo(session, model, index)),
+  );
+  if (model.turned.size > 0) (await import("./as-stored.ts")).layAsStored(glb, model.name);
   return {
     name: model.name,
     triangles: info.triangleCount,
     vertices: info.vertexCount,
     boundsMin: vec3(info.boundsMinModel),
     boundsMax: vec3(info.boundsMaxModel),
-    materials: await Promise.all(
-      Array.from({ length: info.materialCount }, (_, index) => materialInfo(session, model, index)),
-    ),
+    materials,
     glb,
   };
 }

@@ -24,6 +24,8 @@ export interface LoadedModel {
   readonly packed: PackedGltf;
   /** Of its images by their index, once asked for: a PNG is read to its end for it, and materials share images. */
   readonly sizes: Map<number, Promise<PixelSize | null>>;
+  /** Of those, the ones that EXIF would turn. */
+  readonly turned: Set<number>;
 }
 
 type PixelSize = readonly [width: number, height: number];
@@ -52,7 +54,7 @@ export async function loadModelFile(given: ModelSource, takesOver = false): Prom
   const readable = unusual
     ? await (await import("./readable-model.ts")).readableModel(packed, source.name)
     : { packed, glb: writeGlb(packed.json, packed.binary) };
-  return { name: source.name, original, sizes: new Map(), ...readable };
+  return { name: source.name, original, sizes: new Map(), turned: new Set(), ...readable };
 }
 
 /** Pixels of a material's base colour picture as its header says; null without a picture, or when it cannot be read. */
@@ -64,11 +66,12 @@ export async function baseTextureSize(model: LoadedModel, material: number): Pro
   return size;
 }
 
-async function imageSize({ packed, name }: LoadedModel, index: number): Promise<PixelSize | null> {
+async function imageSize({ packed, name, turned }: LoadedModel, index: number): Promise<PixelSize | null> {
   const image = imageBytes(packed.json, packed.binary, index, name);
   if (image === null) return null;
   try {
-    const { width, height } = await readPictureHeader(image.bytes, image.name);
+    const { width, height, orientation } = await readPictureHeader(image.bytes, image.name);
+    if (orientation > 1) turned.add(index);
     return [width, height];
   } catch {
     // What is wrong with the picture is said when it is opened for painting; a model may be looked at without.
