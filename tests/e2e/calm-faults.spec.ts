@@ -5,7 +5,7 @@ import { emptyDesign, type TextLayer } from "../../web/editor/document/design.ts
 type Editor = HTMLElementTagNameMap["texelcast-editor"];
 const LANGUAGES = { en: /went wrong/, de: /Fehler aufgetreten/ };
 /** What only those who made the page can do anything about. */
-const DEVELOPERS = /http|worker-src|\.wasm|\.ttf|404|address|Adresse/;
+const DEVELOPERS = /http|worker-src|\.wasm|\.ttf|404|address|Adresse|glTF|\.glb/;
 
 const TEXT = {
   ...{ type: "text", id: "words", name: "Words", text: "Ada", font: "hand", fontSize: 1 },
@@ -44,6 +44,16 @@ for (const [locale, calm] of Object.entries(LANGUAGES)) {
     await expect(notice).toContainText(calm);
     await expect(notice).not.toContainText(DEVELOPERS);
     expect(await toldOf(page)).toMatch(/"not-loaded".*Lobster|Lobster.*"not-loaded"/);
+  });
+
+  test(`a product in whose place a server sends a page is told to the customer in calm words, and to the page by its name (${locale})`, async ({
+    page,
+  }) => {
+    await page.route(/\/demo\/mug\.glb$/, (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html>" }));
+    const notice = (await openShop(page, locale)).getByRole("alert");
+    await expect(notice).toContainText(calm);
+    await expect(notice).not.toContainText(DEVELOPERS);
+    expect(await toldOf(page)).toMatch(/"bad-container".*mug\.glb/);
   });
 
   test(`an engine that does not come is told to the customer in calm words, and to the page whole (${locale})`, async ({

@@ -49,6 +49,18 @@ describe("what a customer sees of an error", () => {
     expect(told).toEqual([message]);
   });
 
+  it("is nothing of a product's file that is no model", () => {
+    for (const message of [
+      "“mug.glb” is not a glTF model: it seems to be a page.",
+      "“mug.glb” ist kein lesbares glTF-Modell.",
+    ]) {
+      const { voice } = voiceOf(null);
+      voice.tell(new ToldError("bad-container", message, { hint: "Choose a .glb file." }));
+      expect(voice.shownError).toMatchObject({ message: english.errors.unexpected });
+      expect(voice.shownError?.hint).toBeUndefined();
+    }
+  });
+
   it("is what can be done about it where that is theirs to do", () => {
     const { voice } = voiceOf(null);
     voice.tell(new ToldError("bad-picture", "“cat.png” is damaged.", { hint: "Choose another picture." }));

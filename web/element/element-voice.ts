@@ -77,8 +77,8 @@ export class Voice {
 
   show(thrown: unknown): void {
     const error = typedError(thrown, this.#words);
-    // Customers have no say in addresses, or in the page's policy: the page is told of them.
-    const isForThePage = /:\/\/|worker-src/.test(error.message);
+    // Customers have no say in addresses, in the page's policy or in the product's file: the page is told of them.
+    const isForThePage = /:\/\/|worker-src|glTF/.test(error.message);
     this.#shownError = typedError(isForThePage ? null : error, this.#words);
     this.#element.requestUpdate();
   }
