@@ -192,6 +192,15 @@ describe("a document with a wrong value somewhere", () => {
     expect(faultsOf(ZONES, parseZones)).toEqual([]);
   });
 
+  it("names the stops of a gradient that fall back, with their offsets", () => {
+    const falling = [0.5, 0.4, 0.6, 0.1].map((offset) => ({ offset, color: "#000000" }));
+    const fill = { type: "fill", color: "#000000", gradient: { ...linear, stops: falling } };
+    expect(() => parseDesign({ format: "texelcast-design", version: 1, layers: [fill] })).toThrow(
+      "layers[0].gradient.stops[1].offset: must not fall back in offset from one stop to the next, is 0.4; " +
+        "layers[0].gradient.stops[3].offset: must not fall back in offset from one stop to the next, is 0.1",
+    );
+  });
+
   it("says of a fill's colour that is missing that it stands beside a gradient, too", () => {
     const fill = { type: "fill", gradient: linear };
     expect(() => parseDesign({ format: "texelcast-design", version: 1, layers: [fill] })).toThrow(

@@ -39,6 +39,7 @@ import {
   assetName,
   boundedList,
   checkAt,
+  checkEach,
   coordinate,
   cylindrical,
   dab,
@@ -173,8 +174,9 @@ const stroke = v.pipe(
 const stops = v.pipe(
   boundedList(DESIGN_LIMITS.gradientStops, "stops", strict({ offset: numberBetween(0, 1), color: hexColor })),
   v.minLength(2, "must hold two stops at least"),
-  v.check(
-    (list) => list.every((stop, index) => stop.offset >= (list[index - 1]?.offset ?? 0)),
+  checkEach(
+    "offset",
+    ({ offset }, before) => offset >= (before?.offset ?? 0),
     "must not fall back in offset from one stop to the next",
   ),
 );

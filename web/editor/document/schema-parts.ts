@@ -73,6 +73,38 @@ function strictly(schema: v.GenericSchema, known: ReadonlySet<string>): Run {
   };
 }
 
+/** A check of each of a list against the one before it, told at a field of all that are at fault. */
+export function checkEach<Item extends object>(
+  key: keyof Item & string,
+  isRight: (item: Item, before: Item | undefined) => boolean,
+  message: string,
+): v.CheckAction<Item[], string> {
+  const rightAt = (list: readonly Item[], index: number) => isRight(list[index] as Item, list[index - 1]);
+  const action = v.check((list: Item[]) => list.every((_, index) => rightAt(list, index)), message);
+  const run = action["~run"];
+  return {
+    ...action,
+    "~run"(dataset, config) {
+      const known = dataset.issues?.length ?? 0;
+      const result = run.call(action, dataset, config);
+      const [issue] = result.issues?.splice(known) ?? [];
+      if (issue === undefined) return result;
+      const list = result.value as Item[];
+      list.forEach((item, index) => {
+        if (rightAt(list, index)) return;
+        const at = { type: "unknown", origin: "value" } as const;
+        const input = item[key];
+        const path = [
+          { ...at, input: list, key: index, value: item },
+          { ...at, input: item, key, value: input },
+        ] as const;
+        result.issues?.push({ ...issue, input, path } as never);
+      });
+      return result;
+    },
+  };
+}
+
 /**
  * A check of several fields, told at one of them. The library's own `forward` looks through all faults so far for each of them:
  * a list of a hundred thousand faulty dabs took minutes.
