@@ -32,7 +32,8 @@ export async function variant(file: string, { out, name }: VariantCommandOptions
 function placeOf(name: string, variants: Variants | null, file: string): number {
   const place = variants?.names.indexOf(name) ?? -1;
   if (place >= 0) return place;
-  throw new TexelcastError("bad-argument", variants ? "the model has no such variant" : "the model has no variants", {
+  const missing = variants ? `no such variant, “${name}”` : `no variants, so not “${name}” either`;
+  throw new TexelcastError("bad-argument", `--name: the model has ${missing}`, {
     subject: file,
     field: "--name",
     value: name,

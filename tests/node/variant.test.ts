@@ -32,7 +32,7 @@ describe("texelcast variant", () => {
     const cwd = folderWithVariants();
     const run = await texelcast(["variant", "square.glb", "--out", "dusk.glb", "--name", "dusk"], { cwd });
     expect(run).toMatchObject({ code: 2, stdout: "" });
-    expect(run.stderr).toContain("no such variant");
+    expect(run.stderr).toContain("square.glb: --name: the model has no such variant, “dusk”\n");
     expect(run.stderr).toContain("“day”, “night”");
     expect((await texelcast(["inspect", "dusk.glb"], { cwd })).code).toBe(3);
   });
