@@ -342,6 +342,10 @@ describe("a picture that cannot be used", () => {
     ["a JPEG cut short", () => jpeg.slice(0, -60), /cut short/],
     ["a JPEG of which little is left", () => jpeg.slice(0, 30), /cut short/],
     ["a CMYK JPEG", () => jpeg.with(frameOf(jpeg) + 9, 4) as Uint8Array, /CMYK/],
+    ["a JPEG of arithmetic coding", () => jpeg.with(frameOf(jpeg) + 1, 0xc9) as Uint8Array, /arithmetic coding/],
+    ["a progressive one of it", () => jpeg.with(frameOf(jpeg) + 1, 0xca) as Uint8Array, /arithmetic coding/],
+    ["a JPEG without losses", () => jpeg.with(frameOf(jpeg) + 1, 0xc3) as Uint8Array, /without losses/],
+    ["a JPEG-LS", () => jpeg.with(frameOf(jpeg) + 1, 0xf7) as Uint8Array, /without losses/],
     ["a WebP cut short", () => webpLossless.slice(0, -10), /cut short/],
     ["a WebP with damaged pixels", () => webpLossless.map((byte, i) => (i > 60 ? 0xa5 : byte)), /damaged/],
   ])("such as %s is refused with its name and the reason", async (_, file, message) => {

@@ -22,7 +22,7 @@ export function readJpegHeader(bytes: Uint8Array): RawHeader {
     const length = view.getUint16(at + 2);
     if (length < 2) throw new PictureFault("damaged", "its JPEG segments are damaged");
     const segment = bytes.subarray(at + 4, at + 2 + length);
-    if (isStartOfFrame(marker)) size = readFrame(view, at + 4);
+    if (isStartOfFrame(marker)) size = readFrame(view, at + 4, marker);
     if (marker === APP1 && String.fromCharCode(...segment.subarray(0, 6)) === "Exif\0\0") {
       orientation = readExifOrientation(segment.subarray(6));
     }
@@ -37,12 +37,19 @@ export function readJpegHeader(bytes: Uint8Array): RawHeader {
   }
 }
 
-/** SOF0 to SOF15 without the tables that lie between them (DHT, JPG, DAC). */
+/** SOF0 to SOF15 without the tables that lie between them (DHT, JPG, DAC), and SOF55, of JPEG-LS. */
 function isStartOfFrame(marker: number): boolean {
-  return marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc;
+  return (marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc) || marker === 0xf7;
 }
 
-function readFrame(view: DataView, at: number): { width: number; height: number } {
+/** Beyond these, frames are without losses, one upon the other, or coded arithmetically, which the decoder takes for damage. */
+const SOF2 = 0xc2;
+
+function readFrame(view: DataView, at: number, marker: number): { width: number; height: number } {
+  if (marker > SOF2) {
+    const kind = marker === 0xc9 || marker === 0xca ? "of arithmetic coding" : "without losses or in layers";
+    throw new PictureFault("jpeg-kind", `it is a JPEG ${kind}, which cannot be read`);
+  }
   const precision = view.getUint8(at);
   const channels = view.getUint8(at + 5);
   if (precision !== 8) throw new PictureFault("bits", `its colours have ${precision} bits, and only 8 can be read`);

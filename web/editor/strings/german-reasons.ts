@@ -37,6 +37,7 @@ export const PICTURES: Reasons = {
     "Zeichne, was darin ist, in die Zeichnung selbst.",
   ],
   "inner-pixels": ["Die Bilder darin haben zu viele Pixel.", "Mach sie kleiner."],
+  "jpeg-kind": ["Es ist ein JPEG von einer Art, die nicht gelesen wird.", ANOTHER],
   jxl: ["Es ist ein JPEG-XL-Bild.", AS_PICTURE],
   ktx2: ["Es ist eine KTX2-Textur.", AS_PICTURE],
   "ktx2-kind": ["Es ist eine KTX2-Textur von einer Art, die nicht gelesen wird.", AS_PICTURE],
