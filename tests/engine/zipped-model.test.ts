@@ -1,4 +1,4 @@
-import { strToU8, type Zippable, zipSync } from "fflate";
+import { strFromU8, strToU8, type Zippable, zipSync } from "fflate";
 import { afterEach, describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { writeGlb } from "../../web/engine/gltf-container.ts";
@@ -55,6 +55,21 @@ describe("a zip given for a model", () => {
       "scene.bin",
       "textures/skin.png",
     ]);
+  });
+
+  it.each(["skín ü.png", "日本/ガ.png"])("has the file %s by its letters, in parts as on Macs or whole", (path) => {
+    for (const [named, packed] of [
+      ["NFC", "NFD"],
+      ["NFD", "NFC"],
+    ] as const) {
+      const model = { ...parts() };
+      const json = JSON.parse(strFromU8(model["scene.gltf"] as Uint8Array)) as { images: { uri: string }[] };
+      const address = encodeURI(path.normalize(named));
+      json.images = [{ uri: address }];
+      const { "textures/skin.png": _, ...rest } = model;
+      const files = { ...rest, "scene.gltf": strToU8(JSON.stringify(json)), [path.normalize(packed)]: SKIN };
+      expect(unzipModel({ name: "mac.zip", bytes: zipSync(files) }).resources?.get(address)).toEqual(SKIN);
+    }
   });
 
   it("says by name what a .gltf in it needs and the archive lacks", async () => {

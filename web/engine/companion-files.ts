@@ -12,14 +12,17 @@ export function findCompanion<File extends { readonly path: string }>(
   // Exporters on Windows write backslashes.
   const wanted = decodeAddress(address).replaceAll("\\", "/").replace(/^\.\//, "");
   const folder = base.slice(0, base.lastIndexOf("/") + 1);
-  const exact = files.find(({ path }) => path === folder + wanted);
+  const exact = files.find(({ path }) => composed(path) === composed(folder + wanted));
   if (exact) return exact;
-  const name = nameOf(wanted);
-  const named = files.filter(({ path }) => nameOf(path) === name);
+  const name = composed(nameOf(wanted));
+  const named = files.filter(({ path }) => composed(nameOf(path)) === name);
   const alike =
-    named.length > 0 ? named : files.filter(({ path }) => nameOf(path).toLowerCase() === name.toLowerCase());
+    named.length > 0 ? named : files.filter(({ path }) => composed(nameOf(path)).toLowerCase() === name.toLowerCase());
   return alike.length === 1 ? alike[0] : undefined;
 }
+
+/** Macs pack "ü" as a "u" and its dots, which the model that names the file has as one letter. */
+const composed = (path: string): string => path.normalize("NFC");
 
 /** The last part of a path or an address. */
 export const nameOf = (path: string): string => path.slice(path.lastIndexOf("/") + 1);
