@@ -10,7 +10,7 @@ import { power } from "../../web/engine/exact-power.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { readPictureHeader } from "../../web/engine/picture-header.ts";
 import { checkUpload } from "../../web/engine/upload-check.ts";
-import { type AvifPart, avifFile, box, makeAvif, partsOf } from "../support/avif-file.ts";
+import { type AvifPart, avifFile, box, gridData, makeAvif, partsOf, sizeBox } from "../support/avif-file.ts";
 import {
   curves,
   greyProfile,
@@ -171,6 +171,48 @@ describe("a picture with a colour profile", () => {
     expect((await checkUpload("p.webp", bytes)).bytes).toEqual(bytes);
   });
 
+  it("keeps it in an AVIF, of one picture and of tiles, and loses the screen's name", async () => {
+    const rgba = Uint8Array.from(IN_P3.flatMap((color) => [...color, 255]));
+    const [part] = partsOf(await avifFile({ width: 5, height: 1, rgba })) as [AvifPart];
+    const green = Uint8Array.from({ length: 64 * 64 * 4 }, (_, i) => [40, 220, 90, 255][i % 4] ?? 0);
+    const [tile] = partsOf(await avifFile({ width: 64, height: 64, rgba: green })) as [AvifPart];
+    const profile = (icc: Uint8Array): Uint8Array => box("colr", Buffer.from("prof"), icc);
+    const having = ({ properties = [], ...more }: AvifPart, ...boxes: Uint8Array[]): AvifPart => ({
+      ...more,
+      properties: [...properties, ...boxes],
+    });
+    const grid = {
+      type: "grid",
+      data: gridData(1, 1, 64, 64),
+      references: { dimg: [2] },
+      properties: [sizeBox(64, 64)],
+    };
+    for (const avif of [
+      makeAvif({ parts: [having(part, profile(DISPLAY_P3))] }),
+      makeAvif({ parts: [having(grid, profile(ADOBE_RGB)), tile] }),
+    ]) {
+      const { bytes } = await checkUpload("p.avif", avif);
+      expect(Buffer.from(bytes).toString("latin1")).not.toMatch(/Jane|4711/);
+      expect(await seen(bytes)).toEqual(await seen(avif));
+      expect(textOf(bytes)).toContain("rXYZ");
+      expect((await checkUpload("p.avif", bytes)).bytes).toEqual(bytes);
+    }
+    // A profile of sRGB goes before numbers that say otherwise, and they go with it.
+    const srgb = makeAvif({
+      parts: [
+        having(
+          { ...part, properties: (part.properties ?? []).filter((each) => textOf(each).slice(4, 8) !== "colr") },
+          profile(rgbProfile(PRIMARIES.srgb, SRGB_FORMULA)),
+          box("colr", Buffer.from("nclx"), [0, 12, 0, 13, 0, 0, 0x80]),
+        ),
+      ],
+    });
+    expect(await seen(srgb)).toEqual(IN_P3);
+    const { bytes } = await checkUpload("p.avif", srgb);
+    expect(textOf(bytes)).not.toContain("rXYZ");
+    expect(await seen(bytes)).toEqual(IN_P3);
+  });
+
   it("gives the same colours in AVIF, and by the numbers that it has in place of a profile", async () => {
     const rgba = Uint8Array.from(IN_P3.flatMap((color) => [...color, 255]));
     const [part] = partsOf(await avifFile({ width: 5, height: 1, rgba })) as [AvifPart];
@@ -287,6 +329,8 @@ describe("a power", () => {
     }
   });
 });
+
+const textOf = (bytes: Uint8Array): string => Buffer.from(bytes).toString("latin1");
 
 const require = createRequire(import.meta.url);
 const compile = (specifier: string): Promise<WebAssembly.Module> =>

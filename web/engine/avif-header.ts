@@ -7,8 +7,8 @@
 import { MAX_SIZE } from "../core/sizes.ts";
 import { av1Frames } from "./av1-frames.ts";
 import { type AvifFile, type AvifItem, damaged, otherKind, readAvifFile } from "./avif-file.ts";
-import { writeAvif } from "./avif-writer.ts";
-import { BoxReader } from "./isobmff.ts";
+import { isNumbers, writeAvif } from "./avif-writer.ts";
+import { type Box, BoxReader } from "./isobmff.ts";
 import { orientPixels } from "./orient-pixels.ts";
 import { PictureFault, type RawHeader } from "./picture-fault.ts";
 import { checkPixels } from "./picture-header.ts";
@@ -55,8 +55,30 @@ export function readAvifHeader(bytes: Uint8Array): RawHeader {
   return { width, height, orientation };
 }
 
-/** The file with what the picture needs alone. Throws as `readAvifHeader`. */
-export const cleanAvif = (bytes: Uint8Array): Uint8Array<ArrayBuffer> => writeAvif(readWhole(bytes).file);
+/**
+ * The file with what the picture needs alone. Throws as `readAvifHeader`.
+ *
+ * @param profile The box of its colour profile; null where its colours are sRGB's, or told by numbers.
+ */
+export function cleanAvif(bytes: Uint8Array, profile: Uint8Array | null): Uint8Array<ArrayBuffer> {
+  const { items, references } = readWhole(bytes).file;
+  const [picture, ...others] = items;
+  if (picture === undefined) throw damaged();
+  const had = picture.properties.some(isProfile);
+  const properties = had && profile === null ? picture.properties.map(asSrgb) : picture.properties;
+  return writeAvif({ items: [{ ...picture, properties }, ...others], references }, profile);
+}
+
+const isProfile = ({ type, content }: Box): boolean => type === "colr" && !isNumbers(content);
+
+/** A profile goes before the numbers: they hold from now on, and must not say of sRGB what it did not. */
+function asSrgb(property: Box): Box {
+  const { type, content, whole } = property;
+  if (type !== "colr" || !isNumbers(content)) return property;
+  const changed = whole.slice();
+  changed.set([0, 1, 0, 13], whole.length - content.length + 4);
+  return { type, content: changed.subarray(whole.length - content.length), whole: changed };
+}
 
 /** Decodes by `decode`, which gives the pixels as they are coded. Throws as `readAvifHeader`. */
 export async function decodeAvif(

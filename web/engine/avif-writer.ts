@@ -9,11 +9,12 @@ import { joinBytes } from "./join-bytes.ts";
 /** What must not be passed over by who does not know it. */
 const ESSENTIAL: readonly string[] = ["av1C", "clap", "irot", "imir", "a1op", "lsel"];
 
-export function writeAvif({ items, references }: AvifFile): Uint8Array<ArrayBuffer> {
+/** @param profile A box that the picture gets beside its properties; those that it has are not written. */
+export function writeAvif({ items, references }: AvifFile, profile: Uint8Array | null = null): Uint8Array<ArrayBuffer> {
   const number = new Map(items.map(({ id }, index) => [id, u16(index + 1)]));
   const numbers = (ids: readonly number[]): Uint8Array[] => ids.map((id) => number.get(id) ?? u16(0));
   const links = references.map(({ type, from, to }) => box(type, ...numbers([from]), u16(to.length), ...numbers(to)));
-  const { listed, associations } = listProperties(items);
+  const { listed, associations } = listProperties(items, profile);
   const stored = [...new Set(items.map(({ data }) => data))];
   const metaAt = (first: number): Uint8Array => {
     const offsets = new Map<Uint8Array, number>();
@@ -44,11 +45,16 @@ export function writeAvif({ items, references }: AvifFile): Uint8Array<ArrayBuff
   return joinBytes([ftyp, metaAt(start), box("mdat", ...stored)]);
 }
 
-function listProperties(items: readonly AvifItem[]): { listed: Uint8Array[]; associations: Uint8Array[] } {
+function listProperties(
+  items: readonly AvifItem[],
+  profile: Uint8Array | null,
+): { listed: Uint8Array[]; associations: Uint8Array[] } {
   const listed: Uint8Array[] = [];
   const known = new Map<string, number>();
   const associations = items.map((item, index) => {
-    const own = complete(item, items).map(({ type, whole }) => {
+    const kept = complete(item, items);
+    const given = index === 0 && profile !== null ? [...kept, { type: "colr", whole: profile }] : kept;
+    const own = given.map(({ type, whole }) => {
       const key = Array.from(whole).join();
       const place = known.get(key) ?? listed.push(whole);
       known.set(key, place);
@@ -61,7 +67,7 @@ function listProperties(items: readonly AvifItem[]): { listed: Uint8Array[]; ass
 
 /** Without a colour profile, and with the depth of its channels, which older programs do not say and the decoder asks for. */
 function complete({ properties }: AvifItem, items: readonly AvifItem[]): Box[] {
-  const kept = properties.filter(({ type, content }) => type !== "colr" || textAt(content, 0) === "nclx");
+  const kept = properties.filter(({ type, content }) => type !== "colr" || isNumbers(content));
   const has = (name: string) => kept.some(({ type }) => type === name);
   // A grid has the depth of its tiles.
   const coded = [properties, ...items.map((item) => item.properties)].flat().find(({ type }) => type === "av1C");
@@ -73,11 +79,13 @@ function complete({ properties }: AvifItem, items: readonly AvifItem[]): Box[] {
   return [...kept, { type: "pixi", content, whole: fullBox("pixi", PLAIN, content) }];
 }
 
+/** Whether a `colr` says by numbers of ITU-T H.273 what it says. */
+export const isNumbers = (colr: Uint8Array): boolean => String.fromCharCode(...colr.subarray(0, 4)) === "nclx";
+
 const PLAIN = [0, 0, 0, 0];
 const u16 = (value: number): Uint8Array => Uint8Array.of(value >> 8, value);
 const u32 = (value: number): Uint8Array => Uint8Array.of(value >> 24, value >> 16, value >> 8, value);
 const ascii = (text: string): Uint8Array => Uint8Array.from(text, (character) => character.charCodeAt(0));
-const textAt = (bytes: Uint8Array, at: number): string => String.fromCharCode(...bytes.subarray(at, at + 4));
 
 function box(type: string, ...content: readonly Uint8Array[]): Uint8Array {
   const length = content.reduce((sum, each) => sum + each.length, 8);

@@ -18,14 +18,14 @@ export interface KeptMetadata {
 
 /**
  * @param bytes A file whose header has been read (`readPictureHeader`), which proves its chunks or segments whole. An AVIF keeps
- *   what it says of its colours.
+ *   what it says of its colours in numbers.
  */
 export async function withoutMetadata(
   format: PictureFormat,
   bytes: Uint8Array,
   kept: KeptMetadata,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  if (format === "avif") return (await import("./avif-header.ts")).cleanAvif(bytes);
+  if (format === "avif") return (await import("./avif-header.ts")).cleanAvif(bytes, kept.colors);
   if (format === "png") return (await import("./clean-png.ts")).cleanPng(bytes, kept);
   return format === "jpeg" ? cleanJpeg(bytes, kept) : cleanWebp(bytes, kept);
 }

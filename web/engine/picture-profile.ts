@@ -6,7 +6,7 @@ import { BoxReader } from "./isobmff.ts";
 import { joinBytes } from "./join-bytes.ts";
 import { PictureFault } from "./picture-fault.ts";
 import { badPicture, type PictureFormat } from "./picture-header.ts";
-import { jpegProfile, pngColorNumbers, pngProfile, webpProfile } from "./profile-pieces.ts";
+import { avifProfile, jpegProfile, pngColorNumbers, pngProfile, webpProfile } from "./profile-pieces.ts";
 
 /** The bytes of a profile (ICC), or its primaries' and its curve's numbers of ITU-T H.273. */
 export type ColorSource = Uint8Array | readonly [primaries: number, curve: number];
@@ -24,8 +24,8 @@ export async function toSrgb(rgba: Uint8Array, format: PictureFormat, bytes: Uin
 }
 
 /**
- * The chunk or the segments by which a file keeps its colours, without what else profiles tell. Null where the colours are sRGB's,
- * and of an AVIF, which keeps its own; rejects as `toSrgb`.
+ * The chunk, the segments or the box by which a file keeps its colours, without what else profiles tell. Null where the colours are
+ * sRGB's, and of an AVIF's numbers, which it keeps by itself; rejects as `toSrgb`.
  */
 export async function keptColors(format: PictureFormat, bytes: Uint8Array, name: string): Promise<Uint8Array | null> {
   const source = await colorSource(format, bytes);
@@ -34,13 +34,14 @@ export async function keptColors(format: PictureFormat, bytes: Uint8Array, name:
     return format === "png" && codedProfile(...source) !== null ? pngColorNumbers(...source) : null;
   }
   const profile = named(name, () => cleanProfile(source));
-  return profile && (PIECES[format]?.(profile) ?? null);
+  return profile && PIECES[format](profile);
 }
 
-const PIECES: Partial<Record<PictureFormat, (profile: Uint8Array) => Uint8Array>> = {
+const PIECES: Readonly<Record<PictureFormat, (profile: Uint8Array) => Uint8Array>> = {
   png: pngProfile,
   jpeg: jpegProfile,
   webp: webpProfile,
+  avif: avifProfile,
 };
 
 function named<Result>(name: string, read: () => Result): Result {

@@ -34,3 +34,9 @@ export function webpProfile(profile: Uint8Array): Uint8Array {
   chunk.set(profile, 8);
   return chunk;
 }
+
+export function avifProfile(profile: Uint8Array): Uint8Array {
+  const whole = joinBytes([new Uint8Array(4), asciiCodes("colrprof"), profile]);
+  new DataView(whole.buffer).setUint32(0, whole.length);
+  return whole;
+}
