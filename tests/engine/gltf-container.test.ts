@@ -177,6 +177,14 @@ describe("a .gltf with side files", () => {
     expect(packed.binary?.slice(view?.byteOffset)).toEqual(picture);
   });
 
+  it("takes them whatever the capitals of their scheme, and asks nobody for their files", () => {
+    const base64 = `DATA:Application/Octet-Stream;Base64,${Buffer.from(binary).toString("base64")}`;
+    const percent = `Data:image/png,${[...picture].map((byte) => `%${byte.toString(16).padStart(2, "0")}`).join("")}`;
+    const bytes = external({ buffer: base64, image: percent });
+    expect(listSideFiles({ name, bytes })).toEqual([]);
+    expect(packGltf(readContainer({ name, bytes })).binary?.slice(0, binary.length)).toEqual(binary);
+  });
+
   it("names the file that is missing, and does not download anything", () => {
     const missing = problemOf(() =>
       packGltf(readContainer({ name, bytes: external({ buffer: "gone.bin", image: "p" }) })),

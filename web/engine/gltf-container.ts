@@ -6,6 +6,7 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import type { ModelSource } from "./engine-api.ts";
 import { parseExact, stringifyExact } from "./exact-numbers.ts";
 import { badContainer, type JsonObject, listOf, parseGltfJson, textAt } from "./gltf-json.ts";
+import { isDataUri } from "./gltf-resources.ts";
 
 const GLB_MAGIC = 0x46546c67;
 const CHUNK_JSON = 0x4e4f534a;
@@ -143,7 +144,7 @@ export function listSideFiles(source: Pick<ModelSource, "name" | "bytes">): stri
   const uris = new Set<string>();
   for (const item of [...listOf(json, "buffers", name), ...listOf(json, "images", name)]) {
     const uri = textAt(item, "uri");
-    if (uri !== undefined && !uri.startsWith("data:")) uris.add(uri);
+    if (uri !== undefined && !isDataUri(uri)) uris.add(uri);
   }
   return [...uris];
 }

@@ -8,6 +8,9 @@ export interface Resource {
   readonly mediaType: string;
 }
 
+/** Schemes are read whatever their capitals (RFC 3986, 3.1). */
+export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
+
 /**
  * The bytes of `uri` at the JSON path `field`. Throws "missing-file" naming the side file that was not given, and
  * "bad-container" for a broken data URI.
@@ -18,20 +21,18 @@ export function resolveUri(
   name: string,
   resources: ReadonlyMap<string, Uint8Array>,
 ): Resource {
-  if (uri.startsWith("data:")) return decodeDataUri(uri, field, name);
+  if (isDataUri(uri)) return decodeDataUri(uri, field, name);
   for (const key of spellings(uri)) {
     const bytes = resources.get(key);
     if (bytes !== undefined) return { bytes, mediaType: "" };
   }
   // One letter is a drive of Windows.
-  const remote = /^[a-z][a-z0-9+.-]+:/i.test(uri);
+  const isRemote = /^[a-z][\w+.-]+:/i.test(uri);
   throw new TexelcastError("missing-file", `“${name}” needs the file “${uri}”, which was not given with it.`, {
     subject: name,
     field,
     value: uri,
-    hint: remote
-      ? "Nothing is downloaded on a model's behalf: export it as a single .glb file."
-      : `Give “${uri}” together with the model, or export it as a single .glb file.`,
+    hint: `${isRemote ? "Nothing is downloaded on a model's behalf:" : `Give “${uri}” together with the model, or`} export it as a single .glb file.`,
   });
 }
 
@@ -43,17 +44,17 @@ function spellings(uri: string): string[] {
   } catch {
     // A stray "%" is no encoding: the name is meant as it stands.
   }
-  return found.flatMap((spelling) => [spelling, spelling.replaceAll("\\", "/").replace(/^(\.\/)+/, "")]);
+  return found.flatMap((spelling) => [spelling, spelling.replace(/\\/g, "/").replace(/^(\.\/)+/, "")]);
 }
 
 function decodeDataUri(uri: string, field: string, name: string): Resource {
   const comma = uri.indexOf(",");
   if (comma < 0) throw badContainer(name, `“${field}” is not a whole data address`, field, uri);
-  const header = uri.slice("data:".length, comma).split(";");
-  const mediaType = header[0] ?? "";
+  const header = uri.slice("data:".length, comma);
+  const mediaType = header.split(";")[0] ?? "";
   const data = uri.slice(comma + 1);
   try {
-    const text = header.includes("base64") ? atob(data) : decodePercent(data);
+    const text = /;base64/i.test(header) ? atob(data) : decodePercent(data);
     const bytes = new Uint8Array(text.length);
     for (let i = 0; i < bytes.length; i++) bytes[i] = text.charCodeAt(i);
     return { bytes, mediaType };
@@ -64,5 +65,5 @@ function decodeDataUri(uri: string, field: string, name: string): Resource {
 
 /** Each "%XX" as one byte; `decodeURIComponent` would insist on UTF-8. */
 function decodePercent(data: string): string {
-  return data.replace(/%([0-9a-f]{2})/gi, (_, digits: string) => String.fromCharCode(Number.parseInt(digits, 16)));
+  return data.replace(/%([0-9a-f]{2})/gi, (_, digits: string) => String.fromCharCode(Number(`0x${digits}`)));
 }
