@@ -1,6 +1,5 @@
 /** The PNG codec of @jsquash (Rust's `png`), started once, by the decoder and the encoder alike. */
-import { decode } from "@jsquash/png/codec/pkg/squoosh_png.js";
-import { init as startPng } from "@jsquash/png/decode.js";
+import startPng, { decode } from "@jsquash/png/codec/pkg/squoosh_png.js";
 import { compileCodec } from "./codec-wasm.ts";
 
 /** What of the codec's exports is used here. */
