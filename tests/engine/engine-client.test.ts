@@ -502,6 +502,30 @@ describe("a worker that is gone without a word", () => {
     expect(errors).toMatchObject([{ code: "engine-crashed", message: /did not answer/ }]);
   });
 
+  it("is not missed for the hours in which the whole machine slept", async () => {
+    vi.useFakeTimers({ toFake: ["setInterval", "clearInterval"] });
+    let [clock, slept] = [0, 0];
+    const now = vi.spyOn(performance, "now").mockImplementation(() => clock + slept);
+    onTestFinished(() => {
+      vi.useRealTimers();
+      now.mockRestore();
+    });
+    const { engine, workers } = start();
+    await openPlane(engine);
+    workers[0]?.silence();
+    const waiting = engine.hash(0);
+    const pass = (seconds: number): void => {
+      for (let i = 0; i < seconds; i++, clock += 1000) vi.advanceTimersByTime(1000);
+    };
+    pass(6);
+    slept = 8 * 3600_000;
+    pass(6);
+    expect(workers, "it may answer yet").toHaveLength(1);
+    pass(18);
+    expect(workers).toHaveLength(2);
+    await waiting;
+  });
+
   it("is left in peace while nobody waits for it, and while its thread answers", async () => {
     vi.useFakeTimers({ toFake: ["setInterval", "clearInterval", "performance"] });
     onTestFinished(() => {

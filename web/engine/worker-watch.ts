@@ -36,8 +36,11 @@ export class WorkerWatch {
   readonly #parts: WorkerWatchParts;
   readonly #guard = new AbortController();
   readonly #timer: ReturnType<typeof setInterval>;
-  #heard = performance.now();
-  #asked = false;
+  /**
+   * How often it was looked after since it was asked and did not answer. Counted, for clocks go on while the machine sleeps and while
+   * the browser holds a page still that is not seen: both threads wake then, and this one may be the first.
+   */
+  #looks = 0;
   #stopped = false;
 
   constructor(parts: WorkerWatchParts) {
@@ -49,8 +52,7 @@ export class WorkerWatch {
 
   /** The worker has said something. */
   heard(): void {
-    this.#heard = performance.now();
-    this.#asked = false;
+    this.#looks = 0;
   }
 
   /** Waits for a lock that the worker holds. */
@@ -67,15 +69,15 @@ export class WorkerWatch {
 
   #look(): void {
     const waiting = this.#parts.waitsFor();
-    const silence = performance.now() - this.#heard;
     if (waiting.length === 0) {
-      this.#heard = performance.now();
-    } else if (!this.#asked) {
-      // A thread that is free answers at once, however long the work itself takes.
-      this.#asked = true;
-      this.#parts.ping();
-    } else if (silence > (waiting.some((name) => LONG.has(name)) ? LONG_PATIENCE_MS : PATIENCE_MS)) {
-      this.#lose(`it did not answer for ${Math.round(silence / 1000)} seconds`);
+      this.#looks = 0;
+      return;
+    }
+    // A thread that is free answers at once, however long the work itself takes.
+    if (this.#looks === 0) this.#parts.ping();
+    const silence = LOOK_EVERY_MS * this.#looks++;
+    if (silence > (waiting.some((name) => LONG.has(name)) ? LONG_PATIENCE_MS : PATIENCE_MS)) {
+      this.#lose(`it did not answer for ${silence / 1000} seconds`);
     }
   }
 
