@@ -261,6 +261,21 @@ describe("layers", () => {
     expect(await allTexels(engine)).toEqual(before);
   });
 
+  it("lie flat in the texture at the angle that many turns leave", async () => {
+    const { engine } = await paintablePlane();
+    const stamped = async (angle: number): Promise<string> => {
+      engine.setLayers(
+        [decal("a", "logo", { projector: { kind: "uv", center: [0.5, 0.5], size: [0.6, 0.4], angle } })],
+        1,
+      );
+      return engine.hash(0);
+    };
+    const turned = await stamped(189);
+    expect(await stamped(188)).not.toBe(turned);
+    for (const turns of [342_935, 1, -1, -1_000_000]) expect(await stamped(189 + turns * 360)).toBe(turned);
+    expect(await stamped(123_456_789)).toBe(turned);
+  });
+
   it("give the same bytes whatever happened before", async () => {
     const layers = [
       fill("f", [0.2, 0.4, 0.6, 0.5]),

@@ -122,6 +122,20 @@ describe("a print file", () => {
     await expect(engine.exportPrint(options)).rejects.toMatchObject({ code: "bad-argument", field });
   });
 
+  it("is refused where none of its texels lies on the model, which is named with what to do", async () => {
+    const whole = plane(1, 0);
+    const corner = { ...whole, uvs: whole.uvs?.map((value) => value / 10) ?? [] };
+    const engine = await printable([], buildGlb({ ...texturedPlane, meshes: [corner] }));
+    await expect(engine.exportPrint({ size: 2 })).rejects.toMatchObject({
+      code: "bad-zones",
+      message: "Material 0 of “plane.glb” has no surface to print at 2 × 2 texels.",
+      subject: "plane.glb",
+      field: "material",
+      value: "0",
+      hint: expect.stringContaining("larger texture"),
+    });
+  });
+
   it("is refused in a size that there is not, and can be cancelled", async () => {
     const engine = await printable();
     for (const [size, value] of [

@@ -95,7 +95,8 @@ function coreProjector(projector: Projector): Partial<Omit<Dab, "flow" | "flipX"
   const kind = { projector: Projectors[projector.kind] };
   if (projector.kind === "uv") {
     const { center, size, angle } = projector;
-    return { ...kind, uvCenter: center, uvSize: size, uvAngleDegrees: angle };
+    // The core's numbers have 32 bits: of many turns they hold no degrees.
+    return { ...kind, uvCenter: center, uvSize: size, uvAngleDegrees: angle % 360 };
   }
   const posed = { ...kind, positionModel: projector.position, rotation: projector.rotation };
   if (projector.kind === "perspective") {

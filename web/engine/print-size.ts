@@ -95,10 +95,19 @@ async function surveyAt(
     raster: target.raster,
   }));
   if (surface.texels === 0 || surface.area <= 0) {
-    const what = zone === null ? `Material ${material}` : `The zone “${zone.name}”`;
-    throw new TexelcastError("bad-zones", `${what} has no surface to print.`, {
-      field: zone === null ? "material" : "zone",
-      value: zone?.id ?? String(material),
+    if (zone === null) {
+      const what = `Material ${material} of “${context.model.name}”`;
+      throw new TexelcastError("bad-zones", `${what} has no surface to print at ${width} × ${height} texels.`, {
+        subject: context.model.name,
+        field: "material",
+        value: String(material),
+        reason: "no-surface",
+        hint: "Ask for a larger texture, or unwrap the model so that its parts take more of it.",
+      });
+    }
+    throw new TexelcastError("bad-zones", `The zone “${zone.name}” has no surface to print.`, {
+      field: "zone",
+      value: zone.id,
       reason: "no-surface",
       hint: "A zone's polygon must lie on the material's charts in the texture, a box around its surface.",
     });

@@ -134,13 +134,17 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
   },
   "bad-zones": (error) =>
     error.reason === "no-surface"
-      ? [
-          error.field === "zone"
-            ? `Die Zone „${error.value}“ hat keine Fläche zum Bedrucken.`
-            : `Material ${error.value} hat keine Fläche zum Bedrucken.`,
-          "Eine Zone muss auf der Oberfläche ihres Materials liegen.",
-          "whole",
-        ]
+      ? error.field === "zone"
+        ? [
+            `Die Zone „${error.value}“ hat keine Fläche zum Bedrucken.`,
+            "Eine Zone muss auf der Oberfläche ihres Materials liegen.",
+            "whole",
+          ]
+        : [
+            `Material ${error.value} von ${named(error, "diesem Modell")} hat bei dieser Größe keine Fläche zum Bedrucken.`,
+            "Wähle eine größere Textur, oder wickle das Modell so ab, dass seine Teile mehr davon einnehmen.",
+            "whole",
+          ]
       : [
           error.field
             ? `In den Druckflächen${of(error)} steht bei ${error.field} nicht, was dort stehen muss.`
