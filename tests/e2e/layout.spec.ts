@@ -511,6 +511,28 @@ test("where the system forces its colours, what is chosen is marked, and what sh
   await expect(swatch).toHaveCSS("background-color", `rgb(${hex.map((pair) => Number.parseInt(pair, 16)).join(", ")})`);
 });
 
+test("a menu that is open stays at its button and in the window, whatever that becomes", async ({ editor, page }) => {
+  await editor.open();
+  await page.getByRole("button", { name: "Export", exact: true }).click();
+  for (const [width, height] of [
+    [900, 800],
+    [390, 844],
+    [844, 390],
+    [1280, 800],
+  ] as const) {
+    await editor.resize(width, height);
+    const [menu, button] = await editor.places(
+      page.locator("tc-top-bar [role=menu]"),
+      page.locator("tc-top-bar tc-menu[alignEnd] button").first(),
+    );
+    expect(menu.x).toBeGreaterThanOrEqual(0);
+    expect(menu.x + menu.width).toBeLessThanOrEqual(width);
+    expect(menu.y + menu.height).toBeLessThanOrEqual(height);
+    expect(Math.abs(menu.x + menu.width - button.x - button.width), `${width} wide`).toBeLessThan(2);
+    await expect(page.locator("tc-top-bar [role=menu] [role=menuitem]:focus")).toHaveCount(1);
+  }
+});
+
 test("the splitter is moved by pointer and by keyboard", async ({ editor, page }) => {
   await editor.open();
   await expect(page.locator("#tab-overlap"), "the texture's maps are all in sight").toBeInViewport({ ratio: 1 });

@@ -1,6 +1,7 @@
 /** A button with a menu of actions (WAI-ARIA menu button): arrows, Home, End, Escape, and typing the first letter. */
 import { css, html, nothing, type TemplateResult } from "lit";
 import { Check, ChevronDown, type IconNode } from "lucide";
+import { windowOf } from "../../viewer/window-of.ts";
 import { controls } from "./controls.ts";
 import { icon } from "./icon.ts";
 import { focusedIn } from "./open-field.ts";
@@ -243,6 +244,7 @@ export class Menu extends RemElement {
 
   /** Without the keyboard it would neither hear Escape nor that one goes on elsewhere. */
   override updated(): void {
+    this.#follow();
     const focused = this.shadowRoot?.activeElement;
     if (this.open && focused?.matches("[role^=menuitem]:disabled")) (this.#entries()[0] ?? this.#list)?.focus();
   }
@@ -257,6 +259,8 @@ export class Menu extends RemElement {
     const opener = this.#at ? DOMRect.fromRect(this.#at) : this.#opener?.getBoundingClientRect();
     if (!menu || !opener) return;
     menu.showPopover?.();
+    // Where it stood before it may have had no room for its width.
+    menu.style.left = "0";
     const { offsetWidth: width, offsetHeight: height } = menu;
     const below = innerHeight - opener.bottom - GAP;
     const top = height > below && opener.top > below ? opener.top - GAP - height : opener.bottom + GAP;
@@ -265,6 +269,24 @@ export class Menu extends RemElement {
     const left = fromLeft ? opener.left : opener.right - width;
     menu.style.top = `${Math.max(GAP, Math.min(top, innerHeight - height - GAP))}px`;
     menu.style.left = `${Math.max(GAP, Math.min(left, innerWidth - width - GAP))}px`;
+  }
+
+  /** What a window that becomes another moves is there in its frame. */
+  readonly #placeAnew = (): void => {
+    requestAnimationFrame(() => this.#place());
+  };
+
+  /** @internal */
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.open = false;
+    this.#follow();
+  }
+
+  #follow(): void {
+    const page = windowOf(this);
+    if (this.open) page.addEventListener("resize", this.#placeAnew);
+    else page.removeEventListener("resize", this.#placeAnew);
   }
 
   #close(): void {
