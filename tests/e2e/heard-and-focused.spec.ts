@@ -96,6 +96,24 @@ test("a key that takes away what had the keyboard leaves it in the view", async 
   await expect(editor.view).toBeFocused();
 });
 
+test("a window that becomes another leaves the keyboard on the page", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  await page.locator("tc-layer-properties #flipX").focus();
+  await editor.resize(390, 844);
+  await expect(page.locator("tc-layer-properties #flipX"), "the panel is one of the sheet's").toHaveCount(0);
+  await expect(editor.view).toBeFocused();
+
+  await page.locator("#sheet-properties").click();
+  await page.locator("tc-layer-properties #flipX").focus();
+  await editor.resize(1280, 800);
+  await expect(editor.view, "the sheet has gone").toBeFocused();
+
+  // What is still there keeps it.
+  await page.locator("#help").focus();
+  await editor.resize(390, 844);
+  await expect(page.locator("#help")).toBeFocused();
+});
+
 test("a menu of a row's gives the keyboard back to the row", async ({ editor, page }) => {
   await editor.openOnLowest();
   const row = page.locator("tc-layer-list .row[aria-current=true]");

@@ -28,7 +28,7 @@ import { watchEraserEnd } from "./tools/eraser-end.ts";
 import { ACCEPT } from "./ui/accepted-files.ts";
 import { EditorElement } from "./ui/editor-element.ts";
 import { pickFiles } from "./ui/file-picker.ts";
-import { holdKeyboard } from "./ui/held-keyboard.ts";
+import { type HeldKeyboard, holdKeyboard } from "./ui/held-keyboard.ts";
 import { endOpenField } from "./ui/open-field.ts";
 import { focusPressed } from "./ui/press-focus.ts";
 import "./ui/menu.ts";
@@ -76,6 +76,7 @@ export class Workbench extends EditorElement {
   readonly #tablet = matchMedia(UPRIGHT);
   readonly #lowWindow = matchMedia(LOW);
   #endFingers: () => void = () => {};
+  #keyboard: HeldKeyboard | null = null;
   /** Ends what is listened to while it is in the page. */
   #connected = new AbortController();
 
@@ -270,8 +271,8 @@ export class Workbench extends EditorElement {
       { signal },
     );
     focusPressed(this, signal);
-    const look = holdKeyboard(whole, () => this.editor.work, signal);
-    signal.addEventListener("abort", this.editor.store.subscribe(look));
+    this.#keyboard = holdKeyboard(whole, () => this.editor.work, signal);
+    signal.addEventListener("abort", this.editor.store.subscribe(this.#keyboard.look));
     for (const type of ["copy", "cut", "paste"]) whole.addEventListener(type, this.#clipboard, { signal });
     whole.addEventListener("dragover", (event) => this.#dragOver(event as DragEvent), { signal });
     whole.addEventListener("dragleave", (event) => this.#dragLeave(event as DragEvent), { signal });
@@ -406,6 +407,8 @@ export class Workbench extends EditorElement {
   readonly #templates = (): void => this.renderRoot.querySelector("tc-template-dialog")?.show();
 
   readonly #resize = (): void => {
+    // Panels give way to a sheet, and it to them: the keyboard may be in them, or elsewhere on a page around the editor.
+    if (this.shadowRoot?.activeElement) this.#keyboard?.hold(this.ownerDocument);
     const [width, height] = [this.clientWidth, this.clientHeight];
     const narrow = this.embedded ? width <= PHONE_WIDTH : this.#narrow.matches;
     this.sideways = this.embedded

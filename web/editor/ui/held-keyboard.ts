@@ -1,13 +1,20 @@
-/** The keyboard is somewhere after every key: also after one that took away what had it. */
+/** The keyboard is somewhere after every key, and in a window that has become another: also where that took away what had it. */
 import { focusedIn } from "./open-field.ts";
+
+export interface HeldKeyboard {
+  /** To be called whenever something of the page may have been taken away. */
+  readonly look: () => void;
+  /** To be called before something is without a key, as when the window becomes another. */
+  readonly hold: (ownerDocument: Document) => void;
+}
 
 /**
  * Escape leaves the layer whose fields these were, Alt 3 the view that was looked at: browsers give the keyboard to nothing then, and the
  * next Tab begins at the top of the page. It goes to what `next` names instead. A pointer says itself where it goes on.
  *
- * Hears keys in `root` until `signal`; returns what is to be called whenever something of the page may have been taken away.
+ * Hears keys in `root` until `signal`.
  */
-export function holdKeyboard(root: EventTarget, next: () => HTMLElement, signal: AbortSignal): () => void {
+export function holdKeyboard(root: EventTarget, next: () => HTMLElement, signal: AbortSignal): HeldKeyboard {
   let held: HTMLElement | null = null;
   let asked = false;
   const look = (): void => {
@@ -26,14 +33,18 @@ export function holdKeyboard(root: EventTarget, next: () => HTMLElement, signal:
     asked = true;
     requestAnimationFrame(() => requestAnimationFrame(look));
   };
+  const hold = (ownerDocument: Document): void => {
+    const focused = focusedIn(ownerDocument);
+    held = focused === ownerDocument.body ? null : focused;
+    lookSoon();
+  };
   root.addEventListener(
     "keydown",
     (event) => {
       const { target, key } = event as KeyboardEvent;
-      const focused = focusedIn((target as Node | null)?.ownerDocument ?? document);
       // Tab may leave the page, for the browser's own bars.
-      held = key === "Tab" || focused === focused?.ownerDocument.body ? null : focused;
-      lookSoon();
+      if (key === "Tab") held = null;
+      else hold((target as Node | null)?.ownerDocument ?? document);
     },
     { capture: true, signal },
   );
@@ -44,5 +55,5 @@ export function holdKeyboard(root: EventTarget, next: () => HTMLElement, signal:
     },
     { capture: true, signal },
   );
-  return lookSoon;
+  return { look: lookSoon, hold };
 }
