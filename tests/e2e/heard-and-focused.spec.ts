@@ -301,6 +301,20 @@ test("beneath the number that is not taken stands what may be typed, until a num
   await expect(input).toHaveValue("25");
 });
 
+test("of what is no number is told what one is, and no bound that nobody comes to", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  const saidOf = async (field: string, typed: string): Promise<string> => {
+    await editor.setField(field, typed);
+    return page.locator(`tc-layer-properties [data-field=${field}] .why`).innerText();
+  };
+  expect(await saidOf("position-x", "left")).toBe("a number");
+  await expect(announcer(editor)).toHaveText("Position X: a number");
+  expect(await saidOf("yaw", "left")).toBe("a number");
+  expect(await saidOf("size-width", "wide")).toBe("0.01 mm at least");
+  expect(await saidOf("tilt", "up")).toBe("from -90 ° to 90 °");
+  expect(await saidOf("position-x", "1e99"), "who has come to it").toContain("1000000000000");
+});
+
 test("what may be typed is told within the window, and goes with the field's place and use", async ({
   editor,
   page,
