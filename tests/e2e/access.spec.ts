@@ -59,6 +59,7 @@ const ON_A_DESKTOP: readonly Place[] = [
   ["a masked group", (editor) => press("Control+g")(editor).then(() => click("[data-action=add-mask]")(editor))],
   ["a mask that fades", check("tc-layer-properties input[name=mask-start][value=linear]")],
   ["several layers", press("Control+a")],
+  ["layers that are hidden", click("tc-layer-list .row [data-action=visible]")],
   ["more to do with layers", click("tc-layer-list .more button")],
   ["the history", (editor) => press("Escape")(editor).then(() => click("#tab-history")(editor))],
   ["the brush’s seldom used fields", click("#tab-layers", "#tool-brush", "#more-options")],
@@ -67,6 +68,10 @@ const ON_A_DESKTOP: readonly Place[] = [
   ["a map of the texture alone", click("#view-menu", "#layout-texture", "tc-texture-panel #tab-overlap")],
   ["the projects’ menu", click("#layout-both", "tc-top-bar .projects button")],
   ["the projects", click("tc-top-bar .projects [role=menuitem] >> nth=0")],
+  [
+    "a project that was deleted",
+    click("tc-projects-dialog [data-action=duplicate]", "tc-projects-dialog [data-action=delete]"),
+  ],
   ["the models’ menu", (editor) => press("Escape")(editor).then(() => click("tc-top-bar .models button")(editor))],
   ["the export’s menu", (editor) => press("Escape")(editor).then(() => click("tc-menu[alignEnd] button")(editor))],
   ["the help", press("Escape", "?")],

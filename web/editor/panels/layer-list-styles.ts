@@ -170,9 +170,12 @@ export const layerListStyles = css`
   .primary .name {
     font-weight: 550;
   }
-  .off .name,
   .off .target {
-    opacity: 0.5;
+    opacity: 0.6;
+  }
+  /* Its name is read as any other, and so are the words in the picture of a text. */
+  .off .name {
+    color: var(--text-quiet);
   }
   .cell {
     flex: none;

@@ -109,10 +109,12 @@ export class ProjectsDialog extends EditorElement {
         display: flex;
         gap: 2px;
       }
-      .deleted .still {
+      .deleted .picture {
         opacity: 0.55;
       }
+      /* Its words are read as any other's. */
       .deleted .name {
+        color: var(--text-quiet);
         text-decoration: line-through;
       }
       @media (max-width: 560px) {
