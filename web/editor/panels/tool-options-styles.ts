@@ -74,6 +74,12 @@ export const toolOptionsStyles = css`
     color: var(--text-quiet);
     white-space: nowrap;
   }
+  /* Nothing beside it can give way. */
+  .often p:only-child {
+    flex: 0 1 auto;
+    white-space: normal;
+    text-wrap: balance;
+  }
   .often .check {
     padding-inline: var(--space-2);
   }

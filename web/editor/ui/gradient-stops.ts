@@ -68,6 +68,7 @@ export class GradientStops extends RemElement {
     css`
       :host {
         display: grid;
+        container-type: inline-size;
         gap: var(--space-2);
         /* From its first colour to its last, as the number line runs. */
         direction: ltr;
@@ -142,6 +143,22 @@ export class GradientStops extends RemElement {
       }
       :host([greys]) .fields {
         grid-template-columns: auto minmax(0, 1fr) auto auto;
+      }
+      /* A finger's letters and buttons leave two numbers no room for three digits: the buttons stand beneath them. */
+      @media (pointer: coarse) {
+        @container (max-width: 21.5rem) {
+          :host(:not([greys])) .fields {
+            grid-template-columns: auto repeat(2, minmax(0, 1fr));
+          }
+          :host(:not([greys])) .fields button:first-of-type {
+            grid-column: 2;
+          }
+        }
+        @container (max-width: 15.5rem) {
+          .fields {
+            --space-2: 4px;
+          }
+        }
       }
       input[type="color"] {
         width: max(2.5rem, var(--target));
