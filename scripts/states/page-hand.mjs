@@ -136,7 +136,7 @@ export class PageHand {
    * @param {string} text
    */
   async drop(name, text) {
-    const at = await this.middle("main");
+    const at = await this.middle("[role=main]");
     await this.page.evaluate(
       ({ name, text, at }) => {
         const dataTransfer = new DataTransfer();
