@@ -69,6 +69,24 @@ test("words that came without what draws them are drawn with the next change, on
     .not.toBe(undrawn);
 });
 
+test("a demo whose pictures are not to be had says so, asks nobody for files, and opens once they are", async ({
+  page,
+}) => {
+  const { editor, cut } = await openOnLine(page);
+  const open = async (): Promise<void> => {
+    await page.locator("tc-top-bar .models button").first().click();
+    await page.getByRole("menuitemradio", { name: "Avatar" }).click();
+    await editor.idle();
+  };
+  cut(/decals\/badge/);
+  await open();
+  await expect(editor.notices).toContainText("Could not open Avatar");
+  await expect(editor.notices).toContainText(CONNECTION);
+  cut(null);
+  await open();
+  await expect(page.locator("tc-stage #play")).toBeVisible();
+});
+
 test("a project that cannot be packed without a connection says what is missing, and is saved once there is one", async ({
   page,
 }) => {

@@ -154,6 +154,21 @@ describe("the pictures of designs", () => {
     expect([...has]).toEqual([]);
   });
 
+  it("of a design that lie elsewhere and do not come are told as what did not come, and not as what was left out", async () => {
+    const { library } = painting(64);
+    vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
+    const assets = { far: { type: "image/png", uri: "decals/far.png" } } as const;
+    const adopted = library.adopt(
+      { ...emptyDesign(), assets },
+      { path: "Avatar", baseUrl: "https://shop.example/demo/" },
+    );
+    await expect(adopted).rejects.toMatchObject({
+      code: "missing-file",
+      reason: "not-loaded",
+      value: "decals/far.png",
+    });
+  });
+
   it("of a design are fetched side by side, a few ahead, and have the order of the design whichever comes first", async () => {
     const { library } = painting(64);
     const files = Array.from({ length: 9 }, (_, shade) => solidPng(2, 2, [shade, 0, 0, 255]));

@@ -62,7 +62,8 @@ async function readAsset(uri: string, field: string, { path, files, baseUrl, rea
   }
   const response = await fetch(address).catch(() => undefined);
   if (!response?.ok) {
-    throw new TexelcastError("missing-file", `${uri} could not be fetched.`, { subject: path, field, value: uri });
+    const details = { subject: path, field, value: uri, reason: "not-loaded" };
+    throw new TexelcastError("missing-file", `${uri} could not be fetched.`, details);
   }
   return bytesOf(await response.blob());
 }
