@@ -47,4 +47,13 @@ describe("the pictures that a brush may print", () => {
     };
     expect(tipsOf(design)).toHaveLength(1);
   });
+
+  it("is called as its lowest layer is, where one shows it, and else by the design's own key", () => {
+    const layers = [
+      makeDecalLayer({ id: "a", asset: "mark", projector: PROJECTOR, name: "Texelcast mark" }),
+      makeDecalLayer({ id: "b", asset: "mark", projector: PROJECTOR, name: "Another" }),
+    ];
+    const design = { ...emptyDesign(), assets: { mark: picture("mark"), unused: picture("unused") }, layers };
+    expect(tipsOf(design).map(({ name }) => name)).toEqual(["Texelcast mark", "unused"]);
+  });
 });

@@ -21,14 +21,20 @@ export interface BrushTip {
 /** The design's pictures that somebody chose: what pixel and clone tools made is of one place and no tip. */
 export function tipsOf(design: Pick<Design, "assets" | "layers">): BrushTip[] {
   const made = new Set<string>();
-  const chosen = new Set<string>();
+  const printed = new Set<string>();
+  /** What it is called in the list of layers, which a key ("mark", "badge-2") is not. */
+  const chosen = new Map<string, string>();
   for (const layer of flattenLayers(design)) {
-    if (layer.type === "decal") (isPixelLayer(layer) || isClone(layer) ? made : chosen).add(layer.asset);
-    else if (layer.type === "stroke" && layer.brush.tip === "picture") chosen.add(layer.brush.asset);
+    if (layer.type === "decal") {
+      const { asset, name } = layer;
+      if (isPixelLayer(layer) || isClone(layer)) made.add(asset);
+      else if (!chosen.has(asset)) chosen.set(asset, name);
+    } else if (layer.type === "stroke" && layer.brush.tip === "picture") printed.add(layer.brush.asset);
   }
+  const isTip = (key: string): boolean => chosen.has(key) || printed.has(key) || !made.has(key);
   return Object.entries(design.assets)
-    .filter(([key, { type }]) => type.startsWith("image/") && (chosen.has(key) || !made.has(key)))
-    .map(([name, asset]) => ({ name, asset }));
+    .filter(([key, { type }]) => type.startsWith("image/") && isTip(key))
+    .map(([key, asset]) => ({ name: chosen.get(key) ?? key, asset }));
 }
 
 export interface TipCommandsParts {
