@@ -86,3 +86,39 @@ test("who asks for more contrast sees where fields end, and no word is paler tha
     expect(line).not.toBe(usual);
   }
 });
+
+test("a decal's lines and handles stand out from a light model, in light and in dark", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  for (const colorScheme of ["light", "dark"] as const) {
+    await page.emulateMedia({ colorScheme, reducedMotion: "reduce" });
+    const contrasts = (): Promise<{ handle: number; cream: number; told: number }> =>
+      editor.view.evaluate((view) => {
+        const channel = (share: number): number =>
+          share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+        const light = (color: string): number => {
+          const [red = 0, green = 0, blue = 0] = (color.match(/[\d.]+/g) ?? []).map((part) =>
+            channel(Number(part) / 255),
+          );
+          return 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+        };
+        const between = (one: string, other: string): number => {
+          const [darker = 0, lighter = 0] = [light(one), light(other)].sort((a, b) => a - b);
+          return (lighter + 0.05) / (darker + 0.05);
+        };
+        const styleOf = (selector: string): CSSStyleDeclaration =>
+          getComputedStyle(view.querySelector(selector) as Element);
+        const { stroke, fill } = styleOf(".tcv-mark");
+        const { color, backgroundColor } = styleOf(".tcv-readout");
+        // The mug's own colour.
+        return {
+          handle: between(stroke, fill),
+          cream: between(stroke, "rgb(235 230 222)"),
+          told: between(color, backgroundColor),
+        };
+      });
+    const { handle, cream, told } = await contrasts();
+    expect(handle, `${colorScheme}: a handle's edge`).toBeGreaterThanOrEqual(3);
+    expect(cream, `${colorScheme}: lines on a light model`).toBeGreaterThanOrEqual(3);
+    expect(told, `${colorScheme}: what a drag tells`).toBeGreaterThanOrEqual(4.5);
+  }
+});
