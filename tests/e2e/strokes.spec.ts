@@ -56,3 +56,44 @@ test("a design of strokes opens, is painted and listed, and its strokes are edit
   for (let step = 0; step < 2; step += 1) await page.locator("#undo").click();
   expect(await editor.settledHash()).toBe(whole);
 });
+
+test("a tool that is chosen in the middle of a stroke ends it, and what was painted stays", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.keyboard.press("Escape");
+  const before = await editor.settledHash();
+  const { x, y } = await editor.middleOfStage();
+  await page.keyboard.press("b");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y, { steps: 4 });
+  await page.keyboard.press("e");
+  await expect(page.locator("#tool-eraser")).toBeChecked();
+  // The button is still down.
+  await page.mouse.move(x + 40, y + 40, { steps: 4 });
+  await page.mouse.up();
+  const painted = await editor.settledHash();
+  expect(painted).not.toBe(before);
+  const paint = (await editor.design()).layers.filter(({ type }) => type === "paint");
+  expect(paint).toMatchObject([{ strokes: [{ type: "stroke" }] }]);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(before);
+});
+
+test("so it is with a pencil", async ({ editor, page }) => {
+  await editor.open();
+  await editor.openTemplate("block-wide");
+  const before = await editor.settledHash();
+  const { x, y } = await editor.middleOfStage();
+  await page.keyboard.press("n");
+  await page.mouse.move(x, y - 20);
+  await page.mouse.down();
+  await page.mouse.move(x + 12, y - 30, { steps: 4 });
+  await page.keyboard.press("v");
+  await page.mouse.up();
+  expect(await editor.settledHash()).not.toBe(before);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(before);
+});

@@ -111,6 +111,10 @@ export class BrushTool implements Tool {
     return gesture !== null;
   }
 
+  finish(): void {
+    if (this.#gesture !== null) this.#finish();
+  }
+
   deactivate(): void {
     this.cancel();
     this.#cursor.hide();

@@ -47,6 +47,10 @@ export class EraserTool implements Tool {
     return ended.length > 0;
   }
 
+  finish(): void {
+    this.#held?.finish?.();
+  }
+
   deactivate(): void {
     this.#ofPaint.deactivate?.();
     this.#ofPixels.deactivate?.();

@@ -107,6 +107,11 @@ export class PixelTool implements Tool {
     return gesture !== null;
   }
 
+  finish(): void {
+    this.#finish();
+    this.#endByKey();
+  }
+
   deactivate(): void {
     this.cancel();
     this.#cursor.hide();

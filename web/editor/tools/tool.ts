@@ -68,6 +68,8 @@ export interface Tool {
   readonly activate?: () => void;
   /** Ends what the pointer has under way, without a trace; false where nothing is. */
   readonly cancel?: () => boolean;
+  /** Ends what is under way as if the pointer had been let go: it is the user's work. */
+  readonly finish?: () => void;
   /** Another tool was chosen; what is under way must end. */
   readonly deactivate?: () => void;
   /** Another model is open, chosen or not: places on the one before mean nothing any more. */

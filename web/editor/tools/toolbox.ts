@@ -80,6 +80,7 @@ export class Toolbox {
     const { store, board } = this.#parts;
     const tool = this.#tools.get(id);
     if (!tool || id === store.state.tool || store.state.readonly) return;
+    this.active?.finish?.();
     this.active?.deactivate?.();
     store.set({ tool: id });
     this.#use(tool.input);
