@@ -317,3 +317,25 @@ test("a model whose textures are KTX2 alone is painted on the texels that Node r
   expect(await page.evaluate(() => window.texelcast.engine.hash(0))).toBe(await engine.hash(0));
   engine.dispose();
 });
+
+test("what is dropped while the keys or the templates are shown is seen, and so is why it was not taken", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const middle = await editor.middleOfStage();
+  const dialog = page.locator("tc-help-dialog dialog, tc-template-dialog dialog").filter({ visible: true });
+  await page.locator("#help").click();
+  await expect(dialog).toHaveCount(1);
+  await editor.drop([file("letter.docx", "Dear Sirs")], middle);
+  await expect(dialog).toHaveCount(0);
+  await editor.notices.getByRole("button", { name: "Dismiss" }).click();
+  await expect(editor.notices).toHaveCount(0);
+
+  await page.locator("tc-top-bar .models button").first().click();
+  await page.getByRole("menuitem", { name: "New from template…" }).click();
+  await expect(dialog).toHaveCount(1);
+  await editor.drop([ringPicture()], middle);
+  await expect(dialog).toHaveCount(0);
+  await expect(editor.row("ring")).toBeVisible();
+});

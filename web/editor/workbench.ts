@@ -265,8 +265,9 @@ export class Workbench extends EditorElement {
         const { name, least, most } = (event as CustomEvent<Refusal>).detail;
         const { refused, mayBe } = this.strings.announce;
         const [field] = event.composedPath() as NumberField[];
-        field?.explain(mayBe(least, most));
-        this.editor.board.announce(refused(name, mayBe(least, most)));
+        const told = mayBe(near(least), near(most));
+        field?.explain(told);
+        this.editor.board.announce(refused(name, told));
       },
       { signal },
     );
@@ -487,8 +488,12 @@ export class Workbench extends EditorElement {
     const hit = this.#surfaceUnder(event);
     const demo = store.state.demos?.decals.find(({ id }) => id === dataTransfer.getData(PALETTE_DRAG));
     if (demo) void files.addDemoDecal(demo, hit);
-    else if (carriesFiles(dataTransfer)) void files.openFiles(collectDrop(dataTransfer), hit);
-    else return;
+    else if (carriesFiles(dataTransfer)) {
+      // What comes of it would lie behind them; the projects have their own notices.
+      this.renderRoot.querySelector("tc-help-dialog")?.close();
+      this.renderRoot.querySelector("tc-template-dialog")?.close();
+      void files.openFiles(collectDrop(dataTransfer), hit);
+    } else return;
     event.preventDefault();
   };
 
@@ -504,6 +509,11 @@ export class Workbench extends EditorElement {
   };
 }
 customElements.define("tc-workbench", Workbench);
+
+/** A field's bound; "" for one that nobody comes to, as what the engine's arithmetic survives: a million kilometres say nothing. */
+function near(bound: string): string {
+  return /\d{9}/.test(bound) ? "" : bound;
+}
 
 declare global {
   interface HTMLElementTagNameMap {

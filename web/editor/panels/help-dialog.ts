@@ -95,6 +95,10 @@ export class HelpDialog extends RemElement {
     this.#dialog?.showModal();
   }
 
+  close(): void {
+    this.#dialog?.close();
+  }
+
   get #dialog(): HTMLDialogElement | null {
     return this.renderRoot.querySelector("dialog");
   }

@@ -72,6 +72,10 @@ export class TemplateDialog extends EditorElement {
     this.#dialog?.showModal();
   }
 
+  close(): void {
+    this.#dialog?.close();
+  }
+
   protected watched({ demos }: EditorState): readonly unknown[] {
     return [demos];
   }
