@@ -312,7 +312,6 @@ test("of what is no number is told what one is, and no bound that nobody comes t
   expect(await saidOf("yaw", "left")).toBe("a number");
   expect(await saidOf("size-width", "wide")).toBe("0.01 mm at least");
   expect(await saidOf("tilt", "up")).toBe("from -90 ° to 90 °");
-  expect(await saidOf("position-x", "1e99"), "who has come to it").toContain("1000000000000");
 });
 
 test("what may be typed is told within the window, and goes with the field's place and use", async ({

@@ -34,9 +34,6 @@ const WHY_GAP = 4;
 /** What may take the field away from under that. */
 const MOVES = ["scroll", "resize"] as const;
 
-/** From here on a bound is one that nobody comes to. */
-const FAR = 1e9;
-
 /** Milliseconds that a field is marked at least whose number was not taken. */
 const REFUSAL = 5000;
 
@@ -336,7 +333,7 @@ export class NumberField extends RemElement {
     if (value !== undefined && value !== this.value) this.#emit("field-change", value, false);
     if (outside) {
       this.#show();
-      this.#refuse(value === undefined);
+      this.#refuse();
     } else {
       this.#accept();
       this.#show();
@@ -348,14 +345,12 @@ export class NumberField extends RemElement {
    * What stands there is for a moment marked as not what was typed: it is the number from before where that was none, and the
    * nearest that can be where it was too small or too large.
    */
-  #refuse(isNone: boolean): void {
+  #refuse(): void {
     const input = this.#input;
     input?.setAttribute("aria-invalid", "true");
     this.toggleAttribute("refused", true);
-    // Who has typed no number does not learn from 1000000 km what one is.
-    const far = isNone ? FAR : Number.POSITIVE_INFINITY;
     const bound = (value: number): string =>
-      Math.abs(value) < far ? `${this.#shown(value, this.step)} ${this.unit}`.trim() : "";
+      Number.isFinite(value) ? `${this.#shown(value, this.step)} ${this.unit}`.trim() : "";
     const detail: Refusal = { name: this.name, least: bound(this.min), most: bound(this.max) };
     this.dispatchEvent(new CustomEvent("field-refused", { detail, bubbles: true, composed: true }));
     clearTimeout(this.#refusal);
