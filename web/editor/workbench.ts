@@ -103,6 +103,12 @@ export class Workbench extends EditorElement {
         font: var(--text-normal) / 1.3 var(--font);
         -webkit-font-smoothing: antialiased;
       }
+      /* A model has its own colours, whatever the page's: 3 : 1 and more beside a white mug as beside the dark stage. */
+      @media (prefers-color-scheme: dark) {
+        :host {
+          --viewer-accent: #6b75ee;
+        }
+      }
       /* At 400 % a window may be lower than the tools, their settings and a panel: it is scrolled then. Not so above a phone's keyboard. */
       @media (pointer: fine) {
         :host {

@@ -64,8 +64,6 @@ export const theme = css`
       --accent: #99a1ff;
       --accent-text: #15172b;
       --accent-soft: #31345a;
-      /* A model has its own colours, whatever the page's: 3 : 1 and more beside a white mug as beside the dark stage. */
-      --viewer-accent: #6b75ee;
       --danger: #ff9d92;
       --danger-soft: #43292a;
       --shadow: 0 1px 2px rgb(0 0 0 / 40%), 0 10px 32px rgb(0 0 0 / 50%);
