@@ -49,7 +49,9 @@ for (const [locale, calm] of Object.entries(LANGUAGES)) {
   test(`a product in whose place a server sends a page is told to the customer in calm words, and to the page by its name (${locale})`, async ({
     page,
   }) => {
-    await page.route(/\/demo\/mug\.glb$/, (route) => route.fulfill({ contentType: "text/html", body: "<!doctype html>" }));
+    await page.route(/\/demo\/mug\.glb$/, (route) =>
+      route.fulfill({ contentType: "text/html", body: "<!doctype html>" }),
+    );
     const notice = (await openShop(page, locale)).getByRole("alert");
     await expect(notice).toContainText(calm);
     await expect(notice).not.toContainText(DEVELOPERS);

@@ -146,7 +146,7 @@ export class GradientStops extends RemElement {
       }
       /* A finger's letters and buttons leave two numbers no room for three digits: the buttons stand beneath them. */
       @media (pointer: coarse) {
-        @container (max-width: 21.5rem) {
+        @container (max-width: 24.6em) {
           :host(:not([greys])) .fields {
             grid-template-columns: auto repeat(2, minmax(0, 1fr));
           }
@@ -154,7 +154,7 @@ export class GradientStops extends RemElement {
             grid-column: 2;
           }
         }
-        @container (max-width: 15.5rem) {
+        @container (max-width: 17.7em) {
           .fields {
             --space-2: 4px;
           }
