@@ -111,18 +111,20 @@ export async function resolveInFolder(uri: string, reference: Reference): Promis
   const putInside = `Put the file into ${quote(folder)} or below, and name it there.`;
   if (/^([a-z]:|\/)/i.test(name)) throw outside("is an absolute path", putInside);
   if (name.includes("\0")) throw outside("is not a file name", putInside);
-  const target = path.resolve(folder, name);
-  if (!contains(path.resolve(folder), target)) throw outside("lies outside the folder", putInside);
-  try {
-    const realTarget = await realpath(target);
-    if (!contains(await realpath(folder), realTarget))
-      throw outside("is a link that leads outside the folder", putInside);
-    return realTarget;
-  } catch (cause) {
-    if (cause instanceof TexelcastError) throw cause;
-    // A name that leads nowhere is told as missing by the read that follows, with the path that was meant.
-    return path.join(folder, name);
+  if (!contains(path.resolve(folder), path.resolve(folder, name))) throw outside("lies outside the folder", putInside);
+  // Macs pack "ü" as a "u" and its dots, which the document has as one letter, and other systems keep names as they are.
+  for (const spelling of new Set([name, name.normalize("NFC"), name.normalize("NFD")])) {
+    try {
+      const realTarget = await realpath(path.resolve(folder, spelling));
+      if (!contains(await realpath(folder), realTarget))
+        throw outside("is a link that leads outside the folder", putInside);
+      return realTarget;
+    } catch (cause) {
+      if (cause instanceof TexelcastError) throw cause;
+    }
   }
+  // A name that leads nowhere is told as missing by the read that follows, with the path that was meant.
+  return path.join(folder, name);
 }
 
 function contains(folder: string, target: string): boolean {

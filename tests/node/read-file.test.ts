@@ -1,4 +1,4 @@
-import { mkdirSync, symlinkSync, truncateSync, writeFileSync } from "node:fs";
+import { mkdirSync, rmSync, symlinkSync, truncateSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { beforeEach, describe, expect, it } from "vitest";
 import { MAX_FILE_BYTES, readFileBytes, resolveInFolder } from "../../node/read-file.ts";
@@ -44,6 +44,26 @@ describe("a file that a document names", () => {
   it("is found through a link that stays in the folder", async () => {
     symlinkSync(inside("skin.png"), inside("link.png"));
     expect(await resolve("link.png")).toBe(inside("skin.png"));
+  });
+
+  it("is found however the letters of its path are spelled, there or in the document", async () => {
+    const name = "größe/äußere haut.png";
+    for (const [stored, named] of [
+      ["NFD", "NFC"],
+      ["NFC", "NFD"],
+    ] as const) {
+      mkdirSync(inside("größe".normalize(stored)), { recursive: true });
+      writeFileSync(inside(name.normalize(stored)), stored);
+      const found = await readFileBytes(await resolve(encodeURI(name.normalize(named))), { code: "bad-model" });
+      expect(new TextDecoder().decode(found)).toBe(stored);
+      rmSync(inside("größe".normalize(stored)), { recursive: true });
+    }
+  });
+
+  it("is refused through a link outside however its letters are spelled", async () => {
+    symlinkSync(path.join(root, "secret.png"), inside("würfel.png".normalize("NFD")));
+    const error = await refusal(resolve("würfel.png".normalize("NFC")));
+    expect(error.message).toContain("is a link that leads outside the folder");
   });
 
   it.each([
