@@ -73,7 +73,10 @@ function strictly(schema: v.GenericSchema, known: ReadonlySet<string>): Run {
   };
 }
 
-/** A check of each of a list against the one before it, told at a field of all that are at fault. */
+/**
+ * A check of each of a list against the one before it, told at a field of all that are at fault. No `rawCheck` of the library's, which
+ * would have no message for the JSON Schema to tell.
+ */
 export function checkEach<Item extends object>(
   key: keyof Item & string,
   isRight: (item: Item, before: Item | undefined) => boolean,
