@@ -1,7 +1,7 @@
 import { afterEach, describe, expect, it, vi } from "vitest";
 import { writeGlb } from "../../web/engine/gltf-container.ts";
 import type { JsonObject } from "../../web/engine/gltf-json.ts";
-import { decodePicture } from "../../web/engine/picture-decoder.ts";
+import { decodePicture, readPictureHeader } from "../../web/engine/picture-decoder.ts";
 import { writeUsdz } from "../../web/engine/usdz/write-usdz.ts";
 import { avifFile, avifModel } from "../support/avif-file.ts";
 import { GltfSketch } from "../support/gltf-sketch.ts";
@@ -10,6 +10,7 @@ import { decal } from "../support/layers.ts";
 import { buildGlb, buildModel, cube, type ModelParts, plane } from "../support/model-builder.ts";
 import { at, endHosts, paintablePlane, startHost, texturedPlane } from "../support/painted-plane.ts";
 import { haveSharedModels, noteSkipped, SHARED_MODELS, sharedModel } from "../support/shared-models.ts";
+import { STORED, turnedPictures } from "../support/turned-pictures.ts";
 import { layerOf, seenByThree, storedFiles } from "../support/usdz-files.ts";
 
 afterEach(() => {
@@ -139,6 +140,16 @@ describe("a model as USDZ", () => {
     expect(picture?.path).toBe("textures/0.png");
     expect(picture?.bytes.subarray(1, 4)).toEqual(Uint8Array.from(Buffer.from("PNG")));
     expect((await decodePicture(picture?.bytes ?? new Uint8Array(), "0.png")).rgba).toEqual(soft.rgba);
+  });
+
+  it("has pictures that EXIF would turn as they are stored", async () => {
+    for (const picture of await turnedPictures()) {
+      const usdz = await writeUsdz(buildGlb({ ...texturedPlane, images: [picture] }), "plane.glb");
+      const packed = storedFiles(usdz)[1]?.bytes ?? new Uint8Array();
+      expect(await readPictureHeader(packed, "packed")).toMatchObject({ ...STORED, orientation: 1 });
+      const { rgba } = await decodePicture(picture.bytes, "given");
+      expect((await decodePicture(packed, "packed", { asSeen: true })).rgba).toEqual(rgba);
+    }
   });
 
   it("names a picture that has to be written anew and cannot be read", async () => {

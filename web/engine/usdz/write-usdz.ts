@@ -4,6 +4,7 @@
  * has not, and leaves skins and morph targets out.
  */
 import { Accessors } from "../accessors.ts";
+import { layAsStored } from "../as-stored.ts";
 import { parseJson, readContainer } from "../gltf-container.ts";
 import { joinBytes } from "../join-bytes.ts";
 import { loadModelFile } from "../model-loader.ts";
@@ -18,7 +19,9 @@ import { packUsdz } from "./usdz-archive.ts";
  * The same bytes in the browser and in Node. Throws as `loadModelFile`, and "bad-picture" for a picture that has to be written anew.
  */
 export async function writeUsdz(glb: Uint8Array, name: string): Promise<Uint8Array<ArrayBuffer>> {
-  const container = readContainer({ name, bytes: (await loadModelFile({ name, bytes: glb }, true)).glb });
+  const { glb: readable } = await loadModelFile({ name, bytes: glb }, true);
+  layAsStored(readable, name);
+  const container = readContainer({ name, bytes: readable });
   const json = parseJson(container);
   const accessors = new Accessors(json, container.binary, name);
   const pictures = new UsdPictures(json, container.binary, name);
