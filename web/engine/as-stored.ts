@@ -2,6 +2,9 @@
  * A model's pictures as glTF has them, for viewers too: browsers turn what they decode as EXIF says the camera was held, and the engine
  * lays a texture as it is stored. Nothing is moved: what holds the EXIF is made what readers pass over.
  */
+
+import { asciiAt } from "./ascii-codes.ts";
+import { viewOf } from "./byte-view.ts";
 import { crc32 } from "./crc32.ts";
 import { readContainer } from "./gltf-container.ts";
 import { listOf } from "./gltf-json.ts";
@@ -33,7 +36,7 @@ function hideInJpeg(bytes: Uint8Array): void {
   for (let at = 2; view.getUint8(at) === 0xff; ) {
     const marker = view.getUint8(at + 1);
     if (marker === JPEG.scan) return;
-    if (marker === JPEG.app1 && asciiOf(bytes, at + 4, 6) === "Exif\0\0") view.setUint8(at + 1, JPEG.comment);
+    if (marker === JPEG.app1 && asciiAt(bytes, at + 4, 6) === "Exif\0\0") view.setUint8(at + 1, JPEG.comment);
     // A fill byte before a marker is none itself.
     at += marker === 0xff ? 1 : 2 + view.getUint16(at + 2);
   }
@@ -45,7 +48,7 @@ function hideInPng(bytes: Uint8Array): void {
   for (let at = 8; at < bytes.length; ) {
     const length = view.getUint32(at);
     const end = at + 8 + length;
-    if (asciiOf(bytes, at + 4, 4) === "eXIf") {
+    if (asciiAt(bytes, at + 4, 4) === "eXIf") {
       view.setUint8(at + 5, "x".charCodeAt(0));
       view.setUint32(end, crc32(bytes.subarray(at + 4, end)));
     }
@@ -57,15 +60,10 @@ function hideInPng(bytes: Uint8Array): void {
 function hideInWebp(bytes: Uint8Array): void {
   const view = viewOf(bytes);
   for (let at = 12; at < bytes.length; ) {
-    const type = asciiOf(bytes, at, 4);
+    const type = asciiAt(bytes, at, 4);
     const length = view.getUint32(at + 4, true);
     if (type === "VP8X") view.setUint8(at + 8, view.getUint8(at + 8) & ~0x08);
     if (type === "EXIF") view.setUint8(at, "e".charCodeAt(0));
     at += 8 + length + (length & 1);
   }
 }
-
-const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-
-const asciiOf = (bytes: Uint8Array, at: number, length: number): string =>
-  String.fromCharCode(...bytes.subarray(at, at + length));

@@ -6,7 +6,9 @@
  * LittleCMS in WebAssembly (lcms-wasm 1.0.5) reads profiles by tables as well. It is 115 kB after gzip for every phone's photo, a
  * build with assertions, and brings a test runner along.
  */
+
 import { asciiCodes } from "./ascii-codes.ts";
+import { viewOf } from "./byte-view.ts";
 import { power } from "./exact-power.ts";
 import { PictureFault } from "./picture-fault.ts";
 
@@ -115,9 +117,6 @@ class ProfileTags {
     return viewOf(this.bytes(tag));
   }
 }
-
-/** Of those bytes alone, of whatever they are a part. */
-export const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
 const textAt = (view: DataView, at: number): string =>
   String.fromCharCode(...[0, 1, 2, 3].map((i) => view.getUint8(at + i)));

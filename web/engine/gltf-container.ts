@@ -3,6 +3,7 @@
  * bytes that are there before it is used. Follows glTF 2.0, 4 (GLB) and 2.8 (URIs).
  */
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { viewOf } from "./byte-view.ts";
 import type { ModelSource } from "./engine-api.ts";
 import { parseExact, stringifyExact } from "./exact-numbers.ts";
 import { badContainer, type JsonObject, listOf, parseGltfJson, textAt } from "./gltf-json.ts";
@@ -151,10 +152,6 @@ export function listSideFiles(source: Pick<ModelSource, "name" | "bytes">): stri
 
 /** Names in another encoding than glTF's UTF-8, as some exporters write them, lose the letters that cannot be told; the rest is of use. */
 const textOf = (bytes: Uint8Array): string => new TextDecoder().decode(bytes);
-
-function viewOf(bytes: Uint8Array): DataView {
-  return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-}
 
 function firstCharacter(bytes: Uint8Array, start: number): string {
   let at = start;

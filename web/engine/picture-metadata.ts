@@ -4,6 +4,7 @@
  * always gives the same bytes, and a clean file gives itself. What shows is kept: how the camera was held, and of a colour profile
  * the numbers that make colours.
  */
+import { asciiAt, asciiCodes } from "./ascii-codes.ts";
 import { orientationBlock } from "./exif-block.ts";
 import { joinBytes } from "./join-bytes.ts";
 import type { PictureFormat } from "./picture-header.ts";
@@ -36,7 +37,7 @@ function cleanJpeg(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Ui
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const parts: Uint8Array[] = [bytes.subarray(0, 2)];
   if (orientation !== 1) {
-    const data = joinBytes([codesOf("Exif\0\0"), orientationBlock(orientation)]);
+    const data = joinBytes([asciiCodes("Exif\0\0"), orientationBlock(orientation)]);
     parts.push(Uint8Array.of(0xff, 0xe1, 0, 2 + data.length), data);
   }
   if (colors !== null) parts.push(colors);
@@ -62,8 +63,8 @@ function cleanJpeg(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Ui
 
 /** JFIF's and Adobe's own say how colours are coded. */
 function isJpegNeeded(marker: number, segment: Uint8Array): boolean {
-  if (marker === JPEG.app0) return asciiOf(segment, 4, 5) === "JFIF\0";
-  if (marker === JPEG.app14) return asciiOf(segment, 4, 5) === "Adobe";
+  if (marker === JPEG.app0) return asciiAt(segment, 4, 5) === "JFIF\0";
+  if (marker === JPEG.app14) return asciiAt(segment, 4, 5) === "Adobe";
   return marker !== JPEG.comment && !(marker >= JPEG.app0 && marker <= JPEG.app15);
 }
 
@@ -96,7 +97,7 @@ function cleanWebp(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Ui
   const parts: Uint8Array[] = [bytes.slice(0, 12)];
   for (let at = 12; at + 8 <= end; ) {
     const length = view.getUint32(at + 4, true);
-    const type = asciiOf(bytes, at, 4);
+    const type = asciiAt(bytes, at, 4);
     if (WEBP_CHUNKS.has(type)) {
       const chunk = bytes.slice(at, at + 8 + length + (length & 1));
       if (type === "VP8X") {
@@ -110,14 +111,9 @@ function cleanWebp(bytes: Uint8Array, { orientation, colors }: KeptMetadata): Ui
   }
   if (orientation !== 1) {
     const block = orientationBlock(orientation);
-    parts.push(codesOf("EXIF"), Uint8Array.of(block.length, 0, 0, 0), block);
+    parts.push(asciiCodes("EXIF"), Uint8Array.of(block.length, 0, 0, 0), block);
   }
   const whole = joinBytes(parts);
   new DataView(whole.buffer).setUint32(4, whole.length - 8, true);
   return whole;
 }
-
-const asciiOf = (bytes: Uint8Array, at: number, length: number): string =>
-  String.fromCharCode(...bytes.subarray(at, at + length));
-
-const codesOf = (text: string): Uint8Array => Uint8Array.from(text, (character) => character.charCodeAt(0));

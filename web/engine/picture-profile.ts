@@ -1,7 +1,9 @@
 /** What a picture's file says of its colours: the profile that lies in it, or the numbers that stand for one. */
 
+import { asciiAt } from "./ascii-codes.ts";
+import { viewOf } from "./byte-view.ts";
 import { JPEG_MARK } from "./color-mention.ts";
-import { cleanProfile, codedProfile, convertToSrgb, readColorProfile, viewOf } from "./color-profile.ts";
+import { cleanProfile, codedProfile, convertToSrgb, readColorProfile } from "./color-profile.ts";
 import { BoxReader } from "./isobmff.ts";
 import { joinBytes } from "./join-bytes.ts";
 import { PictureFault } from "./picture-fault.ts";
@@ -60,16 +62,13 @@ async function colorSource(format: PictureFormat, bytes: Uint8Array): Promise<Co
   return format === "webp" ? ofWebp(bytes) : await ofAvif(bytes);
 }
 
-const textAt = (bytes: Uint8Array, at: number, length: number): string =>
-  String.fromCharCode(...bytes.subarray(at, at + length));
-
 /** PNG 3rd edition, 4.3: cICP goes before iCCP, and that before sRGB. */
 async function ofPng(bytes: Uint8Array): Promise<ColorSource | null> {
   let packed: Uint8Array | null = null;
   const view = viewOf(bytes);
   for (let at = 8; at + 12 <= bytes.length; ) {
     const length = view.getUint32(at);
-    const type = textAt(bytes, at + 4, 4);
+    const type = asciiAt(bytes, at + 4, 4);
     const data = bytes.subarray(at + 8, at + 8 + length);
     if (type === "IDAT" || type === "IEND") break;
     if (type === "cICP") return [data[0] ?? 0, data[1] ?? 0];
@@ -121,7 +120,7 @@ function ofJpeg(bytes: Uint8Array): Uint8Array | null {
     }
     const segment = bytes.subarray(at + 4, at + 2 + view.getUint16(at + 2));
     const [number = 0, all = 0] = segment.subarray(JPEG_MARK.length);
-    if (marker === APP2 && textAt(segment, 0, JPEG_MARK.length) === JPEG_MARK) {
+    if (marker === APP2 && asciiAt(segment, 0, JPEG_MARK.length) === JPEG_MARK) {
       pieces.set(number, segment.subarray(JPEG_MARK.length + 2));
       count = all;
     }
@@ -135,7 +134,7 @@ function ofWebp(bytes: Uint8Array): Uint8Array | null {
   const view = viewOf(bytes);
   for (let at = 12; at + 8 <= bytes.length; ) {
     const length = view.getUint32(at + 4, true);
-    if (textAt(bytes, at, 4) === "ICCP") return bytes.subarray(at + 8, at + 8 + length);
+    if (asciiAt(bytes, at, 4) === "ICCP") return bytes.subarray(at + 8, at + 8 + length);
     at += 8 + length + (length & 1);
   }
   return null;
@@ -146,7 +145,7 @@ async function ofAvif(bytes: Uint8Array): Promise<ColorSource | null> {
   const { readAvifFile } = await import("./avif-file.ts");
   let coded: ColorSource | null = null;
   for (const { type, content } of readAvifFile(bytes).items[0]?.properties ?? []) {
-    const kind = textAt(content, 0, 4);
+    const kind = asciiAt(content, 0, 4);
     if (type !== "colr") continue;
     if (kind === "prof" || kind === "rICC") return content.subarray(4);
     const reader = new BoxReader(content.subarray(4));

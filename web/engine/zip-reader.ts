@@ -3,8 +3,10 @@
  * lead out of the archive or stand twice, sizes that lie or that no honest archive has. (APPNOTE 6.3.3, without encryption,
  * several disks and 64-bit sizes.)
  */
+
 import { Inflate } from "fflate";
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { viewOf } from "./byte-view.ts";
 import { crc32 } from "./crc32.ts";
 
 export interface ZipEntry {
@@ -214,8 +216,6 @@ function inflate(packed: Uint8Array, size: number, refuse: Refuse): Uint8Array {
   }
   return bytes.subarray(0, length);
 }
-
-const viewOf = (bytes: Uint8Array): DataView => new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
 
 /** `message` reads on from the entry's name where there is one. */
 export function zipError(
