@@ -100,8 +100,8 @@ TxcStatus txc_model_info(TxcSession session, TxcModelInfo* out_info) {
         out_info->triangle_count = static_cast<uint32_t>(mesh->triangles.size());
         out_info->vertex_count = static_cast<uint32_t>(mesh->positions.size());
         out_info->has_default_material = mesh->has_default_material ? 1 : 0;
-        txc::copy_vec3(mesh->bounds.min, out_info->bounds_min_model);
-        txc::copy_vec3(mesh->bounds.max, out_info->bounds_max_model);
+        txc::copy_point(mesh->origin, mesh->bounds.min, out_info->bounds_min_model);
+        txc::copy_point(mesh->origin, mesh->bounds.max, out_info->bounds_max_model);
         return TXC_STATUS_OK;
     });
 }
@@ -123,8 +123,8 @@ TxcStatus txc_material_info(TxcSession session, uint32_t index, TxcMaterialInfo*
             out_info->uv_min[c] = material->uv_min[c];
             out_info->uv_max[c] = material->uv_max[c];
         }
-        txc::copy_vec3(material->bounds.min, out_info->bounds_min_model);
-        txc::copy_vec3(material->bounds.max, out_info->bounds_max_model);
+        txc::copy_point(s.mesh()->origin, material->bounds.min, out_info->bounds_min_model);
+        txc::copy_point(s.mesh()->origin, material->bounds.max, out_info->bounds_max_model);
         return TXC_STATUS_OK;
     });
 }

@@ -26,8 +26,9 @@ TxcStatus in_session(TxcSession id, const void* pointer, const char* name, Work&
     });
 }
 
-inline void copy_vec3(const glm::vec3& from, float (&to)[3]) {
-    for (int c = 0; c < 3; ++c) to[c] = from[c];
+/// A point that is counted from an origin, in model space.
+__attribute__((noinline)) inline void copy_point(const glm::vec3& origin, const glm::vec3& point, float (&to)[3]) {
+    for (int c = 0; c < 3; ++c) to[c] = origin[c] + point[c];
 }
 
 }  // namespace txc

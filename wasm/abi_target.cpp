@@ -87,8 +87,8 @@ TxcStatus txc_map_info(TxcSession session, TxcTarget id, TxcMapInfo* out_info) {
         out_info->overlapping_texels = map.overlapping_texels;
         out_info->byte_count = static_cast<uint32_t>(map.byte_count());
         out_info->mip_levels = target->def.mip_levels;
-        txc::copy_vec3(map.bounds.min, out_info->bounds_min_model);
-        txc::copy_vec3(map.bounds.max, out_info->bounds_max_model);
+        txc::copy_point(map.origin, map.bounds.min, out_info->bounds_min_model);
+        txc::copy_point(map.origin, map.bounds.max, out_info->bounds_max_model);
         return TXC_STATUS_OK;
     });
 }

@@ -259,11 +259,11 @@ void find_stamp_candidates(const LocalSpaceMap& map, const UvProjector& projecto
 
 }  // namespace
 
-TxcStatus read_curved_projector(const TxcLayerDef& def, CurvedProjector& out) {
+TxcStatus read_curved_projector(const TxcLayerDef& def, const glm::vec3& origin, CurvedProjector& out) {
     if (def.projector == TXC_PROJECTOR_PERSPECTIVE)
-        return PerspectiveProjector::from_def(def, out.emplace<PerspectiveProjector>());
+        return PerspectiveProjector::from_def(def, origin, out.emplace<PerspectiveProjector>());
     if (def.projector == TXC_PROJECTOR_CYLINDRICAL)
-        return CylindricalProjector::from_def(def, out.emplace<CylindricalProjector>());
+        return CylindricalProjector::from_def(def, origin, out.emplace<CylindricalProjector>());
     return UvProjector::from_def(def, out.emplace<UvProjector>());
 }
 

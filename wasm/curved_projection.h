@@ -18,8 +18,8 @@ namespace txc {
 
 using CurvedProjector = std::variant<PerspectiveProjector, CylindricalProjector, UvProjector>;
 
-/// From an ABI layer's fields, whose projector is not planar. BAD_ARGUMENT names the field.
-TxcStatus read_curved_projector(const TxcLayerDef& def, CurvedProjector& out);
+/// From an ABI layer's fields, whose projector is not planar; `origin` as of ProjectorPose. BAD_ARGUMENT names the field.
+TxcStatus read_curved_projector(const TxcLayerDef& def, const glm::vec3& origin, CurvedProjector& out);
 
 /// Places (in LocalSpaceMap::tiles) of the tiles that the decal may colour, ascending. `settings` without its own projector.
 std::vector<std::uint32_t> find_curved_candidates(const LocalSpaceMap& map, const DecalSettings& settings,

@@ -13,8 +13,8 @@ constexpr double kAxisShare = 1e-6;
 
 }  // namespace
 
-TxcStatus CylindricalProjector::from_def(const TxcLayerDef& def, CylindricalProjector& out) {
-    if (const TxcStatus status = ProjectorPose::from_def(def, out.pose); status != TXC_STATUS_OK) return status;
+TxcStatus CylindricalProjector::from_def(const TxcLayerDef& def, const glm::vec3& origin, CylindricalProjector& out) {
+    if (const TxcStatus status = ProjectorPose::from_def(def, origin, out.pose); status != TXC_STATUS_OK) return status;
     if (const TxcStatus status = check_length(def.radius, "radius"); status != TXC_STATUS_OK) return status;
     if (const TxcStatus status = check_length(def.height, "height"); status != TXC_STATUS_OK) return status;
     if (!(def.arc_degrees > 0.0f && def.arc_degrees <= 360.0f)) {

@@ -13,8 +13,8 @@ struct CylindricalProjector {
     double depth = 0.1;   // metres, either side of the radius
     double period = 1.0;  // decal widths in a whole turn: 360 / arc; 1 where the picture meets itself at the back
 
-    /// From an ABI layer's fields. BAD_ARGUMENT names the field.
-    static TxcStatus from_def(const TxcLayerDef& def, CylindricalProjector& out);
+    /// From an ABI layer's fields; `origin` as of ProjectorPose. BAD_ARGUMENT names the field.
+    static TxcStatus from_def(const TxcLayerDef& def, const glm::vec3& origin, CylindricalProjector& out);
 
     /// Test 1 in depth, and where the texel's ray meets the label. `at` is in view space. The picture's x lies within
     /// half a period of the middle. False on the axis, too: from there every way is outward.

@@ -24,12 +24,14 @@ Float4 premultiplied(Float4 straight) {
 /// The colour at each place of the model, as layer tiles hold it.
 class GradientColors {
 public:
-    GradientColors(const TxcGradient& gradient, bool linear) : is_linear_(linear) {
+    /// `origin`: of the positions.
+    GradientColors(const TxcGradient& gradient, const glm::vec3& origin, bool linear) : is_linear_(linear) {
         is_radial_ = gradient.kind == TXC_GRADIENT_RADIAL;
         double square = 0.0;
         for (int c = 0; c < 3; ++c) {
-            from_[c] = static_cast<double>(gradient.from_model[c]);
-            along_[c] = static_cast<double>(gradient.to_model[c]) - from_[c];
+            const auto from = static_cast<double>(gradient.from_model[c]);
+            from_[c] = static_cast<double>(gradient.from_model[c] - origin[c]);
+            along_[c] = static_cast<double>(gradient.to_model[c]) - from;
             square += along_[c] * along_[c];
         }
         scale_ = is_radial_ ? 1.0 / static_cast<double>(gradient.radius) : 1.0 / square;
@@ -94,7 +96,8 @@ public:
           color_(premultiplied(Float4{def.color[0], def.color[1], def.color[2], def.color[3]})) {
         color_ = color_ * splat(kFullScale);
         if (shape.has_gradient)
-            gradient_ = std::make_unique<GradientColors>(shape.gradient, def.blend_space == TXC_BLEND_SPACE_LINEAR);
+            gradient_ =
+                std::make_unique<GradientColors>(shape.gradient, map.origin, def.blend_space == TXC_BLEND_SPACE_LINEAR);
     }
 
     bool reaches(const MapTile& tile) const {

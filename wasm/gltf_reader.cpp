@@ -693,7 +693,9 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
     for (std::size_t v = 0; v < vertex_count; ++v) {
         const glm::dmat4& matrix = vertex_matrices.empty() ? node_matrix : vertex_matrices[v];
         const glm::dvec4 p = matrix * glm::dvec4(positions[v * 3], positions[v * 3 + 1], positions[v * 3 + 2], 1.0);
-        for (int c = 0; c < 3; ++c) positions[v * 3 + static_cast<std::size_t>(c)] = static_cast<float>(p[c]);
+        for (int c = 0; c < 3; ++c)
+            positions[v * 3 + static_cast<std::size_t>(c)] =
+                static_cast<float>(p[c] - static_cast<double>(reader.mesh.origin[c]));
         if (normals.empty()) continue;
         const glm::dvec3 n = place_normal(matrix, glm::dvec3(normals[v * 3], normals[v * 3 + 1], normals[v * 3 + 2]));
         const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
@@ -716,6 +718,33 @@ TxcStatus read_primitive(Reader& reader, const tinygltf::Primitive& primitive, c
     arrays.index_count = static_cast<std::uint32_t>(indices.size());
     arrays.material = static_cast<std::uint32_t>(material);
     return place_primitive(reader.mesh, reader.filled, arrays, whose);
+}
+
+/// Reads all meshes of the scene's nodes, whose matrices are `global`.
+TxcStatus read_scene(Reader& reader, const std::vector<std::size_t>& scene_nodes, const std::vector<glm::dmat4>& global,
+                     BudgetShare& skin_scratch) {
+    const Model& model = reader.model;
+    for (const std::size_t n : scene_nodes) {
+        const tinygltf::Node& node = model.nodes[n];
+        if (node.mesh < 0) continue;
+        const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
+        std::vector<glm::dmat4> joints;
+        if (node.skin >= 0) {
+            skin_scratch.release();
+            if (const TxcStatus status = joint_matrices(model, node.skin, global, skin_scratch, joints);
+                status != TXC_STATUS_OK)
+                return status;
+        }
+        const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
+        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
+            char whose[80];
+            write_words(whose, sizeof whose, "meshes[%d].primitives[%zu]", node.mesh, p);
+            const TxcStatus status = read_primitive(reader, mesh.primitives[p], weights, global[n],
+                                                    node.skin >= 0 ? &joints : nullptr, whose);
+            if (status != TXC_STATUS_OK) return status;
+        }
+    }
+    return TXC_STATUS_OK;
 }
 
 }  // namespace
@@ -760,30 +789,16 @@ TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryB
     BudgetShare scratch(budget);
     BudgetShare skin_scratch(budget);
     Reader reader{model, scratch, uv_transforms, out_mesh, {}};
-    for (const std::size_t n : scene_nodes) {
-        const tinygltf::Node& node = model.nodes[n];
-        if (node.mesh < 0) continue;
-        const tinygltf::Mesh& mesh = model.meshes[static_cast<std::size_t>(node.mesh)];
-        std::vector<glm::dmat4> joints;
-        if (node.skin >= 0) {
-            skin_scratch.release();
-            if (const TxcStatus status = joint_matrices(model, node.skin, global, skin_scratch, joints);
-                status != TXC_STATUS_OK)
-                return status;
-        }
-        const std::vector<double>& weights = node.weights.empty() ? mesh.weights : node.weights;
-        for (std::size_t p = 0; p < mesh.primitives.size(); ++p) {
-            char whose[80];
-            write_words(whose, sizeof whose, "meshes[%d].primitives[%zu]", node.mesh, p);
-            const TxcStatus status = read_primitive(reader, mesh.primitives[p], weights, global[n],
-                                                    node.skin >= 0 ? &joints : nullptr, whose);
-            if (status != TXC_STATUS_OK) return status;
-        }
-    }
-    if (out_mesh.triangles.empty())
-        return fail(TXC_STATUS_NO_TRIANGLES, "the model's scene has only points and lines, or nothing");
-    if (!out_mesh.has_default_material) out_mesh.materials.pop_back();
-    out_mesh.summarise();
+    do {
+        reader.filled = {};
+        if (const TxcStatus status = read_scene(reader, scene_nodes, global, skin_scratch); status != TXC_STATUS_OK)
+            return status;
+        if (out_mesh.triangles.empty())
+            return fail(TXC_STATUS_NO_TRIANGLES, "the model's scene has only points and lines, or nothing");
+        out_mesh.materials.resize(model.materials.size() + (out_mesh.has_default_material ? 1 : 0));
+        out_mesh.summarise();
+        // Read anew, and not moved: what a node adds to far positions is gone from their floats.
+    } while (out_mesh.come_near());
     return TXC_STATUS_OK;
 }
 

@@ -26,7 +26,7 @@ void LocalSpaceMap::read_positions(std::uint32_t row, std::uint32_t row_count, f
         for (std::uint32_t i = 0; i < run.length; ++i) {
             const std::uint32_t x = tile_x + run.x + i;
             const glm::vec3 p =
-                frames[run.frame].position_at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
+                origin + frames[run.frame].position_at(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
             std::memcpy(out + (static_cast<std::size_t>(y - row) * key.width + x) * 3, &p, sizeof p);
         }
     });

@@ -77,7 +77,8 @@ struct LocalSpaceMap {
         : key(map_key), share(budget), patches(std::make_unique<TilePatches>(budget)) {}
 
     MapKey key;
-    Bounds bounds;  // of the material's triangles
+    glm::vec3 origin{0.0f};  // the mesh's: where positions begin, model space
+    Bounds bounds;           // of the material's triangles
     std::vector<TexelFrame> frames;
     std::vector<TexelRun> runs;          // covered texels: by tile, then frame, then row
     std::vector<TexelRun> gutter_runs;   // by tile, then row, then column

@@ -73,6 +73,7 @@ TxcStatus MapBaker::begin(const Mesh& mesh, const MapKey& key, MemoryBudget& bud
         return status;
     if (const TxcStatus status = baker->map_->share.resize(map_bytes, "baking the map"); status != TXC_STATUS_OK)
         return status;
+    baker->map_->origin = mesh.origin;
     baker->map_->bounds = mesh.materials[key.material].bounds;
     baker->map_->tile_of.assign(static_cast<std::size_t>(tiles), kNoTile);
     out_baker = std::move(baker);

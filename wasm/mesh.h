@@ -1,4 +1,6 @@
-// A model's triangles at rest, gathered into model space: what the bake and the occlusion test read.
+// A model's triangles at rest, gathered into model space: what the bake and the occlusion test read. Positions are counted from
+// the mesh's `origin`, as everything is that the core makes of them; what comes in from outside, and what goes out, is from model
+// space's own.
 #pragma once
 
 #include <cstdint>
@@ -58,7 +60,9 @@ struct MeshSize {
 };
 
 struct Mesh {
-    std::vector<glm::vec3> positions;  // model space, metres
+    // Where `positions` begin, model space: 0 but for models that stand far from there (see come_near).
+    glm::vec3 origin{0.0f};
+    std::vector<glm::vec3> positions;  // from `origin`, metres
     std::vector<glm::vec3> normals;    // unit, or zero: the triangle's others hold, or else its flat one
     std::vector<glm::vec2> uvs;        // as painted: after KHR_texture_transform, not yet wrapped
     std::vector<Triangle> triangles;
@@ -66,7 +70,7 @@ struct Mesh {
     std::vector<std::uint8_t> vertex_has_uv;
     std::vector<Material> materials;
     bool has_default_material = false;
-    Bounds bounds;
+    Bounds bounds;  // from `origin`, as the materials'
 
     MeshSize size() const { return {positions.size(), triangles.size()}; }
 
@@ -75,6 +79,10 @@ struct Mesh {
 
     /// Fills the materials' triangle lists, counts and bounds, and the mesh's bounds, from the arrays.
     void summarise();
+
+    /// After summarise(): gives a mesh that stands far from model space's origin one of its own, once, from which floats are fine
+    /// steps. True where it did: all positions are then to be read again.
+    bool come_near();
 
     /// Front-facing unit normal; +Y for a triangle without area.
     glm::vec3 flat_normal(const Triangle& triangle) const;
@@ -85,9 +93,10 @@ inline constexpr float kMaxCoordinate = 1e12f;
 /// A texture coordinate beyond this has no fraction left worth painting.
 inline constexpr float kMaxUv = 65536.0f;
 
-/// One primitive's arrays in model space. `normals` and `uvs` may be null.
+/// One primitive's arrays. `normals` and `uvs` may be null.
 struct PrimitiveArrays {
     const glm::vec3* positions = nullptr;
+    glm::vec3 origin{0.0f};  // where the mesh's positions begin, in those of the arrays
     const glm::vec3* normals = nullptr;
     const glm::vec2* uvs = nullptr;
     std::uint32_t vertex_count = 0;

@@ -11,8 +11,8 @@ constexpr double kRadiansADegree = 3.14159265358979323846 / 180.0;
 
 }  // namespace
 
-TxcStatus PerspectiveProjector::from_def(const TxcLayerDef& def, PerspectiveProjector& out) {
-    if (const TxcStatus status = ProjectorPose::from_def(def, out.pose); status != TXC_STATUS_OK) return status;
+TxcStatus PerspectiveProjector::from_def(const TxcLayerDef& def, const glm::vec3& origin, PerspectiveProjector& out) {
+    if (const TxcStatus status = ProjectorPose::from_def(def, origin, out.pose); status != TXC_STATUS_OK) return status;
     if (!(def.fov_degrees > 0.0f && def.fov_degrees < 180.0f)) {
         return fail(TXC_STATUS_BAD_ARGUMENT, "fov_degrees is %g; it must be above 0 and below 180",
                     static_cast<double>(def.fov_degrees));

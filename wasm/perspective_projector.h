@@ -15,8 +15,8 @@ struct PerspectiveProjector {
     double near_distance = 0.1;  // metres from the eye along its -Z
     double far_distance = 100.0;
 
-    /// From an ABI layer's fields. BAD_ARGUMENT names the field.
-    static TxcStatus from_def(const TxcLayerDef& def, PerspectiveProjector& out);
+    /// From an ABI layer's fields; `origin` as of ProjectorPose. BAD_ARGUMENT names the field.
+    static TxcStatus from_def(const TxcLayerDef& def, const glm::vec3& origin, PerspectiveProjector& out);
 
     /// Test 1 in depth, and where the camera sees the texel. `at` is in view space.
     bool look(const TexelPlace& at, TexelSight& out) const;

@@ -17,8 +17,8 @@ void PictureCast::read_settings(const TxcLayerDef& def) {
 
 TxcStatus PictureCast::read_projector(const TxcLayerDef& def) {
     projector = def.projector;
-    if (projector != TXC_PROJECTOR_PLANAR) return read_curved_projector(def, curved);
-    return PlanarProjector::from_def(def, settings.projector);
+    if (projector != TXC_PROJECTOR_PLANAR) return read_curved_projector(def, origin, curved);
+    return PlanarProjector::from_def(def, origin, settings.projector);
 }
 
 std::vector<std::uint32_t> find_candidates(const LocalSpaceMap& map, const PictureCast& cast,

@@ -14,10 +14,11 @@ struct PictureCast {
     CurvedProjector curved;    // the projector, where it is not
     std::uint32_t projector = TXC_PROJECTOR_PLANAR;
     bool occludes = false;
+    glm::vec3 origin{0.0f};  // of the mesh that it is cast at, model space
 
     /// Reads all but the projector.
     void read_settings(const TxcLayerDef& def);
-    /// Reads the projector. BAD_ARGUMENT names the field.
+    /// Reads the projector, from `origin`. BAD_ARGUMENT names the field.
     TxcStatus read_projector(const TxcLayerDef& def);
 
     /// The flat stamp asks no surface what hides it.

@@ -44,7 +44,8 @@ TxcStatus PrintZone::from_def(const TxcZone& def, std::uint32_t index, const flo
         TxcLayerDef pose{};
         std::copy(std::begin(def.position_model), std::end(def.position_model), std::begin(pose.position_model));
         std::copy(std::begin(def.rotation), std::end(def.rotation), std::begin(pose.rotation));
-        if (const TxcStatus status = ProjectorPose::from_def(pose, out.pose); status != TXC_STATUS_OK) return status;
+        if (const TxcStatus status = ProjectorPose::from_def(pose, glm::vec3(0.0f), out.pose); status != TXC_STATUS_OK)
+            return status;
         for (int c = 0; c < 3; ++c) {
             if (const TxcStatus status = check_length(def.size[c], "a zone's size"); status != TXC_STATUS_OK)
                 return status;
@@ -155,7 +156,7 @@ ZoneTexel zone_texel(const LocalSpaceMap& map, const TexelRun& run, std::uint32_
     if (!in_space) return texel;
     const auto column = static_cast<std::int32_t>(x);
     const auto row = static_cast<std::int32_t>(y);
-    texel.position = glm::dvec3(map.frames[run.frame].position_at(column, row));
+    texel.position = glm::dvec3(map.origin) + glm::dvec3(map.frames[run.frame].position_at(column, row));
     texel.normal = glm::dvec3(map.unit_normal(run, column, row));
     return texel;
 }

@@ -5,9 +5,9 @@
 
 namespace txc {
 
-TxcStatus PlanarProjector::from_def(const TxcLayerDef& def, PlanarProjector& out) {
+TxcStatus PlanarProjector::from_def(const TxcLayerDef& def, const glm::vec3& origin, PlanarProjector& out) {
     ProjectorPose pose;
-    if (const TxcStatus status = ProjectorPose::from_def(def, pose); status != TXC_STATUS_OK) return status;
+    if (const TxcStatus status = ProjectorPose::from_def(def, origin, pose); status != TXC_STATUS_OK) return status;
     for (int c = 0; c < 3; ++c) {
         static constexpr const char* kFields[3] = {"size[0]", "size[1]", "size[2]"};
         if (const TxcStatus status = check_length(def.size[c], kFields[c]); status != TXC_STATUS_OK) return status;
@@ -24,7 +24,7 @@ TxcStatus PlanarProjector::from_def(const TxcLayerDef& def, PlanarProjector& out
     for (int c = 0; c < 3; ++c) {
         for (int r = 0; r < 3; ++r) out.rows[r][c] = splat(static_cast<float>(rows[r][c]));
         out.rows[3][c] = splat(static_cast<float>(pose.towards[c]));
-        out.centre[c] = Float4{def.position_model[c], 0.0f, 0.0f, 0.0f};
+        out.centre[c] = Float4{static_cast<float>(pose.position[c]), 0.0f, 0.0f, 0.0f};
     }
     out.depth = static_cast<double>(def.size[2]);
     return TXC_STATUS_OK;

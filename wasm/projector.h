@@ -19,10 +19,10 @@ struct PlanarProjector {
     double depth = 1.0;              // metres, the box's full extent along Z
     // For frames, in all lanes each: to_decal's matrix by rows, and as a fourth towards_viewer.
     Float4 rows[4][3] = {};
-    Float4 centre[3] = {};  // model space, in the first lane
+    Float4 centre[3] = {};  // from the mesh's origin, in the first lane
 
-    /// From an ABI layer's fields. BAD_ARGUMENT names the field.
-    static TxcStatus from_def(const TxcLayerDef& def, PlanarProjector& out);
+    /// From an ABI layer's fields; `origin` as of ProjectorPose. BAD_ARGUMENT names the field.
+    static TxcStatus from_def(const TxcLayerDef& def, const glm::vec3& origin, PlanarProjector& out);
 };
 
 /// One texel frame seen through a projector, affine in the texel. Lanes: decal space x, y and z, and normal . ray before

@@ -6,7 +6,7 @@
 
 namespace txc {
 
-TxcStatus ProjectorPose::from_def(const TxcLayerDef& def, ProjectorPose& out) {
+TxcStatus ProjectorPose::from_def(const TxcLayerDef& def, const glm::vec3& origin, ProjectorPose& out) {
     for (int c = 0; c < 3; ++c) {
         if (!(std::fabs(def.position_model[c]) <= kMaxCoordinate)) {
             return fail(TXC_STATUS_BAD_ARGUMENT, "position[%d] is %g; it must be a finite number of metres", c,
@@ -25,7 +25,7 @@ TxcStatus ProjectorPose::from_def(const TxcLayerDef& def, ProjectorPose& out) {
     const double y = def.rotation[1] / length;
     const double z = def.rotation[2] / length;
     const double w = def.rotation[3] / length;
-    out.position = glm::dvec3(def.position_model[0], def.position_model[1], def.position_model[2]);
+    out.position = glm::dvec3(glm::vec3(def.position_model[0], def.position_model[1], def.position_model[2]) - origin);
     out.right = glm::dvec3(1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y));
     out.up = glm::dvec3(2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x));
     out.towards = glm::dvec3(2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y));

@@ -8,15 +8,16 @@
 
 namespace txc {
 
-/// Position and axes in model space. The axes are unit and at right angles; +Z points from the surface to the viewer.
+/// Position, from the mesh's origin, and axes. The axes are unit and at right angles; +Z points from the surface to the viewer.
 struct ProjectorPose {
     glm::dvec3 position{0.0};
     glm::dvec3 right{1.0, 0.0, 0.0};
     glm::dvec3 up{0.0, 1.0, 0.0};
     glm::dvec3 towards{0.0, 0.0, 1.0};
 
-    /// From an ABI layer's position_model and rotation. BAD_ARGUMENT names the field.
-    static TxcStatus from_def(const TxcLayerDef& def, ProjectorPose& out);
+    /// From an ABI layer's position_model and rotation; `origin`: of the positions that it will look at, model space. BAD_ARGUMENT
+    /// names the field.
+    static TxcStatus from_def(const TxcLayerDef& def, const glm::vec3& origin, ProjectorPose& out);
 
     /// A direction of model space along the projector's own axes: its *view space*, metres, the position its origin.
     glm::dvec3 turn_to_view(const glm::dvec3& v) const {

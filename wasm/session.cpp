@@ -141,9 +141,15 @@ TxcStatus Session::add_mesh(const TxcMeshDef& def, const float* positions, const
     arrays.index_count = corner_count;
     arrays.material = def.material;
     if (mesh->materials.size() <= def.material) mesh->materials.resize(def.material + 1);
-    if (const TxcStatus status = place_primitive(*mesh, filled, arrays, "the mesh"); status != TXC_STATUS_OK)
-        return status;
-    mesh->summarise();
+    const MeshSize before = filled;
+    do {
+        filled = before;
+        arrays.origin = mesh->origin;
+        if (const TxcStatus status = place_primitive(*mesh, filled, arrays, "the mesh"); status != TXC_STATUS_OK)
+            return status;
+        mesh->summarise();
+        // The first mesh's origin serves for those that come to it: from anywhere in a model, floats are fine steps of it.
+    } while (before.vertices == 0 && mesh->come_near());
     forget_model();
     mesh_ = std::move(mesh);
     mesh_share_ = std::move(share);

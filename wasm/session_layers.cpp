@@ -103,6 +103,7 @@ TxcStatus Session::create_layer(TxcTarget target_id, const TxcLayerDef& def, Txc
     if (const TxcStatus status = find_target(target_id, target); status != TXC_STATUS_OK) return status;
     auto made = std::make_unique<Layer>(budget_);
     Layer& layer = *made;
+    layer.cast.origin = mesh_->origin;
     if (const TxcStatus status = read_layer_def(def, layer.cast); status != TXC_STATUS_OK) return status;
     if (const TxcStatus status = check_image(def.image); status != TXC_STATUS_OK) return status;
     if (const TxcStatus status = check_parent(target_id, 0, def); status != TXC_STATUS_OK) return status;
@@ -129,6 +130,7 @@ TxcStatus Session::update_layer(TxcLayer id, const TxcLayerDef& def) {
     Layer* layer = nullptr;
     if (const TxcStatus status = find_layer(id, layer); status != TXC_STATUS_OK) return status;
     PictureCast cast;
+    cast.origin = mesh_->origin;
     if (const TxcStatus status = read_layer_def(def, cast); status != TXC_STATUS_OK) return status;
     // An image that was destroyed under the layer may stay named: the layer is transparent until it gets another.
     if (def.image != layer->def.image) {

@@ -19,7 +19,7 @@ struct TexelFrame {
         float dy;  // change a texel down
     };
 
-    Coordinate position[3];  // model space, metres
+    Coordinate position[3];  // from the mesh's origin, metres
     Coordinate normal[3];    // not normalised: interpolated like the positions
     std::int32_t x0;
     std::int32_t y0;

@@ -34,7 +34,7 @@ public:
     /// Paints over every tile and over the tiles found: the same bytes must come out.
     Count check(const TxcLayerDef& def) {
         txc::CurvedProjector projector;
-        must(txc::read_curved_projector(def, projector));
+        must(txc::read_curved_projector(def, glm::vec3(0.0f), projector));
         txc::DecalSettings settings;
         settings.nearest = def.filter == TXC_FILTER_NEAREST;
         settings.repeat = def.wrap == TXC_WRAP_REPEAT;

@@ -28,7 +28,7 @@ TEST_CASE("A slide's grid of occluders answers as rays to the eye do, unless tri
         place(def, random.between(-away, away), random.between(-away, away), random.between(-away, away));
         look_at(def, random.between(-0.4, 0.4), random.between(-0.4, 0.4), random.between(-0.4, 0.4));
         txc::PerspectiveProjector projector;
-        must(txc::PerspectiveProjector::from_def(def, projector));
+        must(txc::PerspectiveProjector::from_def(def, glm::vec3(0.0f), projector));
         txc::OccluderGrid grid(mesh, tree, txc::RaySpace(projector, mesh.bounds), budget);
         must(grid.build());
         if (!grid.is_whole()) continue;
@@ -76,7 +76,7 @@ TEST_CASE("From the eye of a slide a surface without folds hides nothing of itse
     place(def, 0.7, 0.4, 2.0);
     look_at(def, 0, 0, 0);
     txc::PerspectiveProjector projector;
-    must(txc::PerspectiveProjector::from_def(def, projector));
+    must(txc::PerspectiveProjector::from_def(def, glm::vec3(0.0f), projector));
     txc::OccluderGrid grid(mesh, tree, txc::RaySpace(projector, mesh.bounds), budget);
     must(grid.build());
     REQUIRE(grid.is_whole());

@@ -30,7 +30,7 @@ inline txc::Mesh make_core_mesh(const Shape& shape) {
 
 inline txc::PlanarProjector make_projector(const TxcLayerDef& def) {
     txc::PlanarProjector projector;
-    must(txc::PlanarProjector::from_def(def, projector));
+    must(txc::PlanarProjector::from_def(def, glm::vec3(0.0f), projector));
     return projector;
 }
 

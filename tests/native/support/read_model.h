@@ -15,7 +15,8 @@ struct ReadModel {
     std::string detail;
     txc::Mesh mesh;
 
-    glm::vec3 position(std::size_t vertex) const { return mesh.positions.at(vertex); }
+    /// Model space.
+    glm::vec3 position(std::size_t vertex) const { return mesh.origin + mesh.positions.at(vertex); }
 };
 
 inline ReadModel try_read(const std::vector<std::uint8_t>& file, std::uint64_t budget_bytes = 64u << 20) {
