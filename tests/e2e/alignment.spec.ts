@@ -116,6 +116,16 @@ test("a key and a button slide a decal into the model's middle, as one step", as
   await expect(editor.page.locator("#align-middle")).toBeDisabled();
 });
 
+test("a decal that was laid flat says where its handles are now", async ({ editor, page }) => {
+  await editor.openOnLowest();
+  const projection = page.getByRole("group", { name: "Projection" });
+  await expect(projection).not.toContainText("Its handles");
+  await page.getByRole("radio", { name: "Flat" }).check({ force: true });
+  await expect(projection).toContainText("Its handles are in the texture.");
+  await page.getByRole("radio", { name: "Around" }).check({ force: true });
+  await expect(projection).not.toContainText("Its handles");
+});
+
 test("several that are chosen are brought under the selected one, or beside it, as one step", async ({ editor }) => {
   const { badge, number } = await openOnTwo(editor);
   const before = await positionOf(editor, badge);

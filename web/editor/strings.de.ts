@@ -436,6 +436,7 @@ export const german: Strings = {
       uv: "Flach in der Textur, als Stempel auf der Abwicklung",
     },
     again: "Neu aus der Ansicht",
+    flatHandles: "Seine Griffe sind in der Textur.",
     align: "Ausrichten",
     alignments: {
       surface: "An der Oberfläche (Alt S)",

@@ -432,6 +432,7 @@ const english = {
       uv: "Flat in the texture, as a stamp on the unfolded surface",
     },
     again: "Take from the view again",
+    flatHandles: "Its handles are in the texture.",
     align: "Align",
     alignments: {
       surface: "To the surface (Alt S)",

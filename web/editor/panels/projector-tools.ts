@@ -116,6 +116,7 @@ export function projectionTools(editor: Editor, { projector }: Thrown): Template
             </button>`
           : nothing
       }
+      ${projector.kind === "uv" ? html`<p class="quiet">${words.flatHandles}</p>` : nothing}
       ${alignField(
         words.align,
         ALIGNMENTS.map(([how, drawing]) => ({

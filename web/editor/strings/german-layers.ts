@@ -188,7 +188,7 @@ export const germanLayerNotices = {
 
 export const germanGradient: Strings["gradient"] = {
   name: "Farbverlauf",
-  kind: "Füllen mit",
+  kind: "Füllung",
   kinds: { color: "Farbe", linear: "Linear", radial: "Radial" },
   stops: "Farben des Verlaufs",
   barHint: "Doppelklick fügt eine Farbe hinzu",
@@ -224,7 +224,7 @@ export const germanMask: Strings["mask"] = {
 };
 
 export const germanParts: Strings["fillParts"] = {
-  title: "Bemalt",
+  title: "Bemalte Teile",
   kinds: { all: "Alles", charts: "Inseln", faces: "Flächen" },
   picked: (kind, count) =>
     kind === "charts" ? plural(count, "UV-Insel", "UV-Inseln") : plural(count, "Fläche", "Flächen"),

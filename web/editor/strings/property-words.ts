@@ -3,7 +3,7 @@ import { plural } from "./plural.ts";
 
 export const gradientWords = {
   name: "Gradient",
-  kind: "Fill with",
+  kind: "Fill",
   kinds: { color: "Colour", linear: "Linear", radial: "Radial" },
   stops: "Colours of the gradient",
   barHint: "Double-click adds a colour",
@@ -40,7 +40,7 @@ export const maskWords = {
 } as const;
 
 export const partsWords = {
-  title: "Paints",
+  title: "Painted parts",
   kinds: { all: "All", charts: "Charts", faces: "Faces" },
   picked: (kind: "charts" | "faces", count: number): string =>
     kind === "charts" ? plural(count, "chart", "charts") : plural(count, "face", "faces"),
