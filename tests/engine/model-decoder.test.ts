@@ -192,7 +192,10 @@ describe("a compressed model", () => {
         materials: { length: 4 },
       });
       const attempt = engine.loadModel({ name: "m.glb", bytes: requiring("ACME_curves") });
-      await expect(attempt).rejects.toMatchObject({ code: "unsupported-model", subject: "m.glb" });
+      await expect(attempt).rejects.toMatchObject({
+        ...{ code: "unsupported-model", subject: "m.glb", value: "ACME_curves" },
+        field: model === plain ? "extensionsRequired[0]" : "extensionsRequired[1]",
+      });
       await expect(attempt).rejects.toThrow(/requires the extension ACME_curves/);
       engine.dispose();
     }

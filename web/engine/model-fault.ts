@@ -19,10 +19,18 @@ export function modelFault(error: unknown, json: JsonObject, name: string): unkn
     subject: name,
     ...(error.field !== undefined && { field: error.field }),
     ...(error.value !== undefined && { value: error.value }),
+    ...(error.code === "unsupported-model" && requiredIn(error.message, json)),
     hint: error.hint ?? (error.code === "out-of-budget" ? "Simplify the model." : REPAIR),
     ...(error.reason !== undefined && { reason: error.reason }),
     cause: error,
   });
+}
+
+/** Which of the required extensions it is that the core names. */
+function requiredIn(message: string, { extensionsRequired }: JsonObject): { field: string; value: string } | undefined {
+  if (!Array.isArray(extensionsRequired)) return undefined;
+  const at = extensionsRequired.findIndex((name) => message.includes(`extension ${name};`));
+  return at < 0 ? undefined : { field: `extensionsRequired[${at}]`, value: String(extensionsRequired[at]) };
 }
 
 /** For a model that the engine has read, and a viewer cannot; `cause` is what that one said. */

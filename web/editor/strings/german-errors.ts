@@ -55,7 +55,7 @@ const WORDINGS: Readonly<Record<string, Wording>> = {
       : notReadable(error),
   "bad-container": (error) => notReadable(error),
   "unsupported-model": (error) => [
-    `${named(error, "Das Modell")} braucht eine glTF-Erweiterung, die hier nicht gelesen wird.`,
+    `${named(error, "Das Modell")} braucht ${error.value ? `die glTF-Erweiterung ${error.value}` : "eine glTF-Erweiterung"}, die hier nicht gelesen wird.`,
     "Exportiere es ohne diese Erweiterung.",
   ],
   "bad-geometry": (error) => [`Die Geometrie von ${named(error, "diesem Modell")} ist beschädigt.`, REPAIR],
