@@ -1,16 +1,11 @@
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { deflateSync } from "node:zlib";
-import { default as encodeJpeg, init as startJpegEncoder } from "@jsquash/jpeg/encode.js";
-import webpEncoderFactory from "@jsquash/webp/codec/enc/webp_enc.js";
-import { defaultOptions as webpDefaults } from "@jsquash/webp/meta.js";
-import { initEmscriptenModule } from "@jsquash/webp/utils.js";
 import { describe, expect, it } from "vitest";
 import { power } from "../../web/engine/exact-power.ts";
 import { decodePicture } from "../../web/engine/picture-decoder.ts";
 import { readPictureHeader } from "../../web/engine/picture-header.ts";
 import { checkUpload } from "../../web/engine/upload-check.ts";
 import { type AvifPart, avifFile, box, gridData, makeAvif, partsOf, sizeBox } from "../support/avif-file.ts";
+import { jpegOf, webpOf } from "../support/encoded-pictures.ts";
 import {
   curves,
   greyProfile,
@@ -143,10 +138,8 @@ describe("a picture with a colour profile", () => {
   });
 
   it("gives the same colours in JPEG, in one piece or several, as in PNG", async () => {
-    await startJpegEncoder(await compile("@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm"));
-    const flat = new Uint8ClampedArray(16 * 16 * 4).map((_, i) => [234, 51, 35, 255][i % 4] as number);
-    const image = { data: flat, width: 16, height: 16, colorSpace: "srgb" } as ImageData;
-    const jpeg = new Uint8Array(await encodeJpeg(image, { quality: 100 }));
+    const flat = new Uint8Array(16 * 16 * 4).map((_, i) => [234, 51, 35, 255][i % 4] as number);
+    const jpeg = await jpegOf({ rgba: flat, width: 16, height: 16 }, 100);
     expectNear((await seen(jpeg)).slice(0, 1), [[234, 51, 35]], 2);
     for (const piece of [65_000, 100])
       expectNear((await seen(jpegWith(jpeg, DISPLAY_P3, piece))).slice(0, 1), [[255, 0, 0]], 8);
@@ -157,12 +150,8 @@ describe("a picture with a colour profile", () => {
   });
 
   it("gives the same colours in WebP", async () => {
-    const encoder = await initEmscriptenModule(
-      webpEncoderFactory,
-      await compile("@jsquash/webp/codec/enc/webp_enc.wasm"),
-    );
     const rgba = Uint8Array.from(IN_P3.flatMap((color) => [...color, 255]));
-    const webp = new Uint8Array(encoder.encode(rgba, 5, 1, { ...webpDefaults, lossless: 1, exact: 1 }) ?? []);
+    const webp = await webpOf({ rgba, width: 5, height: 1 });
     const profiled = webpWith(webp, DISPLAY_P3, 5, 1);
     expect(await seen(webp)).toEqual(IN_P3);
     expectNear(await seen(profiled), PLAIN, 3);
@@ -295,9 +284,8 @@ describe("an upload with a colour profile", () => {
   });
 
   it("keeps it in a JPEG, in as many pieces as it takes", async () => {
-    await startJpegEncoder(await compile("@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm"));
-    const data = new Uint8ClampedArray(8 * 8 * 4).map((_, i) => (i * 29) % 256);
-    const jpeg = new Uint8Array(await encodeJpeg({ data, width: 8, height: 8, colorSpace: "srgb" } as ImageData));
+    const rgba = new Uint8Array(8 * 8 * 4).map((_, i) => (i * 29) % 256);
+    const jpeg = await jpegOf({ rgba, width: 8, height: 8 });
     const table = curves.table(Array.from({ length: 20_000 }, (_, i) => (i / 19_999) ** 1.8));
     for (const profile of [DISPLAY_P3, rgbProfile(PRIMARIES.displayP3, table, "Jane's")]) {
       const photo = jpegWith(jpeg, profile);
@@ -331,10 +319,6 @@ describe("a power", () => {
 });
 
 const textOf = (bytes: Uint8Array): string => Buffer.from(bytes).toString("latin1");
-
-const require = createRequire(import.meta.url);
-const compile = (specifier: string): Promise<WebAssembly.Module> =>
-  WebAssembly.compile(readFileSync(require.resolve(specifier)));
 
 const light = (step: number): number => (step <= 0.04045 ? step / 12.92 : ((step + 0.055) / 1.055) ** 2.4);
 const encoded = (value: number): number => (value <= 0.0031308 ? value * 12.92 : 1.055 * value ** (1 / 2.4) - 0.055);

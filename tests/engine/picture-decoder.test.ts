@@ -1,10 +1,4 @@
 import { createHash } from "node:crypto";
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { default as encodeJpeg, init as startJpegEncoder } from "@jsquash/jpeg/encode.js";
-import webpEncoderFactory from "@jsquash/webp/codec/enc/webp_enc.js";
-import { defaultOptions as webpDefaults } from "@jsquash/webp/meta.js";
-import { initEmscriptenModule } from "@jsquash/webp/utils.js";
 import { beforeAll, describe, expect, it } from "vitest";
 import type { Picture } from "../../web/engine/engine-api.ts";
 import { readContainer } from "../../web/engine/gltf-container.ts";
@@ -12,13 +6,10 @@ import { packGltf } from "../../web/engine/gltf-packer.ts";
 import { imageBytes } from "../../web/engine/model-textures.ts";
 import { decodePicture, readPictureHeader } from "../../web/engine/picture-decoder.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
+import { jpegOf, webpOf } from "../support/encoded-pictures.ts";
 import { makePng, paintPng, pngChunk, solidPng } from "../support/png-file.ts";
 import { jpegOfScans } from "../support/scanned-jpeg.ts";
 import { haveSharedModels, noteSkipped, sharedModel } from "../support/shared-models.ts";
-
-const require = createRequire(import.meta.url);
-const compile = (specifier: string): Promise<WebAssembly.Module> =>
-  WebAssembly.compile(readFileSync(require.resolve(specifier)));
 
 const pixels = async (bytes: Uint8Array): Promise<number[]> => [...(await decodePicture(bytes, "test")).rgba];
 
@@ -30,23 +21,14 @@ const CHART: Picture = {
 };
 const OPAQUE: Picture = { ...CHART, rgba: CHART.rgba.map((value, i) => (i % 4 === 3 ? 255 : value)) };
 
-const imageData = ({ width, height, rgba }: Picture): ImageData =>
-  ({ width, height, data: new Uint8ClampedArray(rgba), colorSpace: "srgb" }) as ImageData;
-
 let jpeg: Uint8Array;
 let webpLossless: Uint8Array;
 let webpLossy: Uint8Array;
 
 beforeAll(async () => {
-  await startJpegEncoder(await compile("@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm"));
-  jpeg = new Uint8Array(await encodeJpeg(imageData(OPAQUE), { quality: 90 }));
-  const webp = await initEmscriptenModule(webpEncoderFactory, await compile("@jsquash/webp/codec/enc/webp_enc.wasm"));
-  const encodeWebp = (options: object): Uint8Array => {
-    const encoded = webp.encode(CHART.rgba, CHART.width, CHART.height, { ...webpDefaults, ...options });
-    return new Uint8Array(encoded ?? []);
-  };
-  webpLossless = encodeWebp({ lossless: 1, exact: 1 });
-  webpLossy = encodeWebp({ quality: 90 });
+  jpeg = await jpegOf(OPAQUE, 90);
+  webpLossless = await webpOf(CHART);
+  webpLossy = await webpOf(CHART, 90);
 });
 
 describe("PNG", () => {

@@ -1,14 +1,9 @@
 /** The same 32 × 16 pixels in each format whose EXIF browsers follow: as they are stored a camera held on its side made them. */
-import { readFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { default as encodeJpeg, init as startJpegEncoder } from "@jsquash/jpeg/encode.js";
-import webpEncoderFactory from "@jsquash/webp/codec/enc/webp_enc.js";
-import { defaultOptions as webpDefaults } from "@jsquash/webp/meta.js";
-import { initEmscriptenModule } from "@jsquash/webp/utils.js";
 import { orientationBlock } from "../../web/engine/exif-block.ts";
 import { joinBytes } from "../../web/engine/join-bytes.ts";
 import { pngChunk } from "../../web/engine/png-chunk.ts";
 import { encodePng } from "../../web/engine/png-encoder.ts";
+import { jpegOf, webpOf } from "./encoded-pictures.ts";
 
 /** As EXIF counts: a quarter turn. */
 export const QUARTER_TURN = 6;
@@ -20,9 +15,6 @@ export interface TurnedPicture {
   readonly bytes: Uint8Array;
 }
 
-const require = createRequire(import.meta.url);
-const compile = (specifier: string): Promise<WebAssembly.Module> =>
-  WebAssembly.compile(readFileSync(require.resolve(specifier)));
 const text = (letters: string): Uint8Array => new TextEncoder().encode(letters);
 
 export async function turnedPictures(orientation: number = QUARTER_TURN): Promise<readonly TurnedPicture[]> {
@@ -38,9 +30,7 @@ export async function turnedPictures(orientation: number = QUARTER_TURN): Promis
   const header = 8 + 25;
   const turnedPng = joinBytes([png.subarray(0, header), pngChunk("eXIf", block), png.subarray(header)]);
 
-  await startJpegEncoder(await compile("@jsquash/jpeg/codec/enc/mozjpeg_enc.wasm"));
-  const pixels = { width, height, data: new Uint8ClampedArray(rgba), colorSpace: "srgb" } as ImageData;
-  const jpeg = new Uint8Array(await encodeJpeg(pixels, { quality: 95 }));
+  const jpeg = await jpegOf({ width, height, rgba }, 95);
   const exif = joinBytes([text("Exif\0\0"), block]);
   const turnedJpeg = joinBytes([
     jpeg.subarray(0, 2),
@@ -49,8 +39,7 @@ export async function turnedPictures(orientation: number = QUARTER_TURN): Promis
     jpeg.subarray(2),
   ]);
 
-  const webp = await initEmscriptenModule(webpEncoderFactory, await compile("@jsquash/webp/codec/enc/webp_enc.wasm"));
-  const plain = new Uint8Array(webp.encode(rgba, width, height, { ...webpDefaults, lossless: 1, exact: 1 }) ?? []);
+  const plain = await webpOf({ width, height, rgba });
   // The extended header (RFC 9649, 2.7): its flag says that there is EXIF.
   const extended = Uint8Array.of(0x08, 0, 0, 0, width - 1, 0, 0, height - 1, 0, 0);
   const turnedWebp = joinBytes([
