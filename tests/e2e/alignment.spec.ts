@@ -116,14 +116,21 @@ test("a key and a button slide a decal into the model's middle, as one step", as
   await expect(editor.page.locator("#align-middle")).toBeDisabled();
 });
 
-test("a decal that was laid flat says where its handles are now", async ({ editor, page }) => {
+test("a decal that was laid flat says where its handles are while the texture is out of sight", async ({
+  editor,
+  page,
+}) => {
   await editor.openOnLowest();
   const projection = page.getByRole("group", { name: "Projection" });
+  await page.locator("#layout-model").click();
   await expect(projection).not.toContainText("Its handles");
   await page.getByRole("radio", { name: "Flat" }).check({ force: true });
   await expect(projection).toContainText("Its handles are in the texture.");
-  await page.getByRole("radio", { name: "Around" }).check({ force: true });
+  await page.locator("#layout-both").click();
   await expect(projection).not.toContainText("Its handles");
+  await editor.resize(390, 844);
+  await page.locator("tc-bottom-sheet").getByText("Edit", { exact: true }).click();
+  await expect(projection).toContainText("Its handles are in the texture.");
 });
 
 test("several that are chosen are brought under the selected one, or beside it, as one step", async ({ editor }) => {

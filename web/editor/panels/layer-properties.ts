@@ -44,9 +44,10 @@ export class LayerProperties extends EditorElement {
   }
 
   protected watched(state: EditorState): readonly unknown[] {
-    const { design, selectedId, selection, editingMask, model, tool, toolSettings } = state;
+    const { design, selectedId, selection, editingMask, model, tool, toolSettings, view, sheet } = state;
     const locked = selectedId !== null && isLocked(design, selectedId);
-    return [layerById(design, selectedId), selection, editingMask, locked, model, tool, toolSettings.recent];
+    const layer = layerById(design, selectedId);
+    return [layer, selection, editingMask, locked, model, tool, toolSettings.recent, view.layout, sheet];
   }
 
   override render(): TemplateResult {

@@ -17,6 +17,7 @@ import {
 import type { DecalLayer, Projector, TextLayer } from "../document/index.ts";
 import { ALIGNMENT_LINES, canAlign, type LineOfLayers } from "../state/aligned-together.ts";
 import type { Editor } from "../state/editor.ts";
+import type { EditorState } from "../state/editor-state.ts";
 import { canSpread, SPREADS, type SpreadOfLayers } from "../state/spread-together.ts";
 import { icon } from "../ui/icon.ts";
 import { segments } from "./property-fields.ts";
@@ -83,6 +84,11 @@ export function togetherTools(editor: Editor): TemplateResult | typeof nothing {
   `;
 }
 
+/** Whether the texture, in which what lies flat has its handles, is out of sight. */
+function isTextureAway({ sheet, view: { layout } }: EditorState): boolean {
+  return layout === "model" || (sheet !== null && layout !== "texture");
+}
+
 export function projectionTools(editor: Editor, { projector }: Thrown): TemplateResult {
   const words = editor.strings.projection;
   const kinds = Object.keys(KIND_ICONS) as Kind[];
@@ -116,7 +122,7 @@ export function projectionTools(editor: Editor, { projector }: Thrown): Template
             </button>`
           : nothing
       }
-      ${projector.kind === "uv" ? html`<p class="quiet">${words.flatHandles}</p>` : nothing}
+      ${projector.kind === "uv" && isTextureAway(editor.store.state) ? html`<p class="quiet">${words.flatHandles}</p>` : nothing}
       ${alignField(
         words.align,
         ALIGNMENTS.map(([how, drawing]) => ({
