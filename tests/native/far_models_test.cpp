@@ -24,12 +24,7 @@ constexpr Place kFarAlongOne{0.0, 4096.0, 0.5};
 
 /// The shape in a node that puts it there.
 std::vector<std::uint8_t> glb_at(const Shape& shape, const Place& at) {
-    GlbBuilder glb;
-    glb.mesh(glb.primitive(shape, R"(,"material":0)"));
-    glb.add("nodes", text(R"({"mesh":0,"translation":[%g,%g,%g]})", at.x, at.y, at.z));
-    glb.add("scenes", R"({"nodes":[0]})");
-    glb.add("materials", "{}");
-    return glb.glb();
+    return make_model(shape, text(R"({"mesh":0,"translation":[%g,%g,%g]})", at.x, at.y, at.z)).glb();
 }
 
 /// How far a point within a metre of the place may be from where floats put it, at the most.

@@ -24,6 +24,7 @@ import { handleClipboard } from "./state/clipboard-events.ts";
 import type { EditorState } from "./state/editor-state.ts";
 import { watchFingers } from "./state/finger-gestures.ts";
 import { handleShortcut } from "./state/shortcuts.ts";
+import { isSplit } from "./state/view-state.ts";
 import { watchEraserEnd } from "./tools/eraser-end.ts";
 import { ACCEPT } from "./ui/accepted-files.ts";
 import { EditorElement } from "./ui/editor-element.ts";
@@ -366,7 +367,7 @@ export class Workbench extends EditorElement {
     const textureShare = this.textureShare ?? 0.38;
     const { animation, view } = this.state;
     const { layout } = view;
-    const split = !compact && layout === "both";
+    const split = isSplit(layout, compact);
     const flat = layout === "texture";
     const [first, second] = [`minmax(0, ${1 - textureShare}fr)`, `minmax(0, ${textureShare}fr)`];
     const whole = "minmax(0, 1fr)";

@@ -148,11 +148,11 @@ private:
     std::vector<std::uint8_t> binary_;
 };
 
-/// The shape in one node of one scene, with a material of no particular looks.
-inline GlbBuilder make_model(const Shape& shape) {
+/// The shape in one node of one scene, with a material of no particular looks. `node`: its JSON.
+inline GlbBuilder make_model(const Shape& shape, const std::string& node = R"({"mesh":0})") {
     GlbBuilder glb;
     glb.mesh(glb.primitive(shape, R"(,"material":0)"));
-    glb.add("nodes", R"({"mesh":0})");
+    glb.add("nodes", node);
     glb.add("scenes", R"({"nodes":[0]})");
     glb.add("materials", "{}");
     return glb;

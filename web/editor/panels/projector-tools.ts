@@ -19,6 +19,7 @@ import { ALIGNMENT_LINES, canAlign, type LineOfLayers } from "../state/aligned-t
 import type { Editor } from "../state/editor.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import { canSpread, SPREADS, type SpreadOfLayers } from "../state/spread-together.ts";
+import { isSplit } from "../state/view-state.ts";
 import { icon } from "../ui/icon.ts";
 import { segments } from "./property-fields.ts";
 
@@ -86,7 +87,7 @@ export function togetherTools(editor: Editor): TemplateResult | typeof nothing {
 
 /** Whether the texture, in which what lies flat has its handles, is out of sight. */
 function isTextureAway({ sheet, view: { layout } }: EditorState): boolean {
-  return layout === "model" || (sheet !== null && layout !== "texture");
+  return layout !== "texture" && !isSplit(layout, sheet !== null);
 }
 
 export function projectionTools(editor: Editor, { projector }: Thrown): TemplateResult {

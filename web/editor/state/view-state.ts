@@ -9,6 +9,9 @@ export const TEXTURE_MODES: readonly TextureMode[] = ["texture", "positions", "n
 export type ViewLayout = "model" | "both" | "texture";
 export const VIEW_LAYOUTS: readonly ViewLayout[] = ["model", "both", "texture"];
 
+/** Whether both are there: beside or above a sheet there is room for one of them. */
+export const isSplit = (layout: ViewLayout, hasSheet: boolean): boolean => layout === "both" && !hasSheet;
+
 /** The tone behind the model; "auto" follows the page's theme. */
 export type BackgroundTone = "auto" | "light" | "grey" | "dark";
 export const BACKGROUND_TONES: readonly BackgroundTone[] = ["auto", "light", "grey", "dark"];
