@@ -97,3 +97,50 @@ test("so it is with a pencil", async ({ editor, page }) => {
   await page.keyboard.press("Control+z");
   expect(await editor.settledHash()).toBe(before);
 });
+
+test("Delete in the middle of a stroke ends it first: the stroke, and the layer that goes with it, are two steps", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.keyboard.press("Escape");
+  const { x, y } = await editor.middleOfStage();
+  await page.keyboard.press("b");
+  const stroke = async (dy: number, whileDown: () => Promise<void> = async () => {}) => {
+    await page.mouse.move(x - 20, y + dy);
+    await page.mouse.down();
+    await page.mouse.move(x + 20, y + dy, { steps: 4 });
+    await whileDown();
+    // The button is still down.
+    await page.mouse.move(x + 20, y + dy + 20, { steps: 4 });
+    await page.mouse.up();
+  };
+  await stroke(-40);
+  const first = await editor.settledHash();
+  await stroke(0, () => page.keyboard.press("Delete"));
+  await editor.idle();
+  expect((await editor.design()).layers.filter(({ type }) => type === "paint")).toHaveLength(0);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).not.toBe(first);
+  const paint = (await editor.design()).layers.filter(({ type }) => type === "paint");
+  expect(paint).toMatchObject([{ strokes: [{ type: "stroke" }, { type: "stroke" }] }]);
+  await page.keyboard.press("Control+z");
+  expect(await editor.settledHash()).toBe(first);
+});
+
+test("a redo in the middle of a stroke, which has nothing to bring back, keeps the stroke", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await page.keyboard.press("Escape");
+  const before = await editor.settledHash();
+  const { x, y } = await editor.middleOfStage();
+  await page.keyboard.press("b");
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 40, y, { steps: 4 });
+  await page.keyboard.press("Control+Shift+z");
+  await page.mouse.up();
+  expect(await editor.settledHash()).not.toBe(before);
+});

@@ -1,4 +1,4 @@
-import { expect, it } from "vitest";
+import { expect, it, vi } from "vitest";
 import {
   type DecalLayer,
   type Design,
@@ -29,10 +29,14 @@ const unlinked: DecalLayer = { ...masked, mask: { layers: [stroke], invert: fals
 
 /** What the commands recorded last; every nudge is a metre to the right. */
 function commandsOn(...layers: DesignLayer[]) {
+  const finishWork = vi.fn(() => {});
   const store = new Store<EditorState>({ ...INITIAL_STATE, selection: layers.map(({ id }) => id) });
   const recorded: Design[] = [{ ...emptyDesign(), layers }];
   const session = {
     get recordedDesign() {
+      return recorded.at(-1);
+    },
+    get design() {
       return recorded.at(-1);
     },
     record: (design: Design) => void recorded.push(design),
@@ -45,12 +49,13 @@ function commandsOn(...layers: DesignLayer[]) {
     store,
     board: new NoticeBoard(store),
     viewer: { nudge, surface: { near: () => null } as unknown as ModelViewer["surface"] },
+    finishWork,
   });
   const places = (): unknown[] =>
     (recorded.at(-1)?.layers ?? []).map(
       (layer) => "projector" in layer && (layer.projector as typeof projector).position[0],
     );
-  return { commands, places, design: () => recorded.at(-1) as Design };
+  return { commands, places, finishWork, design: () => recorded.at(-1) as Design };
 }
 
 it("a copy is put beside its original, also of one whose mask is still bare", () => {
@@ -88,3 +93,14 @@ it("what is pasted with such a mask lies where that is, too", () => {
   commands.put({ ...emptyDesign(), layers: [{ ...unlinked, id: "clip" }] });
   expect(places()).toEqual([0, 0]);
 });
+
+it.each(["remove", "duplicate", "group", "ungroup", "merge"] as const)(
+  "what a tool has under way is recorded before layers %s, as what it paints on may be gone after it",
+  (act) => {
+    const { commands, finishWork, design } = commandsOn(decal);
+    const before = design();
+    finishWork.mockImplementation(() => expect(design()).toBe(before));
+    commands[act]();
+    expect(finishWork).toHaveBeenCalledOnce();
+  },
+);

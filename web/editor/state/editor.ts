@@ -127,7 +127,8 @@ export class Editor {
     });
     this.#models = new ModelSession({ engine, viewer, router: this.#router, store, tasks, send });
     const { session, library } = this;
-    this.layers = new LayerCommands({ session, viewer, store, board, admission });
+    const finishWork = (): void => this.tools.finish();
+    this.layers = new LayerCommands({ session, viewer, store, board, admission, finishWork });
     const models = this.#models;
     const succeed = (before: ModelRef, after: ModelRef): void => this.autosave.succeed(before, after);
     this.unwrapping = unwrap && new UnwrapCommand({ store, session, models, board, tasks, unwrap, succeed });
@@ -152,6 +153,7 @@ export class Editor {
       texts: () => this.texts,
       palettes: () => this.palettes,
       giveUp: () => this.tools.cancel(),
+      finishWork,
     });
     const keeping = keepProjects({
       ...{ store, library, files: this.files, board, tasks, keeps },

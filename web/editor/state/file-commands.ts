@@ -57,6 +57,8 @@ export interface FileCommandsParts {
   readonly palettes: () => Pick<PaletteCommands, "open">;
   /** Takes back what a tool has under way; false where nothing is. */
   readonly giveUp: () => boolean;
+  /** Records what a tool has under way. */
+  readonly finishWork: () => void;
   /** A function, because the two need each other. */
   readonly projects: () => ProjectCommands;
 }
@@ -340,8 +342,9 @@ export class FileCommands {
 
   /** One step back or forth. In the middle of a stroke or of another change it is that which is taken back, and not the step before. */
   async travel(direction: "undo" | "redo"): Promise<void> {
-    const { session, store, board, giveUp } = this.#parts;
-    if (giveUp() && direction === "undo") return;
+    const { session, store, board, giveUp, finishWork } = this.#parts;
+    if (direction === "redo") finishWork();
+    else if (giveUp()) return;
     await session.settled();
     if (session.cancelPreview()) return;
     const label = direction === "undo" ? store.state.undoLabel : store.state.redoLabel;

@@ -65,6 +65,8 @@ export interface LayerCommandsParts {
   readonly store: Store<EditorState>;
   readonly board: NoticeBoard;
   readonly admission?: Admission | null;
+  /** Records what a tool has under way: it would go with the layers that it belongs to. */
+  readonly finishWork?: () => void;
 }
 
 export class LayerCommands {
@@ -73,10 +75,12 @@ export class LayerCommands {
   readonly #board: NoticeBoard;
   readonly #admission: Admission | null;
   readonly #viewer: Pick<ModelViewer, "nudge" | "surface">;
+  readonly #finishWork: () => void;
   /** Where a choice of several began. */
   #anchor: string | null = null;
 
-  constructor({ session, viewer, store, board, admission = null }: LayerCommandsParts) {
+  constructor({ session, viewer, store, board, admission = null, finishWork = () => {} }: LayerCommandsParts) {
+    this.#finishWork = finishWork;
     this.#admission = admission;
     this.#session = session;
     this.#viewer = viewer;
@@ -170,6 +174,7 @@ export class LayerCommands {
   }
 
   duplicate(): void {
+    this.#finishWork();
     const ids = this.#store.state.selection;
     const before = this.#session.recordedDesign;
     const made = this.#attempt(() => {
@@ -220,6 +225,7 @@ export class LayerCommands {
 
   /** The neighbour is selected next, so that the keyboard can go on. `step` names the step of the history. */
   remove(ids = this.#store.state.selection, step = this.#board.strings.steps.remove): void {
+    this.#finishWork();
     const before = this.#session.recordedDesign;
     const gone = this.unlocked(ids);
     const design = removeLayers(before, gone);
@@ -267,6 +273,7 @@ export class LayerCommands {
 
   /** Puts the chosen layers into a new group. */
   group(): void {
+    this.#finishWork();
     const { selection } = this.#store.state;
     const made = this.#attempt(() =>
       groupLayers(this.#session.recordedDesign, selection, { name: this.#board.strings.layers.group }),
@@ -279,6 +286,7 @@ export class LayerCommands {
 
   /** Where the picture would change by it, says how and asks first. */
   ungroup(ids = this.#store.state.selection, anyway = false): void {
+    this.#finishWork();
     const before = this.#session.recordedDesign;
     const groups = this.unlocked(ids).filter((id) => layerById(before, id)?.type === "group");
     const { design, ids: freed, lost } = ungroupLayers(before, groups);
@@ -296,6 +304,7 @@ export class LayerCommands {
 
   /** Joins a layer with the one below it; several chosen layers become a group. */
   merge(): void {
+    this.#finishWork();
     const ids = this.#store.state.selection;
     const [id] = ids;
     if (id === undefined) return;

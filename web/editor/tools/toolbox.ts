@@ -80,7 +80,7 @@ export class Toolbox {
     const { store, board } = this.#parts;
     const tool = this.#tools.get(id);
     if (!tool || id === store.state.tool || store.state.readonly) return;
-    this.active?.finish?.();
+    this.finish();
     this.active?.deactivate?.();
     store.set({ tool: id });
     this.#use(tool.input);
@@ -104,6 +104,11 @@ export class Toolbox {
 
   resetColors(): void {
     this.configure(DEFAULT_COLORS);
+  }
+
+  /** Records what the chosen tool has under way. */
+  finish(): void {
+    this.active?.finish?.();
   }
 
   /** Takes back what the chosen tool has under way; false where nothing is. */
