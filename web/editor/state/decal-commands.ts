@@ -43,7 +43,7 @@ import { type Placement, TriedKinds } from "./tried-kinds.ts";
 import { sharesTexels } from "./unwrap-command.ts";
 import { type WholeGroup, wholeGroups } from "./whole-groups.ts";
 
-/** Of the model's diagonal: a new decal's longer side, a nudge. */
+/** Of the model's diagonal: a new decal's longer side where there is room for it, a nudge. */
 const NEW_SHARE = 0.22;
 const NUDGE_SHARE = 0.002;
 const COARSE = 10;
@@ -198,8 +198,8 @@ export class DecalCommands {
   }
 
   /**
-   * Puts a picture on the model: at `hit`, else in the middle of the view, beside what lies there already, else in front of the
-   * model.
+   * Puts a picture on the model: at `hit`, else where it lies best near the middle of the view, beside what lies there already,
+   * else in front of the model.
    *
    * @param apart beside what lies there already, also at `hit`, as for one of several
    */
@@ -239,8 +239,10 @@ export class DecalCommands {
     label: string,
     make: (id: string, projector: PlanarProjector, material: LayerMaterials) => { design: Design; layer: PlacedLayer },
   ): void {
-    const spot = hit ?? this.#viewer.surfaceAtCentre();
-    const width = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
+    const usual = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
+    const landing = hit === null ? this.#viewer.landing(usual, aspect) : null;
+    const spot = hit ?? landing?.hit ?? this.#viewer.surfaceAtCentre();
+    const width = landing?.width ?? usual;
     const wished = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
     const { recordedDesign } = this.#session;
     const isExact = hit !== null && !apart;

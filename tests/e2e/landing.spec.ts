@@ -1,0 +1,27 @@
+import { expect, test } from "./support/editor-page.ts";
+
+test("a new picture lies whole on the avatar's shirt, not across its belt, and a smaller one on a detail that was come near to", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.openTemplate("avatar");
+  const boxOf = async (id: string) => {
+    const { projector } = await editor.decal(id);
+    if (projector.kind !== "planar") throw new Error("A picture is thrown as a box.");
+    return projector;
+  };
+  const shirt = await boxOf(await editor.addDemoDecal("smiley"));
+  // Metres: the belt's upper edge, and half of the torso's breadth.
+  expect(shirt.position[1] - shirt.size[1] / 2).toBeGreaterThan(0.9);
+  expect(Math.abs(shirt.position[0]) + shirt.size[0] / 2).toBeLessThan(0.25);
+  expect(shirt.size[0]).toBeGreaterThan(0.25);
+
+  await page.keyboard.press("Escape");
+  const { x, y } = await editor.middleOfStage();
+  await page.mouse.move(x, y);
+  for (let step = 0; step < 12; step += 1) await page.mouse.wheel(0, -240);
+  await editor.idle();
+  const near = await boxOf(await editor.addDemoDecal("smiley"));
+  expect(near.size[0]).toBeLessThan(shirt.size[0] / 2);
+});

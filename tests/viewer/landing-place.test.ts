@@ -1,0 +1,83 @@
+import { BoxGeometry, PlaneGeometry, Vector3 } from "three";
+import { describe, expect, it } from "vitest";
+import { placeOnSurface } from "../../web/viewer/decal-placement.ts";
+import { projectorOf } from "../../web/viewer/decal-pose.ts";
+import { type LandingView, landingPlace } from "../../web/viewer/landing-place.ts";
+import type { SurfaceQuery } from "../../web/viewer/surface-query.ts";
+import type { SurfaceHit } from "../../web/viewer/viewer-api.ts";
+import { cube, queryOf } from "./surface-helpers.ts";
+
+/** Looked at from the front, by rays side by side; the view is `span` metres wide and high, and its middle is at the origin. */
+function seenFromFront(query: SurfaceQuery, span = 4): LandingView {
+  return {
+    query,
+    sampleAt: (right, below) => query.raycast(new Vector3(right * span, -below * span, 10), new Vector3(0, 0, -1)),
+    eyeOf: ({ position: [x, y] }) => new Vector3(x, y, 10),
+    spanAt: () => [span, span],
+    projectorAt: ({ position, normal }: SurfaceHit, width, aspect) => {
+      const place = { position: new Vector3(...position), normal: new Vector3(...normal) };
+      const axes = { right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
+      return projectorOf(placeOnSurface(query, place, width, aspect, axes, null));
+    },
+  };
+}
+
+describe("something new", () => {
+  it("lies in the middle of the view, as wide as is wished, where it lies well there", () => {
+    const landing = landingPlace(seenFromFront(queryOf(cube())), 1, 1);
+    expect(landing).toMatchObject({ hit: { position: [0, 0, 1] }, width: 1 });
+  });
+
+  it("is narrower where what it lies on is, and still lies in the middle", () => {
+    const landing = landingPlace(seenFromFront(queryOf(new BoxGeometry(0.7, 3, 0.5))), 1, 1);
+    expect(landing?.hit.position[0]).toBeCloseTo(0, 9);
+    expect(landing?.width).toBeLessThan(0.8);
+    expect(landing?.width).toBeGreaterThan(0.5);
+  });
+
+  it("lies on the larger face beside a gap that the middle of the view is at", () => {
+    const chest = new BoxGeometry(1.4, 1.2, 0.5).translate(0, 0.7, 0);
+    const legs = [-0.4, 0.4].map((x) => new BoxGeometry(0.3, 1.2, 0.3).translate(x, -0.6, 0));
+    const landing = landingPlace(seenFromFront(queryOf(chest, ...legs)), 0.9, 1);
+    const [x = 0, y = 0] = landing?.hit.position ?? [];
+    expect(x).toBeCloseTo(0, 9);
+    expect(y).toBeGreaterThan(0.45);
+    expect(landing?.width).toBeGreaterThan(0.6);
+  });
+
+  it("does not lie where something that stands before the surface hides it", () => {
+    const wall = new PlaneGeometry(4, 4);
+    const post = new BoxGeometry(0.2, 4, 0.2).translate(0.1, 0, 2);
+    const landing = landingPlace(seenFromFront(queryOf(wall, post)), 0.6, 1);
+    const [x = 0, , z] = landing?.hit.position ?? [];
+    expect(z).toBeCloseTo(0, 9);
+    expect(Math.abs(x - 0.1)).toBeGreaterThan(0.3);
+  });
+
+  it.each([
+    [78, "goes from where it would be seen from its side to where it is seen"],
+    [53, "stays near the middle where it is seen well enough"],
+  ])("on a surface that is turned away by %i degrees, %s", (degrees, result) => {
+    const front = new PlaneGeometry(1.4, 4).translate(-1.3, 0, 0);
+    const side = new PlaneGeometry(8, 4)
+      .translate(4, 0, 0)
+      .rotateY((degrees * Math.PI) / 180)
+      .translate(-0.6, 0, 0);
+    const landing = landingPlace(seenFromFront(queryOf(front, side)), 0.4, 1);
+    const [x = 0] = landing?.hit.position ?? [];
+    if (result.startsWith("stays")) expect(x).toBeCloseTo(0, 9);
+    else expect(x).toBeLessThan(-0.6);
+  });
+
+  it("takes no more than half of the view, also where the camera has come near", () => {
+    const near = seenFromFront(queryOf(cube()), 0.4);
+    expect(landingPlace(near, 1, 1)?.width).toBeCloseTo(0.2, 9);
+    expect(landingPlace(near, 1, 4)?.width).toBeCloseTo(0.2, 9);
+    expect(landingPlace(near, 1, 0.25)?.width).toBeCloseTo(0.05, 9);
+  });
+
+  it("has no place where nothing of the model is near the middle", () => {
+    const aside = queryOf(new BoxGeometry(0.2, 0.2, 0.2).translate(1.9, 0, 0));
+    expect(landingPlace(seenFromFront(aside), 1, 1)).toBeNull();
+  });
+});
