@@ -1,3 +1,4 @@
+import type { PlanarProjector } from "../../web/editor/document/index.ts";
 import { expect, test } from "./support/editor-page.ts";
 
 test("a new picture lies whole on the avatar's shirt, not across its belt, and a smaller one on a detail that was come near to", async ({
@@ -24,4 +25,21 @@ test("a new picture lies whole on the avatar's shirt, not across its belt, and a
   await editor.idle();
   const near = await boxOf(await editor.addDemoDecal("smiley"));
   expect(near.size[0]).toBeLessThan(shirt.size[0] / 2);
+});
+
+test("so does a customer's on a product without print zones, unless the shop says how wide it is", async ({ page }) => {
+  await page.goto("element.html?mode=shop&loading=eager&locale=en&src=demo/avatar.glb&size=64");
+  const added = (options: { width?: number }) =>
+    page
+      .locator("texelcast-editor")
+      .evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"], options: { width?: number }) => {
+        await element.start();
+        const id = await element.addDecal("demo/decals/smiley.png", options);
+        const { design } = await element.exportDesign();
+        return (design.layers.find((layer) => layer.id === id) as { projector: PlanarProjector }).projector;
+      }, options);
+  const { position, size } = await added({});
+  expect(position[1] - size[1] / 2).toBeGreaterThan(0.9);
+  expect(Math.abs(position[0]) + size[0] / 2).toBeLessThan(0.25);
+  expect((await added({ width: 0.1 })).size[0]).toBe(0.1);
 });

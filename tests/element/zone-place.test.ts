@@ -12,11 +12,15 @@ const BELT = hitAt([0, 0.5, 0.1], [0, 0, 1], [0.5, 0.9]);
 const CHEST = hitAt([0, 1, 0.1], [0, 0, 1]);
 const BACK = hitAt([0, 1, -0.1], [0, 0, -1]);
 
-type Viewer = Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt">;
+type Viewer = Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt" | "landing">;
 const SQUARE = { aspect: 1, usual: 10 };
 
 /** Seen from the front; `centre` is under the middle of the view. */
-function viewerOf(centre: SurfaceHit | null, atUv: SurfaceHit | null = null) {
+function viewerOf(
+  centre: SurfaceHit | null,
+  atUv: SurfaceHit | null = null,
+  landing: DecalViewer["landing"] = (width) => Promise.resolve(centre && { hit: centre, width }),
+) {
   const surface = {
     near: ([, , z]: Vec3) => (z > 0 ? CHEST : BACK),
     atUv: () => atUv,
@@ -25,7 +29,7 @@ function viewerOf(centre: SurfaceHit | null, atUv: SurfaceHit | null = null) {
   const projectorAt = ({ position }: SurfaceHit, width: number, aspect: number): PlanarProjector => ({
     ...{ kind: "planar", position, rotation: [0, 0, 0, 1], size: [width, width / aspect, 0.1] },
   });
-  return { surface, surfaceAtCentre: () => centre, projectorAt } as unknown as Viewer;
+  return { surface, surfaceAtCentre: () => centre, projectorAt, landing } as unknown as Viewer;
 }
 
 const usual = { material: 0, safe: 0, bleed: 0, policy: "clip" } as const;
@@ -44,6 +48,26 @@ describe("something new on a product", () => {
   it("goes under the middle of the view where the product has no zones, and is as wide as usual", async () => {
     expect(await startingPlace(viewerOf(BELT), [], SQUARE)).toEqual({ hit: BELT, width: 10 });
     expect(await startingPlace(viewerOf(null), [], SQUARE)).toBeNull();
+  });
+
+  it("goes where the view has room for it where the product has no zones, and in the middle where that cannot be told", async () => {
+    const landing = { hit: CHEST, width: 5 };
+    expect(
+      await startingPlace(
+        viewerOf(BELT, null, async () => landing),
+        [],
+        SQUARE,
+      ),
+    ).toBe(landing);
+    const offline = viewerOf(BELT, null, () => Promise.reject(new TypeError("Failed to fetch")));
+    expect(await startingPlace(offline, [], SQUARE)).toEqual({ hit: BELT, width: 10 });
+    expect(
+      await startingPlace(
+        viewerOf(BELT, null, async () => null),
+        [],
+        SQUARE,
+      ),
+    ).toEqual({ hit: BELT, width: 10 });
   });
 
   it("stays under the middle of the view where that is printed, no larger than the zone", async () => {

@@ -14,7 +14,7 @@ import { queryOf } from "../viewer/surface-helpers.ts";
 const VIEW = { right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
 const EYE = new Vector3(0, 0, 10);
 
-type Viewer = Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt">;
+type Viewer = Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt" | "landing">;
 
 /** Looked at from +Z; under the middle of the view is what lies behind (x, y). */
 export function viewerOf(geometry: BufferGeometry, [x, y]: Uv): Viewer {
@@ -33,6 +33,7 @@ export function viewerOf(geometry: BufferGeometry, [x, y]: Uv): Viewer {
       lookAt: () => ({ eye: [EYE.x, EYE.y, EYE.z], up: [0, 1, 0] }),
     },
     surfaceAtCentre: () => seen && hitOf(seen),
+    landing: (width) => seen && { hit: hitOf(seen), width },
     projectorAt: ({ position, normal }, width, aspect) => {
       const place = { position: new Vector3(...position), normal: new Vector3(...normal) };
       return projectorOf(placeOnSurface(query, place, width, aspect, VIEW, null));

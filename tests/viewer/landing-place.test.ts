@@ -45,6 +45,15 @@ describe("something new", () => {
     expect(landing?.width).toBeGreaterThan(0.6);
   });
 
+  it("lies on one part rather than on two that stand side by side", () => {
+    const [chest, arm] = [new BoxGeometry(1, 2, 0.5), new BoxGeometry(0.5, 2, 0.5).translate(0.76, 0, 0)];
+    const view = seenFromFront(queryOf(chest, arm));
+    const offCentre = { ...view, sampleAt: (right: number, below: number) => view.sampleAt(right + 0.1, below) };
+    const landing = landingPlace(offCentre, 0.8, 1);
+    const [x = 0] = landing?.hit.position ?? [];
+    expect(x + (landing?.width ?? 0) / 2).toBeLessThan(0.55);
+  });
+
   it("does not lie where something that stands before the surface hides it", () => {
     const wall = new PlaneGeometry(4, 4);
     const post = new BoxGeometry(0.2, 4, 0.2).translate(0.1, 0, 2);

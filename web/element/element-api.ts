@@ -61,7 +61,10 @@ export type ModelInput = string | URL | Blob | Uint8Array | ArrayBuffer | ModelS
 /** A picture to be put on the model; a string is an address. */
 export type DecalSource = Blob | URL | string | Uint8Array | ArrayBuffer;
 
-/** Where something new goes. Without a place: the middle of the view, or of a zone where that is not printed. */
+/**
+ * Where something new goes. Without a place: near the middle of the view where the product has room for it; with zones the middle,
+ * or that of a zone where it is not printed.
+ */
 export interface PlaceOptions {
   /** As the list of layers calls it; default: the file's name, or the words. */
   readonly name?: string;
@@ -69,7 +72,7 @@ export interface PlaceOptions {
   readonly projector?: Projector;
   /** A point in model space, metres: the surface nearest to it that faces the camera there takes the decal. */
   readonly position?: Vec3;
-  /** Metres; default: about a fifth of the model. */
+  /** Metres; default: about a fifth of the model, less where there is no room for that. */
   readonly width?: number;
   /** glTF material index; default: all that lie under it. */
   readonly material?: number | readonly number[];

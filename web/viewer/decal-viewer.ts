@@ -10,7 +10,7 @@ import type { StillView } from "./still-view.ts";
 import type { SurfaceQuery } from "./surface-query.ts";
 import type { ThrownKinds } from "./thrown-kinds.ts";
 import { ViewInHands } from "./view-in-hands.ts";
-import type { MapPicture, SurfacePlaces, ViewerDecal } from "./viewer-api.ts";
+import type { Landing, MapPicture, SurfacePlaces, ViewerDecal } from "./viewer-api.ts";
 
 /** What some decals of a design need beside the hands; null where all are boxes. */
 export async function kindsFor(decals: readonly ViewerDecal[]): Promise<ThrownKinds | null> {
@@ -79,6 +79,11 @@ export class HeldView extends ViewInHands {
     this.#lookOnly = value;
     this.hands.suspended = value;
     this.element.style.cursor = value ? "grab" : "";
+  }
+
+  async landing(width: number, aspect: number): Promise<Landing | null> {
+    const { landingOn } = await import("./landing-on-view.ts");
+    return this.#model && landingOn(this.hands, this.#model.held.query, width, aspect);
   }
 
   /** Has what `make` makes bring decals into line as they slide, once; it goes with the view. */

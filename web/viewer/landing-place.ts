@@ -33,6 +33,8 @@ const SPREAD = 0.9;
 /** The cosine of the angle at which a picture is still seen well, and of the one up to which a place counts as lying under it. */
 const WELL_SEEN = 0.7;
 const LIES_UNDER = 0.4;
+/** What counts of a picture that lies on another part than its middle does, as on an arm beside the chest. */
+const ON_ANOTHER_PART = 0.5;
 
 /** Null where nothing of the model is near the middle of the view. */
 export function landingPlace(view: LandingView, width: number, aspect: number): Landing | null {
@@ -42,11 +44,12 @@ export function landingPlace(view: LandingView, width: number, aspect: number): 
     const sample = view.sampleAt(right, below);
     if (sample === null) continue;
     const hit = hitOf(sample);
+    const part = view.query.shellOf(sample.triangle);
     const [across, down] = view.spanAt(hit);
     const wished = Math.min(width, MOST_OF_VIEW * across, MOST_OF_VIEW * down * aspect);
     for (const share of WIDTHS) {
       const landing = { hit, width: share * wished };
-      const worth = worthOf(view, landing, aspect);
+      const worth = worthOf(view, landing, aspect, part);
       if (ring === 0 && share === 1 && worth >= GOOD) return landing;
       const weighed = worth * Math.sqrt(share) * (1 - ring / (2 * RINGS));
       if (weighed > most) {
@@ -71,16 +74,16 @@ function places(): { readonly right: number; readonly below: number; readonly ri
 }
 
 /** From 0 to 1: how much of the picture lies on a surface that looks its way and is seen, and how well the camera sees it. */
-function worthOf(view: LandingView, { hit, width }: Landing, aspect: number): number {
+function worthOf(view: LandingView, { hit, width }: Landing, aspect: number, part: number): number {
   const pose = poseOf(view.projectorAt(hit, width, aspect));
   const eye = view.eyeOf(hit);
   const facing = eye.clone().sub(pose.position).normalize().dot(axisOf(pose, 2));
   if (facing <= 0) return 0;
-  const lying = sharedBy(view.query, pose, eye);
+  const lying = shareLying(view.query, pose, eye, part);
   return lying * lying * Math.min(1, facing / WELL_SEEN);
 }
 
-function sharedBy(query: SurfaceQuery, pose: DecalPose, eye: Vector3): number {
+function shareLying(query: SurfaceQuery, pose: DecalPose, eye: Vector3, part: number): number {
   const { x: width, y: height, z: depth } = pose.size;
   const along = axisOf(pose, 2).negate();
   let lying = 0;
@@ -89,7 +92,9 @@ function sharedBy(query: SurfaceQuery, pose: DecalPose, eye: Vector3): number {
       const at = (step: number) => SPREAD * (step / (RAYS - 1) - 0.5);
       const above = fromLocal(pose, at(column) * width, at(row) * height, depth / 2);
       const met = query.raycast(above, along, depth);
-      if (met !== null && -met.normal.dot(along) >= LIES_UNDER && query.isClear(eye, met.position)) lying += 1;
+      if (met !== null && -met.normal.dot(along) >= LIES_UNDER && query.isClear(eye, met.position)) {
+        lying += query.shellOf(met.triangle) === part ? 1 : ON_ANOTHER_PART;
+      }
     }
   }
   return lying / RAYS ** 2;

@@ -12,7 +12,7 @@ import { DecalHands } from "./decal-hands.ts";
 import { poseOf, projectorOf } from "./decal-pose.ts";
 import { GradientHandles, type GradientLabels, type GradientPlace } from "./gradient-handles.ts";
 import { HeldCamera } from "./held-camera.ts";
-import { landingPlace } from "./landing-place.ts";
+import { landingOn } from "./landing-on-view.ts";
 import { ModelDisplay } from "./model-display.ts";
 import { guideOf } from "./model-parts.ts";
 import { placerFor } from "./model-placer.ts";
@@ -166,24 +166,7 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
   }
 
   landing(width: number, aspect: number): Landing | null {
-    const model = this.#model;
-    if (model === null) return null;
-    const { hands } = this;
-    const { width: across, height: down } = hands.screen.size;
-    return landingPlace(
-      {
-        query: model.query,
-        sampleAt: (x, y) => hands.sampleAt({ x: across * (0.5 + x), y: down * (0.5 + y) }),
-        eyeOf: (hit) => new Vector3(...this.#tools.lookAt(hit).eye),
-        spanAt: (hit) => {
-          const metres = this.#tools.metresPerPixel(hit);
-          return [across * metres, down * metres];
-        },
-        projectorAt: (hit, ...size) => hands.projectorAt(hit, ...size),
-      },
-      width,
-      aspect,
-    );
+    return this.#model && landingOn(this.hands, this.#model.query, width, aspect, this.#tools);
   }
 
   centred(projector: Projector, middles: readonly ModelMiddle[]): Projector {

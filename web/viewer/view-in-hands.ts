@@ -5,12 +5,13 @@ import type { CameraStand } from "./camera-rig.ts";
 import type { DecalHands } from "./decal-hands.ts";
 import type { CameraLimits } from "./model-camera.ts";
 import type { StillView } from "./still-view.ts";
-import type { DecalViewer, ModelViewerEvents, SurfaceHit, SurfacePlaces, ViewerDecal } from "./viewer-api.ts";
+import type { DecalViewer, Landing, ModelViewerEvents, SurfaceHit, SurfacePlaces, ViewerDecal } from "./viewer-api.ts";
 
 export abstract class ViewInHands implements DecalViewer {
   readonly element: HTMLElement;
   protected readonly view: StillView;
   protected abstract readonly hands: DecalHands;
+  abstract landing(width: number, aspect: number): Landing | null | Promise<Landing | null>;
   abstract readonly surface: SurfacePlaces;
 
   constructor(view: StillView) {

@@ -181,12 +181,24 @@ export interface ModelView {
 /** Where something is on a model, for what is to be put there. */
 export type SurfacePlaces = Pick<ToolSurface, "near" | "atUv" | "lookAt">;
 
+/** Where something new goes. */
+export interface Landing {
+  readonly hit: SurfaceHit;
+  /** Metres. */
+  readonly width: number;
+}
+
 /** A model that is shown, with decals that can be taken hold of. */
 export interface DecalViewer extends ModelView {
   /** Selects what a click there would, as if one had come. */
   clickAt(clientX: number, clientY: number): void;
   /** The surface point nearest the middle of the view. Null when the model is out of view. */
   surfaceAtCentre(): SurfaceHit | null;
+  /**
+   * Where something new of this width (metres) and aspect lies best near the middle of the view, and how wide it is there: in the
+   * middle itself where it lies well. Null where the model is not near the middle.
+   */
+  landing(width: number, aspect: number): Landing | null | Promise<Landing | null>;
   surfaceAtPointer(clientX: number, clientY: number): SurfaceHit | null;
   /** The decal's box laid flat on the surface at a hit, upright to the camera, of this width (metres) and aspect. */
   projectorAt(hit: SurfaceHit, width: number, aspect: number, keep?: PlanarProjector): PlanarProjector;
@@ -219,19 +231,9 @@ export interface Arrangement {
   at(box: PlanarProjector): readonly Projector[];
 }
 
-/** Where something new goes. */
-export interface Landing {
-  readonly hit: SurfaceHit;
-  /** Metres. */
-  readonly width: number;
-}
-
 /** A model that is shown, with all that an editor does to it. */
 export interface ModelViewer extends DecalViewer {
-  /**
-   * Where something new of this width (metres) and aspect lies best near the middle of the view, and how wide it is there: in the
-   * middle itself where it lies well. Null where the model is not near the middle.
-   */
+  /** At once: what weighs the places is there. */
   landing(width: number, aspect: number): Landing | null;
   /**
    * What turns, sizes and moves several projectors as one, on the surface as it is now. Null where that has no middle: fewer

@@ -26,11 +26,12 @@ export interface Newcomer {
 }
 
 /**
- * The surface under the middle of the view where that may be printed, else the middle of the nearest zone, one that the camera
- * sees before one that it does not. In a zone it goes from there as far as it must to lie wholly inside. Null without a surface.
+ * Without zones where the view has room for it. Else the surface under the middle of the view where that may be printed, or the
+ * middle of the nearest zone, one that the camera sees before one that it does not. In a zone it goes from there as far as it
+ * must to lie wholly inside. Null without a surface.
  */
 export async function startingPlace(
-  viewer: Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt">,
+  viewer: Pick<DecalViewer, "surface" | "surfaceAtCentre" | "projectorAt" | "landing">,
   zones: readonly PrintZone[],
   { aspect, usual }: Newcomer,
 ): Promise<StartingPlace | null> {
@@ -50,8 +51,10 @@ export async function startingPlace(
     const { hit, width } = room ?? { hit: seen ?? middle, width: Number.POSITIVE_INFINITY };
     return { hit, width: Math.min(usual, MOST_OF_ZONE * width, widthInBox(zone, aspect)) };
   };
+  // Where what weighs the places does not come, it is the middle.
+  const landing = zones.length === 0 && (await Promise.resolve(viewer.landing(usual, aspect)).catch(() => null));
+  if (landing) return landing;
   const seen = viewer.surfaceAtCentre();
-  if (seen && zones.length === 0) return { hit: seen, width: usual };
   const under = seen && zones.find((zone) => zoneHolds(zone, seen));
   if (under) return placeIn(under, seen, middleOf(under) ?? seen);
   const middles = zones.flatMap((zone) => {
