@@ -1,5 +1,5 @@
 /**
- * Where a view's corner is in the page. Asked of the document once a press and not once an event: a drag changes the page in
+ * Where a view's corner is in the page, and how large the page makes its pixels. Asked of the document once a press and not once an event: a drag changes the page in
  * each of its frames, and after a change each question makes the browser lay the page out then and there, and again for
  * the frame (0.6 ms of each frame in a drag).
  */
@@ -10,31 +10,35 @@ export class ClientCorner {
   readonly #element: HTMLElement;
   readonly #abort = new AbortController();
   readonly #resize: ResizeObserver;
-  #corner: ScreenPoint | null = null;
+  /** `scale`: the view's own pixels for one of the window's, where a part of the page around it is scaled. */
+  #corner: (ScreenPoint & { readonly scale: number }) | null = null;
 
   constructor(element: HTMLElement) {
     this.#element = element;
-    const forget = (): void => {
-      this.#corner = null;
-    };
     const window = windowOf(element);
-    this.#resize = new window.ResizeObserver(forget);
+    this.#resize = new window.ResizeObserver(this.forget);
     this.#resize.observe(element);
     const early = { capture: true, passive: true, signal: this.#abort.signal };
     for (const type of ["pointerdown", "scroll", "resize"] as const) {
-      window.addEventListener(type, forget, early);
+      window.addEventListener(type, this.forget, early);
     }
-    element.addEventListener("pointerenter", forget, early);
+    element.addEventListener("pointerenter", this.forget, early);
   }
 
   /** Where an event is in the view, CSS pixels. */
   pointOf(clientX: number, clientY: number): ScreenPoint {
     if (this.#corner === null) {
-      const { left, top } = this.#element.getBoundingClientRect();
-      this.#corner = { x: left, y: top };
+      const { left, top, width } = this.#element.getBoundingClientRect();
+      this.#corner = { x: left, y: top, scale: this.#element.offsetWidth / width || 1 };
     }
-    return { x: clientX - this.#corner.x, y: clientY - this.#corner.y };
+    const { x, y, scale } = this.#corner;
+    return { x: (clientX - x) * scale, y: (clientY - y) * scale };
   }
+
+  /** It may be elsewhere by now. */
+  readonly forget = (): void => {
+    this.#corner = null;
+  };
 
   dispose(): void {
     this.#abort.abort();

@@ -273,7 +273,8 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
   clientPosition(position: Vec3): { x: number; y: number } | null {
     const point = this.#model && this.hands.screen.project(this.#model.toPosed(new Vector3(...position)));
     const box = this.element.getBoundingClientRect();
-    return point && { x: point.x + box.left, y: point.y + box.top };
+    const scale = box.width / this.element.offsetWidth || 1;
+    return point && { x: point.x * scale + box.left, y: point.y * scale + box.top };
   }
 
   #letGo(): void {

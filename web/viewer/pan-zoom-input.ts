@@ -1,4 +1,6 @@
 /** Wheel, drag, pinch and keys as zoom and pan: for the texture view. */
+import { ClientCorner } from "./client-corner.ts";
+import type { ScreenPoint } from "./screen-space.ts";
 import type { TextureCamera } from "./texture-camera.ts";
 import { hearTrackpadPinches } from "./trackpad-pinch.ts";
 
@@ -19,12 +21,15 @@ export class PanZoomInput {
   readonly #camera: TextureCamera;
   readonly #hooks: PanZoomHooks;
   readonly #abort = new AbortController();
-  readonly #pointers = new Map<number, PointerEvent>();
+  readonly #corner: ClientCorner;
+  /** Where those that are down are in the view. */
+  readonly #pointers = new Map<number, ScreenPoint>();
 
   constructor(element: HTMLElement, camera: TextureCamera, hooks: PanZoomHooks) {
     this.#element = element;
     this.#camera = camera;
     this.#hooks = hooks;
+    this.#corner = new ClientCorner(element);
     const { signal } = this.#abort;
     element.addEventListener("wheel", (event) => this.#onWheel(event), { signal, passive: false });
     hearTrackpadPinches(element, signal);
@@ -39,12 +44,14 @@ export class PanZoomInput {
 
   dispose(): void {
     this.#abort.abort();
+    this.#corner.dispose();
   }
 
   #onWheel(event: WheelEvent): void {
     event.preventDefault();
     const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 33 : 1);
     const base = event.ctrlKey ? PINCH_WHEEL_ZOOM : WHEEL_ZOOM;
+    this.#corner.forget();
     const at = this.#place(event);
     this.#camera.zoomAt(base ** (-pixels / 100), at.x, at.y);
     this.#hooks.changed();
@@ -52,7 +59,7 @@ export class PanZoomInput {
 
   #onDown(event: PointerEvent): void {
     this.#element.setPointerCapture(event.pointerId);
-    this.#pointers.set(event.pointerId, event);
+    this.#pointers.set(event.pointerId, this.#place(event));
     this.#element.toggleAttribute("data-panning", true);
   }
 
@@ -61,23 +68,19 @@ export class PanZoomInput {
     if (before === undefined) {
       return;
     }
-    const other = [...this.#pointers.values()].find((pointer) => pointer.pointerId !== event.pointerId);
-    if (other === undefined) {
-      this.#camera.panBy(event.clientX - before.clientX, event.clientY - before.clientY);
-    } else {
-      this.#pinch(before, event, other);
-    }
-    this.#pointers.set(event.pointerId, event);
+    const now = this.#place(event);
+    const [, other] = [...this.#pointers].find(([id]) => id !== event.pointerId) ?? [];
+    if (other === undefined) this.#camera.panBy(now.x - before.x, now.y - before.y);
+    else this.#pinch(before, now, other);
+    this.#pointers.set(event.pointerId, now);
     this.#hooks.changed();
   }
 
   /** The middle of both fingers stays on its texel, their distance is the zoom. */
-  #pinch(before: PointerEvent, now: PointerEvent, other: PointerEvent): void {
-    const span = (pointer: PointerEvent) =>
-      Math.hypot(pointer.clientX - other.clientX, pointer.clientY - other.clientY);
-    this.#camera.panBy((now.clientX - before.clientX) / 2, (now.clientY - before.clientY) / 2);
-    const [a, b] = [this.#place(now), this.#place(other)];
-    this.#camera.zoomAt(span(now) / Math.max(1, span(before)), (a.x + b.x) / 2, (a.y + b.y) / 2);
+  #pinch(before: ScreenPoint, now: ScreenPoint, other: ScreenPoint): void {
+    const span = (point: ScreenPoint) => Math.hypot(point.x - other.x, point.y - other.y);
+    this.#camera.panBy((now.x - before.x) / 2, (now.y - before.y) / 2);
+    this.#camera.zoomAt(span(now) / Math.max(1, span(before)), (now.x + other.x) / 2, (now.y + other.y) / 2);
   }
 
   #onEnd(event: PointerEvent): void {
@@ -111,8 +114,7 @@ export class PanZoomInput {
     }
   }
 
-  #place(event: MouseEvent): { x: number; y: number } {
-    const box = this.#element.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
+  #place({ clientX, clientY }: MouseEvent): ScreenPoint {
+    return this.#corner.pointOf(clientX, clientY);
   }
 }

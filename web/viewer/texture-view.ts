@@ -221,7 +221,10 @@ class GlTextureView implements TextureView {
   uvAtPointer(clientX: number, clientY: number): readonly [number, number] | null {
     const { left, top, right, bottom } = this.element.getBoundingClientRect();
     const isInside = clientX >= left && clientX < right && clientY >= top && clientY < bottom;
-    return isInside && this.#target !== null ? this.#camera.uvOf(clientX - left, clientY - top) : null;
+    // Of its own pixels for one of the window's, where a part of the page around it is scaled.
+    const scale = this.element.offsetWidth / (right - left);
+    const point = [(clientX - left) * scale, (clientY - top) * scale] as const;
+    return isInside && this.#target !== null ? this.#camera.uvOf(...point) : null;
   }
 
   dispose(): void {
