@@ -1,5 +1,6 @@
 /** `<texelcast-editor>` on a page with rules of its own for everything: they stay outside. */
 import { expect, type Page, test } from "@playwright/test";
+import { readPng } from "./support/read-png.ts";
 
 /** A page's resets as they are met in shops, and some that are worse. */
 const PAGE_RULES = `
@@ -131,6 +132,38 @@ test("where the system forces its colours, a shop's buttons have an edge, and wh
   expect((await style(".row[data-chosen]")).outline).toBe("solid");
   expect((await style(".row:not([data-chosen])")).outline).toBe("none");
   expect((await style("[data-act=redo]")).color).not.toBe((await style("[data-act=undo]")).color);
+});
+
+test("where the system forces its colours, a product that loads says how far it is, and the view that has the keyboard is framed", async ({
+  page,
+}) => {
+  await page.emulateMedia({ forcedColors: "active" });
+  let letGo = (): void => {};
+  const held = new Promise<void>((resolve) => {
+    letGo = resolve;
+  });
+  await page.route("**/mug.glb", async (route) => {
+    await held;
+    await route.continue();
+  });
+  await page.goto("element.html?loading=eager&size=256");
+  const colorsIn = async (clip: { x: number; y: number; width: number; height: number }): Promise<number> => {
+    const { rgba } = readPng(await page.screenshot({ clip, animations: "disabled" }));
+    return new Set(new Uint32Array(new Uint8Array(rgba).buffer)).size;
+  };
+  const boxOf = async (role: "progressbar" | "application") => {
+    const box = await page.locator("texelcast-editor").getByRole(role).boundingBox();
+    if (!box) throw new Error(`The ${role} has no place on the page.`);
+    return box;
+  };
+  await expect.poll(async () => colorsIn(await boxOf("progressbar")), "the bar").toBeGreaterThan(1);
+  letGo();
+  await page.evaluate(() => document.querySelector("texelcast-editor")?.start());
+  await page.locator("texelcast-editor").getByRole("application").focus();
+  await page.keyboard.press("ArrowLeft");
+  const { x, y, height } = await boxOf("application");
+  const edge = { x, y: y + height / 2, width: 8, height: 4 };
+  await expect.poll(() => colorsIn(edge), "the view's edge").toBeGreaterThan(1);
 });
 
 test("who asks for more contrast sees in a shop where fields end, and reads all words alike", async ({ page }) => {

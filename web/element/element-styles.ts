@@ -83,6 +83,8 @@ export const elementStyles = css`
     border-radius: 99px;
     background: var(--line);
     overflow: hidden;
+    /* The bar is nothing but colours. */
+    forced-color-adjust: none;
   }
   progress::-webkit-progress-bar {
     background: var(--line);

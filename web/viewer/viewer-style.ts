@@ -18,7 +18,7 @@ export const VIEW_STYLE = /* css */ `
 }
 .tcv-root:focus-visible:not([data-pointed])::after {
   content: ""; position: absolute; inset: 2px; border-radius: 6px; pointer-events: none;
-  box-shadow: inset 0 0 0 2px var(--tcv-accent);
+  border: 2px solid var(--tcv-accent);
 }
 .tcv-canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
 `;
