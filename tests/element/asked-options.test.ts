@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { TexelcastError } from "../../web/core/texelcast-error.ts";
 import { exportAsAsked } from "../../web/element/desk/check-print.ts";
+import { exportModel } from "../../web/element/desk/export-model.ts";
 import { addPicture } from "../../web/element/desk/placing.ts";
 import { takeSnapshots } from "../../web/element/desk/snapshots.ts";
 import { Texts } from "../../web/element/desk/texts.ts";
@@ -102,6 +103,23 @@ describe("a print that a page asks the element for", () => {
     const options = { size: [64, 32] as const, zone: "front", dpi: undefined, dip: undefined };
     await expect(exportAsAsked(deskIn(), options as object)).resolves.toEqual({ size: [64, 32], zone: "front" });
     await expect(exportAsAsked(deskIn(), {})).resolves.toEqual({ size: 512, material: 0 });
+  });
+});
+
+describe("a model that a page asks the element for", () => {
+  it.each<[string, unknown, string, string]>([
+    ["no options", null, "options", "null"],
+    ["a format in options' place", "usdz", "options", "usdz"],
+    ["a format that there is not", { format: "obj" }, "format", "obj"],
+  ])("is refused for %s, in the element's words", async (_what, options, field, value) => {
+    for (const words of [english, german]) {
+      await expect(exportModel(deskIn(words), options as object)).rejects.toMatchObject({
+        code: "bad-argument",
+        message: words.errors.badOption(field),
+        ...{ field, value },
+        hint: expect.stringMatching(/format|usdz/),
+      });
+    }
   });
 });
 

@@ -26,3 +26,16 @@ test("an option that there is not is told with its value and those that there ar
     hint: expect.stringMatching(/src,.*page, title, beforeAccept, timeoutMs\.$/),
   });
 });
+
+test.each([undefined, null, "https://editor.example/embed.html"])(
+  "%s in the options' place is told as such",
+  async (options) => {
+    const mounted = mountTexelcast(null as never, options as never);
+    await expect(mounted).rejects.toMatchObject({
+      code: "bad-argument",
+      field: "options",
+      value: String(options),
+      hint: expect.stringMatching(/page/),
+    });
+  },
+);

@@ -307,6 +307,23 @@ test("the editor's page takes one channel, from its shop's exact origin and for 
   await expect.poll(() => stub?.evaluate("host.ignoredMessages")).toBe(5);
 });
 
+test("a shop may wait for as long as it likes: what no clock can count is not given up at once", async () => {
+  for (const patience of ["Infinity", "2 ** 31", "1e12"]) {
+    expect(await inShop("stub", "return [await frame.undo(), frame.unmount()];", `{ timeoutMs: ${patience} }`)).toEqual(
+      [true, undefined],
+    );
+  }
+});
+
+test("properties that are none are refused as such, and the editor goes on", async () => {
+  const told = await inShop(
+    "stub",
+    `const codeOf = (promise) => promise.then(() => "set", (error) => error.code + " " + error.field);
+     return [await codeOf(frame.set(null)), await codeOf(frame.set()), await codeOf(frame.set("size")), await frame.undo()];`,
+  );
+  expect(told).toEqual(["bad-argument options", "bad-argument options", "bad-argument options", true]);
+});
+
 test("a page of another version, without an address or without an answer is refused", async () => {
   const refused = async (host: string): Promise<unknown> =>
     opened.page.evaluate(

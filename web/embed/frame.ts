@@ -15,6 +15,8 @@ import type { PortCalls } from "./port-calls.ts";
 
 const PATIENCE_MS = 30_000;
 const LONG_PATIENCE_MS = 120_000;
+/** Of a browser's timer, 24 days; more of it is none at all. */
+const MOST_PATIENCE_MS = 2 ** 31 - 1;
 /** What loads or prints, and what the shop itself is asked about meanwhile. */
 const LONG: ReadonlySet<FrameMethod> = new Set([
   "addDecal",
@@ -48,11 +50,12 @@ const FOR_THE_FRAME = ["page", "title", "beforeAccept", "timeoutMs"] as const;
  * iframe is then taken away again.
  */
 export async function mountTexelcast(container: Element, options: MountOptions): Promise<TexelcastFrame> {
-  const { page, title = "Product designer", timeoutMs } = options;
   checkNames(options, [...FRAME_PROPERTIES, ...FOR_THE_FRAME]);
+  const { page, title = "Product designer" } = options;
   const beforeAccept = options.beforeAccept || null;
   const address = pageAddress(page);
-  checkForTheFrame(container, beforeAccept, timeoutMs);
+  checkForTheFrame(container, beforeAccept, options.timeoutMs);
+  const timeoutMs = options.timeoutMs && Math.min(options.timeoutMs, MOST_PATIENCE_MS);
   const iframe = container.ownerDocument.createElement("iframe");
   iframe.title = title;
   iframe.setAttribute("sandbox", SANDBOX);
@@ -177,6 +180,13 @@ function checkForTheFrame(
 
 /** A slip of the pen is told: what was meant by it would be left out unheard. */
 function checkNames(options: object, known: readonly string[]): void {
+  if (typeof options !== "object" || options === null) {
+    throw new TexelcastError("bad-argument", "The editor in an iframe needs an object of options.", {
+      field: "options",
+      value: String(options).slice(0, 80),
+      hint: `There are ${known.join(", ")}.`,
+    });
+  }
   for (const [name, value] of Object.entries(options)) {
     if (value === undefined || known.includes(name)) continue;
     throw new TexelcastError("bad-argument", `The editor in an iframe has no option “${name}”.`, {

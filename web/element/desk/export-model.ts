@@ -11,12 +11,13 @@ const FORMATS = ["glb", "usdz"] as const;
 export async function exportModel(mode: AtDesk, options: ExportModelOptions): Promise<Uint8Array<ArrayBuffer>> {
   const { desk } = mode;
   const { words } = desk.settings;
+  const refuse = (field: string, value: unknown, hint: string): never => {
+    throw new ToldError("bad-argument", words.errors.badOption(field), { field, value: String(value), hint });
+  };
+  if (typeof options !== "object" || options === null) refuse("options", options, "{ format }");
   checkNames(options, ["format"], words);
   const { format = "glb" } = options;
-  if (!FORMATS.includes(format)) {
-    const details = { field: "format", value: String(format), hint: FORMATS.map((each) => `"${each}"`).join(", ") };
-    throw new ToldError("bad-argument", words.errors.badOption("format"), details);
-  }
+  if (!FORMATS.includes(format)) refuse("format", format, FORMATS.map((each) => `"${each}"`).join(", "));
   await mode.idle();
   const materials = paintedMaterials(desk.shown);
   return await (format === "usdz" ? desk.engine.exportUsdz(materials) : desk.engine.exportGlb(materials));
