@@ -7,7 +7,7 @@ import { ACCEPTANCE_PATIENCE_MS, EMBED_VERSION, makeNonce, readGreeting, SHOP_PA
 import { PortCalls } from "./port-calls.ts";
 
 export interface HostOptions {
-  /** Exact origins that may frame the page; null: any that names itself. */
+  /** Exact origins that may frame the page, as "https://shop.example"; null: any that names itself. */
   readonly shops: readonly string[] | null;
 }
 
@@ -19,9 +19,11 @@ export interface EditorHost {
 
 /**
  * Says hello to the shop that framed this page and does what it asks of the element. Throws a TexelcastError of code
- * "bad-origin" where the page is not framed, or by a shop that is not among `shops`.
+ * "bad-argument" for `shops` that are no list of exact origins, "bad-origin" where the page is not framed, or by a shop that is
+ * not among them.
  */
-export function hostEditor(editor: HTMLElement & TexelcastEditorApi, { shops }: HostOptions): EditorHost {
+export function hostEditor(editor: HTMLElement & TexelcastEditorApi, options: HostOptions): EditorHost {
+  const shops = checkedShops(options?.shops);
   const shop = shopOrigin(new URL(location.href).searchParams.get(SHOP_PARAMETER), shops);
   const nonce = makeNonce();
   const end = new AbortController();
@@ -72,13 +74,25 @@ export function hostEditor(editor: HTMLElement & TexelcastEditorApi, { shops }: 
   };
 }
 
+/** A text would let in whoever's origin is a part of it, and an address that is no origin nobody. */
+function checkedShops(shops: HostOptions["shops"]): HostOptions["shops"] {
+  if (shops === null) return null;
+  const wrong = Array.isArray(shops) ? shops.findIndex((shop) => parseUrl(shop)?.origin !== shop) : null;
+  if (wrong === -1) return shops;
+  throw new TexelcastError("bad-argument", "The shops that may frame this page are not exact origins.", {
+    field: wrong === null ? "shops" : `shops[${wrong}]`,
+    value: String(wrong === null ? shops : shops[wrong]).slice(0, 80),
+    hint: 'List each as ["https://shop.example"], without a path or a slash at its end.',
+  });
+}
+
 function shopOrigin(named: string | null, shops: readonly string[] | null): string {
   const isExact = named !== null && parseUrl(named)?.origin === named;
   if (parent !== window && isExact && (shops === null || shops.includes(named))) return named;
   throw new TexelcastError("bad-origin", "This page works inside the page of a shop that it knows.", {
     field: SHOP_PARAMETER,
     ...(named !== null && { value: named }),
-    hint: "Mount it by texelcast/embed, and list the shop's exact origin in the page's “texelcast-shops”.",
+    hint: "Mount it by texelcast/embed, and list the shop's exact origin in the page's “texelcast-shops”, or in the “shops” of hostEditor.",
   });
 }
 

@@ -6,7 +6,7 @@ import { hostEditor } from "./host.ts";
 const editor = new TexelcastEditor();
 try {
   const listed = document.querySelector<HTMLMetaElement>("meta[name=texelcast-shops]")?.content.trim() ?? "";
-  hostEditor(editor, { shops: listed === "*" ? null : listed.split(/\s+/) });
+  hostEditor(editor, { shops: listed === "*" ? null : listed.split(/\s+/).filter(Boolean) });
   document.body.append(editor);
 } catch (thrown) {
   const { message, hint = "" } = TexelcastError.wrap(thrown, "internal", "The editor could not be started.");
