@@ -3,7 +3,6 @@ import { css } from "lit";
 
 export const elementStyles = css`
   :host {
-    position: relative;
     display: block;
     container: texelcast / size;
     overflow: clip;
@@ -11,9 +10,13 @@ export const elementStyles = css`
     -webkit-text-size-adjust: 100%;
     block-size: var(--texelcast-height, min(44rem, 85svh));
     min-block-size: 20rem;
+    /* Its size goes by nothing that is in it, so beside other things it would be nothing wide. */
+    contain-intrinsic-inline-size: min(44rem, 85vw);
+    min-inline-size: 0;
     background: var(--_stage);
     color: var(--_text);
     border-radius: var(--_radius);
+    /* What is absolute inside has its place here by that, too. */
     contain: layout paint style;
   }
   :host([hidden]) {
