@@ -291,6 +291,28 @@ test("plain HTML with an import map shows the mug with the page's own three.js",
   await opened.close();
 });
 
+test("plain HTML: nothing in the page moves when the element comes", async () => {
+  const opened = await browser.newPage({ viewport: { width: 390, height: 844 } });
+  await opened.addInitScript(() => {
+    const shifts: number[] = [];
+    Object.assign(globalThis, { shifts });
+    new PerformanceObserver((list) => {
+      for (const { value } of list.getEntries() as (PerformanceEntry & { value: number })[]) shifts.push(value);
+    }).observe({ type: "layout-shift", buffered: true });
+  });
+  const scripts = await holdBack(opened, /\/dist\/standalone\.js$/);
+  await opened.goto(`${shop.origin}/`, { waitUntil: "commit" });
+  // What is there before it has been drawn: a place that is taken later would move what stands below.
+  await opened.locator("texelcast-editor").waitFor({ state: "attached" });
+  await opened.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve, 100))));
+  scripts.letGo();
+  await customer(opened).start();
+  const moved = await opened.evaluate(() => (globalThis as unknown as { shifts: number[] }).shifts);
+  // Search engines call 0.1 good; the bar that the element has for a moment is 0.002.
+  expect(moved.reduce((sum, shift) => sum + shift, 0)).toBeLessThan(0.05);
+  await opened.close();
+});
+
 test.each(["react", "vue"])(
   "%s, built by Vite: what the customer approved is what the guide's server prints",
   async (name) => {
