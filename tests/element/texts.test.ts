@@ -52,7 +52,11 @@ function deskWithFonts({ refuses, misses = null, lacks = "" }: Engineered) {
       return { width: 2, height: 1, inkWidth: 2, inkHeight: 1 };
     },
   } as unknown as Engine;
-  const viewer = { setDecals: () => undefined, surfaceAtCentre: () => null, landing: () => null } as unknown as ModelViewer;
+  const viewer = {
+    setDecals: () => undefined,
+    surfaceAtCentre: () => null,
+    landing: () => null,
+  } as unknown as ModelViewer;
   const model = {
     info: { materials: [{ index: 0 }], boundsMin: [0, 0, 0], boundsMax: [1, 1, 1] },
   } as unknown as EditorState["model"];

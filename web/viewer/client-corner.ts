@@ -1,7 +1,7 @@
 /**
- * Where a view's corner is in the page, and how large the page makes its pixels. Asked of the document once a press and not once an event: a drag changes the page in
- * each of its frames, and after a change each question makes the browser lay the page out then and there, and again for
- * the frame (0.6 ms of each frame in a drag).
+ * Where a view's corner is in the page, and how large the page makes its pixels. Asked of the document once a press and not once
+ * an event: a drag changes the page in each of its frames, and after a change each question makes the browser lay the page out
+ * then and there, and again for the frame (0.6 ms of each frame in a drag).
  */
 import type { ScreenPoint } from "./screen-space.ts";
 import { windowOf } from "./window-of.ts";
@@ -29,7 +29,8 @@ export class ClientCorner {
   pointOf(clientX: number, clientY: number): ScreenPoint {
     if (this.#corner === null) {
       const { left, top, width } = this.#element.getBoundingClientRect();
-      this.#corner = { x: left, y: top, scale: this.#element.offsetWidth / width || 1 };
+      // To hundredths: what a view is wide is told in whole pixels, and where nothing is scaled places stay as they are.
+      this.#corner = { x: left, y: top, scale: Math.round((this.#element.offsetWidth / width) * 100) / 100 || 1 };
     }
     const { x, y, scale } = this.#corner;
     return { x: (clientX - x) * scale, y: (clientY - y) * scale };
