@@ -61,6 +61,8 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     trustProxy: options.behindProxy ?? false,
     ...REFUSALS,
   });
+  // Fastify's own, beside JSON: a body that is a text would be told as JSON of the wrong shape.
+  app.removeContentTypeParser("text/plain");
   let isEnding = false;
   app.setErrorHandler((error, _request, reply) => {
     const { status, body, unexpected } = replyTo(error);

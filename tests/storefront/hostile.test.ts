@@ -266,6 +266,17 @@ describe("a request is refused", () => {
     expect(reply.json().error.code).toBe("bad-request");
   });
 
+  it.each(["text/plain", "application/x-www-form-urlencoded"])(
+    "with a body of another type, as %s, which any page can send from its visitors' browsers",
+    async (type) => {
+      const url = `/api/carts/${cart}/lines`;
+      const payload = JSON.stringify(await shop.line());
+      const reply = await shop.app.inject({ method: "POST", url, headers: { "content-type": type }, payload });
+      expect(reply.statusCode).toBe(415);
+      expect(reply.json().error.code).toBe("bad-request");
+    },
+  );
+
   it("when the cart is full", async () => {
     const full = await shop.cart();
     const line = await shop.line();
