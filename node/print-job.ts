@@ -7,6 +7,7 @@ import { fontsOf, picturesOf } from "../web/engine/layer-picture.ts";
 import type { PrintZones } from "../web/engine/print-zones.ts";
 import { checkFit } from "./check-fit.ts";
 import { namingModel } from "./name-model.ts";
+import { namingText } from "./name-text.ts";
 import { openEngine } from "./open-engine.ts";
 
 export interface PrintJob {
@@ -37,9 +38,12 @@ export async function withPrintJob<Result>(
     for (const key of fontsOf(layers)) await engine.setFont(key, await readChecked(job, key));
     await engine.setZones(job.zones);
     engine.setLayers(layers, 1);
-    const result = await namingModel(job.model.name, use(engine, model));
-    if (errors[0] !== undefined) throw errors[0];
-    return result;
+    const work = async (): Promise<Result> => {
+      const result = await namingModel(job.model.name, use(engine, model));
+      if (errors[0] !== undefined) throw errors[0];
+      return result;
+    };
+    return await namingText(job.design, job.file, work());
   } finally {
     engine.dispose();
   }

@@ -7,6 +7,7 @@ import { materialsIn } from "../../web/engine/layer-tree.ts";
 import { checkFit, checkPaintable } from "../check-fit.ts";
 import { findMaterial, findPaintable } from "../find-material.ts";
 import { namingModel } from "../name-model.ts";
+import { namingText } from "../name-text.ts";
 import { openEngine } from "../open-engine.ts";
 import { type BaseOption, fileOfMaterial, type RenderOutput, type Size } from "../options.ts";
 import { Progress } from "../progress.ts";
@@ -62,7 +63,7 @@ export async function render(modelFile: string | null, designFile: string, optio
       sizes.set(material, `material ${material} at ${width} x ${height}`);
     }
     progress.report("Painting");
-    await paint(engine, layers);
+    await namingText(design.design, design.file, paint(engine, layers));
     progress.report("Writing");
     const lines: string[] = [];
     for (const result of resultsOf(options.out, materials)) {

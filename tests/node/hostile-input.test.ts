@@ -79,6 +79,30 @@ describe("a design that cannot be used", () => {
     expectRefusal(run, folder, 3, ...told);
   });
 
+  it.each(["render", "print", "check"])(
+    "is refused by %s by the field of a text that has too many letters",
+    async (command) => {
+      const text = (letters: string, fields: object = {}) => ({
+        type: "text",
+        text: letters,
+        font: "inter",
+        projector,
+        ...fields,
+      });
+      const many = "W".repeat(9000);
+      const content = {
+        format: "texelcast-design",
+        version: 1,
+        assets: { inter: { type: "font/ttf", uri: "texelcast:fonts/inter-400" } },
+        layers: [text(many, { visible: false }), { type: "group", layers: [text("W"), text(many)] }],
+      };
+      const folder = folderWith({ "plane.glb": planeGlb(), "design.json": JSON.stringify(content) });
+      const out = command === "check" ? [] : ["--out", "out.png", "--size", "16"];
+      const run = await texelcast([command, "plane.glb", "design.json", ...out], { cwd: folder });
+      expectRefusal(run, folder, 2, "design.json: layers[1].layers[1].text: “WWWW", "too many points", "fewer words");
+    },
+  );
+
   it("is refused when its picture is a link to a file outside", async () => {
     const folder = folderWith({ "plane.glb": planeGlb(), "design.json": design({}) });
     symlinkSync("../secret.png", path.join(folder, "logo.png"));
