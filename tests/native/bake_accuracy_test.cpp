@@ -165,7 +165,7 @@ TEST_CASE("A sliver far thinner than a texel keeps its few texels on its surface
 
 TEST_CASE("A large texture's far texels are as accurate as its first") {
     TestSession session(make_plane(1.0));
-    const TxcTarget target = session.target(4096, 4);
+    const TxcTarget target = session.target(TXC_MAX_SIZE, 4);
     const MapArrays map = session.map(target);
     for (std::uint32_t x = 0; x < map.width; ++x)
         CHECK_UNARY(std::fabs(map.position(x, 2)[0] - ((x + 0.5) / map.width - 0.5)) < std::sqrt(2.0) * kPositionShare);

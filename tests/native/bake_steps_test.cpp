@@ -1,6 +1,8 @@
 // The bake as work: in steps, cancelled, reused, within the budget (spec section 2; texelcast.h, "Target and bake").
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "support/test_session.h"
 
 using namespace support;
@@ -186,4 +188,61 @@ TEST_CASE("A bake that runs out of budget midway gives no half-baked map, even w
     must(txc_image_destroy(session.id(), ballast));
     session.bake(target);
     CHECK_UNARY(session.map(target) == expected);
+}
+
+namespace {
+
+/// A sheet in 64 folds: each row of the texture is in as many spans, of which a block of the raster's list holds 16,384.
+Shape make_folds() {
+    return make_grid(64, 1, {}, [](double s, double t, double(&p)[3], double(&n)[3]) {
+        p[0] = s - 0.5;
+        p[1] = 0.5 - t;
+        p[2] = std::lround(s * 64) % 2 * 0.01;
+        n[0] = n[1] = 0.0;
+        n[2] = 1.0;
+    });
+}
+
+}  // namespace
+
+TEST_CASE("Spans by the ten thousand, and those far to the right, lie on their own texels at any work limit") {
+    const std::uint32_t sizes[][2] = {{256, 1024}, {TXC_MAX_SIZE, 4}};
+    for (const auto& size : sizes) {
+        for (const std::uint32_t work_limit : {1u << 30, 7000u}) {
+            TestSession session(make_folds());
+            const TxcTarget target = session.open_target(size[0], size[1]);
+            session.bake(target, work_limit);
+            const MapArrays map = session.map(target);
+            std::uint32_t wrong = 0;
+            for (std::uint32_t y = 0; y < map.height; ++y) {
+                for (std::uint32_t x = 0; x < map.width; ++x) {
+                    const float* at = map.position(x, y);
+                    const double off_x = at[0] - ((x + 0.5) / map.width - 0.5);
+                    const double off_y = at[1] - (0.5 - (y + 0.5) / map.height);
+                    wrong += map.coverage_at(x, y) != 1 || std::fabs(off_x) + std::fabs(off_y) > 1e-4 ? 1 : 0;
+                }
+            }
+            CHECK(wrong == 0);
+        }
+    }
+}
+
+TEST_CASE("Wherever in the list of spans the budget ends, the bake is refused and gives back what it took") {
+    std::uint32_t refused = 0;
+    for (std::uint32_t rows = 520; rows < 740; rows += 8) {
+        CAPTURE(rows);
+        TestSession session(8);
+        session.add(make_folds());
+        session.image(Picture(512, rows));
+        const std::uint32_t used = session.stats().memory_used_kib;
+        const TxcTarget target = session.open_target(256, 1024);
+        TxcStatus status = TXC_STATUS_PENDING;
+        while (status == TXC_STATUS_PENDING) status = txc_target_bake(session.id(), target, 1u << 30, nullptr);
+        if (status == TXC_STATUS_OK) continue;
+        CHECK(status == TXC_STATUS_OUT_OF_BUDGET);
+        ++refused;
+        must(txc_target_destroy(session.id(), target));
+        CHECK(session.stats().memory_used_kib == used);
+    }
+    CHECK(refused > 2);
 }

@@ -32,7 +32,18 @@ TEST_CASE("A share that does not fit stays as it was and says what it was for") 
     CHECK(budget.used() == 40u << 20);
     const std::string detail = txc::error_detail();
     CHECK(detail.find("the other thing needs 65 MiB") != std::string::npos);
-    CHECK(detail.find("64 MiB") != std::string::npos);
+    // What it has already is no other's.
+    CHECK(detail.find("only 64 of the budget's 64 MiB are left") != std::string::npos);
+    BudgetShare other(budget);
+    CHECK(other.resize(25u << 20, "another") == TXC_STATUS_OUT_OF_BUDGET);
+    CHECK(std::string(txc::error_detail()).find("only 24 of the budget's 64 MiB are left") != std::string::npos);
+}
+
+TEST_CASE("One share may have all of the budget") {
+    MemoryBudget budget(1000);
+    BudgetShare share(budget);
+    CHECK(share.resize(1000, "all") == TXC_STATUS_OK);
+    CHECK(share.resize(1001, "more") == TXC_STATUS_OUT_OF_BUDGET);
 }
 
 TEST_CASE("Sizes near 2^64 do not wrap round into fitting") {
@@ -47,14 +58,17 @@ TEST_CASE("Sizes near 2^64 do not wrap round into fitting") {
 
 TEST_CASE("A moved share counts once") {
     MemoryBudget budget(1000);
-    BudgetShare a(budget);
-    CHECK(a.resize(300, "a") == TXC_STATUS_OK);
-    BudgetShare b(std::move(a));
-    CHECK(budget.used() == 300);
-    BudgetShare c(budget);
-    CHECK(c.resize(200, "c") == TXC_STATUS_OK);
-    c = std::move(b);
-    CHECK(budget.used() == 300);
-    c.release();
+    {
+        BudgetShare a(budget);
+        CHECK(a.resize(300, "a") == TXC_STATUS_OK);
+        BudgetShare b(std::move(a));
+        CHECK(budget.used() == 300);
+        BudgetShare c(budget);
+        CHECK(c.resize(200, "c") == TXC_STATUS_OK);
+        c = std::move(b);
+        CHECK(budget.used() == 300);
+        c.release();
+        CHECK(budget.used() == 0);
+    }
     CHECK(budget.used() == 0);
 }

@@ -177,6 +177,29 @@ TEST_CASE("A session gives back all that it held") {
     CHECK(allocated_bytes() <= before + 64 * 1024);
 }
 
+TEST_CASE("A layer that shrinks keeps its room while it may grow again, counted, and gives it back once it is small") {
+    TestSession session(make_plane());
+    const TxcTarget target = session.target(1024, 1024);
+    TxcLayerDef def = decal_def(session.image(Picture(4, 4, {255, 0, 0, 255})));
+    resize(def, 2, 2, 1);
+    const TxcLayer layer = session.layer(target, def);
+    session.update(target);
+    // 8 bytes a texel.
+    constexpr std::uint64_t kWholeKib = 8 * 1024;
+    const std::uint64_t with_whole = session.stats().memory_used_kib;
+    const std::uint64_t held_with_whole = allocated_bytes();
+    const auto shrink_to = [&](double side) {
+        resize(def, side, side, 1);
+        session.change(layer, def);
+        session.update(target);
+    };
+    shrink_to(0.7);
+    CHECK(session.stats().memory_used_kib >= with_whole - kWholeKib / 8);
+    shrink_to(0.2);
+    CHECK(session.stats().memory_used_kib <= with_whole - kWholeKib * 7 / 8);
+    if (kMetersAllocations) CHECK(allocated_bytes() <= held_with_whole - kWholeKib * 1024 * 7 / 8);
+}
+
 std::uint32_t map_kib(const TestSession& session, TxcTarget target) {
     TxcMapInfo info{};
     must(txc_map_info(session.id(), target, &info));
