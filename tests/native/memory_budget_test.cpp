@@ -3,7 +3,9 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 using txc::BudgetShare;
 using txc::MemoryBudget;
@@ -71,4 +73,44 @@ TEST_CASE("A moved share counts once") {
         CHECK(budget.used() == 0);
     }
     CHECK(budget.used() == 0);
+}
+
+TEST_CASE("What can be made anew has room as long as half of the budget stays free, whoever holds the rest") {
+    MemoryBudget budget(1000);
+    BudgetShare model(budget);
+    BudgetShare derived(budget);
+    CHECK(model.resize(300, "model") == TXC_STATUS_OK);
+    CHECK(derived.resize_within_half(150));
+    CHECK(derived.resize_within_half(200));
+    CHECK(budget.used() == 500);
+    CHECK(budget.peak() == 500);
+    CHECK_FALSE(derived.resize_within_half(201));
+    CHECK(derived.bytes() == 200);
+    CHECK(budget.used() == 500);
+    derived.release();
+    CHECK(budget.used() == 300);
+}
+
+TEST_CASE("A list that grows is counted with the old one beside the new while it is copied, then alone") {
+    MemoryBudget budget(160);
+    BudgetShare share(budget);
+    std::vector<std::uint32_t> list;
+    CHECK(txc::grow_counted(list, 10, share, "a list") == TXC_STATUS_OK);
+    CHECK(list.capacity() == 10);
+    CHECK(share.bytes() == 40);
+    CHECK(txc::grow_counted(list, 10, share, "a list") == TXC_STATUS_OK);
+    CHECK(list.capacity() == 10);
+    // Half as many more as there were, where that is enough.
+    CHECK(txc::grow_counted(list, 11, share, "a list") == TXC_STATUS_OK);
+    CHECK(list.capacity() == 15);
+    CHECK(share.bytes() == 60);
+    CHECK(budget.peak() == 100);
+    CHECK(txc::grow_counted(list, 26, share, "a list") == TXC_STATUS_OUT_OF_BUDGET);
+    CHECK(list.capacity() == 15);
+    CHECK(share.bytes() == 60);
+    CHECK(txc::reserve_counted(list, 40, share, "a list") == TXC_STATUS_OK);
+    CHECK(list.capacity() == 40);
+    CHECK(share.bytes() == 160);
+    CHECK(txc::reserve_counted(list, 41, share, "a list") == TXC_STATUS_OUT_OF_BUDGET);
+    CHECK(list.capacity() == 40);
 }
