@@ -244,6 +244,24 @@ TEST_CASE("Getting ready for a layer holds what lies below it, so that the first
     CHECK(stack.used_kib() == held);
 }
 
+TEST_CASE("A new base shows through all that was held over the old one, be it a colour or a picture") {
+    const Picture picture = make_noise(256, 256, 41);
+    for (const bool is_picture : {false, true}) {
+        const auto change_base = [&](Stack& stack) {
+            if (is_picture)
+                stack.session.set_base(stack.target, picture);
+            else
+                stack.session.set_base(stack.target, Color{200, 10, 30, 255});
+        };
+        Stack held(true);
+        prepare(held.session, held.top, false);
+        change_base(held);
+        Stack fresh(true);
+        change_base(fresh);
+        CHECK_UNARY(held.session.paint(held.target) == fresh.session.paint(fresh.target));
+    }
+}
+
 TEST_CASE("What is put on top in a group, and what hides it, begins on what is held of the group") {
     for (const bool isolated : {true, false}) {
         for (const std::uint32_t role : {std::uint32_t{TXC_ROLE_CONTENT}, std::uint32_t{TXC_ROLE_MASK}}) {
