@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "support/picture.h"
+#include "support/strokes.h"
 #include "support/test_session.h"
 
 using namespace support;
@@ -401,6 +402,20 @@ TEST_CASE("A fill and a stroke have area and texels, and no picture's numbers") 
     CHECK(metrics.mean_texels_per_metre == doctest::Approx(64.0));
     CHECK(metrics.mean_pixels_per_metre == 0.0f);
     CHECK(metrics.clipped == 0.0f);
+
+    // Dabs in opposite corners: what lies between them is no part of the stroke.
+    must(txc_layer_destroy(session.id(), fill));
+    const TxcLayer stroke = session.layer(target, stroke_def());
+    add_dabs(session, stroke, {dab_at(-0.4, 0.4, 0.15), dab_at(0.4, -0.4, 0.15)});
+    session.set_base(target, Color{255, 255, 255, 255});
+    const Picture painted = session.paint(target);
+    const TxcLayerMetrics of_stroke = measure(session, stroke);
+    // A few at the rim are too faint to show in a byte.
+    const std::uint32_t shown = 64 * 64 - count_color(painted, {255, 255, 255, 255});
+    CHECK(of_stroke.painted_texels >= shown);
+    CHECK(of_stroke.painted_texels <= shown + 16);
+    CHECK(of_stroke.area == doctest::Approx(2 * kPi * 0.075 * 0.075).epsilon(0.02));
+    CHECK(of_stroke.mean_pixels_per_metre == 0.0f);
 }
 
 TEST_CASE("The map of a decal's density has its number where it paints, and none elsewhere") {
