@@ -10,6 +10,7 @@
 namespace txc {
 
 using Short8 = std::int16_t __attribute__((vector_size(16)));
+using UShort8 = std::uint16_t __attribute__((vector_size(16)));
 
 /// Lanes of the first texel, then of the second. They must fit.
 inline Short8 narrow(Int4 first, Int4 second) {
@@ -78,7 +79,8 @@ inline Short8 add_clamped(Short8 a, Short8 b) {
 
 /// a - b. Sets lanes of `overflow` where that does not fit.
 inline Short8 subtract(Short8 a, Short8 b, Short8& overflow) {
-    const Short8 difference = a - b;
+    // By unsigned lanes: what goes round is looked for, and of signed ones C++ leaves it open.
+    const auto difference = reinterpret_cast<Short8>(reinterpret_cast<UShort8>(a) - reinterpret_cast<UShort8>(b));
 #if defined(__wasm_simd128__)
     const v128_t clamped = wasm_i16x8_sub_sat(reinterpret_cast<v128_t>(a), reinterpret_cast<v128_t>(b));
     overflow |= difference ^ reinterpret_cast<Short8>(clamped);

@@ -246,8 +246,9 @@ export class EditorPage {
     await this.idle();
   }
 
-  /** Where the middle of a decal stands on the page. */
+  /** Where the middle of a decal stands on the page. A view that was just given another size has it from the next frame on. */
   async pointOf(id: string): Promise<Point> {
+    await this.#drawn();
     const { projector } = await this.decal(id);
     if (projector.kind !== "planar") throw new Error("Only planar decals have a place.");
     const [x, y, z] = projector.position;
