@@ -29,8 +29,8 @@ export class ClientCorner {
   pointOf(clientX: number, clientY: number): ScreenPoint {
     if (this.#corner === null) {
       const { left, top, width } = this.#element.getBoundingClientRect();
-      // To hundredths: what a view is wide is told in whole pixels, and where nothing is scaled places stay as they are.
-      this.#corner = { x: left, y: top, scale: Math.round((this.#element.offsetWidth / width) * 100) / 100 || 1 };
+      // As `scaleOf`, which would cost a shop's first touch 25 bytes.
+      this.#corner = { x: left, y: top, scale: Number((this.#element.offsetWidth / width).toFixed(2)) || 1 };
     }
     const { x, y, scale } = this.#corner;
     return { x: (clientX - x) * scale, y: (clientY - y) * scale };

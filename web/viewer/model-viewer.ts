@@ -17,6 +17,7 @@ import { ModelDisplay } from "./model-display.ts";
 import { guideOf } from "./model-parts.ts";
 import { placerFor } from "./model-placer.ts";
 import { ModelTools } from "./model-tools.ts";
+import { scaleOf } from "./page-scale.ts";
 import { pictureBox } from "./projector-outline.ts";
 import type { Alignment, ProjectorPlacer } from "./projector-placer.ts";
 import { ShownModel } from "./shown-model.ts";
@@ -273,8 +274,8 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
   clientPosition(position: Vec3): { x: number; y: number } | null {
     const point = this.#model && this.hands.screen.project(this.#model.toPosed(new Vector3(...position)));
     const box = this.element.getBoundingClientRect();
-    const scale = box.width / this.element.offsetWidth || 1;
-    return point && { x: point.x * scale + box.left, y: point.y * scale + box.top };
+    const scale = scaleOf(this.element, box.width);
+    return point && { x: point.x / scale + box.left, y: point.y / scale + box.top };
   }
 
   #letGo(): void {

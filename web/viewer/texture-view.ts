@@ -10,6 +10,7 @@ import { FrameTask } from "./frame-task.ts";
 import { GIZMO_STYLE } from "./gizmo-style.ts";
 import { GpuPace } from "./gpu-pace.ts";
 import { LostContext } from "./lost-context.ts";
+import { scaleOf } from "./page-scale.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import { StampGizmo } from "./stamp-gizmo.ts";
@@ -222,7 +223,7 @@ class GlTextureView implements TextureView {
     const { left, top, right, bottom } = this.element.getBoundingClientRect();
     const isInside = clientX >= left && clientX < right && clientY >= top && clientY < bottom;
     // Of its own pixels for one of the window's, where a part of the page around it is scaled.
-    const scale = this.element.offsetWidth / (right - left);
+    const scale = scaleOf(this.element, right - left);
     const point = [(clientX - left) * scale, (clientY - top) * scale] as const;
     return isInside && this.#target !== null ? this.#camera.uvOf(...point) : null;
   }
