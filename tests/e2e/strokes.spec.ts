@@ -1,4 +1,4 @@
-import { expect, test } from "./support/editor-page.ts";
+import { type EditorPage, expect, test } from "./support/editor-page.ts";
 import { file, ringPicture } from "./support/test-files.ts";
 
 /** On the front of the demo's mug: a line by a round brush, and rings by a picture. */
@@ -57,18 +57,25 @@ test("a design of strokes opens, is painted and listed, and its strokes are edit
   expect(await editor.settledHash()).toBe(whole);
 });
 
+/** A stroke of the brush by 40 pixels from the middle of the view, whose button is still down. `before`: the hash without it. */
+async function beginStroke(editor: EditorPage): Promise<{ before: string; x: number; y: number }> {
+  const { keyboard, mouse } = editor.page;
+  await editor.open();
+  await keyboard.press("Escape");
+  const before = await editor.settledHash();
+  const { x, y } = await editor.middleOfStage();
+  await keyboard.press("b");
+  await mouse.move(x, y);
+  await mouse.down();
+  await mouse.move(x + 40, y, { steps: 4 });
+  return { before, x, y };
+}
+
 test("a tool that is chosen in the middle of a stroke ends it, and what was painted stays", async ({
   editor,
   page,
 }) => {
-  await editor.open();
-  await page.keyboard.press("Escape");
-  const before = await editor.settledHash();
-  const { x, y } = await editor.middleOfStage();
-  await page.keyboard.press("b");
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + 40, y, { steps: 4 });
+  const { before, x, y } = await beginStroke(editor);
   await page.keyboard.press("e");
   await expect(page.locator("#tool-eraser")).toBeChecked();
   // The button is still down.
@@ -132,14 +139,7 @@ test("a redo in the middle of a stroke, which has nothing to bring back, keeps t
   editor,
   page,
 }) => {
-  await editor.open();
-  await page.keyboard.press("Escape");
-  const before = await editor.settledHash();
-  const { x, y } = await editor.middleOfStage();
-  await page.keyboard.press("b");
-  await page.mouse.move(x, y);
-  await page.mouse.down();
-  await page.mouse.move(x + 40, y, { steps: 4 });
+  const { before } = await beginStroke(editor);
   await page.keyboard.press("Control+Shift+z");
   await page.mouse.up();
   expect(await editor.settledHash()).not.toBe(before);
