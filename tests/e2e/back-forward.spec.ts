@@ -66,6 +66,32 @@ for (const mode of ["shop", "full"]) {
   });
 }
 
+test("what an engine never gets, as its page was held still meanwhile, a new one asks for again without a word", async () => {
+  let asked = 0;
+  await page.route("**/assets/print-file-*.js", async (route) => {
+    // Chromium loses some of what a worker asks for while its page is put away.
+    if (++asked > 1) await route.continue();
+  });
+  await page.goto("element.html?loading=eager&mode=shop");
+  await page.evaluate(async () => {
+    const editor = document.querySelector("texelcast-editor");
+    const told: string[] = [];
+    editor?.addEventListener("error", ({ detail }) => told.push(detail.error.message));
+    await editor?.addDecal("demo/decals/flower.png");
+    Object.assign(window, { told, printed: editor?.exportTexture({ size: 256 }) });
+  });
+  await expect.poll(() => asked).toBe(1);
+  expect(await awayAndBack()).toBe(true);
+  const { sha256, told } = await page.evaluate(async () => {
+    const { told, printed } = window as unknown as { told: string[]; printed: Promise<{ sha256: string }> };
+    return { told, sha256: (await printed).sha256 };
+  });
+  expect(sha256).toMatch(/^[0-9a-f]{64}$/);
+  expect(told).toEqual([]);
+  expect(asked).toBe(2);
+  expect(faults).toEqual([]);
+});
+
 test("the page goes on with its project, and a project that was changed since is opened as it is now", async () => {
   const ready = async (): Promise<void> => {
     await page.waitForFunction(() => window.texelcast !== undefined);

@@ -539,4 +539,33 @@ describe("a worker that is gone without a word", () => {
     await engine.idle();
     expect(workers).toHaveLength(1);
   });
+
+  it("is replaced without a word where its page was held still in the midst of its work, and asked again, however often", async () => {
+    const page = new EventTarget();
+    vi.stubGlobal("document", page);
+    onTestFinished(() => {
+      vi.unstubAllGlobals();
+    });
+    const wakes = (): boolean => page.dispatchEvent(new Event("resume"));
+    const { engine, workers } = start();
+    await openPlane(engine);
+    engine.setLayers([decal("d", "logo")], 1);
+    const before = await engine.hash(0);
+    const errors: Error[] = [];
+    engine.onError((error) => errors.push(error));
+    await engine.idle();
+    wakes();
+    expect(workers, "one that has answered everything is left in peace").toHaveLength(1);
+    for (const worker of workers) worker.silence();
+    const waiting = engine.hash(0);
+    for (let i = 1; i <= 4; i++) {
+      wakes();
+      expect(workers).toHaveLength(1 + i);
+    }
+    expect(await waiting).toBe(before);
+    expect(errors).toEqual([]);
+    engine.dispose();
+    wakes();
+    expect(workers).toHaveLength(5);
+  });
 });

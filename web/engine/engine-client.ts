@@ -54,6 +54,12 @@ const CRASH_WINDOW_MS = 60_000;
 /** A call that was under way in two crashes is taken for their reason. */
 const MAX_ATTEMPTS = 2;
 
+/** A copy of a file that its caller may go on to change. */
+function ownFile(file: { readonly name: string; readonly bytes: Uint8Array }): { name: string; bytes: Uint8Array } {
+  checkFile(file);
+  return { name: file.name, bytes: file.bytes.slice() };
+}
+
 class EngineClient implements Engine {
   readonly #options: EngineClientOptions;
   #worker: Worker | null = null;
@@ -90,10 +96,8 @@ class EngineClient implements Engine {
   }
 
   async loadModel(source: ModelSource): Promise<ModelInfo> {
-    checkFile(source);
     const kept = {
-      name: source.name,
-      bytes: source.bytes.slice(),
+      ...ownFile(source),
       resources: new Map([...(source.resources ?? [])].map(([uri, bytes]) => [uri, bytes.slice()] as const)),
     };
     const halted = this.#halted !== null;
@@ -124,8 +128,7 @@ class EngineClient implements Engine {
     key: string,
     asset: { readonly name: string; readonly bytes: Uint8Array },
   ): Promise<{ width: number; height: number }> {
-    checkFile(asset);
-    const kept = { name: asset.name, bytes: asset.bytes.slice() };
+    const kept = ownFile(asset);
     const size = await this.#call("setAsset", [key, kept]);
     this.#assets.set(key, kept);
     return size;
@@ -141,8 +144,7 @@ class EngineClient implements Engine {
     key: string,
     font: { readonly name: string; readonly bytes: Uint8Array },
   ): Promise<{ readonly name: string }> {
-    checkFile(font);
-    const kept = { name: font.name, bytes: font.bytes.slice() };
+    const kept = ownFile(font);
     const info = await this.#call("setFont", [key, kept]);
     this.#fonts.set(key, kept);
     return info;
@@ -158,8 +160,8 @@ class EngineClient implements Engine {
     signal?: AbortSignal,
   ): Promise<TargetInfo> {
     const { base } = options;
-    const ownBase = typeof base === "object" && "bytes" in base ? { ...base, bytes: base.bytes.slice() } : base;
-    const kept: TargetOptions = ownBase === undefined ? { ...options } : { ...options, base: ownBase };
+    const own = typeof base === "object" && "bytes" in base && { base: { ...base, bytes: base.bytes.slice() } };
+    const kept: TargetOptions = { ...options, ...own };
     const info = await this.#call("openTarget", [kept], { onProgress, signal });
     this.#targets.set(options.material, kept);
     return info;
@@ -260,7 +262,7 @@ class EngineClient implements Engine {
   }
 
   dispose(): void {
-    if (this.#ended?.code === "disposed") return;
+    if (this.#ended !== null) return;
     this.#ended = disposed();
     this.#rejectAll(this.#ended);
     this.#updateListeners.clear();
@@ -279,7 +281,7 @@ class EngineClient implements Engine {
     if (this.#layersWaiting) this.#sendLayers();
     const id = this.#nextId++;
     const cancel = (): void => this.#send({ type: "cancel", id });
-    signal?.addEventListener("abort", cancel, { once: true });
+    signal?.addEventListener("abort", cancel);
     const call = { name, args } as unknown as Call;
     const result = new Promise<CallResult<Name>>((resolve, reject) => {
       const settle = resolve as (value: never) => void;
@@ -333,7 +335,7 @@ class EngineClient implements Engine {
     this.#watch = new WorkerWatch({
       ping: () => this.#send({ type: "ping" }),
       waitsFor: () => this.#waitsFor(),
-      lost: (reason) => this.#crash(crashError(reason)),
+      lost: (reason) => (reason ? this.#crash(crashError(reason)) : this.#restart()),
     });
     this.#sender = new LayerSender();
     this.#send({
@@ -392,12 +394,12 @@ class EngineClient implements Engine {
 
   #stopWorker(): void {
     this.#watch?.stop();
-    this.#watch = null;
-    if (this.#worker === null) return;
-    this.#worker.onmessage = null;
-    this.#worker.onerror = null;
-    this.#worker.onmessageerror = null;
-    this.#worker.terminate();
+    const worker = this.#worker;
+    if (worker === null) return;
+    worker.onmessage = null;
+    worker.onerror = null;
+    worker.onmessageerror = null;
+    worker.terminate();
     this.#worker = null;
   }
 
@@ -432,9 +434,8 @@ class EngineClient implements Engine {
     this.#replay();
     for (const [id, pending] of asked) {
       if (pending.signal?.aborted) pending.reject(cancelled());
-      else if (error !== undefined && pending.attempts >= MAX_ATTEMPTS) pending.reject(error);
+      else if (error && pending.attempts++ >= MAX_ATTEMPTS) pending.reject(error);
       else {
-        pending.attempts += 1;
         this.#pending.set(id, pending);
         this.#send({ type: "call", id, call: pending.call });
       }
@@ -452,8 +453,9 @@ class EngineClient implements Engine {
     for (const [key, asset] of this.#assets) steps.push(this.#call("setAsset", [key, asset], replay));
     for (const [key, font] of this.#fonts) steps.push(this.#call("setFont", [key, font], replay));
     // While another model is tried, those of the one before are kept for it.
-    const targets = this.#model === null ? [] : this.#targets.values();
-    for (const target of targets) steps.push(this.#call("openTarget", [target], replay));
+    for (const [, target] of this.#model === null ? [] : this.#targets) {
+      steps.push(this.#call("openTarget", [target], replay));
+    }
     if (this.#layers !== null) this.#sendLayers();
     this.#send({ type: "expect", change: this.#expected });
     this.#call("idle", [], replay).then(
