@@ -43,3 +43,31 @@ test("so does a customer's on a product without print zones, unless the shop say
   expect(Math.abs(position[0]) + size[0] / 2).toBeLessThan(0.25);
   expect((await added({ width: 0.1 })).size[0]).toBe(0.1);
 });
+
+test("a picture and words that a customer adds lie side by side, and words on a picture that covers the product as its background", async ({
+  page,
+}) => {
+  const boxes = async (width?: number) => {
+    await page.goto("element.html?mode=shop&loading=eager&locale=en&src=demo/mug.glb&size=64");
+    const options = width === undefined ? {} : { width };
+    return page
+      .locator("texelcast-editor")
+      .evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"], options: { width?: number }) => {
+        await element.start();
+        const ids = [await element.addDecal("demo/decals/smiley.png", options), await element.addText("Anna")];
+        const { design } = await element.exportDesign();
+        const projectorOf = (id: string) => design.layers.find((layer) => layer.id === id);
+        return ids.map((id) => (projectorOf(id) as { projector: PlanarProjector }).projector);
+      }, options);
+  };
+  const apart = ([one, other]: PlanarProjector[], axis: 0 | 1): number =>
+    one && other ? Math.abs(one.position[axis] - other.position[axis]) - (one.size[axis] + other.size[axis]) / 2 : 0;
+  const beside = await boxes();
+  expect(Math.max(apart(beside, 0), apart(beside, 1))).toBeGreaterThan(-0.002);
+  const onto = await boxes(0.09);
+  expect(apart(onto, 0)).toBeLessThan(-0.02);
+  expect(apart(onto, 1)).toBeLessThan(-0.005);
+  expect(onto[1]?.position.map((value) => value.toFixed(2))).toEqual(
+    onto[0]?.position.map((value) => value.toFixed(2)),
+  );
+});

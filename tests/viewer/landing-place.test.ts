@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { placeOnSurface } from "../../web/viewer/decal-placement.ts";
 import { projectorOf } from "../../web/viewer/decal-pose.ts";
 import { type LandingView, landingPlace } from "../../web/viewer/landing-place.ts";
-import type { SurfaceQuery } from "../../web/viewer/surface-query.ts";
+import type { SurfaceQuery, SurfaceSample } from "../../web/viewer/surface-query.ts";
 import type { SurfaceHit } from "../../web/viewer/viewer-api.ts";
 import { cube, queryOf } from "./surface-helpers.ts";
 
@@ -19,6 +19,7 @@ function seenFromFront(query: SurfaceQuery, span = 4): LandingView {
       const axes = { right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
       return projectorOf(placeOnSurface(query, place, width, aspect, axes, null));
     },
+    isTaken: () => false,
   };
 }
 
@@ -83,6 +84,29 @@ describe("something new", () => {
     expect(landingPlace(near, 1, 1)?.width).toBeCloseTo(0.2, 9);
     expect(landingPlace(near, 1, 4)?.width).toBeCloseTo(0.2, 9);
     expect(landingPlace(near, 1, 0.25)?.width).toBeCloseTo(0.05, 9);
+  });
+
+  it("lies beside a picture that lies in the middle already, not much smaller, and beside two", () => {
+    const taken: { x: number; y: number; half: number }[] = [];
+    const view = {
+      ...seenFromFront(queryOf(new PlaneGeometry(4, 4))),
+      isTaken: ({ position: { x, y } }: SurfaceSample) =>
+        taken.some((one) => Math.max(Math.abs(x - one.x), Math.abs(y - one.y)) < one.half),
+    };
+    for (const most of [0, 0.1, 0.1]) {
+      const landing = landingPlace(view, 0.9, 1);
+      const [x = 0, y = 0] = landing?.hit.position ?? [];
+      const half = (landing?.width ?? 0) / 2;
+      expect(half).toBeGreaterThan(0.25);
+      const over = taken.map((one) => Math.max(Math.abs(x - one.x), Math.abs(y - one.y)) - one.half - half);
+      for (const gap of over) expect(gap).toBeGreaterThan(-most);
+      taken.push({ x, y, half });
+    }
+  });
+
+  it("lies in the middle where all of the surface is under other pictures", () => {
+    const view = { ...seenFromFront(queryOf(cube())), isTaken: () => true };
+    expect(landingPlace(view, 1, 1)).toMatchObject({ hit: { position: [0, 0, 1] }, width: 1 });
   });
 
   it("has no place where nothing of the model is near the middle", () => {

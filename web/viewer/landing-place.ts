@@ -15,12 +15,14 @@ export interface LandingView {
   /** Metres that the view is wide and high where the hit lies. */
   readonly spanAt: (hit: SurfaceHit) => readonly [width: number, height: number];
   readonly projectorAt: (hit: SurfaceHit, width: number, aspect: number) => PlanarProjector;
+  /** Another picture lies there, and none that is a background. */
+  readonly isTaken: (sample: SurfaceSample) => boolean;
 }
 
 /** Rings of places about the middle, and the outermost one's radius, of the view's size. */
 const RINGS = 4;
 const REACH = 0.24;
-const AROUND = 8;
+const AROUND = 12;
 /** Of the width that is wished for; a place that has room for more of it is the better one. */
 const WIDTHS = [1, 0.75, 0.55];
 /** Of the view's sides, what something new takes at the most: who has come near to a detail means that. */
@@ -35,6 +37,8 @@ const WELL_SEEN = 0.7;
 const LIES_UNDER = 0.4;
 /** What counts of a picture that lies on another part than its middle does, as on an arm beside the chest. */
 const ON_ANOTHER_PART = 0.5;
+/** And what of one that lies over another picture: beside it is better, where there is room for half of the width. */
+const OVER_ANOTHER = 0.1;
 
 /** Null where nothing of the model is near the middle of the view. */
 export function landingPlace(view: LandingView, width: number, aspect: number): Landing | null {
@@ -74,7 +78,7 @@ function places(): { readonly right: number; readonly below: number; readonly ri
 }
 
 /**
- * From 0 to 1: how much of the picture lies on a surface that looks its way and is seen, and how well the camera sees it. 0 for
+ * From 0 to 1: how much of the picture lies on a surface that looks its way, is seen and is free, and how well the camera sees it. 0 for
  * what cannot be worth more than `least`, of which no more is asked than tells so: a hundred places in full take a third of a second.
  */
 function worthOf(view: LandingView, { hit, width }: Landing, aspect: number, part: number, least: number): number {
@@ -83,10 +87,10 @@ function worthOf(view: LandingView, { hit, width }: Landing, aspect: number, par
   const eye = view.eyeOf(hit);
   const facing = eye.clone().sub(pose.position).normalize().dot(axisOf(pose, 2));
   const seen = Math.min(1, facing / WELL_SEEN);
-  return seen <= least ? 0 : seen * shareLying(view.query, pose, eye, part) ** 2;
+  return seen <= least ? 0 : seen * shareLying(view, pose, eye, part) ** 2;
 }
 
-function shareLying(query: SurfaceQuery, pose: DecalPose, eye: Vector3, part: number): number {
+function shareLying({ query, isTaken }: LandingView, pose: DecalPose, eye: Vector3, part: number): number {
   const { x: width, y: height, z: depth } = pose.size;
   const along = axisOf(pose, 2).negate();
   let lying = 0;
@@ -96,7 +100,7 @@ function shareLying(query: SurfaceQuery, pose: DecalPose, eye: Vector3, part: nu
       const above = fromLocal(pose, at(column) * width, at(row) * height, depth / 2);
       const met = query.raycast(above, along, depth);
       if (met !== null && -met.normal.dot(along) >= LIES_UNDER && query.isClear(eye, met.position)) {
-        lying += query.shellOf(met.triangle) === part ? 1 : ON_ANOTHER_PART;
+        lying += (query.shellOf(met.triangle) === part ? 1 : ON_ANOTHER_PART) * (isTaken(met) ? OVER_ANOTHER : 1);
       }
     }
   }
