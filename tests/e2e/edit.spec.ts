@@ -355,8 +355,13 @@ test("a decal that is added again lies beside the first, and a copy of it beside
 test("decals are duplicated, reordered, hidden, renamed and deleted", async ({ editor, page }) => {
   await editor.open();
   await editor.openModel([squareGlb()]);
+  const placeFields = ["position-x", "position-y"];
   await editor.addDemoDecal("badge");
+  const badge = await Promise.all(placeFields.map((name) => editor.field(name).inputValue()));
   await editor.addDemoDecal("number");
+  // Over the badge, so that the picture tells what lies above.
+  for (const [index, name] of placeFields.entries()) await editor.setField(name, badge[index] ?? "");
+  await editor.row("Number 07").focus();
   const names = async () => (await editor.design()).layers.map(({ name }) => name);
   const start = await editor.settledHash();
 

@@ -27,6 +27,29 @@ test("a new picture lies whole on the avatar's shirt, not across its belt, and a
   expect(near.size[0]).toBeLessThan(shirt.size[0] / 2);
 });
 
+test("a second picture lies beside the first, on the mug, also while a brush is in the hand", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const added = async () => {
+    const { projector } = await editor.decal(await editor.addDemoDecal("smiley"));
+    if (projector.kind !== "planar") throw new Error("A picture is thrown as a box.");
+    return projector;
+  };
+  const all = [await added()];
+  for (const key of ["v", "b"]) {
+    await page.keyboard.press(key);
+    const next = await added();
+    for (const { position, size } of all) {
+      const gaps = [0, 1, 2].map((axis) => Math.abs(next.position[axis as 0] - position[axis as 0]));
+      // Metres; on what is round, a corner may lie under the other's.
+      expect(Math.hypot(...gaps)).toBeGreaterThan((0.8 * (size[0] + next.size[0])) / 2);
+    }
+    all.push(next);
+  }
+});
+
 test("so does a customer's on a product without print zones, unless the shop says how wide it is", async ({ page }) => {
   await page.goto("element.html?mode=shop&loading=eager&locale=en&src=demo/avatar.glb&size=64");
   const added = (options: { width?: number }) =>

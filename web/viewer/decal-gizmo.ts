@@ -122,9 +122,9 @@ export class DecalGizmo {
     this.#overlay.hover(name);
   }
 
-  /** The decals that a press at this sample can mean, topmost first. */
+  /** The decals that lie there, topmost first. */
   decalsAt(sample: SurfaceSample): ViewerDecal[] {
-    return this.#enabled ? decalsAt(this.#decals, sample) : [];
+    return decalsAt(this.#decals, sample);
   }
 
   /** Where a press takes hold of what is selected: on the surface it reaches, or beside the model on its box's rectangle. */

@@ -303,7 +303,7 @@ export class ViewInput {
 
   #hoverNow(): void {
     const event = this.#hoverEvent;
-    if (event === null || this.#dragPointer !== null) {
+    if (event === null || this.#dragPointer !== null || this.#suspended) {
       return;
     }
     const { ray } = this.#pointerOf(event);
