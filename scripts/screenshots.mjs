@@ -113,7 +113,9 @@ async function takeLineUp(page) {
   if (!mark || !number) throw new Error("The decals are not in view.");
   await page.mouse.move(number.x, number.y);
   await page.mouse.down();
-  await page.mouse.move(number.x, number.y + 20, { steps: 4 });
+  // It lies beside the mark already, and would come into line with the mug's own middle.
+  await page.mouse.move(mark.x + 106, mark.y - 20, { steps: 8 });
+  await settle(page);
   const line = page.locator(".tcv-root:not(.tcv-texture) .tcv-alignment-line");
   // Seen from above, what is level is no level line on the screen.
   for (let down = -14; !(await line.getAttribute("d")); down += 2) {
