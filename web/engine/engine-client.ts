@@ -262,7 +262,6 @@ class EngineClient implements Engine {
   }
 
   dispose(): void {
-    if (this.#ended !== null) return;
     this.#ended = disposed();
     this.#rejectAll(this.#ended);
     this.#updateListeners.clear();

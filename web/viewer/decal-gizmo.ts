@@ -61,7 +61,8 @@ export class DecalGizmo {
   readonly #dragTask = new FrameTask(() => this.#moveDrag());
   #query: SurfaceQuery | null = null;
   #enabled = true;
-  #decals: readonly ViewerDecal[] = [];
+  /** Bottom to top, as `setDecals` has set them. */
+  decals: readonly ViewerDecal[] = [];
   #selected: ViewerDecal | null = null;
   #hovered: ViewerDecal | null = null;
   #drag: ActiveDrag | null = null;
@@ -97,7 +98,7 @@ export class DecalGizmo {
   }
 
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {
-    this.#decals = decals;
+    this.decals = decals;
     this.#selected = decals.find((decal) => decal.id === selectedId) ?? null;
     this.#hovered = decals.find((decal) => decal.id === this.#hovered?.id) ?? null;
     if (this.#drag !== null && !decals.some((decal) => decal.id === this.#drag?.decal.id)) {
@@ -124,7 +125,7 @@ export class DecalGizmo {
 
   /** The decals that lie there, topmost first. */
   decalsAt(sample: SurfaceSample): ViewerDecal[] {
-    return decalsAt(this.#decals, sample);
+    return decalsAt(this.decals, sample);
   }
 
   /** Where a press takes hold of what is selected: on the surface it reaches, or beside the model on its box's rectangle. */
@@ -361,7 +362,7 @@ export class DecalGizmo {
   /** The decal under way, where the drag has it. */
   #draggedDecal(): ViewerDecal | null {
     const active = this.#drag;
-    const decal = this.#decals.find((candidate) => candidate.id === active?.decal.id);
+    const decal = this.decals.find((candidate) => candidate.id === active?.decal.id);
     return active === null || decal === undefined ? null : { ...decal, projector: active.projector };
   }
 
