@@ -2,11 +2,9 @@ import { PlaneGeometry, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { PlanarProjector, Projector } from "../../web/engine/engine-api.ts";
 import type { DecalHands } from "../../web/viewer/decal-hands.ts";
-import { placeOnSurface } from "../../web/viewer/decal-placement.ts";
-import { projectorOf } from "../../web/viewer/decal-pose.ts";
 import { landingOn } from "../../web/viewer/landing-on-view.ts";
 import type { SurfaceHit, ViewerDecal } from "../../web/viewer/viewer-api.ts";
-import { queryOf } from "./surface-helpers.ts";
+import { placedFromFront, queryOf } from "./surface-helpers.ts";
 
 /** A wall, looked at from the front; the view is 4 metres wide and high. */
 const wall = queryOf(new PlaneGeometry(4, 4));
@@ -16,11 +14,7 @@ const looks = {
   metresPerPixel: () => 4 / SIDE,
 };
 
-function projectorAt({ position, normal }: SurfaceHit, width: number, aspect: number): PlanarProjector {
-  const place = { position: new Vector3(...position), normal: new Vector3(...normal) };
-  const axes = { right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
-  return projectorOf(placeOnSurface(wall, place, width, aspect, axes, null));
-}
+const projectorAt = placedFromFront(wall);
 
 /** Where something 0.9 metres wide lands on the wall, from its middle. */
 function landingBeside(...decals: ViewerDecal[]): number {
@@ -43,7 +37,7 @@ const inMiddle = (changes: Partial<Told> = {}, width = 0.9): ViewerDecal => ({
   aspect: 1,
   visible: true,
   materials: [0],
-  projector: projectorAt({ position: [0, 0, 0], normal: [0, 0, 1] } as unknown as SurfaceHit, width, 1),
+  projector: projectorAt({ position: [0, 0, 0], normal: [0, 0, 1] }, width, 1),
   ...changes,
 });
 const behind = (projector: PlanarProjector): Projector => ({ ...projector, rotation: [0, 1, 0, 0] });

@@ -1,11 +1,8 @@
 import { BoxGeometry, PlaneGeometry, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
-import { placeOnSurface } from "../../web/viewer/decal-placement.ts";
-import { projectorOf } from "../../web/viewer/decal-pose.ts";
 import { type LandingView, landingPlace } from "../../web/viewer/landing-place.ts";
 import type { SurfaceQuery, SurfaceSample } from "../../web/viewer/surface-query.ts";
-import type { SurfaceHit } from "../../web/viewer/viewer-api.ts";
-import { cube, queryOf } from "./surface-helpers.ts";
+import { cube, placedFromFront, queryOf } from "./surface-helpers.ts";
 
 /** Looked at from the front, by rays side by side; the view is `span` metres wide and high, and its middle is at the origin. */
 function seenFromFront(query: SurfaceQuery, span = 4): LandingView {
@@ -14,11 +11,7 @@ function seenFromFront(query: SurfaceQuery, span = 4): LandingView {
     sampleAt: (right, below) => query.raycast(new Vector3(right * span, -below * span, 10), new Vector3(0, 0, -1)),
     eyeOf: ({ position: [x, y] }) => new Vector3(x, y, 10),
     spanAt: () => [span, span],
-    projectorAt: ({ position, normal }: SurfaceHit, width, aspect) => {
-      const place = { position: new Vector3(...position), normal: new Vector3(...normal) };
-      const axes = { right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
-      return projectorOf(placeOnSurface(query, place, width, aspect, axes, null));
-    },
+    projectorAt: placedFromFront(query),
     isTaken: () => false,
   };
 }

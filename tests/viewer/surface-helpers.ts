@@ -1,5 +1,9 @@
-import { BoxGeometry, type BufferGeometry, CylinderGeometry, PlaneGeometry, SphereGeometry } from "three";
+import { BoxGeometry, type BufferGeometry, CylinderGeometry, PlaneGeometry, SphereGeometry, Vector3 } from "three";
+import type { PlanarProjector } from "../../web/engine/engine-api.ts";
+import { placeOnSurface } from "../../web/viewer/decal-placement.ts";
+import { projectorOf } from "../../web/viewer/decal-pose.ts";
 import { SurfaceQuery } from "../../web/viewer/surface-query.ts";
+import type { SurfaceHit } from "../../web/viewer/viewer-api.ts";
 
 /** A query on three's own shapes, which are of material 0 and single-sided. */
 export function queryOf(...geometries: BufferGeometry[]): SurfaceQuery {
@@ -44,4 +48,13 @@ export function cube(): BufferGeometry {
 /** Faces +Z, two metres wide. */
 export function sheet(): BufferGeometry {
   return new PlaneGeometry(2, 2, 8, 8);
+}
+
+/** Lays boxes onto a surface as a camera before it (+Z) does: upright. */
+export function placedFromFront(query: SurfaceQuery) {
+  const axes = { right: new Vector3(1, 0, 0), up: new Vector3(0, 1, 0) };
+  return (hit: Pick<SurfaceHit, "position" | "normal">, width: number, aspect: number): PlanarProjector => {
+    const place = { position: new Vector3(...hit.position), normal: new Vector3(...hit.normal) };
+    return projectorOf(placeOnSurface(query, place, width, aspect, axes, null));
+  };
 }
