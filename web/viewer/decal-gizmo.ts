@@ -61,8 +61,7 @@ export class DecalGizmo {
   readonly #dragTask = new FrameTask(() => this.#moveDrag());
   #query: SurfaceQuery | null = null;
   #enabled = true;
-  /** Bottom to top, as `setDecals` has set them. */
-  decals: readonly ViewerDecal[] = [];
+  #decals: readonly ViewerDecal[] = [];
   #selected: ViewerDecal | null = null;
   #hovered: ViewerDecal | null = null;
   #drag: ActiveDrag | null = null;
@@ -98,7 +97,7 @@ export class DecalGizmo {
   }
 
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void {
-    this.decals = decals;
+    this.#decals = decals;
     this.#selected = decals.find((decal) => decal.id === selectedId) ?? null;
     this.#hovered = decals.find((decal) => decal.id === this.#hovered?.id) ?? null;
     if (this.#drag !== null && !decals.some((decal) => decal.id === this.#drag?.decal.id)) {
@@ -123,15 +122,20 @@ export class DecalGizmo {
     this.#overlay.hover(name);
   }
 
+  /** Bottom to top. */
+  get decals(): readonly ViewerDecal[] {
+    return this.#decals;
+  }
+
   /** The decals that lie there, topmost first. */
   decalsAt(sample: SurfaceSample): ViewerDecal[] {
-    return decalsAt(this.decals, sample);
+    return decalsAt(this.#decals, sample);
   }
 
   /** Where a press takes hold of what is selected: on the surface it reaches, or beside the model on its box's rectangle. */
   heldAt(pointer: DragPointer, sample: SurfaceSample | null): Held | null {
     const selected = this.#selected;
-    if (!this.#enabled || selected === null || selected.locked === true) {
+    if (selected === null || selected.locked === true) {
       return null;
     }
     if (sample !== null) {
@@ -362,8 +366,8 @@ export class DecalGizmo {
   /** The decal under way, where the drag has it. */
   #draggedDecal(): ViewerDecal | null {
     const active = this.#drag;
-    const decal = this.decals.find((candidate) => candidate.id === active?.decal.id);
-    return active === null || decal === undefined ? null : { ...decal, projector: active.projector };
+    const decal = this.#decals.find((candidate) => candidate.id === active?.decal.id);
+    return active && decal ? { ...decal, projector: active.projector } : null;
   }
 
   #outlineOf(projector: Projector): OutlinePoint[] {
