@@ -13,7 +13,7 @@ import { Tasks } from "../../web/editor/state/tasks.ts";
 import { shippedFont, TextCommands, type TextCommandsParts } from "../../web/editor/state/text-commands.ts";
 import { runsPastEdge, shareOfModel } from "../../web/editor/state/text-troubles.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
-import type { Engine, EngineText, PlanarProjector, Projector } from "../../web/engine/engine-api.ts";
+import type { Engine, EngineText, PlanarProjector, Projector, TargetInfo } from "../../web/engine/engine-api.ts";
 import type { ModelViewer, SurfaceHit } from "../../web/viewer/viewer-api.ts";
 import { FRONT } from "../support/layers.ts";
 
@@ -48,9 +48,16 @@ function waitingEngine() {
 /** An editor with two texts, "Ada" and "Eve", whose fonts are slow. */
 function twoTexts() {
   const { measureText, arrive } = waitingEngine();
-  const engine = { measureText, setLayers: () => {}, removeAsset: async () => {} } as unknown as Engine;
-  const viewer = { setDecals: () => {}, materialsReached: () => [0] } as unknown as ModelViewer;
+  const product = { color: [255, 255, 255], read: Promise.resolve() };
+  const readTexels = async (): Promise<Uint8Array> => {
+    await product.read;
+    return new Uint8Array([...product.color, 255]);
+  };
+  const engine = { measureText, readTexels, setLayers: () => {}, removeAsset: async () => {} } as unknown as Engine;
+  const surface = { near: () => ({ material: 0, uv: [0.5, 0.5] }) };
+  const viewer = { setDecals: () => {}, materialsReached: () => [0], surface } as unknown as ModelViewer;
   const store = new Store<EditorState>({ ...INITIAL_STATE, model: { info: BOUNDS } as unknown as OpenModel });
+  store.set({ targets: new Map([[0, { width: 64, height: 64 } as TargetInfo]]) });
   const library = new AssetLibrary(engine);
   const session = new DesignSession({ engine, viewer, library, store, later: () => {} });
   const board = new NoticeBoard(store);
@@ -62,9 +69,10 @@ function twoTexts() {
     decals: {
       placed: (_id: string, projector: Projector) => ({ projector }),
       laid: (_layer: TextLayer, box: object) => box,
-      addLayer: (...[, { hit }, label, make]: Parameters<DecalCommands["addLayer"]>) => {
-        hits.push(hit);
-        const { design, layer: added } = make("new", FRONT, 0);
+      placeFor: (_aspect: number, spot: SurfaceHit | null) => ({ projector: FRONT, spot }),
+      addLayer: (...[{ projector, spot }, label, make]: Parameters<DecalCommands["addLayer"]>) => {
+        hits.push(spot);
+        const { design, layer: added } = make("new", projector, 0);
         session.record(addOnTop(design, added), label);
       },
     },
@@ -80,7 +88,7 @@ function twoTexts() {
   const told = (): string[] => store.state.notices.map(({ message }) => message);
   const titles = (): string[] => store.state.notices.map(({ title }) => title);
   const working = (): string[] => store.state.tasks.map(({ label }) => label);
-  return { session, texts, arrive, layer, fontOf, told, titles, hits, working };
+  return { session, texts, arrive, layer, fontOf, told, titles, hits, working, product };
 }
 
 const isLobster = ({ font }: EngineText): boolean => font === LOBSTER.asset.uri;
@@ -172,6 +180,23 @@ describe("a text whose font is still being fetched", () => {
     void texts.add(null, LOBSTER);
     await arrive();
     expect(hits).toEqual([elsewhere, null]);
+  });
+
+  it("is white where the product is dark, at the place that was named last, also while the product is looked at", async () => {
+    const { texts, arrive, layer, hits, product } = twoTexts();
+    product.color = [12, 12, 14];
+    let look = (): void => {};
+    product.read = new Promise((resolve) => {
+      look = resolve;
+    });
+    const elsewhere = { place: 2 } as unknown as SurfaceHit;
+    const added = texts.add(null, LOBSTER);
+    await arrive();
+    void texts.add(elsewhere, LOBSTER);
+    look();
+    await added;
+    expect(hits).toEqual([elsewhere]);
+    expect(layer("new").color).toBe("#ffffff");
   });
 
   it("asked for in another font, is another text", async () => {

@@ -9,7 +9,7 @@ import { Desk } from "../../web/element/desk/desk.ts";
 import type { DeskHooks } from "../../web/element/desk/desk-settings.ts";
 import { shippedFont, Texts } from "../../web/element/desk/texts.ts";
 import { english } from "../../web/element/words/english.ts";
-import type { Engine, EngineText } from "../../web/engine/engine-api.ts";
+import type { Engine, EngineText, TargetInfo } from "../../web/engine/engine-api.ts";
 import { readShippedFont } from "../../web/engine/shipped-fonts.ts";
 import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
 import { FRONT } from "../support/layers.ts";
@@ -116,6 +116,18 @@ it("a font that cannot be fetched is told in a customer's words, and to the page
   expect(`${message} ${hint}`).not.toMatch(/http|address/);
   expect(hint).toMatch(/try again/);
   expect(desk.design).toBe(before);
+});
+
+it("new words are white on a dark product, and as the page says where it says so", async () => {
+  const { desk, texts } = deskWithFonts({ refuses: false });
+  Object.assign(desk.engine, { readTexels: async () => new Uint8Array([10, 10, 40, 255]) });
+  Object.assign(desk.viewer, { surface: { near: () => ({ material: 0, uv: [0.5, 0.5] }) } });
+  const colors = (): unknown[] => desk.design.layers.map((layer) => layer.type === "text" && layer.color);
+  await texts.add("unknown", { projector: FRONT, material: 0 });
+  desk.store.set({ targets: new Map([[0, { width: 64, height: 64 } as TargetInfo]]) });
+  await texts.add("white", { projector: FRONT, material: 0 });
+  await texts.add("red", { projector: FRONT, material: 0, color: "#aa0000" });
+  expect(colors()).toEqual(["#1a1a1a", "#ffffff", "#aa0000"]);
 });
 
 const planar = { kind: "planar", position: [0, 0, 0], rotation: [0, 0, 0, 1], size: [1, 1, 1] } as const;

@@ -81,7 +81,7 @@ export interface PlaceOptions {
 export interface TextOptions extends PlaceOptions {
   /** Id of a font that comes with Texelcast ("inter-700"), or the bytes of a TrueType or OpenType file. */
   readonly font?: string | Blob | Uint8Array;
-  /** "#rrggbb" or "#rrggbbaa"; default "#1a1a1a". */
+  /** "#rrggbb" or "#rrggbbaa"; default "#ffffff" where the product is dark under most of the words, else "#1a1a1a". */
   readonly color?: string;
   /** Degrees of the arc that the words span, -360 to 360; default 0. */
   readonly curve?: number;

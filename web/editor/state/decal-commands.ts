@@ -53,6 +53,12 @@ const MOST_AVERAGED = 24;
 /** What a layer takes on where it is put. */
 type LayerMove = Pick<PlacedLayer, "projector" | "material" | "mask">;
 
+/** Where something new goes, and the surface that it was laid on; null in front of the model. */
+export interface NewPlace {
+  readonly projector: PlanarProjector;
+  readonly spot: SurfaceHit | null;
+}
+
 /** A layer that goes along, and where it stands when the drag begins: what is searched for once is not searched for at each move. */
 interface Carried {
   readonly layer: PlacedLayer;
@@ -205,8 +211,7 @@ export class DecalCommands {
    */
   add(name: string, picture: LibraryPicture, hit: SurfaceHit | null, apart = false): void {
     const { add } = this.#board.strings.steps;
-    const place = { hit, apart };
-    this.addLayer(picture.width / picture.height, place, add, (id, projector, material) => {
+    this.addLayer(this.placeFor(picture.width / picture.height, hit, apart), add, (id, projector, material) => {
       const { design, key } = withAsset(this.#session.recordedDesign, name, picture.asset);
       const { state } = this.#store;
       const filter = isPixelated(state, hit?.material ?? state.material) ? "nearest" : "linear";
@@ -229,27 +234,27 @@ export class DecalCommands {
     this.#board.announce(announce.pictureReplaced(layer.name));
   }
 
-  /**
-   * Puts a layer of that aspect (width by height) on the model, where `add` puts pictures. `make` gives it, and the design
-   * that it comes into, which has its assets.
-   */
-  addLayer(
-    aspect: number,
-    { hit, apart = false }: { readonly hit: SurfaceHit | null; readonly apart?: boolean },
-    label: string,
-    make: (id: string, projector: PlanarProjector, material: LayerMaterials) => { design: Design; layer: PlacedLayer },
-  ): void {
+  /** Where a new layer of that aspect (width by height) goes, as `add` says. */
+  placeFor(aspect: number, hit: SurfaceHit | null, apart = false): NewPlace {
     const usual = NEW_SHARE * this.#diagonal() * Math.min(1, aspect);
     const landing = hit === null ? this.#viewer.landing(usual, aspect) : null;
     const spot = hit ?? landing?.hit ?? this.#viewer.surfaceAtCentre();
     const width = landing?.width ?? usual;
     const wished = spot ? this.#viewer.projectorAt(spot, width, aspect) : this.#inFront(width, aspect);
-    const { recordedDesign } = this.#session;
-    const isExact = hit !== null && !apart;
-    const projector = isExact ? wished : clearPlaces(recordedDesign, [wished], this.#diagonal(), this.#viewer)(wished);
+    if (hit !== null && !apart) return { projector: wished, spot };
+    const clear = clearPlaces(this.#session.recordedDesign, [wished], this.#diagonal(), this.#viewer);
+    return { projector: clear(wished), spot };
+  }
+
+  /** Puts a layer on the model. `make` gives it, and the design that it comes into, which has its assets. */
+  addLayer(
+    { projector, spot }: NewPlace,
+    label: string,
+    make: (id: string, projector: PlanarProjector, material: LayerMaterials) => { design: Design; layer: PlacedLayer },
+  ): void {
     const backfaces = spot?.isBack === true;
     const material = this.reach.at(projector, backfaces, spot?.material ?? this.#store.state.material ?? 0);
-    const id = freeIdIn(recordedDesign);
+    const id = freeIdIn(this.#session.recordedDesign);
     const { design, layer } = make(id, projector, material);
     this.#session.record(addOnTop(design, { ...layer, backfaces }, this.#group()), label);
     this.#session.select(id);

@@ -18,10 +18,11 @@ import { withoutCount } from "../files/counted-name.ts";
 import type { Unmeasured } from "../storage/last-words.ts";
 import type { Admission } from "./admission.ts";
 import type { AssetLibrary } from "./asset-library.ts";
-import type { DecalCommands } from "./decal-commands.ts";
+import type { DecalCommands, NewPlace } from "./decal-commands.ts";
 import { freeName, layerById, patchLayer, withAsset, withoutUnusedAssets } from "./design-edits.ts";
 import type { DesignSession } from "./design-session.ts";
 import type { EditorState } from "./editor-state.ts";
+import { legibleColor } from "./legible-color.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import type { Store } from "./store.ts";
 import type { Tasks } from "./tasks.ts";
@@ -40,8 +41,8 @@ export interface TextPatch extends TextFieldsPatch {
 type TextChange = WaitingChange<TextPatch>;
 
 export interface TextCommandsParts {
-  readonly engine: Pick<Engine, "measureText">;
-  readonly viewer: Pick<ModelViewer, "materialsReached">;
+  readonly engine: Pick<Engine, "measureText" | "readTexels">;
+  readonly viewer: Pick<ModelViewer, "materialsReached" | "surface">;
   readonly session: DesignSession;
   readonly store: Store<EditorState>;
   readonly board: NoticeBoard;
@@ -140,24 +141,39 @@ export class TextCommands {
       const name = pasted === undefined ? plain.name : titleOf(pasted);
       const room = await this.#measure(this.#wordsOf(plain, measured.assets));
       // The place was one on that model.
-      if (store.state.model !== model || store.state.switching) return;
+      const isGone = (): boolean => store.state.model !== model || store.state.switching;
+      const placed = await this.#placed(place, room.width / room.height, isGone);
+      if (placed === null) return;
+      const { spot, color } = placed;
       this.#parts.admission?.checkRoom(1);
-      decals.addLayer(
-        room.width / room.height,
-        { hit: place() },
-        board.strings.steps.addText,
-        (id, projector, material) => {
-          // The design may be another one since the words were measured.
-          const { design, key } = dressed();
-          return { design, layer: { ...plain, id, name, font: key, projector, material, fontSize: 1 / room.height } };
-        },
-      );
+      decals.addLayer(spot, board.strings.steps.addText, (id, projector, material) => {
+        // The design may be another one since the words were measured.
+        const { design, key } = dressed();
+        const look = { color: color ?? plain.color, font: key, fontSize: 1 / room.height };
+        return { design, layer: { ...plain, ...look, id, name, projector, material } };
+      });
       if (pasted === undefined) store.set({ textToType: session.selected?.id ?? null });
       board.announce(board.strings.announce.added(pasted === undefined ? board.strings.text.name : name));
       this.#tellUndrawn(name, room.missing);
     } catch (thrown) {
       board.error(board.strings.errors.couldNotWrite, thrown);
     }
+  }
+
+  /** Where words of that aspect go, and in which colour they are read there: anew where another place is named meanwhile. */
+  async #placed(
+    place: () => SurfaceHit | null,
+    aspect: number,
+    isGone: () => boolean,
+  ): Promise<{ readonly spot: NewPlace; readonly color: string | null } | null> {
+    const { viewer, decals } = this.#parts;
+    while (!isGone()) {
+      const hit = place();
+      const spot = decals.placeFor(aspect, hit);
+      const color = await legibleColor(this.#parts, viewer.surface, spot.projector);
+      if (hit === place() && !isGone()) return { spot, color };
+    }
+    return null;
   }
 
   /** Shows a change that is still going on (typing, the scrub of a field); the newest one asked for wins. */

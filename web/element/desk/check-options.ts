@@ -2,6 +2,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { ToldError } from "../../editor/strings/told-error.ts";
 import type { PlaceOptions, TextOptions } from "../element-api.ts";
+import type { Words } from "../words/words.ts";
 import type { Desk } from "./desk.ts";
 import { checkNames } from "./unknown-option.ts";
 
@@ -53,6 +54,16 @@ export async function checkOptions(desk: Desk, kind: keyof typeof OF, options: T
     if (materials.some(({ index }) => index === each)) continue;
     refuse("material", each, words.errors.zoneMaterialHint(materials.map(({ index }) => index).join(", ")));
   }
+}
+
+/** Of what is no text, is blank, or has more than so many characters. */
+export function badText({ errors }: Words, text: unknown, most: number): ToldError {
+  const blank = typeof text !== "string" || text.trim() === "";
+  return new ToldError("bad-argument", blank ? errors.emptyText : errors.badOption("text"), {
+    field: "text",
+    value: blank ? String(text) : `${text.slice(0, 39)}…`,
+    hint: `1 – ${most}`,
+  });
 }
 
 const isWidth = (value: unknown): boolean => typeof value === "number" && value >= WIDTHS[0] && value <= WIDTHS[1];

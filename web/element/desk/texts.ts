@@ -10,9 +10,9 @@ import { contentHash } from "../../editor/storage/content-hash.ts";
 import { ToldError } from "../../editor/strings/told-error.ts";
 import type { EngineText, TextMeasure } from "../../engine/engine-api.ts";
 import { SHIPPED_FONTS, type ShippedFontId, shippedFontAddress } from "../../engine/shipped-fonts.ts";
+import type { DecalViewer } from "../../viewer/viewer-api.ts";
 import type { TextOptions } from "../element-api.ts";
 import { PLACING_WORDS } from "../words/placing-words.ts";
-import type { Words } from "../words/words.ts";
 import type { Desk } from "./desk.ts";
 import { askShop, badOption, checkedOptions, placeFor } from "./placing.ts";
 
@@ -50,14 +50,7 @@ export class Texts {
     const desk = this.#desk;
     const { words } = desk.settings;
     desk.checkRoom();
-    const blank = typeof text !== "string" || text.trim() === "";
-    if (blank || text.length > MOST_CHARACTERS) {
-      throw new ToldError("bad-argument", blank ? words.errors.emptyText : words.errors.badOption("text"), {
-        field: "text",
-        value: blank ? String(text) : shortened(text),
-        hint: `1 – ${MOST_CHARACTERS}`,
-      });
-    }
+    if (!isText(text)) throw (await import("./check-options.ts")).badText(words, text, MOST_CHARACTERS);
     const options = await checkedOptions(desk, "text", given);
     const font = await this.#font(options.font ?? FIRST_FONT);
     try {
@@ -70,24 +63,29 @@ export class Texts {
 
   async #put(text: string, font: NamedFont, options: TextOptions): Promise<string> {
     const desk = this.#desk;
-    const { words } = desk.settings;
     const { design, key } = withAsset(desk.design, font.name, font.asset);
-    const name = options.name ?? shortened(text);
-    const { color = FIRST_COLOR, curve = 0 } = options;
-    const look = { text, font: key, color: hexColor(color, words), curve };
-    const plain = makeTextLayer({ id: "", name, projector: NOWHERE, ...look });
+    const { name = shortened(text), curve = 0 } = options;
+    const plain = makeTextLayer({ id: "", name, projector: NOWHERE, text, font: key, curve });
     const [viewer, room] = await Promise.all([desk.takeHands(), this.#measure(plain, design.assets)]);
     const place = await placeFor(desk, viewer, room.width / room.height, options, null);
+    const color = options.color ?? (await this.#legible(viewer, place.projector)) ?? FIRST_COLOR;
     desk.checkRoom();
     desk.keepShown();
     // The design may be another one since the words were measured.
     const now = withAsset(desk.design, font.name, font.asset);
     const id = freeIdIn(now.design);
-    const layer = { ...plain, ...place, id, font: now.key, fontSize: 1 / room.height };
+    const layer = { ...plain, ...place, id, color, font: now.key, fontSize: 1 / room.height };
+    const { words } = desk.settings;
     desk.record(addOnTop(now.design, layer), words.steps.addText);
     desk.select(id);
     desk.hooks.announce(words.announce.added(name));
     return id;
+  }
+
+  /** Where what looks at the product does not come, nothing is known of it. */
+  async #legible({ surface }: DecalViewer, projector: Projector): Promise<string | null> {
+    const found = await import("../../editor/state/legible-color.ts").catch(() => null);
+    return (await found?.legibleColor(this.#desk, surface, projector)) ?? null;
   }
 
   /** Shows a change and records it when it rests, or at once (`final`); the box goes on lying close about the words. */
@@ -218,10 +216,8 @@ export function shippedFont(id: ShippedFontId): NamedFont {
   return { name: id, asset: { type: "font/ttf", uri: shippedFontAddress(id) } };
 }
 
-function hexColor(color: string, words: Words): string {
-  if (/^#([0-9a-f]{2}){3,4}$/i.test(color)) return color;
-  throw badOption(words, "color", color, '"#rrggbb" or "#rrggbbaa"');
-}
+const isText = (text: unknown): boolean =>
+  typeof text === "string" && text.trim() !== "" && text.length <= MOST_CHARACTERS;
 
 /** The end of typing may have been recorded before: what is handed in holds it. */
 const isSame = (layer: TextLayer, fields: Partial<TextLayer>): boolean =>
