@@ -336,6 +336,34 @@ test("above a phone's keyboard the words that are typed and the model are both i
   expect(height, "pixels of the model's view").toBeGreaterThan(80);
 });
 
+test("what is told of words while they are typed on a phone leaves them in sight, and is told in full after that", async ({
+  editor,
+  page,
+}) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await editor.open();
+  const words = await putWords(editor);
+  await page.setViewportSize({ width: 390, height: 508 });
+  await page.keyboard.type("A very long text that runs round and past");
+  await expect(editor.notices).toContainText("larger than the model");
+  const boxOf = async (of: Locator) => (await of.boundingBox()) ?? { x: 0, y: 0, width: 0, height: 0 };
+  const typed = await boxOf(words);
+  await expect(words).toBeInViewport({ ratio: 1 });
+  const { y, height } = await boxOf(editor.notices);
+  expect(y + height, "the notice stands above the words").toBeLessThanOrEqual(typed.y);
+  expect(y, "of the model's view a half stays free").toBeGreaterThan((await boxOf(editor.view)).height / 2);
+  const explained = editor.notices.getByText("What reaches beyond it is not painted");
+  expect((await boxOf(explained)).height, "pixels of what explains it").toBeLessThan(5);
+
+  // The field is left for the notice's own button: it stays where it is pressed.
+  await editor.notices.getByRole("button", { name: "Make it fit" }).focus();
+  expect((await boxOf(editor.notices)).y).toBe(y);
+  await words.focus();
+  await words.blur();
+  await expect.poll(async () => (await boxOf(explained)).height).toBeGreaterThan(20);
+  expect((await boxOf(editor.notices)).y, "it lies over the sheet").toBeGreaterThan(y);
+});
+
 test("words that the engine has not measured when the page is left are there afterwards, in a box that fits them", async ({
   editor,
   page,

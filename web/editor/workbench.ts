@@ -198,13 +198,15 @@ export class Workbench extends EditorElement {
         width: 100%;
         padding: var(--space-4);
       }
-      /* Over the sheet, not over the model. */
-      :host([compact]) tc-notice-stack {
+      /* Over the sheet, not over the model, unless somebody types in the sheet. */
+      :host([compact]) tc-notice-stack:not([terse]) {
         position: absolute;
         inset-block-end: calc(3.25rem + env(safe-area-inset-bottom));
+      }
+      :host([compact]) tc-notice-stack {
         padding: var(--space-2);
       }
-      :host([sideways]) tc-notice-stack {
+      :host([sideways]) tc-notice-stack:not([terse]) {
         inset-block: auto 0;
         inset-inline: auto 0;
         width: min(24rem, 56vw);

@@ -8,6 +8,7 @@ import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
 import { sentence } from "../ui/sentence.ts";
 import { plainControls } from "../ui/theme.ts";
+import { TypingIn } from "../ui/typing-in.ts";
 
 export class NoticeStack extends EditorElement {
   static override properties = { since: { attribute: false } };
@@ -74,6 +75,14 @@ export class NoticeStack extends EditorElement {
       }
       :host([compact]) .notice:not(:last-child) .dismiss {
         margin-block: 0;
+      }
+      /* Beside what is typed there is room for what happened and what to do: the rest is seen when that ends, and heard at once. */
+      :host([terse]) .info .words > p {
+        position: absolute;
+        width: 1px;
+        height: 1px;
+        overflow: hidden;
+        clip-path: inset(50%);
       }
       .where {
         color: var(--text-quiet);
@@ -150,6 +159,9 @@ export class NoticeStack extends EditorElement {
     return [notices, tasks, announcement];
   }
 
+  /** What is told of words while they are typed on a phone would lie over their field. */
+  readonly #typing = new TypingIn(this, "tc-bottom-sheet");
+
   /** Place among its buttons of the one that had the focus before a render; -1: none. */
   #focused = -1;
 
@@ -175,6 +187,7 @@ export class NoticeStack extends EditorElement {
     const notices = this.state.notices.filter(({ id }) => since === null || id > since);
     const shown = since !== null ? [] : tasks.filter(({ visible }) => visible);
     this.toggleAttribute("filled", notices.length + shown.length > 0);
+    this.toggleAttribute("terse", this.#typing.now);
     return html`
       ${since === null ? html`<div class="visually-hidden" id="announcer" aria-live="polite">${announcement}</div>` : nothing}
       ${repeat(
