@@ -340,6 +340,40 @@ test("a page of another version, without an address or without an answer is refu
   expect(await refused(`${editor.origin}/meddler.html`)).toBe("timeout, 0 left");
 });
 
+test("a page that its server or the shop lets nobody frame is given up half a minute after the browser has it", async () => {
+  const { page } = opened;
+  await page.clock.install();
+  await page.route("**/refusing.html*", (route) =>
+    route.fulfill({
+      contentType: "text/html",
+      body: "<title>Not here</title>",
+      headers: { "X-Frame-Options": "DENY" },
+    }),
+  );
+  const mounted = (options: string): Promise<string> =>
+    page.evaluate(`(async () => {
+      const loaded = new Promise((resolve) => document.addEventListener("load", resolve, { capture: true, once: true }));
+      globalThis.told = "waits";
+      mountTexelcast(document.body, { page: "${editor.origin}/refusing.html", ...${options} }).catch((error) => {
+        globalThis.told = error.code + ": " + error.message + " " + error.hint;
+      });
+      await loaded;
+    })()`);
+  const told = async (): Promise<unknown> => page.evaluate("told");
+  await mounted("{}");
+  await page.clock.runFor(29_000);
+  expect(await told()).toBe("waits");
+  await page.clock.runFor(2000);
+  expect(await told()).toMatch(/^timeout: .* 30 seconds.*frame-ancestors/);
+  // A shop that says how long knows why.
+  await mounted("{ timeoutMs: 60_000 }");
+  await page.clock.runFor(59_000);
+  expect(await told()).toBe("waits");
+  await page.clock.runFor(2000);
+  expect(await told()).toMatch(/^timeout: .* 60 seconds/);
+  opened.complaints.length = 0;
+});
+
 test("the real element in the iframe takes a picture and exports the texture", async () => {
   const told = await inShop(
     "real",

@@ -39,8 +39,8 @@ export interface MountOptions extends FrameProperties {
   /** As the element's: asked for each picture and font before it is taken. Runs in the shop's page; its answer must be plain data. */
   readonly beforeAccept?: BeforeAccept | null;
   /**
-   * How long an answer may take, milliseconds, `Infinity` for as long as it likes; default 30 000; 120 000 for the first word of the
-   * page, for what loads, exports or checks the print, and for what `beforeAccept` may be asked about.
+   * How long an answer may take, milliseconds, `Infinity` for as long as it likes; default 30 000; 120 000 for what loads, exports or checks the print,
+   * for what `beforeAccept` may be asked about, and for the first word of the page, which has 30 000 once the browser has loaded it.
    */
   readonly timeoutMs?: number;
 }

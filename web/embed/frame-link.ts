@@ -11,6 +11,8 @@ export interface FrameLinkParts extends PortCallsParts {
   readonly address: URL;
   /** For the first word of the page, milliseconds. */
   readonly patienceMs: number;
+  /** For the same, once the browser has loaded a page: also one that may not be framed, of which it does not tell. Null: as before. */
+  readonly loadedPatienceMs: number | null;
   /** A page has taken its channel: the first, or after another one that was lost (`anew`). */
   readonly connected: (calls: PortCalls, anew: boolean) => void;
   /** The page is loaded anew, and what it held is gone. */
@@ -28,8 +30,10 @@ export class FrameLink {
 
   constructor(parts: FrameLinkParts) {
     this.#parts = parts;
-    addEventListener("message", (event) => this.#hear(event), { signal: this.#end.signal });
-    this.#wait();
+    const { signal } = this.#end;
+    addEventListener("message", (event) => this.#hear(event), { signal });
+    parts.iframe.addEventListener("load", () => this.#loaded(), { signal });
+    this.#wait(parts.patienceMs);
   }
 
   /** The channel to the page as it is now. Rejects with "timeout" or "unsupported" where there is none, "disposed" after the end. */
@@ -49,9 +53,14 @@ export class FrameLink {
     this.#ready.reject(error);
   }
 
-  #wait(): void {
-    const { address, patienceMs } = this.#parts;
-    this.#timer = setTimeout(() => this.#ready.reject(silent(address, patienceMs)), patienceMs);
+  #wait(patienceMs: number): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => this.#ready.reject(silent(this.#parts.address, patienceMs)), patienceMs);
+  }
+
+  #loaded(): void {
+    const { loadedPatienceMs } = this.#parts;
+    if (this.#page === null && loadedPatienceMs !== null && !this.#ready.isOver) this.#wait(loadedPatienceMs);
   }
 
   #lose(): void {
@@ -62,7 +71,7 @@ export class FrameLink {
     this.#page = null;
     this.#isAnew = true;
     this.#ready = new FirstWord();
-    this.#wait();
+    this.#wait(this.#parts.patienceMs);
     this.#parts.lost(error);
   }
 
@@ -117,7 +126,7 @@ class FirstWord {
 function silent(address: URL, patience: number): TexelcastError {
   return new TexelcastError("timeout", `The editor's page did not answer within ${patience / 1000} seconds.`, {
     subject: address.href,
-    hint: "See whether the address is right, and whether that page lists this shop's origin.",
+    hint: "See whether the address is right, whether that page lists this shop's origin, and whether it may be framed (X-Frame-Options, frame-ancestors).",
   });
 }
 

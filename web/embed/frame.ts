@@ -86,6 +86,7 @@ export async function mountTexelcast(container: Element, options: MountOptions):
     address,
     answer,
     patienceMs: timeoutMs ?? LONG_PATIENCE_MS,
+    loadedPatienceMs: timeoutMs ? null : PATIENCE_MS,
     onEvent: tell,
     onIgnored: () => {
       ignored += 1;
