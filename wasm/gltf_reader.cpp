@@ -308,20 +308,28 @@ struct UvTransform {
     }
 };
 
-double number_at(const tinygltf::Value& value, const char* key, std::size_t element, double otherwise) {
-    if (!value.IsObject() || !value.Has(key)) return otherwise;
-    const tinygltf::Value& list = value.Get(key);
-    if (!list.IsArray() || element >= list.ArrayLen() || !list.Get(element).IsNumber()) return otherwise;
-    return list.Get(element).GetNumberAsDouble();
+/// The numbers of an extension's member, which keep their values where it is left out: one, or a list of so many. False where it is
+/// none.
+bool read_numbers(const tinygltf::Value& extension, const char* key, double* out, std::size_t count) {
+    if (!extension.Has(key)) return true;
+    const tinygltf::Value& list = extension.Get(key);
+    if (list.IsArray() ? count < 2 || list.ArrayLen() != count : count > 1) return false;
+    for (std::size_t i = 0; i < count; ++i) {
+        const tinygltf::Value& number = count > 1 ? list.Get(i) : list;
+        if (!number.IsNumber()) return false;
+        out[i] = number.GetNumberAsDouble();
+    }
+    return true;
 }
 
-void read_material(const Model& model, const tinygltf::Material& source, Material& material, UvTransform& transform) {
+/// False where what says how the picture lies on the texture coordinates is broken: painted as if it were not there, all would lie elsewhere.
+bool read_material(const Model& model, const tinygltf::Material& source, Material& material, UvTransform& transform) {
     const auto& pbr = source.pbrMetallicRoughness;
     for (int c = 0; c < 4 && static_cast<std::size_t>(c) < pbr.baseColorFactor.size(); ++c) {
         material.base_color_factor[c] = static_cast<float>(pbr.baseColorFactor[static_cast<std::size_t>(c)]);
     }
     const auto& info = pbr.baseColorTexture;
-    if (info.index < 0 || static_cast<std::size_t>(info.index) >= model.textures.size()) return;
+    if (info.index < 0 || static_cast<std::size_t>(info.index) >= model.textures.size()) return true;
     material.tex_coord = info.texCoord > 0 ? static_cast<std::uint32_t>(info.texCoord) : 0;
     const tinygltf::Texture& texture = model.textures[static_cast<std::size_t>(info.index)];
     int image = texture.source;
@@ -339,21 +347,21 @@ void read_material(const Model& model, const tinygltf::Material& source, Materia
             model.samplers[static_cast<std::size_t>(texture.sampler)].magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
     }
     const auto found = info.extensions.find("KHR_texture_transform");
-    if (found == info.extensions.end() || !found->second.IsObject()) return;
+    if (found == info.extensions.end() || !found->second.IsObject()) return true;
     const tinygltf::Value& extension = found->second;
-    if (extension.Has("texCoord") && extension.Get("texCoord").IsNumber()) {
-        material.tex_coord = static_cast<std::uint32_t>(std::max(0, extension.Get("texCoord").GetNumberAsInt()));
-    }
+    double set = material.tex_coord;
     double angle = 0.0;
-    if (extension.Has("rotation") && extension.Get("rotation").IsNumber())
-        angle = extension.Get("rotation").GetNumberAsDouble();
+    double scale[2] = {1.0, 1.0};
+    double offset[2] = {0.0, 0.0};
+    if (!read_numbers(extension, "texCoord", &set, 1) || !read_numbers(extension, "rotation", &angle, 1) ||
+        !read_numbers(extension, "scale", scale, 2) || !read_numbers(extension, "offset", offset, 2))
+        return false;
+    material.tex_coord = static_cast<std::uint32_t>(std::min(std::max(0.0, set), 1e9));
     double sine = 0.0;
     double cosine = 1.0;
     if (std::fabs(angle) <= 1e6) exact_sin_cos(angle, sine, cosine);
-    const double scale_x = number_at(extension, "scale", 0, 1.0);
-    const double scale_y = number_at(extension, "scale", 1, 1.0);
-    transform = {cosine * scale_x, sine * scale_y,   number_at(extension, "offset", 0, 0.0),
-                 -sine * scale_x,  cosine * scale_y, number_at(extension, "offset", 1, 0.0)};
+    transform = {cosine * scale[0], sine * scale[1], offset[0], -sine * scale[0], cosine * scale[1], offset[1]};
+    return true;
 }
 
 // ---- Nodes ----------------------------------------------------------------------------------------------------------
@@ -458,8 +466,9 @@ TxcStatus joint_matrices(const Model& model, int skin_index, const std::vector<g
         }
     }
     out.clear();
-    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-        const int joint = skin.joints[j];
+    // Of a skin without any the first is looked for, too.
+    for (std::size_t j = 0; j < std::max<std::size_t>(skin.joints.size(), 1); ++j) {
+        const int joint = skin.joints.empty() ? -1 : skin.joints[j];
         if (joint < 0 || static_cast<std::size_t>(joint) >= model.nodes.size())
             return fail(TXC_STATUS_BAD_MODEL, "skins[%d]: there is no joint nodes[%d]", skin_index, joint);
         glm::dmat4 bind(1.0);
@@ -593,7 +602,7 @@ TxcStatus skin_vertices(Reader& reader, const tinygltf::Primitive& primitive, co
         if (total[v] > 0.0)
             out[v] /= total[v];
         else
-            out[v] = joints.empty() ? glm::dmat4(1.0) : joints[0];
+            out[v] = joints[0];
     }
     return TXC_STATUS_OK;
 }
@@ -759,8 +768,10 @@ TxcStatus read_gltf(const std::uint8_t* bytes, std::uint32_t byte_count, MemoryB
     out_mesh = Mesh{};
     out_mesh.materials.resize(model.materials.size() + 1);  // the last one is glTF's implied default
     std::vector<UvTransform> uv_transforms(out_mesh.materials.size());
-    for (std::size_t m = 0; m < model.materials.size(); ++m)
-        read_material(model, model.materials[m], out_mesh.materials[m], uv_transforms[m]);
+    for (std::size_t m = 0; m < model.materials.size(); ++m) {
+        if (!read_material(model, model.materials[m], out_mesh.materials[m], uv_transforms[m]))
+            return fail(TXC_STATUS_BAD_MODEL, "materials[%zu]: KHR_texture_transform", m);
+    }
 
     std::vector<glm::dmat4> global;
     std::vector<std::size_t> scene_nodes;

@@ -21,6 +21,8 @@ const STRANGE: readonly JsonValue[] = [-1, 0.5, 1e9, "x", null, true, [], {}, [n
 
 type Step = string | number;
 
+const TRANSFORM = ["materials", 0, "pbrMetallicRoughness", "baseColorTexture", "extensions", "KHR_texture_transform"];
+
 /** Every member, and the first two elements of every list. */
 function placesIn(value: JsonValue | undefined, path: readonly Step[] = []): (readonly Step[])[] {
   if (typeof value !== "object" || value === null) return [];
@@ -132,6 +134,8 @@ describe("a model whose JSON has a wrong value somewhere", () => {
     [["nodes", 0, "rotation"], [0, 0, 0, 0], "nodes[0].rotation"],
     [["materials", 0, "pbrMetallicRoughness", "baseColorTexture"], {}, "baseColorTexture.index"],
     [["materials", 0, "pbrMetallicRoughness", "baseColorTexture"], 0, "baseColorTexture"],
+    [[...TRANSFORM, "scale"], ["a", 1], `${TRANSFORM.at(-1)}.scale`],
+    [[...TRANSFORM, "rotation"], "90", `${TRANSFORM.at(-1)}.rotation`],
   ])("is refused by the engine, for the page and the program alike, where %j is %j", async (place, value, field) => {
     const { json, binary } = manySidedModel();
     const bytes = writeGlb(withValue(json, place, value), binary);

@@ -189,6 +189,17 @@ TEST_CASE("A vertex that names a joint the skin does not have is an error, on ev
     }
 }
 
+TEST_CASE("A skin without joints is an error, also where no vertex has a weight") {
+    GlbBuilder glb;
+    const std::string weights = text(R"("WEIGHTS_0":%d)", glb.floats(std::vector<float>(12, 0.0f), 4));
+    glb.mesh(skinned_primitive(glb, Bytes(12, 0), kUnsignedByte, weights));
+    glb.add("nodes", R"({"mesh":0,"skin":0})");
+    glb.add("skins", R"({"joints":[]})");
+    const ReadModel model = try_read(glb.glb());
+    CHECK(model.status == TXC_STATUS_BAD_MODEL);
+    CHECK(model.detail == "skins[0]: there is no joint nodes[-1]");
+}
+
 TEST_CASE("A skin with fewer inverse bind matrices than joints is an error") {
     GlbBuilder glb;
     const std::string weights = text(R"("WEIGHTS_0":%d)", glb.floats(kWeights, 4));

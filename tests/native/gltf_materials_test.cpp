@@ -53,6 +53,20 @@ TEST_CASE("The base colour texture names the UV set") {
     CHECK(near(model.mesh.uvs.at(3), 0.5, 0.5));
 }
 
+TEST_CASE(
+    "A texture transform that is none refuses the model by its material: painted without it, all would lie elsewhere") {
+    for (const char* transform :
+         {R"("scale":["a",1])", R"("scale":[1])", R"("scale":2)", R"("offset":[0,null])", R"("offset":{"x":1})",
+          R"("rotation":"90")", R"("rotation":[1])", R"("texCoord":true)"}) {
+        const ReadModel model = try_read(
+            with_material(base_texture(text(R"(,"extensions":{"KHR_texture_transform":{%s}})", transform).c_str()))
+                .glb());
+        CAPTURE(std::string(transform));
+        CHECK(model.status == TXC_STATUS_BAD_MODEL);
+        CHECK(model.detail == "materials[0]: KHR_texture_transform");
+    }
+}
+
 TEST_CASE("A material whose UV set the mesh does not have cannot be painted") {
     TestSession session;
     session.load(with_material(base_texture(R"(,"texCoord":2)")).glb());
