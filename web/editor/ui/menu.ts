@@ -119,7 +119,13 @@ export class Menu extends RemElement {
         padding: var(--space-1);
         border: 1px solid var(--line);
         border-radius: var(--radius-large);
-        background: var(--surface-high);
+        /* Where one that is cut off ends between two items, a shade says that it goes on: what moves with the items covers it at the end. */
+        background:
+          linear-gradient(var(--surface-high) 40%, transparent) top / 100% 1.5rem no-repeat local,
+          linear-gradient(transparent, var(--surface-high) 60%) bottom / 100% 1.5rem no-repeat local,
+          linear-gradient(var(--line), transparent) top / 100% 0.75rem no-repeat scroll,
+          linear-gradient(transparent, var(--line)) bottom / 100% 0.75rem no-repeat scroll,
+          var(--surface-high);
         color: inherit;
         box-shadow: var(--shadow);
       }
