@@ -8,7 +8,19 @@ import { describeValue, formatPath } from "../web/editor/document/design-problem
 const optional = <Schema extends v.GenericSchema>(schema: Schema) => v.optional(schema);
 const numeric = v.number("must be a number");
 /** Of any realm: test runners give each file its own Uint8Array. */
-const isBytes = (value: unknown): boolean => types.isUint8Array(value);
+const isBytes = (value: unknown): boolean => types.isUint8Array(value) && !isHandedOn(value);
+
+/** Whether an array's memory went to another thread with a message, which leaves an array of nothing. */
+function isHandedOn({ buffer, length }: Uint8Array): boolean {
+  if (length > 0) return false;
+  try {
+    void new Uint8Array(buffer);
+    return false;
+  } catch {
+    return true;
+  }
+}
+
 const isObject = (value: unknown): value is object => typeof value === "object" && value !== null;
 
 const MODEL =
@@ -61,14 +73,14 @@ function told(issue: v.BaseIssue<unknown>): string {
   return issue.expected === "Object" ? "must be an object with `model` and `design`" : "is missing";
 }
 
-/** @throws TexelcastError "bad-argument" */
-export const checkRenderArguments = (options: unknown): void => check(renderOptions, options);
-/** @throws TexelcastError "bad-argument" */
-export const checkCheckArguments = (options: unknown): void => check(checkOptions, options);
+/** The options as an object's own, inherited ones and getters too. @throws TexelcastError "bad-argument" */
+export const checkRenderArguments = <Options>(options: Options): Options => check(renderOptions, options);
+/** As `checkRenderArguments`. @throws TexelcastError "bad-argument" */
+export const checkCheckArguments = <Options>(options: Options): Options => check(checkOptions, options);
 
-function check(schema: v.GenericSchema, options: unknown): void {
+function check<Options>(schema: v.GenericSchema, options: Options): Options {
   const result = v.safeParse(schema, options, { abortEarly: true });
-  if (result.success) return;
+  if (result.success) return result.output as Options;
   const [issue] = result.issues;
   const path = (issue.path ?? []).map(({ key }) => key as string | number);
   // Of an option that there is not, the input is its name.
@@ -79,13 +91,14 @@ function check(schema: v.GenericSchema, options: unknown): void {
 /** Bytes that a reader of assets gave; null: it has no such file. @throws TexelcastError "bad-argument" */
 export function checkAssetBytes(given: unknown, uri: string): Uint8Array | null {
   if (given === null || given === undefined) return null;
-  if (types.isUint8Array(given)) return given;
+  if (types.isUint8Array(given) && isBytes(given)) return given;
   throw badArgument("assets", `must give a Uint8Array or null for ${describeValue(uri)}`, given);
 }
 
 function badArgument(field: string, message: string, value: unknown): TexelcastError {
   const kind = isObject(value) && !Array.isArray(value) ? value.constructor?.name : "Object";
-  const found = kind === undefined || kind === "Object" ? describeValue(value) : kind;
+  const plain = kind === undefined || kind === "Object" ? describeValue(value) : kind;
+  const found = types.isUint8Array(value) ? "a Uint8Array whose memory was handed to another thread" : plain;
   return new TexelcastError("bad-argument", `${field}: ${message}, is ${found}`, {
     field,
     value: found,

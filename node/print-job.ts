@@ -2,6 +2,7 @@
 import { checkAsset } from "../web/editor/document/asset-check.ts";
 import type { Design } from "../web/editor/document/index.ts";
 import type { EngineLayer, ModelInfo, ModelSource } from "../web/engine/engine-api.ts";
+import { cancelled } from "../web/engine/engine-faults.ts";
 import type { EngineHost } from "../web/engine/engine-host.ts";
 import { fontsOf, picturesOf } from "../web/engine/layer-picture.ts";
 import type { PrintZones } from "../web/engine/print-zones.ts";
@@ -20,6 +21,8 @@ export interface PrintJob {
   /** Bytes of one of the design's pictures or fonts. */
   readonly readAsset: (key: string) => Promise<{ readonly name: string; readonly bytes: Uint8Array }>;
   readonly zones: PrintZones | null;
+  /** Who has enough of it waits for no file any more. */
+  readonly signal?: AbortSignal | undefined;
 }
 
 /** Runs `use` on an engine that has the model, the pictures, the layers and the zones; what it reports is thrown. */
@@ -53,8 +56,24 @@ export async function withPrintJob<Result>(
 const UNLIMITED = { bytes: Number.POSITIVE_INFINITY, megapixels: Number.POSITIVE_INFINITY };
 
 /** What the page would not take is not printed either, whoever wrote the design; what it takes is the same bytes. */
-async function readChecked({ design, readAsset }: PrintJob, key: string): ReturnType<PrintJob["readAsset"]> {
-  const { name, bytes } = await readAsset(key);
+async function readChecked({ design, readAsset, signal }: PrintJob, key: string): ReturnType<PrintJob["readAsset"]> {
+  const { name, bytes } = await unlessCancelled(signal, () => readAsset(key));
   const asset = design.assets[key];
   return { name, bytes: asset === undefined ? bytes : await checkAsset(key, asset, bytes, UNLIMITED, name) };
+}
+
+/** What `work` gives, which is not begun where the signal is aborted already, and not waited for once it is. */
+async function unlessCancelled<Result>(signal: AbortSignal | undefined, work: () => Promise<Result>): Promise<Result> {
+  if (signal === undefined) return work();
+  if (signal.aborted) throw cancelled();
+  let stop = (): void => {};
+  const end = new Promise<never>((_, reject) => {
+    stop = () => reject(cancelled());
+  });
+  signal.addEventListener("abort", stop);
+  try {
+    return await Promise.race([work(), end]);
+  } finally {
+    signal.removeEventListener("abort", stop);
+  }
 }

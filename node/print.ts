@@ -8,6 +8,7 @@ import { formatPath } from "../web/editor/document/design-problem.ts";
 import { type Design, parseDesign, parseZones, resolveLayers } from "../web/editor/document/index.ts";
 import { checkPrintOptions } from "../web/engine/check-print-options.ts";
 import type { ModelSource } from "../web/engine/engine-api.ts";
+import { cancelled } from "../web/engine/engine-faults.ts";
 import { materialsIn } from "../web/engine/layer-tree.ts";
 import type { PrintFile, PrintFileOptions, PrintReport } from "../web/engine/print-report.ts";
 import { checkAssetBytes, checkCheckArguments, checkRenderArguments } from "./print-arguments.ts";
@@ -44,6 +45,7 @@ export interface PrintSubject {
 }
 
 export interface RenderPrintOptions extends PrintSubject, PrintFileOptions {
+  /** Ends the print as "cancelled", also while it waits for the design's files. */
   readonly signal?: AbortSignal;
   /** 0 to 1. */
   readonly onProgress?: (share: number) => void;
@@ -61,11 +63,11 @@ export interface CheckPrintOptions extends PrintSubject {
  * being painted), "missing-file" (an asset), "bad-picture", "bad-argument", "bad-size", "out-of-budget", "cancelled".
  */
 export async function renderPrint(options: RenderPrintOptions): Promise<PrintFile> {
-  checkRenderArguments(options);
-  const { model, design, assets, zones, signal, onProgress, ...print } = options;
+  const { model, design, assets, zones, signal, onProgress, ...print } = checkRenderArguments(options);
   checkPrintOptions(print);
+  if (signal?.aborted) throw cancelled();
   const job = await printJob({ model, design, ...(assets && { assets }), zones });
-  return withPrintJob(job, (engine, info) => {
+  return withPrintJob({ ...job, signal }, (engine, info) => {
     checkPrintedMaterial(info, print, job.zones, { material: { file: info.name, field: "material" }, zones: "zones" });
     return engine.exportPrint(print, onProgress, signal);
   });
@@ -73,8 +75,7 @@ export async function renderPrint(options: RenderPrintOptions): Promise<PrintFil
 
 /** Measures what becomes of each layer on the surface (docs/print-truth.md). Throws as `renderPrint` does. */
 export async function checkPrint(options: CheckPrintOptions): Promise<PrintReport> {
-  checkCheckArguments(options);
-  const { size, ...subject } = options;
+  const { size, ...subject } = checkCheckArguments(options);
   const job = await printJob(subject);
   return withPrintJob(job, async (engine, info) => {
     if (size === undefined) return engine.printReport();
