@@ -91,7 +91,9 @@ export function parseRenderOutput(text: string): RenderOutput {
 
 /** The picture's path for one material. */
 export function fileOfMaterial(file: string, material: number): string {
-  return path.join(path.dirname(file), path.basename(file).replaceAll(MATERIAL_IN_NAME, String(material)));
+  const name = path.basename(file);
+  // Not by `path.join`, to which a link to a folder and a way up behind it are none.
+  return file.slice(0, file.length - name.length) + name.replaceAll(MATERIAL_IN_NAME, String(material));
 }
 
 /** A path that is not empty, and no option that stands where a path was forgotten. */

@@ -1,6 +1,15 @@
 /** Where results go: what may be replaced, what it keeps, and what is told before any work is done. */
 import { spawnSync } from "node:child_process";
-import { chmodSync, existsSync, mkdirSync, readdirSync, statSync, symlinkSync, writeFileSync } from "node:fs";
+import {
+  chmodSync,
+  existsSync,
+  lstatSync,
+  mkdirSync,
+  readdirSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import path from "node:path";
 import { describe, expect, it } from "vitest";
 import { planeGlb } from "./plane-model.ts";
@@ -49,6 +58,58 @@ describe("an output that was there before", () => {
     expect(await render(folder, "x.png")).toMatchObject({ code: 0 });
     expect(statSync(file).size).toBeGreaterThan(3);
     expect(statSync(file).mode & 0o777).toBe(0o600);
+  });
+});
+
+describe.skipIf(process.platform === "win32")("an output that is a link", () => {
+  /** "x.png" is the link; a target that begins with "/" stands for its whole path. */
+  function folderWithLink(target: string): string {
+    const folder = folderWith([]);
+    mkdirSync(path.join(folder, "approved"));
+    symlinkSync(target.startsWith("/") ? path.join(folder, target) : target, path.join(folder, "x.png"));
+    return folder;
+  }
+
+  it.each([
+    ["a file", "approved/a.png", "old"],
+    ["a file that is not there yet", "approved/a.png", null],
+    ["a file by its whole path", "/approved/a.png", "old"],
+    ["another link to a file that is not there yet", "second.png", null],
+  ])("stays one, and what it leads to is written: %s", async (_what, target, before) => {
+    const folder = folderWithLink(target);
+    const link = path.join(folder, "x.png");
+    if (target === "second.png") symlinkSync("approved/../approved/a.png", path.join(folder, target));
+    const file = path.join(folder, "approved/a.png");
+    if (before !== null) writeFileSync(file, before);
+    const run = await render(folder, "x.png");
+    expect(run).toMatchObject({ code: 0, stderr: "" });
+    expect(run.stdout).toMatch(/^x\.png: /);
+    expect(lstatSync(link).isSymbolicLink()).toBe(true);
+    expect(statSync(file).size).toBeGreaterThan(3);
+    expect(readdirSync(path.join(folder, "approved"))).toEqual(["a.png"]);
+  });
+
+  it("is told by its own name where it leads round in a ring", async () => {
+    const folder = folderWithLink("x.png");
+    const { code, stderr } = await render(folder, "x.png");
+    expect(stderr).toMatch(/^texelcast: x\.png: cannot be written: ELOOP: [^\n]+\n {2}[^\n]+\n$/);
+    expect(code).toBe(3);
+  });
+
+  it("is told by its own name where it leads into a folder's place", async () => {
+    const folder = folderWithLink("plane.glb/a.png");
+    const { code, stderr } = await render(folder, "x.png");
+    expect(stderr).toMatch(/^texelcast: x\.png: cannot be written: "[^"\n]*plane\.glb" is a file, not a folder\n/);
+    expect(code).toBe(3);
+  });
+
+  it("may be in its path as a folder, with a way up behind it", async () => {
+    const folder = folderWithLink("approved/a.png");
+    mkdirSync(path.join(folder, "approved/maps"));
+    symlinkSync("approved/maps", path.join(folder, "maps"));
+    expect(await render(folder, "maps/../b.png")).toMatchObject({ code: 0, stderr: "" });
+    expect(readdirSync(path.join(folder, "approved")).sort()).toEqual(["b.png", "maps"]);
+    expect(existsSync(path.join(folder, "b.png"))).toBe(false);
   });
 });
 

@@ -1,4 +1,4 @@
-import { readdirSync } from "node:fs";
+import { existsSync, readdirSync, writeFileSync } from "node:fs";
 import { access, open } from "node:fs/promises";
 import path from "node:path";
 import { afterEach, expect, it, vi } from "vitest";
@@ -11,6 +11,7 @@ vi.mock("node:fs/promises", async (original) => {
 });
 afterEach(() => {
   vi.restoreAllMocks();
+  for (const mocked of [access, open]) vi.mocked(mocked).mockReset();
 });
 
 it("a signal that comes while a file is being opened leaves none behind", async () => {
@@ -37,4 +38,38 @@ it("a folder that may not be written to is told of before the work is done", asy
     subject: file,
     message: `cannot be written: the folder ${JSON.stringify(folder)} takes no files: EACCES: permission denied`,
   });
+});
+
+it("a file that may not be written to is told of before the work is done, though its folder could take another in its place", async () => {
+  const folder = temporaryFolder();
+  const file = path.join(folder, "approved.png");
+  writeFileSync(file, "approved");
+  const { access: realAccess } = await vi.importActual<typeof import("node:fs/promises")>("node:fs/promises");
+  vi.mocked(access).mockImplementation(async (place, mode) => {
+    if (place === file) throw new Error(`EACCES: permission denied, access '${file}'`);
+    await realAccess(place, mode);
+  });
+  await expect(checkOutputFile(file)).rejects.toMatchObject({
+    code: "cannot-write",
+    subject: file,
+    message: "cannot be written: there is a file of that name that may not be written to: EACCES: permission denied",
+  });
+});
+
+it("a signal that comes while files take their places finds all of them there, or none", async () => {
+  const folder = temporaryFolder();
+  const places = Array.from({ length: 8 }, (_, index) => path.join(folder, `${index}.npy`));
+  vi.spyOn(process, "kill").mockReturnValue(true);
+  const files = new PendingFiles();
+  for (const place of places) await files.write(place, Uint8Array.of(1));
+  let isDone = false;
+  const done = files.commit().catch(() => {});
+  void done.then(() => {
+    isDone = true;
+  });
+  while (!isDone) {
+    if (places.some(existsSync)) process.emit("SIGTERM", "SIGTERM");
+    await new Promise(setImmediate);
+  }
+  expect(readdirSync(folder).length % places.length).toBe(0);
 });
