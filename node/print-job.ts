@@ -34,7 +34,7 @@ export async function withPrintJob<Result>(
   try {
     const errors: Error[] = [];
     engine.onError((error) => errors.push(error));
-    const model = await engine.loadModel(job.model);
+    const model = await namingModel(job.model.name, engine.loadModel(job.model));
     checkFit(model, job.design, job.file);
     const layers: readonly EngineLayer[] = job.layers.filter((layer) => layer.visible);
     for (const key of picturesOf(layers)) await engine.setAsset(key, await readChecked(job, key));

@@ -10,10 +10,7 @@ import {
   resolveLayers,
 } from "../web/editor/document/index.ts";
 import type { EngineLayer } from "../web/engine/engine-api.ts";
-import { decodeText, MAX_FILE_BYTES, readFileBytes, resolveInFolder } from "./read-file.ts";
-
-/** JavaScript holds no longer text in one string on every platform; embedded pictures are the bulk of it. */
-const MAX_DESIGN_BYTES = 256 * 2 ** 20;
+import { decodeText, MAX_FILE_BYTES, MAX_TEXT_BYTES, readFileBytes, resolveInFolder } from "./read-file.ts";
 
 export interface LoadedDesign {
   readonly file: string;
@@ -36,7 +33,7 @@ export async function readDesign(file: string): Promise<LoadedDesign> {
     const project = readProjectFile(await readFileBytes(file, { code: "bad-project", maxBytes: MAX_FILE_BYTES }), file);
     return { file, design: project.design, layers: resolveLayers(project.design), project };
   }
-  const bytes = await readFileBytes(file, { code: "bad-design", maxBytes: MAX_DESIGN_BYTES });
+  const bytes = await readFileBytes(file, { code: "bad-design", maxBytes: MAX_TEXT_BYTES });
   const hint = "A design is a JSON file; give the model first and the design second.";
   const text = decodeText(bytes, { code: "bad-design", what: "the design", file, hint });
   const design = parseDesign(text, file);

@@ -6,6 +6,8 @@ import { systemReason } from "./system-reason.ts";
 
 /** 2 GiB less one byte: Node reads no more in one go. */
 export const MAX_FILE_BYTES = 2 ** 31 - 1;
+/** JavaScript holds no longer text in one string on every platform; of a design, embedded pictures are the bulk of it. */
+export const MAX_TEXT_BYTES = 256 * 2 ** 20;
 
 export interface ReadOptions {
   /** Error code for a file that is there but cannot be used, e.g. "bad-model". */

@@ -4,6 +4,7 @@ import { chosenModel, splitVariant } from "../web/engine/chosen-model.ts";
 import type { ModelSource } from "../web/engine/engine-api.ts";
 import { listSideFiles } from "../web/engine/gltf-container.ts";
 import { isZip } from "../web/engine/zip-signature.ts";
+import { namingModel } from "./name-model.ts";
 import { MAX_FILE_BYTES, readFileBytes, resolveInFolder } from "./read-file.ts";
 
 export interface ReadModel extends ModelSource {
@@ -17,7 +18,11 @@ export interface ReadModel extends ModelSource {
  * @throws TexelcastError "missing-file", "outside-folder", "bad-container", "bad-archive", and "bad-model" for files that cannot be
  * read or are above 2 GiB, together too, and for a variant that is not there.
  */
-export async function readModel(name: string): Promise<ReadModel> {
+export function readModel(name: string): Promise<ReadModel> {
+  return namingModel(name, readParts(name));
+}
+
+async function readParts(name: string): Promise<ReadModel> {
   const file = await fileOf(name);
   const bytes = await readFileBytes(file, { code: "bad-model" });
   if (isZip(bytes)) return { ...(await chosenModel({ name, bytes })), files: [file] };

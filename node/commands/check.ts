@@ -5,7 +5,7 @@ import type { LayerPrint, PrintFinding, PrintReport } from "../../web/engine/pri
 import type { PrintZones } from "../../web/engine/print-zones.ts";
 import { withPrintJob } from "../print-job.ts";
 import { readAsset, readDesign } from "../read-design.ts";
-import { decodeText, readFileBytes } from "../read-file.ts";
+import { decodeText, MAX_TEXT_BYTES, readFileBytes } from "../read-file.ts";
 import { readModel } from "../read-model.ts";
 import { formatCount, formatShare, formatTable, printable } from "../terminal-text.ts";
 
@@ -27,7 +27,7 @@ export async function check(modelFile: string, designFile: string, options: Chec
 
 /** @throws TexelcastError "missing-file", "bad-zones". */
 export async function readZones(file: string): Promise<PrintZones> {
-  const bytes = await readFileBytes(file, { code: "bad-zones" });
+  const bytes = await readFileBytes(file, { code: "bad-zones", maxBytes: MAX_TEXT_BYTES });
   const hint = "A zones file is a JSON file: save it as UTF-8.";
   return parseZones(decodeText(bytes, { code: "bad-zones", what: "the zones file", file, hint }), file);
 }

@@ -1,6 +1,7 @@
-import { mkdirSync, readdirSync, symlinkSync, writeFileSync } from "node:fs";
+import { mkdirSync, readdirSync, readFileSync, symlinkSync, truncateSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { describe, expect, it } from "vitest";
+import { renderPrint } from "../../node/print.ts";
 import { FACING_DOWN, plainPng, planeDocument, planeGlb } from "./plane-model.ts";
 import { type Run, temporaryFolder, texelcast } from "./run-cli.ts";
 
@@ -154,6 +155,35 @@ describe("a model that cannot be used", () => {
     const folder = folderWith({ "model.glb": content });
     expectRefusal(await texelcast(["inspect", "model.glb"], { cwd: folder }), folder, 1, ...told);
     expectRefusal(await texelcast(["bake", "model.glb", "--out", "maps"], { cwd: folder }), folder, 1, ...told);
+  });
+});
+
+describe("a text that is longer than JavaScript holds", () => {
+  /** Half a gibibyte, and on the disk a letter. */
+  function folderWithLongText(name: string, files: Readonly<Record<string, string>> = {}): string {
+    const folder = folderWith({ ...files, [name]: "{" });
+    truncateSync(path.join(folder, name), 2 ** 29);
+    return folder;
+  }
+  const design = JSON.stringify({ format: "texelcast-design", version: 1, layers: [] });
+
+  it("is refused as a model by its name, and what to do is told", async () => {
+    const folder = folderWithLongText("model.gltf");
+    const run = await texelcast(["inspect", "model.gltf"], { cwd: folder });
+    expectRefusal(run, folder, 1, "“model.gltf” is not a sound glTF file: its JSON is longer than", "Save it as .glb");
+  });
+
+  it("is refused as a model whose bytes are given", async () => {
+    const folder = folderWithLongText("model.gltf");
+    const model = { name: "model.gltf", bytes: readFileSync(path.join(folder, "model.gltf")) };
+    const message = expect.stringContaining("its JSON is longer than");
+    await expect(renderPrint({ model, design })).rejects.toMatchObject({ code: "bad-container", message });
+  });
+
+  it("is refused as a zones file, and not for its letters", async () => {
+    const folder = folderWithLongText("zones.json", { "design.json": design });
+    const run = await texelcast(["check", "model.glb", "design.json", "--zones", "zones.json"], { cwd: folder });
+    expectRefusal(run, folder, 2, "zones.json: has 536870912 bytes, the limit is 268435456");
   });
 });
 
