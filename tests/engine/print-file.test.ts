@@ -87,6 +87,20 @@ describe("a print file", () => {
     expect(windows.sha256).toBe(whole.sha256);
   });
 
+  it.each<[number, number]>([
+    [16384, 32],
+    [24, 10000],
+  ])(
+    "is painted by windows where it is longer than a target may be, however few texels it has: %i × %i",
+    async (width, height) => {
+      const engine = await printable();
+      const print = await engine.exportPrint({ size: [width, height] });
+      expect(print).toMatchObject({ width, height });
+      const others = await engine.prints.file({ size: [width, height] }, undefined, undefined, 4096);
+      expect(others.sha256).toBe(print.sha256);
+    },
+  );
+
   it("shows a zone alone, clear outside of it and its bleed", async () => {
     const engine = await printable();
     await engine.setZones({ ...ZONES, zones: [{ ...LEFT_HALF, policy: "warn", bleed: 10 }] });

@@ -2,6 +2,7 @@
  * A texture of any size, painted by windows and given out in bands of rows: never more of it at once than a window and a
  * band. A window has the very texels of the whole but near its borders, so it is painted with a margin that is thrown away.
  */
+import { MAX_SIZE } from "../core/sizes.ts";
 import type { BasePicture } from "./base-picture.ts";
 import { nextTurn } from "./event-loop.ts";
 import type { OpenTarget } from "./open-target.ts";
@@ -10,7 +11,7 @@ import { drawWhole, type PrintContext, withTarget } from "./print-target.ts";
 import type { RasterTarget } from "./raster-size.ts";
 import type { TexelRect } from "./zone-clip.ts";
 
-/** Textures of this many texels are painted in one piece. */
+/** Textures of this many texels are painted in one piece, where the core's targets are as long. */
 const WHOLE_TEXELS = 4096 * 4096;
 /** Side of a window without its margin, texels. */
 const WINDOW_SIDE = 2048;
@@ -38,8 +39,10 @@ export async function paintBands(
 ): Promise<void> {
   const [width, height] = print.size;
   const { rect } = print;
-  const side = print.windowSide ?? (width * height <= WHOLE_TEXELS ? Math.max(width, height) : WINDOW_SIDE);
-  const margin = side >= Math.max(width, height) ? 0 : marginOf(print.size);
+  const longer = Math.max(width, height);
+  const isWhole = width * height <= WHOLE_TEXELS && longer <= MAX_SIZE;
+  const side = print.windowSide ?? (isWhole ? longer : WINDOW_SIDE);
+  const margin = side >= longer ? 0 : marginOf(print.size);
   for (let top = rect.y; top < rect.y + rect.height; top += side) {
     const rows = Math.min(side, rect.y + rect.height - top);
     const band = new Uint8Array(rect.width * rows * 4);
