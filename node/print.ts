@@ -128,7 +128,7 @@ async function readAsset(
 ): Promise<{ name: string; bytes: Uint8Array }> {
   const uri = design.assets[key]?.uri ?? "";
   const field = formatPath(["assets", key, "uri"]);
-  if (/^data:/i.test(uri)) return { name: key, bytes: await readDataUri(uri, DESIGN_NAME, field) };
+  if (/^data:/i.test(uri)) return { name: key, bytes: readDataUri(uri, DESIGN_NAME, field) };
   const given =
     typeof assets === "function" ? await assets(uri, key) : assets.find((asset) => asset.name === uri)?.bytes;
   const bytes = checkAssetBytes(given, uri);

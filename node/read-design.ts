@@ -1,5 +1,6 @@
 /** A design from disk, and the pictures and fonts that it names. */
 import { TexelcastError } from "../web/core/texelcast-error.ts";
+import { decodeDataUri } from "../web/editor/document/data-uri.ts";
 import { formatPath } from "../web/editor/document/design-problem.ts";
 import {
   type Design,
@@ -52,7 +53,7 @@ export async function readAsset(
 ): Promise<{ name: string; bytes: Uint8Array }> {
   const uri = design.assets[key]?.uri ?? "";
   const field = formatPath(["assets", key, "uri"]);
-  if (/^data:/i.test(uri)) return { name: `${file}: ${field}`, bytes: await readDataUri(uri, file, field) };
+  if (/^data:/i.test(uri)) return { name: `${file}: ${field}`, bytes: readDataUri(uri, file, field) };
   const inside = project?.assetBytes(uri);
   if (inside !== undefined) return { name: `${file}: ${uri}`, bytes: inside };
   const target = await resolveInFolder(uri, { file, field });
@@ -72,10 +73,9 @@ export async function assetFilesOf({ file, design, project }: LoadedDesign): Pro
 }
 
 /** @throws TexelcastError "bad-design" for an address that is broken. */
-export async function readDataUri(uri: string, file: string, field: string): Promise<Uint8Array> {
+export function readDataUri(uri: string, file: string, field: string): Uint8Array {
   try {
-    // Node's own fetch knows the format to the letter, and asks no network for it.
-    return new Uint8Array(await (await fetch(uri)).arrayBuffer());
+    return decodeDataUri(uri, field);
   } catch (cause) {
     throw new TexelcastError("bad-design", `${field}: is not a valid data: address`, {
       subject: file,

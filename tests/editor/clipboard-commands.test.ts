@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { encodeDataUri } from "../../web/editor/document/data-uri.ts";
 import {
   type Design,
   type DesignAsset,
@@ -8,7 +9,6 @@ import {
   makeTextLayer,
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
-import { encodeDataUri } from "../../web/editor/files/data-uri.ts";
 import type { Admission } from "../../web/editor/state/admission.ts";
 import type { AssetLibrary } from "../../web/editor/state/asset-library.ts";
 import { ClipboardCommands, type ClipboardCommandsParts } from "../../web/editor/state/clipboard-commands.ts";

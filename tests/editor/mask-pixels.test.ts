@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { decodeDataUri, encodeDataUri } from "../../web/editor/document/data-uri.ts";
 import {
   type DecalLayer,
   type Design,
@@ -10,7 +11,6 @@ import {
   makePaintLayer,
   makeStrokeLayer,
 } from "../../web/editor/document/index.ts";
-import { decodeDataUri, encodeDataUri } from "../../web/editor/files/data-uri.ts";
 import { OpenWork } from "../../web/editor/state/open-work.ts";
 import { stringsIn } from "../../web/editor/strings.ts";
 import { CLEAR } from "../../web/editor/tools/pixel-canvas.ts";

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
+import { encodeDataUri } from "../../web/editor/document/data-uri.ts";
 import { emptyDesign, makeDecalLayer } from "../../web/editor/document/index.ts";
-import { encodeDataUri } from "../../web/editor/files/data-uri.ts";
 import { type ProjectToPack, packProject, unpackProject } from "../../web/editor/files/project-packing.ts";
 import { FRONT } from "../support/layers.ts";
 

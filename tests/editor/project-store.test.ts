@@ -2,6 +2,7 @@ import "fake-indexeddb/auto";
 import { forceCloseDatabase, IDBFactory } from "fake-indexeddb";
 import { openDB } from "idb";
 import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { encodeDataUri } from "../../web/editor/document/data-uri.ts";
 import {
   type Design,
   makeGroupLayer,
@@ -10,7 +11,6 @@ import {
   parseDesign,
   serialiseDesign,
 } from "../../web/editor/document/index.ts";
-import { encodeDataUri } from "../../web/editor/files/data-uri.ts";
 import type { ModelRef } from "../../web/editor/state/design-state.ts";
 import { ProjectPacker } from "../../web/editor/storage/packed-project.ts";
 import type { ProjectContent } from "../../web/editor/storage/project.ts";

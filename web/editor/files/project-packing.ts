@@ -1,8 +1,8 @@
 /** What the page and the worker that packs and unpacks projects and archives say to each other. */
 import type { TexelcastErrorJson } from "../../core/texelcast-error.ts";
+import { decodeDataUri } from "../document/data-uri.ts";
 import { type ProjectFile, type ProjectToWrite, readProjectFile, writeProjectFile } from "../document/index.ts";
 import type { UnzippedFile } from "./archive-files.ts";
-import { decodeDataUri } from "./data-uri.ts";
 
 /** A project whose pictures and fonts are inside the design, as `data:` URIs. */
 export type ProjectToPack = Omit<ProjectToWrite, "assetBytes">;

@@ -3,8 +3,8 @@ import { parseUrl } from "../../core/parse-url.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { findCompanion } from "../../engine/companion-files.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
+import { decodeDataUri } from "../document/data-uri.ts";
 import type { Design, DesignAsset } from "../document/design.ts";
-import { decodeDataUri } from "../files/data-uri.ts";
 import { bytesOf } from "../files/file-bytes.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 

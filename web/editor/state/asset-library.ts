@@ -91,7 +91,7 @@ export class AssetLibrary {
   async addFont(fileName: string, bytes: Uint8Array): Promise<LibraryFont> {
     const { readFontHeader } = await import("../../engine/font-file.ts");
     const type = `font/${readFontHeader(bytes, fileName).format}` as const;
-    const { encodeDataUri } = await import("../files/data-uri.ts");
+    const { encodeDataUri } = await import("../document/data-uri.ts");
     const uri = encodeDataUri(type, bytes);
     return await this.#take(uri, async (count) => {
       const engineKey = `font-${count}`;
@@ -108,7 +108,7 @@ export class AssetLibrary {
   async add(name: string, bytes: Uint8Array): Promise<LibraryPicture> {
     const { readPictureHeader } = await import("../../engine/picture-header.ts");
     const type = isSvg(bytes) ? "image/svg+xml" : (`image/${(await readPictureHeader(bytes, name)).format}` as const);
-    const { encodeDataUri } = await import("../files/data-uri.ts");
+    const { encodeDataUri } = await import("../document/data-uri.ts");
     const uri = encodeDataUri(type, bytes);
     return await this.#take(uri, async (count) => {
       const engineKey = `picture-${count}`;
@@ -194,7 +194,7 @@ export class AssetLibrary {
   }
 
   async #giveAgain(uri: string, kept: Kept | undefined, name: string, type: string): Promise<void> {
-    const { decodeDataUri } = await import("../files/data-uri.ts");
+    const { decodeDataUri } = await import("../document/data-uri.ts");
     const bytes = decodeDataUri(uri, name);
     if (kept === undefined) {
       const { asset } = await (type.startsWith("font/") ? this.addFont(name, bytes) : this.add(name, bytes));

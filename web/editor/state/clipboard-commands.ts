@@ -102,7 +102,7 @@ export class ClipboardCommands {
   async #admitted(clip: Design): Promise<Design> {
     const { admission, library } = this.#parts;
     if (!admission) return clip;
-    const { decodeDataUri, encodeDataUri } = await import("../files/data-uri.ts");
+    const { decodeDataUri, encodeDataUri } = await import("../document/data-uri.ts");
     const assets: Record<string, DesignAsset> = {};
     for (const [key, asset] of Object.entries(clip.assets)) {
       const { type, uri } = asset;

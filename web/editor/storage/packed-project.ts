@@ -4,9 +4,9 @@
  */
 
 import type { ModelSource } from "../../engine/engine-api.ts";
+import { decodeDataUri, encodeDataUri } from "../document/data-uri.ts";
 import { type Design, type DesignAsset, type DesignLayer, type Mirror, parseDesign } from "../document/index.ts";
 import { assetsOf, flattenLayers, hasRoom } from "../document/layer-tree.ts";
-import { decodeDataUri, encodeDataUri } from "../files/data-uri.ts";
 import type { ModelRef } from "../state/design-state.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";

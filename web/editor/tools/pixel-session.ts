@@ -1,8 +1,8 @@
 /** Begins changes of pixel layers, one after another, and keeps what is read from them. */
 import type { MaterialInfo, ModelInfo, Picture } from "../../engine/engine-api.ts";
 import { decodePicture } from "../../engine/picture-decoder.ts";
+import { decodeDataUri } from "../document/data-uri.ts";
 import { type DecalLayer, type DesignLayer, findLayer, hasRoom, isLocked } from "../document/index.ts";
-import { decodeDataUri } from "../files/data-uri.ts";
 import { PixelGesture, type PixelSource, type PixelStart } from "./pixel-gesture.ts";
 import { type MaskedPixels, type MaskPixels, maskPixelLayer, masksMaterial, pixelLayerFor } from "./pixel-layer.ts";
 import { TexelNeighbours } from "./texel-neighbours.ts";

@@ -1,7 +1,8 @@
 /** A design on its way to a shop: files beside it, each under the hash of what is in it. */
+
+import { decodeDataUri } from "../../editor/document/data-uri.ts";
 import { ASSET_ENDINGS, type Design, type DesignAsset } from "../../editor/document/design.ts";
 import { walkLayers } from "../../editor/document/layer-tree.ts";
-import { decodeDataUri } from "../../editor/files/data-uri.ts";
 import { contentHash } from "../../editor/storage/content-hash.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type { DesignCounts, ExportedAsset, ExportedDesign } from "../element-api.ts";

@@ -1,8 +1,8 @@
 /** A design as a page gives it, made whole and safe: every field checked, every file fetched, looked at and taken in. */
 import { parseUrl } from "../../core/parse-url.ts";
 import { TexelcastError } from "../../core/texelcast-error.ts";
+import { decodeDataUri } from "../../editor/document/data-uri.ts";
 import type { Design, DesignAsset } from "../../editor/document/design.ts";
-import { decodeDataUri } from "../../editor/files/data-uri.ts";
 import type { AssetLibrary } from "../../editor/state/asset-library.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import type { UploadLimits } from "../../engine/upload-check.ts";

@@ -10,14 +10,19 @@ export function encodeDataUri(type: string, bytes: Uint8Array): string {
   return `data:${type};base64,${btoa(binary)}`;
 }
 
-/** Throws a TexelcastError of code "bad-design" that names `subject`. */
+/**
+ * Throws a TexelcastError of code "bad-design" that names `subject`. A "#" belongs to the data, as a drawing's colours have it that
+ * was not encoded: to `fetch` it would be the data's end.
+ */
 export function decodeDataUri(uri: string, subject: string): Uint8Array<ArrayBuffer> {
   const comma = uri.indexOf(",");
-  if (!uri.startsWith("data:") || comma < 0) throw malformed(subject);
-  const body = uri.slice(comma + 1);
+  if (!/^data:/i.test(uri) || comma < 0) throw malformed(subject);
   try {
-    if (/;base64$/i.test(uri.slice(5, comma))) return bytesOf(atob(body));
-    return bytesOf(body.replace(/%([0-9a-f]{2})/gi, (_, hex: string) => String.fromCharCode(Number.parseInt(hex, 16))));
+    const body = uri
+      .slice(comma + 1)
+      .replace(/[\u0080-\uffff]+/g, encodeURIComponent)
+      .replace(/%([0-9a-f]{2})/gi, (_, hex: string) => String.fromCharCode(Number.parseInt(hex, 16)));
+    return bytesOf(/; *base64$/i.test(uri.slice(0, comma)) ? atob(body) : body);
   } catch (cause) {
     throw malformed(subject, cause);
   }
