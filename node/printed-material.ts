@@ -13,6 +13,12 @@ export interface PrintNames {
 
 const DEFAULT_MATERIAL = 0;
 
+/** The index of the material that is printed: its zone's, the one that is asked for, or the first. */
+export function printedMaterial({ material, zone }: PrintFileOptions, zones: PrintZones | null): number {
+  const ofZone = zone === undefined ? undefined : zones?.zones.find(({ id }) => id === zone)?.material;
+  return ofZone ?? material ?? DEFAULT_MATERIAL;
+}
+
 /**
  * A zone says itself on which material it is; of one that is not there the engine tells.
  *

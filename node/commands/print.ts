@@ -1,9 +1,11 @@
 /** `texelcast print`: a design on a model as a file for the printer. */
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
+import { materialsIn } from "../../web/engine/layer-tree.ts";
 import { isSizedTwice } from "../../web/engine/print-options.ts";
 import type { PrintFileOptions } from "../../web/engine/print-report.ts";
+import { missingCharacters } from "../missing-characters.ts";
 import { withPrintJob } from "../print-job.ts";
-import { checkPrintedMaterial } from "../printed-material.ts";
+import { checkPrintedMaterial, printedMaterial } from "../printed-material.ts";
 import { Progress } from "../progress.ts";
 import { assetFilesOf, readAsset, readDesign } from "../read-design.ts";
 import { readModel } from "../read-model.ts";
@@ -37,15 +39,19 @@ export async function print(modelFile: string, designFile: string, options: Prin
   const progress = new Progress();
   const files = new PendingFiles();
   try {
-    const file = await withPrintJob(job, (engine, info) => {
+    const { file, missing } = await withPrintJob(job, async (engine, info) => {
       checkPrintedMaterial(info, rest, zones, { zones: zonesFile ?? "" });
-      return engine.exportPrint(wanted, (share) => progress.report("Printing", share));
+      const file = await engine.exportPrint(wanted, (share) => progress.report("Printing", share));
+      const material = printedMaterial(rest, zones);
+      const printed = job.layers.filter((layer) => layer.visible && materialsIn(layer).includes(material));
+      return { file, missing: await missingCharacters(engine, printed) };
     }).catch((error: unknown) => {
       throw namingOptions(error, zonesFile);
     });
     await files.write(out, file.bytes);
     await files.commit();
     progress.end();
+    process.stderr.write(missing);
     const dpi = file.dpi.map((dots) => dots.toFixed(0)).join(" x ");
     const what = `${file.width} x ${file.height} pixels, ${dpi} DPI, ${formatCount(file.bytes.length)} bytes`;
     process.stdout.write(`${printable(out)}: ${what}\nsha256 ${file.sha256}\n`);

@@ -2,10 +2,11 @@
 import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { EngineLayer, ModelInfo, ModelSource, TargetOptions } from "../../web/engine/engine-api.ts";
 import type { EngineHost } from "../../web/engine/engine-host.ts";
-import { allPicturesOf, fontsOf, picturesOf } from "../../web/engine/layer-picture.ts";
+import { fontsOf, picturesOf } from "../../web/engine/layer-picture.ts";
 import { materialsIn } from "../../web/engine/layer-tree.ts";
 import { checkFit, checkPaintable } from "../check-fit.ts";
 import { findMaterial, findPaintable } from "../find-material.ts";
+import { missingCharacters } from "../missing-characters.ts";
 import { namingModel } from "../name-model.ts";
 import { namingText } from "../name-text.ts";
 import { openEngine } from "../open-engine.ts";
@@ -76,7 +77,7 @@ export async function render(modelFile: string | null, designFile: string, optio
     }
     await files.commit();
     progress.end();
-    await warnOfMissingGlyphs(engine, layers);
+    process.stderr.write(await missingCharacters(engine, layers));
     process.stdout.write(lines.join("") || "no material is painted, so there is no picture to write\n");
   } finally {
     progress.end();
@@ -145,17 +146,6 @@ async function setAssets(
   for (const key of fontsOf(layers)) {
     progress.report("Reading fonts");
     await engine.setFont(key, await readAsset(design, key));
-  }
-}
-
-/** A text that lacks characters is drawn, with a sign in their places: whoever prints it must know. */
-async function warnOfMissingGlyphs(engine: EngineHost, layers: readonly EngineLayer[]): Promise<void> {
-  for (const picture of allPicturesOf(layers)) {
-    if (typeof picture === "string") continue;
-    const { missing } = await engine.measureText(picture);
-    if (missing.length === 0) continue;
-    const text = JSON.stringify(picture.text.length > 60 ? `${picture.text.slice(0, 59)}…` : picture.text);
-    process.stderr.write(`texelcast: no font has ${printable(missing.join(" "))}, in the text ${printable(text)}\n`);
   }
 }
 
