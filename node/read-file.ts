@@ -56,7 +56,11 @@ export async function readFileBytes(filePath: string, options: ReadOptions): Pro
     if (cause instanceof TexelcastError) throw cause;
     const { code } = cause as NodeJS.ErrnoException;
     if (code === "ENOENT" || code === "ENOTDIR") {
-      const hint = "Check the name; upper and lower case differ.";
+      // In the place of bytes that are no UTF-8, which arguments lose on their way here.
+      const isLost = filePath.includes("\ufffd");
+      const hint = isLost
+        ? "Its name is not written in UTF-8: rename it."
+        : "Check the name; upper and lower case differ.";
       const value = namedBy === undefined ? {} : { value: namedBy.uri ?? filePath };
       throw new TexelcastError("missing-file", `${about}there is no such file`, { ...details, ...value, hint, cause });
     }

@@ -128,6 +128,14 @@ describe("a file that the user names", () => {
     expect((await refusal(readFileBytes(inside("skin.png/a.glb"), { code: "bad-model" }))).code).toBe("missing-file");
   });
 
+  it("is said to have a name that is no UTF-8 where that is why it is missing: what Node is given of such a name leads nowhere", async () => {
+    // "größe.glb" in Latin-1, as a command's arguments and a folder's list have it.
+    const name = new TextDecoder().decode(Uint8Array.from(Buffer.from("größe.glb", "latin1")));
+    const error = await refusal(readFileBytes(inside(name), { code: "bad-model" }));
+    expect(error.code).toBe("missing-file");
+    expect(error.hint).toBe("Its name is not written in UTF-8: rename it.");
+  });
+
   it("is told as an empty name where a script has given one", async () => {
     expect(await refusal(readFileBytes("", { code: "bad-model" }))).toMatchObject({
       code: "missing-file",
