@@ -3,6 +3,7 @@
  * engine in this thread.
  */
 import { createEngineHost, type EngineHost, type EngineHostOptions } from "../web/engine/engine-host.ts";
+import { checkEngineOptions } from "./print-arguments.ts";
 
 export { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../web/core/texelcast-error.ts";
 export type { CoreSource } from "../web/core/wasm-module.ts";
@@ -18,7 +19,12 @@ export * from "./print.ts";
 
 export type EngineOptions = EngineHostOptions;
 
-/** Starts an engine in this thread. What is wrong with its WebAssembly shows at the first call. */
+/**
+ * Starts an engine in this thread. What is wrong with its WebAssembly shows at the first call.
+ *
+ * @throws TexelcastError "bad-argument"
+ */
 export function createEngine(options: EngineOptions = {}): EngineHost {
+  checkEngineOptions(options);
   return createEngineHost(options);
 }

@@ -1,4 +1,4 @@
-/** What `renderPrint` and `checkPrint` are given, looked at once at the door: callers in plain JavaScript have no types. */
+/** What `renderPrint`, `checkPrint` and `createEngine` are given, looked at once at the door: callers in plain JavaScript have no types. */
 import { types } from "node:util";
 import * as v from "valibot";
 import { MAX_SIZE } from "../web/core/sizes.ts";
@@ -67,6 +67,11 @@ const renderOptions = v.strictObject(
   },
   told,
 );
+const BUDGET = "must be a number of MiB from 1 to 65536";
+const engineOptions = v.looseObject(
+  { memoryBudgetMib: optional(v.pipe(v.number(BUDGET), v.minValue(1, BUDGET), v.maxValue(65_536, BUDGET))) },
+  "must be an object",
+);
 
 function told(issue: v.BaseIssue<unknown>): string {
   if (issue.expected === "never") return "is no option";
@@ -77,6 +82,8 @@ function told(issue: v.BaseIssue<unknown>): string {
 export const checkRenderArguments = <Options>(options: Options): Options => check(renderOptions, options);
 /** As `checkRenderArguments`. @throws TexelcastError "bad-argument" */
 export const checkCheckArguments = <Options>(options: Options): Options => check(checkOptions, options);
+/** Of its WebAssembly the engine tells, once it is loaded. @throws TexelcastError "bad-argument" */
+export const checkEngineOptions = (options: unknown): void => void check(engineOptions, options);
 
 function check<Options>(schema: v.GenericSchema, options: Options): Options {
   const result = v.safeParse(schema, options, { abortEarly: true });

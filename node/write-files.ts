@@ -160,11 +160,14 @@ async function placeOf(target: string): Promise<string> {
   return placeOf(path.isAbsolute(next) ? next : `${path.dirname(target)}${path.sep}${next}`);
 }
 
-/** Gives a file that takes another's place the permissions of that one. */
+/** Gives a file that takes another's place the owner, group and permissions of that one, as far as the system lets it. */
 async function keepMode(file: FileHandle, target: string): Promise<void> {
   const replaced = await stat(target).catch(() => null);
+  if (!replaced?.isFile()) return;
+  // Only the superuser gives files away; a group that one is in, everybody may give them to.
+  await file.chown(replaced.uid, replaced.gid).catch(() => file.chown(-1, replaced.gid).catch(() => {}));
   // Some file systems know no permissions.
-  if (replaced?.isFile()) await file.chmod(replaced.mode & PERMISSIONS).catch(() => {});
+  await file.chmod(replaced.mode & PERMISSIONS).catch(() => {});
 }
 
 async function writing<Result>(target: string, action: () => Promise<Result>): Promise<Result> {

@@ -1,4 +1,4 @@
-import { existsSync, readdirSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { access, open } from "node:fs/promises";
 import path from "node:path";
 import { afterEach, expect, it, vi } from "vitest";
@@ -72,4 +72,27 @@ it("a signal that comes while files take their places finds all of them there, o
     await new Promise(setImmediate);
   }
   expect(readdirSync(folder).length % places.length).toBe(0);
+});
+
+it("a file that takes another's place has that one's owner and group, or at least its group, before a byte is in it", async () => {
+  const file = path.join(temporaryFolder(), "shared.png");
+  writeFileSync(file, "old");
+  const { uid, gid } = statSync(file);
+  const { open: realOpen } = await vi.importActual<typeof import("node:fs/promises")>("node:fs/promises");
+  const asked: unknown[] = [];
+  vi.mocked(open).mockImplementation(async (...args) => {
+    const handle = await realOpen(...args);
+    vi.spyOn(handle, "chown").mockImplementation(async (user, group) => {
+      asked.push([user, group, (await handle.stat()).size]);
+      if (user === uid) throw new Error("EPERM: operation not permitted");
+    });
+    return handle;
+  });
+  const files = new PendingFiles();
+  await files.write(file, Uint8Array.of(1));
+  await files.commit();
+  expect(asked).toEqual([
+    [uid, gid, 0],
+    [-1, gid, 0],
+  ]);
 });
