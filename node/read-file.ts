@@ -121,16 +121,17 @@ export async function resolveInFolder(uri: string, reference: Reference): Promis
   // Macs pack "ü" as a "u" and its dots, which the document has as one letter, and other systems keep names as they are.
   for (const spelling of new Set([name, name.normalize("NFC"), name.normalize("NFD")])) {
     try {
-      const realTarget = await realpath(path.resolve(folder, spelling));
-      if (!contains(await realpath(folder), realTarget))
-        throw outside("is a link that leads outside the folder", putInside);
+      const realFolder = await realpath(folder);
+      const realTarget = await realpath(path.resolve(realFolder, spelling));
+      if (!contains(realFolder, realTarget)) throw outside("is a link that leads outside the folder", putInside);
       return realTarget;
     } catch (cause) {
       if (cause instanceof TexelcastError) throw cause;
     }
   }
   // A name that leads nowhere is told as missing by the read that follows, with the path that was meant.
-  return path.join(folder, name);
+  // Not by `path.join`, which takes a way up behind a link in the folder's own path for none.
+  return `${folder}${path.sep}${path.normalize(name)}`;
 }
 
 function contains(folder: string, target: string): boolean {

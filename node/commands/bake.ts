@@ -52,7 +52,7 @@ const ARRAYS = [vectors("positions"), vectors("normals"), counts("coverage"), co
 /** Writes all of its files, or none. @throws TexelcastError for what cannot be read, painted or written */
 export async function bake(file: string, options: BakeOptions): Promise<void> {
   const { out, gutter } = options;
-  const pathOf = (name: MapView, extension: "npy" | "png"): string => path.join(out, `${name}.${extension}`);
+  const pathOf = (name: MapView, extension: "npy" | "png"): string => inFolder(out, `${name}.${extension}`);
   const outputs = ARRAYS.flatMap(({ name }) => [pathOf(name, "npy"), pathOf(name, "png")]);
   for (const output of outputs) await checkOutputFile(output, [file]);
   const model = await readModel(file);
@@ -85,6 +85,10 @@ export async function bake(file: string, options: BakeOptions): Promise<void> {
     engine.dispose();
   }
 }
+
+/** By `path.join` a way up behind a link to a folder would lead to where the link stands. */
+const inFolder = (folder: string, name: string): string =>
+  folder.includes("..") ? `${folder}${path.sep}${name}` : path.join(folder, name);
 
 function textureSize({ textureSize }: MaterialInfo): Size {
   return textureSize === null ? DEFAULT_SIZE : { width: textureSize[0], height: textureSize[1] };

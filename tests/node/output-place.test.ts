@@ -109,6 +109,9 @@ describe.skipIf(process.platform === "win32")("an output that is a link", () => 
     symlinkSync("approved/maps", path.join(folder, "maps"));
     expect(await render(folder, "maps/../b.png")).toMatchObject({ code: 0, stderr: "" });
     expect(readdirSync(path.join(folder, "approved")).sort()).toEqual(["b.png", "maps"]);
+    const bake = await texelcast(["bake", "plane.glb", "--out", "maps/../baked", "--size", "8"], { cwd: folder });
+    expect(bake).toMatchObject({ code: 0, stderr: "" });
+    expect(readdirSync(path.join(folder, "approved/baked"))).toHaveLength(8);
     expect(existsSync(path.join(folder, "b.png"))).toBe(false);
   });
 });

@@ -109,6 +109,25 @@ describe("a file that a document names", () => {
     expect(target).toBe(inside("skin.png"));
   });
 
+  it("lies beside its document where that is reached by a link and a way up, and not where the link stands", async () => {
+    mkdirSync(inside("releases"));
+    symlinkSync(inside("releases"), path.join(root, "current"));
+    writeFileSync(path.join(root, "skin.png"), "another");
+    writeFileSync(path.join(root, "private.png"), "private");
+    const reference = { file: `${root}/current/../model.gltf` };
+    expect(await resolveInFolder("skin.png", reference)).toBe(inside("skin.png"));
+    const missing = await resolveInFolder("private.png", reference);
+    expect(await refusal(readFileBytes(missing, { code: "bad-model" }))).toMatchObject({ code: "missing-file" });
+  });
+
+  it("is missing where only the way up behind a link that leads out would have it", async () => {
+    mkdirSync(path.join(root, "elsewhere/deep"), { recursive: true });
+    writeFileSync(path.join(root, "elsewhere/lost.png"), "private");
+    symlinkSync(path.join(root, "elsewhere/deep"), inside("up"));
+    const error = await refusal(readFileBytes(await resolve("up/../lost.png"), { code: "bad-model" }));
+    expect(error.code).toBe("missing-file");
+  });
+
   it("is told with the document and the field when it is missing", async () => {
     const file = inside("model.gltf");
     const namedBy = { file, field: "images[0].uri" };
