@@ -27,8 +27,6 @@ export interface CameraRig {
   enclose(box: Box3): void;
   /** Goes there, at once or `eased`. */
   lookAt(eye: Vector3, target: Vector3, eased: boolean): void;
-  /** Goes round by itself, radians, unless a hand is on the view. */
-  turn(angle: number): void;
   /** Whether movements may be animated. */
   setEased(eased: boolean): void;
   /** Brings the camera to its place after `delta` seconds. Returns whether it moved. */
@@ -81,8 +79,6 @@ export class StillRig implements CameraRig {
     this.stand.target.copy(target);
     this.#moved = true;
   }
-
-  turn(): void {}
 
   setEased(): void {}
 

@@ -90,6 +90,7 @@ export class HeldCamera implements HeldRig {
     return () => this.lookAt(eye, target, false);
   }
 
+  /** Goes round by itself, radians, unless a hand is on the view. */
   turn(angle: number): void {
     if (this.controls.currentAction === CameraControls.ACTION.NONE) this.controls.azimuthAngle += angle;
   }

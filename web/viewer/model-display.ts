@@ -1,12 +1,15 @@
 /** What is shown with the model and is no part of its texture: its look, the chart that is pointed at, a marked place. */
-import { Color, Vector3 } from "three";
+import { Color, MathUtils, Vector3 } from "three";
 import { ChartGlow } from "./chart-glow.ts";
 import { type CssColor, readCssColor } from "./css-color.ts";
 import type { ScreenSpace } from "./screen-space.ts";
 import type { ShownModel } from "./shown-model.ts";
-import type { Stage } from "./stage.ts";
+import { LIGHT, type Stage } from "./stage.ts";
 import type { SurfaceChart } from "./surface-charts.ts";
 import type { MapPicture, ModelLook, TexturePlace } from "./viewer-api.ts";
+
+/** Seconds that the turntable takes for one turn. */
+const TURN_SECONDS = 24;
 
 export const USUAL_LOOK: ModelLook = {
   shading: "lit",
@@ -50,8 +53,9 @@ export class ModelDisplay {
 
   setLook(look: ModelLook): void {
     this.#look = look;
-    this.#stage.setLight(look.lightTurn, look.lightStrength);
-    this.#stage.turntable = look.turntable;
+    const { scene } = this.#stage;
+    scene.environmentRotation.y = MathUtils.degToRad(look.lightTurn);
+    scene.environmentIntensity = LIGHT * look.lightStrength;
     if (this.#model !== null) {
       this.#model.look.unlit = look.shading === "unlit";
       this.#model.look.wireframe = look.wireframe;
@@ -94,6 +98,13 @@ export class ModelDisplay {
     this.#chart = null;
     this.#glow.hide();
     this.#placeMarker();
+  }
+
+  /** Radians that the turntable takes the view round the model in so many seconds; 0 while it stands. */
+  turned(seconds: number): number {
+    // Still, too, while a decal is dragged.
+    const turns = this.#look.turntable && this.#root.dataset.gesture === undefined;
+    return turns ? (2 * Math.PI * seconds) / TURN_SECONDS : 0;
   }
 
   beforeFrame(): void {

@@ -118,7 +118,9 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
       setDecals: (decals, selectedId) => gizmo.setDecals(decals, selectedId),
       beforeFrame: (delta) => {
         this.#display.beforeFrame();
-        return this.#clock.advance(delta);
+        const angle = this.#display.turned(delta);
+        if (angle > 0) this.#held.turn(angle);
+        return this.#clock.advance(delta) || angle > 0;
       },
       drawOver: () => this.#display.drawOver(),
       cameraMoved: () => this.#followCamera(),

@@ -126,14 +126,6 @@ export class OrbitCamera implements HeldRig {
     this.#go(OWN_PACE, eased);
   }
 
-  turn(angle: number): void {
-    if (this.#held) return;
-    this.#isUntouched = false;
-    for (const { about } of [this.#goal, this.#shown]) about.theta += angle;
-    this.#placeGoal();
-    this.#jumped = true;
-  }
-
   setEased(eased: boolean): void {
     this.#eased = eased;
   }

@@ -1,7 +1,6 @@
 /** Renderer, scene, camera and the loop that draws a frame only when something asked for one. */
 import {
   type Box3,
-  MathUtils,
   NeutralToneMapping,
   type Object3D,
   PerspectiveCamera,
@@ -26,9 +25,7 @@ import { windowOf } from "./window-of.ts";
 /** A frame costs four times at 3 what it costs at 1.5, and nobody sees it. */
 const MOST_PIXEL_RATIO = 2;
 /** Measured on a matt ball: a colour that faces the camera is shown within 3 of 255 of what was picked. */
-const LIGHT = 0.95;
-/** Seconds that the turntable takes for one turn. */
-const TURN_SECONDS = 24;
+export const LIGHT = 0.95;
 /** After this pause, milliseconds, the picture rests and is drawn with all its pixels. */
 const REST_AFTER = 160;
 
@@ -71,7 +68,6 @@ export class Stage {
   #frameEnd = Number.NEGATIVE_INFINITY;
   #moving = false;
   #inGesture = false;
-  #turntable = false;
   /** Share of the full resolution that the canvas has now. */
   #drawnScale = 1;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
@@ -159,19 +155,6 @@ export class Stage {
     this.requestFrame();
   }
 
-  /** Turns the light about the vertical, degrees; 1 is the usual strength. */
-  setLight(turn: number, strength: number): void {
-    this.scene.environmentRotation.y = MathUtils.degToRad(turn);
-    this.scene.environmentIntensity = LIGHT * strength;
-    this.requestFrame();
-  }
-
-  /** Whether the view goes slowly round the model by itself. */
-  set turntable(value: boolean) {
-    this.#turntable = value;
-    this.requestFrame();
-  }
-
   /** Takes a model's size as the measure of the view: distances, speeds, clipping, shadow. */
   show(model: Object3D, bounds: Box3): void {
     this.scene.add(model);
@@ -255,7 +238,6 @@ export class Stage {
     this.#lastTime = time;
     this.#setScale(this.#moving ? this.#resolution.scale : 1);
     const resized = this.#applySize();
-    const turns = this.#turnTable(delta);
     const moved = this.#rig.update(delta);
     const animates = this.#hooks.beforeFrame(delta);
     this.#fitClipping();
@@ -269,17 +251,9 @@ export class Stage {
     this.#restSoon();
     this.#hooks.afterFrame(moved || resized);
     this.#frameEnd = performance.now();
-    if (moved || animates || turns) {
+    if (moved || animates) {
       this.requestFrame();
     }
-  }
-
-  /** Stands still while the user has a hand on the view. */
-  #turnTable(delta: number): boolean {
-    if (this.#turntable && !this.#inGesture) {
-      this.#rig.turn((2 * Math.PI * delta) / TURN_SECONDS);
-    }
-    return this.#turntable;
   }
 
   #setScale(scale: number): void {
