@@ -2,6 +2,8 @@
 export const GIZMO_STYLE = /* css */ `
 /* A layer of its own: its lines change in each frame of a drag, and what stands beside it in a layer is painted anew with it (svg-overlay.ts). */
 .tcv-overlay { position: absolute; inset: 0; width: 100%; height: 100%; overflow: hidden; pointer-events: none; will-change: transform; contain: strict; }
+/* What it lies on has another place on paper. */
+@media print { .tcv-overlay { display: none; } }
 .tcv-overlay path, .tcv-overlay polyline { fill: none; stroke-linejoin: round; stroke-linecap: round; }
 .tcv-casing { stroke: var(--tcv-casing); stroke-width: 3.5; }
 .tcv-outline { stroke: var(--tcv-accent); stroke-width: 1.75; }

@@ -18,6 +18,7 @@ import { GpuPace } from "./gpu-pace.ts";
 import { GroundLight } from "./ground-light.ts";
 import { LostContext } from "./lost-context.ts";
 import { MotionResolution } from "./motion-resolution.ts";
+import { watchPixelRatio } from "./pixel-ratio.ts";
 import { createStudioEnvironment } from "./studio-environment.ts";
 import { OVERLAY_LAYER } from "./view-layers.ts";
 import { windowOf } from "./window-of.ts";
@@ -57,7 +58,8 @@ export class Stage {
   readonly #bounds = new Sphere(new Vector3(), 1);
   readonly #resize: ResizeObserver;
   readonly #reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
-  readonly #cleanups: (() => void)[] = [];
+  readonly #abort = new AbortController();
+  readonly #theme = new MutationObserver(() => this.#updateTheme());
   readonly #environment = createStudioEnvironment();
   #frameRequest = 0;
   #lastTime = 0;
@@ -94,11 +96,9 @@ export class Stage {
     this.#shadow.mesh.layers.set(OVERLAY_LAYER);
     this.#ground.mesh.layers.set(OVERLAY_LAYER);
 
-    this.#resize = new (windowOf(root).ResizeObserver)(() => {
-      this.#resized = true;
-      this.requestFrame();
-    });
+    this.#resize = new (windowOf(root).ResizeObserver)(this.#fit);
     this.#resize.observe(root);
+    watchPixelRatio(this.#fit, this.#abort.signal);
     this.#listen(this.canvas, "webglcontextlost", (event) => {
       event.preventDefault();
       this.#lost = true;
@@ -218,9 +218,8 @@ export class Stage {
     this.#waiting.end();
     this.#pace.dispose();
     this.#resize.disconnect();
-    for (const cleanup of this.#cleanups) {
-      cleanup();
-    }
+    this.#theme.disconnect();
+    this.#abort.abort();
     this.#rig.dispose();
     this.#shadow.dispose();
     this.#ground.dispose();
@@ -230,6 +229,12 @@ export class Stage {
     this.renderer.forceContextLoss();
     this.canvas.remove();
   }
+
+  /** Its size in the page is another, or how many pixels that has on the screen. */
+  readonly #fit = (): void => {
+    this.#resized = true;
+    this.requestFrame();
+  };
 
   #frame(time: number): void {
     this.#frameRequest = 0;
@@ -301,15 +306,15 @@ export class Stage {
     this.#lost = false;
     this.#waiting.end();
     this.#hooks.contextRestored();
-    this.#resized = true;
-    this.requestFrame();
+    this.#fit();
   }
 
   /** The page's theme reaches the scene through two custom properties: strengths of the shadow and of the ground's light. */
   #watchTheme(): void {
-    const observer = new MutationObserver(() => this.#updateTheme());
-    observer.observe(document.documentElement, { attributes: true, attributeFilter: ["class", "style", "data-theme"] });
-    this.#cleanups.push(() => observer.disconnect());
+    this.#theme.observe(document.documentElement, {
+      attributes: true,
+      attributeFilter: ["class", "style", "data-theme"],
+    });
     this.#listen(matchMedia("(prefers-color-scheme: dark)"), "change", () => this.#updateTheme());
     this.#updateTheme();
   }
@@ -329,9 +334,8 @@ export class Stage {
     this.#ground.strength = read("--viewer-ground", 0);
   }
 
-  #listen<T extends EventTarget>(target: T, type: string, listener: (event: Event) => void): void {
-    target.addEventListener(type, listener);
-    this.#cleanups.push(() => target.removeEventListener(type, listener));
+  #listen(target: EventTarget, type: string, listener: (event: Event) => void): void {
+    target.addEventListener(type, listener, { signal: this.#abort.signal });
   }
 }
 

@@ -12,6 +12,7 @@ import { GpuPace } from "./gpu-pace.ts";
 import { LostContext } from "./lost-context.ts";
 import { scaleOf } from "./page-scale.ts";
 import { PanZoomInput } from "./pan-zoom-input.ts";
+import { watchPixelRatio } from "./pixel-ratio.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import { StampGizmo } from "./stamp-gizmo.ts";
 import { TextureCamera } from "./texture-camera.ts";
@@ -135,6 +136,7 @@ class GlTextureView implements TextureView {
     });
     this.#resize = new (windowOf(root).ResizeObserver)(() => this.#applySize());
     this.#resize.observe(root);
+    watchPixelRatio(() => this.#applySize(), this.#abort.signal);
     this.#watch();
   }
 

@@ -20,5 +20,6 @@ export const VIEW_STYLE = /* css */ `
   content: ""; position: absolute; inset: 2px; border-radius: 6px; pointer-events: none;
   border: 2px solid var(--tcv-accent);
 }
-.tcv-canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; }
+/* On paper the page is laid out anew and nothing is drawn for that: the picture of the screen keeps its proportions there. */
+.tcv-canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; object-fit: contain; }
 `;
