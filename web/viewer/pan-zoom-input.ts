@@ -1,8 +1,9 @@
 /** Wheel, drag, pinch and keys as zoom and pan: for the texture view. */
+
+import { keepFromBrowser } from "./browser-gestures.ts";
 import { ClientCorner } from "./client-corner.ts";
 import type { ScreenPoint } from "./screen-space.ts";
 import type { TextureCamera } from "./texture-camera.ts";
-import { hearTrackpadPinches } from "./trackpad-pinch.ts";
 
 export interface PanZoomHooks {
   changed(): void;
@@ -32,10 +33,11 @@ export class PanZoomInput {
     this.#corner = new ClientCorner(element);
     const { signal } = this.#abort;
     element.addEventListener("wheel", (event) => this.#onWheel(event), { signal, passive: false });
-    hearTrackpadPinches(element, signal);
+    keepFromBrowser(element, signal);
     element.addEventListener("pointerdown", (event) => this.#onDown(event), { signal });
     element.addEventListener("pointermove", (event) => this.#onMove(event), { signal });
-    for (const type of ["pointerup", "pointercancel"] as const) {
+    // Where a dialog came between, no release is told.
+    for (const type of ["pointerup", "pointercancel", "lostpointercapture"] as const) {
       element.addEventListener(type, (event) => this.#onEnd(event), { signal });
     }
     element.addEventListener("dblclick", () => hooks.fit(), { signal });

@@ -4,6 +4,7 @@
  */
 import type { Ray } from "three";
 import type { PictureGrab } from "./box-drag.ts";
+import { keepFromBrowser } from "./browser-gestures.ts";
 import type { DecalGizmo } from "./decal-gizmo.ts";
 import { FrameTask } from "./frame-task.ts";
 import type { DragPointer } from "./gizmo-drag.ts";
@@ -12,7 +13,6 @@ import { heldToAxis } from "./held-to-axis.ts";
 import type { ScreenPoint, ScreenSpace } from "./screen-space.ts";
 import type { SurfaceSample } from "./surface-query.ts";
 import { takesBack } from "./take-back-key.ts";
-import { hearTrackpadPinches } from "./trackpad-pinch.ts";
 import type { ViewerDecal } from "./viewer-api.ts";
 import { windowOf } from "./window-of.ts";
 
@@ -75,7 +75,7 @@ export class ViewInput {
     root.addEventListener("pointercancel", (event) => this.#onCancel(event), early);
     root.addEventListener("lostpointercapture", (event) => this.#onLost(event), early);
     root.addEventListener("pointerleave", () => this.#onLeave(), { signal: this.#abort.signal });
-    hearTrackpadPinches(root, this.#abort.signal);
+    keepFromBrowser(root, this.#abort.signal);
     const window = windowOf(root);
     window.addEventListener("keydown", (event) => this.#onKey(event, true), early);
     window.addEventListener("keyup", (event) => this.#onKey(event, false), early);
@@ -257,13 +257,15 @@ export class ViewInput {
     this.#turns = false;
   }
 
-  /** A dialog came between, or the view was moved: no release will be told, and the decal would hang on the pointer. */
+  /** A dialog came between, or the view was moved: no release will be told, and the decal or the camera would hang on the pointer. */
   #onLost(event: PointerEvent): void {
     if (this.#dragPointer?.pointerId === event.pointerId) {
       this.#gizmo.finish();
       this.#dragPointer = null;
     }
     if (this.#press?.event.pointerId === event.pointerId) this.#press = null;
+    // The camera's controls would go on turning under a pointer that presses nothing.
+    if (this.#turns) this.#root.dispatchEvent(new PointerEvent("pointerup", event));
   }
 
   #onLeave(): void {

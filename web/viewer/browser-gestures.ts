@@ -1,6 +1,8 @@
 /**
- * A pinch on a trackpad in Safari, which tells it by gesture events of its own, as all other browsers tell it: by a wheel with Ctrl.
- * Unheard, the page itself would be zoomed.
+ * What a browser itself would do with a press or a pinch on a view. A press of the middle button would scroll the page from then on
+ * (autoscroll, on Windows), and a press where the page around is selected would take that along and end the view's own drag. A pinch on
+ * a trackpad would zoom the page in Safari, which tells it by gesture events of its own: it is told as all other browsers tell it, by a
+ * wheel with Ctrl.
  */
 import { windowOf } from "./window-of.ts";
 
@@ -13,7 +15,7 @@ interface SafariGesture extends MouseEvent {
 const WHEEL_OF_E = 100;
 
 /** Until `signal`. What listens for a wheel on `element` or around it hears of pinches, too. */
-export function hearTrackpadPinches(element: HTMLElement, signal: AbortSignal): void {
+export function keepFromBrowser(element: HTMLElement, signal: AbortSignal): void {
   const fingers = new Set<number>();
   let before: number | null = null;
   // Fingers on glass make the same events, beside those of their own, which are pinches already.
@@ -27,15 +29,16 @@ export function hearTrackpadPinches(element: HTMLElement, signal: AbortSignal): 
   for (const type of ["pointerup", "pointercancel"] as const)
     window.addEventListener(type, (event) => fingers.delete(event.pointerId), early);
 
-  const hear = (type: string, take: (gesture: SafariGesture) => void): void =>
+  const hear = (type: string, take: (gesture: SafariGesture) => unknown): void =>
     element.addEventListener(
       type,
       (event) => {
-        event.preventDefault();
-        take(event as SafariGesture);
+        if (take(event as SafariGesture) !== false) event.preventDefault();
       },
       { signal },
     );
+  hear("mousedown", ({ button }) => button === 1);
+  hear("dragstart", () => true);
   hear("gesturestart", () => {
     before = fingers.size > 0 ? null : 1;
   });
