@@ -28,6 +28,7 @@ import { THROWN } from "./thrown-kinds.ts";
 import type { BrushRing, ToolInput, ToolSurface } from "./tool-input.ts";
 import { TOOL_STYLE } from "./tool-style.ts";
 import { ViewInHands } from "./view-in-hands.ts";
+import { pictureOf } from "./view-picture.ts";
 import type {
   AnimationState,
   Arrangement,
@@ -146,6 +147,10 @@ class ThreeModelViewer extends ViewInHands implements ModelViewer {
     this.#display.setModel(null);
     model.dispose();
     this.#model = null;
+  }
+
+  async picture(width: number, height: number): Promise<string | null> {
+    return this.#model && pictureOf(this.#stage, width, height);
   }
 
   keepCamera(): () => void {

@@ -174,28 +174,6 @@ export class Stage {
     this.#ground.place(bounds);
   }
 
-  /** The middle of the view in this size, pixels, as a `data:` URI; null while the context is lost. */
-  async picture(width: number, height: number): Promise<string | null> {
-    const { canvas } = this;
-    const small = document.createElement("canvas");
-    small.width = width;
-    small.height = height;
-    const context = small.getContext("2d");
-    if (this.#lost || context === null) {
-      return null;
-    }
-    // What was drawn before is gone from the canvas; what is drawn now is there until this turn ends.
-    this.renderer.render(this.scene, this.camera);
-    const scale = Math.max(width / canvas.width, height / canvas.height);
-    const [drawnWidth, drawnHeight] = [canvas.width * scale, canvas.height * scale];
-    context.imageSmoothingQuality = "high";
-    context.drawImage(canvas, (width - drawnWidth) / 2, (height - drawnHeight) / 2, drawnWidth, drawnHeight);
-    // Read back at once, it would hold the page up until the GPU has done all that it was given. The fence that is under way, if
-    // there is one, lies before this picture.
-    await new Promise<void>((done) => this.whenGpuDone(() => this.whenGpuDone(done)));
-    return small.toDataURL("image/webp", 0.85);
-  }
-
   /** The scene through another camera, PNG on a clear ground; null while the context is lost. */
   async capture(camera: PerspectiveCamera, width: number, height: number): Promise<Blob | null> {
     if (this.#lost) {

@@ -139,10 +139,6 @@ export class StillView implements ModelView {
     if (model !== null) this.stage.castShadow(model.scene.root, model.bounds);
   }
 
-  async picture(width: number, height: number): Promise<string | null> {
-    return this.#model && this.stage.picture(width, height);
-  }
-
   get stand(): CameraStand {
     return this.stage.rig.stand;
   }

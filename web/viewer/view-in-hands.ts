@@ -39,10 +39,6 @@ export abstract class ViewInHands implements DecalViewer {
     this.view.frameModel();
   }
 
-  picture(width: number, height: number): Promise<string | null> {
-    return this.view.picture(width, height);
-  }
-
   get stand(): CameraStand {
     return this.view.stand;
   }

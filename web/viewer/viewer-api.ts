@@ -161,8 +161,6 @@ export interface ModelView {
   /** Decals lie bottom to top, as layers do: a click selects the topmost under it. */
   setDecals(decals: readonly ViewerDecal[], selectedId: string | null): void;
   frameModel(): void;
-  /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
-  picture(width: number, height: number): Promise<string | null>;
   /** Where the camera is, or goes to. */
   readonly stand: CameraStand;
   /** How far the camera may go about the open model, and (not null) where it goes now. Another model is free of both. */
@@ -233,6 +231,8 @@ export interface Arrangement {
 
 /** A model that is shown, with all that an editor does to it. */
 export interface ModelViewer extends DecalViewer {
+  /** The model as it is seen now, cut to this size in pixels, as a `data:` URI; null without a model or while WebGL is lost. */
+  picture(width: number, height: number): Promise<string | null>;
   /** At once: what weighs the places is there. */
   landing(width: number, aspect: number): Landing | null;
   /**

@@ -1,0 +1,24 @@
+/** What is seen in a view now, as a small picture: how projects are shown in their list. */
+import type { Stage } from "./stage.ts";
+
+/** The middle of the view in this size, pixels, as a `data:` URI; null while WebGL is lost. */
+export async function pictureOf(stage: Stage, width: number, height: number): Promise<string | null> {
+  const { canvas, renderer, scene, camera } = stage;
+  const small = document.createElement("canvas");
+  small.width = width;
+  small.height = height;
+  const context = small.getContext("2d");
+  if (renderer.getContext().isContextLost() || context === null) {
+    return null;
+  }
+  // What was drawn before is gone from the canvas; what is drawn now is there until this turn ends.
+  renderer.render(scene, camera);
+  const scale = Math.max(width / canvas.width, height / canvas.height);
+  const [drawnWidth, drawnHeight] = [canvas.width * scale, canvas.height * scale];
+  context.imageSmoothingQuality = "high";
+  context.drawImage(canvas, (width - drawnWidth) / 2, (height - drawnHeight) / 2, drawnWidth, drawnHeight);
+  // Read back at once, it would hold the page up until the GPU has done all that it was given. The fence that is under way, if
+  // there is one, lies before this picture.
+  await new Promise<void>((done) => stage.whenGpuDone(() => stage.whenGpuDone(done)));
+  return small.toDataURL("image/webp", 0.85);
+}
