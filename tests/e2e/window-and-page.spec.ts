@@ -25,6 +25,9 @@ async function middleOf(view: Locator): Promise<{ readonly x: number; readonly y
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 
+const twoFrames = (page: Page): Promise<unknown> =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
 /** Metres to the right of the model's middle. */
 const decalIn = (editor: Locator): Promise<number> =>
   editor.evaluate(async (element: Editor) => {
@@ -95,6 +98,42 @@ for (const mode of ["shop", "full"] as const) {
     // A press of the left one gives the view the keyboard.
     const pressed = await page.evaluate(() => (window as unknown as { pressed: string[] }).pressed);
     expect(pressed).toEqual(views.flatMap(() => ["1 true", "0 false"]));
+  });
+
+  test(`in ${mode} mode a wheel that turns while a button is down on a view does not scroll the page`, async ({
+    page,
+  }) => {
+    const editor = await open(page, mode);
+    await page.evaluate(() => {
+      document.body.style.paddingBlockEnd = "3000px";
+    });
+    const { x, y } = await middleOf(viewsOf(editor).first());
+    for (const button of ["left", "middle", "right"] as const) {
+      await page.mouse.move(x, y - 190);
+      await page.mouse.down({ button });
+      await page.mouse.move(x + 20, y - 190, { steps: 3 });
+      await page.mouse.wheel(0, 200);
+      await page.mouse.up({ button });
+    }
+    await twoFrames(page);
+    expect(await page.evaluate(() => scrollY)).toBe(0);
+  });
+
+  test(`in ${mode} mode a decal stays where its drag has brought it when its view is hidden`, async ({ page }) => {
+    const editor = await open(page, mode);
+    const { x, y } = await middleOf(viewsOf(editor).first());
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 90, y, { steps: 8 });
+    await expect.poll(() => decalIn(editor)).toBeLessThan(-0.05);
+    const before = await decalIn(editor);
+    await editor.evaluate((element: Editor) => {
+      element.hidden = true;
+    });
+    await twoFrames(page);
+    await page.mouse.move(x - 80, y, { steps: 4 });
+    await page.mouse.up();
+    expect(await decalIn(editor)).toBe(before);
   });
 
   test(`in ${mode} mode the model stays where a dialog left it that came while it was turned`, async ({ page }) => {

@@ -345,7 +345,9 @@ export class DecalGizmo {
   #moveDrag(): void {
     const active = this.#drag;
     const pointer = this.#pointer;
-    const projector = active !== null && pointer !== null ? active.drag.move(pointer) : null;
+    // In a view that was hidden meanwhile no pointer is anywhere.
+    const isSeen = this.#host.screen.size.width > 1;
+    const projector = isSeen && active !== null && pointer !== null ? active.drag.move(pointer) : null;
     if (active === null || pointer === null || projector === null) {
       return;
     }
