@@ -1,6 +1,6 @@
 /** What a window and the page around a view do while somebody works in it: another screen, a dialog, paper, what is selected on the page. */
 import { expect, type Locator, type Page, test } from "@playwright/test";
-import type { PlanarProjector } from "../../web/editor/document/index.ts";
+import type { PlanarProjector, UvProjector } from "../../web/editor/document/index.ts";
 import { squareGlb } from "./support/test-files.ts";
 
 type Editor = HTMLElementTagNameMap["texelcast-editor"];
@@ -182,6 +182,35 @@ test("the flat texture stays where a dialog left it that came while it was moved
   await move(x + 60);
   await move(x + 90);
   expect(await orbitAtRest(flat)).toBe(before);
+});
+
+test("a stamp stays where its drag has brought it when the flat texture is hidden", async ({ page }) => {
+  const editor = await open(page, "full");
+  await editor.evaluate(async (element: Editor) => {
+    element.removeLayer(element.selected ?? "");
+    const projector = { kind: "uv", center: [0.5, 0.5], size: [0.3, 0.3], angle: 0 } as const;
+    element.select(await element.addDecal("demo/decals/smiley.png", { projector }));
+  });
+  const stamp = (): Promise<readonly number[]> =>
+    editor.evaluate(async (element: Editor) => {
+      const [layer] = (await element.exportDesign()).design.layers as unknown as { projector: UvProjector }[];
+      return layer?.projector.center ?? [];
+    });
+  const flat = viewsOf(editor).nth(1);
+  await orbitAtRest(flat);
+  const { x, y } = await middleOf(flat);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 30, y + 40, { steps: 4 });
+  const before = await stamp();
+  expect(before[0]).toBeGreaterThan(0.52);
+  await editor.evaluate((element: Editor) => {
+    element.hidden = true;
+  });
+  await twoFrames(page);
+  await page.mouse.move(x + 31, y + 40);
+  await page.mouse.up();
+  expect(await stamp()).toEqual(before);
 });
 
 test("on paper a product keeps its proportions, and no handles lie beside what they are for", async ({ page }) => {

@@ -26,6 +26,8 @@ export interface StampGizmoHooks {
   uvOf(x: number, y: number): Uv;
   /** Whether a point is in the view, and this far from its border. */
   holds(at: ScreenPoint, margin: number): boolean;
+  /** Whether the view has room in the page; hidden in the midst of a drag, it has no pointer in it. */
+  isSeen(): boolean;
   gesture(gesture: DecalGesture): void;
   readonly others: FindStamps;
   /** Round the chart at a place of the texture; null beside all charts. */
@@ -166,6 +168,7 @@ export class StampGizmo {
     }
     if (drag === null || drag.pointerId !== event.pointerId) return;
     event.stopImmediatePropagation();
+    if (!this.#hooks.isSeen()) return;
     const from = event.shiftKey && drag.handle === null ? this.#hooks.pixelOf(drag.from) : null;
     drag.projector = this.#inLine(drag, dragged(drag, this.#uvOf(event, from), event), event);
     this.#tell(drag, "move");

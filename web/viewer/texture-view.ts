@@ -120,6 +120,7 @@ class GlTextureView implements TextureView {
       pixelOf: (uv) => this.#camera.pixelOf(uv),
       uvOf: (x, y) => this.#camera.uvOf(x, y),
       holds: (at, margin) => this.#camera.holds(at, margin),
+      isSeen: () => this.#pixelRatio > 0,
       gesture: (gesture) => this.#events.emit("gesture", gesture),
       others: (id) => this.#findStamps(id),
       chartAt: (uv) => this.#target?.chartAt(uv) ?? null,
