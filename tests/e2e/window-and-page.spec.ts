@@ -213,6 +213,26 @@ test("a stamp stays where its drag has brought it when the flat texture is hidde
   expect(await stamp()).toEqual(before);
 });
 
+test("the right button moves the model and the flat texture, and no menu of the browser's comes over them", async ({
+  page,
+}) => {
+  const editor = await open(page, "full");
+  await page.evaluate(() => {
+    const menus: boolean[] = [];
+    Object.assign(window, { menus });
+    addEventListener("contextmenu", ({ defaultPrevented }) => menus.push(!defaultPrevented));
+  });
+  for (const view of await viewsOf(editor).all()) {
+    const box = await view.boundingBox();
+    if (!box) throw new Error("The view has no place on the page.");
+    await page.mouse.move(box.x + 20, box.y + box.height - 20);
+    await page.mouse.down({ button: "right" });
+    await page.mouse.move(box.x + 60, box.y + box.height - 40, { steps: 4 });
+    await page.mouse.up({ button: "right" });
+  }
+  expect(await page.evaluate(() => (window as unknown as { menus: boolean[] }).menus)).toEqual([false, false]);
+});
+
 test("on paper a product keeps its proportions, and no handles lie beside what they are for", async ({ page }) => {
   const editor = await open(page, "shop");
   await expect(editor.locator(".tcv-overlay .tcv-outline").first()).toBeVisible();

@@ -40,6 +40,8 @@ export class PanZoomInput {
     for (const type of ["pointerup", "pointercancel", "lostpointercapture"] as const) {
       element.addEventListener(type, (event) => this.#onEnd(event), { signal });
     }
+    // The right button moves the texture, too, as it does the model.
+    element.addEventListener("contextmenu", (event) => event.preventDefault(), { signal });
     element.addEventListener("dblclick", () => hooks.fit(), { signal });
     element.addEventListener("keydown", (event) => this.#onKey(event), { signal });
   }
