@@ -1,6 +1,7 @@
 /** What a window and the page around a view do while somebody works in it: another screen, a dialog, paper, what is selected on the page. */
-import { expect, type Locator, type Page, test } from "@playwright/test";
+import type { Locator, Page } from "@playwright/test";
 import type { PlanarProjector, UvProjector } from "../../web/editor/document/index.ts";
+import { expect, test } from "./support/editor-page.ts";
 import { squareGlb } from "./support/test-files.ts";
 
 type Editor = HTMLElementTagNameMap["texelcast-editor"];
@@ -231,6 +232,66 @@ test("the right button moves the model and the flat texture, and no menu of the 
     await page.mouse.up({ button: "right" });
   }
   expect(await page.evaluate(() => (window as unknown as { menus: boolean[] }).menus)).toEqual([false, false]);
+});
+
+/** Moves the pressed mouse, has a dialog come in which it is let go, and gives the way of the mouse from there on. */
+async function letGoInDialog(
+  page: Page,
+  to: { x: number; y: number },
+): Promise<(x: number, y: number) => Promise<void>> {
+  const mouse = await page.context().newCDPSession(page);
+  await page.mouse.move(to.x, to.y, { steps: 4 });
+  page.on("dialog", (dialog) => dialog.accept());
+  await page.evaluate(() => alert("Your session has ended."));
+  return async (x, y) => {
+    await mouse.send("Input.dispatchMouseEvent", { type: "mouseMoved", x, y, button: "none", buttons: 0 });
+  };
+}
+
+test("a layer that is let go in a dialog stays where it was, and the next press is not its", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  const names = async (): Promise<string[]> => (await editor.design()).layers.map(({ name }) => name);
+  const before = await names();
+  const from = await middleOf(editor.row("Smiley"));
+  const to = await middleOf(editor.row("Texelcast mark"));
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  const hover = await letGoInDialog(page, { x: to.x, y: to.y + 8 });
+  await hover(to.x, to.y + 10);
+  await page.mouse.up();
+  expect(await names()).toEqual(before);
+});
+
+test("a colour of a gradient that is let go in a dialog stays there, and keys are the page's again", async ({
+  editor,
+  page,
+}) => {
+  await editor.open();
+  await editor.addLayer("Gradient");
+  const offsets = async (): Promise<number[]> => {
+    const layer = (await editor.design()).layers.find(({ type }) => type === "fill");
+    return layer?.type === "fill" ? (layer.gradient?.stops.map(({ offset }) => offset) ?? []) : [];
+  };
+  const count = (await editor.design()).layers.length;
+  const { x, y } = await middleOf(page.locator("tc-gradient-stops .handle").first());
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  const hover = await letGoInDialog(page, { x: x + 40, y });
+  await hover(x + 41, y);
+  const before = await offsets();
+  expect(before[0]).toBeGreaterThan(0.05);
+  // Over the colour's own handle.
+  await hover(x + 45, y);
+  expect(await offsets()).toEqual(before);
+  await page.keyboard.press("b");
+  await expect(page.getByRole("radio", { name: "Brush" })).toBeChecked();
+  await page.keyboard.press("Control+z");
+  await editor.idle();
+  expect(await offsets()).toEqual([0, 1]);
+  expect((await editor.design()).layers).toHaveLength(count);
 });
 
 test("on paper a product keeps its proportions, and no handles lie beside what they are for", async ({ page }) => {

@@ -115,6 +115,11 @@ export class LayerDrag {
   readonly #move = (event: PointerEvent): void => {
     const press = this.#press;
     if (!press || event.pointerId !== press.pointer) return;
+    // It was let go where no release is told, as in a dialog that came between.
+    if (event.buttons === 0) {
+      this.#end();
+      return;
+    }
     if (this.#ids.length === 0) {
       if (Math.hypot(event.clientX - press.x, event.clientY - press.y) < DRAG_START) return;
       this.#ids = this.#host.dragged(press.id);

@@ -215,6 +215,7 @@ export class GradientStops extends RemElement {
       @pointermove=${this.#move}
       @pointerup=${this.#release}
       @pointercancel=${this.#abandon}
+      @lostpointercapture=${this.#release}
       @dblclick=${(event: Event) => event.stopPropagation()}
     ></button>`;
   }
