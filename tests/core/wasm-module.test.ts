@@ -48,6 +48,19 @@ describe("loading the core", () => {
     await expect(loadCore(address)).rejects.toMatchObject(told);
   });
 
+  it("says so where the machine has no memory for it, which no other browser would mend", async () => {
+    const full = new RangeError(
+      "WebAssembly.instantiate(): Out of memory: Cannot allocate Wasm memory for new instance",
+    );
+    const spy = vi.spyOn(WebAssembly, "instantiate").mockRejectedValue(full);
+    const told = { code: "out-of-budget", hint: expect.stringContaining("Close other"), cause: full };
+    await expect(loadCore(address)).rejects.toMatchObject(told);
+    spy.mockRejectedValue(new WebAssembly.LinkError("import 1"));
+    const strange = { code: "unsupported", reason: "no-engine", hint: expect.stringContaining("SIMD") };
+    await expect(loadCore(address)).rejects.toMatchObject(strange);
+    spy.mockRestore();
+  });
+
   it("refuses a WebAssembly module that is not the core, naming what it lacks", async () => {
     const empty = new WebAssembly.Module(Uint8Array.from([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]));
     await expect(loadCore(empty)).rejects.toMatchObject({ code: "unsupported", field: "memory" });

@@ -17,13 +17,17 @@ declare global {
 
 export type CoreSource = URL | string | ArrayBuffer | ArrayBufferView<ArrayBuffer> | WebAssembly.Module;
 
-const NEEDS_SIMD =
-  "Check its address. WebAssembly with SIMD is needed: Chrome 91, Firefox 89, Safari 16.4, Node 20 or newer.";
+const NO_ENGINE = {
+  reason: "no-engine",
+  hint: "Check its address. WebAssembly with SIMD is needed: Chrome 91, Firefox 89, Safari 16.4, Node 20 or newer.",
+};
+const NO_MEMORY = { hint: "Close other pages and programs, and try again." } as const;
 const SAME_RELEASE = "Build or install both from the same release.";
 
 /**
  * Loads the core: an address, its bytes, or a compiled module; the project's own build by default. Rejects with
- * "missing-file" when it cannot be read and "unsupported" when it cannot run here or speaks another ABI version.
+ * "missing-file" when it cannot be read, "unsupported" when it cannot run here or speaks another ABI version, and "out-of-budget" when
+ * the machine has no memory for it.
  */
 export async function loadCore(source?: CoreSource): Promise<CoreModule> {
   const module = await compile(source ?? new URL("../../build/wasm/texelcast.wasm", import.meta.url));
@@ -33,9 +37,10 @@ export async function loadCore(source?: CoreSource): Promise<CoreModule> {
   try {
     instance = await WebAssembly.instantiate(module, imports);
   } catch (cause) {
-    throw new TexelcastError("unsupported", `The engine's WebAssembly could not be started: ${reasonOf(cause)}.`, {
-      hint: NEEDS_SIMD,
-      reason: "no-engine",
+    const isFull = cause instanceof RangeError;
+    const told = `The engine's WebAssembly could not be started: ${reasonOf(cause)}.`;
+    throw new TexelcastError(isFull ? "out-of-budget" : "unsupported", told, {
+      ...(isFull ? NO_MEMORY : NO_ENGINE),
       cause,
     });
   }
@@ -51,8 +56,7 @@ async function compile(source: CoreSource): Promise<WebAssembly.Module> {
   } catch (cause) {
     throw new TexelcastError("unsupported", `The engine's WebAssembly could not be compiled: ${reasonOf(cause)}.`, {
       ...(isAddress && { subject: String(source) }),
-      hint: NEEDS_SIMD,
-      reason: "no-engine",
+      ...NO_ENGINE,
       cause,
     });
   }
