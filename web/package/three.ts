@@ -10,7 +10,7 @@ import { resolveLayers } from "../editor/document/resolve-layers.ts";
 import type { Engine, PlanarProjector, Projector, TargetOptions, Vec3 } from "../engine/engine-api.ts";
 import type { EngineClientOptions } from "../engine/engine-client.ts";
 import { LiveTexture } from "../viewer/live-texture.ts";
-import { meshGlb } from "../viewer/mesh-glb.ts";
+import { meshGlb, placeOnPicture } from "../viewer/mesh-glb.ts";
 import { beginEngine } from "./begin-engine.ts";
 
 export { TexelcastError, type TexelcastErrorDetails, type TexelcastErrorJson } from "../core/texelcast-error.ts";
@@ -21,7 +21,8 @@ export interface PaintMeshOptions extends EngineClientOptions {
   readonly size?: number;
   /**
    * What lies below the decals: a colour (sRGB with alpha, each 0 to 1) or a picture's bytes (PNG, JPEG, WebP, AVIF). Default: the
-   * material's colour. A material with a map needs it: three.js does not give the map's pixels away.
+   * material's colour. A material with a map needs it: three.js does not give the map's pixels away. A picture in a map's place lies
+   * as the map did: in its UV set, with its transform, its `flipY` and the material's colour.
    */
   readonly base?: Exclude<TargetOptions["base"], "model" | undefined>;
 }
@@ -52,15 +53,15 @@ export class PaintedMesh {
   readonly #painted: Material;
   #revision = 0;
 
-  private constructor(mesh: Mesh, engine: Engine, live: LiveTexture) {
+  private constructor(mesh: Mesh, engine: Engine, live: LiveTexture, like: Texture | null) {
     this.mesh = mesh;
     this.engine = engine;
     this.texture = live.texture;
     this.#live = live;
     this.#before = materialOf(mesh);
     this.#painted = this.#before.clone();
-    // The colour lies in the texture now.
-    (this.#painted as Partial<{ color: Color }>).color?.set(0xffffff);
+    // The colour lies in the texture now, but for one that a map had over it.
+    if (like === null) (this.#painted as Partial<{ color: Color }>).color?.set(0xffffff);
     Object.assign(this.#painted, { map: live.texture, needsUpdate: true });
     mesh.material = this.#painted;
   }
@@ -72,7 +73,8 @@ export class PaintedMesh {
   static async create(renderer: WebGLRenderer, mesh: Mesh, options: PaintMeshOptions = {}): Promise<PaintedMesh> {
     const { size = 1024, base, ...engineOptions } = options;
     const target = { material: 0, width: size, height: size, base: base ?? colorOf(mesh), mipmaps: true };
-    const bytes = meshGlb(mesh);
+    const like = isFile(base) ? (mapOf(materialOf(mesh)) ?? null) : null;
+    const bytes = meshGlb(mesh, like);
     const engine = beginEngine(engineOptions);
     try {
       await engine.loadModel({ name: mesh.name || "mesh", bytes });
@@ -83,9 +85,10 @@ export class PaintedMesh {
         if (live === null) early.push(update);
         else live.upload(update);
       });
-      live = new LiveTexture(renderer, await engine.openTarget(target), null);
+      live = new LiveTexture(renderer, await engine.openTarget(target), like);
+      if (like !== null) live.texture.matrix.copy(placeOnPicture(like));
       for (const update of early) live.upload(update);
-      return new PaintedMesh(mesh, engine, live);
+      return new PaintedMesh(mesh, engine, live, like);
     } catch (error) {
       engine.dispose();
       throw error;
@@ -144,9 +147,14 @@ function materialOf(mesh: Mesh): Material {
   });
 }
 
+const mapOf = (material: Material): Texture | null | undefined => (material as Partial<{ map: Texture | null }>).map;
+
+const isFile = (base: PaintMeshOptions["base"]): boolean => "bytes" in Object(base);
+
 function colorOf(mesh: Mesh): readonly [number, number, number, number] {
-  const { map, color } = materialOf(mesh) as Partial<{ map: Texture | null; color: Color }>;
-  if (map) {
+  const material = materialOf(mesh);
+  const { color } = material as Partial<{ color: Color }>;
+  if (mapOf(material)) {
     throw new TexelcastError("bad-argument", "The material has a map, whose pixels three.js does not give away.", {
       subject: mesh.name || "mesh",
       field: "base",

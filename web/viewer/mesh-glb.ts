@@ -1,5 +1,5 @@
 /** A three.js mesh as the GLB that the engine reads: one primitive, one material, the mesh's own space as model space. */
-import type { BufferAttribute, InterleavedBufferAttribute, Mesh } from "three";
+import { BufferAttribute, type InterleavedBufferAttribute, Matrix3, type Mesh, type Texture } from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import { writeGlb } from "../engine/gltf-container.ts";
 
@@ -7,18 +7,40 @@ const FLOAT = 5126;
 const UNSIGNED_INT = 5125;
 const TYPES = { 2: "VEC2", 3: "VEC3" } as const;
 
+/** Where a texture's rows are counted from below, as three.js does by default. */
+const UPSIDE_DOWN = new Matrix3(1, 0, 0, 0, -1, 1, 0, 0, 1);
+
+/**
+ * From the texture coordinates of the texture's own UV set to places on its picture, counted from above: its transform, and that
+ * three.js turns what it loads upside down, all but an ImageBitmap.
+ */
+export function placeOnPicture(texture: Texture): Matrix3 {
+  if (texture.matrixAutoUpdate) texture.updateMatrix();
+  const isBitmap = typeof ImageBitmap !== "undefined" && texture.image instanceof ImageBitmap;
+  const place = texture.matrix.clone();
+  return texture.flipY && !isBitmap ? place.premultiply(UPSIDE_DOWN) : place;
+}
+
 /**
  * The mesh's triangles as they rest (without bones and morphs). Throws a TexelcastError, "bad-argument", where the geometry has
- * no positions or no `uv`.
+ * no positions or no texture coordinates.
+ *
+ * @param like a texture whose UV set and places on the picture are taken; null: the `uv` as they are
  */
-export function meshGlb(mesh: Mesh): Uint8Array {
+export function meshGlb(mesh: Mesh, like: Texture | null = null): Uint8Array {
   const { geometry } = mesh;
   const name = mesh.name || "mesh";
   const position = attributeOf(mesh, "position", "Give it vertices.");
-  const uv = attributeOf(mesh, "uv", "A texture can only lie on a mesh that is unwrapped.");
+  const uv = attributeOf(
+    mesh,
+    like?.channel ? `uv${like.channel}` : "uv",
+    "A texture can only lie on a mesh that is unwrapped.",
+  );
   const normal = geometry.getAttribute("normal") as typeof position | undefined;
   const index = geometry.index;
-  const views = [floatsOf(position, 3), floatsOf(uv, 2), ...(normal ? [floatsOf(normal, 3)] : [])];
+  const places = floatsOf(uv, 2);
+  if (like) new BufferAttribute(places, 2).applyMatrix3(placeOnPicture(like));
+  const views = [floatsOf(position, 3), places, ...(normal ? [floatsOf(normal, 3)] : [])];
   const indices = Uint32Array.from({ length: index?.count ?? position.count }, (_, i) => index?.getX(i) ?? i);
   const parts: readonly (Float32Array | Uint32Array)[] = [...views, indices];
   const offsets = parts.map((_, i) => parts.slice(0, i).reduce((sum, part) => sum + part.byteLength, 0));
@@ -65,7 +87,7 @@ export function meshGlb(mesh: Mesh): Uint8Array {
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-function attributeOf(mesh: Mesh, field: "position" | "uv", hint: string): Attribute {
+function attributeOf(mesh: Mesh, field: string, hint: string): Attribute {
   const attribute = mesh.geometry.getAttribute(field) as Attribute | undefined;
   if (attribute !== undefined && attribute.count > 0) return attribute;
   const subject = mesh.name || "mesh";

@@ -1,0 +1,140 @@
+/** Meshes of a page's own three.js scene, painted by the installed package in a real Chromium: each looks as it did, and stays so. */
+import type { Browser } from "@playwright/test";
+import { afterAll, beforeAll, expect, test } from "vitest";
+import { paintPng, solidPng } from "../support/png-file.ts";
+import { addShopFiles, type InstalledPackage, installPackage } from "./support/installed.ts";
+import { openBrowser, openPage, type StaticServer, serveFolder } from "./support/serve.ts";
+
+type Rgb = readonly [number, number, number];
+
+const [RED, GREEN, BLUE, YELLOW]: readonly Rgb[] = [
+  [255, 0, 0],
+  [0, 255, 0],
+  [0, 0, 255],
+  [255, 255, 0],
+];
+const SIDE = 32;
+/** Red and green above blue and yellow. */
+const QUARTERS = paintPng(SIDE, SIDE, (x, y) => {
+  const [left, right] = y < SIDE / 2 ? [RED, GREEN] : [BLUE, YELLOW];
+  return [...((x < SIDE / 2 ? left : right) as Rgb), 255] as [number, number, number, number];
+});
+
+/** A square of one metre before a camera that sees nothing else, and the middles of its quarters: above left to right, then below. */
+const SCENE = `
+  import * as THREE from "three";
+  import { PaintedMesh } from "texelcast/three";
+  const renderer = new THREE.WebGLRenderer();
+  renderer.setSize(64, 64);
+  const camera = new THREE.OrthographicCamera(-0.5, 0.5, 0.5, -0.5, 0, 10);
+  camera.position.z = 1;
+  const mesh = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), new THREE.MeshBasicMaterial());
+  const world = new THREE.Scene().add(mesh);
+  const bytes = async (address) => await (await fetch(address)).arrayBuffer();
+  const picture = new Uint8Array(await bytes("/quarters.png"));
+  const base = { name: "quarters.png", bytes: picture };
+  const map = await new THREE.TextureLoader().loadAsync("/quarters.png");
+  map.colorSpace = THREE.SRGBColorSpace;
+  const quarters = () => {
+    renderer.render(world, camera);
+    const gl = renderer.getContext();
+    return [[16, 48], [48, 48], [16, 16], [48, 16]].map(([x, y]) => {
+      const rgba = new Uint8Array(4);
+      gl.readPixels(x, y, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, rgba);
+      return [...rgba.subarray(0, 3)];
+    });
+  };
+`;
+
+let installed: InstalledPackage;
+let browser: Browser;
+let server: StaticServer;
+
+beforeAll(async () => {
+  installed = await installPackage();
+  installed.provide("three");
+  addShopFiles(installed.folder, { "quarters.png": QUARTERS, "white.png": solidPng(2, 2, [255, 255, 255, 255]) });
+  server = await serveFolder(installed.folder);
+  browser = await openBrowser();
+});
+afterAll(async () => {
+  await browser?.close();
+  await server?.stop();
+  installed?.remove();
+});
+
+let pages = 0;
+
+/** What a script's lines after the scene put into `story`, in a page of their own. */
+async function tell(lines: string): Promise<unknown> {
+  const name = `story-${++pages}`;
+  addShopFiles(installed.folder, {
+    [`${name}.html`]: `<!doctype html><html lang="en"><title>Scene</title><link rel="icon" href="data:," />
+<script type="importmap">{ "imports": {
+  "three": "/node_modules/three/build/three.module.js",
+  "texelcast/three": "/node_modules/texelcast/dist/three.js"
+} }</script>
+<script type="module" src="/${name}.js"></script></html>`,
+    [`${name}.js`]: `async function tell() { ${lines} }
+${SCENE}
+tell().then((told) => { globalThis.story = told; }, (error) => { globalThis.story = String(error?.stack ?? error); });`,
+  });
+  const { page } = await openPage(browser, `${server.origin}/${name}.html`);
+  await page.waitForFunction(() => "story" in globalThis, null, { timeout: 50_000 });
+  const story = await page.evaluate(() => (globalThis as unknown as { story: unknown }).story);
+  await page.close();
+  return story;
+}
+
+/** The square with a material, as three.js shows it and as it is painted on that picture, with a decal on its quarter above left. */
+const painted = (material: string): Promise<unknown> =>
+  tell(`
+    ${material}
+    Object.assign(mesh.material, { map, needsUpdate: true });
+    const before = quarters();
+    const painted = await PaintedMesh.create(renderer, mesh, { size: 64, base });
+    await painted.idle();
+    const after = quarters();
+    await painted.setPicture("white", await bytes("/white.png"));
+    const place = { position: [-0.25, 0.25, 0], rotation: [0, 0, 0, 1], size: [0.4, 0.4, 0.1] };
+    painted.setDecals([{ id: "d", picture: "white", ...place }]);
+    await painted.idle();
+    const decalled = quarters();
+    painted.dispose();
+    return { before, after, decalled, again: quarters() };`);
+
+test("a picture from three.js's own loader lies under the decals as it lay on the mesh", async () => {
+  const before = [RED, GREEN, BLUE, YELLOW];
+  expect(await painted("")).toEqual({
+    before,
+    after: before,
+    decalled: [[255, 255, 255], GREEN, BLUE, YELLOW],
+    again: before,
+  });
+});
+
+test.each([
+  [
+    "shifted and turned",
+    "map.wrapS = map.wrapT = THREE.RepeatWrapping; map.offset.set(0.5, 0); map.rotation = Math.PI / 2;",
+  ],
+  [
+    "on the geometry's second UV set",
+    `const second = mesh.geometry.getAttribute("uv").clone();
+    for (let i = 0; i < 4; i++) second.setX(i, 1 - second.getX(i));
+    mesh.geometry.setAttribute("uv1", second);
+    map.channel = 1;`,
+  ],
+  ["of glTF's form, from above to below", "map.flipY = false; map.needsUpdate = true;"],
+  [
+    "that is an ImageBitmap, which three.js does not turn",
+    "map.image = await createImageBitmap(map.image); map.needsUpdate = true;",
+  ],
+  ["under a colour of the material", "mesh.material.color.set('#808080');"],
+])("a picture %s lies under the decals as it lay on the mesh", async (_how, lines) => {
+  const told = (await painted(lines)) as Record<"before" | "after" | "decalled", readonly Rgb[]>;
+  expect(told.before).not.toEqual([RED, GREEN, BLUE, YELLOW]);
+  expect(told.after).toEqual(told.before);
+  expect(told.decalled.slice(1)).toEqual(told.before.slice(1));
+  expect(told.decalled[0]).not.toEqual(told.before[0]);
+});
