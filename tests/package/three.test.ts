@@ -138,3 +138,103 @@ test.each([
   expect(told.decalled.slice(1)).toEqual(told.before.slice(1));
   expect(told.decalled[0]).not.toEqual(told.before[0]);
 });
+
+test("after the graphics were lost, the mesh has its decals again, and those that were set meanwhile", async () => {
+  const story = await tell(`
+    const painted = await PaintedMesh.create(renderer, mesh, { size: 64, base });
+    await painted.setPicture("white", await bytes("/white.png"));
+    const flat = { rotation: [0, 0, 0, 1], size: [0.4, 0.4, 0.1], picture: "white" };
+    painted.setDecals([{ id: "a", ...flat, position: [-0.25, 0.25, 0] }]);
+    await painted.idle();
+    const before = quarters();
+    const lost = renderer.getContext().getExtension("WEBGL_lose_context");
+    const told = (name) => new Promise((resolve) => renderer.domElement.addEventListener(name, resolve, { once: true }));
+    picture.fill(0);
+    const gone = told("webglcontextlost");
+    lost.loseContext();
+    await gone;
+    painted.setDecals([{ id: "a", ...flat, position: [0.25, 0.25, 0] }]);
+    await painted.idle();
+    const back = told("webglcontextrestored");
+    setTimeout(() => lost.restoreContext());
+    await back;
+    await painted.idle();
+    const after = quarters();
+    return { before, after };`);
+  const white: Rgb = [255, 255, 255];
+  // A picture counts its rows from above, the square's texture coordinates from below.
+  expect(story).toEqual({ before: [white, YELLOW, RED, GREEN], after: [BLUE, white, RED, GREEN] });
+});
+
+test("a material that patches its shader keeps its patch under the decals", async () => {
+  const story = await tell(`
+    mesh.material.onBeforeCompile = (shader) => {
+      shader.fragmentShader = shader.fragmentShader.replace("#include <opaque_fragment>", "outgoingLight.g = 0.0;\\n#include <opaque_fragment>");
+    };
+    const before = quarters();
+    const painted = await PaintedMesh.create(renderer, mesh, { size: 64 });
+    await painted.idle();
+    return { before, after: quarters() };`);
+  const quarters = [1, 2, 3, 4].map(() => [255, 0, 255]);
+  expect(story).toEqual({ before: quarters, after: quarters });
+});
+
+const triangle = (fields: string): string =>
+  `PaintedMesh.create(renderer, new THREE.Mesh(Object.entries(${fields}).reduce(
+    (geometry, [name, [size, ...values]]) => geometry.setAttribute(name, new THREE.Float32BufferAttribute(values, size)),
+    new THREE.BufferGeometry()), mesh.material))`;
+const onMesh = (lines: string): string =>
+  `PaintedMesh.create(renderer, mesh, { size: 64 }).then(async (painted) => { ${lines} })`;
+const badArgument = (field: string, value?: string) => ({ code: "bad-argument", field, ...(value && { value }) });
+
+test.each([
+  [
+    "another renderer",
+    "PaintedMesh.create({ isWebGPURenderer: true }, mesh)",
+    { code: "unsupported", field: "renderer" },
+  ],
+  ["a group", "PaintedMesh.create(renderer, new THREE.Group())", badArgument("mesh", "Group")],
+  ["no mesh", "PaintedMesh.create(renderer)", badArgument("mesh", "undefined")],
+  [
+    "a mesh of several materials",
+    "PaintedMesh.create(renderer, new THREE.Mesh(mesh.geometry, [mesh.material]), { base: [1, 1, 1, 1] })",
+    badArgument("material"),
+  ],
+  ["a size that is none", "PaintedMesh.create(renderer, mesh, { size: Number.NaN })", badArgument("size", "NaN")],
+  ["a size beyond the largest", "PaintedMesh.create(renderer, mesh, { size: 1e6 })", badArgument("size", "1000000")],
+  [
+    "a base whose bytes are none",
+    "PaintedMesh.create(renderer, mesh, { base: { name: 'a.png', bytes: picture.buffer } })",
+    badArgument("bytes", "[object ArrayBuffer]"),
+  ],
+  [
+    "a Blob as base",
+    "PaintedMesh.create(renderer, mesh, { base: new Blob([picture]) })",
+    badArgument("name", "[object Undefined]"),
+  ],
+  ["a geometry without uv", triangle("{ position: [3, 0, 0, 0, 1, 0, 0, 0, 1, 0] }"), badArgument("uv")],
+  [
+    "a uv of fewer vertices",
+    triangle("{ position: [3, 0, 0, 0, 1, 0, 0, 0, 1, 0], uv: [2, 0, 0, 1, 0] }"),
+    badArgument("uv", "2"),
+  ],
+  [
+    "a normal of fewer vertices",
+    triangle("{ position: [3, 0, 0, 0, 1, 0, 0, 0, 1, 0], uv: [2, 0, 0, 1, 0, 0, 1], normal: [3, 0, 0, 1] }"),
+    badArgument("normal", "1"),
+  ],
+  [
+    "a Blob as picture",
+    onMesh("await painted.setPicture('a', new Blob([picture]));"),
+    badArgument("bytes", "[object Blob]"),
+  ],
+  ["no picture", onMesh("await painted.setPicture('a');"), badArgument("bytes", "[object Undefined]")],
+  ["no list of decals", onMesh("painted.setDecals(null);"), badArgument("decals", "null")],
+  ["a decal that is none", onMesh("painted.setDecals([null]);"), badArgument("decals[0]", "null")],
+])("%s is refused by its name", async (_what, call, refused) => {
+  const story = await tell(`
+    const { material } = mesh;
+    const told = await (async () => ${call})().then(String, (error) => ({ ...error, name: error.name }));
+    return { told, isSame: mesh.material === material || told.field.startsWith("decals") || told.field === "bytes" };`);
+  expect(story).toMatchObject({ told: { name: "TexelcastError", ...refused }, isSame: true });
+});

@@ -7,6 +7,8 @@ import { TexelcastError } from "../core/texelcast-error.ts";
 import type { DesignLayer } from "../editor/document/design.ts";
 import { makeDecalLayer } from "../editor/document/make-layer.ts";
 import { resolveLayers } from "../editor/document/resolve-layers.ts";
+import { checkFile } from "../engine/check-file.ts";
+import { checkValue, LIST, OBJECT } from "../engine/check-value.ts";
 import type { Engine, PlanarProjector, Projector, TargetOptions, Vec3 } from "../engine/engine-api.ts";
 import type { EngineClientOptions } from "../engine/engine-client.ts";
 import { LiveTexture } from "../viewer/live-texture.ts";
@@ -41,6 +43,11 @@ export type MeshDecal = Partial<
     | { readonly position: Vec3; readonly rotation: PlanarProjector["rotation"]; readonly size: Vec3 }
   );
 
+interface Opened {
+  readonly renderer: WebGLRenderer;
+  readonly target: TargetOptions;
+}
+
 /** A mesh whose texture is painted by an engine of its own. */
 export class PaintedMesh {
   readonly mesh: Mesh;
@@ -51,28 +58,46 @@ export class PaintedMesh {
   readonly #live: LiveTexture;
   readonly #before: Material;
   readonly #painted: Material;
+  readonly #opened: Opened;
+  /** The texels' way back after a lost graphics context. */
+  #restored: Promise<unknown> = Promise.resolve();
   #revision = 0;
 
-  private constructor(mesh: Mesh, engine: Engine, live: LiveTexture, like: Texture | null) {
+  private constructor(mesh: Mesh, engine: Engine, live: LiveTexture, like: Texture | null, opened: Opened) {
     this.mesh = mesh;
     this.engine = engine;
     this.texture = live.texture;
     this.#live = live;
     this.#before = materialOf(mesh);
     this.#painted = this.#before.clone();
+    // What three.js's own copies leave behind.
+    const { onBeforeCompile, onBeforeRender, customProgramCacheKey } = this.#before;
+    Object.assign(this.#painted, { onBeforeCompile, onBeforeRender, customProgramCacheKey });
     // The colour lies in the texture now, but for one that a map had over it.
     if (like === null) (this.#painted as Partial<{ color: Color }>).color?.set(0xffffff);
     Object.assign(this.#painted, { map: live.texture, needsUpdate: true });
     mesh.material = this.#painted;
+    this.#opened = opened;
+    opened.renderer.domElement.addEventListener("webglcontextrestored", this.#restore);
   }
+
+  /** What the GPU had is gone. A target that is opened anew reports every texel. */
+  readonly #restore = (): void => {
+    this.#restored = this.engine.openTarget(this.#opened.target);
+    // `idle` tells it.
+    this.#restored.catch(() => undefined);
+  };
 
   /**
    * Bakes the mesh and gives it its texture. Rejects with a TexelcastError: "bad-argument" for a mesh without `uv`, with several
-   * materials, or with a map and no `base`; and with what the engine says.
+   * materials, or with a map and no `base`; "unsupported" for another renderer than three.js's of WebGL; and with what the engine says.
    */
   static async create(renderer: WebGLRenderer, mesh: Mesh, options: PaintMeshOptions = {}): Promise<PaintedMesh> {
     const { size = 1024, base, ...engineOptions } = options;
-    const target = { material: 0, width: size, height: size, base: base ?? colorOf(mesh), mipmaps: true };
+    check(renderer, mesh);
+    const holds = (value: unknown): boolean => Number.isInteger(value) && size >= 1 && size <= 8192;
+    checkValue(size, { must: "a whole number from 1 to 8192", holds }, "size");
+    const target = { material: 0, width: size, height: size, base: ownBase(base) ?? colorOf(mesh), mipmaps: true };
     const like = isFile(base) ? (mapOf(materialOf(mesh)) ?? null) : null;
     const bytes = meshGlb(mesh, like);
     const engine = beginEngine(engineOptions);
@@ -88,30 +113,37 @@ export class PaintedMesh {
       live = new LiveTexture(renderer, await engine.openTarget(target), like);
       if (like !== null) live.texture.matrix.copy(placeOnPicture(like));
       for (const update of early) live.upload(update);
-      return new PaintedMesh(mesh, engine, live, like);
+      return new PaintedMesh(mesh, engine, live, like, { renderer, target });
     } catch (error) {
       engine.dispose();
       throw error;
     }
   }
 
-  /** Takes in a picture (PNG, JPEG, WebP, AVIF, SVG) under a key. Rejects with "bad-picture". */
+  /** Takes in a picture (PNG, JPEG, WebP, AVIF, SVG) under a key. Rejects with "bad-picture", and "bad-argument" for what are no bytes. */
   async setPicture(
     key: string,
     bytes: Uint8Array | ArrayBuffer,
     name = key,
   ): Promise<{ width: number; height: number }> {
-    return await this.engine.setAsset(key, { name, bytes: new Uint8Array(bytes) });
+    // By its tag, as one of another window's is none of this one's. What is neither, the engine refuses by name.
+    const isBuffer = /^\[object (Shared)?ArrayBuffer\]$/.test(Object.prototype.toString.call(bytes));
+    return await this.engine.setAsset(key, { name, bytes: isBuffer ? new Uint8Array(bytes) : (bytes as Uint8Array) });
   }
 
-  /** All decals, bottom to top, in place of those before. Returns at once; the texture follows. */
+  /**
+   * All decals, bottom to top, in place of those before. Returns at once; the texture follows. Throws "bad-argument" for what is no
+   * list of objects; what is wrong in one of them, `idle` tells.
+   */
   setDecals(decals: readonly MeshDecal[]): void {
+    checkValue(decals, LIST, "decals");
     const layers = decals.map(layerOf);
     this.engine.setLayers(resolveLayers({ layers, assets: {} }), ++this.#revision);
   }
 
   /** Resolves when the texture shows all that was set. */
   async idle(): Promise<void> {
+    await this.#restored;
     await this.engine.idle();
   }
 
@@ -122,6 +154,7 @@ export class PaintedMesh {
 
   /** Ends the engine, and gives the mesh the material that it had. */
   dispose(): void {
+    this.#opened.renderer.domElement.removeEventListener("webglcontextrestored", this.#restore);
     this.engine.dispose();
     if (this.mesh.material === this.#painted) this.mesh.material = this.#before;
     this.#painted.dispose();
@@ -129,13 +162,31 @@ export class PaintedMesh {
   }
 }
 
-function layerOf(decal: MeshDecal): DesignLayer {
+function layerOf(decal: MeshDecal, at: number): DesignLayer {
+  checkValue(decal, OBJECT, `decals[${at}]`);
   const { picture, ...rest } = decal;
   const projector: Projector =
     "projector" in decal
       ? decal.projector
       : { kind: "planar", position: decal.position, rotation: decal.rotation, size: decal.size };
   return makeDecalLayer({ ...rest, asset: picture, material: 0, projector });
+}
+
+function check(renderer: WebGLRenderer, mesh: Mesh): void {
+  if (!(renderer as { isWebGLRenderer?: boolean } | undefined)?.isWebGLRenderer) {
+    throw new TexelcastError("unsupported", "The texture is written into by WebGL; this is no WebGLRenderer.", {
+      field: "renderer",
+      hint: "Give the WebGLRenderer that draws the mesh; WebGPURenderer has no such texture, whatever it draws by.",
+    });
+  }
+  if (!mesh?.isMesh) {
+    throw new TexelcastError("bad-argument", "This is no mesh of three.js.", {
+      field: "mesh",
+      value: String((mesh as { type?: unknown } | undefined)?.type),
+      hint: "Of a loaded scene give one of its meshes, as `traverse` finds them.",
+    });
+  }
+  materialOf(mesh);
 }
 
 function materialOf(mesh: Mesh): Material {
@@ -149,7 +200,16 @@ function materialOf(mesh: Mesh): Material {
 
 const mapOf = (material: Material): Texture | null | undefined => (material as Partial<{ map: Texture | null }>).map;
 
-const isFile = (base: PaintMeshOptions["base"]): boolean => "bytes" in Object(base);
+type Base = PaintMeshOptions["base"];
+
+const isFile = (base: Base): base is Extract<Base, { readonly bytes: Uint8Array }> => "bytes" in Object(base);
+
+/** With a copy of the bytes, which their owner may go on to change: it is opened again after a lost graphics context. */
+function ownBase(base: Base): Base {
+  if (!isFile(base)) return base;
+  checkFile(base);
+  return { ...base, bytes: base.bytes.slice() };
+}
 
 function colorOf(mesh: Mesh): readonly [number, number, number, number] {
   const material = materialOf(mesh);

@@ -36,7 +36,7 @@ export function meshGlb(mesh: Mesh, like: Texture | null = null): Uint8Array {
     like?.channel ? `uv${like.channel}` : "uv",
     "A texture can only lie on a mesh that is unwrapped.",
   );
-  const normal = geometry.getAttribute("normal") as typeof position | undefined;
+  const normal = geometry.getAttribute("normal") && attributeOf(mesh, "normal", "");
   const index = geometry.index;
   const places = floatsOf(uv, 2);
   if (like) new BufferAttribute(places, 2).applyMatrix3(placeOnPicture(like));
@@ -89,8 +89,21 @@ type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
 function attributeOf(mesh: Mesh, field: string, hint: string): Attribute {
   const attribute = mesh.geometry.getAttribute(field) as Attribute | undefined;
-  if (attribute !== undefined && attribute.count > 0) return attribute;
   const subject = mesh.name || "mesh";
+  const corners = mesh.geometry.getAttribute("position")?.count ?? 0;
+  if (attribute !== undefined && attribute.count > 0) {
+    if (attribute.count >= corners) return attribute;
+    throw new TexelcastError(
+      "bad-argument",
+      `“${field}” of “${subject}” is of ${attribute.count} of its ${corners} vertices.`,
+      {
+        subject,
+        field,
+        value: String(attribute.count),
+        hint: "Give it a value for every vertex, as “position” has one.",
+      },
+    );
+  }
   throw new TexelcastError("bad-argument", `The geometry of “${subject}” has no attribute “${field}”.`, {
     subject,
     field,
