@@ -2,6 +2,7 @@
 import { Filters } from "../core/abi.ts";
 import type { Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
+import { checkFile } from "./check-file.ts";
 import type { EngineColor, Picture, TargetOptions } from "./engine-api.ts";
 import { REPAIR } from "./gltf-json.ts";
 import type { LoadedModel } from "./model-loader.ts";
@@ -54,8 +55,11 @@ export async function loadBasePicture(model: LoadedModel, options: TargetOptions
 
 type Base = NonNullable<TargetOptions["base"]>;
 
-const isFile = (base: Base | undefined): base is Extract<Base, { readonly bytes: Uint8Array }> =>
-  typeof base === "object" && base !== null && "bytes" in base;
+function isFile(base: Base | undefined): base is Extract<Base, { readonly bytes: Uint8Array }> {
+  if (!("bytes" in Object(base))) return false;
+  checkFile(base as Extract<Base, { readonly bytes: Uint8Array }>);
+  return true;
+}
 
 /** Callers without types may give anything. */
 const isColor = (base: unknown): base is EngineColor =>

@@ -1,5 +1,6 @@
 /** Zones in the core's terms: metres of the model, and all corners in one list. */
 import { type CoreZone, ZoneKinds } from "../core/abi.ts";
+import { checkZones } from "./check-zones.ts";
 import type { PrintZone, PrintZones } from "./print-zones.ts";
 
 const MILLIMETRES = 1000;
@@ -13,11 +14,12 @@ export const modelMetres = (millimetres: number, { printScale }: PrintZones): nu
 export const perInch = (perMetre: number, { printScale }: PrintZones): number =>
   (perMetre * METRES_PER_INCH) / printScale;
 
-/** In the zones' own order. */
+/** In the zones' own order. @throws TexelcastError "bad-argument" for what are no zones. */
 export function coreZones(zones: PrintZones): {
   readonly zones: readonly Partial<CoreZone>[];
   readonly corners: Float32Array;
 } {
+  checkZones(zones);
   const corners: number[] = [];
   const made = zones.zones.map((zone) => coreZone(zone, zones, corners));
   return { zones: made, corners: Float32Array.from(corners) };

@@ -57,8 +57,11 @@ const MAX_ATTEMPTS = 2;
 /** A copy of a file that its caller may go on to change. */
 function ownFile(file: { readonly name: string; readonly bytes: Uint8Array }): { name: string; bytes: Uint8Array } {
   checkFile(file);
-  return { name: file.name, bytes: file.bytes.slice() };
+  return { name: file.name, bytes: copyOf(file.bytes) };
 }
+
+/** What was given away to another thread has no length and no copy: that it cannot be sent is told when it is. */
+const copyOf = (bytes: Uint8Array): Uint8Array => (bytes.length ? bytes.slice() : bytes);
 
 class EngineClient implements Engine {
   readonly #options: EngineClientOptions;
@@ -98,7 +101,7 @@ class EngineClient implements Engine {
   async loadModel(source: ModelSource): Promise<ModelInfo> {
     const kept = {
       ...ownFile(source),
-      resources: new Map([...(source.resources ?? [])].map(([uri, bytes]) => [uri, bytes.slice()] as const)),
+      resources: new Map([...(source.resources ?? [])].map(([uri, bytes]) => [uri, copyOf(bytes)] as const)),
     };
     const halted = this.#halted !== null;
     const model = this.#model;
@@ -159,11 +162,10 @@ class EngineClient implements Engine {
     onProgress?: (share: number) => void,
     signal?: AbortSignal,
   ): Promise<TargetInfo> {
-    const { base } = options;
-    const own = typeof base === "object" && "bytes" in base && { base: { ...base, bytes: base.bytes.slice() } };
-    const kept: TargetOptions = { ...options, ...own };
+    const base = options?.base as ModelSource;
+    const kept: TargetOptions = { ...options, ...("bytes" in Object(base) && { base: ownFile(base) }) };
     const info = await this.#call("openTarget", [kept], { onProgress, signal });
-    this.#targets.set(options.material, kept);
+    this.#targets.set(kept.material, kept);
     return info;
   }
 

@@ -30,16 +30,17 @@ import { cancelled, disposed, noModel, notDrawn, notOpen } from "./engine-faults
 import { EnginePrints } from "./engine-prints.ts";
 import { engineStats } from "./engine-stats.ts";
 import { callLater, nextTurn } from "./event-loop.ts";
+import type { MapChannel } from "./map-view.ts";
 import { modelInfo } from "./model-info.ts";
 import { type LoadedModel, loadModelFile } from "./model-loader.ts";
-import { type MapChannel, OpenTarget, type TargetPictures } from "./open-target.ts";
+import { OpenTarget, type TargetPictures } from "./open-target.ts";
 import { decodePicture } from "./picture-decoder.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
 import { NO_ZONES, type PrintZones } from "./print-zones.ts";
 import { Readying } from "./readying.ts";
 import { isSvg } from "./svg-start.ts";
 
-export type { MapChannel } from "./open-target.ts";
+export type { MapChannel } from "./map-view.ts";
 
 /** What the thread draws in one turn of its event loop, as long as there is more to project. */
 const LONGEST_TURN_MS = 500;
@@ -193,9 +194,9 @@ export class EngineHost implements Engine {
       const model = this.#requireModel();
       const checkpoint = (): void => {
         this.#checkAlive();
-        if (signal?.aborted) throw new TexelcastError("cancelled", "The preparation of the texture was cancelled.");
+        if (signal?.aborted) throw cancelled();
       };
-      const target = await OpenTarget.open(options, { session, model, onProgress, checkpoint });
+      const target = await OpenTarget.open(options ?? {}, { session, model, onProgress, checkpoint });
       this.#targets.get(options.material)?.destroy();
       this.#targets.set(options.material, target);
       this.#markStale();
@@ -246,7 +247,10 @@ export class EngineHost implements Engine {
   }
 
   viewMap(material: number, view: MapView): Promise<Picture> {
-    return this.#enqueue(() => this.#requireTarget(material).view(view));
+    return this.#enqueue(async () => {
+      const { mapView } = await import("./map-view.ts");
+      return mapView(this.#requireTarget(material), view);
+    });
   }
 
   uvTriangles(material: number): Promise<Float32Array> {
@@ -314,7 +318,7 @@ export class EngineHost implements Engine {
       this.#checkAlive();
       const { zones: core, corners } = this.#zoneWork.coreZones(zones ?? NO_ZONES);
       session.setZones(core, corners);
-      this.#zones = zones;
+      this.#zones = zones ?? null;
       this.#markStale();
     });
   }
@@ -353,7 +357,10 @@ export class EngineHost implements Engine {
     row: number,
     rowCount: number,
   ): Promise<Float32Array | Uint8Array> {
-    return this.#enqueue(() => this.#requireTarget(material).readMapRows(channel, row, rowCount));
+    return this.#enqueue(async () => {
+      const { mapRows } = await import("./map-view.ts");
+      return mapRows(this.#requireTarget(material).core, channel, row, rowCount);
+    });
   }
 
   dispose(): void {

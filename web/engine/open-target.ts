@@ -1,5 +1,5 @@
 /** One material's texture while it is open: the core's target, its layers, and what the engine says about it. */
-import { type MapInfo, MapViews, NONE } from "../core/abi.ts";
+import { type MapInfo, NONE } from "../core/abi.ts";
 import type { ImageHandle, Session } from "../core/session.ts";
 import type { CoreUpdate, LayerHandle, Target } from "../core/target.ts";
 import { TexelcastError } from "../core/texelcast-error.ts";
@@ -8,7 +8,6 @@ import { coreGradient } from "./core-layer.ts";
 import type {
   EngineLayer,
   ExpectedChange,
-  MapView,
   Picture,
   TargetInfo,
   TargetOptions,
@@ -35,8 +34,6 @@ const LONG_STEP_MS = 20;
 const COPY_TEXELS = 1 << 22;
 /** What is projected between two looks at the time, in texels about: some hundred dabs, a fraction of a second on a slow phone. */
 const PROJECTED_AT_ONCE = 1 << 19;
-
-export type MapChannel = "positions" | "normals" | "coverage" | "overlap";
 
 export interface OpenTargetContext {
   readonly session: Session;
@@ -256,8 +253,7 @@ export class OpenTarget {
   /** The whole texture as of the newest `draw`, as it is exported: with colour bled beyond the gutter. */
   exportedPicture(): Picture {
     this.checkDrawn();
-    const { width, height } = this.info;
-    return { width, height, rgba: this.#copyRows((row, count) => this.#target.readBled(row, count, width)) };
+    return this.picture((row, count) => this.#target.readBled(row, count, this.info.width));
   }
 
   hash(x: number, y: number, width: number, height: number): string {
@@ -266,32 +262,15 @@ export class OpenTarget {
     return this.#target.hash(x, y, width, height);
   }
 
-  view(view: MapView): Picture {
+  /** Of the target's size, by its rows. */
+  picture(read: (row: number, count: number) => Uint8Array): Picture {
     const { width, height } = this.info;
-    return { width, height, rgba: this.#copyRows((row, count) => this.#target.view(MapViews[view], row, count)) };
-  }
-
-  readMapRows(channel: MapChannel, row: number, rowCount: number): Float32Array | Uint8Array {
-    switch (channel) {
-      case "positions":
-        return this.#target.readPositions(row, rowCount);
-      case "normals":
-        return this.#target.readNormals(row, rowCount);
-      case "coverage":
-        return this.#target.readCoverage(row, rowCount);
-      case "overlap":
-        return this.#target.readOverlap(row, rowCount);
-    }
-  }
-
-  #copyRows(read: (row: number, count: number) => Uint8Array): Uint8Array<ArrayBuffer> {
-    const { width, height } = this.info;
-    const all = new Uint8Array(width * height * 4);
+    const rgba = new Uint8Array(width * height * 4);
     const rowsAtOnce = Math.max(1, Math.floor(COPY_TEXELS / width));
     for (let row = 0; row < height; row += rowsAtOnce) {
-      all.set(read(row, Math.min(rowsAtOnce, height - row)), row * width * 4);
+      rgba.set(read(row, Math.min(rowsAtOnce, height - row)), row * width * 4);
     }
-    return all;
+    return { width, height, rgba };
   }
 
   #checkRegion(x: number, y: number, width: number, height: number): void {

@@ -1,10 +1,16 @@
 /** A model with the pictures of its open targets inside, as the files that are exported. */
 import type { Session } from "../core/session.ts";
 import { goesBeyond } from "./beyond-texture.ts";
+import { checkValue, maybe } from "./check-value.ts";
 import type { LoadedModel } from "./model-loader.ts";
 import { type TextureEdit, writeModel } from "./model-writer.ts";
 import type { OpenTarget } from "./open-target.ts";
 import { encodePng } from "./png-encoder.ts";
+
+const MATERIALS = maybe({
+  must: "a list of materials' indices",
+  holds: (value) => Array.isArray(value) && value.every(Number.isInteger),
+});
 
 /** By material, drawn. */
 export type OpenTargets = ReadonlyMap<number, OpenTarget>;
@@ -16,6 +22,7 @@ export async function paintedGlb(
   targets: OpenTargets,
   materials?: readonly number[],
 ): Promise<Uint8Array<ArrayBuffer>> {
+  checkValue(materials, MATERIALS, "materials");
   const edits: TextureEdit[] = [];
   for (const [material, target] of targets) {
     if (materials?.includes(material) === false) continue;

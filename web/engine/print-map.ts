@@ -1,5 +1,6 @@
 /** Heat maps of the print: the density or the stretch of decals at each texel, as a picture in the texture's own form. */
 import { PrintMaps } from "../core/abi.ts";
+import { checkValue, oneOf } from "./check-value.ts";
 import { perInch } from "./core-zones.ts";
 import type { Picture } from "./engine-api.ts";
 import { pictureOf } from "./layer-picture.ts";
@@ -20,6 +21,7 @@ const GREEN: Rgb = [32, 150, 96];
 
 /** RGBA, straight alpha: clear where no decal lies. */
 export async function drawPrintMap(context: PrintContext, material: number, kind: PrintMapKind): Promise<Picture> {
+  checkValue(kind, oneOf("dpi", "stretch"), "kind");
   const shown = context.targets.get(material);
   shown?.checkDrawn();
   if (shown !== undefined) return draw(context, shown, kind);
