@@ -24,7 +24,7 @@ const QUARTERS = paintPng(SIDE, SIDE, (x, y) => {
 const SCENE = `
   import * as THREE from "three";
   import { PaintedMesh } from "texelcast/three";
-  const renderer = new THREE.WebGLRenderer();
+  let renderer = new THREE.WebGLRenderer();
   renderer.setSize(64, 64);
   const camera = new THREE.OrthographicCamera(-0.5, 0.5, 0.5, -0.5, 0, 10);
   camera.position.z = 1;
@@ -72,6 +72,7 @@ async function tell(lines: string): Promise<unknown> {
     [`${name}.html`]: `<!doctype html><html lang="en"><title>Scene</title><link rel="icon" href="data:," />
 <script type="importmap">{ "imports": {
   "three": "/node_modules/three/build/three.module.js",
+  "three/addons/": "/node_modules/three/examples/jsm/",
   "texelcast/three": "/node_modules/texelcast/dist/three.js"
 } }</script>
 <script type="module" src="/${name}.js"></script></html>`,
@@ -164,6 +165,48 @@ test("after the graphics were lost, the mesh has its decals again, and those tha
   const white: Rgb = [255, 255, 255];
   // A picture counts its rows from above, the square's texture coordinates from below.
   expect(story).toEqual({ before: [white, YELLOW, RED, GREEN], after: [BLUE, white, RED, GREEN] });
+});
+
+test.each([
+  ["another wrapping", "painted.texture.wrapS = THREE.ClampToEdgeWrapping; painted.texture.needsUpdate = true;"],
+  [
+    "other filters",
+    "painted.texture.minFilter = THREE.LinearFilter; painted.texture.anisotropy = 2; painted.texture.needsUpdate = true;",
+  ],
+  ["a disposal on the GPU", "painted.texture.dispose();"],
+  ["the renderer's own disposal", "renderer.dispose();"],
+])("the mesh keeps its decals after %s, and gets the next ones", async (_what, lines) => {
+  const story = await tell(`
+    mesh.material.color.set("#ff0000");
+    const painted = await PaintedMesh.create(renderer, mesh, { size: 50 });
+    await painted.setPicture("white", await bytes("/white.png"));
+    const place = { id: "d", picture: "white", rotation: [0, 0, 0, 1], size: [0.4, 0.4, 0.1] };
+    painted.setDecals([{ ...place, position: [-0.25, 0.25, 0] }]);
+    await painted.idle();
+    quarters();
+    ${lines}
+    const kept = quarters();
+    painted.setDecals([{ ...place, position: [0.25, -0.25, 0] }]);
+    await painted.idle();
+    return { kept, moved: quarters() };`);
+  const white: Rgb = [255, 255, 255];
+  expect(story).toEqual({ kept: [white, RED, RED, RED], moved: [RED, RED, RED, white] });
+});
+
+test("a second renderer shows the decals, and three.js's exporter writes them", async () => {
+  const story = await tell(`
+    const { GLTFExporter } = await import("three/addons/exporters/GLTFExporter.js");
+    mesh.material = new THREE.MeshStandardMaterial({ color: "#ff0000" });
+    const painted = await PaintedMesh.create(renderer, mesh, { size: 50 });
+    await painted.setPicture("white", await bytes("/white.png"));
+    painted.setDecals([{ id: "d", picture: "white", rotation: [0, 0, 0, 1], size: [0.4, 0.4, 0.1], position: [-0.25, 0.25, 0] }]);
+    await painted.idle();
+    const glb = await new GLTFExporter().parseAsync(world, { binary: true });
+    mesh.material = new THREE.MeshBasicMaterial({ map: painted.texture });
+    renderer = new THREE.WebGLRenderer();
+    renderer.setSize(64, 64);
+    return { shown: quarters(), exported: glb.byteLength > 500 };`);
+  expect(story).toEqual({ shown: [[255, 255, 255], RED, RED, RED], exported: true });
 });
 
 test("a material that patches its shader keeps its patch under the decals", async () => {

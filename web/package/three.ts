@@ -2,14 +2,21 @@
  * `texelcast/three`: decals on a mesh of one's own three.js scene, in a texture that follows them live. `three` is the page's
  * own, as a peer.
  */
-import { type Color, type Material, type Mesh, SRGBColorSpace, type Texture, type WebGLRenderer } from "three";
+import {
+  type Color,
+  type DataTexture,
+  type Material,
+  type Mesh,
+  SRGBColorSpace,
+  type Texture,
+  type WebGLRenderer,
+} from "three";
 import { TexelcastError } from "../core/texelcast-error.ts";
 import type { DesignLayer } from "../editor/document/design.ts";
 import { makeDecalLayer } from "../editor/document/make-layer.ts";
 import { resolveLayers } from "../editor/document/resolve-layers.ts";
-import { checkFile } from "../engine/check-file.ts";
 import { checkValue, LIST, OBJECT } from "../engine/check-value.ts";
-import type { Engine, PlanarProjector, Projector, TargetOptions, Vec3 } from "../engine/engine-api.ts";
+import type { Engine, PlanarProjector, Projector, TargetOptions, TargetUpdate, Vec3 } from "../engine/engine-api.ts";
 import type { EngineClientOptions } from "../engine/engine-client.ts";
 import { LiveTexture } from "../viewer/live-texture.ts";
 import { meshGlb, placeOnPicture } from "../viewer/mesh-glb.ts";
@@ -43,11 +50,6 @@ export type MeshDecal = Partial<
     | { readonly position: Vec3; readonly rotation: PlanarProjector["rotation"]; readonly size: Vec3 }
   );
 
-interface Opened {
-  readonly renderer: WebGLRenderer;
-  readonly target: TargetOptions;
-}
-
 /** A mesh whose texture is painted by an engine of its own. */
 export class PaintedMesh {
   readonly mesh: Mesh;
@@ -58,12 +60,9 @@ export class PaintedMesh {
   readonly #live: LiveTexture;
   readonly #before: Material;
   readonly #painted: Material;
-  readonly #opened: Opened;
-  /** The texels' way back after a lost graphics context. */
-  #restored: Promise<unknown> = Promise.resolve();
   #revision = 0;
 
-  private constructor(mesh: Mesh, engine: Engine, live: LiveTexture, like: Texture | null, opened: Opened) {
+  private constructor(mesh: Mesh, engine: Engine, live: LiveTexture, like: Texture | null) {
     this.mesh = mesh;
     this.engine = engine;
     this.texture = live.texture;
@@ -77,16 +76,7 @@ export class PaintedMesh {
     if (like === null) (this.#painted as Partial<{ color: Color }>).color?.set(0xffffff);
     Object.assign(this.#painted, { map: live.texture, needsUpdate: true });
     mesh.material = this.#painted;
-    this.#opened = opened;
-    opened.renderer.domElement.addEventListener("webglcontextrestored", this.#restore);
   }
-
-  /** What the GPU had is gone. A target that is opened anew reports every texel. */
-  readonly #restore = (): void => {
-    this.#restored = this.engine.openTarget(this.#opened.target);
-    // `idle` tells it.
-    this.#restored.catch(() => undefined);
-  };
 
   /**
    * Bakes the mesh and gives it its texture. Rejects with a TexelcastError: "bad-argument" for a mesh without `uv`, with several
@@ -97,7 +87,7 @@ export class PaintedMesh {
     check(renderer, mesh);
     const holds = (value: unknown): boolean => Number.isInteger(value) && size >= 1 && size <= 8192;
     checkValue(size, { must: "a whole number from 1 to 8192", holds }, "size");
-    const target = { material: 0, width: size, height: size, base: ownBase(base) ?? colorOf(mesh), mipmaps: true };
+    const target = { material: 0, width: size, height: size, base: base ?? colorOf(mesh), mipmaps: true };
     const like = isFile(base) ? (mapOf(materialOf(mesh)) ?? null) : null;
     const bytes = meshGlb(mesh, like);
     const engine = beginEngine(engineOptions);
@@ -105,15 +95,23 @@ export class PaintedMesh {
       await engine.loadModel({ name: mesh.name || "mesh", bytes });
       let live: LiveTexture | null = null;
       // The target's first texels come before its promise does.
-      const early: Parameters<LiveTexture["upload"]>[0][] = [];
-      engine.onUpdate((update) => {
-        if (live === null) early.push(update);
-        else live.upload(update);
-      });
+      const early: TargetUpdate[] = [];
+      const show = (update: TargetUpdate): void => {
+        if (live === null) {
+          early.push(update);
+          return;
+        }
+        // Of another size, where the engine was told so directly.
+        if (!live.fits(update)) return;
+        keepTexels(live.texture, update);
+        live.upload(update);
+      };
+      engine.onUpdate(show);
       live = new LiveTexture(renderer, await engine.openTarget(target), like);
       if (like !== null) live.texture.matrix.copy(placeOnPicture(like));
-      for (const update of early) live.upload(update);
-      return new PaintedMesh(mesh, engine, live, like, { renderer, target });
+      letThreeFill(live.texture);
+      early.forEach(show);
+      return new PaintedMesh(mesh, engine, live, like);
     } catch (error) {
       engine.dispose();
       throw error;
@@ -143,7 +141,6 @@ export class PaintedMesh {
 
   /** Resolves when the texture shows all that was set. */
   async idle(): Promise<void> {
-    await this.#restored;
     await this.engine.idle();
   }
 
@@ -154,7 +151,6 @@ export class PaintedMesh {
 
   /** Ends the engine, and gives the mesh the material that it had. */
   dispose(): void {
-    this.#opened.renderer.domElement.removeEventListener("webglcontextrestored", this.#restore);
     this.engine.dispose();
     if (this.mesh.material === this.#painted) this.mesh.material = this.#before;
     this.#painted.dispose();
@@ -170,6 +166,34 @@ function layerOf(decal: MeshDecal, at: number): DesignLayer {
       ? decal.projector
       : { kind: "planar", position: decal.position, rotation: decal.rotation, size: decal.size };
   return makeDecalLayer({ ...rest, asset: picture, material: 0, projector });
+}
+
+type Level = { data: Uint8Array | null; readonly width: number; readonly height: number };
+
+/** The picture that three.js has of a texture, and its smaller ones. */
+function levelsOf({ image, mipmaps }: DataTexture): readonly Level[] {
+  return (mipmaps.length > 0 ? mipmaps : [image]) as readonly Level[];
+}
+
+/**
+ * Has three.js keep the texels too, as it does of any texture: it makes the GPU's anew where the graphics context was lost, for another
+ * wrapping or filter, for another renderer and after `texture.dispose()`, and exporters read them.
+ */
+function letThreeFill(texture: DataTexture): void {
+  for (const level of levelsOf(texture)) level.data = new Uint8Array(level.width * level.height * 4);
+  (texture.image as Level).data = levelsOf(texture)[0]?.data ?? null;
+  texture.source.dataReady = true;
+}
+
+function keepTexels(texture: DataTexture, { rects, bytes }: TargetUpdate): void {
+  const levels = levelsOf(texture);
+  for (const { x, y, width, height, level, byteOffset } of rects) {
+    const kept = levels[level];
+    for (let row = 0; kept?.data && row < height; row++) {
+      const from = byteOffset + row * width * 4;
+      kept.data.set(bytes.subarray(from, from + width * 4), ((y + row) * kept.width + x) * 4);
+    }
+  }
 }
 
 function check(renderer: WebGLRenderer, mesh: Mesh): void {
@@ -203,13 +227,6 @@ const mapOf = (material: Material): Texture | null | undefined => (material as P
 type Base = PaintMeshOptions["base"];
 
 const isFile = (base: Base): base is Extract<Base, { readonly bytes: Uint8Array }> => "bytes" in Object(base);
-
-/** With a copy of the bytes, which their owner may go on to change: it is opened again after a lost graphics context. */
-function ownBase(base: Base): Base {
-  if (!isFile(base)) return base;
-  checkFile(base);
-  return { ...base, bytes: base.bytes.slice() };
-}
 
 function colorOf(mesh: Mesh): readonly [number, number, number, number] {
   const material = materialOf(mesh);
