@@ -3,6 +3,7 @@ import { afterEach, describe, expect, it } from "vitest";
 import type { Engine } from "../../web/engine/engine-api.ts";
 import { createEngineClient } from "../../web/engine/engine-client.ts";
 import { createEngineHost } from "../../web/engine/engine-host.ts";
+import { createEngine } from "../../web/package/core.ts";
 import { fill } from "../support/layers.ts";
 import { buildGlb, plane } from "../support/model-builder.ts";
 import { solidPng } from "../support/png-file.ts";
@@ -16,7 +17,7 @@ const DOOR: Record<string, () => Engine> = {
 };
 
 let engine: Engine;
-afterEach(() => engine.dispose());
+afterEach(() => (engine as Engine | undefined)?.dispose());
 
 const errors: Error[] = [];
 async function open(door: string): Promise<string> {
@@ -118,4 +119,18 @@ it("bytes that were given away to another thread are told as what cannot be sent
     message: expect.stringMatching(/detached/),
   });
   expect(await engine.hash(0)).toBe(painted);
+});
+
+it.each([
+  [{ memoryBudgetMib: "512" }, "memoryBudgetMib", "512"],
+  [{ memoryBudgetMib: Number.NaN }, "memoryBudgetMib", "NaN"],
+  [{ memoryBudgetMib: -1 }, "memoryBudgetMib", "-1"],
+  [{ createWorker: "worker.js" }, "createWorker", "worker.js"],
+])("no engine begins with the options %j", async (options, field, value) => {
+  const createWorker = () => new ThreadWorker() as never;
+  const begin = async (): Promise<void> => {
+    engine = createEngine({ createWorker, ...options } as never);
+    await engine.stats();
+  };
+  await expect(begin()).rejects.toMatchObject({ name: "TexelcastError", code: "bad-argument", field, value });
 });

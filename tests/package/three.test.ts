@@ -243,6 +243,7 @@ test.each([
     "PaintedMesh.create(renderer, new THREE.Mesh(mesh.geometry, [mesh.material]), { base: [1, 1, 1, 1] })",
     badArgument("material"),
   ],
+  ["null for options", "PaintedMesh.create(renderer, mesh, null)", badArgument("options", "null")],
   ["a size that is none", "PaintedMesh.create(renderer, mesh, { size: Number.NaN })", badArgument("size", "NaN")],
   ["a size beyond the largest", "PaintedMesh.create(renderer, mesh, { size: 1e6 })", badArgument("size", "1000000")],
   [

@@ -24,8 +24,8 @@ export type EngineOptions = EngineClientOptions;
  * Starts an engine. What is wrong with its WebAssembly or its worker shows at the first call, which rejects with a
  * TexelcastError ("missing-file", "unsupported", "engine-crashed").
  *
- * @throws TexelcastError "unsupported" where there are no workers, on a server, or the page lets none begin: one in an iframe whose sandbox
- * has no allow-same-origin, or with Trusted Types and no policy for it.
+ * @throws TexelcastError "bad-argument" for options that are none; "unsupported" where there are no workers, on a server, or the page
+ * lets none begin: one in an iframe whose sandbox has no allow-same-origin, or with Trusted Types and no policy for it.
  */
 export function createEngine(options: EngineOptions = {}): Engine {
   if (typeof Worker === "undefined" && !options.createWorker) {

@@ -83,6 +83,7 @@ export class PaintedMesh {
    * materials, or with a map and no `base`; "unsupported" for another renderer than three.js's of WebGL; and with what the engine says.
    */
   static async create(renderer: WebGLRenderer, mesh: Mesh, options: PaintMeshOptions = {}): Promise<PaintedMesh> {
+    checkValue(options, OBJECT, "options");
     const { size = 1024, base, ...engineOptions } = options;
     check(renderer, mesh);
     const holds = (value: unknown): boolean => Number.isInteger(value) && size >= 1 && size <= 8192;
