@@ -2,6 +2,7 @@
 import type { Browser } from "@playwright/test";
 import { afterAll, beforeAll, expect, test } from "vitest";
 import { paintPng, solidPng } from "../support/png-file.ts";
+import { guideFile } from "./support/guide.ts";
 import { addShopFiles, type InstalledPackage, installPackage } from "./support/installed.ts";
 import { openBrowser, openPage, type StaticServer, serveFolder } from "./support/serve.ts";
 
@@ -165,6 +166,27 @@ test("after the graphics were lost, the mesh has its decals again, and those tha
   const white: Rgb = [255, 255, 255];
   // A picture counts its rows from above, the square's texture coordinates from below.
   expect(story).toEqual({ before: [white, YELLOW, RED, GREEN], after: [BLUE, white, RED, GREEN] });
+});
+
+test("the guide's lines lay a decal upright where a ray hits, on a mesh that is turned, moved and scaled", async () => {
+  addShopFiles(installed.folder, { "placed-at.js": guideFile("placed-at.js") });
+  const story = await tell(`
+    const { placedAt } = await import("/placed-at.js");
+    const turned = new THREE.Group().add(mesh);
+    turned.rotation.z = Math.PI / 2;
+    mesh.scale.set(2, 2, 2);
+    mesh.position.set(0.5, 0, 0);
+    world.add(turned).updateMatrixWorld(true);
+    mesh.material.color.set("#ffffff");
+    const painted = await PaintedMesh.create(renderer, mesh, { size: 128, base: [1, 1, 1, 1] });
+    await painted.setPicture("quarters", picture);
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(new THREE.Vector2(0, 0), camera);
+    const [hit] = ray.intersectObject(mesh);
+    painted.setDecals([{ id: "d", picture: "quarters", size: [0.5, 0.5, 0.1], ...placedAt(hit, mesh, camera) }]);
+    await painted.idle();
+    return quarters();`);
+  expect(story).toEqual([RED, GREEN, BLUE, YELLOW]);
 });
 
 test.each([
