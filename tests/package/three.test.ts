@@ -189,6 +189,23 @@ test("the guide's lines lay a decal upright where a ray hits, on a mesh that is 
   expect(story).toEqual([RED, GREEN, BLUE, YELLOW]);
 });
 
+test("triangles beyond a geometry's draw range, which nobody sees, hide no decal", async () => {
+  const story = await tell(`
+    const [back, front] = [new THREE.PlaneGeometry(1, 1), new THREE.PlaneGeometry(1, 1).translate(0, 0, 0.02)].map((plane) => plane.toNonIndexed());
+    const joined = (name) => [...back.getAttribute(name).array, ...front.getAttribute(name).array];
+    mesh.geometry = new THREE.BufferGeometry();
+    mesh.geometry.setAttribute("position", new THREE.Float32BufferAttribute(joined("position"), 3));
+    mesh.geometry.setAttribute("uv", new THREE.Float32BufferAttribute(joined("uv"), 2));
+    mesh.geometry.setDrawRange(0, 6);
+    mesh.material.color.set("#ff0000");
+    const painted = await PaintedMesh.create(renderer, mesh, { size: 64 });
+    await painted.setPicture("white", await bytes("/white.png"));
+    painted.setDecals([{ id: "d", picture: "white", position: [-0.25, 0.25, 0], rotation: [0, 0, 0, 1], size: [0.4, 0.4, 0.1] }]);
+    await painted.idle();
+    return quarters();`);
+  expect(story).toEqual([[255, 255, 255], RED, RED, RED]);
+});
+
 test.each([
   ["another wrapping", "painted.texture.wrapS = THREE.ClampToEdgeWrapping; painted.texture.needsUpdate = true;"],
   [

@@ -22,7 +22,7 @@ export function placeOnPicture(texture: Texture): Matrix3 {
 }
 
 /**
- * The mesh's triangles as they rest (without bones and morphs). Throws a TexelcastError, "bad-argument", where the geometry has
+ * The mesh's triangles as they rest (without bones and morphs), as far as they are drawn. Throws a TexelcastError, "bad-argument", where the geometry has
  * no positions or no texture coordinates.
  *
  * @param like a texture whose UV set and places on the picture are taken; null: the `uv` as they are
@@ -41,7 +41,9 @@ export function meshGlb(mesh: Mesh, like: Texture | null = null): Uint8Array {
   const places = floatsOf(uv, 2);
   if (like) new BufferAttribute(places, 2).applyMatrix3(placeOnPicture(like));
   const views = [floatsOf(position, 3), places, ...(normal ? [floatsOf(normal, 3)] : [])];
-  const indices = Uint32Array.from({ length: index?.count ?? position.count }, (_, i) => index?.getX(i) ?? i);
+  const { start, count } = geometry.drawRange;
+  const all = Uint32Array.from({ length: index?.count ?? position.count }, (_, i) => index?.getX(i) ?? i);
+  const indices = all.slice(start, start + count);
   const parts: readonly (Float32Array | Uint32Array)[] = [...views, indices];
   const offsets = parts.map((_, i) => parts.slice(0, i).reduce((sum, part) => sum + part.byteLength, 0));
   const binary = new Uint8Array(parts.reduce((sum, part) => sum + part.byteLength, 0));
