@@ -99,7 +99,7 @@ export class Work {
     const mode = await this.ready();
     // What the page has set before it asks holds for what it asks.
     await this.#element.updateComplete;
-    await Promise.allSettled(this.#taken.values());
+    await Promise.allSettled([...this.#taken.values()]);
     return { desk: await mode.takeDesk(), idle: () => mode.idle() };
   }
 

@@ -13,8 +13,11 @@ export class OpenWork {
     return this.#begun.size > 0;
   }
 
-  /** Resolves when none is left, that which was begun in the meantime included. */
+  /**
+   * Resolves when none is left, that which was begun in the meantime included. A list: what a page puts in the place of the
+   * browser's own (zone.js, in its file for script tags) sees nothing in a set, and this would never let go of the thread.
+   */
   async settled(): Promise<void> {
-    while (this.#begun.size > 0) await Promise.allSettled(this.#begun);
+    while (this.#begun.size > 0) await Promise.allSettled([...this.#begun]);
   }
 }
