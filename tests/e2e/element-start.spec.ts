@@ -51,3 +51,34 @@ test("an element that is started while it is in no page shows nothing there, and
   expect(found).toEqual({ away: false, back: true, never: false });
   await expect.poll(() => page.workers().length).toBe(0);
 });
+
+test("a shown product is not opened anew where a server's page is laid over it, or a framework takes back what says nothing", async ({
+  page,
+}) => {
+  await page.goto("element.html?loading=lazy&size=256&locale=en");
+  const found = await page
+    .locator("texelcast-editor")
+    .evaluate(async (element: HTMLElementTagNameMap["texelcast-editor"]) => {
+      const written = element.getAttributeNames();
+      await element.start();
+      let loads = 0;
+      element.addEventListener("load", () => loads++);
+      // Turbo, htmx and Livewire take away what the server's tag does not have.
+      const own = element.getAttributeNames().filter((name) => !written.includes(name));
+      for (const name of [...own, "mode", "wasm-url"]) element.removeAttribute(name);
+      await element.exportDesign();
+      const anything = element as unknown as Record<string, unknown>;
+      for (const nothing of [undefined, "shop", "", null, "shop"]) {
+        anything.mode = nothing;
+        anything.wasmUrl = nothing === "shop" ? "" : nothing;
+        await element.exportDesign();
+      }
+      const still = loads;
+      element.mode = "full";
+      await element.start();
+      element.removeAttribute("mode");
+      await element.start();
+      return { still, loads, own };
+    });
+  expect(found).toEqual({ still: 0, loads: 2, own: [] });
+});

@@ -421,9 +421,8 @@ test("the page's address gives the element its own attributes, and nothing that 
   await page.goto(`element.html?loading=eager&max-decals=3&onprogress=${run}&onload=${run}&id=x&style=color:red`);
   const editor = page.locator("texelcast-editor");
   await expect(editor.getByRole("application")).toBeVisible();
-  // The mode is one that the element tells itself.
   const names = await editor.evaluate((element) => element.getAttributeNames());
-  expect(names).toEqual(["src", "loading", "max-decals", "mode"]);
+  expect(names).toEqual(["src", "loading", "max-decals"]);
   expect(await page.title()).toBe("Texelcast in a shop");
 });
 

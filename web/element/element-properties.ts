@@ -8,8 +8,15 @@ const numeric = {
     value === null || value.trim() === "" ? null : Number(value),
 };
 
-/** Frameworks take a property back with undefined, which is no other wish than null: the product must not be opened anew for it. */
-const hasChanged = (now: unknown, before: unknown): boolean => !Object.is(now ?? null, before ?? null);
+/**
+ * Whether it is another wish: frameworks take a property back with undefined or an empty text, and what lays a server's page over the
+ * one that is shown takes attributes away, which must not open the product anew.
+ */
+const otherThan =
+  (otherwise: unknown) =>
+  (now: unknown, before: unknown): boolean =>
+    !Object.is(now || otherwise, before || otherwise);
+const hasChanged = otherThan(null);
 
 export const DEFAULTS: TexelcastEditorProperties = {
   src: null,
@@ -37,7 +44,7 @@ export const PROPERTIES = {
   src: { hasChanged },
   design: { hasChanged },
   zones: { hasChanged },
-  mode: { reflect: true },
+  mode: { reflect: true, hasChanged: otherThan("shop") },
   material: { converter: numeric },
   size: { converter: numeric },
   locale: {},
@@ -51,6 +58,6 @@ export const PROPERTIES = {
   cameraOrbit: { attribute: "camera-orbit" },
   minCameraOrbit: { attribute: "min-camera-orbit" },
   maxCameraOrbit: { attribute: "max-camera-orbit" },
-  wasmUrl: { attribute: "wasm-url" },
+  wasmUrl: { attribute: "wasm-url", hasChanged },
   beforeAccept: { attribute: false },
 } satisfies Record<keyof TexelcastEditorProperties, PropertyDeclarations[string]>;
