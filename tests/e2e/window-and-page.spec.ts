@@ -84,6 +84,20 @@ for (const mode of ["shop", "full"] as const) {
     expect(await decalIn(editor)).toBeLessThan(-0.05);
   });
 
+  test(`in ${mode} mode a drag is the view's own where what it stands in can be dragged itself`, async ({ page }) => {
+    const editor = await open(page, mode);
+    // As page builders and sorted lists have it.
+    await editor.evaluate((element: Editor) => {
+      (element.parentElement as HTMLElement).draggable = true;
+    });
+    const { x, y } = await middleOf(viewsOf(editor).first());
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 90, y, { steps: 8 });
+    await page.mouse.up();
+    expect(await decalIn(editor)).toBeLessThan(-0.05);
+  });
+
   test(`in ${mode} mode the middle button is the views', and does not scroll the page`, async ({ page }) => {
     const editor = await open(page, mode);
     await page.evaluate(() => {

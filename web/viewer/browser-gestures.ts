@@ -1,7 +1,7 @@
 /**
  * What a browser itself would do with a press, a wheel or a pinch on a view. A press of the middle button would scroll the page from
  * then on (autoscroll, on Windows), a wheel that turns in the midst of a press would scroll it too, and a press where the page around is
- * selected would take that along and end the view's own drag. A pinch on a trackpad would zoom the page in Safari, which tells it by
+ * selected, or can be dragged (`draggable`), would take that along and end the view's own drag. A pinch on a trackpad would zoom the page in Safari, which tells it by
  * gesture events of its own: it is told as all other browsers tell it, by a wheel with Ctrl.
  */
 import { windowOf } from "./window-of.ts";
@@ -23,24 +23,30 @@ export function keepFromBrowser(element: HTMLElement, signal: AbortSignal): void
   const window = windowOf(element);
   window.addEventListener(
     "pointerdown",
-    (event) => event.pointerType === "touch" && fingers.add(event.pointerId),
+    (event) => {
+      const isTouch = event.pointerType === "touch";
+      // What can be dragged itself is dragged in the place of what it stands in. A finger's long press would lift it.
+      element.draggable = !isTouch;
+      if (isTouch) fingers.add(event.pointerId);
+    },
     early,
   );
   for (const type of ["pointerup", "pointercancel"] as const)
     window.addEventListener(type, (event) => fingers.delete(event.pointerId), early);
 
-  const hear = (type: string, take: (gesture: SafariGesture) => unknown): void =>
+  const hear = (type: string, take?: (gesture: SafariGesture) => unknown): void =>
     element.addEventListener(
       type,
       (event) => {
-        if (take(event as SafariGesture) !== false) event.preventDefault();
+        if (take?.(event as SafariGesture) !== false) event.preventDefault();
       },
       { signal },
     );
   hear("mousedown", ({ button }) => button === 1);
-  for (const type of ["dragstart", "wheel"]) hear(type, () => true);
+  hear("dragstart");
+  hear("wheel");
   hear("gesturestart", () => {
-    before = fingers.size > 0 ? null : 1;
+    before = fingers.size ? null : 1;
   });
   hear("gesturechange", ({ target, scale, clientX, clientY }) => {
     if (before === null || !(scale > 0)) return;
