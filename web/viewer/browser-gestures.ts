@@ -1,8 +1,8 @@
 /**
  * What a browser itself would do with a press, a wheel or a pinch on a view. A press of the middle button would scroll the page from
  * then on (autoscroll, on Windows), a wheel that turns in the midst of a press would scroll it too, and a press where the page around is
- * selected, or can be dragged (`draggable`), would take that along and end the view's own drag. A pinch on a trackpad would zoom the page in Safari, which tells it by
- * gesture events of its own: it is told as all other browsers tell it, by a wheel with Ctrl.
+ * selected, or can be dragged (`draggable`), would take that along and end the view's own drag. A pinch on a trackpad would zoom the
+ * page in Safari, which tells it by gesture events of its own: it is told as all other browsers tell it, by a wheel with Ctrl.
  */
 import { windowOf } from "./window-of.ts";
 
