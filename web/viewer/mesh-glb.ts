@@ -22,8 +22,8 @@ export function placeOnPicture(texture: Texture): Matrix3 {
 }
 
 /**
- * The mesh's triangles as they rest (without bones and morphs), as far as they are drawn. Throws a TexelcastError, "bad-argument", where the geometry has
- * no positions or no texture coordinates.
+ * The mesh's triangles as they rest (without bones and morphs), as far as they are drawn. Throws a TexelcastError, "bad-argument",
+ * where the geometry has no positions or no texture coordinates.
  *
  * @param like a texture whose UV set and places on the picture are taken; null: the `uv` as they are
  */
