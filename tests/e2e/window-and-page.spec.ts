@@ -36,6 +36,16 @@ const decalIn = (editor: Locator): Promise<number> =>
     return layer?.projector.position[0] ?? Number.NaN;
   });
 
+/** Where the decal lies after a drag from the middle of the model's view to the left. */
+async function draggedLeft(page: Page, editor: Locator): Promise<number> {
+  const { x, y } = await middleOf(viewsOf(editor).first());
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x - 90, y, { steps: 8 });
+  await page.mouse.up();
+  return await decalIn(editor);
+}
+
 /** Once no frame changes it any more. */
 async function orbitAtRest(view: Locator): Promise<string> {
   const mark = view.locator(".tcv-outline").first();
@@ -76,12 +86,7 @@ for (const mode of ["shop", "full"] as const) {
   test(`in ${mode} mode a drag is the view's own where the page around it is selected`, async ({ page }) => {
     const editor = await open(page, mode);
     await page.evaluate(() => getSelection()?.selectAllChildren(document.body));
-    const { x, y } = await middleOf(viewsOf(editor).first());
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.mouse.move(x - 90, y, { steps: 8 });
-    await page.mouse.up();
-    expect(await decalIn(editor)).toBeLessThan(-0.05);
+    expect(await draggedLeft(page, editor)).toBeLessThan(-0.05);
   });
 
   test(`in ${mode} mode a drag is the view's own where what it stands in can be dragged itself`, async ({ page }) => {
@@ -90,12 +95,7 @@ for (const mode of ["shop", "full"] as const) {
     await editor.evaluate((element: Editor) => {
       (element.parentElement as HTMLElement).draggable = true;
     });
-    const { x, y } = await middleOf(viewsOf(editor).first());
-    await page.mouse.move(x, y);
-    await page.mouse.down();
-    await page.mouse.move(x - 90, y, { steps: 8 });
-    await page.mouse.up();
-    expect(await decalIn(editor)).toBeLessThan(-0.05);
+    expect(await draggedLeft(page, editor)).toBeLessThan(-0.05);
   });
 
   test(`in ${mode} mode the middle button is the views', and does not scroll the page`, async ({ page }) => {
