@@ -357,7 +357,10 @@ export interface Engine {
    * ready, in pauses of other work. Null: nothing in particular is expected. Returns at once; changes no texel.
    */
   expect(change: ExpectedChange | null): void;
-  /** Called after each change, one call per changed target. Returns an unsubscribe function. */
+  /**
+   * Called after each change, one call per changed target. Returns an unsubscribe function. What a listener throws, of this or of
+   * `onError`, is the rejection of a promise that nobody handles; the others are told all the same.
+   */
   onUpdate(listener: (update: TargetUpdate) => void): () => void;
   /** Faults outside a call of the user's (the engine crashed, a layer was refused, a target could not be drawn). */
   onError(listener: (error: Error) => void): () => void;

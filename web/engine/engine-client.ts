@@ -28,6 +28,7 @@ import type { CallOptions, PendingCall } from "./pending-call.ts";
 import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./print-report.ts";
 import type { PrintZones } from "./print-zones.ts";
 import { LayerSender } from "./sent-layers.ts";
+import { tellAll } from "./tell-all.ts";
 import { sendable } from "./worker-address.ts";
 import { WorkerWatch } from "./worker-watch.ts";
 
@@ -366,7 +367,7 @@ class EngineClient implements Engine {
         this.#pending.get(message.id)?.onProgress?.(message.share);
         break;
       case "update":
-        for (const listener of this.#updateListeners) listener(message.update);
+        tellAll(this.#updateListeners, message.update);
         break;
       case "failure":
       case "error": {
@@ -390,7 +391,7 @@ class EngineClient implements Engine {
   }
 
   #report(error: Error): void {
-    for (const listener of this.#errorListeners) listener(error);
+    tellAll(this.#errorListeners, error);
   }
 
   #stopWorker(): void {

@@ -39,6 +39,7 @@ import type { PrintFile, PrintFileOptions, PrintMapKind, PrintReport } from "./p
 import { NO_ZONES, type PrintZones } from "./print-zones.ts";
 import { Readying } from "./readying.ts";
 import { isSvg } from "./svg-start.ts";
+import { tellAll } from "./tell-all.ts";
 
 export type { MapChannel } from "./map-view.ts";
 
@@ -485,7 +486,7 @@ export class EngineHost implements Engine {
         report(target.fault);
       }
       if (update === null) continue;
-      for (const listener of this.#updateListeners) listener(update);
+      tellAll(this.#updateListeners, update);
       // A listener may have disposed of the engine.
       if (this.#session !== session) return;
     }
@@ -503,8 +504,8 @@ export class EngineHost implements Engine {
   }
 
   #report(error: Error): void {
-    if (isTold(error)) for (const listener of this.#errorListeners) listener(error);
-    else void this.#explained(error).then((told) => this.#errorListeners.forEach((listener) => void listener(told)));
+    if (isTold(error)) tellAll(this.#errorListeners, error);
+    else void this.#explained(error).then((told) => tellAll(this.#errorListeners, told));
   }
 
   /** By what in the layers cannot be drawn, where that is why. */
