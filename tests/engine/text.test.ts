@@ -112,6 +112,13 @@ describe("setting text", () => {
     expect(apart[0]).not.toBe(apart[1]);
   });
 
+  it("writes a ligature that is one character, as copied from a PDF, as the letters that it stands for", async () => {
+    expect((await measure("ﬁne oﬀ")).missing).toEqual([]);
+    for (const font of ["texelcast:fonts/inter-700", "texelcast:fonts/source-serif-4-400"]) {
+      expect(await pathOf("ﬁ ﬂ ﬀ ﬃ ﬄ ﬆ", { font })).toBe(await pathOf("fi fl ff ffi ffl st", { font }));
+    }
+  });
+
   it("names the characters that no font has, each once, and draws a sign for them", async () => {
     expect((await measure("a𓀀b𓀀漢")).missing).toEqual(["𓀀", "漢"]);
     expect((await measure("Ada\u200d \u00a0")).missing).toEqual([]);

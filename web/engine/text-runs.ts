@@ -17,10 +17,15 @@ export interface TextRun {
 
 const bidi = bidiFactory();
 
-/** Unicode's composed form, which most fonts have; tabs as spaces, other control characters left out. */
+/**
+ * Unicode's composed form, which most fonts have; tabs as spaces, other control characters left out. Latin ligatures that are one
+ * character, as text copied from a PDF has them, are their letters: few fonts have the character, and those that join the letters
+ * do so by themselves.
+ */
 export const cleanText = (text: string): string =>
   text
     .normalize("NFC")
+    .replace(/[\ufb00-\ufb06]/g, (ligature) => ligature.normalize("NFKC"))
     .replace(/\r\n?|[\u2028\u2029]/g, "\n")
     .replaceAll("\t", " ")
     .replace(/[^\P{Cc}\n]/gu, "");
