@@ -182,6 +182,11 @@ describe("SVG files as decals", () => {
   const nested = Array.from({ length: 9 }, (_, i) => `<g id="u${i + 1}">${`<use href="#u${i}"/>`.repeat(10)}</g>`);
   it.each([
     ["that is not well-formed", svgOf("<rect"), "it is not well-formed"],
+    [
+      "copied out of a web page",
+      new TextEncoder().encode('<svg viewBox="0 0 2 1"><path d="M0 0h2v1z"/></svg>'),
+      'it has no xmlns="http://www.w3.org/2000/svg"',
+    ],
     ["without a size", svgOf("", 'width="0" height="0"'), "it has no width and height above 0"],
     ["a million times as long as wide", svgOf("", 'viewBox="0 0 1 1000000"'), "times as long as wide"],
     [

@@ -115,6 +115,8 @@ export function describeFault(thrown: unknown): readonly [reason: string, proble
   const cause = said.replace(/^SVG data parsing failed cause /, "");
   if (/reference loop/.test(cause)) return ["entities", "its entities grow beyond all measure", HINT];
   if (/nodes limit/.test(cause)) return ["too-slow", "it has too many elements", HINT];
+  // So is a drawing that was copied out of a web page, which takes it for what it is without.
+  if (/root node/.test(cause)) return ["no-namespace", `it has no xmlns="http://www.w3.org/2000/svg"`, HINT];
   if (/invalid size/.test(cause)) return ["no-size", "it has no width and height above 0", HINT];
   return cause === said
     ? ["undrawable", `it cannot be drawn (${said})`, AS_PNG]

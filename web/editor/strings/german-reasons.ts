@@ -41,6 +41,7 @@ export const PICTURES: Reasons = {
   jxl: ["Es ist ein JPEG-XL-Bild.", AS_PICTURE],
   ktx2: ["Es ist eine KTX2-Textur.", AS_PICTURE],
   "ktx2-kind": ["Es ist eine KTX2-Textur von einer Art, die nicht gelesen wird.", AS_PICTURE],
+  "no-namespace": ['Ihm fehlt xmlns="http://www.w3.org/2000/svg".', PLAIN_SVG],
   "no-pixels": ["Es enthält keine Pixel.", ANOTHER],
   "no-size": ["Es hat keine Breite und Höhe über 0.", PLAIN_SVG],
   "not-well-formed": ["Es ist kein gültiges SVG.", PLAIN_SVG],
