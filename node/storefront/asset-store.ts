@@ -5,10 +5,13 @@
 import { createHash, randomUUID } from "node:crypto";
 import { mkdir, readdir, readFile, rename, rm, stat, utimes, writeFile } from "node:fs/promises";
 import path from "node:path";
+import type { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { Sha256 } from "../../web/storefront/api/shop-api.ts";
 import { notFound, shopError } from "./shop-error.ts";
 
 const HASH = /^[0-9a-f]{64}$/;
+/** What a disk says that is full, or whose share for the server is used up. */
+const NO_ROOM: ReadonlySet<string> = new Set(["ENOSPC", "EDQUOT"]);
 
 /** 64 digits in lower case, as the store writes them. */
 export const isSha256 = (value: string): boolean => HASH.test(value);
@@ -59,13 +62,14 @@ export class AssetStore {
   }
 
   async #keep(hash: Sha256, bytes: Uint8Array): Promise<void> {
-    if (await this.has(hash)) return await this.#touch(hash);
-    if (this.#storedBytes + bytes.length > this.#mostBytes) {
-      throw shopError("storage-full", "the shop has no room for more files", { hint: "Try again later." });
-    }
-    // Before it is written: others that come meanwhile must not be promised the same room.
-    this.#storedBytes += bytes.length;
     const file = this.#fileOf(hash);
+    const there = await readFile(file).catch(() => null);
+    // One that the disk has damaged is replaced.
+    if (there !== null && sha256Of(there) === hash) return await this.#touch(hash);
+    const more = there === null ? bytes.length : 0;
+    if (this.#storedBytes + more > this.#mostBytes) throw noRoom();
+    // Before it is written: others that come meanwhile must not be promised the same room.
+    this.#storedBytes += more;
     // Whole or not at all: a reader never meets half a file.
     const draft = `${file}.${randomUUID()}`;
     try {
@@ -73,9 +77,9 @@ export class AssetStore {
       await writeFile(draft, bytes, { flag: "wx" });
       await rename(draft, file);
     } catch (error) {
-      this.#storedBytes -= bytes.length;
+      this.#storedBytes -= more;
       await rm(draft, { force: true });
-      throw error;
+      throw NO_ROOM.has((error as NodeJS.ErrnoException).code ?? "") ? noRoom(error) : error;
     }
   }
 
@@ -123,13 +127,22 @@ export class AssetStore {
     return removed;
   }
 
-  /** It is in use: its time is now. */
+  /** It is in use: its time is now. Where the disk takes nothing more, nothing is taken away from it either. */
   async #touch(hash: Sha256): Promise<void> {
     const now = new Date();
-    await utimes(this.#fileOf(hash), now, now);
+    await utimes(this.#fileOf(hash), now, now).catch((error: NodeJS.ErrnoException) => {
+      if (error.code === "ENOENT") throw error;
+    });
   }
 
   #fileOf(hash: Sha256): string {
     return path.join(this.#folder, hash.slice(0, 2), hash);
   }
 }
+
+/** @param cause of a disk that was full before the shop's own limit */
+const noRoom = (cause?: unknown): TexelcastError =>
+  shopError("storage-full", "the shop has no room for more files", {
+    hint: "Try again later.",
+    ...(cause !== undefined && { cause }),
+  });

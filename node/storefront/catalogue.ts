@@ -78,11 +78,7 @@ export async function readCatalogue(folder: string): Promise<Catalogue> {
     throw new TexelcastError("bad-argument", `${field}: ${issue.message}`, { subject: file, field });
   }
   const files = new Map<string, Promise<Uint8Array>>();
-  const bytesOf = (name: string): Promise<Uint8Array> => {
-    const bytes = files.get(name) ?? readFile(path.join(folder, name));
-    files.set(name, bytes);
-    return bytes;
-  };
+  const bytesOf = (name: string) => keptIn(files, name, () => readFile(path.join(folder, name)));
   const modelOf = async ({ model }: Product): Promise<ModelSource> => ({ name: model, bytes: await bytesOf(model) });
   const surfaces = new Map<Product, Promise<number>>();
   return {
@@ -90,12 +86,16 @@ export async function readCatalogue(folder: string): Promise<Catalogue> {
     currency: (result.output[0] as Product).price.currency,
     modelOf,
     zonesOf: async ({ zones }) => new TextDecoder().decode(await bytesOf(zones)),
-    surfaceOf: (product) => {
-      const surface = surfaces.get(product) ?? modelOf(product).then((model) => measured(model, product.material));
-      surfaces.set(product, surface);
-      return surface;
-    },
+    surfaceOf: (product) => keptIn(surfaces, product, async () => measured(await modelOf(product), product.material)),
   };
+}
+
+/** What was made of a key before, or is made now. What fails is not kept: the next one who asks tries anew. */
+function keptIn<Key, Value>(kept: Map<Key, Promise<Value>>, key: Key, make: () => Promise<Value>): Promise<Value> {
+  const value = kept.get(key) ?? make();
+  kept.set(key, value);
+  value.catch(() => kept.delete(key));
+  return value;
 }
 
 async function measured(model: ModelSource, material: number): Promise<number> {

@@ -180,7 +180,8 @@ export class ShopDatabase {
       work();
       this.#db.exec("COMMIT");
     } catch (error) {
-      this.#db.exec("ROLLBACK");
+      // A full disk makes SQLite take all of it back by itself.
+      if (this.#db.inTransaction) this.#db.exec("ROLLBACK");
       throw error;
     }
   }

@@ -66,7 +66,11 @@ export interface ErrorReply {
 export function replyTo(thrown: unknown): ErrorReply {
   if (thrown instanceof TexelcastError) {
     const status = STATUS_OF_CODE[thrown.code];
-    if (status !== undefined) return { status, body: { error: thrown.toJSON() }, unexpected: false };
+    if (status !== undefined) {
+      // A disk that is full is the shopkeeper's to clear; its own limit is one that was set.
+      const unexpected = thrown.code === "storage-full" && thrown.cause !== undefined;
+      return { status, body: { error: thrown.toJSON() }, unexpected };
+    }
   }
   const known = replyToFramework(thrown);
   if (known !== null) return { ...known, unexpected: false };
