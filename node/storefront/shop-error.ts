@@ -99,6 +99,16 @@ function replyToFramework(thrown: unknown): Omit<ErrorReply, "unexpected"> | nul
   return { status: statusCode, body: { error: error.toJSON() } };
 }
 
+/** Milliseconds in which a request must have come: the largest file's on a line of half a megabit a second. */
+const REQUEST_PATIENCE_MS = 600_000;
+
+/** A server's options that end requests which never come to their end; Fastify's own default is to wait for ever. */
+export const patienceOf = (milliseconds = REQUEST_PATIENCE_MS) => ({
+  requestTimeout: milliseconds,
+  // Node's own, where they are not more: it takes the longer one for the whole request's.
+  http: { headersTimeout: Math.min(milliseconds, 60_000), connectionsCheckingInterval: Math.min(milliseconds, 30_000) },
+});
+
 /** A server's options for what is refused before any route is asked, in the form of every refusal. */
 export const REFUSALS = {
   /** An address that cannot be decoded. */

@@ -3,8 +3,10 @@ import helmet from "@fastify/helmet";
 import rateLimit from "@fastify/rate-limit";
 import serveStatic from "@fastify/static";
 import Fastify, { type FastifyInstance } from "fastify";
+import { TexelcastError } from "../../web/core/texelcast-error.ts";
 import type { Design } from "../../web/editor/document/index.ts";
 import { type EditorReply, SHOP_LIMITS } from "../../web/storefront/api/shop-api.ts";
+import { systemReason } from "../system-reason.ts";
 import { AssetStore } from "./asset-store.ts";
 import { addCartRoutes } from "./cart-routes.ts";
 import { readCatalogue } from "./catalogue.ts";
@@ -16,7 +18,7 @@ import { Press, type PressOptions } from "./press.ts";
 import { PrintQueue, type RenderLine } from "./print-queue.ts";
 import type { Shop } from "./shop.ts";
 import { ShopDatabase } from "./shop-database.ts";
-import { answerNoAddress, notFound, REFUSALS, replyTo, tooManyRequests } from "./shop-error.ts";
+import { answerNoAddress, notFound, patienceOf, REFUSALS, replyTo, tooManyRequests } from "./shop-error.ts";
 
 export interface ShopServerOptions {
   /** The built pages, with `shop/products.json` and the models. */
@@ -31,6 +33,8 @@ export interface ShopServerOptions {
   readonly origins?: ShopOrigins;
   /** Days that a file is kept which no cart and no order uses; default `SHOP_LIMITS.unusedDays`, Infinity for ever. */
   readonly unusedDays?: number;
+  /** Milliseconds in which a request must have come; default ten minutes. */
+  readonly requestPatience?: number;
   /** Requests a minute from one address; default `SHOP_LIMITS.requestsPerMinute`. */
   readonly requestsPerMinute?: number;
   /** Lines put into carts a minute from one address; default `SHOP_LIMITS.linesPerMinute`. */
@@ -51,7 +55,11 @@ export interface ShopServer {
 
 const DAY = 24 * 60 * 60 * 1000;
 
-/** Opens the store and the database, and makes the server; it does not listen yet. `app.close()` ends all of it. */
+/**
+ * Opens the store and the database, and makes the server; it does not listen yet. `app.close()` ends all of it.
+ *
+ * @throws TexelcastError "storage-refused" where the store or the database cannot be opened, "database-taken", and as `readCatalogue`.
+ */
 export async function createShopServer(options: ShopServerOptions): Promise<ShopServer> {
   const report = options.report ?? ((error) => console.error(error));
   const shop = await openShop(options, report);
@@ -59,6 +67,7 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     bodyLimit: SHOP_LIMITS.jsonBytes,
     forceCloseConnections: true,
     trustProxy: options.behindProxy ?? false,
+    ...patienceOf(options.requestPatience),
     ...REFUSALS,
   });
   // Fastify's own, beside JSON: a body that is a text would be told as JSON of the wrong shape.
@@ -71,6 +80,10 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
     return reply.code(status).send(body);
   });
   app.setNotFoundHandler(answerNoAddress);
+  // Who has hung up already has no address that could be counted, and hears no answer.
+  app.addHook("onRequest", async (request, reply) => {
+    if (request.ip === undefined) reply.hijack();
+  });
   await addRoutes(app, shop, options);
   const tidyUp = (): Promise<unknown> =>
     shop.store
@@ -91,8 +104,9 @@ export async function createShopServer(options: ShopServerOptions): Promise<Shop
 
 async function openShop(options: ShopServerOptions, report: (error: unknown) => void): Promise<Shop> {
   const catalogue = await readCatalogue(options.site);
-  const store = await AssetStore.open(options.store, options.storedBytes ?? SHOP_LIMITS.storedBytes);
-  const database = new ShopDatabase(options.database);
+  const { storedBytes = SHOP_LIMITS.storedBytes } = options;
+  const store = await openedAt(options.store, () => AssetStore.open(options.store, storedBytes));
+  const database = await openedAt(options.database, () => new ShopDatabase(options.database));
   const press = new Press(catalogue, store, options.press);
   const print: RenderLine = async (line) => {
     const product = catalogue.products.get(line.product);
@@ -102,6 +116,23 @@ async function openShop(options: ShopServerOptions, report: (error: unknown) => 
   const queue = new PrintQueue(database, store, print, report);
   const { linesPerMinute = SHOP_LIMITS.linesPerMinute } = options;
   return { catalogue, store, database, press, queue, linesPerMinute };
+}
+
+/** Throws a TexelcastError: "storage-refused", unless the fault has a name already. */
+async function openedAt<Kept>(place: string, open: () => Kept | Promise<Kept>): Promise<Kept> {
+  try {
+    return await open();
+  } catch (thrown) {
+    throw TexelcastError.wrap(
+      thrown,
+      "storage-refused",
+      `what the shop keeps cannot be opened (${systemReason(thrown)})`,
+      {
+        subject: place,
+        hint: "See that it may be written, or name another folder with --data.",
+      },
+    );
+  }
 }
 
 /** The pages under their policy, and what they ask for below `/api`. */

@@ -1,4 +1,5 @@
 /** What reaches neither a route nor Fastify's hooks, on both servers: it is told as any other refusal. */
+import { once } from "node:events";
 import { connect } from "node:net";
 import path from "node:path";
 import type { FastifyInstance } from "fastify";
@@ -10,11 +11,35 @@ const { app: shop, folder } = await openShop();
 const editor = await createEditorServer(path.join(folder, "site"), { shop: null, editor: null });
 afterAll(() => editor.close());
 
+it("a body that never comes to its end is refused in time, and nothing waits for it", async () => {
+  const { app } = await openShop({ requestPatience: 100 });
+  await app.listen({ port: 0, host: "127.0.0.1" });
+  const head = "POST /api/carts HTTP/1.1\r\nHost: shop\r\nContent-Type: application/json\r\nContent-Length: 9\r\n\r\n";
+  const answer = await answerTo(app, `${head}{`);
+  expect(answer).toMatch(/^HTTP\/1.1 408 /);
+  expect(answer).toContain('"code":"bad-request"');
+});
+
+it("somebody who hangs up before they are answered leaves nothing in the log", async () => {
+  const { app, reported } = await openShop();
+  await app.listen({ port: 0, host: "127.0.0.1" });
+  const gone = connect(portOf(app), "127.0.0.1", () => {
+    gone.write("GET /api/products HTTP/1.1\r\nHost: shop\r\n\r\n".repeat(20));
+    setImmediate(() => gone.resetAndDestroy());
+  });
+  await once(gone, "close");
+  // Whoever comes after them is answered, when all of theirs has been looked at.
+  expect(await answerTo(app, "GET /api/products HTTP/1.1\r\nHost: shop\r\nConnection: close\r\n\r\n")).toMatch(
+    / 200 OK/,
+  );
+  expect(reported).toEqual([]);
+});
+
 /** All that the server answers to these bytes before it hangs up. */
 function answerTo(server: FastifyInstance, bytes: string): Promise<string> {
   return new Promise((resolve, reject) => {
     let answer = "";
-    const socket = connect(Number(new URL(originOf(server, "127.0.0.1")).port), "127.0.0.1", () => socket.write(bytes));
+    const socket = connect(portOf(server), "127.0.0.1", () => socket.write(bytes));
     socket.setEncoding("utf8").on("data", (part) => {
       answer += part;
     });
@@ -22,10 +47,14 @@ function answerTo(server: FastifyInstance, bytes: string): Promise<string> {
   });
 }
 
+const portOf = (server: FastifyInstance): number => Number(new URL(originOf(server, "127.0.0.1")).port);
+
 describe.each([
   ["the shop", shop],
   ["the editor's server", editor],
 ])("%s", (_name, server) => {
+  it("waits for no request for ever", () => expect(server.server.requestTimeout).toBeGreaterThan(0));
+
   it.each([
     ["what is no HTTP", "Guten Tag\r\n\r\n", 400],
     ["a method that HTTP does not know", "SHOP / HTTP/1.1\r\nHost: shop\r\n\r\n", 400],

@@ -5,6 +5,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { expect, it, onTestFinished } from "vitest";
+import { PLANE } from "./shop-fixture.ts";
 
 const SERVER = fileURLToPath(new URL("../../build/node/storefront.mjs", import.meta.url));
 
@@ -73,6 +74,27 @@ it("refuses a data folder that is a file, or that can never be made", () => {
     expect(stderr).toContain(`--data: ${JSON.stringify(data)} cannot be made: `);
     expect(status).toBe(2);
   }
+});
+
+it.each([
+  ["whose database is another file", "shop.sqlite", (file: string) => writeFileSync(file, "no database ".repeat(100))],
+  ["whose database is a folder", "shop.sqlite", (file: string) => mkdirSync(file)],
+  ["whose files are one file", "files", (file: string) => writeFileSync(file, "")],
+])("refuses a data folder %s, in words, and leaves it as it is", (_what, name, spoil) => {
+  const folder = mkdtempSync(path.join(tmpdir(), "texelcast-start-"));
+  onTestFinished(() => rmSync(folder, { recursive: true, force: true }));
+  const [site, data] = [path.join(folder, "site"), path.join(folder, "data")];
+  for (const each of [path.join(site, "shop"), data]) mkdirSync(each, { recursive: true });
+  writeFileSync(path.join(site, "shop", "products.json"), JSON.stringify([PLANE]));
+  const file = path.join(data, name);
+  spoil(file);
+  const { status, stderr } = start("--site", site, "--data", data, "--port", "0");
+  expect(stderr).toMatch(/^[^\n]+\n$/);
+  expect(stderr).toContain(file);
+  expect(stderr).toContain("--data");
+  expect(status).toBe(2);
+  expect(existsSync(path.join(data, "shop.sqlite.pid"))).toBe(false);
+  expect(existsSync(file)).toBe(true);
 });
 
 it.each([
