@@ -1,6 +1,7 @@
 /** The editor of a product page: the element in the page itself, or in an iframe of another origin. Both answer alike. */
 import type { ChangeDetail, PrintReport, SnapshotOptions, SnapshotView, SubmitDetail } from "../element/element-api.ts";
 import type { Product } from "./api/shop-api.ts";
+import { keepFor, keptFor } from "./kept.ts";
 
 export interface ProductEditor {
   /** Ends with `onSubmit`. */
@@ -66,6 +67,6 @@ const KEY = "handprint-editor";
 /** Whether this tab wants its editors framed: `?editor=iframe` says so until `?editor=page`. */
 export function wantsFrame(parameters: URLSearchParams): boolean {
   const asked = parameters.get("editor");
-  if (asked !== null) sessionStorage.setItem(KEY, asked);
-  return sessionStorage.getItem(KEY) === "iframe";
+  if (asked !== null) keepFor("tab", KEY, asked);
+  return (asked ?? keptFor("tab", KEY)) === "iframe";
 }

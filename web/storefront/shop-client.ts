@@ -56,7 +56,7 @@ export const shopClient = {
 
   async file(address: string): Promise<Uint8Array> {
     const response = await send("GET", address);
-    return new Uint8Array(await response.arrayBuffer());
+    return new Uint8Array(await response.arrayBuffer().catch(notReached));
   },
 };
 
@@ -66,16 +66,12 @@ export const printFileAddress = (order: string, line: string): string =>
 
 async function ask<Reply>(method: string, path: string, init: RequestInit = {}): Promise<Reply> {
   const response = await send(method, `api/${path}`, init);
-  return (await response.json()) as Reply;
+  // One that breaks off, or a hotel's page in its place, is no JSON of ours.
+  return (await response.json().catch(notReached)) as Reply;
 }
 
 async function send(method: string, address: string, init: RequestInit = {}): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(address, { ...init, method });
-  } catch {
-    throw new ShopError({ code: "offline", message: words.offline, hint: words.offlineHint });
-  }
+  const response = await fetch(address, { ...init, method }).catch(notReached);
   if (response.ok) return response;
   throw new ShopError(await faultOf(response));
 }
@@ -83,5 +79,11 @@ async function send(method: string, address: string, init: RequestInit = {}): Pr
 /** What a proxy between answers is no JSON of ours. */
 async function faultOf(response: Response): Promise<ShopFault> {
   const body = (await response.json().catch(() => null)) as { readonly error?: ShopFault } | null;
-  return body?.error ?? { code: "offline", message: words.offline, hint: words.offlineHint };
+  return body?.error ?? OFFLINE;
+}
+
+const OFFLINE: ShopFault = { code: "offline", message: words.offline, hint: words.offlineHint };
+
+function notReached(): never {
+  throw new ShopError(OFFLINE);
 }

@@ -74,6 +74,8 @@ export const words = {
   fileFacts: (width: number, height: number, size: string) => `PNG, ${width} × ${height} pixels, ${size}`,
   noOrder: "This address names no order.",
   partMissing: "A part of the editor could not be fetched.",
+  noCart: "This browser lets the shop keep no cart.",
+  noCartHint: "Allow this site to keep data, and add it again. Your design stays as it is.",
   offline: "The shop cannot be reached.",
   offlineHint: "Check the connection, and try again. Your design stays as it is.",
 } as const;

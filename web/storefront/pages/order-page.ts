@@ -8,19 +8,35 @@ import { words } from "../words.ts";
 
 /** Milliseconds between two questions whether the print files are done. */
 const PATIENCE = 800;
+/** The same after one that was not answered, which many may have asked at once. */
+const PATIENCE_AFTER_FAULT = 3000;
 
 const frame = openFrame(words.order);
 startPage(frame, async () => {
   const id = new URLSearchParams(location.search).get("order");
   if (id === null) throw new Error(words.noOrder);
+  let order = await shopClient.orderOf(id);
   for (;;) {
-    const order = await shopClient.orderOf(id);
     document.title = words.title(words.orderTitle(order.number));
     show(order);
     if (order.lines.every(({ status }) => status === "ready" || status === "held")) return;
-    await new Promise((resolve) => setTimeout(resolve, PATIENCE));
+    order = await nextOf(order);
   }
 });
+
+/** The order as it is a moment later. A server that does not answer meanwhile takes nothing from the page, and is asked again. */
+async function nextOf({ id }: Order): Promise<Order> {
+  for (let failed = false; ; failed = true) {
+    await new Promise((resolve) => setTimeout(resolve, failed ? PATIENCE_AFTER_FAULT : PATIENCE));
+    try {
+      const order = await shopClient.orderOf(id);
+      if (failed) frame.setFault(null);
+      return order;
+    } catch (thrown) {
+      frame.setFault(thrown);
+    }
+  }
+}
 
 function show(order: Order): void {
   frame.show(html`
