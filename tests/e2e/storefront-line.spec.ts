@@ -15,7 +15,7 @@ const forgetTheLine = (shop: ShopPage): void => {
 };
 
 /** As browsers do that are told to keep nothing of any page. */
-const keepNothing = (page: Page): Promise<void> =>
+const keepNothing = (page: Page) =>
   page.addInitScript(() => {
     for (const name of ["localStorage", "sessionStorage"]) {
       Object.defineProperty(window, name, {

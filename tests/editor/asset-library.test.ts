@@ -8,6 +8,7 @@ import { MEBIBYTE } from "../../web/editor/state/megabytes.ts";
 import { Store } from "../../web/editor/state/store.ts";
 import type { Engine, EngineLayer } from "../../web/engine/engine-api.ts";
 import type { ModelViewer } from "../../web/viewer/viewer-api.ts";
+import { brokenOff } from "../support/broken-off.ts";
 import { FRONT } from "../support/layers.ts";
 import { solidPng } from "../support/png-file.ts";
 
@@ -154,20 +155,26 @@ describe("the pictures of designs", () => {
     expect([...has]).toEqual([]);
   });
 
-  it("of a design that lie elsewhere and do not come are told as what did not come, and not as what was left out", async () => {
-    const { library } = painting(64);
-    vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
-    const assets = { far: { type: "image/png", uri: "decals/far.png" } } as const;
-    const adopted = library.adopt(
-      { ...emptyDesign(), assets },
-      { path: "Avatar", baseUrl: "https://shop.example/demo/" },
-    );
-    await expect(adopted).rejects.toMatchObject({
-      code: "missing-file",
-      reason: "not-loaded",
-      value: "decals/far.png",
-    });
-  });
+  it.each([
+    ["do not come", () => Promise.reject(new TypeError("Failed to fetch"))],
+    ["break off on their way", async () => brokenOff()],
+  ])(
+    "of a design that lie elsewhere and %s are told as what did not come, and not as what was left out",
+    async (_what, fetched) => {
+      const { library } = painting(64);
+      vi.stubGlobal("fetch", fetched);
+      const assets = { far: { type: "image/png", uri: "decals/far.png" } } as const;
+      const adopted = library.adopt(
+        { ...emptyDesign(), assets },
+        { path: "Avatar", baseUrl: "https://shop.example/demo/" },
+      );
+      await expect(adopted).rejects.toMatchObject({
+        code: "missing-file",
+        reason: "not-loaded",
+        value: "decals/far.png",
+      });
+    },
+  );
 
   it("of a design are fetched side by side, a few ahead, and have the order of the design whichever comes first", async () => {
     const { library } = painting(64);

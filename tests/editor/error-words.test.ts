@@ -15,6 +15,7 @@ import { german } from "../../web/element/words/german.ts";
 import { readFontHeader } from "../../web/engine/font-file.ts";
 import { readPictureHeader } from "../../web/engine/picture-header.ts";
 import { unzipModel } from "../../web/engine/zipped-model.ts";
+import { brokenOff } from "../support/broken-off.ts";
 
 const FLAT = new TexelcastError("no-uvs", "The material has no texture coordinates.", { subject: "fox.glb" });
 const BROKEN = new TexelcastError("bad-design", 'layers[0].opacity: must be a number, is "x"', {
@@ -164,8 +165,11 @@ describe("a part of the page that cannot be fetched", () => {
     }
   });
 
-  it("has what to do beside it where it is an example that could not be fetched, too", async () => {
-    vi.stubGlobal("fetch", () => Promise.reject(new TypeError("Failed to fetch")));
+  it.each([
+    ["could not be fetched", () => Promise.reject(new TypeError("Failed to fetch"))],
+    ["broke off on its way", async () => brokenOff()],
+  ])("has what to do beside it where it is an example that %s, too", async (_what, fetched) => {
+    vi.stubGlobal("fetch", fetched);
     const thrown = await fetchBytes("demo/mug.glb", "http://localhost/").catch((error: unknown) => error);
     vi.unstubAllGlobals();
     expect(noticeOf(1, "", thrown, stringsIn("en"))).toMatchObject({

@@ -3,6 +3,7 @@
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import { ToldError } from "../strings/told-error.ts";
 import type { Strings } from "../strings.ts";
+import { fetchWhole } from "./fetch-whole.ts";
 
 export interface DemoModel {
   readonly id: string;
@@ -64,10 +65,10 @@ export async function loadDemoCatalogue(page: string, strings: Strings): Promise
 
 /** Rejects with a TexelcastError of code "missing-file". */
 export async function fetchBytes(address: string, base: string): Promise<Uint8Array> {
-  const response = await fetch(new URL(address, base)).catch(() => undefined);
-  if (!response?.ok) {
+  const bytes = await fetchWhole(new URL(address, base));
+  if (!bytes) {
     const details = { subject: address, reason: "not-loaded" };
     throw new TexelcastError("missing-file", `${address} could not be fetched.`, details);
   }
-  return new Uint8Array(await response.arrayBuffer());
+  return bytes;
 }

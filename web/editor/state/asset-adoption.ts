@@ -5,6 +5,7 @@ import { findCompanion } from "../../engine/companion-files.ts";
 import { isShippedFontAddress } from "../../engine/font-address.ts";
 import { decodeDataUri } from "../document/data-uri.ts";
 import type { Design, DesignAsset } from "../document/design.ts";
+import { fetchWhole } from "../files/fetch-whole.ts";
 import { bytesOf } from "../files/file-bytes.ts";
 import type { AssetLibrary, DesignPlace } from "./asset-library.ts";
 
@@ -60,10 +61,10 @@ async function readAsset(uri: string, field: string, { path, files, baseUrl, rea
       hint: "Open the design together with its pictures: choose or drop all of them at once.",
     });
   }
-  const response = await fetch(address).catch(() => undefined);
-  if (!response?.ok) {
+  const bytes = await fetchWhole(address);
+  if (!bytes) {
     const details = { subject: path, field, value: uri, reason: "not-loaded" };
     throw new TexelcastError("missing-file", `${uri} could not be fetched.`, details);
   }
-  return bytesOf(await response.blob());
+  return bytes;
 }
