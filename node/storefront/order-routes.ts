@@ -20,7 +20,14 @@ export function addOrderRoutes(app: FastifyInstance, { catalogue, store, databas
     const { name } = readOrderRequest(request.body);
     const id = database.order(cart, name);
     if (id === null) {
-      throw shopError("bad-request", "the cart is empty", { field: "cart", hint: "Put a product into it first." });
+      // Whom the answer did not reach asks again.
+      const made = database.lastOrderOf(cart);
+      const hint = made === null ? "Put a product into it first." : "What was in it is ordered.";
+      throw shopError("bad-request", "the cart is empty", {
+        field: "cart",
+        hint,
+        ...(made !== null && { value: made }),
+      });
     }
     queue.wake();
     return reply.code(201).send(orderOf(id));

@@ -22,6 +22,10 @@ CREATE TABLE IF NOT EXISTS orders (
   name TEXT NOT NULL,
   created TEXT NOT NULL
 ) STRICT;
+CREATE TABLE IF NOT EXISTS ordered_carts (
+  cart TEXT PRIMARY KEY REFERENCES carts(id) ON DELETE CASCADE,
+  order_id TEXT NOT NULL REFERENCES orders(id)
+) STRICT;
 CREATE TABLE IF NOT EXISTS order_lines (
   place INTEGER PRIMARY KEY AUTOINCREMENT,
   id TEXT NOT NULL UNIQUE,
@@ -102,7 +106,10 @@ export class ShopDatabase {
 
   addLine(cart: string, item: Item): string {
     const id = newId();
-    this.#db.run("INSERT INTO cart_lines (id, cart, item) VALUES (?, ?, ?)", [id, cart, JSON.stringify(item)]);
+    this.#together(() => {
+      this.#db.run("INSERT INTO cart_lines (id, cart, item) VALUES (?, ?, ?)", [id, cart, JSON.stringify(item)]);
+      this.#db.run("DELETE FROM ordered_carts WHERE cart = ?", [cart]);
+    });
     return id;
   }
 
@@ -117,6 +124,12 @@ export class ShopDatabase {
     return this.#db.run("DELETE FROM cart_lines WHERE cart = ? AND id = ?", [cart, line]).changes > 0;
   }
 
+  /** The order that emptied a cart; null where something was put in since. */
+  lastOrderOf(cart: string): string | null {
+    const row = this.#one("SELECT order_id FROM ordered_carts WHERE cart = ?", [cart]);
+    return row && String(row.order_id);
+  }
+
   /** Makes an order of all that is in the cart, which is empty afterwards: both or neither. Null for an empty cart. */
   order(cart: string, name: string): string | null {
     const lines = this.linesOf(cart);
@@ -129,6 +142,7 @@ export class ShopDatabase {
         this.#db.run("INSERT INTO order_lines (id, order_id, item, status) VALUES (?, ?, ?, 'waiting')", values);
       }
       this.#db.run("DELETE FROM cart_lines WHERE cart = ?", [cart]);
+      this.#db.run("INSERT OR REPLACE INTO ordered_carts (cart, order_id) VALUES (?, ?)", [cart, order]);
     });
     return order;
   }

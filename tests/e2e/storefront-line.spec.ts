@@ -99,6 +99,18 @@ test("where somebody else answers in the shop's place, or an answer breaks off, 
   await page.getByRole("button", { name: "Add to cart" }).click();
   await page.waitForURL(/cart\.html/, { timeout: 60_000 });
   await expect(page.getByText("1 print")).toBeVisible();
+  // The order is made, and its answer does not arrive.
+  await page.route("**/order", async (route) => {
+    await route.fetch();
+    await route.abort();
+  });
+  await page.getByLabel("Your name").fill("Ada");
+  await page.getByRole("button", { name: "Place order" }).click();
+  await expect(page.locator(".fault")).toContainText(UNREACHED);
+  await page.unroute("**/order");
+  await page.getByRole("button", { name: "Place order" }).click();
+  await expect(page.getByRole("heading", { level: 1 })).toHaveText("Thank you, Ada.");
+  await expect(page.locator("[data-status=ready]")).toBeVisible({ timeout: 60_000 });
   forgetTheLine(shop);
 });
 

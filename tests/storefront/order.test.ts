@@ -78,6 +78,24 @@ describe("an order", () => {
     });
   });
 
+  it("is made once, and named to whom its answer did not reach and who asks again", async () => {
+    const shop = await openShop();
+    const cart = await shop.cart();
+    const ask = async () =>
+      (await shop.app.inject({ method: "POST", url: `/api/carts/${cart}/order`, payload: { name: "Ada" } })).json();
+    expect((await ask()).error).not.toHaveProperty("value");
+    await shop.addLine(cart, await shop.line());
+    const { id, number } = await ask();
+    expect((await ask()).error).toMatchObject({ code: "bad-request", field: "cart", value: id });
+    // A cart that something was put into since is no longer that order's.
+    const { line } = (await shop.addLine(cart, await shop.line())).json();
+    await shop.app.inject({ method: "DELETE", url: `/api/carts/${cart}/lines/${line}` });
+    expect((await ask()).error).not.toHaveProperty("value");
+    await shop.addLine(cart, await shop.line());
+    expect((await ask()).number).toBe(number + 1);
+    await shop.printed();
+  });
+
   it("empties the cart, adds up its lines, and numbers itself", async () => {
     const shop = await openShop();
     const cart = await shop.cart();

@@ -5,7 +5,7 @@ import { type Cart, type CartLine, type LineRequest, type Product, SHOP_LIMITS }
 import { formatPrice } from "../formats.ts";
 import { findCart } from "../my-cart.ts";
 import { openFrame, startPage } from "../page-frame.ts";
-import { fileAddress, shopClient } from "../shop-client.ts";
+import { fileAddress, ShopError, shopClient } from "../shop-client.ts";
 import { words } from "../words.ts";
 
 const frame = openFrame(words.cartTitle);
@@ -168,11 +168,22 @@ async function order(event: SubmitEvent): Promise<void> {
   frame.setFault(null);
   draw();
   try {
-    const { id } = await shopClient.order(cart.id, name);
+    const id = await orderedId(cart.id, name);
     location.assign(`./order.html?order=${encodeURIComponent(id)}`);
   } catch (thrown) {
     busy = false;
     frame.setFault(thrown);
     draw();
+  }
+}
+
+/** Also of an order that was made already, and whose answer was lost on the way. */
+async function orderedId(cart: string, name: string): Promise<string> {
+  try {
+    return (await shopClient.order(cart, name)).id;
+  } catch (thrown) {
+    const { code, field, value } = thrown instanceof ShopError ? thrown.fault : {};
+    if (code === "bad-request" && field === "cart" && value !== undefined) return value;
+    throw thrown;
   }
 }
