@@ -6,6 +6,7 @@ import { isLocked } from "../document/layer-tree.ts";
 import { layerById } from "../state/design-edits.ts";
 import type { EditorState } from "../state/editor-state.ts";
 import type { Strings } from "../strings.ts";
+import { isComposed } from "../ui/composed-key.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
 import { icon } from "../ui/icon.ts";
@@ -145,6 +146,7 @@ export class LayerProperties extends EditorElement {
     const input = (event: Event): HTMLInputElement => event.target as HTMLInputElement;
     const keys = (event: KeyboardEvent): void => {
       const field = input(event);
+      if (isComposed(event)) return;
       if (event.key === "Escape" && field.value !== layer.name) {
         event.stopPropagation();
         field.value = layer.name;

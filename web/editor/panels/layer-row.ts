@@ -4,6 +4,7 @@ import { ChevronDown, ChevronRight, Eye, EyeOff, GripVertical, type IconNode, Lo
 import type { DesignLayer } from "../document/index.ts";
 import type { LayerRow } from "../state/layer-rows.ts";
 import type { Strings } from "../strings.ts";
+import { isComposed } from "../ui/composed-key.ts";
 import { icon } from "../ui/icon.ts";
 import { maskPicture, type ThumbnailSource, thumbnail } from "../ui/thumbnail.ts";
 
@@ -131,7 +132,7 @@ function nameCell(row: LayerRow, look: RowLook, acts: RowActs): TemplateResult {
 function nameField({ id, name }: DesignLayer, words: Strings["layers"], acts: RowActs): TemplateResult {
   const typed = (event: Event): string => (event.target as HTMLInputElement).value;
   const key = (event: KeyboardEvent): void => {
-    if (event.key !== "Enter" && event.key !== "Escape") return;
+    if (isComposed(event) || (event.key !== "Enter" && event.key !== "Escape")) return;
     event.preventDefault();
     event.stopPropagation();
     acts.endRename(id, event.key === "Enter" ? typed(event) : null, true);

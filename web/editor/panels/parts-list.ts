@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from "lit";
 import { Eye, EyeOff, Focus } from "lucide";
 import type { ModelPart } from "../../viewer/viewer-api.ts";
 import type { EditorState } from "../state/editor-state.ts";
+import { letterOf } from "../state/letter-key.ts";
 import type { Strings } from "../strings.ts";
 import { controls } from "../ui/controls.ts";
 import { EditorElement } from "../ui/editor-element.ts";
@@ -174,8 +175,8 @@ export class PartsList extends EditorElement {
     const id = Number(row.dataset.part);
     if (step !== undefined) {
       rows[(rows.indexOf(row) + step + rows.length) % rows.length]?.querySelector<HTMLElement>(".name")?.focus();
-    } else if (event.key.toLowerCase() === "h") this.editor.views.togglePart(id);
-    else if (event.key.toLowerCase() === "i") this.editor.views.isolatePart(id);
+    } else if (letterOf(event) === "h") this.editor.views.togglePart(id);
+    else if (letterOf(event) === "i") this.editor.views.isolatePart(id);
     else return;
     event.preventDefault();
     event.stopPropagation();

@@ -5,6 +5,7 @@ import { Copy, Image, Pencil, Plus, Trash2, Undo2, X } from "lucide";
 import type { EditorState, ListedProject } from "../state/editor-state.ts";
 import { megabytes } from "../state/megabytes.ts";
 import type { Strings } from "../strings.ts";
+import { isComposed } from "../ui/composed-key.ts";
 import { controls } from "../ui/controls.ts";
 import { dialogFrame } from "../ui/dialog-frame.ts";
 import { EditorElement } from "../ui/editor-element.ts";
@@ -260,7 +261,7 @@ export class ProjectsDialog extends EditorElement {
       void this.#focus(id, "[data-action=rename]");
     };
     const key = (event: KeyboardEvent): void => {
-      if (event.key !== "Enter" && event.key !== "Escape") return;
+      if (isComposed(event) || (event.key !== "Enter" && event.key !== "Escape")) return;
       // Escape ends the typing, not the dialog.
       event.preventDefault();
       event.stopPropagation();

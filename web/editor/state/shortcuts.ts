@@ -1,8 +1,10 @@
 /** Keys of the page. What has the focus comes first: a text field keeps every key, a list its letters, a slider its arrows. */
+import { isComposed } from "../ui/composed-key.ts";
 import { takeTyped } from "../ui/open-field.ts";
 import { bracketOf } from "./bracket-key.ts";
 import type { Editor } from "./editor.ts";
 import type { LayerCommands } from "./layer-commands.ts";
+import { letterOf } from "./letter-key.ts";
 import { VIEW_LAYOUTS } from "./view-state.ts";
 
 export interface ShortcutActions {
@@ -13,11 +15,11 @@ export interface ShortcutActions {
 
 /** True when the key was ours, and its default must not happen. */
 export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: ShortcutActions): boolean {
-  if (event.defaultPrevented || event.isComposing) return false;
+  if (event.defaultPrevented || isComposed(event)) return false;
   const focus = focusOf(event);
   if (event.ctrlKey || event.metaKey) {
     if (focus === "text") {
-      if (!["s", "o"].includes(event.key.toLowerCase())) return false;
+      if (!["s", "o"].includes(letterOf(event))) return false;
       // What stands in a field is recorded when it is left: what is saved must hold it.
       takeTyped(event.composedPath()[0]);
     }
@@ -25,7 +27,7 @@ export function handleShortcut(event: KeyboardEvent, editor: Editor, actions: Sh
   }
   if (focus === "text" && event.key === "Escape") return leaveField(event, editor);
   // Who has set a slider by pointer goes on with a tool by its letter.
-  if (focus !== "page" && !(focus === "slider" && /^[a-z]$/i.test(event.key))) return false;
+  if (focus !== "page" && !(focus === "slider" && /^[a-z]$/.test(letterOf(event)))) return false;
   // Typed for the words whose font is not there yet: no tool is meant, and no layer is to be deleted.
   if (editor.texts.coming && !event.altKey && /^(?:\S|Delete|Backspace)$/u.test(event.key)) return true;
   if (event.key === "?") {
@@ -49,10 +51,10 @@ function leaveField(event: KeyboardEvent, { work }: Editor): boolean {
 
 function handleCommand(event: KeyboardEvent, { files, layers, store }: Editor, actions: ShortcutActions): boolean {
   if (event.altKey) return false;
-  if (store.state.readonly && event.key.toLowerCase() !== "s") return false;
+  if (store.state.readonly && letterOf(event) !== "s") return false;
   const bracket = bracketOf(event);
   if (bracket !== null) return arrange(layers, bracket, event.shiftKey);
-  switch (event.key.toLowerCase()) {
+  switch (letterOf(event)) {
     case "z":
       void files.travel(event.shiftKey ? "redo" : "undo");
       return true;
@@ -74,7 +76,8 @@ function handleCommand(event: KeyboardEvent, { files, layers, store }: Editor, a
       layers.merge();
       return true;
     case "s":
-      void files.saveDesign();
+      // Held, it would be a file each time that the key is repeated.
+      if (!event.repeat) void files.saveDesign();
       return true;
     case "o":
       actions.openModel?.();
@@ -93,23 +96,23 @@ function handleView(event: KeyboardEvent, { views, store }: Editor): boolean {
     return true;
   }
   if (!event.shiftKey) return false;
-  switch (event.key.toUpperCase()) {
-    case "U":
+  switch (letterOf(event)) {
+    case "u":
       views.toggleShading();
       return true;
-    case "W":
+    case "w":
       views.toggle("wireframe");
       return true;
-    case "T":
+    case "t":
       views.toggle("turntable");
       return true;
-    case "G":
+    case "g":
       views.toggle("guide");
       return true;
-    case "L":
+    case "l":
       views.toggle("aligns");
       return true;
-    case "P":
+    case "p":
       if (store.state.animation.clips.length > 0) views.animate({ playing: !store.state.animation.playing });
       return true;
     default:
@@ -147,7 +150,7 @@ function handleAlt(event: KeyboardEvent, { decals }: Editor): boolean {
 /** What is left where the design is only looked at. */
 function handleLook(event: KeyboardEvent, { layers, viewer }: Editor): boolean {
   if (event.key === "Escape") layers.select(null);
-  else if (event.key.toLowerCase() === "f") viewer.frameModel();
+  else if (letterOf(event) === "f") viewer.frameModel();
   else return false;
   return true;
 }
@@ -178,11 +181,11 @@ function handlePlain(event: KeyboardEvent, { decals, layers, viewer, store }: Ed
       if (store.state.toolPanel === null) layers.select(null);
       else store.set({ toolPanel: null });
       return true;
-    case "f":
-    case "F":
-      viewer.frameModel();
-      return true;
     default:
+      if (letterOf(event) === "f") {
+        viewer.frameModel();
+        return true;
+      }
       return /^\d$/.test(event.key) && layers.fade(Number(event.key) / 10 || 1);
   }
 }

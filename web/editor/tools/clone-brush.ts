@@ -2,6 +2,7 @@
 import { html } from "lit";
 import { Crosshair, Stamp } from "lucide";
 import type { SurfaceHit } from "../../viewer/viewer-api.ts";
+import { letterOf } from "../state/letter-key.ts";
 import type { Strings } from "../strings.ts";
 import { icon } from "../ui/icon.ts";
 import type { BrushKind, StrokeStart } from "./brush-tool.ts";
@@ -66,7 +67,7 @@ export class CloneBrush implements BrushKind {
 
   /** The tool's own letter again sets another source. */
   readonly key = (event: KeyboardEvent): boolean => {
-    if (event.shiftKey || event.key.toUpperCase() !== this.shortcut) return false;
+    if (event.shiftKey || letterOf(event).toUpperCase() !== this.shortcut) return false;
     const { tools, board } = this.#context;
     tools.configure({ cloneArmed: !this.armed() });
     if (this.armed()) board.announce(this.#words.armed);

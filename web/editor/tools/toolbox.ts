@@ -3,6 +3,7 @@ import { LOOK_ONLY } from "../../viewer/look-only.ts";
 import type { ModelViewer, TextureView, ToolInput } from "../../viewer/viewer-api.ts";
 import { diagonalOf } from "../state/design-state.ts";
 import type { EditorState } from "../state/editor-state.ts";
+import { letterOf } from "../state/letter-key.ts";
 import type { NoticeBoard } from "../state/notice-board.ts";
 import type { Store } from "../state/store.ts";
 import { isPixelated } from "./pixel-mode.ts";
@@ -122,7 +123,7 @@ export class Toolbox {
     if (event.key === "Escape" && this.cancel()) return true;
     if (this.active?.key?.(event, this.#viewOf(event))) return true;
     if (event.shiftKey) return false;
-    const key = event.key.toUpperCase();
+    const key = letterOf(event).toUpperCase();
     const meant = this.offered.filter(({ shortcut }) => shortcut === key);
     // Tools that share a key take turns.
     const tool = meant[(meant.findIndex(({ id }) => id === this.active?.id) + 1) % meant.length];

@@ -1,0 +1,8 @@
+/**
+ * The Latin letter that a key means, in lower case; what the key says else. By its place on the keyboard where a layout has another
+ * script's letter there (Cyrillic, Greek, Hebrew, Arabic): so do browsers and systems with their own Ctrl Z.
+ */
+export function letterOf({ key, code }: Pick<KeyboardEvent, "key" | "code">): string {
+  const [, place] = /^Key([A-Z])$/.exec(code) ?? [];
+  return (place !== undefined && /[^\0-\x7f]/.test(key) ? place : key).toLowerCase();
+}
