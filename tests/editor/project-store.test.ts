@@ -252,6 +252,21 @@ describe("a project kept in the browser", () => {
     expect((await store.newest())?.id).toBe("b");
   });
 
+  it("is the newest when it was begun or come back to last, though the clock was set back meanwhile", async () => {
+    time = 9_000;
+    await save("ahead", content(design(1)), 0);
+    time = 1_000;
+    await save("begun", content(design(1), "Shoe"), 0);
+    expect((await store.newest())?.id).toBe("begun");
+    time = 1_500;
+    await store.touch("ahead");
+    expect((await store.newest())?.id).toBe("ahead");
+    time = 2_000;
+    await store.touch("begun");
+    await save("begun", content(design(2), "Shoe"), 1);
+    expect((await store.newest())?.id).toBe("begun");
+  });
+
   it("comes back as it was: design, pictures, model with its side files, sizes and name", async () => {
     const saved = content(design(2));
     await save("a", saved, 0);

@@ -76,7 +76,7 @@ export class ProjectStore {
     return this.#write(async (tables) => {
       const row = await tables.objectStore("projects").get(id);
       if (!row || row.deleted !== null) return null;
-      await tables.objectStore("projects").put({ ...row, opened: this.#now() });
+      await tables.objectStore("projects").put({ ...row, opened: await this.#afterAll(tables) });
       return { name: row.name, revision: row.revision };
     });
   }
@@ -135,9 +135,17 @@ export class ProjectStore {
     const { id, revision } = summary;
     await tables.objectStore("revisions").put({ ...content, project: id, revision });
     const previous = row?.revision ?? null;
-    await tables.objectStore("projects").put({ ...summary, modified: this.#now(), previous, deleted: null });
+    const opened = row === undefined ? await this.#afterAll(tables) : row.opened;
+    const saved = { ...summary, modified: this.#now(), previous, deleted: null };
+    await tables.objectStore("projects").put(opened === undefined ? saved : { ...saved, opened });
     if (row?.previous != null) await dropRevision(tables, id, row.previous, new Set(content.blobs));
     return revision;
+  }
+
+  /** Now; behind all that was open or saved before, where the clock was set back since. */
+  async #afterAll(tables: Writing): Promise<number> {
+    const rows = await tables.objectStore("projects").getAll();
+    return Math.max(this.#now(), ...rows.map((row) => lastSeen(row) + 1));
   }
 
   /**
