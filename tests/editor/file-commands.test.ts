@@ -22,8 +22,9 @@ function chosen(...names: readonly string[]) {
   const decals = { add: (name: string) => void added.push(name) } as unknown as DecalCommands;
   const board = new NoticeBoard(store);
   const opened: string[] = [];
+  const session = { recordsLater: () => {} };
   const palettes = () => ({ open: async ({ name }: File) => void opened.push(name) });
-  const parts = { store, library, decals, board, palettes, tasks: new Tasks(store), admission: null };
+  const parts = { store, library, decals, board, palettes, tasks: new Tasks(store), admission: null, session };
   const files = new FileCommands(parts as unknown as FileCommandsParts);
   return {
     added,

@@ -82,7 +82,7 @@ export class FileCommands {
 
   /** Gives a decal the chosen picture in place of its own. */
   replacePicture(id: string, chosen: readonly CollectedFile[]): Promise<void> {
-    return this.#unlessReadonly(() => this.#replacePicture(id, chosen));
+    return this.#unlessReadonly(() => this.#coming(this.#replacePicture(id, chosen)));
   }
 
   openDemo(demo: DemoModel): Promise<void> {
@@ -95,7 +95,7 @@ export class FileCommands {
   }
 
   addDemoDecal(decal: DemoDecal, hit: SurfaceHit | null = null): Promise<void> {
-    return this.#unlessReadonly(() => this.#addDemoDecal(decal, hit));
+    return this.#unlessReadonly(() => this.#coming(this.#addDemoDecal(decal, hit)));
   }
 
   /** What would change the design is not begun where it is only looked at, and the user is told. */
@@ -104,6 +104,12 @@ export class FileCommands {
     const { title, message } = board.strings.readonly;
     if (store.state.readonly) board.info({ title, message });
     else await tasks.quietly(work());
+  }
+
+  /** What is undone or saved while it is on its way waits until it is there: it was asked for before. */
+  async #coming(work: Promise<void>): Promise<void> {
+    this.#parts.session.recordsLater(work);
+    await work;
   }
 
   async #openFiles(
@@ -196,8 +202,8 @@ export class FileCommands {
     this.#checkModel(pictures, fonts);
     // A place on the surface is one of the model that was there before.
     const place = model ? null : hit;
-    await this.#useEach(fonts, (font) => this.#useFont(font, place));
-    await this.#useEach(pictures, (picture) => this.#addPicture(picture, place, pictures.length > 1));
+    await this.#coming(this.#useEach(fonts, (font) => this.#useFont(font, place)));
+    await this.#coming(this.#useEach(pictures, (picture) => this.#addPicture(picture, place, pictures.length > 1)));
   }
 
   /**
