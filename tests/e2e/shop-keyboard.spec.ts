@@ -28,6 +28,22 @@ for (const [key, where, selector] of [
   });
 }
 
+test("on a keyboard with Cyrillic letters undo and redo have the keys that they have on a Latin one", async ({
+  page,
+}) => {
+  const editor = await openWithText(page);
+  const rows = editor.locator(ROW);
+  const count = await rows.count();
+  const press = (key: string, shiftKey: boolean) =>
+    editor
+      .getByRole("application")
+      .dispatchEvent("keydown", { key, code: "KeyZ", ctrlKey: true, shiftKey, bubbles: true, composed: true });
+  await press("я", false);
+  await expect(rows).toHaveCount(count - 1);
+  await press("Я", true);
+  await expect(rows).toHaveCount(count);
+});
+
 test("a message that is sent away by a key leaves the keyboard in the view", async ({ page }) => {
   const editor = await openWithText(page);
   const chooser = page.waitForEvent("filechooser");

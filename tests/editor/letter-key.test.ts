@@ -8,7 +8,7 @@ describe("the letter that a key means", () => {
     ["by what it types, where Latin letters have other places", "z", "KeyY", "z"],
     ["by its place, on a Russian layout", "я", "KeyZ", "z"],
     ["by its place, on an Arabic layout whose key has two letters", "لا", "KeyB", "b"],
-    ["as it is, of keys that have no Latin letter's place", "ж", "Semicolon", "ж"],
+    ["none, of keys that have no Latin letter's place", "ж", "Semicolon", "semicolon"],
     ["the name of a key that types nothing", "Delete", "Delete", "delete"],
   ])("is %s", (_, key, code, letter) => {
     expect(letterOf({ key, code })).toBe(letter);

@@ -3,6 +3,6 @@
  * script's letter there (Cyrillic, Greek, Hebrew, Arabic): so do browsers and systems with their own Ctrl Z.
  */
 export function letterOf({ key, code }: Pick<KeyboardEvent, "key" | "code">): string {
-  const [, place] = /^Key([A-Z])$/.exec(code) ?? [];
-  return (place !== undefined && /[^\0-\x7f]/.test(key) ? place : key).toLowerCase();
+  // Behind all of ASCII. Other places than a letter's give what is no letter.
+  return (key > "~" ? code.replace("Key", "") : key).toLowerCase();
 }

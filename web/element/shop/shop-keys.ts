@@ -20,9 +20,10 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   if (event.ctrlKey || event.metaKey) {
     // A choice has no undo of its own: the browser would take back letters of the field before it, which is no step.
     if (typing) return false;
-    const key = event.key.toLowerCase();
-    if (key !== "z" && key !== "y") return false;
-    void desk.step(key === "z" && !event.shiftKey ? -1 : 1);
+    // By its place where the layout has another script's letter there.
+    const letter = event.key > "~" ? event.code[3] : event.key;
+    if (!/^[zy]$/i.test(letter)) return false;
+    void desk.step(/y/i.test(letter) || event.shiftKey ? 1 : -1);
     return true;
   }
   if (typing || target instanceof HTMLSelectElement) return false;
@@ -42,19 +43,18 @@ export function handleKey(event: KeyboardEvent, desk: Desk, report: (step: KeySt
   };
   const step = NUDGE_SHARE * diagonalOf(desk.store.state.model) * steps;
   const nudge = (right: number, up: number): boolean =>
-    desk.hands !== null &&
-    place("nudge", desk.hands.nudge(projector, right * step, up * step), right * step, up * step);
+    desk.hands !== null && place("nudge", desk.hands.nudge(projector, right, up), right, up);
   const bracket = bracketOf(event);
   if (bracket !== null) return place("spin", spunProjector(projector, -bracket * steps));
   switch (event.key) {
     case "ArrowLeft":
-      return nudge(-1, 0);
+      return nudge(-step, 0);
     case "ArrowRight":
-      return nudge(1, 0);
+      return nudge(step, 0);
     case "ArrowUp":
-      return nudge(0, 1);
+      return nudge(0, step);
     case "ArrowDown":
-      return nudge(0, -1);
+      return nudge(0, -step);
     case "+":
     case "=":
       return place("scale", scaledProjector(projector, 1.02));
