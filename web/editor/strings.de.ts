@@ -777,6 +777,7 @@ export const german: Strings = {
     couldNotShowMap: "Die Karte ließ sich nicht zeigen",
     couldNotStart: "Texelcast kann hier nicht starten",
     engineFault: "Die Mal-Engine meldet einen Fehler",
+    tooManyLayers: "Die Ebenen brauchen mehr Speicher, als da ist",
     engineHalted: "Die Mal-Engine bleibt immer wieder stehen",
     cancelled: "Abgebrochen.",
     noModelForText: "Es ist kein Modell offen, auf dem der Text stehen könnte.",

@@ -773,6 +773,7 @@ const english = {
     couldNotWrite: "Could not set the text",
     couldNotStart: "Texelcast cannot start here",
     engineFault: "The painting engine reported a fault",
+    tooManyLayers: "The layers need more memory than there is",
     engineHalted: "The painting engine keeps stopping",
     cancelled: "Cancelled.",
     noModelForText: "There is no model to put text on.",

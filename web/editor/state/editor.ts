@@ -121,7 +121,7 @@ export class Editor {
     });
     const send = this.session.send.bind(this.session);
     this.#trouble = new EngineTrouble({
-      ...{ engine, board },
+      ...{ engine, board, store },
       send: () => send(this.session.design),
       undo: () => void this.files.travel("undo"),
     });

@@ -1,17 +1,21 @@
 /**
  * What the page says of its engine's faults. An engine that had to be started again and cannot be, for want of a connection,
- * is told once, and tried again until it is back.
+ * is told once, and tried again until it is back. Layers that ask for more memory than there is are told until they no longer do.
  */
 import { TexelcastError } from "../../core/texelcast-error.ts";
 import type { Engine } from "../../engine/engine-api.ts";
 import { RETRY_MS } from "../../engine/retry-pause.ts";
+import type { Design } from "../document/index.ts";
 import { ToldError } from "../strings/told-error.ts";
+import type { EditorState } from "./editor-state.ts";
 import type { NoticeBoard } from "./notice-board.ts";
 import { lacksScript } from "./notices.ts";
+import type { Store } from "./store.ts";
 
 export interface EngineTroubleParts {
   readonly engine: Pick<Engine, "idle" | "stats">;
   readonly board: NoticeBoard;
+  readonly store: Pick<Store<EditorState>, "state" | "subscribe">;
   /** Gives the engine the layers anew, which starts one again that stands still. */
   readonly send: () => void;
   readonly undo: () => void;
@@ -23,15 +27,20 @@ export class EngineTrouble {
   #restarted: number | null = null;
   /** Says that it cannot be. */
   #away: number | null = null;
+  /** Says that there is no memory for all layers. */
+  #full: number | null = null;
+  /** The design that was asked of last whether there is; null where that is not told. */
+  #tooLarge: Design | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(parts: EngineTroubleParts) {
     this.#parts = parts;
+    parts.store.subscribe(() => void this.#lookForRoom());
   }
 
   /** A crash is over when it is told: the engine's client has brought everything back, or says that it cannot. */
   tell(error: Error): void {
-    const { board, undo } = this.#parts;
+    const { board, store, undo } = this.#parts;
     const { errors, notices } = board.strings;
     const code = error instanceof TexelcastError ? error.code : "";
     if (code === "engine-crashed") {
@@ -43,9 +52,29 @@ export class EngineTrouble {
     } else {
       void this.#hasStopped(error).then((stopped) => {
         if (stopped) this.#wait();
-        else board.error(errors.engineFault, error);
+        else if (code === "out-of-budget") {
+          this.#full = board.error(errors.tooManyLayers, error, { label: notices.undoLast, run: undo });
+          this.#tooLarge ??= store.state.design;
+        } else board.error(errors.engineFault, error);
       });
     }
+  }
+
+  /** Once the design is another, and again after each change that does not make it small enough. */
+  async #lookForRoom(): Promise<void> {
+    const { board, engine, store } = this.#parts;
+    const { design } = store.state;
+    if (this.#tooLarge === null || this.#tooLarge === design) return;
+    this.#tooLarge = design;
+    // Another change may have come meanwhile, which is asked of by itself.
+    const fits = await engine.idle().then(
+      () => true,
+      () => false,
+    );
+    if (!fits || this.#tooLarge !== design || this.#full === null) return;
+    board.dismiss(this.#full);
+    this.#full = null;
+    this.#tooLarge = null;
   }
 
   /** Whether the engine stands still because of that error; with others it goes on. */
